@@ -12,7 +12,7 @@ RUN curl --proto '=https' --tlsv1.2 --silent --show-error --fail https://sh.rust
     | sh -s -- -y --no-modify-path --profile minimal --default-toolchain none
 WORKDIR /inkpanel
 COPY . .
-RUN cargo xtask build && cargo build --release --package inkpanel
+RUN cargo xtask build && cargo build --release --package inkpanel --features cli
 
 FROM nginx:1.28-bookworm
 COPY docs/hosting/nginx.conf /etc/nginx/conf.d/default.conf

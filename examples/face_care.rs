@@ -1,6 +1,6 @@
 //! Photos with faces in styles, without and with care for faces, side by side: what `docs/style-ratings.md` was rated on.
 //!
-//!     cargo run --release --example face_care -- OUT.png WIDTH STYLE,STYLE,... PHOTO...
+//!     cargo run --release --features cli --example face_care -- OUT.png WIDTH STYLE,STYLE,... PHOTO...
 //!
 //! A line a style; of each photo, `WIDTH` pixels wide, first the picture without care, then the one with it.
 

@@ -1,101 +1,130 @@
 //! # Inkpanel
 //!
-//! Photos in, a stylised storyboard page out. The modules stand in the order that a photo travels; a stage
-//! never imports a later one.
+//! Photos in, stylised storyboard pages out: chosen, laid out, cropped to what they show, drawn, lettered.
+//!
+//! ```
+//! use inkpanel::{Album, PageOptions, Photo, Style};
+//!
+//! // Photos are files, the bytes of files, or pixels.
+//! let gradient = |i: u8| (0..90 * 60).flat_map(|at| [(at % 90) as u8, (at / 90) as u8, 60 * i]).collect::<Vec<_>>();
+//! let photos = (1..=3).map(|i| Photo::from_rgb(format!("photo {i}"), 90, 60, &gradient(i)));
+//! let album = Album::read(photos.collect::<Result<_, _>>()?)?;
+//!
+//! // A page of them: what is not said is left to the photos and to chance, which begins at the seed.
+//! let options = PageOptions::new().size("square", None, Some(320))?.style(&Style::designed("comic")?).seed(7);
+//! let page = album.page(&options)?;
+//! let png = page.png()?;
+//! assert!(png.starts_with(b"\x89PNG"));
+//! # Ok::<(), inkpanel::Failure>(())
+//! ```
+//!
+//! | to | there is |
+//! |---|---|
+//! | give photos | [`Photo`], and an [`Album`] that has read them |
+//! | find faces and objects, so that no crop cuts them | [`Nets`](https://docs.rs/inkpanel/latest/inkpanel/struct.Nets.html) and `Album::detect` (feature `detect`) |
+//! | ask for pages | [`PageOptions`], [`layouts`], [`Style`] |
+//! | draw pages | [`Page`], [`Pixels`], [`pdf`] |
+//! | draw any picture in a style | [`Style::draw`] |
+//! | know what went wrong | [`Failure`] |
+//!
+//! The same photos and options make the same pixels, on every machine and in the browser. There is no global state, no clock, and
+//! no randomness but from a seed that the caller gives. Work is spread over all cores; `RAYON_NUM_THREADS` says over how many.
+//!
+//! # Features
+//!
+//! None is on unless asked for.
+//!
+//! | feature | for |
+//! |---|---|
+//! | `detect` | nets that find faces and objects |
+//! | `rare` | photos as WebP, TIFF and GIF, and with the colours of scanners and presses |
+//! | `files` | saved projects |
+//! | `cli` | the command line `inkpanel`: `cargo install inkpanel --features cli` |
+//! | `internals` | the stages themselves; they change from one version to the next without a word |
+//! | `core`, `words`, `exports`, `decoders`, `films`, `imitation`, `brush` | what the modules of the page in the browser export |
+//!
+//! # The stages
+//!
+//! With `internals`, the modules stand in the order that a photo travels; a stage never imports a later one. Each has an example that
+//! runs, `examples/stage_raster.rs` and so on to `stage_page.rs`.
 //!
 //! | module | stage |
 //! |---|---|
-//! | [`raster`] | pixels: planar u8 images, decoding, resampling (under everything) |
-//! | [`simd`] | row kernels on lanes (under `style`) |
-//! | [`select`] | fingerprints, near-duplicate groups, the sharpest of each; the shots of films |
-//! | [`hearing`] | sounds of films that words may stand for, and where music runs |
+//! | `raster` | pixels: planar u8 images, decoding, resampling (under everything) |
+//! | `simd` | row kernels on lanes (under `style`) |
+//! | `select` | fingerprints, near-duplicate groups, the sharpest of each; the shots of films |
+//! | `hearing` | sounds of films that words may stand for, and where music runs |
 //! | `detect` | faces and objects, by two nets (feature `detect`) |
-//! | [`layout`] | page templates: split trees, polygons, gutters, merges |
-//! | [`framing`] | the crop of a photo that fits a panel |
-//! | [`style`] | chains of filter blocks in two layers |
-//! | [`plan`] | which layout, which photo in which panel, judged by what is seen |
-//! | [`page`] | panels, borders and paper composed into one page; PNG, JPEG, PDF |
-//! | [`output`] | pages as comics that are read: HTML with a reader in it, EPUB, comic archives |
-//! | [`document`] | the project that a person edits and saves: its pages, photos, styles and layouts |
-//! | `native` | pages drawn by all cores of a machine (feature `cli`) |
+//! | `layout` | page templates: split trees, polygons, gutters, merges |
+//! | `framing` | the crop of a photo that fits a panel |
+//! | `style` | chains of filter blocks in two layers |
+//! | `plan` | which layout, which photo in which panel, judged by what is seen |
+//! | `page` | panels, borders and paper composed into one page; PNG, JPEG, PDF |
+//! | `output` | pages as comics that are read: HTML with a reader in it, EPUB, comic archives |
+//! | `document` | the project that a person edits and saves: its pages, photos, styles and layouts |
+//! | `native` | pages drawn by all cores of a machine |
 //!
 //! `error`, `raster`, `simd` and `style` are a crate of their own, `inkpanel-pixels`: what runs over pixels is compiled for
-//! speed, the rest of the core to be small.
+//! speed, the rest of the core to be small. So is `detect`, `inkpanel-detect`, which brings tract.
 //!
-//! Under everything beside `raster`: [`error`], and [`json`], which reads JSON of strangers.
-//!
-//! On top, without algorithms of their own: `wasm`, `wasm_detect`, `wasm_decoders`, `wasm_films`, `wasm_imitation`, `wasm_brush`, `wasm_words`, and `wasm_files` with `wasm_comics` (the
-//! web boundary, in eight modules; `wasm_letters` is in two of them) and `main.rs` (the command line).
-//!
-//! Each stage has an example that runs: `examples/stage_raster.rs` and so on to `stage_page.rs`. Through some of them:
-//!
-//! ```
-//! use inkpanel::framing::PhotoMeta;
-//! use inkpanel::layout::{self, PageSettings};
-//! use inkpanel::plan::{Order, assign, slots};
-//! use inkpanel::raster::{Image, Plane};
-//! use inkpanel::style::{Context, catalogue, stylize};
-//!
-//! // An image, where usually `raster::decode` gives one.
-//! let plane = |i: usize| Plane::from_fn(60, 40, |x, y| ((3 + i) * x + (5 - i) * y) as u8);
-//! let image = Image::from_rgb([plane(0), plane(1), plane(2)])?;
-//!
-//! // The same image in a style.
-//! let style = catalogue::find("comic")?;
-//! let drawn = stylize(&image, style, &mut Context::for_image(&image))?;
-//! assert_eq!((drawn.width(), drawn.height()), (60, 40));
-//!
-//! // The panels of a page, and what each shows of three photos.
-//! let page = PageSettings::default();
-//! let panels = layout::resolve(layout::find("cinema-3")?, page.aspect(), &page);
-//! let photos: Vec<_> = ["a", "b", "c"].map(|id| PhotoMeta::unmeasured(id, 1600, 1200)).into();
-//! let shown = assign(&photos, &slots(&panels, f64::from(page.width)), Order::Kept, 7);
-//! assert_eq!(shown.len(), panels.len());
-//! # Ok::<(), inkpanel::Error>(())
-//! ```
-//!
-//! Invariants: no global state, no clock, no randomness but from a seed that the caller gives; every
-//! spatial parameter of a style is in pixels of a 1920 x 1080 image and scaled to the render at hand.
+//! On top, without algorithms of their own: `facade`, which is what you see here, `wasm` and the modules whose names begin so (the web
+//! boundary), and `main.rs` (the command line). Every spatial parameter of a style is in pixels of a 1920 x 1080 image and scaled to
+//! the render at hand.
 
-#[cfg(feature = "detect")]
-pub mod detect;
-#[cfg(feature = "pages")]
+// Without the stages, much of them is used by nobody.
+#![cfg_attr(
+    not(feature = "internals"),
+    allow(dead_code, unused_imports, unreachable_pub, clippy::struct_field_names)
+)]
+
+#[cfg(not(feature = "internals"))]
+mod document;
+#[cfg(feature = "internals")]
 pub mod document;
-#[cfg(feature = "pages")]
+#[cfg(not(feature = "internals"))]
+mod framing;
+#[cfg(feature = "internals")]
 pub mod framing;
-#[cfg(feature = "pages")]
+#[cfg(not(feature = "internals"))]
+mod hearing;
+#[cfg(feature = "internals")]
 pub mod hearing;
-#[cfg(feature = "pages")]
+#[cfg(not(feature = "internals"))]
+mod json;
+#[cfg(feature = "internals")]
 pub mod json;
-#[cfg(feature = "pages")]
+#[cfg(not(feature = "internals"))]
+mod layout;
+#[cfg(feature = "internals")]
 pub mod layout;
-#[cfg(feature = "cli")]
-pub mod native;
-#[cfg(feature = "pages")]
+#[cfg(not(feature = "internals"))]
+mod output;
+#[cfg(feature = "internals")]
 pub mod output;
-#[cfg(feature = "pages")]
+#[cfg(not(feature = "internals"))]
+mod page;
+#[cfg(feature = "internals")]
 pub mod page;
-#[cfg(feature = "pages")]
+#[cfg(not(feature = "internals"))]
+mod plan;
+#[cfg(feature = "internals")]
 pub mod plan;
-#[cfg(feature = "pages")]
+#[cfg(not(feature = "internals"))]
+mod select;
+#[cfg(feature = "internals")]
 pub mod select;
+
+#[cfg(not(target_arch = "wasm32"))]
+mod facade;
+#[cfg(all(not(target_arch = "wasm32"), not(feature = "internals")))]
+mod native;
+#[cfg(all(not(target_arch = "wasm32"), feature = "internals"))]
+pub mod native;
 
 #[cfg(all(test, feature = "cli"))]
 mod typescript;
 
-#[cfg(all(
-    target_arch = "wasm32",
-    feature = "pages",
-    not(any(
-        feature = "detect",
-        feature = "words",
-        feature = "exports",
-        feature = "decoders",
-        feature = "films",
-        feature = "imitation",
-        feature = "brush"
-    ))
-))]
+#[cfg(all(target_arch = "wasm32", feature = "core"))]
 pub mod wasm;
 #[cfg(all(target_arch = "wasm32", feature = "exports"))]
 pub mod wasm_boards;
@@ -105,10 +134,6 @@ pub mod wasm_brush;
 pub mod wasm_comics;
 #[cfg(all(target_arch = "wasm32", feature = "decoders"))]
 pub mod wasm_decoders;
-#[cfg(all(target_arch = "wasm32", feature = "detect"))]
-pub mod wasm_detect;
-#[cfg(all(target_arch = "wasm32", any(feature = "pages", feature = "detect")))]
-mod wasm_error;
 #[cfg(all(target_arch = "wasm32", feature = "exports"))]
 pub mod wasm_files;
 #[cfg(all(target_arch = "wasm32", feature = "films"))]
@@ -120,9 +145,17 @@ pub mod wasm_letters;
 #[cfg(all(target_arch = "wasm32", feature = "words"))]
 pub mod wasm_words;
 
-pub use error::{Error, Result};
-#[cfg(feature = "pages")]
+#[cfg(not(target_arch = "wasm32"))]
+pub use facade::*;
+#[cfg(all(feature = "detect", not(feature = "internals")))]
+use inkpanel_detect as detect;
+#[cfg(all(feature = "detect", feature = "internals"))]
+pub use inkpanel_detect as detect;
 use inkpanel_pixels::order;
-#[cfg(feature = "pages")]
-pub use inkpanel_pixels::style;
-pub use inkpanel_pixels::{error, raster, simd};
+#[cfg(not(feature = "internals"))]
+use inkpanel_pixels::{error, raster, simd, style};
+#[cfg(feature = "internals")]
+pub use inkpanel_pixels::{
+    error::{self, Error, Result},
+    raster, simd, style,
+};

@@ -34,7 +34,7 @@ use crate::raster::{Image, Matte, Plane};
 use crate::style::context::scale_of;
 use crate::style::part::subject_in;
 use crate::style::{Context, Style, earlier, stylize};
-use crate::wasm_error::thrown;
+use inkpanel_pixels::thrown::thrown;
 use serde::Serialize;
 use serde_json::Value;
 use std::collections::HashMap;

@@ -8,8 +8,8 @@ use crate::output::animatic::{self, Animatic};
 use crate::output::board::Request;
 use crate::output::motion;
 use crate::output::shots::{Kind, ShotList};
-use crate::wasm_error::thrown;
 use crate::wasm_letters::Lettering;
+use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 /// The text of a list of shots (a `ShotList` as JSON) as a file of that ending: csv, edl, otio or xml.

@@ -8,7 +8,7 @@
 
 use crate::raster::retouch::{Mending, Session, View};
 use crate::raster::{Image, Matte};
-use crate::wasm_error::thrown;
+use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]

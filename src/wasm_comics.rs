@@ -5,8 +5,8 @@
 
 use crate::error::{Error, Result};
 use crate::output::{Comic, cbz, epub, html};
-use crate::wasm_error::thrown;
 use crate::wasm_letters::Lettering;
+use inkpanel_pixels::thrown::thrown;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 

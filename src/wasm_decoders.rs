@@ -7,7 +7,7 @@
 use crate::raster::Image;
 use crate::raster::animation;
 use crate::raster::decode::{Limits, decode};
-use crate::wasm_error::thrown;
+use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 /// Bytes before the pixels of a BMP file.

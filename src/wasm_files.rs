@@ -12,8 +12,8 @@ use crate::page::mask::PixelRect;
 use crate::page::pdf::{self, Leaf, Options, Picture, picture};
 use crate::page::plates::Separation;
 use crate::page::{Document, jpeg, webp};
-use crate::wasm_error::thrown;
 use crate::wasm_letters::Lettering;
+use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 /// A page on which patches are laid.

@@ -9,7 +9,7 @@ use crate::hearing;
 use crate::select::look::{Look, Samples};
 use crate::select::shots::Film;
 use crate::select::stills::{self, Wish};
-use crate::wasm_error::thrown;
+use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]

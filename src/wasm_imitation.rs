@@ -10,7 +10,7 @@ use crate::json::plain as parse;
 use crate::raster::Image;
 use crate::style::imitate::{self, Ask, Features, Search, Seen, Trial};
 use crate::style::{Context, Style};
-use crate::wasm_error::thrown;
+use inkpanel_pixels::thrown::thrown;
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 

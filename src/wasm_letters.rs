@@ -5,7 +5,7 @@
 
 use crate::page::words::Letters;
 use crate::page::words::learning::Drawing;
-use crate::wasm_error::thrown;
+use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]

@@ -1,7 +1,7 @@
 //! How good the pages are that the composer makes: a sheet to be looked at, and a table of what geometry can tell.
 //!
-//!     cargo run --release --example composer -- sheet FOLDER PHOTOS...    48 pages as PNG files, scores apart
-//!     cargo run --release --example composer -- table FILE|- PHOTOS...    the bars over 200 pages
+//!     cargo run --release --features cli --example composer -- sheet FOLDER PHOTOS...    48 pages as PNG files, scores apart
+//!     cargo run --release --features cli --example composer -- table FILE|- PHOTOS...    the bars over 200 pages
 //!
 //! Each page is planned from twelve photos drawn from those given, as `inkpanel render` would with its number as seed.
 //! What is cut is counted here by points of the boxes against the exact outlines, not by what the composer goes by.

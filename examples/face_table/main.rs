@@ -1,6 +1,6 @@
 //! A table of the faces in photos and of what panels do to them, and a sheet to look at; `cargo xtask faces` runs it.
 //!
-//!     cargo run --example face_table -- TABLE.md SHEET.jpg PHOTOS...
+//!     cargo run --features cli --example face_table -- TABLE.md SHEET.jpg PHOTOS...
 //!
 //! Each photo is framed for nine panels from tall to wide: by contrast alone (*before*), and by what was found
 //! (*after*). A face is *cut* when a panel shows a part of it only; *avoidable* counts the cuts after, for which a crop

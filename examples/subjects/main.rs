@@ -1,6 +1,6 @@
 //! A table of how well the subjects of photos are cut out, against marks that a person made, and a sheet to look at.
 //!
-//!     cargo run --release --example subjects -- SHEET.jpg
+//!     cargo run --release --features cli --example subjects -- SHEET.jpg
 //!
 //! On the sheet, the worst first: a photo with what is beside its mask darkened, the mask's border in red, the marked one in green.
 

@@ -17,5 +17,7 @@ pub mod raster;
 pub mod simd;
 #[cfg(feature = "pages")]
 pub mod style;
+#[cfg(target_arch = "wasm32")]
+pub mod thrown;
 
 pub use error::{Error, Result};

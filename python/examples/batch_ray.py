@@ -2,8 +2,8 @@
 
     python batch_ray.py ALBUMS PAGES --workers 2 --style comic --page-size a4 --dpi 150
 
-Every folder in ALBUMS is an album, and becomes PAGES/<folder>.pdf, or .png. Albums whose page is there already are skipped, so a
-job that was stopped goes on where it was. What cannot be made is a row of the error table, PAGES/errors.jsonl, and not the end
+Every folder in ALBUMS is an album, and becomes PAGES/<folder>.pdf, or .png, or with --parquet a row of a table in PAGES. Albums whose
+page is there already are skipped, so a job that was stopped goes on where it was. What cannot be made is a row of the error table, PAGES/errors.jsonl, and not the end
 of the job: the album, the photo where it is about one, a code, and a sentence. Needs `pip install inkpanel "ray[data]"`; with
 the variable RAY_ADDRESS it runs on that cluster, whose machines have to see both folders. docs/batches.md tells more.
 """
@@ -24,18 +24,24 @@ class Draw:
     """A worker: draws the pages of albums, one after the other, on one core. It is made once for many batches, so the nets are
     read once."""
 
-    def __init__(self, settings, ending, pages, leave_out, retries):
+    def __init__(self, settings, ending, pages, parquet, leave_out, retries):
         import inkpanel
 
         self.inkpanel, self.settings, self.ending = inkpanel, settings, ending
-        self.pages, self.leave_out, self.retries = Path(pages), leave_out, retries
+        self.pages, self.parquet, self.leave_out, self.retries = Path(pages), parquet, leave_out, retries
 
     def __call__(self, batch):
-        rows = [row for folder in batch["folder"] for row in self.album(Path(str(folder)))]
+        folders, pages = [Path(str(folder)) for folder in batch["folder"]], {}
+        rows = [row for folder in folders for row in self.album(folder, pages)]
+        if self.parquet and pages:
+            # Its name is made of its albums, so a batch that is done again takes the place of what it had made.
+            name = zlib.crc32("/".join(folder.name for folder in folders).encode())
+            self.retried(lambda: written(self.pages / f"pages-{name:08x}.parquet", table_of(pages, self.ending)))
         return {key: [row[key] for row in rows] for key in rows[0]}
 
-    def album(self, folder):
-        """The rows that tell of an album: one without a code for its page, and one for each thing that went wrong."""
+    def album(self, folder, pages):
+        """The rows that tell of an album: one without a code for its page, and one for each thing that went wrong. The page goes into
+        its file, or into `pages`."""
         start, cpu, rows = time.time(), time.process_time(), []
         about = {"album": folder.name, "file": "", "code": "", "message": "", "pid": os.getpid()}
         about.update(began=start, ended=start, cpu=0.0, peak_mb=0.0)
@@ -51,7 +57,10 @@ class Draw:
                         raise
                     rows.append({**about, "file": error.file, "code": error.code, "message": str(error)})
                     photos = left
-            written(self.pages / f"{folder.name}{self.ending}", file)
+            if self.parquet:
+                pages[folder.name] = file
+            else:
+                self.retried(lambda: written(self.pages / f"{folder.name}{self.ending}", file))
             # `ru_maxrss` is in kilobytes on Linux.
             peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
             cpu = time.process_time() - cpu
@@ -80,6 +89,31 @@ class Draw:
                 time.sleep(2**attempt)
 
 
+def table_of(pages, ending):
+    """Pages by their albums as a Parquet file: album, format (pdf or png), and the bytes of the page, which are packed already."""
+    import pyarrow
+    import pyarrow.parquet
+
+    columns = {"album": list(pages), "format": [ending[1:]] * len(pages), "page": list(pages.values())}
+    table = pyarrow.table({**columns, "page": pyarrow.array(columns["page"], pyarrow.binary())})
+    file = pyarrow.BufferOutputStream()
+    pyarrow.parquet.write_table(table, file, compression="none", use_dictionary=False)
+    return file.getvalue()
+
+
+def albums_there(pages, ending, parquet):
+    """The names of the albums whose pages were made before."""
+    if not parquet:
+        return {file.stem for file in pages.glob(f"*{ending}")}
+    import pyarrow.parquet
+
+    there = set()
+    for file in pages.glob("pages-*.parquet"):
+        table = pyarrow.parquet.read_table(file, columns=["album", "format"])
+        there.update(row["album"] for row in table.to_pylist() if row["format"] == ending[1:])
+    return there
+
+
 def written(path, content):
     """Puts a file in its place when it is whole."""
     fresh = path.with_name(f".{path.name}.{os.getpid()}.part")
@@ -101,6 +135,7 @@ def arguments():
     parser.add_argument("--batch", type=int, default=4, help="albums that a worker is given at once")
     parser.add_argument("--retries", type=int, default=2, help="of what failed by disk, network or a worker that died")
     parser.add_argument("--format", choices=["pdf", "png"], default="pdf")
+    parser.add_argument("--parquet", action="store_true", help="pages as rows of Parquet files, a file for each batch")
     parser.add_argument("--leave-out", action="store_true", help="make pages without the photos that cannot be read")
     parser.add_argument("--report", type=Path, help="where figures of the run go, as JSON")
     parser.add_argument("--style"), parser.add_argument("--layout"), parser.add_argument("--page-size", default="a4")
@@ -139,7 +174,9 @@ def drawn(folders, given, batch, waiting):
     table = ray.data.from_items([{"folder": str(folder)} for folder in folders], override_num_blocks=blocks)
     done = table.map_batches(
         Draw,
-        fn_constructor_args=(settings, f".{given.format}", str(given.pages), given.leave_out, given.retries),
+        fn_constructor_args=(
+            settings, f".{given.format}", str(given.pages), given.parquet, given.leave_out, given.retries
+        ),  # fmt: skip
         batch_size=batch,
         num_cpus=1,
         compute=ray.data.ActorPoolStrategy(size=given.workers, max_tasks_in_flight_per_actor=waiting),
@@ -154,7 +191,7 @@ def main():
     given.albums, given.pages = given.albums.resolve(), given.pages.resolve()
     given.pages.mkdir(parents=True, exist_ok=True)
     albums = sorted(folder for folder in given.albums.iterdir() if folder.is_dir())
-    there = {file.stem for file in given.pages.glob(f"*.{given.format}")}
+    there = albums_there(given.pages, f".{given.format}", given.parquet)
     folders = [folder for folder in albums if folder.name not in there]
     start, rows = time.time(), []
 

@@ -2,7 +2,6 @@
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
 pyo3::create_exception!(
     inkpanel,
@@ -37,21 +36,18 @@ impl Failure {
     pub(crate) fn fault(reason: &str) -> Self {
         Self::new("fault", format!("this is a fault of Inkpanel, please report it: {reason}"))
     }
-
-    /// The same, told of a photo.
-    pub(crate) fn of(self, file: &str) -> Self {
-        Self { message: format!("{file}: {}", self.message), file: Some(file.to_owned()), ..self }
-    }
-
-    /// The sentence.
-    pub(crate) fn message(&self) -> &str {
-        &self.message
-    }
 }
 
 impl From<inkpanel::Error> for Failure {
     fn from(error: inkpanel::Error) -> Self {
         Self::new(error.code(), error.to_string())
+    }
+}
+
+impl From<inkpanel::Failure> for Failure {
+    fn from(failure: inkpanel::Failure) -> Self {
+        let file = failure.photo().map(str::to_owned);
+        Self { code: failure.code(), message: failure.to_string(), file }
     }
 }
 
@@ -79,12 +75,5 @@ pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// Does `work` while other threads of Python run. A panic, which is a fault of ours or of a decoder, is an error like others:
 /// Python's own would pass those who catch `Exception`.
 pub(crate) fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> Done<T> + Send) -> PyResult<T> {
-    Ok(py.detach(|| survived(work))?)
-}
-
-/// What `work` gives; a panic in it is a failure.
-pub(crate) fn survived<T>(work: impl FnOnce() -> Done<T>) -> Done<T> {
-    // Nothing that the work may have left half done is looked at again.
-    catch_unwind(AssertUnwindSafe(work))
-        .unwrap_or_else(|_| Err(Failure::fault("the reason is on standard error")))
+    Ok(py.detach(|| inkpanel::survived(work))?)
 }

@@ -1,30 +1,12 @@
 //! A page that is planned: drawn when its pixels or a file of it are asked for.
 
-use crate::failure::{Done, Failure, detached};
-use crate::photos::{Photo, id, shown};
+use crate::failure::{Failure, detached};
 use crate::{arrays, python_of};
-use inkpanel::framing::Subject;
-use inkpanel::native::{self, QUALITY};
-use inkpanel::page::pdf::{self as book, Options};
-use inkpanel::page::words::given::GivenFonts;
-use inkpanel::page::{Document, jpeg, png};
+use inkpanel::Pixels;
 use numpy::{PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyBytes;
-use std::collections::HashMap;
-use std::sync::Arc;
-
-/// Photos, and what is known of them, which all pages of an album share.
-pub(crate) struct Album {
-    pub(crate) photos: Vec<Photo>,
-    /// What was found in photos, by their ids.
-    pub(crate) subjects: HashMap<String, Vec<Subject>>,
-    /// What letters come from that the program lacks.
-    pub(crate) fonts: GivenFonts,
-    /// What is not as it was asked for.
-    pub(crate) notes: Vec<String>,
-}
 
 /// A storyboard page, made by `inkpanel.render`.
 ///
@@ -32,28 +14,20 @@ pub(crate) struct Album {
 /// its pixels are kept. Pages may be used by several threads at once.
 #[pyclass(frozen, module = "inkpanel")]
 pub(crate) struct Page {
-    album: Arc<Album>,
-    document: Document,
+    page: inkpanel::Page,
     drawn: PyOnceLock<Py<PyArray3<u8>>>,
 }
 
 impl Page {
-    pub(crate) fn new(album: Arc<Album>, document: Document) -> Self {
-        Self { album, document, drawn: PyOnceLock::new() }
+    pub(crate) fn new(page: inkpanel::Page) -> Self {
+        Self { page, drawn: PyOnceLock::new() }
     }
 
     /// The pixels, drawn once.
-    fn pixels<'py>(&self, py: Python<'py>) -> PyResult<&Bound<'py, PyArray3<u8>>> {
+    fn drawn<'py>(&self, py: Python<'py>) -> PyResult<&Bound<'py, PyArray3<u8>>> {
         let drawn = self.drawn.get_or_try_init(py, || {
-            let (size, rgb) = detached(py, || {
-                let sheet = native::sheet(
-                    &self.document,
-                    &shown(&self.document, &self.album.photos)?,
-                    &self.album.fonts,
-                )?;
-                Ok(((sheet.width(), sheet.height()), sheet.into_rgb()))
-            })?;
-            let array = arrays::colour(py, size, rgb)?;
+            let pixels = detached(py, || Ok(self.page.pixels()?))?;
+            let array = arrays::colour(py, (pixels.width, pixels.height), pixels.rgb)?;
             // All files of a page show the same.
             array.call_method1("setflags", (false,))?;
             Ok::<_, PyErr>(array.unbind())
@@ -61,23 +35,21 @@ impl Page {
         Ok(drawn.bind(py))
     }
 
-    /// A file of the pixels, as `encode` makes it of their size and of RGB.
+    /// A file of the pixels.
     fn encoded<'py>(
         &self,
         py: Python<'py>,
-        encode: impl Fn((usize, usize), &[u8]) -> inkpanel::Result<Vec<u8>> + Send + Sync,
+        encode: impl Fn(&Pixels) -> Result<Vec<u8>, inkpanel::Failure> + Send + Sync,
     ) -> PyResult<Bound<'py, PyBytes>> {
-        let pixels = self.pixels(py)?.try_readonly()?;
-        let rgb = pixels.as_slice()?;
-        let size = (self.document.page.width as usize, self.document.page.height as usize);
-        let file = detached(py, || Ok(encode(size, rgb)?))?;
+        let drawn = self.drawn(py)?.try_readonly()?;
+        let rgb = drawn.as_slice()?;
+        let file = detached(py, || {
+            let (width, height) = (self.page.width() as usize, self.page.height() as usize);
+            let mut pixels = Pixels::new(width, height, rgb.to_vec())?;
+            pixels.dpi = self.page.dpi();
+            Ok(encode(&pixels)?)
+        })?;
         Ok(PyBytes::new(py, &file))
-    }
-
-    fn leaf(&self) -> Done<book::Leaf> {
-        let subjects = |id: &str| self.album.subjects.get(id).map_or(&[][..], Vec::as_slice);
-        let alts = native::alts(&self.document, &subjects);
-        Ok(native::leaf(&self.document, &shown(&self.document, &self.album.photos)?, alts, (None, QUALITY))?)
     }
 }
 
@@ -86,71 +58,57 @@ impl Page {
     /// Width in pixels.
     #[getter]
     fn width(&self) -> u32 {
-        self.document.page.width
+        self.page.width()
     }
 
     /// Height in pixels.
     #[getter]
     fn height(&self) -> u32 {
-        self.document.page.height
+        self.page.height()
     }
 
     /// Pixels an inch.
     #[getter]
     fn dpi(&self) -> u32 {
-        self.document.page.dpi
+        self.page.dpi()
     }
 
     /// What is not as it was asked for: photos that were left out, and why. The pages of an album share it.
     #[getter]
     fn notes(&self) -> Vec<String> {
-        self.album.notes.clone()
+        self.page.notes().to_vec()
     }
 
     /// The page as plain data: layout, style, crops, words and settings; the photo of each panel by its path, or as
     /// `photo 3` by its place in the list.
     #[getter]
     fn plan(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
-        let photos = self.album.photos.iter().enumerate();
-        let names: HashMap<String, &str> =
-            photos.map(|(place, photo)| (id(place), photo.name.as_str())).collect();
-        let name_of = |id: &String| names.get(id).map_or_else(|| id.clone(), |name| (*name).to_owned());
-        let mut told = self.document.clone();
-        for panel in &mut told.panels {
-            panel.photo = panel.photo.as_ref().map(name_of);
-        }
-        told.order = told.order.iter().map(name_of).collect();
-        python_of(py, &told.to_json())
+        python_of(py, &self.page.plan())
     }
 
     /// The pixels, uint8 of the shape (height, width, 3) in RGB. They are drawn once and cannot be written to; copy them to
     /// change them.
     #[getter]
     fn image<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<u8>>> {
-        self.pixels(py).cloned()
+        self.drawn(py).cloned()
     }
 
     /// A PNG file of the page.
     fn png<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        self.encoded(py, |(width, height), rgb| png::encode_rgb(width, height, rgb, self.document.page.dpi))
+        self.encoded(py, Pixels::png)
     }
 
     /// A JPEG file of the page, of a quality from 1 to 100.
     // As `native::QUALITY`; a number, so that help tells it.
     #[pyo3(signature = (quality = 90))]
     fn jpeg<'py>(&self, py: Python<'py>, quality: u8) -> PyResult<Bound<'py, PyBytes>> {
-        if !(1..=100).contains(&quality) {
-            return Err(Failure::argument("quality", "must be from 1 to 100").into());
-        }
-        self.encoded(py, |(width, height), rgb| {
-            jpeg::encode_rgb(width, height, rgb, self.document.page.dpi, quality)
-        })
+        self.encoded(py, |pixels| pixels.jpeg(quality))
     }
 
     /// A PDF file of the page: panels as pictures, lines and words as such.
     #[pyo3(signature = (*, title = "", language = "en"))]
     fn pdf<'py>(slf: PyRef<'py, Self>, title: &str, language: &str) -> PyResult<Bound<'py, PyBytes>> {
-        bound(slf.py(), &[&*slf], title, language)
+        bound(slf.py(), &[&slf.page], title, language)
     }
 
     fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
@@ -158,8 +116,8 @@ impl Page {
     }
 
     fn __repr__(&self) -> String {
-        let (width, height) = (self.document.page.width, self.document.page.height);
-        format!("<inkpanel.Page {width}x{height}, {} panels>", self.document.panels.len())
+        let page = &self.page;
+        format!("<inkpanel.Page {}x{}, {} panels>", page.width(), page.height(), page.panels())
     }
 }
 
@@ -171,26 +129,16 @@ pub(crate) fn pdf<'py>(
     title: &str,
     language: &str,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let pages: Vec<&Page> = pages.iter().map(|page| &**page).collect();
+    let pages: Vec<&inkpanel::Page> = pages.iter().map(|page| &page.page).collect();
     bound(py, &pages, title, language)
 }
 
 fn bound<'py>(
     py: Python<'py>,
-    pages: &[&Page],
+    pages: &[&inkpanel::Page],
     title: &str,
     language: &str,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let options = Options { title: title.to_owned(), language: language.to_owned(), ..Options::default() };
-    let file = detached(py, || {
-        if pages.is_empty() {
-            return Err(Failure::argument("pages", "there is no page"));
-        }
-        let leaves = pages.iter().map(|page| page.leaf()).collect::<Done<Vec<_>>>()?;
-        // The pages of several albums may have letters of the fonts of each.
-        let fonts = GivenFonts::joined(pages.iter().map(|page| &page.album.fonts));
-        let letters = fonts.letters(pages.iter().flat_map(|page| &page.document.words))?;
-        Ok(book::write(&leaves, &options, &letters)?)
-    })?;
+    let file = detached(py, || inkpanel::pdf(pages, title, language).map_err(Failure::from))?;
     Ok(PyBytes::new(py, &file))
 }

@@ -1,30 +1,17 @@
 //! What is asked of pages, read from the JSON that `inkpanel.render` makes of its arguments.
 
 use crate::failure::{Done, Failure};
-use crate::styling::style_of;
-use inkpanel::layout::{PageSettings, PaperSize};
-use inkpanel::page::document::template_of;
-use inkpanel::page::storyboard::Choice;
+use inkpanel::{PageOptions, Style};
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
-/// The most pages, as on the command line.
-const MOST_PAGES: usize = 1_000;
-
 /// What is asked of pages.
 pub(crate) struct Settings {
-    pub(crate) seed: u32,
     /// How many pages an album is cut into; none makes one of all photos.
     pub(crate) pages: Option<usize>,
-    pub(crate) page: PageSettings,
-    pub(crate) layout: Option<Value>,
-    pub(crate) style: Option<Value>,
-    pub(crate) panels: Option<usize>,
-    pub(crate) merge: bool,
+    pub(crate) options: PageOptions,
     /// Places of photos that get the large panel.
     pub(crate) star: Vec<usize>,
-    pub(crate) choice: Choice,
-    pub(crate) words: Vec<Value>,
     /// Files of fonts, for letters of words that the program lacks.
     pub(crate) fonts: Vec<String>,
     /// The folder of the nets; none where nothing is looked for.
@@ -38,32 +25,10 @@ impl Settings {
         let told: Map<String, Value> =
             serde_json::from_str(json).map_err(|error| Failure::argument("settings", &error.to_string()))?;
         let mut told = Told(told);
-        let pages = told.take::<usize>("pages")?;
-        if pages.is_some_and(|pages| !(1..=MOST_PAGES).contains(&pages)) {
-            return Err(Failure::argument("pages", &format!("must be from 1 to {MOST_PAGES}")));
-        }
-        let layout: Option<Value> = told.take("layout")?;
-        let style: Option<Value> = told.take("style")?;
-        // What cannot be drawn is said before any photo is read.
-        if let Some(layout) = &layout {
-            template_of(layout)?;
-        }
-        let style = style.map(|style| style_of(&style).map(|style| style.to_value())).transpose()?;
         let settings = Self {
-            seed: told.take("seed")?.unwrap_or(1),
-            pages,
-            page: told.page()?,
-            layout,
-            style,
-            panels: told.take("panels")?,
-            merge: told.flag("merge")?,
+            pages: told.take("pages")?,
+            options: told.options()?,
             star: told.take("star")?.unwrap_or_default(),
-            choice: Choice {
-                alike: told.take("alike")?,
-                keep_all: told.flag("keep_all")?,
-                as_given: told.flag("as_given")?,
-            },
-            words: told.take("words")?.unwrap_or_default(),
             fonts: told.take("fonts")?.unwrap_or_default(),
             models: told.take("models")?,
             skip_broken: told.flag("skip_broken")?,
@@ -73,6 +38,14 @@ impl Settings {
             None => Ok(settings),
         }
     }
+}
+
+/// The style of an id, or of a style file.
+pub(crate) fn style_of(value: &Value) -> Done<Style> {
+    Ok(match value {
+        Value::String(id) => Style::designed(id)?,
+        file => Style::from_json(&file.to_string())?,
+    })
 }
 
 struct Told(Map<String, Value>);
@@ -92,36 +65,62 @@ impl Told {
         Ok(self.take(name)?.unwrap_or(false))
     }
 
-    fn page(&mut self) -> Done<PageSettings> {
-        let size = match self.take::<Value>("page_size")? {
-            None => None,
-            Some(Value::String(text)) => Some(PaperSize::parse(&text)?),
+    fn options(&mut self) -> Done<PageOptions> {
+        let mut options = self.sized(PageOptions::new().seed(self.take("seed")?.unwrap_or(1)))?;
+        if let Some(layout) = self.take::<Value>("layout")? {
+            options = options.layout_from_json(&layout.to_string())?;
+        }
+        if let Some(style) = self.take::<Value>("style")? {
+            options = options.style(&style_of(&style)?);
+        }
+        if let Some(panels) = self.take("panels")? {
+            options = options.panels(panels);
+        }
+        if let Some(bits) = self.take("alike")? {
+            options = options.alike(bits);
+        }
+        if let Some(words) = self.take::<Value>("words")? {
+            options = options.words(&words.to_string())?;
+        }
+        let lengths: [(&str, Setter<f64>); 4] = [
+            ("gutter", PageOptions::gutter),
+            ("margin", PageOptions::margin),
+            ("border", PageOptions::border),
+            ("corner_radius", PageOptions::corner_radius),
+        ];
+        for (name, set) in lengths {
+            if let Some(length) = self.take(name)? {
+                options = set(options, length)?;
+            }
+        }
+        if let Some(colour) = self.take::<String>("paper")? {
+            options = options.paper(&colour)?;
+        }
+        if let Some(colour) = self.take::<String>("border_color")? {
+            options = options.border_color(&colour)?;
+        }
+        let merge = self.flag("merge")?;
+        Ok(options.merge(merge).keep_all(self.flag("keep_all")?).as_given(self.flag("as_given")?))
+    }
+
+    fn sized(&mut self, options: PageOptions) -> Done<PageOptions> {
+        let size = self.take::<Value>("page_size")?;
+        let (dpi, width) = (self.take("dpi")?, self.take("width")?);
+        Ok(match size {
+            None => options.size("a4", dpi, width)?,
+            Some(Value::String(paper)) => options.size(&paper, dpi, width)?,
             Some(sides) => {
-                let [width, height] = serde_json::from_value(sides).map_err(|error| {
+                let [wide, high]: [u32; 2] = serde_json::from_value(sides).map_err(|error| {
                     Failure::argument(
                         "page_size",
                         &format!("is a name, or width and height in pixels: {error}"),
                     )
                 })?;
-                Some(PaperSize::Pixels(width, height))
+                options.size(&format!("{wide}x{high}"), dpi, width)?
             }
-        };
-        let mut page = PageSettings::sized(size, self.take("dpi")?, self.take("width")?);
-        let lengths = [
-            ("gutter", &mut page.gutter),
-            ("margin", &mut page.margin),
-            ("border", &mut page.border),
-            ("corner_radius", &mut page.corner_radius),
-        ];
-        for (name, length) in lengths {
-            *length = self.take(name)?.unwrap_or(*length);
-        }
-        for (name, colour) in [("paper", &mut page.paper), ("border_color", &mut page.border_color)] {
-            if let Some(told) = self.take(name)? {
-                *colour = told;
-            }
-        }
-        page.validate()?;
-        Ok(page)
+        })
     }
 }
+
+/// A setting of the options.
+type Setter<T> = fn(PageOptions, T) -> Result<PageOptions, inkpanel::Failure>;

@@ -1,9 +1,9 @@
 //! One image in a style.
 
 use crate::arrays;
-use crate::failure::{Done, Failure, detached};
-use inkpanel::style::params::Kind;
-use inkpanel::style::{Context, Style, blocks, catalogue};
+use crate::failure::{Failure, detached};
+use crate::settings::style_of;
+use inkpanel::style::Context;
 use pyo3::prelude::*;
 use serde_json::Value;
 
@@ -18,8 +18,12 @@ pub(crate) fn stylize(
     let (image, is_gray) = arrays::image("array", array)?;
     let size = (image.width(), image.height());
     let drawn = detached(py, || {
-        let style = seeded(read(style)?, seed)?;
-        let drawn = inkpanel::style::stylize(&image, &style, &mut Context::for_image(&image))?;
+        let told: Value =
+            serde_json::from_str(style).map_err(|error| Failure::argument("style", &error.to_string()))?;
+        let style = style_of(&told)?;
+        let style = seed.map_or_else(|| Ok(style.clone()), |seed| style.seeded(seed))?;
+        // Not `Style::draw`: what is gray stays gray.
+        let drawn = inkpanel::style::stylize(&image, style.chain(), &mut Context::for_image(&image))?;
         Ok(if is_gray && drawn.is_luma() {
             Pixels::Gray(drawn.into_parts().0.swap_remove(0).into_samples())
         } else {
@@ -35,43 +39,4 @@ pub(crate) fn stylize(
 enum Pixels {
     Gray(Vec<u8>),
     Colour(Vec<u8>),
-}
-
-/// The style of a text of JSON.
-fn read(json: &str) -> Done<Style> {
-    let value: Value =
-        serde_json::from_str(json).map_err(|error| Failure::argument("style", &error.to_string()))?;
-    style_of(&value)
-}
-
-/// A style by its id, or in full.
-pub(crate) fn style_of(value: &Value) -> Done<Style> {
-    Ok(match value {
-        Value::String(id) => catalogue::find(id)?.clone(),
-        value => Style::from_value("style", value)?,
-    })
-}
-
-/// The style with a seed in all blocks that leave something to chance.
-fn seeded(style: Style, seed: Option<u32>) -> Done<Style> {
-    /// As the blocks name it.
-    const SEED: &str = "seed";
-    let Some(seed) = seed else { return Ok(style) };
-    let mut value = style.to_value();
-    for layer in ["background", "foreground"] {
-        for entry in value.get_mut(layer).and_then(Value::as_array_mut).into_iter().flatten() {
-            let block = blocks::ALL.iter().find(|block| entry["block"] == block.id);
-            let most = block.and_then(|block| {
-                let own = block.params.iter().find(|param| param.id == SEED)?;
-                match own.kind {
-                    Kind::Integer { max, .. } => u32::try_from(max).ok(),
-                    _ => None,
-                }
-            });
-            if let Some(most) = most {
-                entry[SEED] = (seed % (most + 1)).into();
-            }
-        }
-    }
-    Ok(Style::from_value("style", &value)?)
 }

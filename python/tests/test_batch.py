@@ -143,6 +143,36 @@ def test_an_album_that_kills_its_worker_is_lost_alone(albums, tmp_path):
     assert [(row["album"], row["code"]) for row in errors(pages)] == [("album-003", "lost")]
 
 
+def test_pages_as_rows_of_parquet(albums, tmp_path):
+    import pyarrow.parquet
+
+    some, pages = tmp_path / "some", tmp_path / "pages"
+    some.mkdir()
+    for number in [1, 2, 3, 7]:
+        (some / f"album-{number:03}").symlink_to(albums / f"album-{number:03}")
+    report = batch(some, pages, "--parquet", "--batch", "2")
+    assert (report["pages"], report["errors"]) == (3, 1)
+    assert {file.suffix for file in pages.iterdir()} == {".parquet", ".jsonl"}
+
+    def rows():
+        files = sorted(pages.glob("*.parquet"))
+        return [row for file in files for row in pyarrow.parquet.read_table(file).to_pylist()]
+
+    assert [row["album"] for row in errors(pages)] == ["album-007"]
+    before = {row["album"]: row["page"] for row in rows()}
+    assert sorted(before) == ["album-001", "album-002", "album-003"]
+    # They are the pages that the folder would have.
+    batch(some, tmp_path / "folder")
+    for album, page in before.items():
+        assert page == (tmp_path / f"folder/{album}.pdf").read_bytes()
+    # What is there is not made again.
+    report = batch(some, pages, "--parquet", "--batch", "2")
+    assert (report["pages"], report["skipped"]) == (0, 3)
+    # Files of another format are not in the way.
+    report = batch(some, pages, "--parquet", "--format", "png")
+    assert report["pages"] == 3
+
+
 def test_ten_lines_of_dask_do_the_same(albums, tmp_path):
     lines = re.search(r"```python\n(.*?)```", (ROOT / "docs/batches.md").read_text(), re.DOTALL)[1]
     (tmp_path / "albums").mkdir()

@@ -27,7 +27,7 @@ use std::fmt;
 ///
 /// # Errors
 /// `invalid-document`, which names `location`.
-pub fn plain<T: for<'a> Deserialize<'a>>(json: &str, location: &str) -> crate::Result<T> {
+pub fn plain<T: for<'a> Deserialize<'a>>(json: &str, location: &str) -> crate::error::Result<T> {
     serde_json::from_str(json)
         .map_err(|error| Error::InvalidDocument { location: location.into(), reason: error.to_string() })
 }

@@ -66,10 +66,12 @@ impl Look {
             let (all, most) = shares(slot, place(crop, mark.grown));
             cover += mark.weight * all;
             if mark.face {
-                let (bare, in_one) = shares(slot, place(crop, mark.bare));
-                let gutter = in_one < FACE_CUT.1 && bare > FACE_CUT.0;
+                let inner = place(crop, mark.bare);
+                let (bare, in_one) = shares(slot, inner);
+                // A face that lies all under another panel is a body without a head, not one that the crop leaves out.
+                let cut = in_one < FACE_CUT.1 && (bare > FACE_CUT.0 || under_others(slot, inner));
                 let head = 0.35 * f64::from(u8::from(most < 0.85 && all > FACE_CUT.0));
-                look.faces_cut += if gutter { 1.0 } else { head };
+                look.faces_cut += if cut { 1.0 } else { head };
             } else if mark.bare.width * mark.bare.height >= SOME_SIZE
                 && all > SUBJECT_CUT.0
                 && most < SUBJECT_CUT.1
@@ -162,6 +164,12 @@ fn place(crop: &Crop, inner: Bounds) -> Bounds {
     }
 }
 
+/// Whether most of a box of which nothing is seen lies in the panel all the same.
+fn under_others(slot: &Slot, inner: Bounds) -> bool {
+    let within = |at: f64, side: f64| ((at + side).min(1.0) - at.max(0.0)).max(0.0) / side.max(1e-9);
+    !slot.target.region.is_plain() && within(inner.x, inner.width) * within(inner.y, inner.height) > 0.5
+}
+
 /// The parts of a box that are seen: of all windows, and of the one that shows most.
 fn shares(slot: &Slot, inner: Bounds) -> (f64, f64) {
     let (all, most) = slot.target.region.shares(inner);
@@ -174,4 +182,36 @@ fn shares(slot: &Slot, inner: Bounds) -> (f64, f64) {
         return (part.min(all), part.min(most));
     }
     (all.min(1.0), most.min(1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::framing::{FACE, Subject};
+    use crate::layout::{PageSettings, find, resolve};
+    use crate::plan::slots;
+
+    #[test]
+    fn a_face_under_an_inset_is_cut_and_one_beyond_the_crop_is_not() {
+        let page = PageSettings::default();
+        let slots =
+            slots(&resolve(find("circle-corner").unwrap(), page.aspect(), &page), f64::from(page.width));
+        let slot = slots.iter().find(|slot| !slot.target.region.is_plain()).unwrap();
+        let face = (0..40).flat_map(|y| (0..40).map(move |x| (x, y))).find_map(|(x, y)| {
+            let face = Bounds { x: 0.025 * f64::from(x), y: 0.025 * f64::from(y), width: 0.05, height: 0.05 };
+            let hidden = face.x > 0.1 && face.x < 0.9 && slot.target.region.shares(face).0 == 0.0;
+            hidden.then_some(face)
+        });
+        let face = face.unwrap();
+        let mut photo = PhotoMeta::unmeasured("photo", 1000, (1000.0 / slot.target.aspect) as u32);
+        let Bounds { x, y, width, height } = face;
+        photo.find([Subject { label: FACE.into(), score: 0.95, x, y, width, height }]);
+        let prepared = Prepared::of(&photo);
+        let cut = |crop: Crop| Look::at(slot, &prepared, &crop, 1.0).faces_cut;
+        assert!((cut(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 }) - 1.0).abs() < 1e-9);
+        // The crop begins to the right of it, or ends to the left.
+        let beyond = if face.x < 0.5 { face.x + face.width + 0.1 } else { 0.0 };
+        let crop = Crop { x: beyond, y: 0.0, width: 0.35, height: 1.0 };
+        assert!(cut(crop).abs() < 1e-9, "{crop:?} {face:?}");
+    }
 }

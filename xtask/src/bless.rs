@@ -8,6 +8,7 @@ use std::process::Command;
 use anyhow::{Context, Result, bail};
 
 use crate::project::Project;
+use crate::test::CLI;
 use crate::tools;
 
 /// What is stored together, and who writes it.
@@ -103,7 +104,7 @@ fn topics(names: &[String]) -> Result<Vec<&'static Topic>> {
 fn tests(project: &Project, topics: &[&Topic]) -> Command {
     let files: BTreeSet<&str> = topics.iter().flat_map(|topic| topic.tests).map(|(file, _)| *file).collect();
     let mut command = project.cargo();
-    command.args(["test", "--no-fail-fast"]);
+    command.args(["test", "--features", CLI, "--no-fail-fast"]);
     for file in files {
         if file == LIBRARY {
             command.arg("--lib");

@@ -5,6 +5,7 @@ use anyhow::Result;
 use crate::albums::{own_folders, photos_in};
 use crate::models::{self, Package, Registry};
 use crate::project::Project;
+use crate::test::CLI;
 use crate::tools;
 
 /// Photos of people; nothing of it is shipped or shown, so they are in the table only.
@@ -20,7 +21,7 @@ pub(crate) fn run(project: &Project) -> Result<()> {
     let people = PEOPLE.obtain(&project.target.join("models"))?.join("demo");
     let photos = photos_in(&[own_folders(project), vec![people]].concat())?;
     let mut cargo = project.cargo();
-    cargo.args(["run", "--example", "face_table", "--", "docs/faces.md"]);
+    cargo.args(["run", "--features", CLI, "--example", "face_table", "--", "docs/faces.md"]);
     cargo.arg(project.target.join("faces.jpg")).args(photos);
     tools::run(&mut cargo)
 }

@@ -18,8 +18,7 @@ pub(crate) fn run(project: &Project) -> Result<()> {
     let folder = project.target.join("native");
     let photo = project.root.join("www/public/samples/06-castle.jpg");
     let mut build = project.cargo();
-    build.args(["run", "--release", "--example", "native", "--no-default-features"]);
-    build.args(["--features", "pages", "--target-dir"]).arg(&folder);
+    build.args(["run", "--release", "--example", "native", "--target-dir"]).arg(&folder);
     build.env("RUSTFLAGS", "-C target-cpu=native").arg("--").arg(&photo);
     let times = folder.join("times.json");
     let measured = tools::output(&mut build)?;

@@ -7,6 +7,7 @@ use anyhow::Result;
 use crate::albums::{own_folders, photos_in};
 use crate::models;
 use crate::project::Project;
+use crate::test::CLI;
 use crate::tools;
 
 /// Draws 48 pages into `target/pages`, scores apart, and writes `docs/automatic-pages.md` where the photos are the repository's own.
@@ -22,7 +23,7 @@ pub(crate) fn run(project: &Project, folders: &[String]) -> Result<()> {
     let table = if own { project.root.join("docs/automatic-pages.md") } else { PathBuf::from("-") };
     for (task, output) in [("sheet", &sheet), ("table", &table)] {
         let mut cargo = project.cargo();
-        cargo.args(["run", "--release", "--example", "composer", "--", task]);
+        cargo.args(["run", "--release", "--features", CLI, "--example", "composer", "--", task]);
         tools::run(cargo.arg(output).args(&photos))?;
     }
     println!(

@@ -83,7 +83,10 @@ const SUITES: &[Suite] = &[
 
 /// The packages of the engine. What these and xtask share of libraries would be compiled once more, with the features of
 /// both, if they were built by one command.
-pub(crate) const ENGINE: [&str; 3] = ["--workspace", "--exclude", "xtask"];
+pub(crate) const ENGINE: [&str; 5] = ["--workspace", "--exclude", "xtask", "--features", CLI];
+
+/// Without it there is no command line.
+pub(crate) const CLI: &str = "inkpanel/cli";
 
 /// The examples of stages, and what each is given.
 const STAGES: [(&str, &[&str]); 7] = [
@@ -217,33 +220,22 @@ fn biome(project: &Project) -> Command {
 /// Clippy for this machine and, as it is compiled nowhere else, the web boundaries for wasm; Biome for the page.
 fn lint(project: &Project) -> Result<Outcome> {
     let strict = ["--", "-D", "warnings"];
-    let pages = [
-        "--package",
-        "inkpanel",
-        "--package",
-        "inkpanel-pixels",
-        "--no-default-features",
-        "--features",
-        "pages",
-    ];
-    for choice in [&["--workspace"][..], &pages] {
-        tools::run(project.cargo().arg("clippy").args(choice).arg("--all-targets").args(strict))?;
+    let all = ["--workspace", "--all-targets", "--features", CLI];
+    // As programs of others have it.
+    let facade = ["--package", "inkpanel", "--package", "inkpanel-pixels", "--lib", "--no-default-features"];
+    for choice in [&all[..], &facade] {
+        tools::run(project.cargo().arg("clippy").args(choice).args(strict))?;
     }
     crate::wasm::install_target()?;
+    let nets = ["--package", "inkpanel-detectors"];
+    let core = ["--package", "inkpanel", "--lib", "--features", "core"];
     // What comes later is linted together: each by itself is compiled by the suite `build`.
-    for features in ["pages", "brush,decoders,detect,exports,films,imitation,words"] {
-        let web = [
-            "clippy",
-            "--package",
-            "inkpanel",
-            "--lib",
-            "--no-default-features",
-            "--target",
-            crate::wasm::TARGET,
-            "--features",
-            features,
-        ];
-        tools::run(project.cargo().args(web).args(strict))?;
+    let later =
+        ["--package", "inkpanel", "--lib", "--features", "brush,decoders,exports,films,imitation,words"];
+    for choice in [&nets[..], &core, &later] {
+        let mut web = project.cargo();
+        web.arg("clippy").args(choice).args(["--target", crate::wasm::TARGET]).args(strict);
+        tools::run(&mut web)?;
     }
     checked(tools::run(biome(project).args(["lint", "--diagnostic-level=error"])))
 }

@@ -3,6 +3,7 @@
 use anyhow::Result;
 
 use crate::project::Project;
+use crate::test::CLI;
 use crate::tools;
 
 /// What the shipped banks are fitted to, and what they are measured with.
@@ -14,6 +15,18 @@ const HELD_OUT: &str = "tests/photos";
 pub(crate) fn run(project: &Project, operator: &str, folders: &[String]) -> Result<()> {
     let bank = format!("pixels/src/style/banks/{operator}.blade");
     let mut cargo = project.cargo();
-    cargo.args(["run", "--release", "--example", "train_blade", "--", operator, &bank, HELD_OUT, PHOTOS]);
+    cargo.args([
+        "run",
+        "--release",
+        "--features",
+        CLI,
+        "--example",
+        "train_blade",
+        "--",
+        operator,
+        &bank,
+        HELD_OUT,
+        PHOTOS,
+    ]);
     tools::run(cargo.args(folders))
 }

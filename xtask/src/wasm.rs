@@ -17,15 +17,16 @@ use crate::{clamps, lane, letters, npm, tools};
 pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
 
 /// The features of the library that the modules have between them.
-pub(crate) const FEATURES: [&str; 7] =
-    ["brush", "decoders", "detect", "exports", "films", "imitation", "words"];
+pub(crate) const FEATURES: [&str; 8] =
+    ["brush", "core", "decoders", "detect", "exports", "films", "imitation", "words"];
 
 /// What the modules are made of, in the top folder.
-const SOURCES: [&str; 10] = [
+const SOURCES: [&str; 11] = [
     ".cargo/config.toml",
     "Cargo.lock",
     "Cargo.toml",
     "build.rs",
+    "detect",
     "fonts",
     "layouts",
     "modules",

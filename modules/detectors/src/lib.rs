@@ -1,5 +1,5 @@
-//! The module of the nets: all that `inkpanel::wasm_detect` exports. A crate of its own, so that
-//! each module has its own name among what cargo makes, and none is compiled again because another was.
+//! The module of the nets, which is never in one with the core, so that the first page does not wait for their code. It is made of
+//! `inkpanel-detect` alone.
 
 #[cfg(target_arch = "wasm32")]
-use inkpanel as _;
+mod boundary;

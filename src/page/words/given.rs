@@ -46,7 +46,7 @@ const JOINED: [(u32, u32); 10] = [
 ];
 
 /// The font files of a person, in the order in which they are asked for letters.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct GivenFonts {
     files: Vec<Arc<[u8]>>,
 }

@@ -147,7 +147,7 @@ impl Letters {
 
     /// Gives a letter that was learnt the form that its font has for columns: its outline from the left of a square, over a
     /// baseline as high as that of others, and its part of the column, in ems.
-    #[cfg(feature = "cli")]
+    #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn learn_standing(&mut self, run: &str, length: f64, contours: &[Contour]) {
         let of = self.learnt.iter().position(|learnt| learnt.run == run && learnt.stands_for.is_none());
         let Some((of, letter)) = of.zip(learning::letter(self.learnt.len())) else { return };

@@ -28,7 +28,7 @@
 
 mod balloons;
 pub mod draw;
-#[cfg(feature = "cli")]
+#[cfg(not(target_arch = "wasm32"))]
 pub mod given;
 pub mod layout;
 pub mod learning;

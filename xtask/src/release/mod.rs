@@ -187,6 +187,8 @@ fn program(project: &Project, host: &str) -> Result<PathBuf> {
         "inkpanel",
         "--bin",
         "inkpanel",
+        "--features",
+        "cli",
         "--target",
         host,
     ]);

@@ -119,7 +119,15 @@ pub(crate) fn edits(root: &Path, version: &Version) -> Result<Vec<Edit>> {
 
 /// Manifests of Rust, and where in them the version stands. The package for npm and the wheel take theirs from these.
 const MANIFESTS: &[(&str, &[&[&str]])] = &[
-    ("Cargo.toml", &[&["workspace", "package", "version"], &["dependencies", "inkpanel-pixels", "version"]]),
+    (
+        "Cargo.toml",
+        &[
+            &["workspace", "package", "version"],
+            &["dependencies", "inkpanel-detect", "version"],
+            &["dependencies", "inkpanel-pixels", "version"],
+        ],
+    ),
+    ("detect/Cargo.toml", &[&["dependencies", "inkpanel-pixels", "version"]]),
     ("python/Cargo.toml", &[&["package", "version"]]),
 ];
 

@@ -8,7 +8,7 @@ use tract_onnx::tract_hir::tract_core::optim::Optimizer;
 
 use super::operators;
 use super::weights::unpacked;
-use crate::error::{Error, Result};
+use inkpanel_pixels::error::{Error, Result};
 
 /// A net with one input `[1, 3, side, side]` and a known number of outputs.
 pub(super) struct Net<const OUTPUTS: usize = 2> {

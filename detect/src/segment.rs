@@ -5,9 +5,9 @@
 
 use super::model::Net;
 use super::ssd::sigmoid;
-use crate::error::{Error, Result};
-use crate::raster::resize::{Region, resample_image};
-use crate::raster::{Image, Matte, Plane};
+use inkpanel_pixels::error::{Error, Result};
+use inkpanel_pixels::raster::resize::{Region, resample_image};
+use inkpanel_pixels::raster::{Image, Matte, Plane};
 
 /// Side of the net's input and output in pixels.
 pub const SIDE: usize = 320;

@@ -1,5 +1,4 @@
-//! The web boundary of the detectors' module, which is never in one module with the core's (`wasm.rs`), so that the first page
-//! does not wait for the nets' code.
+//! What the module of the nets exports.
 //!
 //! Boxes cross as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` beside its
 //! `message`.
@@ -7,10 +6,10 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
-use crate::detect::{Aesthetics, Detection, Faces, FirstLook, Objects, Segmenter, worth_a_closer_look};
-use crate::error::{Error, Result};
-use crate::raster::{Image, Plane};
-use crate::wasm_error::thrown;
+use inkpanel_detect::{Aesthetics, Detection, Faces, FirstLook, Objects, Segmenter, worth_a_closer_look};
+use inkpanel_pixels::error::{Error, Result};
+use inkpanel_pixels::raster::{Image, Plane};
+use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]

@@ -4,9 +4,9 @@ use super::Detection;
 use super::letterbox::letterbox;
 use super::model::Net;
 use super::ssd::{Anchor, Candidate, decode, mobilenet_anchors, sigmoid, suppress};
-use crate::error::{Error, Result};
-use crate::raster::Image;
-use crate::raster::resize::Region;
+use inkpanel_pixels::error::{Error, Result};
+use inkpanel_pixels::raster::Image;
+use inkpanel_pixels::raster::resize::Region;
 
 const SIDE: usize = 300;
 /// Scores an anchor: the background, then COCO's numbers 1 to 90, of which ten name nothing.

@@ -1,7 +1,10 @@
-//! Detection: faces and objects in a photo, by two single-shot detectors that run on this device. And what a third
+//! # Inkpanel's detectors
+//!
+//! Faces and objects in a photo, by two single-shot detectors that run on this device. And what a third
 //! net says of how good a picture looks, and a fourth of which pixels are a photo's subject.
 //!
-//! Stands beside `select`: it looks at a photo's pixels once and gives boxes, which framing works with. The nets
+//! A stage beside `select`: it looks at a photo's pixels once and gives boxes, which framing works with. It is a crate of its own,
+//! so that the page's module of the nets is compiled without pages, and whoever wants no nets does without tract. The nets
 //! are files (`www/models/`, made by `cargo xtask models`); whoever calls reads them. Everything is in fractions
 //! of the photo, so that a reduced copy gives the answer for the original.
 
@@ -17,16 +20,16 @@ mod weights;
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::Result;
-use crate::raster::Image;
 pub use aesthetics::Aesthetics;
 pub use faces::{Faces, worth_a_closer_look};
+use inkpanel_pixels::error::Result;
+use inkpanel_pixels::raster::Image;
 pub use objects::Objects;
 pub use segment::{SIDE as SEGMENT_SIDE, Segmenter};
 
 /// Something that was found in a photo. Its box lies inside the photo.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Detection {
     /// `face`, or one of COCO's eighty kinds of objects.
     pub label: String,
@@ -44,7 +47,7 @@ pub struct Detection {
 
 /// What the first look for faces found.
 #[derive(Debug, Serialize)]
-#[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct FirstLook {
     /// The faces.
     pub boxes: Vec<Detection>,

@@ -4,8 +4,8 @@
 //! nearest pixels were taken; a smoother reduction lowers its scores.
 
 use super::model::Net;
-use crate::error::{Error, Result};
-use crate::raster::Image;
+use inkpanel_pixels::error::{Error, Result};
+use inkpanel_pixels::raster::Image;
 
 /// Side of the net's input in pixels.
 const SIDE: usize = 224;
@@ -66,7 +66,7 @@ fn mean(logits: &[f32]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raster::Plane;
+    use inkpanel_pixels::raster::Plane;
 
     #[test]
     fn the_nearest_pixels_of_a_stretched_picture_are_taken() {

@@ -1,7 +1,7 @@
 //! A part of a photo in the square that a net looks at: scaled to fit, centred, black round it.
 
-use crate::raster::Image;
-use crate::raster::resize::{Region, resample_image};
+use inkpanel_pixels::raster::Image;
+use inkpanel_pixels::raster::resize::{Region, resample_image};
 
 /// How a net's square lies on the photo. Points of the square are in 0..1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,7 +50,7 @@ impl Letterbox {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raster::Plane;
+    use inkpanel_pixels::raster::Plane;
 
     fn photo(width: usize, height: usize) -> Image {
         let plane = |channel: usize| {

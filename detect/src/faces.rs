@@ -5,9 +5,9 @@ use super::Detection;
 use super::letterbox::letterbox;
 use super::model::Net;
 use super::ssd::{Candidate, corners, sigmoid, suppress, suppress_parts};
-use crate::error::{Error, Result};
-use crate::raster::Image;
-use crate::raster::resize::Region;
+use inkpanel_pixels::error::{Error, Result};
+use inkpanel_pixels::raster::Image;
+use inkpanel_pixels::raster::resize::Region;
 
 /// What framing calls a face.
 pub(super) const LABEL: &str = "face";
@@ -126,7 +126,7 @@ fn detections(candidates: Vec<Candidate>) -> Vec<Detection> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raster::Plane;
+    use inkpanel_pixels::raster::Plane;
 
     #[test]
     fn a_face_that_an_inner_edge_cuts_is_left_to_the_other_part() {

@@ -1,0 +1,14 @@
+//! How errors cross to the page, out of every module of it: as a JavaScript `Error` with a `code` beside its `message`.
+
+use crate::error::Error;
+use wasm_bindgen::prelude::*;
+
+/// The error as what JavaScript throws.
+#[allow(clippy::needless_pass_by_value, reason = "it is what map_err hands over")]
+#[must_use]
+pub fn thrown(error: Error) -> JsValue {
+    let object = js_sys::Error::new(&error.to_string());
+    // Setting a property of a fresh object cannot fail.
+    let _ = js_sys::Reflect::set(&object, &"code".into(), &error.code().into());
+    object.into()
+}

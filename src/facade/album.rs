@@ -1,0 +1,151 @@
+//! Photos that were read, of which pages are made.
+
+use super::failure::Failure;
+#[cfg(feature = "detect")]
+use super::failure::survived;
+#[cfg(feature = "detect")]
+use super::nets::Nets;
+use super::options::PageOptions;
+use super::page::{Book, Page};
+use super::photo::Photo;
+use crate::framing::Subject;
+use crate::page::import::Imported;
+use crate::page::request::Request;
+use crate::page::storyboard;
+use crate::page::words::given::{GivenFonts, missing};
+use crate::page::words::place;
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// Photos that were read and measured. Any number of pages can be asked of it.
+pub struct Album {
+    photos: Arc<[Photo]>,
+    /// Those that could be read, with their places in the list that was given.
+    read: Vec<(usize, Imported)>,
+    fonts: GivenFonts,
+    notes: Vec<String>,
+}
+
+/// What pages call the photo of a place in the list, as the command line does.
+pub(super) fn id(place: usize) -> String {
+    format!("photo-{place}")
+}
+
+impl Album {
+    /// Reads photos side by side, in the order of the story.
+    ///
+    /// # Errors
+    /// Of the first photo that cannot be read: `not-found`, `unreadable`, `unknown-format`, `damaged`, `unsupported`, `too-large`.
+    pub fn read(photos: Vec<Photo>) -> Result<Self, Failure> {
+        let (album, broken) = Self::read_side_by_side(photos);
+        broken.into_iter().next().map_or(Ok(album), Err)
+    }
+
+    /// The same, but photos that cannot be read are left out, and [`Self::notes`] says which and why.
+    #[must_use]
+    pub fn read_skipping_broken(photos: Vec<Photo>) -> Self {
+        let (mut album, broken) = Self::read_side_by_side(photos);
+        album.notes = broken.into_iter().map(|failure| format!("{failure}; left out")).collect();
+        album
+    }
+
+    fn read_side_by_side(photos: Vec<Photo>) -> (Self, Vec<Failure>) {
+        let (mut read, mut broken) = (Vec::new(), Vec::new());
+        let all = photos.par_iter().enumerate().map(|(place, photo)| photo.imported(&id(place)));
+        for (place, imported) in all.collect::<Vec<_>>().into_iter().enumerate() {
+            match imported {
+                Ok(imported) => read.push((place, imported)),
+                Err(failure) => broken.push(failure),
+            }
+        }
+        let (fonts, notes) = (GivenFonts::default(), Vec::new());
+        (Self { photos: photos.into(), read, fonts, notes }, broken)
+    }
+
+    /// What is not as one would expect, in sentences: photos that were left out, and why.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// Adds a TrueType or OpenType file for letters of words that the program's own fonts lack.
+    ///
+    /// # Errors
+    /// `invalid-argument` for what is no font, is broken or too large, and for more than sixteen.
+    pub fn add_font(&mut self, file: Vec<u8>) -> Result<(), Failure> {
+        self.fonts.add(file).map_err(|reason| Failure::argument("fonts", reason))
+    }
+
+    /// Asks for a large panel for a photo, by its place in the list that was given, from 0.
+    ///
+    /// # Errors
+    /// `invalid-argument` where no photo is there that could be read.
+    pub fn star(&mut self, place: usize) -> Result<(), Failure> {
+        let starred = self.read.iter_mut().find(|(own, _)| *own == place);
+        let (_, photo) =
+            starred.ok_or_else(|| Failure::argument("star", "names a photo that is not there"))?;
+        photo.meta.starred = true;
+        Ok(())
+    }
+
+    /// Looks for faces and objects in all photos, so that no crop cuts them. What fails in one photo is noted and counts as
+    /// nothing found.
+    #[cfg(feature = "detect")]
+    pub fn detect(&mut self, nets: &Nets) {
+        let look = |(_, photo): &(usize, Imported)| survived(|| nets.look(photo));
+        let found: Vec<Result<_, Failure>> = self.read.par_iter().map(look).collect();
+        for ((place, photo), found) in self.read.iter_mut().zip(found) {
+            match found {
+                Ok(found) => photo.meta.find(found),
+                Err(failure) => self.notes.push(format!("{}: {failure}", self.photos[*place].name())),
+            }
+        }
+    }
+
+    /// One page of the photos.
+    ///
+    /// # Errors
+    /// As [`Self::pages`].
+    pub fn page(&self, options: &PageOptions) -> Result<Page, Failure> {
+        let first = self.planned(options, None)?.into_iter().next();
+        first.ok_or_else(|| Failure::from(crate::error::Error::NoPhotos))
+    }
+
+    /// The album as at most so many pages in one style, cut where time or scene changes.
+    ///
+    /// # Errors
+    /// `no-photos`; `invalid-argument` where `most` is not from 1 to 1000; `invalid-document` for a setting out of its range or words
+    /// that break their shape.
+    pub fn pages(&self, options: &PageOptions, most: usize) -> Result<Vec<Page>, Failure> {
+        self.planned(options, Some(most))
+    }
+
+    fn planned(&self, options: &PageOptions, most: Option<usize>) -> Result<Vec<Page>, Failure> {
+        PageOptions::check(most)?;
+        let names: Vec<&str> = self.read.iter().map(|(place, _)| self.photos[*place].name()).collect();
+        let imported: Vec<&Imported> = self.read.iter().map(|(_, imported)| imported).collect();
+        let (used, verdicts) = storyboard::chosen(&names, &imported, options.choice);
+        let mut notes = self.notes.clone();
+        let left = names.iter().zip(&verdicts).filter(|(_, verdict)| !verdict.kept);
+        notes.extend(left.map(|(name, verdict)| format!("{name}: left out: {}", verdict.why)));
+        let request = Request { photos: used, ..options.request() };
+        let pages = storyboard::pages(&request, most)?;
+        let mut documents: Vec<_> = pages.into_iter().map(|page| page.document).collect();
+        let subjects: HashMap<String, Vec<Subject>> =
+            self.read.iter().map(|(place, photo)| (id(*place), photo.meta.subjects.clone())).collect();
+        if let (Some(first), false) = (documents.first_mut(), options.words.is_empty()) {
+            let of = |id: &str| subjects.get(id).map_or(&[][..], Vec::as_slice).into();
+            let letters = self.fonts.letters(&options.words)?;
+            place::add(first, options.words.clone(), of, &letters)?;
+            let missing = missing(&letters, &options.words);
+            if !missing.is_empty() {
+                let told = missing.join(" ");
+                notes.push(format!("no font has these letters, so a question mark stands for each: {told}"));
+            }
+        }
+        let fonts = self.fonts.clone();
+        let book = Arc::new(Book { photos: self.photos.clone(), subjects, fonts, notes });
+        Ok(documents.into_iter().map(|document| Page::new(book.clone(), document)).collect())
+    }
+}

@@ -1,0 +1,68 @@
+//! What went wrong, for whoever calls the engine.
+
+use crate::error::Error;
+use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Why something could not be done: a sentence for people, a code for programs, and the photo that it is about.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Failure {
+    code: &'static str,
+    message: String,
+    photo: Option<String>,
+}
+
+impl Failure {
+    pub(super) fn new(code: &'static str, message: impl Into<String>) -> Self {
+        Self { code, message: message.into(), photo: None }
+    }
+
+    /// An argument that is not what it should be.
+    pub(super) fn argument(name: &str, reason: &str) -> Self {
+        Self::new("invalid-argument", format!("{name}: {reason}"))
+    }
+
+    /// The same, told of a photo.
+    pub(super) fn of(self, photo: &str) -> Self {
+        Self { message: format!("{photo}: {}", self.message), photo: Some(photo.to_owned()), ..self }
+    }
+
+    /// A name of the kind of failure that stays the same from version to version: `unknown-style`, `damaged`, `not-found`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.code
+    }
+
+    /// The name of the photo that it is about, where it is about one.
+    #[must_use]
+    pub fn photo(&self) -> Option<&str> {
+        self.photo.as_deref()
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Failure {}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::new(error.code(), error.to_string())
+    }
+}
+
+/// What `work` gives. A panic in it, which is a fault of ours or of a decoder, is a failure of the code `fault`: a photo of an album
+/// must not end the program.
+///
+/// # Errors
+/// Those of `work`; `fault`.
+pub fn survived<T, F: From<Failure>>(work: impl FnOnce() -> Result<T, F>) -> Result<T, F> {
+    // Nothing that the work may have left half done is looked at again.
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| {
+        let message = "this is a fault of Inkpanel, please report it: the reason is on standard error";
+        Err(Failure::new("fault", message).into())
+    })
+}

@@ -1,0 +1,24 @@
+//! What programs of others use: photos, albums, pages and styles, each a type that keeps to itself what it is made of. No
+//! algorithm is here.
+
+mod album;
+mod failure;
+#[cfg(feature = "detect")]
+mod nets;
+mod options;
+mod page;
+mod photo;
+mod pixels;
+mod style;
+
+pub use album::Album;
+pub use failure::Failure;
+#[cfg(feature = "internals")]
+pub use failure::survived;
+#[cfg(feature = "detect")]
+pub use nets::Nets;
+pub use options::{PageOptions, layouts};
+pub use page::{Page, pdf};
+pub use photo::Photo;
+pub use pixels::Pixels;
+pub use style::Style;

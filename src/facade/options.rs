@@ -1,0 +1,235 @@
+//! What is asked of pages.
+
+use super::failure::Failure;
+use super::style::Style;
+use crate::layout::{PageSettings, PaperSize};
+use crate::page::catalogue;
+use crate::page::document::template_of;
+use crate::page::request::Request;
+use crate::page::storyboard::Choice;
+use serde_json::Value;
+
+/// The most pages that an album is cut into, as on the command line.
+const MOST_PAGES: usize = 1_000;
+
+/// Ids of all page templates, each with its number of panels.
+pub fn layouts() -> impl Iterator<Item = (&'static str, usize)> {
+    catalogue::layouts().into_iter().map(|layout| (layout.id, layout.panels.len()))
+}
+
+/// What is asked of pages: A4 upright at 300 dots an inch, of all photos that are worth it, with layout and style left to the photos
+/// and to chance.
+#[derive(Debug, Clone)]
+pub struct PageOptions {
+    seed: u32,
+    panels: Option<usize>,
+    merge: bool,
+    layout: Option<Value>,
+    style: Option<Style>,
+    page: PageSettings,
+    pub(super) choice: Choice,
+    pub(super) words: Vec<Value>,
+}
+
+impl Default for PageOptions {
+    fn default() -> Self {
+        Self {
+            seed: 1,
+            panels: None,
+            merge: false,
+            layout: None,
+            style: None,
+            page: PageSettings::default(),
+            choice: Choice::default(),
+            words: Vec::new(),
+        }
+    }
+}
+
+impl PageOptions {
+    /// As [`Self::default`], with 1 as the seed.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Where chance begins: another seed is another page.
+    #[must_use]
+    pub fn seed(mut self, seed: u32) -> Self {
+        self.seed = seed;
+        self
+    }
+
+    /// How many panels a page has, where the layout is free.
+    #[must_use]
+    pub fn panels(mut self, panels: usize) -> Self {
+        self.panels = Some(panels);
+        self
+    }
+
+    /// Whether panels may share one image; they do not unless asked.
+    #[must_use]
+    pub fn merge(mut self, may: bool) -> Self {
+        self.merge = may;
+        self
+    }
+
+    /// The page template of an id, such as `cinema-4`; [`layouts`] lists them.
+    ///
+    /// # Errors
+    /// `unknown-layout`.
+    pub fn layout(self, id: &str) -> Result<Self, Failure> {
+        self.layout_value(id.into())
+    }
+
+    /// The page template of a layout file.
+    ///
+    /// # Errors
+    /// `invalid-argument` for what is no JSON; `invalid-layout`, with place and reason.
+    pub fn layout_from_json(self, json: &str) -> Result<Self, Failure> {
+        let told =
+            serde_json::from_str(json).map_err(|error| Failure::argument("layout", &error.to_string()))?;
+        self.layout_value(told)
+    }
+
+    fn layout_value(mut self, layout: Value) -> Result<Self, Failure> {
+        // What cannot be drawn is said before any photo is read.
+        template_of(&layout)?;
+        self.layout = Some(layout);
+        Ok(self)
+    }
+
+    /// The style.
+    #[must_use]
+    pub fn style(mut self, style: &Style) -> Self {
+        self.style = Some(style.clone());
+        self
+    }
+
+    /// The size of the page: a name (`a4`, `a5`, `letter`, `us-comic`, `square`, `webtoon`), pixels (`1600x2400`), or sides on paper
+    /// (`210x297mm`, `8.5x11in`). With `dpi` a name or paper has as many pixels as that makes, with `width` the page is so many pixels
+    /// wide.
+    ///
+    /// # Errors
+    /// `invalid-document` for another name, and for what is out of range: sides of 64 to 14000 pixels, 36 to 1200 dots an inch.
+    pub fn size(mut self, paper: &str, dpi: Option<u32>, width: Option<u32>) -> Result<Self, Failure> {
+        let size = PaperSize::parse(paper)?;
+        let PageSettings { width, height, dpi, .. } = PageSettings::sized(Some(size), dpi, width);
+        self.page = PageSettings { width, height, dpi, ..self.page };
+        self.checked()
+    }
+
+    /// Distance between two panels, 0 to .1 of the page's width.
+    ///
+    /// # Errors
+    /// `invalid-document`, as all lengths and colours that follow.
+    pub fn gutter(mut self, length: f64) -> Result<Self, Failure> {
+        self.page.gutter = length;
+        self.checked()
+    }
+
+    /// Distance between the panels and the edge of the page, 0 to .2 of its width.
+    ///
+    /// # Errors
+    /// `invalid-document`.
+    pub fn margin(mut self, length: f64) -> Result<Self, Failure> {
+        self.page.margin = length;
+        self.checked()
+    }
+
+    /// Width of the line round a panel, 0 to .05 of the page's width.
+    ///
+    /// # Errors
+    /// `invalid-document`.
+    pub fn border(mut self, length: f64) -> Result<Self, Failure> {
+        self.page.border = length;
+        self.checked()
+    }
+
+    /// Radius of the panels' corners, 0 to .2 of the page's width.
+    ///
+    /// # Errors
+    /// `invalid-document`.
+    pub fn corner_radius(mut self, length: f64) -> Result<Self, Failure> {
+        self.page.corner_radius = length;
+        self.checked()
+    }
+
+    /// Colour of the paper, `#rrggbb`.
+    ///
+    /// # Errors
+    /// `invalid-document`.
+    pub fn paper(mut self, colour: &str) -> Result<Self, Failure> {
+        colour.clone_into(&mut self.page.paper);
+        self.checked()
+    }
+
+    /// Colour of the line round a panel, `#rrggbb`.
+    ///
+    /// # Errors
+    /// `invalid-document`.
+    pub fn border_color(mut self, colour: &str) -> Result<Self, Failure> {
+        colour.clone_into(&mut self.page.border_color);
+        self.checked()
+    }
+
+    /// Captions, balloons and sound effects of the first page, as a JSON list of such as
+    /// `{"kind": "balloon", "text": "Look out!", "panel": 0}`; those without a place go where they hide no face.
+    ///
+    /// # Errors
+    /// `invalid-argument` for what is no list of JSON. What breaks the shape of a word is told by the album.
+    pub fn words(mut self, json: &str) -> Result<Self, Failure> {
+        self.words =
+            serde_json::from_str(json).map_err(|error| Failure::argument("words", &error.to_string()))?;
+        Ok(self)
+    }
+
+    /// Photos whose fingerprints differ in at most so many of 64 bits show the same picture; 10 unless told.
+    #[must_use]
+    pub fn alike(mut self, bits: u32) -> Self {
+        self.choice.alike = Some(bits);
+        self
+    }
+
+    /// Whether all photos are used, those that look alike and those that are blurred, too.
+    #[must_use]
+    pub fn keep_all(mut self, all: bool) -> Self {
+        self.choice.keep_all = all;
+        self
+    }
+
+    /// Whether photos stay in the order in which they are given, though all say when they were taken.
+    #[must_use]
+    pub fn as_given(mut self, stays: bool) -> Self {
+        self.choice.as_given = stays;
+        self
+    }
+
+    fn checked(self) -> Result<Self, Failure> {
+        self.page.validate()?;
+        Ok(self)
+    }
+
+    /// Whether an album may be cut into at most so many pages.
+    pub(super) fn check(most: Option<usize>) -> Result<(), Failure> {
+        match most {
+            Some(pages) if !(1..=MOST_PAGES).contains(&pages) => {
+                Err(Failure::argument("pages", &format!("must be from 1 to {MOST_PAGES}")))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// What is asked of the planner, without photos.
+    pub(super) fn request(&self) -> Request {
+        Request {
+            seed: self.seed,
+            page: self.page.clone(),
+            layout: self.layout.clone(),
+            style: self.style.as_ref().map(Style::to_value),
+            panels: self.panels,
+            merge: Some(self.merge),
+            ..Request::default()
+        }
+    }
+}

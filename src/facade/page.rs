@@ -1,0 +1,148 @@
+//! Pages that are planned: drawn when their pixels or a file of them are asked for.
+
+use super::album::id;
+use super::failure::Failure;
+use super::photo::Photo;
+use super::pixels::Pixels;
+use crate::framing::Subject;
+use crate::native::{self, QUALITY};
+use crate::page::Document;
+use crate::page::pdf::{self as book, Leaf, Options};
+use crate::page::words::given::GivenFonts;
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// What the pages of an album share.
+pub(super) struct Book {
+    pub(super) photos: Arc<[Photo]>,
+    /// What was found in photos, by their ids.
+    pub(super) subjects: HashMap<String, Vec<Subject>>,
+    /// What letters come from that the program lacks.
+    pub(super) fonts: GivenFonts,
+    /// What is not as it was asked for.
+    pub(super) notes: Vec<String>,
+}
+
+/// A storyboard page that is planned. It is drawn from its photos, which are read again at their full size, each time its pixels
+/// or a file of it are asked for.
+#[derive(Clone)]
+pub struct Page {
+    book: Arc<Book>,
+    document: Document,
+}
+
+impl Page {
+    pub(super) fn new(book: Arc<Book>, document: Document) -> Self {
+        Self { book, document }
+    }
+
+    /// Width in pixels.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.document.page.width
+    }
+
+    /// Height in pixels.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.document.page.height
+    }
+
+    /// Pixels an inch.
+    #[must_use]
+    pub fn dpi(&self) -> u32 {
+        self.document.page.dpi
+    }
+
+    /// How many panels it has.
+    #[must_use]
+    pub fn panels(&self) -> usize {
+        self.document.panels.len()
+    }
+
+    /// What is not as it was asked for: photos that were left out, and why. The pages of an album share it.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.book.notes
+    }
+
+    /// The page as plain data, in JSON: layout, style, crops, words and settings; the photo of each panel by its name.
+    #[must_use]
+    pub fn plan(&self) -> String {
+        let photos = self.book.photos.iter().enumerate();
+        let names: HashMap<String, &str> = photos.map(|(place, photo)| (id(place), photo.name())).collect();
+        let name_of = |id: &String| names.get(id).map_or_else(|| id.clone(), |name| (*name).to_owned());
+        let mut told = self.document.clone();
+        for panel in &mut told.panels {
+            panel.photo = panel.photo.as_ref().map(name_of);
+        }
+        told.order = told.order.iter().map(name_of).collect();
+        told.to_json()
+    }
+
+    /// Draws it.
+    ///
+    /// # Errors
+    /// Those of a photo that is not there any more.
+    pub fn pixels(&self) -> Result<Pixels, Failure> {
+        let sheet = native::sheet(&self.document, &self.shown()?, &self.book.fonts)?;
+        let (width, height, dpi) = (sheet.width(), sheet.height(), self.document.page.dpi);
+        Ok(Pixels { width, height, rgb: sheet.into_rgb(), dpi })
+    }
+
+    /// A PNG file of it.
+    ///
+    /// # Errors
+    /// As [`Self::pixels`]; `encode`.
+    pub fn png(&self) -> Result<Vec<u8>, Failure> {
+        self.pixels()?.png()
+    }
+
+    /// A JPEG file of it, of a quality from 1 to 100.
+    ///
+    /// # Errors
+    /// As [`Self::pixels`]; `invalid-argument`; `encode`.
+    pub fn jpeg(&self, quality: u8) -> Result<Vec<u8>, Failure> {
+        self.pixels()?.jpeg(quality)
+    }
+
+    /// A PDF file of it alone, as [`pdf`].
+    ///
+    /// # Errors
+    /// As [`pdf`].
+    pub fn pdf(&self) -> Result<Vec<u8>, Failure> {
+        pdf(&[self], "", "en")
+    }
+
+    /// The photos that it shows at their full size, read side by side.
+    fn shown(&self) -> Result<native::Photos, Failure> {
+        let wanted = native::photos_of(&self.document)?;
+        let photos = &self.book.photos;
+        let places: Vec<usize> = (0..photos.len()).filter(|place| wanted.contains(&id(*place))).collect();
+        places.into_par_iter().map(|place| Ok((id(place), photos[place].full()?.into()))).collect()
+    }
+
+    fn leaf(&self) -> Result<Leaf, Failure> {
+        let subjects = |id: &str| self.book.subjects.get(id).map_or(&[][..], Vec::as_slice);
+        let alts = native::alts(&self.document, &subjects);
+        Ok(native::leaf(&self.document, &self.shown()?, alts, (None, QUALITY))?)
+    }
+}
+
+/// One PDF file of several pages: panels as pictures, with what they show told for who does not see them, lines and words as such.
+/// `language` is that of the words, such as `en`.
+///
+/// # Errors
+/// `invalid-argument` where there is no page; those of a photo that is not there any more; `encode`.
+pub fn pdf(pages: &[&Page], title: &str, language: &str) -> Result<Vec<u8>, Failure> {
+    if pages.is_empty() {
+        return Err(Failure::argument("pages", "there is no page"));
+    }
+    let leaves = pages.iter().map(|page| page.leaf()).collect::<Result<Vec<_>, _>>()?;
+    // The pages of several albums may have letters of the fonts of each.
+    let fonts = GivenFonts::joined(pages.iter().map(|page| &page.book.fonts));
+    let letters = fonts.letters(pages.iter().flat_map(|page| &page.document.words))?;
+    let options = Options { title: title.to_owned(), language: language.to_owned(), ..Options::default() };
+    Ok(book::write(&leaves, &options, &letters)?)
+}

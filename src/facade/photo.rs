@@ -1,0 +1,111 @@
+//! Photos as they are given.
+
+use super::failure::{Failure, survived};
+use crate::page::import::{Imported, import, import_image};
+use crate::raster::Image;
+use crate::raster::decode::{Limits, decode};
+use std::borrow::Cow;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// A photo that is given to an [`Album`](super::Album), which reads it.
+///
+/// The bytes may be JPEG, PNG or BMP, with the feature `rare` also WebP, TIFF or GIF, whatever the file is called; of at most 120
+/// million pixels.
+pub struct Photo {
+    name: String,
+    source: Source,
+}
+
+/// Where its pixels come from.
+enum Source {
+    File(PathBuf),
+    Bytes(Box<dyn AsRef<[u8]> + Send + Sync>),
+    Pixels(Image),
+}
+
+impl Photo {
+    /// A file, which is called by its path. It is read by the album, and again when a page is drawn.
+    #[must_use]
+    pub fn open(path: impl Into<PathBuf>) -> Self {
+        let path = path.into();
+        Self { name: path.display().to_string(), source: Source::File(path) }
+    }
+
+    /// The bytes of a file, and what failures and notes call it.
+    #[must_use]
+    pub fn from_bytes(name: impl Into<String>, bytes: impl AsRef<[u8]> + Send + Sync + 'static) -> Self {
+        Self { name: name.into(), source: Source::Bytes(Box::new(bytes)) }
+    }
+
+    /// Pixels in sRGB, row by row, three bytes each, and what failures and notes call them.
+    ///
+    /// # Errors
+    /// `damaged` where a side is 0; `too-large`; `buffer-size` where `rgb` has not `3 * width * height` bytes.
+    pub fn from_rgb(
+        name: impl Into<String>,
+        width: usize,
+        height: usize,
+        rgb: &[u8],
+    ) -> Result<Self, Failure> {
+        let name = name.into();
+        let side = |side: usize| u32::try_from(side).unwrap_or(u32::MAX);
+        let image = Limits::default()
+            .check(side(width), side(height), "pixels")
+            .and_then(|()| Image::from_interleaved_rgb(width, height, rgb))
+            .map_err(|error| Failure::from(error).of(&name))?;
+        Ok(Self { name, source: Source::Pixels(image) })
+    }
+
+    /// Pixels as the engine has them.
+    #[cfg(feature = "internals")]
+    #[must_use]
+    pub fn from_image(name: impl Into<String>, image: Image) -> Self {
+        Self { name: name.into(), source: Source::Pixels(image) }
+    }
+
+    /// What failures and notes call it.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Reads, reduces and measures it.
+    pub(super) fn imported(&self, id: &str) -> Result<Imported, Failure> {
+        let limits = Limits::default();
+        self.told(|| match &self.source {
+            Source::Pixels(image) => Ok(import_image(id, image, &limits)?),
+            source => Ok(import(id, &source.bytes()?, &limits)?),
+        })
+    }
+
+    /// Its pixels at their full size.
+    pub(super) fn full(&self) -> Result<Image, Failure> {
+        self.told(|| match &self.source {
+            Source::Pixels(image) => Ok(image.clone()),
+            source => Ok(decode(&source.bytes()?, &Limits::default())?.image),
+        })
+    }
+
+    fn told<T>(&self, work: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
+        survived(work).map_err(|failure| failure.of(&self.name))
+    }
+}
+
+impl Source {
+    fn bytes(&self) -> Result<Cow<'_, [u8]>, Failure> {
+        match self {
+            Self::File(path) => read(path).map(Cow::Owned),
+            Self::Bytes(bytes) => Ok(Cow::Borrowed((**bytes).as_ref())),
+            Self::Pixels(_) => Ok(Cow::Borrowed(&[])),
+        }
+    }
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    std::fs::read(path).map_err(|error| {
+        let code = if error.kind() == ErrorKind::NotFound { "not-found" } else { "unreadable" };
+        let folder = if path.is_dir() { "; list the files in this folder" } else { "" };
+        Failure::new(code, format!("{error}{folder}"))
+    })
+}

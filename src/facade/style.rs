@@ -1,0 +1,93 @@
+//! Styles by name, from files, and as what they make of a picture.
+
+use super::failure::Failure;
+use super::pixels::Pixels;
+use crate::style::params::Kind;
+use crate::style::{self, Context, blocks, catalogue};
+use serde_json::Value;
+
+/// The layers of a style, as style files name them.
+const LAYERS: [&str; 2] = ["background", "foreground"];
+/// What blocks call the parameter that leaves something to chance.
+const SEED: &str = "seed";
+
+/// How pictures are drawn: a chain of filter blocks for the background and, where there is one, another for the lines.
+#[derive(Debug, Clone)]
+pub struct Style(style::Style);
+
+impl Style {
+    /// The designed style of an id, such as `comic`.
+    ///
+    /// # Errors
+    /// `unknown-style`.
+    pub fn designed(id: &str) -> Result<Self, Failure> {
+        Ok(Self(catalogue::find(id)?.clone()))
+    }
+
+    /// Ids and names of all designed styles.
+    pub fn all() -> impl Iterator<Item = (&'static str, &'static str)> {
+        catalogue::catalogue().iter().map(|style| (style.id.as_str(), style.name.as_str()))
+    }
+
+    /// The style of a style file, as the page saves them.
+    ///
+    /// # Errors
+    /// `invalid-style`, with place and reason.
+    pub fn from_json(json: &str) -> Result<Self, Failure> {
+        let value: Value =
+            serde_json::from_str(json).map_err(|error| Failure::argument("style", &error.to_string()))?;
+        Ok(Self(style::Style::from_value("style", &value)?))
+    }
+
+    /// The style file.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        self.0.to_value().to_string()
+    }
+
+    /// The style with a seed in all blocks that leave something to chance.
+    ///
+    /// # Errors
+    /// None but a broken build.
+    pub fn seeded(&self, seed: u32) -> Result<Self, Failure> {
+        let mut value = self.0.to_value();
+        for layer in LAYERS {
+            for entry in value.get_mut(layer).and_then(Value::as_array_mut).into_iter().flatten() {
+                let block = blocks::ALL.iter().find(|block| entry["block"] == block.id);
+                if let Some(most) = block.and_then(|block| most_seed(block)) {
+                    entry[SEED] = (seed % (most + 1)).into();
+                }
+            }
+        }
+        Ok(Self(style::Style::from_value("style", &value)?))
+    }
+
+    /// A picture drawn in the style, of the same size. Widths of lines and the like are as on a panel of that size.
+    ///
+    /// # Errors
+    /// `buffer-size` where the picture has not as many bytes as its size asks for.
+    pub fn draw(&self, picture: &Pixels) -> Result<Pixels, Failure> {
+        let image = picture.image()?;
+        let drawn = style::stylize(&image, &self.0, &mut Context::for_image(&image))?;
+        Ok(Pixels { width: drawn.width(), height: drawn.height(), rgb: drawn.to_rgb(), dpi: picture.dpi })
+    }
+
+    /// As the engine has it.
+    #[cfg(feature = "internals")]
+    #[must_use]
+    pub fn chain(&self) -> &style::Style {
+        &self.0
+    }
+
+    pub(super) fn to_value(&self) -> Value {
+        self.0.to_value()
+    }
+}
+
+/// The largest seed that a block takes; none where it leaves nothing to chance.
+fn most_seed(block: &blocks::Block) -> Option<u32> {
+    match block.params.iter().find(|param| param.id == SEED)?.kind {
+        Kind::Integer { max, .. } => u32::try_from(max).ok(),
+        _ => None,
+    }
+}
