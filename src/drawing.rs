@@ -227,6 +227,20 @@ fn sheet(text: &str) -> Result<[f64; 2], Complaint> {
     }
 }
 
+/// Fonts out of their files.
+///
+/// # Errors
+/// A sentence with the name of a file that is no font, or too large.
+pub(crate) fn fonts(files: &[PathBuf]) -> Result<GivenFonts, Complaint> {
+    let mut fonts = GivenFonts::default();
+    for path in files {
+        let complain = |reason: String| format!("{}: {reason}", path.display());
+        let file = album::read(path).map_err(complain)?;
+        fonts.add(file).map_err(|reason| complain(reason.to_owned()))?;
+    }
+    Ok(fonts)
+}
+
 impl Printing {
     /// Says what is of PDF files alone where another kind is asked for.
     pub(crate) fn check(&self, kind: Kind) -> Result<(), Complaint> {
@@ -254,13 +268,7 @@ impl Printing {
     /// # Errors
     /// A sentence with the name of a file that is no font, or too large.
     pub(crate) fn fonts(&self) -> Result<GivenFonts, Complaint> {
-        let mut fonts = GivenFonts::default();
-        for path in &self.font {
-            let complain = |reason: String| format!("{}: {reason}", path.display());
-            let file = album::read(path).map_err(complain)?;
-            fonts.add(file).map_err(|reason| complain(reason.to_owned()))?;
-        }
-        Ok(fonts)
+        fonts(&self.font)
     }
 
     /// What pages are drawn with.
@@ -390,7 +398,7 @@ fn leaf(
 }
 
 /// The photos that a page shows, as far as they are there, decoded side by side.
-fn decoded(document: &Document, means: &Means<'_>) -> Result<native::Photos, Complaint> {
+pub(crate) fn decoded(document: &Document, means: &Means<'_>) -> Result<native::Photos, Complaint> {
     let wanted = native::photos_of(document).map_err(|error| error.to_string())?;
     let style = document.style().map_err(|error| error.to_string())?;
     let read = |id: String| {

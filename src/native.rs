@@ -6,6 +6,7 @@ use crate::layout::COARSE;
 use crate::output::describing::described;
 use crate::page::pdf::{Leaf, picture};
 use crate::page::plates::Separation;
+use crate::page::words::Letters;
 use crate::page::words::draw as word_drawing;
 use crate::page::words::given::GivenFonts;
 use crate::page::{Document, Patch, Scene, compose};
@@ -55,6 +56,32 @@ pub fn is_styled(document: &Document, photo: &str) -> bool {
 /// # Errors
 /// As [`Scene::new`]; those of a style that does not fit; `invalid-document` for words that break their shape.
 pub fn sheet(document: &Document, photos: &Photos, fonts: &GivenFonts) -> Result<compose::Sheet> {
+    let (mut sheet, fronts) = bare(document, photos)?;
+    word_drawing::lay_words_behind(&mut sheet, document, &fonts.letters(&document.words)?, &fronts)?;
+    Ok(sheet)
+}
+
+/// The same in layers: the page without its words, and each of these with its place among them, in the order in which they lie on
+/// it.
+///
+/// # Errors
+/// As [`sheet`].
+pub fn layers(
+    document: &Document,
+    photos: &Photos,
+    letters: &Letters,
+) -> Result<(compose::Sheet, Vec<(usize, Patch)>)> {
+    let (sheet, fronts) = bare(document, photos)?;
+    let mut words = Vec::with_capacity(document.words.len());
+    word_drawing::drawn_behind((document, sheet.width()), letters, &fronts, &mut |place, patch| {
+        words.push((place, patch));
+        Ok(())
+    })?;
+    Ok((sheet, words))
+}
+
+/// The page without its words, and the subjects that stand before some of them.
+fn bare(document: &Document, photos: &Photos) -> Result<(compose::Sheet, Vec<Patch>)> {
     let scene = Scene::new(document, document.page.width as usize)?;
     let mut sheet = compose::Sheet::new(&scene);
     let mut patches = render(document, photos, true)?;
@@ -62,8 +89,7 @@ pub fn sheet(document: &Document, photos: &Photos, fonts: &GivenFonts) -> Result
     for patch in patches {
         sheet.lay(patch.area, &patch.rgba)?;
     }
-    word_drawing::lay_words_behind(&mut sheet, document, &fonts.letters(&document.words)?, &fronts)?;
-    Ok(sheet)
+    Ok((sheet, fronts))
 }
 
 /// The page as a PDF file holds it, with what its panels show told for who does not see them; `plate` is the ink that it is

@@ -10,6 +10,7 @@ use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
 use inkpanel::framing::Subject;
 use inkpanel::page::Document;
+use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -81,10 +82,7 @@ fn drawn(
         if let Some(logo) = drawn_logo(id) {
             return Ok(Some(logo.clone()));
         }
-        let Some(bytes) = files.get(id) else { return Ok(None) };
-        let name = saved.photo(id).map_or(id, |photo| &photo.name);
-        let decoded = survived(|| decode(bytes, &Limits::default()));
-        decoded.map(|decoded| Some(decoded.image)).map_err(|reason| format!("the photo {name}: {reason}"))
+        photo(&saved, &files, id)
     };
     let found = |id: &str| known.get(id).map_or(&[][..], Vec::as_slice);
     let fonts = printing.fonts()?;
@@ -145,8 +143,26 @@ fn subjects(photo: &FilePhoto) -> Vec<Subject> {
     told.filter_map(|subject| serde_json::from_value(subject.clone()).ok()).collect()
 }
 
+/// A photo at its full size, by its id; nothing where its file is not there.
+///
+/// # Errors
+/// A sentence with its name where it cannot be read.
+pub(crate) fn photo(
+    saved: &Saved,
+    files: &HashMap<String, Vec<u8>>,
+    id: &str,
+) -> Result<Option<Image>, Complaint> {
+    let Some(bytes) = files.get(id) else { return Ok(None) };
+    let name = saved.photo(id).map_or(id, |photo| &photo.name);
+    let decoded = survived(|| decode(bytes, &Limits::default()));
+    decoded.map(|decoded| Some(decoded.image)).map_err(|reason| format!("the photo {name}: {reason}"))
+}
+
 /// The files of the photos that pages show, by their ids; `is_photo`: whether a picture is one.
-fn files(
+///
+/// # Errors
+/// A sentence where some are not in the project.
+pub(crate) fn files(
     saved: &mut Saved,
     pages: &[Document],
     is_photo: &dyn Fn(&str) -> bool,

@@ -1,16 +1,25 @@
 //! Animatics: which frame shows which shot, and how the camera moves; and on the command line, that the frames are as many as
-//! the shots are long, that a shot without a move is one picture, and that work that was stopped goes on.
+//! the shots are long, that a shot without a move is one picture, and that work that was stopped goes on; the same of pages that are
+//! read, of which each frame shows the panel that is read with the words that are there by now.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::document::saved::Saved;
 use inkpanel::framing::{Crop, FACE, Subject};
-use inkpanel::output::animatic::{Animatic, Picture, Request};
+use inkpanel::native::{self, Photo, Photos};
+use inkpanel::output::animatic::{Animatic, Clip, Picture, Request};
+use inkpanel::output::motion::{self, Reading};
 use inkpanel::output::shots::timecode::Pace;
 use inkpanel::output::shots::{ListedShot, ShotList};
+use inkpanel::page::Document;
+use inkpanel::page::words::Letters;
+use inkpanel::page::words::given::GivenFonts;
+use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
+use inkpanel::raster::resize::{Region, resample_image};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::fs;
+use std::io::{Cursor, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -104,6 +113,277 @@ fn what_is_no_project_or_no_size_is_told() {
     let place = animate(&project(), &file, &SMALL);
     assert_eq!(place.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&place.stderr).contains("page.txt"));
+}
+
+/// A page of four panels, three words in the first of them.
+fn page() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/saved/version-1/merged-words.png")
+}
+
+const READ: [&str; 8] = ["--pages", "--size", "320x180", "--fps", "10", "--seconds", "0.5", "--json"];
+
+fn as_read(pages: Vec<Document>) -> motion::Request {
+    motion::Request { pages, size: [320, 180], fps: 10, seconds: 0.5, dissolve: 0.0, moves: true, living: 0 }
+}
+
+fn pages_of(project: &Path) -> Vec<Document> {
+    let saved = Saved::read(fs::read(project).unwrap()).unwrap().unwrap();
+    saved.pages().0.iter().map(|page| Document::clone(page)).collect()
+}
+
+fn plan_of(request: &motion::Request) -> Animatic {
+    request.planned(&Letters::bundled().unwrap()).unwrap()
+}
+
+/// The page of a clip as large as its film has it, with so many of its words in the order in which they are read.
+fn drawn(project: &Path, (clip, page): (&Clip, &Document), words: usize) -> Image {
+    let mut document = Document::parse(&clip.picture.to_string()).unwrap();
+    let said = &clip.reading.as_ref().unwrap().said[..words];
+    let shown = |(i, word): (usize, &Value)| said.iter().any(|said| said.word == i).then(|| word.clone());
+    document.words = page.words.iter().enumerate().filter_map(shown).collect();
+    let mut saved = Saved::read(fs::read(project).unwrap()).unwrap().unwrap();
+    let photo = |id: String| {
+        let file = saved.photo_file(&id).unwrap().unwrap();
+        (id, Photo::from(decode(&file, &Limits::default()).unwrap().image))
+    };
+    let photos: Photos = native::photos_of(&document).unwrap().into_iter().map(photo).collect();
+    let sheet = native::sheet(&document, &photos, &GivenFonts::default()).unwrap();
+    Image::from_interleaved_rgb(sheet.width(), sheet.height(), sheet.rgb()).unwrap()
+}
+
+/// The smallest and the largest corner of a panel, in fractions of the page.
+fn corners(reading: &Reading, panel: usize) -> [(f64, f64); 2] {
+    let ends = |along: &dyn Fn(&(f64, f64)) -> f64| {
+        let all = reading.panels[panel].iter().map(along);
+        all.fold((1.0_f64, 0.0_f64), |(least, most), at| (least.min(at), most.max(at)))
+    };
+    let ((left, right), (top, bottom)) = (ends(&|point| point.0), ends(&|point| point.1));
+    [(left, top), (right, bottom)]
+}
+
+/// The whole pixels of a frame in which it shows a part of the page: left, top, right and lower edge.
+fn pixels_of(frame: &Image, view: &Crop, [from, to]: [(f64, f64); 2]) -> [usize; 4] {
+    let at = |place: f64, from: f64, length: f64, side: usize| (place - from) / length * side as f64;
+    let (wide, high) = (frame.width(), frame.height());
+    [
+        at(from.0, view.x, view.width, wide).ceil().max(0.0) as usize,
+        at(from.1, view.y, view.height, high).ceil().max(0.0) as usize,
+        at(to.0, view.x, view.width, wide).floor().min(wide as f64) as usize,
+        at(to.1, view.y, view.height, high).floor().min(high as f64) as usize,
+    ]
+}
+
+/// The mean difference, of 255, between a part of the page as a frame has it and as the page itself has it.
+fn difference(frame: &Image, page: &Image, view: &Crop, part: [(f64, f64); 2]) -> f64 {
+    let [left, top, right, bottom] = pixels_of(frame, view, part);
+    let (width, height) = (right - left, bottom - top);
+    assert!(width > 40 && height > 40, "{width} x {height}");
+    let (across, down) = (view.width / frame.width() as f64, view.height / frame.height() as f64);
+    let (wide, high) = (page.width() as f64, page.height() as f64);
+    let region = Region {
+        x: (view.x + left as f64 * across) * wide,
+        y: (view.y + top as f64 * down) * high,
+        width: width as f64 * across * wide,
+        height: height as f64 * down * high,
+    };
+    let expected = resample_image(page, region, width, height);
+    let shown = Region { x: left as f64, y: top as f64, width: width as f64, height: height as f64 };
+    let shown = resample_image(frame, shown, width, height).to_rgb();
+    let sum: u32 = shown.iter().zip(expected.to_rgb()).map(|(a, b)| u32::from(a.abs_diff(b))).sum();
+    f64::from(sum) / shown.len() as f64
+}
+
+fn picture(file: &[u8]) -> Image {
+    decode(file, &Limits::default()).unwrap().image
+}
+
+#[test]
+fn pages_are_read_as_the_plan_of_the_page_says() {
+    for (project, more, dissolve) in
+        [(project(), &["--dissolve", "0.4"][..], 0.4), (page(), &["--still"], 0.0)]
+    {
+        let request = motion::Request { dissolve, moves: dissolve > 0.0, ..as_read(pages_of(&project)) };
+        let plan = plan_of(&request);
+        let folder = tempfile::tempdir().unwrap();
+        let made = done(&animate(&project, folder.path(), &[&READ[..], more].concat()));
+        assert_eq!(frames(folder.path()).len(), plan.frames as usize);
+        assert_eq!(
+            (&made["frames"], &made["fps"], &made["width"]),
+            (&plan.frames.into(), &10.into(), &320.into())
+        );
+        let pages = made["pages"].as_array().unwrap();
+        assert_eq!(pages.len(), plan.clips.len());
+        for (i, (told, clip)) in pages.iter().zip(&plan.clips).enumerate() {
+            let reading = clip.reading.as_ref().unwrap();
+            let stop = |stop: &motion::Stop| {
+                json!({
+                    "panel": stop.panel.map(|panel| panel + 1), "first": stop.from + 1,
+                    "frames": stop.to - stop.from, "from": stop.first, "to": stop.last,
+                })
+            };
+            let word = |said: &motion::Said| json!({ "word": said.word + 1, "panel": said.panel + 1, "first": said.from + 1 });
+            let expected = json!({
+                "page": i + 1, "first": clip.start + 1, "frames": clip.frames,
+                "stops": reading.stops.iter().map(stop).collect::<Vec<_>>(),
+                "words": reading.said.iter().map(word).collect::<Vec<_>>(),
+            });
+            assert_eq!(told, &expected);
+        }
+    }
+}
+
+#[test]
+fn the_camera_shows_the_panel_that_is_read_and_veils_the_others() {
+    let (folder, document) = (tempfile::tempdir().unwrap(), &pages_of(&page())[0]);
+    done(&animate(&page(), folder.path(), &READ));
+    let files = frames(folder.path());
+    let clip = &plan_of(&as_read(pages_of(&page()))).clips[0];
+    let reading = clip.reading.as_ref().unwrap();
+    let whole = drawn(&page(), (clip, document), 3);
+    for (i, stop) in reading.stops.iter().enumerate() {
+        let frame = picture(&files[stop.to as usize - 1]);
+        let Some(panel) = stop.panel else {
+            // At the beginning nothing is said yet.
+            let shown = if i == 0 { &drawn(&page(), (clip, document), 0) } else { &whole };
+            assert!(difference(&frame, shown, &stop.last, [(0.0, 0.0), (1.0, 1.0)]) < 0.3);
+            continue;
+        };
+        let part = corners(reading, panel);
+        let away = difference(&frame, &whole, &stop.last, part);
+        assert!(away < 0.3, "panel {panel}: {away}");
+        // The panel is most of what is seen, and what is beside it is dark: of the words of the first one stands out.
+        let [left, top, right, bottom] = pixels_of(&frame, &stop.last, part);
+        assert!(right - left > 160 || bottom - top > 120, "{left} {top} {right} {bottom}");
+        let beside = |x: usize, y: usize| x + 1 < left || x > right || y + 1 < top || y > bottom;
+        let bright = (0..180)
+            .flat_map(|y| (0..320).map(move |x| (x, y)))
+            .filter(|&(x, y)| beside(x, y) && frame.planes().iter().any(|plane| plane.at(x, y) > 75));
+        assert!(panel == 0 || bright.count() == 0, "panel {panel}");
+    }
+    // On its way no frame is as the one before.
+    let [from, to] = [reading.stops[1].to as usize - 1, reading.stops[2].from as usize];
+    assert!(to - from > 5 && (from..to).all(|i| files[i] != files[i + 1]));
+}
+
+#[test]
+fn words_appear_in_their_time_and_frames_without_a_change_are_one_picture() {
+    let (folder, document) = (tempfile::tempdir().unwrap(), &pages_of(&page())[0]);
+    done(&animate(&page(), folder.path(), &[&READ[..], &["--still"]].concat()));
+    let files = frames(folder.path());
+    let clip = &plan_of(&motion::Request { moves: false, ..as_read(pages_of(&page())) }).clips[0];
+    let reading = clip.reading.as_ref().unwrap();
+    let stop = &reading.stops[1];
+    let part = corners(reading, 0);
+    assert_eq!(reading.said.len(), 3);
+    for (i, said) in reading.said.iter().enumerate() {
+        let from = said.from as usize;
+        let [before, after] = [i, i + 1].map(|words| drawn(&page(), (clip, document), words));
+        let away = |frame: usize, page: &Image| difference(&picture(&files[frame]), page, &stop.first, part);
+        assert!(away(from - 1, &before) < 0.3 && away(from - 1, &after) > 0.5, "word {i}");
+        // It is there within a fifth of a second, at first in part.
+        assert!(away(from, &before) > 0.2 && away(from, &after) > 0.2, "word {i}");
+        assert!(away(from + 1, &after) < 0.3, "word {i}");
+        assert_eq!(files[from + 1], files[from + 2]);
+    }
+}
+
+#[test]
+fn pages_that_were_stopped_go_on_and_progress_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let how = [&READ[..], &["--skip-existing"]].concat();
+    done(&animate(&page(), folder.path(), &how));
+    let files = frames(folder.path());
+    fs::remove_file(folder.path().join("frame-00020.png")).unwrap();
+    fs::write(folder.path().join("frame-00001.png"), b"mine").unwrap();
+    let again = animate(&page(), folder.path(), &how);
+    done(&again);
+    let made = frames(folder.path());
+    assert_eq!((&made[0][..], &made[1..]), (&b"mine"[..], &files[1..]));
+    let steps: Vec<Value> = String::from_utf8_lossy(&again.stderr)
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    let panels: Vec<&Value> = steps.iter().map(|step| &step["panel"]).collect();
+    assert_eq!(panels, [&Value::Null, &1.into(), &2.into(), &3.into(), &4.into(), &Value::Null]);
+    let skipped: u64 = steps.iter().map(|step| step["skipped"].as_u64().unwrap()).sum();
+    assert_eq!((skipped, &steps[5]["frames"]), (files.len() as u64 - 1, &files.len().into()));
+}
+
+#[test]
+fn what_pages_do_not_have_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let frames = folder.path().join("frames");
+    for (more, why) in [
+        (&["--captions"][..], "--captions is of shots"),
+        (&["--style", "noir"], "--style is of shots"),
+        (&["--seconds", "61"], "--seconds is at most 60 with --pages"),
+        (&["--dissolve", "1.5"], "--dissolve is at most 1 with --pages"),
+    ] {
+        let refused = animate(&page(), &frames, &[&["--pages"], more].concat());
+        let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert_eq!(refused.status.code(), Some(1), "{said}");
+        assert!(said.contains(why), "{said}");
+    }
+    let empty = changed(folder.path(), |project| {
+        let present = &mut project["history"]["present"];
+        for (field, value) in [("page", Value::Null), ("others", json!([])), ("at", 0.into())] {
+            present[field] = value;
+        }
+    });
+    let refused = animate(&empty, &frames, &["--pages"]);
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(refused.status.code() == Some(1) && said.contains("there is no page in it"), "{said}");
+    assert!(!frames.exists());
+}
+
+#[test]
+fn panels_that_move_in_the_page_are_told_to_stand_still() {
+    let folder = tempfile::tempdir().unwrap();
+    let of_film = changed(folder.path(), |project| {
+        let shown = project["history"]["present"]["page"]["panels"][0]["photo"].clone();
+        let photos = project["photos"].as_array_mut().unwrap();
+        let photo = photos.iter_mut().find(|photo| photo["id"] == shown).unwrap();
+        photo["video"] = "film".into();
+        photo["time"] = 1.5.into();
+        project["videos"] = json!([{
+            "key": "film", "name": "cat.mp4", "path": "videos/001-cat.mp4", "type": "video/mp4", "ids": [shown],
+            "duration": 10, "start": 0, "end": null,
+        }]);
+    });
+    for (more, what) in [(&READ[..], "1 panel is"), (&SMALL[..], "1 shot is")] {
+        let made = animate(&of_film, &folder.path().join(what), &[more, &["--still"]].concat());
+        done(&made);
+        let said = String::from_utf8_lossy(&made.stderr).into_owned();
+        assert!(
+            said.contains(&format!("{what} a frame of a film and moves in a film that the page makes")),
+            "{said}"
+        );
+    }
+    let plain = animate(&project(), &folder.path().join("plain"), &READ);
+    done(&plain);
+    assert!(!String::from_utf8_lossy(&plain.stderr).contains("film that the page makes"));
+}
+
+/// The saved project with something else in it.
+fn changed(folder: &Path, change: impl FnOnce(&mut Value)) -> PathBuf {
+    let mut archive = zip::ZipArchive::new(fs::File::open(project()).unwrap()).unwrap();
+    let mut writer = zip::ZipWriter::new(Cursor::new(Vec::new()));
+    let mut change = Some(change);
+    for i in 0..archive.len() {
+        let mut entry = archive.by_index(i).unwrap();
+        let mut bytes = Vec::new();
+        entry.read_to_end(&mut bytes).unwrap();
+        if entry.name() == "project.json" {
+            let mut value: Value = serde_json::from_slice(&bytes).unwrap();
+            change.take().unwrap()(&mut value);
+            bytes = value.to_string().into_bytes();
+        }
+        writer.start_file(entry.name(), zip::write::SimpleFileOptions::default()).unwrap();
+        writer.write_all(&bytes).unwrap();
+    }
+    let path = folder.join("changed.inkpanel");
+    fs::write(&path, writer.finish().unwrap().into_inner()).unwrap();
+    path
 }
 
 #[test]

@@ -94,6 +94,19 @@ fn a_figure_that_may_step_out_and_does_not_is_seen_before_the_effect_as_any_othe
 }
 
 #[test]
+fn a_page_in_layers_is_the_page() {
+    let page = page(true);
+    let (mut sheet, words) = native::layers(&page, &photos(true), &Letters::bundled().unwrap()).unwrap();
+    assert_eq!(words.len(), 1);
+    for (place, patch) in words {
+        assert_eq!(place, 0);
+        sheet.lay(patch.area, &patch.rgba).unwrap();
+    }
+    let whole = native::sheet(&page, &photos(true), &GivenFonts::default()).unwrap();
+    assert!(sheet.rgb() == whole.rgb());
+}
+
+#[test]
 fn the_border_and_what_is_outside_of_the_panel_are_no_figure() {
     let mut page = page(true);
     page.page.border = 0.02;

@@ -276,6 +276,13 @@ impl Animatic {
         Some((shown(under, 1.0), over))
     }
 
+    /// How far the page that a frame shows, the one below in a dissolve, is read; nothing is told of a shot.
+    #[must_use]
+    pub fn told(&self, frame: u32) -> Told {
+        let shown = self.at(frame).and_then(|(under, _)| self.clips[under.clip].reading.as_ref());
+        shown.map_or_else(Told::default, |reading| reading.told(frame))
+    }
+
     /// Which of the pictures of panels that move a frame shows, counted through all of the film.
     #[must_use]
     pub fn beat(&self, frame: u32) -> u32 {
@@ -285,7 +292,7 @@ impl Animatic {
     /// All frames for who draws them: of each [`Animatic::COLUMNS`] numbers, which are the clip below and its view (x, y, width,
     /// height), the clip over it (-1 for none) and its view, and the share of that one, the same as [`Animatic::at`]; then of
     /// the clip below, where it is a page, how many of its words are there, the panel that is read (-1 for none) and how dark all
-    /// else is, as [`Reading::told`]; and [`Animatic::beat`].
+    /// else is, as [`Animatic::told`]; and [`Animatic::beat`].
     #[must_use]
     pub fn table(&self) -> Vec<f32> {
         let view = |view: Crop| [view.x, view.y, view.width, view.height];
@@ -294,9 +301,7 @@ impl Animatic {
             let Some((under, over)) = self.at(frame) else { break };
             let (clip, above, share) =
                 over.map_or((-1.0, [0.0; 4], 0.0), |over| (over.clip as f64, view(over.view), over.share));
-            let reading = self.clips[under.clip].reading.as_ref();
-            let Told { words, panel, veil } =
-                reading.map_or_else(Told::default, |reading| reading.told(frame));
+            let Told { words, panel, veil } = self.told(frame);
             let panel = panel.map_or(-1.0, |panel| panel as f64);
             let more = [share, words, panel, veil, f64::from(self.beat(frame))];
             let row = [&[under.clip as f64][..], &view(under.view), &[clip], &above, &more].concat();

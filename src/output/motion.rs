@@ -14,8 +14,14 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::f64::consts::PI;
 
-/// How long a panel is seen that says nothing, in seconds.
+/// Frames a second, unless told.
+pub const FPS: u32 = 24;
+/// How long a panel is seen that says nothing, in seconds, unless told.
 const USUAL_SECONDS: f64 = 2.0;
+/// And at most.
+pub const MOST_SECONDS: f64 = 60.0;
+/// How long one page goes over into the next at most, in seconds.
+pub const MOST_DISSOLVE: f64 = 1.0;
 /// How long a page is seen as a whole, before it is read and after.
 const WHOLE: (f64, f64) = (1.2, 0.9);
 /// How long the camera is on its way from one panel to the next.
@@ -135,7 +141,8 @@ impl Request {
         // What a page says of itself is of no account where only its order is asked for.
         let phrases = Phrases::of("en")?;
         let pace = Pace { fps: f64::from(fps), seconds: self.seconds, moves: self.moves };
-        let dissolve = if self.pages.len() > 1 { pace.frames(self.dissolve.clamp(0.0, 1.0)) } else { 0 };
+        let dissolve =
+            if self.pages.len() > 1 { pace.frames(self.dissolve.clamp(0.0, MOST_DISSOLVE)) } else { 0 };
         let last = self.pages.len() - 1;
         let mut clips = Vec::with_capacity(self.pages.len());
         let mut start = 0;
@@ -234,7 +241,7 @@ impl Pace {
             said.push(Said { word: *place, panel: number, from: from + self.frames(seconds) });
             seconds += READ.0 + READ.1 * text.chars().count() as f64;
         }
-        let least = if self.seconds > 0.0 { self.seconds.min(60.0) } else { USUAL_SECONDS };
+        let least = if self.seconds > 0.0 { self.seconds.min(MOST_SECONDS) } else { USUAL_SECONDS };
         (said, if panel.words.is_empty() { least } else { least.max(seconds + BREATH.1) })
     }
 }

@@ -65,8 +65,7 @@ pub fn lay_words(sheet: &mut Sheet, document: &Document, letters: &Letters) -> R
     lay_words_behind(sheet, document, letters, &[])
 }
 
-/// Lays all words of a document on its sheet, first those that stand behind figures, each lot in its order. `fronts`: the subjects
-/// of the panels that [`Document::fronts`] names, as [`render_panel`](crate::page::compose::render_panel) draws them.
+/// Lays all words of a document on its sheet, as [`drawn_behind`] gives them.
 ///
 /// # Errors
 /// As [`render`].
@@ -76,15 +75,32 @@ pub fn lay_words_behind(
     letters: &Letters,
     fronts: &[Patch],
 ) -> Result<()> {
-    let (width, panels) = (sheet.width() as f64, document.fronts());
-    let (behind, before): (Vec<Laid>, Vec<Laid>) =
-        lay_all(document, letters)?.into_iter().partition(|laid| laid.word.front(&panels).is_some());
-    for laid in behind.iter().chain(&before) {
-        let mut patch = draw(laid, width, letters);
+    let width = sheet.width();
+    drawn_behind((document, width), letters, fronts, &mut |_, patch| sheet.lay(patch.area, &patch.rgba))
+}
+
+/// Draws all words of a document whose page is `width` pixels wide, and gives each with its place among them: first those that stand
+/// behind figures, each lot in its order. `fronts`: the subjects of the panels that [`Document::fronts`] names, as
+/// [`render_panel`](crate::page::compose::render_panel) draws them.
+///
+/// # Errors
+/// As [`render`], and those of `give`.
+pub fn drawn_behind(
+    (document, width): (&Document, usize),
+    letters: &Letters,
+    fronts: &[Patch],
+    give: &mut dyn FnMut(usize, Patch) -> Result<()>,
+) -> Result<()> {
+    let panels = document.fronts();
+    let all = lay_all(document, letters)?;
+    let (behind, before): (Vec<_>, Vec<_>) =
+        all.iter().enumerate().partition(|(_, laid)| laid.word.front(&panels).is_some());
+    for (place, laid) in behind.into_iter().chain(before) {
+        let mut patch = draw(laid, width as f64, letters);
         if let Some(front) = laid.word.front(&panels).and_then(|at| fronts.get(at)) {
             patch.stand_behind(front.area, &front.rgba);
         }
-        sheet.lay(patch.area, &patch.rgba)?;
+        give(place, patch)?;
     }
     Ok(())
 }

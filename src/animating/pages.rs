@@ -1,0 +1,162 @@
+//! The pages of a project, read panel by panel.
+
+use super::Animate;
+use super::drawn::{Drawn, Page};
+use super::reel::Step;
+use crate::drawing::{self, Means};
+use crate::segments::Masks;
+use crate::{Complaint, reopening};
+use inkpanel::Error;
+use inkpanel::document::saved::Saved;
+use inkpanel::native::{self, QUALITY};
+use inkpanel::output::animatic::{Animatic, Clip};
+use inkpanel::output::motion::{FPS, MOST_DISSOLVE, MOST_SECONDS, Reading, Request, Said, Stop};
+use inkpanel::page::Document;
+use inkpanel::page::words::Letters;
+use inkpanel::page::words::given::GivenFonts;
+use serde_json::{Value, json};
+use std::collections::HashMap;
+
+/// The pages of a project in their times, and what they are drawn with.
+pub(super) struct Pages {
+    pub(super) plan: Animatic,
+    saved: Saved,
+    documents: Vec<Document>,
+    files: HashMap<String, Vec<u8>>,
+    masks: Masks,
+    fonts: GivenFonts,
+    letters: Letters,
+}
+
+/// Says what is asked that pages do not have.
+///
+/// # Errors
+/// A sentence with the option.
+pub(super) fn check(asked: &Animate) -> Result<(), Complaint> {
+    let refused = [
+        (asked.captions, "--captions is of shots: with --pages the words of the pages are read".to_owned()),
+        (asked.style.is_some(), "--style is of shots: with --pages each page keeps its own".to_owned()),
+        (
+            asked.seconds > MOST_SECONDS,
+            format!("--seconds is at most {MOST_SECONDS} with --pages: so long a panel is seen"),
+        ),
+        (
+            asked.dissolve > MOST_DISSOLVE,
+            format!(
+                "--dissolve is at most {MOST_DISSOLVE} with --pages: so long two pages are seen together"
+            ),
+        ),
+    ];
+    refused.into_iter().find(|(is, _)| *is).map_or(Ok(()), |(_, why)| Err(why))
+}
+
+impl Pages {
+    pub(super) fn of(mut saved: Saved, asked: &Animate, fonts: GivenFonts) -> Result<Self, Complaint> {
+        let told = |error: Error| error.to_string();
+        let pages: Vec<Document> = saved.pages().0.iter().map(|page| Document::clone(page)).collect();
+        if pages.is_empty() {
+            return Err("there is no page in it".into());
+        }
+        let files = reopening::files(&mut saved, &pages, &|_| true)?;
+        let request = Request {
+            pages: pages.clone(),
+            size: asked.size,
+            fps: asked.fps.unwrap_or(FPS),
+            seconds: asked.seconds,
+            dissolve: asked.dissolve,
+            moves: !asked.still,
+            living: 0,
+        };
+        let letters = fonts.letters(pages.iter().flat_map(|page| &page.words)).map_err(told)?;
+        let plan = request.planned(&letters).map_err(told)?;
+        drawing::tell_missing(&pages, &fonts)?;
+        super::tell_still(moving(&saved, &pages)?, ("panel", "panels"));
+        let masks = reopening::masks(&saved);
+        Ok(Self { plan, saved, documents: pages, files, masks, fonts, letters })
+    }
+
+    /// Each place where the camera stays, with its way there.
+    pub(super) fn steps(&self) -> Vec<Step> {
+        let steps = |(page, clip): (usize, &Clip)| {
+            let mut start = clip.start;
+            let step = |stop: &Stop| {
+                let frames = start..stop.to;
+                start = stop.to;
+                let (page, panel) = (page + 1, stop.panel.map(|panel| panel + 1));
+                let called = panel.map_or("all of it".to_owned(), |panel| format!("panel {panel}"));
+                let event = json!({ "event": "panel", "page": page, "panel": panel });
+                Step { frames, called: format!("page {page}, {called}"), event }
+            };
+            stops(clip).iter().map(step).collect::<Vec<_>>()
+        };
+        self.plan.clips.iter().enumerate().flat_map(steps).collect()
+    }
+
+    /// Each page with its frames, where the camera stays on it, and when its words appear, as it is told to programs.
+    pub(super) fn told(&self) -> Value {
+        let stop = |stop: &Stop| {
+            json!({
+                "panel": stop.panel.map(|panel| panel + 1), "first": stop.from + 1, "frames": stop.to - stop.from,
+                "from": stop.first, "to": stop.last,
+            })
+        };
+        let word =
+            |said: &Said| json!({ "word": said.word + 1, "panel": said.panel + 1, "first": said.from + 1 });
+        let told = |(page, clip): (usize, &Clip)| {
+            let said = clip.reading.as_ref().map_or(&[][..], |reading| &reading.said);
+            json!({
+                "page": page + 1, "first": clip.start + 1, "frames": clip.frames,
+                "stops": stops(clip).iter().map(stop).collect::<Value>(),
+                "words": said.iter().map(word).collect::<Value>(),
+            })
+        };
+        self.plan.clips.iter().enumerate().map(told).collect()
+    }
+
+    /// A page as large as its film wants it, from the photos at their full size, with its words apart.
+    pub(super) fn drawn(&self, clip: usize) -> Result<Drawn, Complaint> {
+        let told = |error: Error| error.to_string();
+        let Clip { picture, reading: Some(reading), .. } = &self.plan.clips[clip] else {
+            return Err("a page is not read by a fault of Inkpanel".into());
+        };
+        let mut page = Document::parse(&picture.to_string()).map_err(told)?;
+        page.words.clone_from(&self.documents[clip].words);
+        let photo = |id: &str| reopening::photo(&self.saved, &self.files, id);
+        let (fonts, masks) = (&self.fonts, &self.masks);
+        let means = Means { photos: &photo, fonts, masks, quality: QUALITY, enlarges: false };
+        let photos = drawing::decoded(&page, &means)?;
+        let (sheet, words) = native::layers(&page, &photos, &self.letters).map_err(told)?;
+        let widest = reading.stops.iter().map(|stop| stop.first.width).fold(0.0, f64::max);
+        let across = widest * sheet.width() as f64 / f64::from(self.plan.size[0]);
+        let mut drawn = Page::new(&sheet, reading.panels.clone(), across);
+        for (place, patch) in words {
+            // A word that says nothing is not read.
+            if let Some(turn) = reading.said.iter().position(|said| said.word == place) {
+                drawn.add(&patch, (turn, reading.said[turn].panel));
+            }
+        }
+        Ok(Drawn::Page(drawn))
+    }
+}
+
+fn stops(clip: &Clip) -> &[Stop] {
+    clip.reading.as_ref().map_or(&[], |Reading { stops, .. }| stops)
+}
+
+/// How many panels move in the film that the page makes: those of films, but where a figure steps out, one photo goes across panels,
+/// or the style draws subjects apart.
+fn moving(saved: &Saved, pages: &[Document]) -> Result<usize, Complaint> {
+    let mut count = 0;
+    for page in pages {
+        if page.style().map_err(|error| error.to_string())?.has_parts() {
+            continue;
+        }
+        let moves = |(i, photo): (usize, Option<&str>)| {
+            let of_film = photo.is_some_and(|photo| super::is_of_film(saved, photo));
+            of_film && page.panels[i].figure.is_none() && page.merge_of(i).is_none()
+        };
+        let photos = page.panels.iter().map(|panel| panel.photo.as_deref());
+        count += photos.enumerate().filter(|panel| moves(*panel)).count();
+    }
+    Ok(count)
+}

@@ -1,0 +1,132 @@
+//! The shots of a board one after the other.
+
+use super::Animate;
+use super::drawn::Drawn;
+use super::reel::Step;
+use crate::boards::{self, STYLE, ShotPhoto};
+use crate::segments::Masks;
+use crate::{Complaint, read_style, reopening, survived};
+use inkpanel::Error;
+use inkpanel::document::saved::Saved;
+use inkpanel::native;
+use inkpanel::output::animatic::{Animatic, Clip, Picture, Request};
+use inkpanel::output::board::PictureOf;
+use inkpanel::page::words::Letters;
+use inkpanel::page::words::draw;
+use inkpanel::page::words::given::GivenFonts;
+use inkpanel::page::{Document, Patch};
+use inkpanel::raster::Image;
+use inkpanel::raster::decode::{Limits, decode};
+use serde_json::{Value, json};
+use std::collections::HashMap;
+
+/// The shots of a project in their times, and what they are drawn with.
+pub(super) struct Shots {
+    pub(super) plan: Animatic,
+    photos: Vec<ShotPhoto>,
+    masks: Masks,
+    letters: Letters,
+}
+
+impl Shots {
+    pub(super) fn of(mut saved: Saved, asked: &Animate, fonts: &GivenFonts) -> Result<Self, Complaint> {
+        let masks = reopening::masks(&saved);
+        let photos = boards::shown(&mut saved)?;
+        let request = request(&saved, asked, &photos)?;
+        let plan = request.planned().map_err(|error| error.to_string())?;
+        let style = Document::parse(&plan.clips[0].picture.to_string()).and_then(|page| page.style());
+        if !style.map_err(|error| error.to_string())?.has_parts() {
+            let moving = photos.iter().filter(|photo| super::is_of_film(&saved, &photo.id)).count();
+            super::tell_still(moving, ("shot", "shots"));
+        }
+        let words =
+            || plan.clips.iter().map(|clip| &clip.caption["words"][0]).filter(|word| word.is_object());
+        let letters = fonts.letters(words()).map_err(|error| error.to_string())?;
+        Ok(Self { plan, photos, masks, letters })
+    }
+
+    pub(super) fn steps(&self) -> Vec<Step> {
+        let step = |clip: &Clip| Step {
+            frames: clip.start..clip.start + clip.frames,
+            called: format!("shot {}", clip.number),
+            event: json!({ "event": "shot", "shot": clip.number }),
+        };
+        self.plan.clips.iter().map(step).collect()
+    }
+
+    /// Each with its frames, as it is told to programs.
+    pub(super) fn told(&self) -> Value {
+        let told = |clip: &Clip| {
+            json!({
+                "shot": clip.number, "first": clip.start + 1, "frames": clip.frames,
+                "from": clip.first, "to": clip.last,
+            })
+        };
+        self.plan.clips.iter().map(told).collect()
+    }
+
+    /// The picture of a clip in its style, from the photo at its full size, and its caption.
+    pub(super) fn drawn(&self, clip: usize) -> Result<Drawn, Complaint> {
+        let told = |error: Error| error.to_string();
+        let document = Document::parse(&self.plan.clips[clip].picture.to_string()).map_err(told)?;
+        let ShotPhoto { id, name, file } = &self.photos[clip];
+        let photo = survived(|| decode(file, &Limits::default()))
+            .map_err(|reason| format!("the photo {name}: {reason}"))?;
+        let subject = self.masks.asked_by(&*document.style().map_err(told)?, id, &photo.image);
+        let photos = HashMap::from([(id.clone(), native::Photo { image: photo.image, subject })]);
+        let sheet = native::sheet(&document, &photos, &GivenFonts::default()).map_err(told)?;
+        let picture =
+            Image::from_interleaved_rgb(sheet.width(), sheet.height(), sheet.rgb()).map_err(told)?;
+        Ok(Drawn::Shot(picture, self.caption(&self.plan.clips[clip])?))
+    }
+
+    /// The caption of a clip, where it has one, in its place of a frame.
+    fn caption(&self, clip: &Clip) -> Result<Option<Patch>, Complaint> {
+        if clip.caption.is_null() {
+            return Ok(None);
+        }
+        let told = |error: Error| error.to_string();
+        let [width, height] = self.plan.size.map(|side| side as usize);
+        let document = Document::parse(&clip.caption.to_string()).map_err(told)?;
+        let mut patch = draw::render(&document, 0, width, &self.letters).map_err(told)?;
+        let foot = (Animatic::FOOT * height as f64).round() as i64;
+        patch.area.x = (width as i64 - patch.area.width as i64) / 2;
+        patch.area.y = (height as i64 - foot - patch.area.height as i64).max(0);
+        Ok(Some(patch))
+    }
+}
+
+/// What is asked of a project's shots.
+fn request(saved: &Saved, asked: &Animate, photos: &[ShotPhoto]) -> Result<Request, Complaint> {
+    let found = reopening::known(saved);
+    let aspect = f64::from(asked.size[0]) / f64::from(asked.size[1]);
+    let picture = |PictureOf { photo, crop, faces }: PictureOf| {
+        let told = |error: serde_json::Error| error.to_string();
+        let subjects = found.get(&photo).cloned().unwrap_or_default();
+        Ok(Picture {
+            photo,
+            crop: serde_json::from_value(crop).map_err(told)?,
+            faces: serde_json::from_value(faces).map_err(told)?,
+            subjects,
+        })
+    };
+    let pictures = boards::framed(photos, aspect, &found)?;
+    let project = saved.project();
+    let page = project.history.present.page.as_ref();
+    let style = match &asked.style {
+        Some(style) => read_style(style)?.to_value(),
+        None => page.map_or_else(|| json!(STYLE), |page| page.style.clone()),
+    };
+    Ok(Request {
+        list: project.shot_list(),
+        pictures: pictures.into_iter().map(picture).collect::<Result<_, Complaint>>()?,
+        size: asked.size,
+        fps: asked.fps.unwrap_or(0),
+        seconds: asked.seconds,
+        dissolve: asked.dissolve,
+        moves: !asked.still,
+        captions: asked.captions,
+        living: 0,
+        style,
+    })
+}
