@@ -1,5 +1,6 @@
 /** The worker of the net that scores pictures: the detectors' module and the net, loaded with the first job. */
 
+import { detach } from './blobs.ts';
 import { net } from './detector-module.ts';
 import { LOOKS } from './measured.ts';
 import { LOADING, serveJobs } from './serving.ts';
@@ -13,5 +14,7 @@ serveJobs<Judging>(async (_, { width, height, data, net: address }, tell) => {
   judgeNet ??= net(address, ({ AestheticsNet }, onnx) => new AestheticsNet(onnx));
   const judge = await judgeNet.ready();
   tell.expects(LOOKS.judge);
-  return { ok: judge.score(width, height, new Uint8Array(data.buffer, data.byteOffset, data.length)) };
+  const ok = judge.score(width, height, new Uint8Array(data.buffer, data.byteOffset, data.length));
+  detach(data);
+  return { ok };
 });

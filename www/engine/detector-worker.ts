@@ -3,6 +3,7 @@
  * loaded with the first job.
  */
 
+import { detach } from './blobs.ts';
 import { net } from './detector-module.ts';
 import { LOOKS } from './measured.ts';
 import { LOADING, serveJobs } from './serving.ts';
@@ -50,7 +51,10 @@ async function looked<Op extends Look>(
 ): Promise<Looking[Op]['ok']> {
   const [run, pixels] = await Promise.all([runner(look, boxes), photo.planes.arrayBuffer()]);
   tell.expects(LOOKS[look]);
-  return JSON.parse(run(photo.width, photo.height, new Uint8Array(pixels)));
+  const planes = new Uint8Array(pixels);
+  const found = run(photo.width, photo.height, planes);
+  detach(planes);
+  return JSON.parse(found);
 }
 
 /** @param boxes of the first look */

@@ -4,6 +4,7 @@
  */
 
 import { EncodedPacketSink, VideoSampleSink } from 'mediabunny';
+import { detach } from './blobs.ts';
 import { rgbaOf } from './frame-pixels.ts';
 import type { InputVideoTrack, VideoSample } from 'mediabunny';
 import type { Looking } from '../pkg-films/inkpanel.js';
@@ -131,6 +132,7 @@ export function createLooks(track: InputVideoTrack, looking: Looking, { from, to
     if (format !== 'I420' && format !== 'NV12') {
       const { width, height, data } = await rgbaOf(frame);
       looking.look(timestamp, 'RGBA', width, height, data, new Uint32Array());
+      detach(data);
       return;
     }
     try {

@@ -21,8 +21,13 @@ import type { ImportEntry, PixelSize } from './types.ts';
 /** No photo is larger; a film that was dropped by mistake must not fill the memory. */
 const MOST_BYTES = 512 * 2 ** 20;
 
-/** @param held the photos in the studio */
-export function createOperations(studio: Studio, held: ReturnType<typeof createLru>): Work<Operations> {
+type Lru = ReturnType<typeof createLru>;
+
+/**
+ * @param held the photos in the studio
+ * @param passing those of them that are frames of a film which nobody has shown yet: a long film has a hundred, a page shows a few
+ */
+export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<Operations> {
   return {
     import: importPhoto,
     importFrame,
@@ -49,7 +54,7 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     const { entry, told } = await read(id, bytes, tell);
     detach(bytes);
     tell.waits(STORING);
-    const { meta, ...photo } = await kept(entry);
+    const { meta, ...photo } = await kept(entry, held);
     evict([]);
     return { ok: { ...photo, meta: { ...meta, ...told } }, transfer: [] };
   }
@@ -62,11 +67,11 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     return { entry, told };
   }
 
-  async function kept({ meta, format, measures, work, small }: ImportEntry): Promise<Imported> {
+  async function kept({ meta, format, measures, work, small }: ImportEntry, among: Lru): Promise<Imported> {
     return {
       meta: { ...meta, format, measures },
-      work: await keep(`${meta.id}/work`, work),
-      small: await keep(`${meta.id}/small`, small),
+      work: await keep(`${meta.id}/work`, work, among),
+      small: await keep(`${meta.id}/small`, small, among),
     };
   }
 
@@ -82,7 +87,7 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
     const png = studio.take_file() as Uint8Array<ArrayBuffer>;
     tell.waits(STORING);
     const file = await blobOf(png, { type: 'image/png' });
-    const ok = { ...(await kept(entry)), file };
+    const ok = { ...(await kept(entry, passing)), file };
     evict([]);
     return { ok, transfer: [] };
   }
@@ -225,9 +230,9 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
   }
 
   /** Puts the planes of a fresh photo into a Blob, which the page hands to the other workers. */
-  async function keep(key: string, { width, height }: PixelSize): Promise<PhotoHandle> {
+  async function keep(key: string, { width, height }: PixelSize, among: Lru): Promise<PhotoHandle> {
     const planes = studio.photo_planes(key) as Uint8Array<ArrayBuffer>;
-    held.touch(key, planes.length);
+    among.touch(key, planes.length);
     return { key, width, height, planes: await blobOf(planes) };
   }
 
@@ -242,6 +247,7 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
           detach(bytes);
         }
         studio.know_subject(key, mask);
+        passing.forget(key);
         held.touch(key, planes.size);
       }),
     );
@@ -249,7 +255,8 @@ export function createOperations(studio: Studio, held: ReturnType<typeof createL
   }
 
   function evict(needed: string[]) {
-    for (const key of held.evict((other) => needed.includes(other))) studio.drop_photo(key);
+    const isNeeded = (key: string) => needed.includes(key);
+    for (const key of [...held.evict(isNeeded), ...passing.evict(isNeeded)]) studio.drop_photo(key);
   }
 }
 

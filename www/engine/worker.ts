@@ -9,6 +9,9 @@ import { STORING, serveJobs } from './serving.ts';
 import type { Operations, Start } from './protocol.ts';
 import type { Work } from './serving.ts';
 
+/** The part of the room for photos that frames of films have until they are shown. */
+const PASSING = 8;
+
 let started: Promise<{ studio: Studio; operations: Work<Operations> }> | undefined;
 
 serveJobs<Operations, Start>(
@@ -28,5 +31,5 @@ serveJobs<Operations, Start>(
 async function start({ program, budget }: Start) {
   await initCore({ module_or_path: program });
   const studio = new Studio();
-  return { studio, operations: createOperations(studio, createLru(budget)) };
+  return { studio, operations: createOperations(studio, createLru(budget), createLru(budget / PASSING)) };
 }

@@ -1,0 +1,46 @@
+import { expect, it } from 'vitest';
+import { createLru } from './lru.ts';
+import { createOperations } from './operations.ts';
+import type { Studio } from '../pkg/inkpanel.js';
+import type { Imported } from './protocol.ts';
+
+const TELL = { waits: () => {}, expects: () => {} } as any;
+
+/** A studio that knows which photos it has, each of a hundred bytes a copy. */
+function studio() {
+  const there = new Set<string>();
+  const work = {
+    there,
+    import_frame: (id: string) => {
+      for (const tier of ['work', 'small']) there.add(`${id}/${tier}`);
+      const size = { width: 5, height: 5 };
+      return JSON.stringify({ meta: { id }, format: 'png', measures: {}, work: size, small: size });
+    },
+    take_file: () => new Uint8Array(10),
+    photo_planes: () => new Uint8Array(100),
+    has_photo: (key: string) => there.has(key),
+    put_photo: (key: string) => there.add(key),
+    drop_photo: (key: string) => there.delete(key),
+    know_subject: () => {},
+    render_panel: () => [{ x: 0, y: 0, width: 1, height: 1, take: () => new Uint8ClampedArray(4), free: () => {} }],
+  };
+  return work;
+}
+
+it('holds few of the frames of a film that nobody shows, and those that are shown as photos are held', async () => {
+  const work = studio();
+  const operations = createOperations(work as unknown as Studio, createLru(1000), createLru(400));
+  const imported = async (id: string) => {
+    const frame = { width: 5, height: 5, squareWidth: 5, squareHeight: 5, rotation: 0, data: new Uint8Array(100) };
+    return (await operations.importFrame({ id, frame }, TELL)).ok as Imported;
+  };
+  const shown = await imported('a');
+  await operations.front({ document: '{}', pictures: [0], width: 10, tier: 'work', photos: [shown.work] }, TELL);
+  for (const id of ['b', 'c', 'd', 'e', 'f']) await imported(id);
+  expect([...work.there]).toEqual(['a/work', 'e/work', 'e/small', 'f/work', 'f/small']);
+  // One that is gone is read again.
+  const again = await imported('g');
+  work.drop_photo('g/work');
+  await operations.front({ document: '{}', pictures: [0], width: 10, tier: 'work', photos: [again.work] }, TELL);
+  expect(work.there.has('g/work')).toBe(true);
+});
