@@ -66,7 +66,8 @@ impl Told {
     }
 
     fn options(&mut self) -> Done<PageOptions> {
-        let mut options = self.sized(PageOptions::new().seed(self.take("seed")?.unwrap_or(1)))?;
+        let seed = self.take("seed")?.unwrap_or(1);
+        let mut options = self.sized(PageOptions::new().seed(seed))?;
         if let Some(layout) = self.take::<Value>("layout")? {
             options = options.layout_from_json(&layout.to_string())?;
         }
