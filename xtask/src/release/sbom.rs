@@ -71,7 +71,8 @@ pub(crate) fn json(project: &Project, version: &Version, day: Date) -> Result<St
     let site = ["--no-default-features", "--features", &features, "--filter-platform", wasm::TARGET];
     crates(&metadata(project, "Cargo.toml", &site)?, "site", &mut items)?;
     let native = ["--filter-platform", &host];
-    crates(&metadata(project, "Cargo.toml", &native)?, "program", &mut items)?;
+    let program = ["--features", "cli", "--filter-platform", &host];
+    crates(&metadata(project, "Cargo.toml", &program)?, "program", &mut items)?;
     crates(&metadata(project, "python/Cargo.toml", &native)?, "wheel", &mut items)?;
     let lock = fs::read_to_string(project.www().join("package-lock.json"))?;
     packages(&serde_json::from_str(&lock)?, &mut items)?;
