@@ -41,8 +41,8 @@ let drain: MessagePort | undefined;
 
 /**
  * Gives the memory of bytes back at once. The collector does not see that megabytes hang on each small object, and comes by late:
- * the frames of a long film took 300 MB more in the meantime. `ArrayBuffer.transfer` is no way: what came as a message or out of a
- * blob Chromium still holds behind the empty object, and then does not even count it.
+ * the frames of a long film took hundreds of megabytes more in the meantime. `ArrayBuffer.transfer` is no way: what came as a
+ * message or out of a blob Chromium seems to hold behind the empty object, and then does not even count it.
  */
 export function detach({ buffer }: { buffer: ArrayBuffer }) {
   // What was handed to a worker is gone already.
