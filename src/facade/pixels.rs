@@ -1,6 +1,7 @@
 //! Pixels, and files of them.
 
 use super::failure::Failure;
+use crate::error::Error;
 use crate::page::{jpeg, png};
 use crate::raster::Image;
 
@@ -24,9 +25,11 @@ impl Pixels {
     /// # Errors
     /// `buffer-size` where `rgb` has not `3 * width * height` bytes.
     pub fn new(width: usize, height: usize, rgb: Vec<u8>) -> Result<Self, Failure> {
-        let pixels = Self { width, height, rgb, dpi: 96 };
-        pixels.image()?;
-        Ok(pixels)
+        let (expected, actual) = (width.saturating_mul(height).saturating_mul(3), rgb.len());
+        if expected == 0 || actual != expected {
+            return Err(Error::BufferSize { width, height, expected, actual }.into());
+        }
+        Ok(Self { width, height, rgb, dpi: 96 })
     }
 
     /// A PNG file.

@@ -2,7 +2,7 @@
 
 use super::prepared::{Mark, Prepared};
 use super::slots::Slot;
-use crate::framing::{Crop, PhotoMeta};
+use crate::framing::{Crop, PhotoMeta, Region};
 use crate::layout::Bounds;
 
 /// The parts of a face, and of another subject, that make it count as cut.
@@ -166,8 +166,8 @@ fn place(crop: &Crop, inner: Bounds) -> Bounds {
 
 /// Whether most of a box of which nothing is seen lies in the panel all the same.
 fn under_others(slot: &Slot, inner: Bounds) -> bool {
-    let within = |at: f64, side: f64| ((at + side).min(1.0) - at.max(0.0)).max(0.0) / side.max(1e-9);
-    !slot.target.region.is_plain() && within(inner.x, inner.width) * within(inner.y, inner.height) > 0.5
+    // Of a region in which nothing is hidden.
+    !slot.target.region.is_plain() && Region::default().shares(inner).0 > 0.5
 }
 
 /// The parts of a box that are seen: of all windows, and of the one that shows most.
