@@ -20,7 +20,7 @@ export async function making(browser, address, photos) {
   await page.getByRole('button', { name: 'Designer', exact: true }).click();
   // The same photo every time, whatever the page shows.
   await page.getByRole('group', { name: 'Preview on' }).getByRole('button', { name: 'Photo' }).click();
-  await page.getByRole('list', { name: 'Photo of the preview' }).getByRole('button').first().click();
+  await page.getByRole('group', { name: 'Photo of the preview' }).getByRole('button').first().click();
   for (const block of CHAIN) {
     await page.getByRole('button', { name: 'Add block' }).click();
     await page.getByRole('searchbox').fill(block);
