@@ -58,6 +58,27 @@ fn subjects_are_those_of_onnx_runtime() {
 }
 
 #[test]
+fn a_look_in_steps_is_the_look_at_once() {
+    let Some(net) = segmenter() else { return };
+    let photo = photo("www/public/samples/02-kitten.jpg");
+    let at_once = String::from(net.look(&photo).unwrap());
+    // Two at a time, as they do not know of each other.
+    let mut looks = [net.begin(&photo).unwrap(), net.begin(&photo).unwrap()];
+    let mut steps = 0;
+    loop {
+        steps += 1;
+        let [first, second] = looks.each_mut().map(|look| look.advance().unwrap());
+        assert_eq!(first.is_some(), second.is_some());
+        if let Some(mask) = first {
+            assert_eq!(String::from(mask), at_once);
+            break;
+        }
+    }
+    // As many as the net has operators: whoever waits is not kept from a core for long.
+    assert!(steps > 100, "{steps} steps");
+}
+
+#[test]
 fn masks_are_refined_as_opencv_does_it() {
     let data = expected()["guided"].clone();
     let side = |key: &str| data[key].as_u64().unwrap() as usize;

@@ -2,6 +2,7 @@
 /** How much longer a page takes to draw when a figure steps out of a panel, on this thread. */
 
 import initNets, { SubjectNet } from '/detector/inkpanel.js';
+import { subjectOf } from './detect.js';
 import init, { Album, Studio } from '/pkg/inkpanel.js';
 
 /** Photos with a figure, and others that fill the page with them. */
@@ -28,7 +29,7 @@ export async function figures() {
   const metas = [];
   for (const id of [...FIGURES, ...OTHERS]) {
     const { meta, work } = JSON.parse(studio.import_photo(id, await bytesOf(`/album/${id}.jpg`)));
-    const look = () => net.look(work.width, work.height, studio.photo_planes(`${id}/work`));
+    const look = () => subjectOf(net, work.width, work.height, studio.photo_planes(`${id}/work`));
     metas.push(FIGURES.includes(id) ? { ...meta, mask: look() } : meta);
   }
   album.know(JSON.stringify(metas));

@@ -25,7 +25,7 @@ pub use faces::{Faces, worth_a_closer_look};
 use inkpanel_pixels::error::Result;
 use inkpanel_pixels::raster::Image;
 pub use objects::Objects;
-pub use segment::{SIDE as SEGMENT_SIDE, Segmenter};
+pub use segment::{Look, SIDE as SEGMENT_SIDE, Segmenter};
 
 /// Something that was found in a photo. Its box lies inside the photo.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -1,5 +1,6 @@
 //! A net from an ONNX file, run by tract.
 
+use std::collections::HashSet;
 use std::io::Cursor;
 use std::sync::Arc;
 
@@ -13,6 +14,7 @@ use inkpanel_pixels::error::{Error, Result};
 /// A net with one input `[1, 3, side, side]` and a known number of outputs.
 pub(super) struct Net<const OUTPUTS: usize = 2> {
     plan: Arc<TypedRunnableModel>,
+    steps: Arc<[Step]>,
     side: usize,
 }
 
@@ -32,7 +34,7 @@ impl<const OUTPUTS: usize> Net<OUTPUTS> {
         if plan.model().outputs.len() != OUTPUTS {
             return Err(Error::Detector("the file holds another net".into()));
         }
-        Ok(Self { plan, side })
+        Ok(Self { steps: steps(&plan), plan, side })
     }
 
     /// Side of the square input in pixels.
@@ -42,17 +44,79 @@ impl<const OUTPUTS: usize> Net<OUTPUTS> {
 
     /// The outputs as plain lists, in row-major order. `input` are three planes of `side * side` values.
     pub(super) fn run(&self, input: &[f32]) -> Result<[Vec<f32>; OUTPUTS]> {
-        let run = || -> TractResult<[Vec<f32>; OUTPUTS]> {
-            let input = Tensor::from_shape(&[1, 3, self.side, self.side], input)?;
-            let outputs = self.plan.run(tvec!(input.into()))?;
-            let mut lists = [const { Vec::new() }; OUTPUTS];
-            for (list, output) in lists.iter_mut().zip(&outputs) {
-                list.extend(output.to_plain_array_view::<f32>()?.iter().copied());
+        let mut run = self.begin(input)?;
+        loop {
+            if let Some(outputs) = run.advance()? {
+                return Ok(outputs);
             }
-            Ok(lists)
-        };
-        run().map_err(|error| failed(&error))
+        }
     }
+
+    /// The same in steps.
+    pub(super) fn begin(&self, input: &[f32]) -> Result<Run<OUTPUTS>> {
+        let begin = || -> TractResult<TypedSimpleState> {
+            let input = Tensor::from_shape(&[1, 3, self.side, self.side], input)?;
+            let mut state = self.plan.spawn()?;
+            state.set_inputs(tvec!(input.into()))?;
+            Ok(state)
+        };
+        let state = begin().map_err(|error| failed(&error))?;
+        Ok(Run { state, steps: Arc::clone(&self.steps), next: 0 })
+    }
+}
+
+/// A net at work on one input. Whoever shares a core with something that a person waits for can rest between two steps.
+pub(super) struct Run<const OUTPUTS: usize> {
+    state: TypedSimpleState,
+    steps: Arc<[Step]>,
+    next: usize,
+}
+
+impl<const OUTPUTS: usize> Run<OUTPUTS> {
+    /// Computes one operator; gives the outputs, as of [`Net::run`], with the last.
+    pub(super) fn advance(&mut self) -> Result<Option<[Vec<f32>; OUTPUTS]>> {
+        self.computed().map_err(|error| failed(&error))
+    }
+
+    fn computed(&mut self) -> TractResult<Option<[Vec<f32>; OUTPUTS]>> {
+        if let Some(Step { node, done }) = self.steps.get(self.next) {
+            let inputs = self.state.prepare_inputs(*node)?;
+            // An operator writes over an input that nobody else holds.
+            for node in done {
+                self.state.turn_state.values[*node] = None;
+            }
+            self.state.compute_one_with_inputs(*node, inputs)?;
+            self.next += 1;
+        }
+        if self.next < self.steps.len() {
+            return Ok(None);
+        }
+        let mut lists = [const { Vec::new() }; OUTPUTS];
+        for (list, output) in lists.iter_mut().zip(&self.state.outputs()?) {
+            list.extend(output.to_plain_array_view::<f32>()?.iter().copied());
+        }
+        Ok(Some(lists))
+    }
+}
+
+/// An operator, and those whose values nobody needs after it.
+struct Step {
+    node: usize,
+    done: Vec<usize>,
+}
+
+/// The order in which a net is computed.
+fn steps(plan: &TypedRunnableModel) -> Arc<[Step]> {
+    let model = plan.model();
+    let mut needed: HashSet<usize> = model.outputs.iter().map(|outlet| outlet.node).collect();
+    // From the last on: who reads a value there is its last reader.
+    let backwards = plan.order_without_consts().iter().rev().map(|node| {
+        let inputs = model.node(*node).inputs.iter().map(|outlet| outlet.node);
+        Step { node: *node, done: inputs.filter(|input| needed.insert(*input)).collect() }
+    });
+    let mut steps: Vec<Step> = backwards.collect();
+    steps.reverse();
+    steps.into()
 }
 
 /// As `into_optimized`, by the same passes and to the same plan, with an eighth of the changes of axes: weights that are

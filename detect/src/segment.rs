@@ -3,7 +3,7 @@
 //! X. Qin et al., "U²-Net: Going Deeper with Nested U-Structure for Salient Object Detection" (2020). It was trained on
 //! stretched photos.
 
-use super::model::Net;
+use super::model::{Net, Run};
 use super::ssd::sigmoid;
 use inkpanel_pixels::error::{Error, Result};
 use inkpanel_pixels::raster::resize::{Region, resample_image};
@@ -32,9 +32,16 @@ impl Segmenter {
     /// # Errors
     /// `detector` when the net fails.
     pub fn look(&self, photo: &Image) -> Result<Matte> {
-        let shares = self.shares(photo)?;
-        let samples = shares.iter().map(|share| (share * 255.0).round() as u8).collect();
-        Ok(Matte::new(&Plane::from_samples(SIDE, SIDE, samples)?, (photo.width(), photo.height())))
+        matte(&self.shares(photo)?, (photo.width(), photo.height()))
+    }
+
+    /// The same in steps, of some milliseconds each.
+    ///
+    /// # Errors
+    /// As [`look`](Self::look).
+    pub fn begin(&self, photo: &Image) -> Result<Look> {
+        let run = self.0.begin(&normalized(photo))?;
+        Ok(Look { run, size: (photo.width(), photo.height()) })
     }
 
     /// The net's own answer for the photo stretched to 320 x 320: for each pixel, row by row, the share 0..=1 by which it is the
@@ -43,12 +50,38 @@ impl Segmenter {
     /// # Errors
     /// As [`look`](Self::look).
     pub fn shares(&self, photo: &Image) -> Result<Vec<f64>> {
-        let [logits] = self.0.run(&normalized(photo))?;
-        if logits.len() != SIDE * SIDE {
-            return Err(Error::Detector("the file holds another net than that of subjects".into()));
-        }
-        Ok(logits.into_iter().map(sigmoid).collect())
+        shares(self.0.run(&normalized(photo))?)
     }
+}
+
+/// A look at a photo that goes on step by step.
+pub struct Look {
+    run: Run<1>,
+    size: (usize, usize),
+}
+
+impl Look {
+    /// One step; gives what the photo shows with the last.
+    ///
+    /// # Errors
+    /// As [`Segmenter::look`].
+    pub fn advance(&mut self) -> Result<Option<Matte>> {
+        let Some(outputs) = self.run.advance()? else { return Ok(None) };
+        matte(&shares(outputs)?, self.size).map(Some)
+    }
+}
+
+fn shares([logits]: [Vec<f32>; 1]) -> Result<Vec<f64>> {
+    if logits.len() != SIDE * SIDE {
+        return Err(Error::Detector("the file holds another net than that of subjects".into()));
+    }
+    Ok(logits.into_iter().map(sigmoid).collect())
+}
+
+/// `size` is the photo's.
+fn matte(shares: &[f64], size: (usize, usize)) -> Result<Matte> {
+    let samples = shares.iter().map(|share| (share * 255.0).round() as u8).collect();
+    Ok(Matte::new(&Plane::from_samples(SIDE, SIDE, samples)?, size))
 }
 
 /// Three planes of 320 x 320 values.

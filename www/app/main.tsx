@@ -116,7 +116,8 @@ const inventions = createInventions({
   engine,
   seed: freshSeed,
   judged: ui.detects,
-  idle: () => ui.painted.value === store.page.value && subjects.settled.value,
+  // After the subjects: two nets at a time take more memory than a tab of a small device has.
+  idle: () => ui.painted.value === store.page.value && subjects.settled.value && masks.settled.value,
 });
 const styling = createStyling({ store, ownStyles, inventions: () => inventions.ready.peek() });
 const crops = createBetterCrops({ store, pages, ui });

@@ -1,20 +1,21 @@
 /**
  * How good a photo looks in a style, by a net: the style is drawn by the core, the picture is scored by a worker of its
- * own. That, and all it needs, is loaded with the first call. The net is optional when the site is built.
+ * own. That, and all it needs, is loaded with the first call, and given up a while after the last. The net is optional when
+ * the site is built.
  */
 
 import { NET } from './aesthetics-net.ts';
-import { createPool } from './pool.ts';
 import { failure } from './protocol.ts';
 import { Priority } from './queue.ts';
+import { createRestingPool } from './resting-pool.ts';
 import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
-import type { Pool, Run } from './pool.ts';
+import type { Run } from './pool.ts';
 import type { Judging, PixelPatch } from './protocol.ts';
 
 export function createAesthetics({ run, photos }: { run: Run; photos: ReturnType<typeof createPhotos> }) {
-  let pool: Pool<Judging> | undefined;
-  return { judges: NET !== undefined, judgeStyle, dispose: () => pool?.dispose() };
+  const pool = createRestingPool<Judging>(spawn);
+  return { judges: NET !== undefined, judgeStyle, hold: pool.hold, dispose: pool.dispose };
 
   /**
    * The mean score from 1 to 10 that people would give a photo in a style.
@@ -32,7 +33,6 @@ export function createAesthetics({ run, photos }: { run: Run; photos: ReturnType
     const job = { photo: photos.names([id]), priority: Priority.REST, ...call };
     const args = { photo, style: JSON.stringify(style), width, height };
     const picture: PixelPatch = await run({ ...job, op: 'stylePixels', args, holds: [photo.key] });
-    pool ??= createPool<Judging>({ size: 1, spawn });
     const { data } = picture;
     return pool.run({
       ...job,

@@ -44,6 +44,20 @@ test('where memory is short the nets are given up when all is looked at, and mad
   expect([live(), workers.length, detector.facesReady()]).toEqual([2, 4, true]);
 });
 
+test('they are given up when asked, but not while photos are looked at or on their way', async () => {
+  const { live } = answeringWorkers();
+  const detector = createDetector(photos, () => {});
+  const looking = detector.findFaces('a');
+  detector.rest();
+  await looking;
+  expect(live()).toBe(2);
+  detector.rest();
+  expect([live(), detector.facesReady()]).toEqual([0, false]);
+  detector.prepare();
+  detector.rest();
+  expect(live()).toBe(2);
+});
+
 test('elsewhere they stay', async () => {
   vi.useFakeTimers();
   const { live } = answeringWorkers();

@@ -33,6 +33,8 @@ export function createDetector(
   let last: Promise<unknown> = Promise.resolve();
   let running = 0;
   let facesMade = false;
+  /** Photos are on their way. */
+  let expected = false;
   let resting: ReturnType<typeof setTimeout> | undefined;
 
   return {
@@ -43,11 +45,13 @@ export function createDetector(
     findFaces,
     findMoreFaces,
     findObjects,
+    rest,
     dispose: () => Object.values(pools).forEach((pool) => pool.dispose()),
   };
 
   /** Makes the nets ready, those for faces first; what fails is told by the first look. */
   function prepare() {
+    expected = true;
     for (const net of ['faces', 'objects'] as const) make(net).catch(() => {});
   }
 
@@ -96,18 +100,21 @@ export function createDetector(
   ): Promise<Looking[Op]['ok']> {
     const { name, work } = photos.get(id);
     clearTimeout(resting);
+    expected = false;
     spare((running += 1));
     try {
       await make(net);
       return await open(net).run({ op, args: { photo: work, ...more }, photo: name, priority: Priority.REST, ...call });
     } finally {
       spare((running -= 1));
-      if (sparing && running === 0) resting = setTimeout(giveUp, REST);
+      if (sparing && running === 0) resting = setTimeout(rest, REST);
     }
   }
 
-  /** The next look makes them anew. */
-  function giveUp() {
+  /** Gives the nets up, if nothing is looked at nor will be soon: the next look makes them anew, in half a second. */
+  function rest() {
+    clearTimeout(resting);
+    if (running > 0 || expected) return;
     for (const net of ['faces', 'objects'] as const) {
       pools[net]?.dispose();
       delete pools[net];

@@ -95,7 +95,10 @@ export function createEngine({
     findObjects: detector.findObjects,
     /** Whether the subjects of photos can be found, and that of one. */
     masks: masking.masks,
-    findMask: masking.findMask,
+    findMask: (id: string, call?: Call) => {
+      detector.rest();
+      return masking.findMask(id, call);
+    },
     /** Tells which part of a photo is its subject, for styles that are for a part. */
     knowMask: photos.know,
     /** The subject of an imported photo, to be corrected by hand. @param masks as text: corrected before, and found */
@@ -103,7 +106,7 @@ export function createEngine({
     forgetPhoto: photos.forget,
     warm: warming.warm,
     /** While `on`, nothing is begun that the page on the screen does not wait for. */
-    hold: (on: boolean) => pool?.hold(on),
+    hold: (on: boolean) => [pool, masking, aesthetics].forEach((workers) => workers?.hold(on)),
     hasPhoto: photos.has,
     photos,
     lettering: words.lettering,

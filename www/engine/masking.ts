@@ -1,24 +1,38 @@
 /**
  * Which part of a photo is its subject, by a net in a worker of its own. That, and all it needs, is loaded with the first call,
  * and given up a while after the last. The net is optional when the site is built.
+ *
+ * A look takes a second or two, and nobody waits for it: it is done in parts, between which the worker rests while a page is
+ * drawn and a moment after, as somebody who goes from page to page would wait longer for each.
  */
 
 import { NET } from './subject-net.ts';
-import { createPool } from './pool.ts';
 import { failure } from './protocol.ts';
 import { Priority } from './queue.ts';
+import { createRestingPool } from './resting-pool.ts';
 import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
-import type { Pool } from './pool.ts';
-import type { Masking } from './protocol.ts';
+import type { Masking, PhotoHandle } from './protocol.ts';
 
-/** Milliseconds after the last photo until the net is given up: it takes a hundred megabytes. */
-const REST = 10_000;
+/** Milliseconds after a page was drawn in which the next may be asked for. */
+const CALM = 1_000;
+/** Milliseconds after which a look is done all the same: whoever shuffles on and on shall have figures, too. */
+const LONGEST_REST = 6_000;
 
 export function createMasking(photos: ReturnType<typeof createPhotos>) {
-  let pool: Pool<Masking> | undefined;
-  let resting: ReturnType<typeof setTimeout> | undefined;
-  return { masks: NET !== undefined, findMask, dispose };
+  const pool = createRestingPool<Masking>(spawn);
+  let looks = 0;
+  /** The worker is at one photo at a time. */
+  let last: Promise<unknown> = Promise.resolve();
+  /** When a page was drawn last. */
+  let drawn = Number.NEGATIVE_INFINITY;
+  return { masks: NET !== undefined, findMask, hold, dispose: pool.dispose };
+
+  /** While `on`, a page is drawn. */
+  function hold(on: boolean) {
+    drawn = performance.now();
+    pool.hold(on);
+  }
 
   /**
    * The subject of a photo, as it is kept.
@@ -29,22 +43,25 @@ export function createMasking(photos: ReturnType<typeof createPhotos>) {
     const { name, small, work } = photos.get(id);
     // The net looks at 320 pixels a side; the small copy has that many, if it is not very long.
     const photo = Math.min(small.width, small.height) >= 320 ? small : work;
-    clearTimeout(resting);
-    pool ??= createPool<Masking>({ size: 1, spawn });
-    const args = { photo, net: new URL(NET, document.baseURI).href };
-    try {
-      return await pool.run({ op: 'mask', args, photo: name, priority: Priority.REST, ...call });
-    } finally {
-      clearTimeout(resting);
-      resting = setTimeout(dispose, REST);
-    }
+    const net = new URL(NET, document.baseURI).href;
+    const found = last.then(() => look({ photo, net, name, call }));
+    last = found.catch(() => {});
+    return found;
   }
 
-  function dispose() {
-    clearTimeout(resting);
-    pool?.dispose();
-    pool = undefined;
+  async function look({ photo, net, name, call }: { photo: PhotoHandle; net: string; name: string; call?: Call }) {
+    const args = { photo, net, look: (looks += 1) };
+    const latest = performance.now() + LONGEST_REST;
+    for (;;) {
+      while (performance.now() < Math.min(latest, drawn + CALM) && !call?.signal?.aborted) await rest();
+      const mask = await pool.run({ op: 'mask', args, photo: name, priority: Priority.REST, ...call });
+      if (mask !== null) return mask;
+    }
   }
+}
+
+function rest() {
+  return new Promise((resolve) => setTimeout(resolve, CALM / 10));
 }
 
 function spawn() {

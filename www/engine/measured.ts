@@ -23,8 +23,8 @@ const WORD = 20;
 /** What costs the same whatever the size. */
 const CALL = 20;
 
-/** A look of a net, and a look at parts of a photo. */
-export const LOOKS = { faces: 40, closer: 600, objects: 160, judge: 110, mask: 2500 };
+/** A look of a net, a look at parts of a photo, and a part of a look for its subject. */
+export const LOOKS = { faces: 40, closer: 600, objects: 160, judge: 110, mask: 100 };
 
 const millions = (pixels: number) => pixels / 1e6;
 

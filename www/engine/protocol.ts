@@ -84,8 +84,11 @@ export type Judging = {
   judge: { args: { width: number; height: number; data: Uint8ClampedArray<ArrayBuffer>; net: string }; ok: number };
 };
 
-/** Those of the worker that finds subjects; `net` is the address of its net. */
-export type Masking = { mask: { args: { photo: PhotoHandle; net: string }; ok: string } };
+/**
+ * Those of the worker that finds subjects, a part of a look each, of which one has a number; `net` is the address of its net. The
+ * last part gives the subject.
+ */
+export type Masking = { mask: { args: { photo: PhotoHandle; net: string; look: number }; ok: string | null } };
 
 type Looked<Ok> = { args: { photo: PhotoHandle; boxes?: readonly Detection[] }; ok: Ok };
 

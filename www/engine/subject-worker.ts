@@ -1,21 +1,53 @@
-/** The worker of the net that finds what a photo shows: the detectors' module and the net, loaded with the first job. */
+/**
+ * The worker of the net that finds what a photo shows: the detectors' module and the net, loaded with the first job. A job is
+ * a part of a look; where the one before belonged to another look, or to a worker that was lost, the look begins.
+ */
 
 import { detach } from './blobs.ts';
 import { net } from './detector-module.ts';
 import { LOOKS } from './measured.ts';
 import { LOADING, serveJobs } from './serving.ts';
-import type { SubjectNet } from '../pkg-detector/inkpanel.js';
+import type { SubjectLook, SubjectNet } from '../pkg-detector/inkpanel.js';
 import type { Masking } from './protocol.ts';
+import type { Tell } from './serving.ts';
+
+/** Milliseconds of a part: what a person waits for is kept from a core for no longer. */
+const PART = 25;
 
 let subjects: { ready: () => Promise<SubjectNet> } | undefined;
+let current: { look: number; steps: SubjectLook } | undefined;
 
-serveJobs<Masking>(async (_, { photo, net: address }, tell) => {
+serveJobs<Masking>(async (_, args, tell) => {
+  if (current?.look !== args.look) {
+    leave();
+    current = { look: args.look, steps: await begun(args, tell) };
+  }
+  tell.expects(LOOKS.mask);
+  const { steps } = current;
+  const end = performance.now() + PART;
+  try {
+    let mask: string | undefined;
+    while (mask === undefined && performance.now() < end) mask = steps.advance();
+    if (mask !== undefined) leave();
+    return { ok: mask ?? null };
+  } catch (error) {
+    leave();
+    throw error;
+  }
+});
+
+async function begun({ photo, net: address }: Masking['mask']['args'], tell: Tell): Promise<SubjectLook> {
   tell.waits(LOADING);
   subjects ??= net(address, ({ SubjectNet }, onnx) => new SubjectNet(onnx));
   const [subject, pixels] = await Promise.all([subjects.ready(), photo.planes.arrayBuffer()]);
   tell.expects(LOOKS.mask);
   const planes = new Uint8Array(pixels);
-  const ok = subject.look(photo.width, photo.height, planes);
+  const steps = subject.begin(photo.width, photo.height, planes);
   detach(planes);
-  return { ok };
-});
+  return steps;
+}
+
+function leave() {
+  current?.steps.free();
+  current = undefined;
+}

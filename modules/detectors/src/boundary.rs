@@ -6,7 +6,9 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
-use inkpanel_detect::{Aesthetics, Detection, Faces, FirstLook, Objects, Segmenter, worth_a_closer_look};
+use inkpanel_detect::{
+    Aesthetics, Detection, Faces, FirstLook, Look, Objects, Segmenter, worth_a_closer_look,
+};
 use inkpanel_pixels::error::{Error, Result};
 use inkpanel_pixels::raster::{Image, Plane};
 use inkpanel_pixels::thrown::thrown;
@@ -93,10 +95,29 @@ impl SubjectNet {
         Ok(Self { net: Segmenter::new(onnx).map_err(thrown)? })
     }
 
-    /// The subject of a photo as text, which `raster::Matte` reads.
-    pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> std::result::Result<String, JsValue> {
-        let look = || Ok(self.net.look(&image(width, height, planes)?)?.into());
-        look().map_err(thrown)
+    /// Begins to look at a photo.
+    pub fn begin(
+        &self,
+        width: usize,
+        height: usize,
+        planes: &[u8],
+    ) -> std::result::Result<SubjectLook, JsValue> {
+        let begin = || self.net.begin(&image(width, height, planes)?);
+        begin().map(|look| SubjectLook { look }).map_err(thrown)
+    }
+}
+
+/// A look at a photo in steps of some milliseconds, so that its worker can rest in between.
+#[wasm_bindgen]
+pub struct SubjectLook {
+    look: Look,
+}
+
+#[wasm_bindgen]
+impl SubjectLook {
+    /// One step. Gives the subject of the photo with the last, as text, which `raster::Matte` reads.
+    pub fn advance(&mut self) -> std::result::Result<Option<String>, JsValue> {
+        self.look.advance().map(|matte| matte.map(Into::into)).map_err(thrown)
     }
 }
 

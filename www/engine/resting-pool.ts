@@ -1,0 +1,38 @@
+/**
+ * A pool of one worker with a net, which comes with its first job and goes a while after the last: a net takes a hundred
+ * megabytes.
+ */
+
+import { createPool } from './pool.ts';
+import type { Job, Pool, Run } from './pool.ts';
+import type { Table } from './protocol.ts';
+
+/** Milliseconds after the last job until the worker is given up. */
+const REST = 10_000;
+
+export type RestingPool<Ops extends Table> = { run: Run<Ops>; hold: (on: boolean) => void; dispose: () => void };
+
+export function createRestingPool<Ops extends Table>(spawn: () => Worker): RestingPool<Ops> {
+  let pool: Pool<Ops> | undefined;
+  let resting: ReturnType<typeof setTimeout> | undefined;
+  let running = 0;
+  return { run, hold: (on) => pool?.hold(on), dispose };
+
+  async function run<Op extends keyof Ops>(job: Job<Ops, Op>): Promise<Ops[Op]['ok']> {
+    clearTimeout(resting);
+    pool ??= createPool<Ops>({ size: 1, spawn });
+    running += 1;
+    try {
+      return await pool.run(job);
+    } finally {
+      running -= 1;
+      if (running === 0) resting = setTimeout(dispose, REST);
+    }
+  }
+
+  function dispose() {
+    clearTimeout(resting);
+    pool?.dispose();
+    pool = undefined;
+  }
+}
