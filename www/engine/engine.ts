@@ -95,6 +95,7 @@ export function createEngine({
     findObjects: detector.findObjects,
     /** Whether the subjects of photos can be found, and that of one. */
     masks: masking.masks,
+    // One net at a time: each takes a hundred megabytes.
     findMask: (id: string, call?: Call) => {
       detector.rest();
       return masking.findMask(id, call);
@@ -114,7 +115,10 @@ export function createEngine({
     ...createLiving({ run }),
     ...createImitating({ run, photos }),
     judges: aesthetics.judges,
-    judgeStyle: aesthetics.judgeStyle,
+    judgeStyle: (...asked: Parameters<typeof aesthetics.judgeStyle>) => {
+      masking.rest();
+      return aesthetics.judgeStyle(...asked);
+    },
     drawDesign: design.draw,
     ...createExports({ run, photos, words, files }),
     ...createMeasures({ run, renders, files }),

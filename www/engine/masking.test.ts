@@ -91,3 +91,15 @@ test('the net is given up a while after the last photo, and a look that is left 
   await vi.advanceTimersByTimeAsync(2_000);
   expect(all.map(({ ended }) => ended)).toEqual([true]);
 });
+
+test('the net is given up for another one, but not in the middle of a look', async () => {
+  const { all } = workers();
+  const masking = createMasking(photos);
+  const found = masking.findMask('a');
+  masking.rest();
+  expect(await found).toBe('mask 1');
+  await vi.advanceTimersByTimeAsync(0);
+  expect(all.map(({ ended }) => ended)).toEqual([false]);
+  masking.rest();
+  expect(all.map(({ ended }) => ended)).toEqual([true]);
+});

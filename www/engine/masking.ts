@@ -22,11 +22,12 @@ const LONGEST_REST = 6_000;
 export function createMasking(photos: ReturnType<typeof createPhotos>) {
   const pool = createRestingPool<Masking>(spawn);
   let looks = 0;
+  let looking = 0;
   /** The worker is at one photo at a time. */
   let last: Promise<unknown> = Promise.resolve();
   /** When a page was drawn last. */
   let drawn = Number.NEGATIVE_INFINITY;
-  return { masks: NET !== undefined, findMask, hold, dispose: pool.dispose };
+  return { masks: NET !== undefined, findMask, hold, rest, dispose: pool.dispose };
 
   /** While `on`, a page is drawn. */
   function hold(on: boolean) {
@@ -44,23 +45,33 @@ export function createMasking(photos: ReturnType<typeof createPhotos>) {
     // The net looks at 320 pixels a side; the small copy has that many, if it is not very long.
     const photo = Math.min(small.width, small.height) >= 320 ? small : work;
     const net = new URL(NET, document.baseURI).href;
+    looking += 1;
     const found = last.then(() => look({ photo, net, name, call }));
-    last = found.catch(() => {});
+    last = found.then(done, done);
     return found;
+  }
+
+  function done() {
+    looking -= 1;
+  }
+
+  /** Gives the net up, if no photo is looked at. */
+  function rest() {
+    if (looking === 0) pool.dispose();
   }
 
   async function look({ photo, net, name, call }: { photo: PhotoHandle; net: string; name: string; call?: Call }) {
     const args = { photo, net, look: (looks += 1) };
     const latest = performance.now() + LONGEST_REST;
     for (;;) {
-      while (performance.now() < Math.min(latest, drawn + CALM) && !call?.signal?.aborted) await rest();
+      while (performance.now() < Math.min(latest, drawn + CALM) && !call?.signal?.aborted) await moment();
       const mask = await pool.run({ op: 'mask', args, photo: name, priority: Priority.REST, ...call });
       if (mask !== null) return mask;
     }
   }
 }
 
-function rest() {
+function moment() {
   return new Promise((resolve) => setTimeout(resolve, CALM / 10));
 }
 
