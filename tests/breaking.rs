@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use inkpanel::framing::{PhotoMeta, Subject};
-use inkpanel::layout::Bounds;
+use inkpanel::layout::{Bounds, Point, ResolvedShape};
 use inkpanel::native;
 use inkpanel::page::breaking::{breaks, broken};
 use inkpanel::page::mask::PixelRect;
@@ -260,6 +260,73 @@ fn a_panel_and_its_figure_are_cut_out_of_one_drawing() {
         met += 1;
     }
     assert!(met > 300, "{met}");
+}
+
+/// A figure that ends at a side of its panel leaves the border there as it is, though the line of paper about it would reach it.
+#[test]
+fn a_border_that_no_figure_crosses_stays_whole() {
+    let (mut whole, mut crossed) = (0, 0);
+    for seed in 0..40 {
+        let photos = album(seed, 7);
+        let mut page = page(&photos, seed as u32);
+        let Some(own) = breaks(&page).unwrap().iter().position(|breaks| *breaks) else { continue };
+        (page.page.width, page.page.height) = (620, 877);
+        (page.page.border, page.page.corner_radius) = (0.016, 0.0);
+        let mut plain = page.clone();
+        plain.panels[own].figure = None;
+        let scene = Scene::new(&page, 620).unwrap();
+        let ResolvedShape::Polygon(points) = &scene.panels[own].shape else { continue };
+        let sides = Bounds::of(points);
+        let corner = |point: &Point| {
+            let at =
+                |at: f64, low: f64, length: f64| (at - low).abs() < 0.01 || (at - low - length).abs() < 0.01;
+            at(point.x, sides.x, sides.width) && at(point.y, sides.y, sides.height)
+        };
+        if points.len() != 4 || !points.iter().all(corner) {
+            continue;
+        }
+        let drawn = |page: &Document| {
+            let scene = Scene::new(page, 620).unwrap();
+            compose::compose(&scene, |id| image(&photos, id), &mut Context::default()).unwrap()
+        };
+        let (with, without) = (drawn(&page), drawn(&plain));
+        let changed = |x: i64, y: i64| {
+            let at = (y as usize * 620 + x as usize) * 3;
+            with.rgb()[at..at + 3].iter().zip(&without.rgb()[at..at + 3]).any(|(a, b)| a.abs_diff(*b) > 8)
+        };
+        let half = scene.border / 2.0;
+        let (right, bottom) = (sides.x + sides.width, sides.y + sides.height);
+        // Each side as its outward direction and the pixels along it.
+        for (edge, across, from, to) in [
+            (sides.x, [-1.0, 0.0], sides.y, bottom),
+            (right, [1.0, 0.0], sides.y, bottom),
+            (sides.y, [0.0, -1.0], sides.x, right),
+            (bottom, [0.0, 1.0], sides.x, right),
+        ] {
+            // Away from the corners, where another side may be crossed.
+            let along = (from + 4.0 * half) as i64..(to - 4.0 * half) as i64;
+            let any = |off: f64| {
+                let line = (edge + (across[0] + across[1]) * off).floor() as i64;
+                let inside = if across[0] == 0.0 { 0..scene.height as i64 } else { 0..620 };
+                inside.contains(&line)
+                    && along
+                        .clone()
+                        .any(|at| if across[0] == 0.0 { changed(at, line) } else { changed(line, at) })
+            };
+            if any(half + 3.0) {
+                crossed += 1;
+            } else {
+                whole += 1;
+                for off in [-0.6, -0.2, 0.2, 0.6] {
+                    assert!(
+                        !any(off * half),
+                        "seed {seed}: a side that is not crossed lost some of its border"
+                    );
+                }
+            }
+        }
+    }
+    assert!(whole > 20 && crossed > 5, "{whole} sides, {crossed} crossed");
 }
 
 #[test]

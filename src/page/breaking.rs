@@ -2,7 +2,7 @@
 //! photo so that it does.
 //!
 //! An edge that a figure may not cross is closed: where the photo or the room on the page ends in the figure, where it would
-//! lie on another panel's face, or far from its panel. What hangs together with the figure in the panel and crosses open edges
+//! lie on another panel's face, or far from its panel, and where it would end in the border. What hangs together with the figure in the panel and crosses open edges
 //! alone steps out.
 
 use super::bleed::widened;
@@ -21,6 +21,8 @@ use oorandom::Rand64;
 const SEEN: u8 = 96;
 /// How far a figure goes beyond an edge at most, in parts of the panel's shorter side.
 const MOST_REACH: f64 = 0.3;
+/// A figure that goes less far beyond an edge, in widths of its border, would only gnaw at that.
+const LEAST_REACH: f64 = 1.5;
 /// What it has to show outside for anybody to notice, in parts of the panel's area.
 const LEAST_OUTSIDE: f64 = 0.008;
 /// The least sure border of a figure that is cut out without anybody asking.
@@ -35,6 +37,8 @@ pub struct Around {
     pub room: Bounds,
     /// Faces that other panels show.
     pub faces: Vec<Bounds>,
+    /// Width of the panels' borders.
+    pub border: f64,
     /// Whether another panel may lie over this one, so that all of the figure has to be drawn once more, over that.
     pub covered: bool,
 }
@@ -171,6 +175,7 @@ impl Cells<'_> {
     fn close(&self, kept: &[bool], closed: &mut [bool], around: &Around, reach: f64) {
         let (width, height) = (self.shares.width(), self.shares.height());
         let Bounds { x: left, y: top, width: across, height: down } = around.room;
+        let mut farthest = vec![f64::NEG_INFINITY; closed.len()];
         for i in (0..kept.len()).filter(|i| kept[*i]) {
             let (x, y) = (i % width, i / width);
             let point = (self.place)(x, y);
@@ -186,10 +191,14 @@ impl Cells<'_> {
                 || !(left..left + across).contains(&point.x)
                 || !(top..top + down).contains(&point.y)
                 || around.faces.iter().any(within);
-            for (edge, closed) in closed.iter_mut().enumerate() {
+            for (edge, (closed, farthest)) in closed.iter_mut().zip(&mut farthest).enumerate() {
                 let far = self.edges.beyond(edge, point);
                 *closed |= far > 0.0 && (off || far > reach);
+                *farthest = farthest.max(far);
             }
+        }
+        for (closed, far) in closed.iter_mut().zip(farthest) {
+            *closed |= (-0.5 * around.border..LEAST_REACH * around.border).contains(&far);
         }
     }
 }
@@ -411,8 +420,9 @@ pub(super) fn around(document: &Document, panels: &[ScenePanel], size: (usize, u
         let others = faces.iter().enumerate().filter(|(other, _)| *other != own);
         others.flat_map(|(_, faces)| faces.iter().copied()).collect()
     };
+    let border = document.page.border * width;
     let covered = |own: usize| panels[own + 1..].iter().any(|over| meet(over, &panels[own]));
-    (0..panels.len()).map(|own| Around { room, faces: others(own), covered: covered(own) }).collect()
+    (0..panels.len()).map(|own| Around { room, faces: others(own), border, covered: covered(own) }).collect()
 }
 
 /// Whether the pictures of two panels have room in common.

@@ -41,17 +41,20 @@ pub(super) fn patch(
     steepen(&mut alpha, STEEP);
     cut_off(&mut alpha, part, scene.border, (panel, figure));
     let reach = line.ceil() as usize;
-    // A border that the figure may not cross stays whole.
-    let mut ring = softened(&alpha, reach);
-    cut_off(&mut ring, part, scene.border, (panel, figure));
     let area = seen(&alpha, part, reach);
     let inside = mask::inside(&panel.shape, scene.corner_radius, area);
+    let (left, top) = ((area.x - part.x) as usize, (area.y - part.y) as usize);
+    // Within the panel nothing has a line: what ends near an edge leaves its border whole, as does what may not cross it.
+    let beyond = |x: usize, y: usize| {
+        if inside[y * area.width + x] < 255 { alpha.at(left + x, top + y) } else { 0 }
+    };
+    let mut ring = softened(&Plane::from_fn(area.width, area.height, beyond), reach);
+    cut_off(&mut ring, area, scene.border, (panel, figure));
     let mut rgba = vec![0; area.width * area.height * 4];
     fill_image(&mut rgba, area, &drawing.image, at);
     let rows = rgba.chunks_exact_mut(area.width * 4).zip(inside.chunks_exact(area.width));
-    let (left, top) = ((area.x - part.x) as usize, (area.y - part.y) as usize);
     for (y, (pixels, inside)) in rows.enumerate() {
-        let shares = alpha.row(top + y)[left..].iter().zip(&ring.row(top + y)[left..]).zip(inside);
+        let shares = alpha.row(top + y)[left..].iter().zip(ring.row(y)).zip(inside);
         for (pixel, ((&alpha, &ring), &inside)) in pixels.chunks_exact_mut(4).zip(shares) {
             pixel[3] = alpha;
             if ring == 0 || alpha == 255 || inside == 255 {
