@@ -17,8 +17,10 @@ use std::path::Path;
 const TRIALS: usize = 40;
 const FOUND: f64 = 0.8;
 
-/// Pixels of a trial: fewer than a person's are tried with, as all of it is to be quick.
+/// Pixels of a trial: fewer than a person's are tried with, where all of it is to be quick.
 const AREA: usize = 60_000;
+/// As many as a person's are tried with.
+const WHOLE: usize = 160_000;
 
 fn photo(name: &str) -> Image {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/photos").join(name);
@@ -29,8 +31,8 @@ fn drawn(photo: &Image, style: &Style) -> Image {
     stylize(photo, style, &mut Context::for_image(photo)).unwrap()
 }
 
-fn attempt(photo: &Image, style: &Style, close: bool) -> Trial {
-    let seen = Seen::of(photo, &Ask { style: style.clone(), area: AREA, close });
+fn attempt(photo: &Image, style: &Style, (area, close): (usize, bool)) -> Trial {
+    let seen = Seen::of(photo, &Ask { style: style.clone(), area, close });
     imitate::attempt(&seen, style, &mut Context::default()).unwrap()
 }
 
@@ -41,8 +43,9 @@ struct Survey<'p> {
 }
 
 impl<'p> Survey<'p> {
-    fn of(photo: &'p Image) -> Self {
-        let trials = catalogue().par_iter().map(|style| (style.id.clone(), attempt(photo, style, false)));
+    fn of(photo: &'p Image, area: usize) -> Self {
+        let one = |style: &Style| (style.id.clone(), attempt(photo, style, (area, false)));
+        let trials = catalogue().par_iter().map(one);
         Self { photo, known: trials.collect() }
     }
 
@@ -67,37 +70,37 @@ impl<'p> Survey<'p> {
 }
 
 /// Whether palette, lines and screen of a photo in a style are those of a picture.
-fn alike(look: &Features, photo: &Image, style: &Style) -> [bool; 3] {
-    let whole = attempt(photo, style, false).features;
+fn alike(look: &Features, photo: &Image, style: &Style, area: usize) -> [bool; 3] {
+    let whole = attempt(photo, style, (area, false)).features;
     let palette = palette_distance(&look.palette, &whole.palette) <= 4.0;
     let (a, b) = (look.dark.density, whole.dark.density);
     // Where there is next to no line, there is nothing to measure.
     let lines = (a - b).abs() <= (0.2 * a).max(0.006);
     let pitch = look.screen.pitch;
     let screen = pitch == 0.0 || {
-        let close = attempt(photo, style, true).features.screen;
+        let close = attempt(photo, style, (area, true)).features.screen;
         (close.pitch / pitch - 1.0).abs() <= 0.15
     };
     [palette, lines, screen]
 }
 
 /// Every so many of the trials: which of palette, lines and screen were found again, at best, for which style.
-fn trials(step: usize) -> Vec<(String, [bool; 3])> {
+fn trials(step: usize, effort: Effort, area: usize) -> Vec<(String, [bool; 3])> {
     let pictures = ["macaw.jpg", "cat.jpg", "temple.jpg", "camera.jpg", "horses.jpg"].map(photo);
     // Trials of even numbers need the first alone.
     let own: Vec<Image> =
         ["palace.jpg", "raccoon.jpg"].into_iter().take(2 - (step + 1) % 2).map(photo).collect();
-    let surveys: Vec<Survey<'_>> = own.iter().map(Survey::of).collect();
+    let surveys: Vec<Survey<'_>> = own.iter().map(|own| Survey::of(own, area)).collect();
     let numbers: Vec<usize> = (0..TRIALS).step_by(step).collect();
     let trial = |&i: &usize| {
         let style = &catalogue()[i * catalogue().len() / TRIALS];
-        let look = Features::within(&drawn(&pictures[i % pictures.len()], style), AREA);
+        let look = Features::within(&drawn(&pictures[i % pictures.len()], style), area);
         let survey = &surveys[i % surveys.len()];
-        let proposals = survey.search(look.clone(), 1, Effort::BRIEF);
+        let proposals = survey.search(look.clone(), 1, effort);
         assert!((3..=6).contains(&proposals.len()), "{}: {}", style.id, proposals.len());
         let best = proposals
             .iter()
-            .map(|proposal| alike(&look, survey.photo, proposal))
+            .map(|proposal| alike(&look, survey.photo, proposal, area))
             .max_by_key(|met| met.iter().filter(|met| **met).count());
         (style.id.clone(), best.unwrap())
     };
@@ -115,22 +118,22 @@ fn check(rows: &[(String, [bool; 3])], share: f64) {
     assert!(found as f64 >= share * rows.len() as f64, "{table}");
 }
 
-/// Ten of the forty, the hardest among them, by a brief search: 4 were found when this was written, and 23 of all forty.
+/// Ten of the forty, the hardest among them, by a brief search.
 #[test]
 fn designed_styles_are_found_again_on_another_photo() {
-    check(&trials(4), 0.3);
+    check(&trials(4, Effort::BRIEF, AREA), 0.3);
 }
 
 #[test]
-#[ignore = "it takes minutes, and a brief search misses the goal"]
+#[ignore = "it takes minutes, and misses the goal by one: 31 were found when this was written"]
 fn forty_designed_styles_are_found_again() {
-    check(&trials(1), FOUND);
+    check(&trials(1, Effort::FULL, WHOLE), FOUND);
 }
 
 #[test]
 fn the_same_seed_finds_the_same() {
     let own = photo("raccoon.jpg");
-    let survey = Survey::of(&own);
+    let survey = Survey::of(&own, AREA);
     let look = Features::within(&drawn(&photo("cat.jpg"), &catalogue()[40]), AREA);
     let told = |seed| {
         let styles = survey.search(look.clone(), seed, Effort::BRIEF);

@@ -11,6 +11,12 @@ const FINEST: f32 = 2.4;
 /// What a screen counts that was not seen close yet: about as much as one that is far off.
 const UNSEEN: f32 = 3.0;
 
+/// Where two looks are no longer the same: Delta E 2000 of the palettes, and shares of the lines; a bit less than people grant.
+const PALETTE: f32 = 3.6;
+const LINES: f32 = 0.17;
+/// What that counts beyond how far they are apart.
+const MISS: f32 = 1.0;
+
 /// The parts of a distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Apart {
@@ -37,9 +43,12 @@ pub(super) fn apart(wanted: &Features, found: &Features) -> Apart {
         .map(|(a, b)| ((a + 0.6) / (b + 0.6)).ln().abs() / 0.35)
         .sum();
     let free = |features: &Features| (features.free + 0.004).ln();
+    let palette = palette_distance(&wanted.palette, &found.palette);
+    let dense = lines_apart(wanted.dark.density, found.dark.density);
     Apart {
-        palette: palette_distance(&wanted.palette, &found.palette) / 4.0,
-        shape: 0.6 * tones(&wanted.tones, &found.tones) / 0.06
+        palette: palette / 4.0 + if palette > PALETTE { MISS } else { 0.0 },
+        shape: if dense > LINES { MISS } else { 0.0 }
+            + 0.6 * tones(&wanted.tones, &found.tones) / 0.06
             + lines(wanted.dark, found.dark)
             + 0.7 * lines(wanted.light, found.light)
             + 0.4 * texture
@@ -74,6 +83,11 @@ fn tones(a: &[f32; TONES], b: &[f32; TONES]) -> f32 {
         work += carried.abs();
     }
     work / TONES as f32
+}
+
+/// Which share of the lines is missing or too much; where there is next to none, nothing.
+fn lines_apart(wanted: f32, found: f32) -> f32 {
+    ((wanted - found).abs() - 0.004).max(0.0) / wanted.max(1e-3)
 }
 
 fn lines(a: Lines, b: Lines) -> f32 {
