@@ -45,6 +45,7 @@ test('where memory is short the nets are given up when all is looked at, and mad
 });
 
 test('they are given up when asked, but not while photos are looked at or on their way', async () => {
+  vi.useFakeTimers();
   const { live } = answeringWorkers();
   const detector = createDetector(photos, () => {});
   const looking = detector.findFaces('a');
@@ -52,6 +53,10 @@ test('they are given up when asked, but not while photos are looked at or on the
   await looking;
   expect(live()).toBe(2);
   detector.rest();
+  // They may still have to keep their nets for the next visit.
+  vi.advanceTimersByTime(7_000);
+  expect(live()).toBe(2);
+  vi.advanceTimersByTime(2_000);
   expect([live(), detector.facesReady()]).toEqual([0, false]);
   detector.prepare();
   detector.rest();

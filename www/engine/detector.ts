@@ -3,6 +3,7 @@
  * its first call, or before by `prepare`.
  */
 
+import { KEEPING } from './kept.ts';
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
 import type { Look } from './detector-worker.ts';
@@ -33,6 +34,8 @@ export function createDetector(
   let last: Promise<unknown> = Promise.resolve();
   let running = 0;
   let facesMade = false;
+  /** When the last worker was started. */
+  let opened = 0;
   /** Photos are on their way. */
   let expected = false;
   let resting: ReturnType<typeof setTimeout> | undefined;
@@ -115,6 +118,11 @@ export function createDetector(
   function rest() {
     clearTimeout(resting);
     if (running > 0 || expected) return;
+    const early = opened + KEEPING - performance.now();
+    if (early > 0) {
+      resting = setTimeout(rest, early);
+      return;
+    }
     for (const net of ['faces', 'objects'] as const) {
       pools[net]?.dispose();
       delete pools[net];
@@ -148,6 +156,7 @@ export function createDetector(
   }
 
   function open(net: Net) {
+    if (!pools[net]) opened = performance.now();
     return (pools[net] ??= createPool<Looking>({ size: 1, spawn }));
   }
 }

@@ -99,7 +99,9 @@ test('the net is given up for another one, but not in the middle of a look', asy
   masking.rest();
   expect(await found).toBe('mask 1');
   await vi.advanceTimersByTimeAsync(0);
+  masking.rest();
   expect(all.map(({ ended }) => ended)).toEqual([false]);
+  await vi.advanceTimersByTimeAsync(8_500);
   masking.rest();
   expect(all.map(({ ended }) => ended)).toEqual([true]);
 });

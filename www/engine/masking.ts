@@ -57,7 +57,7 @@ export function createMasking(photos: ReturnType<typeof createPhotos>) {
 
   /** Gives the net up, if no photo is looked at. */
   function rest() {
-    if (looking === 0) pool.dispose();
+    if (looking === 0) pool.rest();
   }
 
   async function look({ photo, net, name, call }: { photo: PhotoHandle; net: string; name: string; call?: Call }) {

@@ -3,6 +3,7 @@
  * megabytes.
  */
 
+import { KEEPING } from './kept.ts';
 import { createPool } from './pool.ts';
 import type { Job, Pool, Run } from './pool.ts';
 import type { Table } from './protocol.ts';
@@ -10,16 +11,23 @@ import type { Table } from './protocol.ts';
 /** Milliseconds after the last job until the worker is given up. */
 const REST = 10_000;
 
-export type RestingPool<Ops extends Table> = { run: Run<Ops>; hold: (on: boolean) => void; dispose: () => void };
+export type RestingPool<Ops extends Table> = {
+  run: Run<Ops>;
+  hold: (on: boolean) => void;
+  rest: () => void;
+  dispose: () => void;
+};
 
 export function createRestingPool<Ops extends Table>(spawn: () => Worker): RestingPool<Ops> {
   let pool: Pool<Ops> | undefined;
   let resting: ReturnType<typeof setTimeout> | undefined;
   let running = 0;
-  return { run, hold: (on) => pool?.hold(on), dispose };
+  let opened = 0;
+  return { run, hold: (on) => pool?.hold(on), rest, dispose };
 
   async function run<Op extends keyof Ops>(job: Job<Ops, Op>): Promise<Ops[Op]['ok']> {
     clearTimeout(resting);
+    if (!pool) opened = performance.now();
     pool ??= createPool<Ops>({ size: 1, spawn });
     running += 1;
     try {
@@ -28,6 +36,11 @@ export function createRestingPool<Ops extends Table>(spawn: () => Worker): Resti
       running -= 1;
       if (running === 0) resting = setTimeout(dispose, REST);
     }
+  }
+
+  /** Gives the worker up before its time, unless it may still have to keep its net. */
+  function rest() {
+    if (performance.now() - opened > KEEPING) dispose();
   }
 
   function dispose() {
