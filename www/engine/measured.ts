@@ -23,8 +23,8 @@ const WORD = 20;
 /** What costs the same whatever the size. */
 const CALL = 20;
 
-/** A look of a net, a look at parts of a photo, and a part of a look for its subject. */
-export const LOOKS = { faces: 40, closer: 600, objects: 160, judge: 110, mask: 100 };
+/** A look of a net, a look at parts of a photo, and a part of a look for its subject, which may be one large convolution. */
+export const LOOKS = { faces: 40, closer: 600, objects: 160, judge: 110, mask: 1000 };
 
 const millions = (pixels: number) => pixels / 1e6;
 

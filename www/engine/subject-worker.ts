@@ -11,7 +11,7 @@ import type { SubjectLook, SubjectNet } from '../pkg-detector/inkpanel.js';
 import type { Masking } from './protocol.ts';
 import type { Tell } from './serving.ts';
 
-/** Milliseconds of a part: what a person waits for is kept from a core for no longer. */
+/** Milliseconds after which a part ends with the operator that it is at. Most take less than one, the largest up to a second. */
 const PART = 25;
 
 let subjects: { ready: () => Promise<SubjectNet> } | undefined;
