@@ -11,7 +11,7 @@ const STORE = 'inkpanel-nets';
 /** Milliseconds until what was loaded is kept: it was loaded to be used now, and keeping it would take a core from that. */
 const LATER = 5_000;
 /** Milliseconds after its start in which a worker may still have to keep something. */
-export const KEEPING = 8_000;
+export const KEEPING = LATER + 3_000;
 /** A name that changes with the content, as the build gives it: any other may be of an older file. */
 const HASHED = /-[\w-]{8}\.\w+$/;
 
