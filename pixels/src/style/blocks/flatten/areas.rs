@@ -202,100 +202,116 @@ pub(super) fn paint(
     let (full_width, full_height) = (planes[0].width(), planes[0].height());
     let reach = (2.0 * sigma).ceil() as isize;
     let border = borders(areas, (width, height), reach as usize);
-    // Weights of places about each of the four pixels of a square.
-    let weights: Vec<Vec<f32>> = (0..4)
-        .map(|corner| {
-            let centre = |odd: usize| odd as f32 * 0.5 - 0.25;
-            let (cx, cy) = (centre(corner % 2), centre(corner / 2));
-            (-reach..=reach)
-                .flat_map(|dy| (-reach..=reach).map(move |dx| (dx, dy)))
-                .map(|(dx, dy)| {
-                    let (x, y) = (dx as f32 - cx, dy as f32 - cy);
-                    (f64::from(-(x * x + y * y) / (2.0 * sigma * sigma))).exp() as f32
-                })
-                .collect()
+    // Of each place about a square, what it weighs for the four pixels of it.
+    let weights: Vec<[f32; CORNERS]> = (-reach..=reach)
+        .flat_map(|dy| (-reach..=reach).map(move |dx| (dx, dy)))
+        .map(|(dx, dy)| {
+            std::array::from_fn(|corner| {
+                let centre = |odd: usize| odd as f32 * 0.5 - 0.25;
+                let (x, y) = (dx as f32 - centre(corner % STEP), dy as f32 - centre(corner / STEP));
+                (f64::from(-(x * x + y * y) / (2.0 * sigma * sigma))).exp() as f32
+            })
         })
         .collect();
     // The sum of weights changes by this for a pixel across a straight border: the inverse is the slope of a soft one.
     let slope = sigma * (2.0 * std::f32::consts::PI).sqrt() * STEP as f32;
     let votes = Votes { areas, size: (width, height), colors, weights: &weights, reach, slope };
-    let mut rows = [(); 3].map(|()| vec![0u8; full_width.next_multiple_of(STEP)]);
-    for y in 0..full_height {
-        let j = y / STEP;
+    // Two rows of the picture, as R, G and B.
+    let mut rows = [(); STEP].map(|()| [(); 3].map(|()| vec![0u8; full_width.next_multiple_of(STEP)]));
+    for j in 0..height {
         for i in 0..width {
-            let [left, right] = if border[j * width + i] {
-                [0, 1].map(|odd| votes.mixed((i, j), y % STEP * STEP + odd))
+            let square = if border[j * width + i] {
+                votes.mixed((i, j))
             } else {
-                [colors[areas.numbers[j * width + i] as usize]; STEP]
+                [colors[areas.numbers[j * width + i] as usize]; CORNERS]
             };
-            for (row, (left, right)) in rows.iter_mut().zip(left.into_iter().zip(right)) {
-                row[STEP * i] = left;
-                row[STEP * i + 1] = right;
+            for (corner, color) in square.into_iter().enumerate() {
+                for (row, tone) in rows[corner / STEP].iter_mut().zip(color) {
+                    row[STEP * i + corner % STEP] = tone;
+                }
             }
         }
-        match planes {
-            [r, g, b] => {
-                for (plane, row) in [r, g, b].into_iter().zip(&rows) {
-                    plane.row_mut(y).copy_from_slice(&row[..full_width]);
+        for (y, rows) in (STEP * j..full_height).zip(&rows) {
+            match planes {
+                [r, g, b] => {
+                    for (plane, row) in [r, g, b].into_iter().zip(rows) {
+                        plane.row_mut(y).copy_from_slice(&row[..full_width]);
+                    }
                 }
-            }
-            [plane, ..] => {
-                for (x, out) in plane.row_mut(y).iter_mut().enumerate() {
-                    *out = luma(rows[0][x], rows[1][x], rows[2][x]);
+                [plane, ..] => {
+                    for (x, out) in plane.row_mut(y).iter_mut().enumerate() {
+                        *out = luma(rows[0][x], rows[1][x], rows[2][x]);
+                    }
                 }
+                [] => {}
             }
-            [] => {}
         }
     }
 }
+
+/// Pixels of the picture in one of the areas' resolution: a row of two above another.
+const CORNERS: usize = STEP * STEP;
 
 /// What the colour of a pixel near a border is made of.
 struct Votes<'a> {
     areas: &'a Areas,
     size: (usize, usize),
     colors: &'a [[u8; 3]],
-    /// For each of the four pixels of a square, weights of the places about it.
-    weights: &'a [Vec<f32>],
+    /// Of each place about a square, row by row, what it weighs for each of the square's pixels.
+    weights: &'a [[f32; CORNERS]],
     reach: isize,
     slope: f32,
 }
 
 impl Votes<'_> {
-    /// The colour of one of the four pixels of the square (i, j): the two areas with most weight about it, one pixel soft.
-    fn mixed(&self, (i, j): (usize, usize), corner: usize) -> [u8; 3] {
+    /// The colours of the four pixels of the square (i, j): of each the two areas with most weight about it, one pixel soft.
+    fn mixed(&self, (i, j): (usize, usize)) -> [[u8; 3]; CORNERS] {
         let (width, height) = self.size;
-        let mut sums = [(0u32, 0.0f32); 12];
+        // Which areas are about a square is looked up once for all of its pixels.
+        let mut sums = [(0u32, [0.0f32; CORNERS]); 12];
         let mut count = 0;
-        let mut total = 0.0;
-        let mut weight = self.weights[corner].iter();
+        let mut totals = [0.0f32; CORNERS];
+        let mut weights = self.weights.iter();
         for dy in -self.reach..=self.reach {
             let row = (j as isize + dy).clamp(0, height as isize - 1) as usize * width;
             for dx in -self.reach..=self.reach {
                 let number =
                     self.areas.numbers[row + (i as isize + dx).clamp(0, width as isize - 1) as usize];
-                let weight = weight.next().copied().unwrap_or(0.0);
-                total += weight;
+                let weight = weights.next().copied().unwrap_or([0.0; CORNERS]);
+                add(&mut totals, weight);
                 if let Some((_, sum)) = sums[..count].iter_mut().find(|(known, _)| *known == number) {
-                    *sum += weight;
+                    add(sum, weight);
                 } else if count < sums.len() {
                     sums[count] = (number, weight);
                     count += 1;
                 }
             }
         }
-        let (mut first, mut second) = (sums[0], (sums[0].0, 0.0));
-        for &(number, sum) in &sums[1..count.max(1)] {
-            if sum > first.1 {
+        std::array::from_fn(|corner| self.blended(&sums[..count.max(1)], corner, totals[corner]))
+    }
+
+    /// The colour of one pixel of a square, by the weights of the areas about it.
+    fn blended(&self, sums: &[(u32, [f32; CORNERS])], corner: usize, total: f32) -> [u8; 3] {
+        let mut first = (sums[0].0, sums[0].1[corner]);
+        let mut second = (first.0, 0.0);
+        for &(number, sum) in &sums[1..] {
+            if sum[corner] > first.1 {
                 second = first;
-                first = (number, sum);
-            } else if sum > second.1 {
-                second = (number, sum);
+                first = (number, sum[corner]);
+            } else if sum[corner] > second.1 {
+                second = (number, sum[corner]);
             }
         }
         let lead = (first.1 - second.1) / total.max(1e-6);
         let share = (0.5 + 0.5 * lead * self.slope).min(1.0);
         let (a, b) = (self.colors[first.0 as usize], self.colors[second.0 as usize]);
         std::array::from_fn(|c| (share * f32::from(a[c]) + (1.0 - share) * f32::from(b[c]) + 0.5) as u8)
+    }
+}
+
+fn add(sums: &mut [f32; CORNERS], weights: [f32; CORNERS]) {
+    for (sum, weight) in sums.iter_mut().zip(weights) {
+        *sum += weight;
     }
 }
 
