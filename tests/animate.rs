@@ -11,11 +11,12 @@ use inkpanel::output::motion::{self, Reading};
 use inkpanel::output::shots::timecode::Pace;
 use inkpanel::output::shots::{ListedShot, ShotList};
 use inkpanel::page::Document;
+use inkpanel::page::breaking::{breaks, broken};
 use inkpanel::page::words::Letters;
 use inkpanel::page::words::given::GivenFonts;
-use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use inkpanel::raster::resize::{Region, resample_image};
+use inkpanel::raster::{Image, Matte, Plane};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::fs;
@@ -362,6 +363,55 @@ fn panels_that_move_in_the_page_are_told_to_stand_still() {
     let plain = animate(&project(), &folder.path().join("plain"), &READ);
     done(&plain);
     assert!(!String::from_utf8_lossy(&plain.stderr).contains("film that the page makes"));
+}
+
+#[test]
+fn a_figure_that_steps_out_is_read_with_its_panel() {
+    let shares =
+        Plane::from_fn(90, 60, |x, y| if (x as f64 - 44.5).hypot(y as f64 - 29.5) < 25.0 { 255 } else { 0 });
+    let mask = Matte::new(&shares, (900, 600));
+    let mut stepping = None;
+    let films = [true, false].map(|steps| {
+        let folder = tempfile::tempdir().unwrap();
+        let project = changed(folder.path(), |project| {
+            let page = &mut project["history"]["present"]["page"];
+            let document = Document::parse(&page.to_string()).unwrap();
+            let found = (0..document.panels.len()).find_map(|panel| {
+                let out = broken(&document, panel, &mask).unwrap()?;
+                breaks(&out).unwrap()[panel].then_some((panel, out))
+            });
+            let (panel, mut out) = found.unwrap();
+            if !steps {
+                out.panels[panel].figure = None;
+            }
+            *page = serde_json::from_str(&out.to_json()).unwrap();
+            stepping = Some(panel);
+        });
+        let made = folder.path().join("frames");
+        done(&animate(&project, &made, &READ));
+        (folder, project, frames(&made))
+    });
+    let panel = stepping.unwrap();
+    let [(_folder, project, files), (_other, _, without)] = &films;
+    let pages = pages_of(project);
+    let plan = plan_of(&as_read(pages.clone()));
+    let found = pages.iter().zip(&plan.clips).find(|(page, _)| page.breaks_frame(panel));
+    let (document, clip) = found.unwrap();
+    let whole = drawn(project, (clip, document), 0);
+    for stop in &clip.reading.as_ref().unwrap().stops {
+        let [frame, kept] = [files, without].map(|files| picture(&files[stop.to as usize - 1]));
+        if stop.panel.is_none() {
+            let all = [(0.0, 0.0), (1.0, 1.0)];
+            assert!(difference(&frame, &whole, &stop.last, all) < 0.3);
+            assert!(difference(&kept, &whole, &stop.last, all) > 0.6);
+        } else if stop.panel == Some(panel) {
+            // Beyond the panel all is veiled but its figure.
+            let bright = |image: &Image, x, y| image.planes().iter().any(|plane| plane.at(x, y) > 100);
+            let pixels = (0..180).flat_map(|y| (0..320).map(move |x| (x, y)));
+            let lit = pixels.filter(|&(x, y)| bright(&frame, x, y) && !bright(&kept, x, y)).count();
+            assert!(lit > 30, "{lit}");
+        }
+    }
 }
 
 /// The saved project with something else in it.
