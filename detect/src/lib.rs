@@ -9,6 +9,7 @@
 //! of the photo, so that a reduced copy gives the answer for the original.
 
 mod aesthetics;
+mod enlarge;
 mod faces;
 mod letterbox;
 mod model;
@@ -17,6 +18,7 @@ mod operators;
 mod segment;
 mod ssd;
 mod weights;
+mod winograd;
 
 use serde::{Deserialize, Serialize};
 

@@ -11,8 +11,9 @@ use tract_onnx::tract_hir::ops::identity::Identity;
 use tract_onnx::tract_hir::ops::nn::{DataFormat, GlobalAvgPool};
 use tract_onnx::tract_hir::ops::{activations, array, math};
 use tract_onnx::tract_hir::tract_core::ops::change_axes::to_axis_ops_with_onnx_rules;
-use tract_onnx::tract_hir::tract_core::ops::nn::resize::Interpolator;
-use tract_onnx_opl::resize::{AspectRatio, CoordTransform, Nearest, Resize};
+
+use super::enlarge::Enlarge;
+use super::winograd::Convolution;
 
 type Built = TractResult<(Box<dyn InferenceOp>, Vec<String>)>;
 
@@ -29,7 +30,7 @@ pub(super) fn reader() -> Onnx {
     known.insert("Pad", |_, _| built(expand(Pad)));
     known.insert("Relu", |_, _| built(expand(activations::Clip::new(Some(0.0), None))));
     known.insert("Reshape", |_, _| built(expand(Reshape)));
-    known.insert("Resize", resize);
+    known.insert("Resize", |_, node| built(expand(Enlarge::read(node)?)));
     known.insert("Transpose", |_, node| {
         let order: Vec<usize> = node.get_attr_vec("perm")?;
         built(expand(array::PermuteAxes::new(Some(order.into()))))
@@ -58,7 +59,7 @@ fn convolution(_: &ParsingContext, node: &NodeProto) -> Built {
     if node.input.len() == 3 {
         operator = operator.bias_input(2);
     }
-    built(expand(operator))
+    built(expand(Convolution(operator)))
 }
 
 fn max_pool(_: &ParsingContext, node: &NodeProto) -> Built {
@@ -67,25 +68,8 @@ fn max_pool(_: &ParsingContext, node: &NodeProto) -> Built {
     built(expand(HirMaxPool::new(pool, None)))
 }
 
-fn resize(_: &ParsingContext, node: &NodeProto) -> Built {
-    built(expand(Scale(Resize {
-        axes: None,
-        antialias: false,
-        keep_aspect_ratio_policy: AspectRatio::Stretch,
-        coord_transformer: CoordTransform::parse(node.get_attr("coordinate_transformation_mode")?)?,
-        interpolator: Interpolator::parse(node.get_attr("mode")?)?,
-        nearest: Nearest::Floor,
-        cubic_coeff_a_bits: (-0.75f32).to_bits(),
-        exclude_outside: false,
-        extrapolation_value_bits: 0,
-        optional_roi_input: None,
-        optional_scales_input: Some(1),
-        optional_sizes_input: None,
-    })))
-}
-
 /// The constant that an input is.
-fn constant(model: &TypedModel, input: OutletId) -> TractResult<Arc<Tensor>> {
+pub(super) fn constant(model: &TypedModel, input: OutletId) -> TractResult<Arc<Tensor>> {
     model.outlet_fact(input)?.konst.clone().context("an input that should be constant is not")
 }
 
@@ -198,35 +182,4 @@ fn pairs(amounts: &Tensor) -> TractResult<Vec<(usize, usize)>> {
 /// Whole numbers, as the files of our nets have them.
 fn integers(list: &Tensor) -> TractResult<&[i64]> {
     list.try_as_plain_ram()?.as_slice()
-}
-
-/// Resizing by constant factors.
-#[derive(Debug, Clone)]
-struct Scale(Resize);
-
-impl Expansion for Scale {
-    fn name(&self) -> StaticName {
-        "Resize".into()
-    }
-
-    fn rules<'r, 'p: 'r, 's: 'r>(
-        &'s self,
-        s: &mut Solver<'r>,
-        inputs: &'p [TensorProxy],
-        outputs: &'p [TensorProxy],
-    ) -> InferenceResult {
-        s.equals(&inputs[0].datum_type, &outputs[0].datum_type)?;
-        s.equals(&inputs[0].rank, &outputs[0].rank)?;
-        s.given_2(&inputs[0].shape, &inputs[1].value, move |s, shape, scales| {
-            let size = self.0.compute_output_shape(&shape, Some(scales.as_ref()), None)?;
-            for (axis, side) in size.iter().enumerate() {
-                s.equals(&outputs[0].shape[axis], side.to_dim())?;
-            }
-            Ok(())
-        })
-    }
-
-    fn wire(&self, name: &str, model: &mut TypedModel, inputs: &[OutletId]) -> TractResult<TVec<OutletId>> {
-        model.wire_node(name, self.0.clone(), inputs)
-    }
 }

@@ -1,0 +1,160 @@
+//! Planes enlarged by whole factors, bilinearly; the centres of pixels correspond (ONNX: `linear`, `half_pixel`). tract has this among all
+//! other ways of resizing, by way of tables for each value: it took a third of the time in which a photo's subject is found.
+
+use tract_onnx::pb::NodeProto;
+#[allow(clippy::wildcard_imports, reason = "tract means it as a prelude for operators")]
+use tract_onnx::tract_hir::internal::*;
+
+use super::operators::constant;
+
+/// Enlarging by factors that a constant says.
+#[derive(Debug, Clone)]
+pub(super) struct Enlarge;
+
+impl Enlarge {
+    /// # Errors
+    /// For any other way of resizing.
+    pub(super) fn read(node: &NodeProto) -> TractResult<Self> {
+        let attribute = |name: &str| node.get_attr::<String>(name);
+        let (mode, places) = (attribute("mode")?, attribute("coordinate_transformation_mode")?);
+        ensure!((mode.as_str(), places.as_str()) == ("linear", "half_pixel"), "resizing by {mode}, {places}");
+        Ok(Self)
+    }
+}
+
+impl Expansion for Enlarge {
+    fn name(&self) -> StaticName {
+        "Enlarge".into()
+    }
+
+    fn rules<'r, 'p: 'r, 's: 'r>(
+        &'s self,
+        s: &mut Solver<'r>,
+        inputs: &'p [TensorProxy],
+        outputs: &'p [TensorProxy],
+    ) -> InferenceResult {
+        // tract leaves out the optional one between them.
+        check_input_arity(inputs, 2)?;
+        s.equals(&inputs[0].datum_type, &outputs[0].datum_type)?;
+        s.equals(&inputs[0].rank, 4)?;
+        s.equals(&outputs[0].rank, 4)?;
+        s.given(&inputs[1].value, move |s, scales| {
+            let [down, across] = factors(&scales)?;
+            for (axis, factor) in [1, 1, down, across].into_iter().enumerate() {
+                s.equals(&outputs[0].shape[axis], factor as i64 * inputs[0].shape[axis].bex())?;
+            }
+            Ok(())
+        })
+    }
+
+    fn wire(&self, name: &str, model: &mut TypedModel, inputs: &[OutletId]) -> TractResult<TVec<OutletId>> {
+        let factors = factors(&*constant(model, inputs[1])?)?;
+        model.wire_node(name, Enlarged { factors }, &inputs[..1])
+    }
+}
+
+/// How much higher and wider.
+fn factors(scales: &Tensor) -> TractResult<[usize; 2]> {
+    match scales.try_as_plain_ram()?.as_slice::<f32>()? {
+        [1.0, 1.0, down, across]
+            if [down, across].iter().all(|&&factor| factor >= 1.0 && factor.fract() == 0.0) =>
+        {
+            Ok([*down as usize, *across as usize])
+        }
+        other => bail!("resizing by {other:?}"),
+    }
+}
+
+/// Enlarging by known factors.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Enlarged {
+    factors: [usize; 2],
+}
+
+impl Op for Enlarged {
+    fn name(&self) -> StaticName {
+        "Enlarge".into()
+    }
+
+    op_as_typed_op!();
+}
+
+impl EvalOp for Enlarged {
+    op_out_of_plan!();
+
+    fn eval(&self, _: &EvalContext, inputs: TVec<TValue>) -> TractResult<TVec<TValue>> {
+        let input = args_1!(inputs);
+        let &[count, channels, height, width] = input.shape() else { bail!("no planes to enlarge") };
+        let output = enlarged(input.try_as_plain_ram()?.as_slice()?, (height, width), self.factors);
+        let [down, across] = self.factors;
+        let shape = (count, channels, down * height, across * width);
+        Ok(tvec!(tract_ndarray::Array4::from_shape_vec(shape, output)?.into_tvalue()))
+    }
+}
+
+impl TypedOp for Enlarged {
+    fn output_facts(&self, inputs: &[&TypedFact]) -> TractResult<TVec<TypedFact>> {
+        let mut shape = inputs[0].shape.clone();
+        for (axis, factor) in (2..).zip(self.factors) {
+            let side = shape[axis].clone() * factor;
+            shape.set(axis, side);
+        }
+        Ok(tvec!(f32::fact(shape)))
+    }
+
+    as_op!();
+}
+
+/// Of a place along an enlarged line: the pixels before and after it, and the share of the latter.
+struct Between {
+    pixels: [usize; 2],
+    share: f32,
+}
+
+/// All places along a line of `side` pixels that is enlarged.
+fn places(side: usize, factor: usize) -> Vec<Between> {
+    let place = |at: usize| {
+        let along = ((at as f32 + 0.5) / factor as f32 - 0.5).clamp(0.0, (side - 1) as f32);
+        let before = along as usize;
+        Between { pixels: [before, (before + 1).min(side - 1)], share: along - before as f32 }
+    };
+    (0..side * factor).map(place).collect()
+}
+
+fn enlarged(planes: &[f32], (height, width): (usize, usize), [down, across]: [usize; 2]) -> Vec<f32> {
+    let (rows, columns) = (places(height, down), places(width, across));
+    let mut output = Vec::with_capacity(planes.len() * down * across);
+    let mut line = vec![0.0; width];
+    for plane in planes.chunks_exact(height * width) {
+        for row in &rows {
+            let [above, below] = row.pixels.map(|y| &plane[y * width..][..width]);
+            for ((value, above), below) in line.iter_mut().zip(above).zip(below) {
+                *value = above + row.share * (below - above);
+            }
+            output.extend(columns.iter().map(|column| {
+                let [left, right] = column.pixels.map(|x| line[x]);
+                left + column.share * (right - left)
+            }));
+        }
+    }
+    output
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slope_stays_a_slope_and_ends_as_it_began() {
+        // Of whole pixels 10 a step across, 100 a step down.
+        let plane: Vec<f32> = (0..12).map(|at| (at % 4 * 10 + at / 4 * 100) as f32).collect();
+        let output = enlarged(&plane, (3, 4), [2, 4]);
+        assert_eq!(output.len(), 6 * 16);
+        for (at, value) in output.iter().enumerate() {
+            let place =
+                |at: usize, factor: f32, side: f32| ((at as f32 + 0.5) / factor - 0.5).clamp(0.0, side);
+            let expected = 10.0 * place(at % 16, 4.0, 3.0) + 100.0 * place(at / 16, 2.0, 2.0);
+            assert!((value - expected).abs() < 1e-4, "{at}: {value}, {expected}");
+        }
+    }
+}
