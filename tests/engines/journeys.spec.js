@@ -20,7 +20,7 @@ test('a page is made, shuffled, changed by hand, and there again after a reload'
   await person.select('Family', 'grid');
   await person.take('Layouts', 'Four');
   expect(await person.shown()).toHaveLength(4);
-  await person.take('Styles', 'Original');
+  await person.take('Styles', 'Manga');
   const plain = await person.picture();
   await person.take('Styles', 'Noir');
   await expect.poll(() => person.picture()).not.toBe(plain);
