@@ -6,6 +6,7 @@ use tract_onnx::pb::NodeProto;
 use tract_onnx::tract_hir::internal::*;
 
 use super::operators::constant;
+use super::planes::{self, Work};
 
 /// Enlarging by factors that a constant says.
 #[derive(Debug, Clone)]
@@ -49,7 +50,7 @@ impl Expansion for Enlarge {
 
     fn wire(&self, name: &str, model: &mut TypedModel, inputs: &[OutletId]) -> TractResult<TVec<OutletId>> {
         let factors = factors(&*constant(model, inputs[1])?)?;
-        model.wire_node(name, Enlarged { factors }, &inputs[..1])
+        planes::wire(Enlarged { factors }, name, model, inputs[0])
     }
 }
 
@@ -66,43 +67,22 @@ fn factors(scales: &Tensor) -> TractResult<[usize; 2]> {
 }
 
 /// Enlarging by known factors.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug)]
 struct Enlarged {
     factors: [usize; 2],
 }
 
-impl Op for Enlarged {
-    fn name(&self) -> StaticName {
-        "Enlarge".into()
-    }
+impl Work for Enlarged {
+    const NAME: &'static str = "Enlarge";
 
-    op_as_typed_op!();
-}
-
-impl EvalOp for Enlarged {
-    op_out_of_plan!();
-
-    fn eval(&self, _: &EvalContext, inputs: TVec<TValue>) -> TractResult<TVec<TValue>> {
-        let input = args_1!(inputs);
-        let &[count, channels, height, width] = input.shape() else { bail!("no planes to enlarge") };
-        let output = enlarged(input.try_as_plain_ram()?.as_slice()?, (height, width), self.factors);
+    fn shape(&self, [channels, height, width]: [usize; 3]) -> [usize; 3] {
         let [down, across] = self.factors;
-        let shape = (count, channels, down * height, across * width);
-        Ok(tvec!(tract_ndarray::Array4::from_shape_vec(shape, output)?.into_tvalue()))
-    }
-}
-
-impl TypedOp for Enlarged {
-    fn output_facts(&self, inputs: &[&TypedFact]) -> TractResult<TVec<TypedFact>> {
-        let mut shape = inputs[0].shape.clone();
-        for (axis, factor) in (2..).zip(self.factors) {
-            let side = shape[axis].clone() * factor;
-            shape.set(axis, side);
-        }
-        Ok(tvec!(f32::fact(shape)))
+        [channels, down * height, across * width]
     }
 
-    as_op!();
+    fn run(&self, input: &[f32], sides: (usize, usize)) -> Vec<f32> {
+        enlarged(input, sides, self.factors)
+    }
 }
 
 /// Of a place along an enlarged line: the pixels before and after it, and the share of the latter.

@@ -15,6 +15,7 @@ mod letterbox;
 mod model;
 mod objects;
 mod operators;
+mod planes;
 mod segment;
 mod ssd;
 mod weights;

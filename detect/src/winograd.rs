@@ -4,12 +4,13 @@
 //! weights are transformed to 36 values, whose products, summed over the channels, are transformed back to 4 x 4 pixels. The same sums
 //! but for rounding: of values about 1 by some 1e-5.
 
-use std::sync::Arc;
-
 #[allow(clippy::wildcard_imports, reason = "tract means it as a prelude for operators")]
 use tract_onnx::tract_hir::internal::*;
 use tract_onnx::tract_hir::ops::cnn::{Conv, PaddingSpec};
 use wide::f32x4;
+
+use super::operators::constant;
+use super::planes::{self, Work};
 
 /// Pixels along a tile of the result, and along what it is made of.
 const STEP: usize = 4;
@@ -65,32 +66,6 @@ impl Filter {
         Self { weights: transformed, bias, inputs }
     }
 
-    /// The convolution of planes with zeros round them: one plane by output, row by row. `input`: planes of `height` x `width`, both
-    /// multiples of four.
-    pub(super) fn run(&self, input: &[f32], (height, width): (usize, usize)) -> Vec<f32> {
-        let across = width / STEP;
-        let mut output = vec![0.0; self.bias.len() * height * width];
-        let stretch = across.min(STRETCH).next_multiple_of(TILES);
-        let mut values = vec![0.0; VALUES * self.inputs * stretch];
-        let mut sums = vec![0.0; VALUES * self.bias.len() * stretch];
-        let mut transform = Transform::new(stretch);
-        for row in 0..height / STEP {
-            for first in (0..across).step_by(stretch) {
-                for (channel, plane) in input.chunks_exact(height * width).enumerate() {
-                    transform.read(plane, (height, width), (row, first));
-                    transform.write(&mut values, (channel, self.inputs));
-                }
-                self.multiply(&values, &mut sums, stretch);
-                let tiles = (across - first).min(stretch);
-                for (channel, plane) in output.chunks_exact_mut(height * width).enumerate() {
-                    let sums = Sums { all: &sums, channel, channels: self.bias.len(), stretch };
-                    sums.write(plane, self.bias[channel], (width, row, first), tiles);
-                }
-            }
-        }
-        output
-    }
-
     /// For each value and output the sum over the inputs, by tile.
     fn multiply(&self, values: &[f32], sums: &mut [f32], stretch: usize) {
         let weights = self.weights.chunks_exact(self.inputs * OUTPUTS);
@@ -117,6 +92,39 @@ impl Filter {
                 }
             }
         }
+    }
+}
+
+impl Work for Filter {
+    const NAME: &'static str = "Winograd";
+
+    fn shape(&self, [_, height, width]: [usize; 3]) -> [usize; 3] {
+        [self.bias.len(), height, width]
+    }
+
+    /// The convolution of planes with zeros round them. Height and width are multiples of four.
+    fn run(&self, input: &[f32], (height, width): (usize, usize)) -> Vec<f32> {
+        let across = width / STEP;
+        let mut output = vec![0.0; self.bias.len() * height * width];
+        let stretch = across.min(STRETCH).next_multiple_of(TILES);
+        let mut values = vec![0.0; VALUES * self.inputs * stretch];
+        let mut sums = vec![0.0; VALUES * self.bias.len() * stretch];
+        let mut transform = Transform::new(stretch);
+        for row in 0..height / STEP {
+            for first in (0..across).step_by(stretch) {
+                for (channel, plane) in input.chunks_exact(height * width).enumerate() {
+                    transform.read(plane, (height, width), (row, first));
+                    transform.write(&mut values, (channel, self.inputs));
+                }
+                self.multiply(&values, &mut sums, stretch);
+                let tiles = (across - first).min(stretch);
+                for (channel, plane) in output.chunks_exact_mut(height * width).enumerate() {
+                    let sums = Sums { all: &sums, channel, channels: self.bias.len(), stretch };
+                    sums.write(plane, self.bias[channel], (width, row, first), tiles);
+                }
+            }
+        }
+        output
     }
 }
 
@@ -253,9 +261,10 @@ impl Expansion for Convolution {
     }
 
     fn wire(&self, name: &str, model: &mut TypedModel, inputs: &[OutletId]) -> TractResult<TVec<OutletId>> {
-        match self.filter(model, inputs)? {
-            Some(filter) if WORTH_IT => model.wire_node(name, Winograd(Arc::new(filter)), &inputs[..1]),
-            _ => self.0.wire(name, model, inputs),
+        let filter = if WORTH_IT { self.filter(model, inputs)? } else { None };
+        match filter {
+            Some(filter) => planes::wire(filter, name, model, inputs[0]),
+            None => self.0.wire(name, model, inputs),
         }
     }
 }
@@ -277,60 +286,13 @@ impl Convolution {
         else {
             return Ok(None);
         };
-        let constant = |input: OutletId| model.outlet_fact(input).map(|fact| fact.konst.clone());
-        let (Some(weights), Some(bias)) = (constant(weights)?, constant(bias)?) else { return Ok(None) };
+        let (weights, bias) = (constant(model, weights)?, constant(model, bias)?);
         let bias: Vec<f32> = bias.try_as_plain_ram()?.as_slice()?.to_vec();
         let fits = [height, width].iter().all(|side| **side >= LEAST_SIDE && side.is_multiple_of(STEP))
             && *channels.min(&bias.len()) >= LEAST_CHANNELS
             && bias.len().is_multiple_of(OUTPUTS);
         Ok(if fits { Some(Filter::new(weights.try_as_plain_ram()?.as_slice()?, bias)) } else { None })
     }
-}
-
-/// A convolution by [`Filter`].
-#[derive(Debug, Clone)]
-struct Winograd(Arc<Filter>);
-
-impl PartialEq for Winograd {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
-    }
-}
-
-impl Eq for Winograd {}
-
-impl Op for Winograd {
-    fn name(&self) -> StaticName {
-        "Winograd".into()
-    }
-
-    op_as_typed_op!();
-}
-
-impl EvalOp for Winograd {
-    op_out_of_plan!();
-
-    fn eval(&self, _: &EvalContext, inputs: TVec<TValue>) -> TractResult<TVec<TValue>> {
-        let input = args_1!(inputs);
-        let &[_, _, height, width] = input.shape() else {
-            bail!("a convolution of planes of something else")
-        };
-        let output = self.0.run(input.try_as_plain_ram()?.as_slice()?, (height, width));
-        Ok(tvec!(
-            tract_ndarray::Array4::from_shape_vec((1, self.0.bias.len(), height, width), output)?
-                .into_tvalue()
-        ))
-    }
-}
-
-impl TypedOp for Winograd {
-    fn output_facts(&self, inputs: &[&TypedFact]) -> TractResult<TVec<TypedFact>> {
-        let mut shape = inputs[0].shape.clone();
-        shape.set(1, self.0.bias.len().to_dim());
-        Ok(tvec!(f32::fact(shape)))
-    }
-
-    as_op!();
 }
 
 #[cfg(test)]
