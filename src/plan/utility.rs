@@ -16,6 +16,10 @@ const LITTLE: f64 = 0.4;
 const ENLARGED: f64 = 2.5;
 /// Height of a subject on the page, in page widths, below which it cannot be read, for faces and others.
 const READABLE: (f64, f64) = (0.03, 0.055);
+/// Height of each face of a group on the page, in page widths, below which a style leaves nothing of its features.
+const GROUP_FACE: f64 = 0.05;
+/// A face below this part of the largest one's height is a passer-by, not one of the group.
+const OF_THE_GROUP: f64 = 0.5;
 /// The weight of all subjects together from which on they have their full say.
 const STRONG: f64 = 0.25;
 /// Subjects below this part of the photo's area may be cut.
@@ -36,6 +40,8 @@ pub struct Look {
     pub enlarged: f64,
     /// How much too small the main subject is, 0 to 1.
     pub too_small: f64,
+    /// Faces of a group that are too small, each counted by how much, up to 3 together.
+    pub small_faces: f64,
     /// How little there is to see in an image that several panels share, 0 to 1.
     pub dull: f64,
     /// The part of the subjects that a gutter runs through, 0 to 1.
@@ -97,6 +103,7 @@ impl Look {
         look.cover = say * subjects + (1.0 - say) * energy * seen.max(0.5);
         look.subjects_cut = if total > 0.0 { (cut / total).max(0.75 * worst) } else { 0.0 };
         look.faces_cut = look.faces_cut.min(2.0);
+        look.small_faces = small_faces(slot, prepared, crop);
         // Across gutters only what is worth it.
         look.dull = if slot.merged { (0.6 - prepared.subject).max(0.0) } else { 0.0 };
         look.split = if total > 0.0 { split / total } else { 0.0 };
@@ -120,6 +127,7 @@ impl Look {
             - 2.5 * self.split
             - self.dull
             - 0.5 * self.too_small
+            - 0.4 * self.small_faces
     }
 }
 
@@ -152,6 +160,22 @@ pub fn placed(slot: &Slot, photo: &PhotoMeta, prepared: &Prepared) -> (Crop, Loo
         }
     }
     best
+}
+
+/// How much too small the faces of a group are together: two or more of nearly one size. One face has
+/// [`Look::too_small`].
+fn small_faces(slot: &Slot, prepared: &Prepared, crop: &Crop) -> f64 {
+    let seen = prepared.marks.iter().filter(|mark| mark.face).map(|mark| place(crop, mark.bare));
+    let heights: Vec<f64> = seen
+        .filter(|face| shares(slot, *face).0 > 0.8)
+        .map(|face| face.height * slot.bounds.height)
+        .collect();
+    let largest = heights.iter().copied().fold(0.0, f64::max);
+    let group = heights.iter().filter(|height| **height >= OF_THE_GROUP * largest);
+    if group.clone().count() < 2 {
+        return 0.0;
+    }
+    group.map(|height| (1.0 - height / GROUP_FACE).max(0.0)).sum::<f64>().min(3.0)
 }
 
 /// A box of the photo in parts of the crop.
@@ -213,5 +237,30 @@ mod tests {
         let beyond = if face.x < 0.5 { face.x + face.width + 0.1 } else { 0.0 };
         let crop = Crop { x: beyond, y: 0.0, width: 0.35, height: 1.0 };
         assert!(cut(crop).abs() < 1e-9, "{crop:?} {face:?}");
+    }
+
+    #[test]
+    fn a_group_of_faces_is_worth_less_where_each_is_too_small() {
+        let page = PageSettings::default();
+        let slots = slots(&resolve(find("inset-two").unwrap(), page.aspect(), &page), f64::from(page.width));
+        let whole = Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
+        let small = |slot: &Slot, heights: &[f64]| {
+            let mut photo = PhotoMeta::unmeasured("photo", 1500, 1000);
+            photo.find(heights.iter().enumerate().map(|(i, &height)| {
+                let (label, x) = (FACE.into(), 0.1 + 0.2 * i as f64);
+                Subject { label, score: 0.95, x, y: 0.15, width: 0.1, height }
+            }));
+            Look::at(slot, &Prepared::of(&photo), &whole, 1.0).small_faces
+        };
+        let by_area = |a: &&Slot, b: &&Slot| a.area.total_cmp(&b.area);
+        let (inset, large) = (slots.iter().min_by(by_area).unwrap(), slots.iter().max_by(by_area).unwrap());
+        let face = 0.6 * GROUP_FACE / inset.bounds.height;
+        let three = small(inset, &[face; 3]);
+        assert!((three - 1.2).abs() < 0.01, "{three}");
+        assert!(small(inset, &[face]).abs() < 1e-9, "one face has a rule of its own");
+        let whole_group = small(large, &[1.3 * GROUP_FACE / large.bounds.height; 3]);
+        assert!(whole_group.abs() < 1e-9, "{whole_group}");
+        let passers_by = small(inset, &[3.0 * face, face, face]);
+        assert!(passers_by.abs() < 1e-9, "{passers_by}");
     }
 }
