@@ -56,25 +56,27 @@ function List({ video, near }: { video: Video; near: readonly Proposal[] }) {
         return (
           <li key={proposal.cue}>
             <span class="sound-time">{time}</span>
-            {proposal.event.words.map((word) => {
-              const text = strings.soundWords[word];
-              return (
-                <button
-                  key={word}
-                  type="button"
-                  class="button small"
-                  aria-label={strings.filmSounds.put(text, time)}
-                  aria-pressed={proposal.taken === text}
-                  aria-disabled={proposal.taken !== undefined}
-                  onClick={() => {
-                    if (proposal.taken === undefined) void filmSounds.take(proposal, word);
-                  }}
-                >
-                  {text}
-                </button>
-              );
-            })}
             {proposal.taken !== undefined && <span class="sound-taken">{strings.filmSounds.there}</span>}
+            <span class="sound-words">
+              {proposal.event.words.map((word) => {
+                const text = strings.soundWords[word];
+                return (
+                  <button
+                    key={word}
+                    type="button"
+                    class="button small"
+                    aria-label={strings.filmSounds.put(text, time)}
+                    aria-pressed={proposal.taken === text}
+                    aria-disabled={proposal.taken !== undefined}
+                    onClick={() => {
+                      if (proposal.taken === undefined) void filmSounds.take(proposal, word);
+                    }}
+                  >
+                    {text}
+                  </button>
+                );
+              })}
+            </span>
           </li>
         );
       })}
