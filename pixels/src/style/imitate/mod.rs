@@ -39,8 +39,8 @@ use super::context::{Context, scale_of};
 use super::look::signature;
 use super::{Style, stylize};
 use crate::error::Result;
-use crate::raster::Image;
 use crate::raster::resize::{Region, resample_image};
+use crate::raster::{Image, Plane};
 use features::FINE;
 use serde::{Deserialize, Serialize};
 
@@ -84,7 +84,7 @@ impl Seen {
     #[must_use]
     pub fn of(photo: &Image, ask: &Ask) -> Self {
         if ask.close {
-            return Self { image: middle(photo, ask.area), scale: scale_of(FINE as f64), close: true };
+            return Self { image: telling(photo, ask.area), scale: scale_of(FINE as f64), close: true };
         }
         let image = features::reduced(photo, ask.area);
         let scale = scale_of(image.width() as f64 * image.height() as f64);
@@ -106,17 +106,65 @@ pub fn attempt(seen: &Seen, style: &Style, context: &mut Context<'_>) -> Result<
     Ok(Trial { features, signature: signature(&drawn) })
 }
 
-/// The middle of the photo as it is in a large picture of it.
-fn middle(photo: &Image, area: usize) -> Image {
+/// Windows that are looked at for the one that is seen close, along each side.
+const WINDOWS: usize = 5;
+
+/// The part of the photo that shows a screen best, as it is in a large picture of it.
+fn telling(photo: &Image, area: usize) -> Image {
     let (width, height) = (photo.width() as f64, photo.height() as f64);
     let part = (area as f64 / FINE as f64).sqrt();
     let factor = (FINE as f64 / (width * height)).sqrt();
-    let region = Region {
-        x: 0.5 * width * (1.0 - part),
-        y: 0.5 * height * (1.0 - part),
-        width: width * part,
-        height: height * part,
-    };
+    let (x, y) = window(&crate::simd::point::luma_plane(&features::reduced(photo, SKETCH)), part);
+    let region = Region { x: x * width, y: y * height, width: width * part, height: height * part };
     let side = |length: f64| ((length * part * factor).round() as usize).max(1);
     resample_image(photo, region, side(width), side(height))
+}
+
+/// Pixels of the sketch of a photo in which that part is looked for.
+const SKETCH: usize = 20_000;
+
+/// Left and upper edge, as parts of the whole, of the window with most of middle tones and least of its own texture: there dots
+/// have room on both sides of their size, and nothing else repeats.
+fn window(luma: &Plane, part: f64) -> (f64, f64) {
+    let (width, height) = (luma.width(), luma.height());
+    let clear = |x: usize, y: usize| {
+        let here = luma.at(x, y);
+        let texture = here
+            .abs_diff(luma.at((x + 1).min(width - 1), y))
+            .max(here.abs_diff(luma.at(x, (y + 1).min(height - 1))));
+        let middle = 1.0 - (f64::from(here) - 127.5).abs() / 127.5;
+        middle / (1.0 + f64::from(texture) / 8.0)
+    };
+    let places = (0..WINDOWS * WINDOWS).map(|i| {
+        let at = |i: usize| (1.0 - part).max(0.0) * i as f64 / (WINDOWS - 1) as f64;
+        (at(i % WINDOWS), at(i / WINDOWS))
+    });
+    let clarity = |&(x, y): &(f64, f64)| -> f64 {
+        let range = |from: f64, side: usize| {
+            (from * side as f64) as usize..(((from + part) * side as f64).ceil() as usize).min(side)
+        };
+        range(y, height).map(|y| range(x, width).map(|x| clear(x, y)).sum::<f64>()).sum()
+    };
+    let rated = places.map(|place| (clarity(&place), place));
+    rated.max_by(|a, b| a.0.total_cmp(&b.0)).map_or((0.0, 0.0), |(_, place)| place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn screens_are_looked_for_in_even_middle_tones() {
+        let noise = |x: usize, y: usize| ((x * 7919 + y * 104_729) % 251) as u8;
+        // Dark on the left, busy above, even and middle at the lower right.
+        let luma = Plane::from_fn(100, 80, |x, y| match (x < 40, y < 40) {
+            (true, _) => 4,
+            (_, true) => noise(x, y),
+            _ => 128,
+        });
+        let (x, y) = window(&luma, 0.4);
+        assert!((x - 0.6).abs() < 0.16 && (y - 0.6).abs() < 0.16, "{x} {y}");
+        // A part as large as the whole lies where that is.
+        assert_eq!(window(&luma, 1.0), (0.0, 0.0));
+    }
 }
