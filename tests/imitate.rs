@@ -153,8 +153,24 @@ fn pictures_without_a_look_are_told() {
     assert_eq!(code(&blank).unwrap_err(), "blank-picture");
     let tiny = Image::from_luma(Plane::from_fn(63, 200, |x, y| (x * y) as u8));
     assert_eq!(code(&tiny).unwrap_err(), "small-picture");
-    for name in ["macaw.jpg", "cat.jpg", "palace.jpg", "raccoon.jpg", "stream.jpg", "wine.jpg", "crab.jpg"] {
+    for name in [
+        "macaw.jpg",
+        "cat.jpg",
+        "palace.jpg",
+        "raccoon.jpg",
+        "stream.jpg",
+        "wine.jpg",
+        "crab.jpg",
+        "bee.jpg",
+        "pagoda.jpg",
+    ] {
         assert_eq!(code(&photo(name)).map(|_| ()), Err("plain-photo"), "{name}");
+    }
+    // Whole pages, the paper and the panels with what is drawn in them.
+    for name in ["comic", "gouache", "noir", "screenprint"] {
+        let page = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("docs/pages/{name}.png"));
+        let page = decode_fit(&fs::read(page).unwrap(), &Limits::default(), 4000).unwrap().image;
+        assert!(code(&page).is_ok(), "{name}");
     }
     for id in ["comic", "noir", "manga", "newsprint", "copperplate", "riso-zine", "linocut", "screenprint"] {
         let style = inkpanel::style::catalogue::find(id).unwrap();

@@ -51,6 +51,11 @@ pub struct Features {
     pub variety: f32,
     /// Share of the pixels that have one of the ten most common grays, but for black and white; 0 where nobody asked.
     pub steps: f32,
+    /// Share of the pixels next to which nothing changes, of those where it changes little: near 1 where areas are of one
+    /// colour each, with edges between them; 0 where nobody asked.
+    pub terraced: f32,
+    /// Share of the pixels next to a hard edge; 0 where nobody asked.
+    pub edges: f32,
 }
 
 impl Features {
@@ -65,7 +70,10 @@ impl Features {
     pub fn within(picture: &Image, area: usize) -> Self {
         let small = reduced(picture, area.min(AREA));
         let fine = reduced(picture, FINE);
+        let (terraced, edges) = terraces(&fine);
         Self {
+            terraced,
+            edges,
             screen: screen_of(&fine),
             variety: colours::variety(&small),
             steps: steps(&small),
@@ -93,6 +101,8 @@ impl Features {
             free,
             variety: 0.0,
             steps: 0.0,
+            terraced: 0.0,
+            edges: 0.0,
         }
     }
 
@@ -140,6 +150,26 @@ fn steps(picture: &Image) -> f32 {
     let total: u32 = between.iter().sum();
     sort_by(between, |a, b| b.cmp(a));
     between[..10].iter().sum::<u32>() as f32 / total.max(1) as f32
+}
+
+/// See [`Features::terraced`] and [`Features::edges`].
+fn terraces(picture: &Image) -> (f32, f32) {
+    /// Differences of neighbours that are still a slope, and those from which on they are an edge.
+    const SLOPE: u8 = 10;
+    const EDGE: u8 = 40;
+    let luma = luma_plane(picture);
+    let (mut equal, mut slopes, mut edges) = (0u32, 0u32, 0u32);
+    for y in 1..luma.height() {
+        let (above, row) = (luma.row(y - 1), luma.row(y));
+        for x in 1..luma.width() {
+            let change = row[x].abs_diff(row[x - 1]).max(row[x].abs_diff(above[x]));
+            equal += u32::from(change <= EQUAL);
+            slopes += u32::from(change <= SLOPE);
+            edges += u32::from(change > EDGE);
+        }
+    }
+    let all = (luma.width() - 1) * (luma.height() - 1);
+    (equal as f32 / slopes.max(1) as f32, edges as f32 / all.max(1) as f32)
 }
 
 fn texture(luma: &Plane) -> [f32; 4] {
