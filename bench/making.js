@@ -1,5 +1,8 @@
 // @ts-check
-/** Styles in the making, in the real page: how often the designer's preview follows a slider, and how fast the explorer invents. */
+/**
+ * Styles in the making, in the real page: how often the designer's preview follows a slider, how fast the explorer invents, and
+ * how long styles are looked for that look like a picture.
+ */
 
 import { opened } from './opened.js';
 
@@ -13,9 +16,11 @@ const DRAG_MS = 3000;
  * @param {Browser} browser
  * @param {string} address of the site
  * @param {string[]} photos paths
- * @returns {Promise<{ frames: number, width: number, height: number, styles: number }>} pictures a second, their size, and styles a second
+ * @param {string[]} pictures paths of pictures whose style is wanted
+ * @returns {Promise<{ frames: number, width: number, height: number, styles: number, searches: Search[] }>} pictures a second, their
+ *   size, and styles a second
  */
-export async function making(browser, address, photos) {
+export async function making(browser, address, photos, pictures) {
   const page = await opened(browser, address, photos);
   await page.getByRole('button', { name: 'Designer', exact: true }).click();
   // The same photo every time, whatever the page shows.
@@ -34,7 +39,50 @@ export async function making(browser, address, photos) {
   await generate.evaluate(round);
   const styles = await generate.evaluate(round);
   await page.close();
-  return { ...dragged, styles };
+  const searches = [];
+  for (const picture of pictures) searches.push(await search(browser, address, photos, picture));
+  return { ...dragged, styles, searches };
+}
+
+/**
+ * @typedef {{ first: number, all: number, proposals: number }} Search milliseconds from the picture to the first proposal that is
+ *   drawn and to the end of the search, and proposals then
+ */
+
+/**
+ * @param {Browser} browser
+ * @param {string} address
+ * @param {string[]} photos
+ * @param {string} picture
+ * @returns {Promise<Search>}
+ */
+async function search(browser, address, photos, picture) {
+  const page = await opened(browser, address, photos);
+  await page.getByRole('button', { name: 'Style from a picture', exact: true }).click();
+  const region = page.getByRole('region', { name: 'Style from a picture' });
+  await region.evaluate(watch);
+  await region.getByLabel('Picture whose style is wanted').setInputFiles(picture);
+  await page.waitForFunction(() => 'ended' in document.body.dataset, undefined, { timeout: 120_000 });
+  const { begun, shown, ended } = await page.evaluate(() => ({ ...document.body.dataset }));
+  const proposals = await region.getByRole('list', { name: 'Styles found' }).getByRole('button').count();
+  await page.close();
+  return { first: Number(shown) - Number(begun), all: Number(ended) - Number(begun), proposals };
+}
+
+/** Runs in the page: notes on its body when the picture is chosen, when a first style is found and when all are. @param {Element} region */
+function watch(region) {
+  const times = document.body.dataset;
+  const now = () => String(performance.now());
+  region.addEventListener('change', () => (times.begun ??= now()), true);
+  const observer = new MutationObserver(() => {
+    const found = region.querySelector('[aria-label="Styles found"] [aria-pressed]') !== null;
+    if (found) times.shown ??= now();
+    if (found && region.getAttribute('aria-busy') === 'false') {
+      times.ended ??= now();
+      observer.disconnect();
+    }
+  });
+  observer.observe(region, { attributes: true, childList: true, subtree: true });
 }
 
 /** Runs in the page: moves a slider with every frame, and counts the pictures that follow. @param {Element} element @param {number} ms */

@@ -19,7 +19,7 @@ import { REST } from './journey.js';
  *   crowd: Awaited<ReturnType<typeof import('./crowd.js').crowd>> | null,
  *   footage: ({ minutes: number } & Awaited<ReturnType<typeof import('./crowd.js').crowd>>)[] | null,
  *   masking: Awaited<ReturnType<typeof import('./masking.js').masking>> | null,
- *   making: { frames: number, width: number, height: number, styles: number } | null,
+ *   making: Awaited<ReturnType<typeof import('./making.js').making>> | null,
  *   films: import('./animatic.js').Film[] | null,
  *   loops: import('./living.js').Loop[] | null,
  * }} Results `times` are milliseconds by contestant and row
@@ -153,10 +153,12 @@ export function markdown({
       ...peakOf(memory),
     );
   if (making) {
-    const { frames, width, height, styles } = making;
+    const { frames, width, height, styles, searches } = making;
+    const seconds = searches.map(({ all }) => (all / 1000).toFixed(1)).join(', ');
     lines.push(
       `| Designer: preview of ${width} x ${height} while a slider of a three-block chain moves, one worker | ${Math.round(frames)} pictures/s |`,
       `| Explorer: styles invented, drawn as thumbnails, scored and compared | ${Math.round(styles)} a second |`,
+      `| A style from a picture, three pictures: from the file to all proposals | ${seconds} s |`,
     );
   }
   for (const { kind, frames, ms, bytes } of films ?? [])

@@ -46,6 +46,8 @@ const { values: options, positionals: filter } = parseArgs({
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 const album = join(options.root, 'www/public/samples');
+/** Pages in three styles, which are looked for. */
+const PICTURES = ['noir', 'comic', 'screenprint'].map((name) => join(options.root, `docs/pages/${name}.png`));
 /** Parts that broke down. @type {string[]} */
 const broken = [];
 const browser = await chromium.launch(CHROMIUM);
@@ -71,7 +73,7 @@ try {
   });
   await part('making', 'styles in the making', async () => {
     const files = await photos(FEW);
-    results.making = await site((address) => making(browser, address, files.slice(0, 4)));
+    results.making = await site((address) => making(browser, address, files.slice(0, 4), PICTURES));
   });
   await part('masking', 'the page while masks are made', async () => {
     const files = await photos(FEW);
