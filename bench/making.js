@@ -17,8 +17,8 @@ const DRAG_MS = 3000;
  * @param {string} address of the site
  * @param {string[]} photos paths
  * @param {string[]} pictures paths of pictures whose style is wanted
- * @returns {Promise<{ frames: number, width: number, height: number, styles: number, searches: Search[] }>} pictures a second, their
- *   size, and styles a second
+ * @returns {Promise<{ frames: number, width: number, height: number, styles: number, searches: number[] }>} pictures a second, their
+ *   size, styles a second, and milliseconds of each search
  */
 export async function making(browser, address, photos, pictures) {
   const page = await opened(browser, address, photos);
@@ -45,16 +45,11 @@ export async function making(browser, address, photos, pictures) {
 }
 
 /**
- * @typedef {{ first: number, all: number, proposals: number }} Search milliseconds from the picture to the first proposal that is
- *   drawn and to the end of the search, and proposals then
- */
-
-/**
  * @param {Browser} browser
  * @param {string} address
  * @param {string[]} photos
  * @param {string} picture
- * @returns {Promise<Search>}
+ * @returns {Promise<number>} milliseconds from the picture to all proposals
  */
 async function search(browser, address, photos, picture) {
   const page = await opened(browser, address, photos);
@@ -63,24 +58,20 @@ async function search(browser, address, photos, picture) {
   await region.evaluate(watch);
   await region.getByLabel('Picture whose style is wanted').setInputFiles(picture);
   await page.waitForFunction(() => 'ended' in document.body.dataset, undefined, { timeout: 120_000 });
-  const { begun, shown, ended } = await page.evaluate(() => ({ ...document.body.dataset }));
-  const proposals = await region.getByRole('list', { name: 'Styles found' }).getByRole('button').count();
+  const { begun, ended } = await page.evaluate(() => ({ ...document.body.dataset }));
   await page.close();
-  return { first: Number(shown) - Number(begun), all: Number(ended) - Number(begun), proposals };
+  return Number(ended) - Number(begun);
 }
 
-/** Runs in the page: notes on its body when the picture is chosen, when a first style is found and when all are. @param {Element} region */
+/** Runs in the page: notes on its body when the picture is chosen and when all styles are found. @param {Element} region */
 function watch(region) {
   const times = document.body.dataset;
-  const now = () => String(performance.now());
-  region.addEventListener('change', () => (times.begun ??= now()), true);
+  region.addEventListener('change', () => (times.begun ??= String(performance.now())), true);
   const observer = new MutationObserver(() => {
     const found = region.querySelector('[aria-label="Styles found"] [aria-pressed]') !== null;
-    if (found) times.shown ??= now();
-    if (found && region.getAttribute('aria-busy') === 'false') {
-      times.ended ??= now();
-      observer.disconnect();
-    }
+    if (!found || region.getAttribute('aria-busy') === 'true') return;
+    times.ended = String(performance.now());
+    observer.disconnect();
   });
   observer.observe(region, { attributes: true, childList: true, subtree: true });
 }

@@ -154,7 +154,7 @@ export function markdown({
     );
   if (making) {
     const { frames, width, height, styles, searches } = making;
-    const seconds = searches.map(({ all }) => (all / 1000).toFixed(1)).join(', ');
+    const seconds = searches.map((ms) => (ms / 1000).toFixed(1)).join(', ');
     lines.push(
       `| Designer: preview of ${width} x ${height} while a slider of a three-block chain moves, one worker | ${Math.round(frames)} pictures/s |`,
       `| Explorer: styles invented, drawn as thumbnails, scored and compared | ${Math.round(styles)} a second |`,

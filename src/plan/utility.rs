@@ -66,6 +66,7 @@ impl Look {
             ..Self::default()
         };
         let mut worst = 0.0f64;
+        let mut faces = Vec::new();
         let total: f64 = prepared.marks.iter().map(|mark| mark.weight).sum();
         let (mut cover, mut cut, mut split, mut heaviest) = (0.0, 0.0, 0.0, 0.0);
         for mark in &prepared.marks {
@@ -74,6 +75,9 @@ impl Look {
             if mark.face {
                 let inner = place(crop, mark.bare);
                 let (bare, in_one) = shares(slot, inner);
+                if bare > 0.8 {
+                    faces.push(inner.height * slot.bounds.height);
+                }
                 // A face that lies all under another panel is a body without a head, not one that the crop leaves out.
                 let cut = in_one < FACE_CUT.1 && (bare > FACE_CUT.0 || under_others(slot, inner));
                 let head = 0.35 * f64::from(u8::from(most < 0.85 && all > FACE_CUT.0));
@@ -103,7 +107,7 @@ impl Look {
         look.cover = say * subjects + (1.0 - say) * energy * seen.max(0.5);
         look.subjects_cut = if total > 0.0 { (cut / total).max(0.75 * worst) } else { 0.0 };
         look.faces_cut = look.faces_cut.min(2.0);
-        look.small_faces = small_faces(slot, prepared, crop);
+        look.small_faces = small_faces(&faces);
         // Across gutters only what is worth it.
         look.dull = if slot.merged { (0.6 - prepared.subject).max(0.0) } else { 0.0 };
         look.split = if total > 0.0 { split / total } else { 0.0 };
@@ -162,14 +166,9 @@ pub fn placed(slot: &Slot, photo: &PhotoMeta, prepared: &Prepared) -> (Crop, Loo
     best
 }
 
-/// How much too small the faces of a group are together: two or more of nearly one size. One face has
-/// [`Look::too_small`].
-fn small_faces(slot: &Slot, prepared: &Prepared, crop: &Crop) -> f64 {
-    let seen = prepared.marks.iter().filter(|mark| mark.face).map(|mark| place(crop, mark.bare));
-    let heights: Vec<f64> = seen
-        .filter(|face| shares(slot, *face).0 > 0.8)
-        .map(|face| face.height * slot.bounds.height)
-        .collect();
+/// How much too small the faces of a group are together, by their heights on the page: two or more of nearly one size. One face
+/// has [`Look::too_small`].
+fn small_faces(heights: &[f64]) -> f64 {
     let largest = heights.iter().copied().fold(0.0, f64::max);
     let group = heights.iter().filter(|height| **height >= OF_THE_GROUP * largest);
     if group.clone().count() < 2 {

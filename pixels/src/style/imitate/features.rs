@@ -70,11 +70,12 @@ impl Features {
     pub fn within(picture: &Image, area: usize) -> Self {
         let small = reduced(picture, area.min(AREA));
         let fine = reduced(picture, FINE);
-        let (terraced, edges) = terraces(&fine);
+        let luma = luma_plane(&fine);
+        let (terraced, edges) = terraces(&luma);
         Self {
             terraced,
             edges,
-            screen: screen_of(&fine),
+            screen: screen(&luma, scale_of(luma.samples().len() as f64)),
             variety: colours::variety(&small),
             steps: steps(&small),
             ..Self::at_size(&small)
@@ -112,13 +113,6 @@ impl Features {
     }
 }
 
-/// The screen of a picture that is scaled by its own size.
-pub(super) fn screen_of(picture: &Image) -> Screen {
-    let luma = luma_plane(picture);
-    let scale = scale_of(luma.samples().len() as f64);
-    screen(&luma, scale)
-}
-
 /// A picture with at most so many pixels.
 pub(super) fn reduced(picture: &Image, area: usize) -> Image {
     let (width, height) = (picture.width(), picture.height());
@@ -153,11 +147,10 @@ fn steps(picture: &Image) -> f32 {
 }
 
 /// See [`Features::terraced`] and [`Features::edges`].
-fn terraces(picture: &Image) -> (f32, f32) {
+fn terraces(luma: &Plane) -> (f32, f32) {
     /// Differences of neighbours that are still a slope, and those from which on they are an edge.
     const SLOPE: u8 = 10;
     const EDGE: u8 = 40;
-    let luma = luma_plane(picture);
     let (mut equal, mut slopes, mut edges) = (0u32, 0u32, 0u32);
     for y in 1..luma.height() {
         let (above, row) = (luma.row(y - 1), luma.row(y));

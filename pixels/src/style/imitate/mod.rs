@@ -41,6 +41,7 @@ use super::{Style, stylize};
 use crate::error::Result;
 use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Plane};
+use crate::simd::point::luma_plane;
 use features::FINE;
 use serde::{Deserialize, Serialize};
 
@@ -101,11 +102,13 @@ pub fn attempt(seen: &Seen, style: &Style, context: &mut Context<'_>) -> Result<
     let drawn = stylize(&seen.image, style, context)?;
     let mut features = Features::at_size(&drawn);
     if seen.close {
-        features.screen = spectrum::screen(&crate::simd::point::luma_plane(&drawn), seen.scale);
+        features.screen = spectrum::screen(&luma_plane(&drawn), seen.scale);
     }
     Ok(Trial { features, signature: signature(&drawn) })
 }
 
+/// Pixels of the sketch of a photo in which the part that is seen close is looked for.
+const SKETCH: usize = 20_000;
 /// Windows that are looked at for the one that is seen close, along each side.
 const WINDOWS: usize = 5;
 
@@ -114,14 +117,11 @@ fn telling(photo: &Image, area: usize) -> Image {
     let (width, height) = (photo.width() as f64, photo.height() as f64);
     let part = (area as f64 / FINE as f64).sqrt();
     let factor = (FINE as f64 / (width * height)).sqrt();
-    let (x, y) = window(&crate::simd::point::luma_plane(&features::reduced(photo, SKETCH)), part);
+    let (x, y) = window(&luma_plane(&features::reduced(photo, SKETCH)), part);
     let region = Region { x: x * width, y: y * height, width: width * part, height: height * part };
     let side = |length: f64| ((length * part * factor).round() as usize).max(1);
     resample_image(photo, region, side(width), side(height))
 }
-
-/// Pixels of the sketch of a photo in which that part is looked for.
-const SKETCH: usize = 20_000;
 
 /// Left and upper edge, as parts of the whole, of the window with most of middle tones and least of its own texture: there dots
 /// have room on both sides of their size, and nothing else repeats.
