@@ -22,7 +22,7 @@ pub(crate) fn imitate(picture: &Path, photo: &Path, seed: u32, anyway: bool) -> 
     let photo = decode_file_fit(photo, SIDE)?;
     let mut search = Search::new(look, seed);
     loop {
-        eprint!("\rlooking for styles: {:3.0} %", search.progress() * 100.0);
+        eprint!("\rlooking for styles: {:3.0} %", search.progress(0) * 100.0);
         // Standard error that is gone is no reason to stop.
         let _ = std::io::stderr().flush();
         let asks = search.ask();

@@ -78,6 +78,20 @@ fn told(value: &impl serde::Serialize) -> String {
     serde_json::to_string(value).unwrap_or_default()
 }
 
+fn asked(asks: Vec<Ask>) -> String {
+    let asks = asks
+        .into_iter()
+        .map(|Ask { style, area, close }| json!({ "style": style.to_value(), "area": area, "close": close }));
+    Value::Array(asks.collect()).to_string()
+}
+
+/// The first trials of most searches, as [`Imitation::ask`] tells them: they need no picture.
+#[wasm_bindgen]
+#[must_use]
+pub fn survey() -> String {
+    asked(imitate::survey())
+}
+
 /// A search for styles that look like a picture.
 #[wasm_bindgen]
 pub struct Imitation(Search);
@@ -94,10 +108,7 @@ impl Imitation {
     /// The next trials, a JSON array for `try_look`; empty when the search is done.
     #[must_use]
     pub fn ask(&mut self) -> String {
-        let asks = self.0.ask().into_iter().map(
-            |Ask { style, area, close }| json!({ "style": style.to_value(), "area": area, "close": close }),
-        );
-        Value::Array(asks.collect()).to_string()
+        asked(self.0.ask())
     }
 
     /// What came of them, in their order: a JSON array, null for what failed.
@@ -107,10 +118,10 @@ impl Imitation {
         Ok(())
     }
 
-    /// How far it is, 0 to 1.
+    /// How far it is, 0 to 1, with so many trials made of those that were asked for last.
     #[must_use]
-    pub fn progress(&self) -> f64 {
-        self.0.progress()
+    pub fn progress(&self, tried: usize) -> f64 {
+        self.0.progress(tried)
     }
 
     /// Three to six styles, the nearest first, a JSON array of style files with scores.

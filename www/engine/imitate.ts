@@ -1,21 +1,41 @@
 /**
  * Styles that look like a picture: one worker measures the picture, all of them try styles on a photo, a few in a call, and
  * the planner leads the search. It takes the same steps whatever the number of workers.
+ *
+ * Every search begins with the same survey of a photo, the designed styles as they are. It needs no picture, so it is done
+ * while one is chosen, and kept for the next search.
  */
 
 import { Priority } from './queue.ts';
-import { beginSearch } from './imitation-module.ts';
+import { beginSearch, surveyed } from './imitation-module.ts';
 import { failure } from './protocol.ts';
 import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
 import type { Run } from './pool.ts';
+import type { PhotoHandle, Trial } from './protocol.ts';
 import type { Style } from './types.ts';
 
 /** Trials in a call of a worker, some tens of milliseconds: it is soon free for what is waited for, and stops as soon. */
-const PARCEL = 4;
+const PARCEL = 2;
+/** Calls of a survey that wait for workers at once: what is waited for is put before all others. */
+const WAITING = 8;
+
+type Tried = (string | null)[];
+/** Told how many trials of a question have been made. */
+type OnTried = (count: number) => void;
+type Survey = {
+  /** Of the photo. */
+  key: string;
+  asks: string;
+  tried: Promise<Tried>;
+  /** Lets all that has not begun be done as what is waited for, and tells of it. */
+  hurry: (onTried: OnTried) => void;
+};
 
 export function createImitating({ run, photos }: { run: Run; photos: ReturnType<typeof createPhotos> }) {
-  return { readLook, imitate };
+  let known: Survey | null = null;
+
+  return { readLook, surveyLooks, imitate };
 
   /**
    * The look of a picture, to be searched for. Throws `small-picture`, `blank-picture` or `plain-photo` where it has none.
@@ -26,6 +46,83 @@ export function createImitating({ run, photos }: { run: Run; photos: ReturnType<
     const [photo] = photos.handles([id], 'work');
     const job = { photo: photos.names([id]), holds: [photo.key], priority: Priority.VIEW };
     return run({ ...job, op: 'readLook', args: { photo, anyway }, ...call });
+  }
+
+  /**
+   * Does the first part of every search on a photo, where nothing else waits. Resolves when it is done.
+   * @param id of an imported photo
+   */
+  async function surveyLooks(id: string, { signal }: Call = {}): Promise<void> {
+    const asks = await surveyed();
+    if (signal?.aborted) throw failure('cancelled', 'cancelled');
+    const [photo] = photos.handles([id], 'work');
+    if (known?.key !== photo.key) {
+      const begun = survey(photo, id, asks, signal);
+      known = begun;
+      begun.tried.catch(() => {
+        if (known === begun) known = null;
+      });
+    }
+    await known.tried;
+  }
+
+  function survey(photo: PhotoHandle, id: string, asks: Trial[], signal?: AbortSignal): Survey {
+    let priority: Priority = Priority.REST;
+    let onTried: OnTried | undefined;
+    const parcels = inParcels(asks);
+    const found: Tried[] = [];
+    let [next, count] = [0, 0];
+    const work = async () => {
+      while (next < parcels.length) {
+        const at = next;
+        next += 1;
+        found[at] = await attempt(photo, id, parcels[at], { signal, priority });
+        count += parcels[at].length;
+        onTried?.(count);
+      }
+    };
+    return {
+      key: photo.key,
+      asks: JSON.stringify(asks),
+      tried: Promise.all(Array.from({ length: WAITING }, work)).then(() => found.flat()),
+      hurry: (tell) => {
+        priority = Priority.VIEW;
+        onTried = tell;
+      },
+    };
+  }
+
+  /** What a survey found that asks the same of the photo; undefined where there is none, or it failed. */
+  async function fromSurvey(photo: PhotoHandle, asks: Trial[], onTried: OnTried): Promise<Tried | undefined> {
+    if (known?.key !== photo.key || known.asks !== JSON.stringify(asks)) return undefined;
+    known.hurry(onTried);
+    try {
+      return await known.tried;
+    } catch {
+      return undefined;
+    }
+  }
+
+  async function attemptAll(
+    photo: PhotoHandle,
+    id: string,
+    asks: Trial[],
+    onTried: OnTried,
+    call: Call,
+  ): Promise<Tried> {
+    let count = 0;
+    const parcels = inParcels(asks).map(async (some) => {
+      const tried = await attempt(photo, id, some, call);
+      count += some.length;
+      onTried(count);
+      return tried;
+    });
+    return (await Promise.all(parcels)).flat();
+  }
+
+  function attempt(photo: PhotoHandle, id: string, asks: Trial[], call: Call): Promise<Tried> {
+    const job = { photo: photos.names([id]), holds: [photo.key], priority: Priority.VIEW };
+    return run({ ...job, op: 'tryLooks', args: { photo, asks }, ...call });
   }
 
   /**
@@ -40,23 +137,27 @@ export function createImitating({ run, photos }: { run: Run; photos: ReturnType<
   ): Promise<Style[]> {
     const [photo] = photos.handles([id], 'work');
     const search = await beginSearch(look, seed);
-    const job = { photo: photos.names([id]), holds: [photo.key], priority: Priority.VIEW, signal, ...call };
+    let ended = false;
     try {
-      for (;;) {
-        const asks = search.ask();
-        if (asks.length === 0) return search.proposals();
-        const parcels = Array.from({ length: Math.ceil(asks.length / PARCEL) }, (_, i) =>
-          asks.slice(i * PARCEL, (i + 1) * PARCEL),
-        );
-        const tried = await Promise.all(
-          parcels.map((some) => run({ ...job, op: 'tryLooks', args: { photo, asks: some } })),
-        );
+      for (let asks = search.ask(); asks.length > 0; asks = search.ask()) {
+        const onTried = (count: number) => {
+          if (!ended) onProgress(search.progress(count));
+        };
+        const tried =
+          (await fromSurvey(photo, asks, onTried)) ??
+          (await attemptAll(photo, id, asks, onTried, { signal, ...call }));
         if (signal?.aborted) throw failure('cancelled', 'cancelled');
-        search.tell(tried.flat());
-        onProgress(search.progress());
+        search.tell(tried);
       }
+      return search.proposals();
     } finally {
+      // A survey goes on where a search was stopped.
+      ended = true;
       search.free();
     }
   }
+}
+
+function inParcels(asks: Trial[]): Trial[][] {
+  return Array.from({ length: Math.ceil(asks.length / PARCEL) }, (_, i) => asks.slice(i * PARCEL, (i + 1) * PARCEL));
 }

@@ -26,6 +26,11 @@ async function load(): Promise<Imitating> {
   return module;
 }
 
+/** The first trials of most searches, whatever the picture. */
+export async function surveyed(): Promise<Trial[]> {
+  return JSON.parse((await imitating()).survey());
+}
+
 /**
  * A search for styles that look like a picture; to be freed.
  * @param look of the picture, as a worker read it
@@ -37,8 +42,8 @@ export async function beginSearch(look: string, seed: number) {
     ask: (): Trial[] => JSON.parse(search.ask()),
     /** @param trials what came of them, in their order */
     tell: (trials: readonly (string | null)[]) => search.tell(`[${trials.map((one) => one ?? 'null').join()}]`),
-    /** How far it is, 0 to 1. */
-    progress: () => search.progress(),
+    /** How far it is, 0 to 1, with so many of the trials that were asked for last. */
+    progress: (tried: number) => search.progress(tried),
     proposals: (): Style[] => JSON.parse(search.proposals()),
     free: () => search.free(),
   };

@@ -33,6 +33,8 @@ export function ImitationScreen() {
   const picture = imitation.picture.value;
   const running = imitation.progress.value !== null;
 
+  const subject = fact?.id;
+  useEffect(() => (subject === undefined ? undefined : imitation.prepare(subject)), [subject]);
   // A picture that came is looked at without being asked; what is under way ends with the workspace.
   useEffect(() => {
     if (picture && fact && imitation.proposals.peek().length === 0 && imitation.fault.peek() === null)

@@ -17,6 +17,10 @@ function app({
     importPhoto: vi.fn(async () => ({})),
     forgetPhoto: vi.fn(),
     readLook: vi.fn(readLook),
+    surveyLooks: vi.fn((_id: string, { signal: end }: any) => {
+      ends.push(end);
+      return Promise.reject(fault('imitation-missing'));
+    }),
     imitate: vi.fn(async (_look: string, _id: string, { onProgress, signal: end }: any) => {
       ends.push(end);
       onProgress(0.5);
@@ -100,6 +104,16 @@ describe('a style from a picture', () => {
     await again;
     expect(ends.at(-1)?.aborted).toBe(true);
     expect([imitation.proposals.value, imitation.progress.value, imitation.fault.value]).toEqual([before, null, null]);
+  });
+
+  it('prepares searches on a photo until it is ended, and leaves what fails to the search', async () => {
+    const { imitation, engine, ends } = app();
+    const end = imitation.prepare('p1');
+    expect(engine.surveyLooks.mock.calls[0][0]).toBe('p1');
+    await Promise.resolve();
+    expect([imitation.fault.value, imitation.progress.value, ends[0].aborted]).toEqual([null, null, false]);
+    end();
+    expect(ends[0].aborted).toBe(true);
   });
 
   it('asks for photos first', () => {

@@ -27,7 +27,7 @@ export function createImitation({
   freshId,
 }: {
   store: Pick<Store, 'tray'>;
-  engine: Pick<Engine, 'importPhoto' | 'forgetPhoto' | 'readLook' | 'imitate'>;
+  engine: Pick<Engine, 'importPhoto' | 'forgetPhoto' | 'readLook' | 'surveyLooks' | 'imitate'>;
   messages: Pick<Messages, 'alert'>;
   ui: Pick<Ui, 'work'>;
   seed: () => number;
@@ -60,6 +60,7 @@ export function createImitation({
     shown,
     photo,
     open,
+    prepare,
     take,
     search,
     stop,
@@ -71,6 +72,17 @@ export function createImitation({
   function open() {
     if (store.tray.peek().length === 0) messages.alert(strings.imitationNeedsPhotos);
     else ui.work.value = 'imitation';
+  }
+
+  /**
+   * Does what every search on a photo begins with, so that less is left when a picture comes.
+   * @returns ends it
+   */
+  function prepare(id: string): () => void {
+    const ends = new AbortController();
+    // What keeps it from its work, a search is kept from too, and tells.
+    void engine.surveyLooks(id, { signal: ends.signal }).catch(() => undefined);
+    return () => ends.abort();
   }
 
   /** Takes the first of some files as the picture. */

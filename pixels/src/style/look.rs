@@ -81,12 +81,14 @@ pub fn signature(picture: &Image) -> Vec<u8> {
     let luma = luma_plane(picture);
     let (width, height) = (luma.width(), luma.height());
     let mut rough = vec![(0_u32, 0_u32); columns * rows];
+    // Where the pixels of a column of cells begin, and where the last ends; the first of a row has none before it.
+    let edges: Vec<usize> = (0..=columns).map(|column| (column * width).div_ceil(columns).max(1)).collect();
     for y in 0..height {
         let row = luma.row(y);
-        for x in 1..width {
-            let cell = &mut rough[y * rows / height * columns + x * columns / width];
-            cell.0 += u32::from(row[x].abs_diff(row[x - 1]));
-            cell.1 += 1;
+        for (cell, edge) in rough[y * rows / height * columns..].iter_mut().zip(edges.windows(2)) {
+            let pairs = row[edge[0] - 1..edge[1] - 1].iter().zip(&row[edge[0]..edge[1]]);
+            cell.0 += pairs.map(|(a, b)| u32::from(a.abs_diff(*b))).sum::<u32>();
+            cell.1 += (edge[1] - edge[0]) as u32;
         }
     }
     colours

@@ -21,38 +21,55 @@ pub struct Lines {
 /// Dark lines and light lines. `scale` is pixels of the picture for one of a 1920 x 1080 picture.
 pub(super) fn lines(luma: &Plane, scale: f32) -> [Lines; 2] {
     let reach = ((REACH * scale).round() as usize).max(2);
-    [false, true].map(|light| {
-        let (width, height) = (luma.width(), luma.height());
-        let tone = |x: usize, y: usize| if light { 255 - luma.at(x, y) } else { luma.at(x, y) };
-        // A pixel belongs to a line when both sides of it are lighter, across or down.
-        let on = |x: usize, y: usize| {
-            let here = tone(x, y).saturating_add(STEP);
-            let across =
-                x >= reach && x + reach < width && here < tone(x - reach, y) && here < tone(x + reach, y);
-            across
-                || (y >= reach
-                    && y + reach < height
-                    && here < tone(x, y - reach)
-                    && here < tone(x, y + reach))
-        };
-        let mut above = vec![false; width];
-        let (mut area, mut borders) = (0u32, 0u32);
-        for y in 0..height {
-            let mut before = false;
-            for (x, above) in above.iter_mut().enumerate() {
-                let here = on(x, y);
-                area += u32::from(here);
-                borders += u32::from(here != before) + u32::from(here != *above);
-                (before, *above) = (here, here);
-            }
+    [dark_lines(luma, reach, scale), dark_lines(&inverted(luma), reach, scale)]
+}
+
+fn inverted(luma: &Plane) -> Plane {
+    let mut luma = luma.clone();
+    luma.samples_mut().iter_mut().for_each(|tone| *tone = !*tone);
+    luma
+}
+
+fn dark_lines(luma: &Plane, reach: usize, scale: f32) -> Lines {
+    let (width, height) = (luma.width(), luma.height());
+    let (mut on, mut above) = (vec![0; width], vec![0; width]);
+    let (mut area, mut borders) = (0u32, 0u32);
+    for y in 0..height {
+        mark(luma, y, reach, &mut on);
+        area += on.iter().map(|&on| u32::from(on)).sum::<u32>();
+        let upright = on.iter().zip(&on[1..]).map(|(a, b)| u32::from(a ^ b)).sum::<u32>();
+        let level = on.iter().zip(&above).map(|(a, b)| u32::from(a ^ b)).sum::<u32>();
+        borders += u32::from(on[0]) + upright + level;
+        std::mem::swap(&mut on, &mut above);
+    }
+    // Of a border in any direction, pi / 4 of what a walk along rows and columns crosses is its length.
+    let length = borders as f32 * std::f32::consts::FRAC_PI_4;
+    Lines {
+        density: area as f32 / (width * height) as f32,
+        width: if area == 0 { 0.0 } else { 2.0 * area as f32 / length.max(1.0) / scale },
+    }
+}
+
+/// Sets 1 where a pixel of a row belongs to a line, as both sides of it are lighter, across or down; 0 elsewhere.
+fn mark(luma: &Plane, y: usize, reach: usize, on: &mut [u8]) {
+    let row = luma.row(y);
+    let darker = |here: u8, a: u8, b: u8| {
+        u8::from(here.saturating_add(STEP) < a) & u8::from(here.saturating_add(STEP) < b)
+    };
+    on.fill(0);
+    if row.len() > 2 * reach {
+        let middle = reach..row.len() - reach;
+        let sides = row.iter().zip(&row[2 * reach..]);
+        for ((on, &here), (&left, &right)) in on[middle.clone()].iter_mut().zip(&row[middle]).zip(sides) {
+            *on = darker(here, left, right);
         }
-        // Of a border in any direction, pi / 4 of what a walk along rows and columns crosses is its length.
-        let length = borders as f32 * std::f32::consts::FRAC_PI_4;
-        Lines {
-            density: area as f32 / (width * height) as f32,
-            width: if area == 0 { 0.0 } else { 2.0 * area as f32 / length.max(1.0) / scale },
+    }
+    if y >= reach && y + reach < luma.height() {
+        let sides = luma.row(y - reach).iter().zip(luma.row(y + reach));
+        for ((on, &here), (&above, &below)) in on.iter_mut().zip(row).zip(sides) {
+            *on |= darker(here, above, below);
         }
-    })
+    }
 }
 
 #[cfg(test)]

@@ -32,7 +32,7 @@ mod spectrum;
 pub use colours::{Colour, delta_e, palette_distance};
 pub use features::Features;
 pub use lines::Lines;
-pub use search::{Ask, Effort, Search};
+pub use search::{Ask, Effort, Search, survey};
 pub use spectrum::Screen;
 
 use super::context::{Context, scale_of};

@@ -70,6 +70,19 @@ pub struct Ask {
     pub close: bool,
 }
 
+/// The first question of each search whose picture was reduced to be measured: every designed style as it is. It depends on no
+/// picture, so it can be answered before one is chosen.
+#[must_use]
+pub fn survey() -> Vec<Ask> {
+    catalogue().iter().map(|style| Ask { style: style.clone(), area: AREA, close: false }).collect()
+}
+
+/// Pixels at which trials are drawn for a picture that was measured at so many.
+fn trial_area(measured: usize) -> usize {
+    // Whole sides of a reduced picture make some pixels more or less.
+    if measured > AREA / 64 * 63 { AREA } else { measured.max(SMALLEST) }
+}
+
 /// Where a search is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Stage {
@@ -128,13 +141,13 @@ impl Search {
         Self { effort, ..self }
     }
 
-    /// How far it is, 0 to 1.
+    /// How far it is, 0 to 1, with so many trials made of those that were asked for last.
     #[must_use]
-    pub fn progress(&self) -> f64 {
+    pub fn progress(&self, tried: usize) -> f64 {
         // As many as there are of most pictures.
         let Effort { nearest, rounds, children, tuned } = self.effort;
         let total = catalogue().len() + 5 * nearest + rounds * children + tuned * TUNINGS;
-        if self.stage == Stage::Done { 1.0 } else { (self.done as f64 / total as f64).min(0.99) }
+        if self.stage == Stage::Done { 1.0 } else { ((self.done + tried) as f64 / total as f64).min(0.99) }
     }
 
     /// The next styles to try, all at once; none when it is done. Each batch is to be told before the next is asked for.
@@ -220,7 +233,7 @@ impl Search {
     fn want(&mut self, style: Style, origin: (usize, usize), close: bool) {
         let chain = format!("{:?}{:?}{:?}{close}", style.background, style.foreground, style.ink);
         if self.tried.insert(chain) {
-            let area = self.wanted.features.area.clamp(SMALLEST, AREA);
+            let area = trial_area(self.wanted.features.area);
             self.asked.push((Ask { style, area, close }, origin));
         }
     }
@@ -417,6 +430,24 @@ fn mutate(style: &mut Style, far: f64, random: &mut Rand64) {
                 _ => *value + push as f32 * 0.15 * (most - least),
             };
             *value = param.rounded(moved);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::{Image, Plane};
+
+    #[test]
+    fn the_survey_is_what_is_asked_first_of_pictures_of_any_shape() {
+        let shown = |asks: &[Ask]| format!("{asks:?}");
+        for (width, height) in [(1600, 1200), (723, 411), (400, 900)] {
+            let plane =
+                |shift: usize| Plane::from_fn(width, height, |x, y| ((x / 9 + y / 7) * 31 + shift) as u8);
+            let picture = Image::from_rgb([0, 40, 90].map(plane)).unwrap();
+            let asked = Search::new(Features::of(&picture), 3).ask();
+            assert_eq!(shown(&asked), shown(&survey()), "{width} x {height}");
         }
     }
 }
