@@ -23,7 +23,7 @@ const pressDownload = (/** @type {Page} */ page) => () => page.getByRole('button
 test('the PNG has print size, is not blank, and another page gives another PNG', async ({ page }) => {
   await openBoard(page);
   // What is said goes again by itself, perhaps before a file of this size is read.
-  const told = expect(page.getByRole('status')).toContainText('saved', { timeout: 60_000 });
+  const told = expect(page.getByRole('status')).toContainText('saved', { timeout: 150_000 });
   const first = await saved(page, pressDownload(page));
   await told;
   expect(first.name).toMatch(/\d{4}\.png$/);
