@@ -6,6 +6,7 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { ChosenFiles } from '../photos/chosen-files.tsx';
+import { PLAIN } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
 import { PhotoPicker, useDrawnPhotos } from '../photos/photo-picker.tsx';
 import { ActionButton } from '../ui/action-button.tsx';
@@ -120,23 +121,25 @@ function Original() {
   );
 }
 
-/** The person's photo in the style that is chosen. */
+/** The person's photo in the style that is chosen, as it is until there is one. */
 function Result({ fact }: { fact: Shown }) {
   const { engine, imitation } = useApp();
   const style = imitation.proposals.value.find(({ id }) => id === imitation.shown.value);
   return (
     <figure class="imitation-figure">
       <div class="imitation-frame">
-        {style && (
-          <div class="imitation-result" role="img" aria-label={strings.styleOn(style.name, fact.name)}>
-            <Bitmap
-              of={`${style.id} ${fact.id}`}
-              draw={(call) => engine.stylePhoto(fact.id, style, { ...sized(fact, LARGE), tier: 'work' }, call)}
-            />
-          </div>
-        )}
+        <div
+          class="imitation-result"
+          role="img"
+          aria-label={style ? strings.styleOn(style.name, fact.name) : fact.name}
+        >
+          <Bitmap
+            of={`${style?.id} ${fact.id}`}
+            draw={(call) => engine.stylePhoto(fact.id, style ?? PLAIN, { ...sized(fact, LARGE), tier: 'work' }, call)}
+          />
+        </div>
       </div>
-      <figcaption class="count">{style?.name ?? ''}</figcaption>
+      <figcaption class="count">{style?.name ?? fact.name}</figcaption>
     </figure>
   );
 }

@@ -13,6 +13,8 @@ test('a style is taken over from a picture that is dropped with Alt, used on the
   // A plain photo has nothing to take over, which is said.
   await region.getByLabel('Picture whose style is wanted').setInputFiles(await photos('raccoon.jpg'));
   await expect(region.getByText('This looks like a plain photo', { exact: false })).toBeVisible({ timeout: 90_000 });
+  // The photo that styles are tried on is seen as it is.
+  await expect(region.locator('.imitation-result canvas[data-drawn=true]')).toBeVisible();
 
   const buffer = await readFile(new URL('../../../docs/pages/noir.png', import.meta.url));
   await drop(page, [{ name: 'dark print.png', mimeType: 'image/png', buffer }], { altKey: true });
