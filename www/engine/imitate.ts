@@ -144,8 +144,7 @@ export function createImitating({ run, photos }: { run: Run; photos: ReturnType<
           if (!ended) onProgress(search.progress(count));
         };
         const tried =
-          (await fromSurvey(photo, asks, onTried)) ??
-          (await attemptAll(photo, id, asks, onTried, { signal, ...call }));
+          (await fromSurvey(photo, asks, onTried)) ?? (await attemptAll(photo, id, asks, onTried, { signal, ...call }));
         if (signal?.aborted) throw failure('cancelled', 'cancelled');
         search.tell(tried);
       }

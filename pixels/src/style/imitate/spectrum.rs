@@ -227,11 +227,11 @@ fn columns(re: &mut [Row], im: &mut [Row], turns: &[(f32, f32)]) {
 }
 
 /// Sums and differences of two rows, the second of which is turned; each is its real and imaginary part.
-fn butterfly(a: (&mut Row, &mut Row), b: (&mut Row, &mut Row), (cos, sin): (f32, f32)) {
+fn butterfly((re_a, im_a): (&mut Row, &mut Row), (re_b, im_b): (&mut Row, &mut Row), (cos, sin): (f32, f32)) {
     for i in 0..SIDE {
-        let (x, y) = (b.0[i] * cos - b.1[i] * sin, b.0[i] * sin + b.1[i] * cos);
-        (b.0[i], b.1[i]) = (a.0[i] - x, a.1[i] - y);
-        (a.0[i], a.1[i]) = (a.0[i] + x, a.1[i] + y);
+        let (x, y) = (re_b[i] * cos - im_b[i] * sin, re_b[i] * sin + im_b[i] * cos);
+        (re_b[i], im_b[i]) = (re_a[i] - x, im_a[i] - y);
+        (re_a[i], im_a[i]) = (re_a[i] + x, im_a[i] + y);
     }
 }
 
