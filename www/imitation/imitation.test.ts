@@ -92,6 +92,20 @@ describe('a style from a picture', () => {
     expect(other.imitation.fault.value).toBe('A sentence of the core.');
   });
 
+  it('gives each picture an id of its own, as workers keep the pixels of the one before', async () => {
+    const { imitation, engine } = app();
+    for (const name of ['a.png', 'b.png']) {
+      imitation.take([file(name)]);
+      await imitation.search('p1');
+    }
+    const ids = engine.importPhoto.mock.calls.map(([id]: any) => id);
+    expect(new Set(ids).size).toBe(2);
+    expect([engine.readLook, engine.forgetPhoto].map(({ mock }: any) => mock.calls.map(([id]: any) => id))).toEqual([
+      ids,
+      ids,
+    ]);
+  });
+
   it('keeps what was found when the next search is stopped', async () => {
     const { imitation, ends } = app();
     imitation.take([file('a.png')]);

@@ -15,7 +15,7 @@ import type { Messages } from '../ui/messages.ts';
 export type Imitation = ReturnType<typeof createImitation>;
 type Picture = { name: string; file: Blob };
 
-/** Under this id the picture is known to the engine; no photo of an album has it. */
+/** What begins the ids under which pictures are known to the engine; no photo of an album has one. */
 const ID = 'imitated-picture';
 
 export function createImitation({
@@ -46,6 +46,7 @@ export function createImitation({
   /** The photo that was chosen to try styles on. */
   const photo: Signal<string | null> = signal(null);
   let running: AbortController | null = null;
+  let pictures = 0;
   /** What the picture was found to look like. */
   let look: string | null = null;
   let anyway = false;
@@ -142,11 +143,13 @@ export function createImitation({
   }
 
   async function read({ file }: Picture, ends: AbortSignal): Promise<string> {
+    // A worker may still have the pixels of the picture before at hand.
+    const id = `${ID}-${(pictures += 1)}`;
     try {
-      await engine.importPhoto(ID, file, { signal: ends });
-      return await engine.readLook(ID, { anyway, signal: ends });
+      await engine.importPhoto(id, file, { signal: ends });
+      return await engine.readLook(id, { anyway, signal: ends });
     } finally {
-      engine.forgetPhoto(ID);
+      engine.forgetPhoto(id);
     }
   }
 
