@@ -7,7 +7,7 @@ afterEach(() => {
 });
 
 /** Workers that answer whatever they are asked. */
-function answeringWorkers() {
+function answeringWorkers({ offline = () => false }: { offline?: () => boolean } = {}) {
   const workers: { ended: boolean }[] = [];
   class Answering {
     ended = false;
@@ -16,7 +16,10 @@ function answeringWorkers() {
       workers.push(this);
     }
     postMessage({ id }: { id: number }) {
-      queueMicrotask(() => this.onmessage?.({ data: { id, ok: { boxes: [], closer: false }, memory: 0 } }));
+      const answer = offline()
+        ? { error: { code: 'net-missing', message: 'no connection' } }
+        : { ok: { boxes: [], closer: false } };
+      queueMicrotask(() => this.onmessage?.({ data: { id, ...answer, memory: 0 } }));
     }
     terminate() {
       this.ended = true;
@@ -61,6 +64,22 @@ test('they are given up when asked, but not while photos are looked at or on the
   detector.prepare();
   detector.rest();
   expect(live()).toBe(2);
+});
+
+test('nets that could be loaded long after their worker was started are kept, too', async () => {
+  vi.useFakeTimers();
+  let offline = true;
+  const { live } = answeringWorkers({ offline: () => offline });
+  const detector = createDetector(photos, () => {});
+  await expect(detector.findFaces('a')).rejects.toMatchObject({ code: 'net-missing' });
+  vi.advanceTimersByTime(30_000);
+  offline = false;
+  await detector.findFaces('a');
+  detector.rest();
+  vi.advanceTimersByTime(7_000);
+  expect(live()).toBe(2);
+  vi.advanceTimersByTime(2_000);
+  expect(live()).toBe(0);
 });
 
 test('elsewhere they stay', async () => {

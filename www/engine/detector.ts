@@ -34,7 +34,7 @@ export function createDetector(
   let last: Promise<unknown> = Promise.resolve();
   let running = 0;
   let facesMade = false;
-  /** When the last worker was started. */
+  /** When the last worker was started, or had a net: without a connection that is long after. */
   let opened = 0;
   /** Photos are on their way. */
   let expected = false;
@@ -142,6 +142,7 @@ export function createDetector(
       .catch(() => {})
       .then(() => order(net, 'make'))
       .then(() => {
+        opened = performance.now();
         facesMade ||= net === 'faces';
       })
       .catch((error) => {
