@@ -23,15 +23,15 @@ export function createLoops({
 }) {
   return { known, of };
 
-  /** Whether a photo is a frame of a film that can be read. */
+  /** Whether a photo is a frame of a film that can be read. Who shows it follows: a film's length may be told after its frames. */
   function known(photo: string | null): boolean {
-    return momentOf(photo) !== null;
+    return momentOf(photo, store.album.value, store.videos.value) !== null;
   }
 
-  function momentOf(photo: string | null): Moment | null {
-    const fact = photo === null ? undefined : store.album.peek().get(photo);
+  function momentOf(photo: string | null, album = store.album.peek(), videos = store.videos.peek()): Moment | null {
+    const fact = photo === null ? undefined : album.get(photo);
     if (fact?.video === undefined || fact.time === undefined) return null;
-    const video = store.videos.peek().get(fact.video);
+    const video = videos.get(fact.video);
     return video && video.duration !== null ? { file: video.file, time: fact.time, duration: video.duration } : null;
   }
 
