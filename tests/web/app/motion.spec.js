@@ -154,7 +154,7 @@ test('an HTML comic moves, can be stopped, and rests where a person wants no mot
   const dialog = await openExport(page);
   await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
   await dialog.getByRole('combobox', { name: 'Format' }).selectOption('html');
-  // It is there once a worker has told whether the browser writes such pictures; on a busy machine panels come first.
+  // On a busy machine it was not there within half a minute, once.
   await expect(dialog.getByRole('checkbox', { name: 'Panels from films move' })).toBeChecked({ timeout: 120_000 });
   const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
   const path = info.outputPath('comic.html');
