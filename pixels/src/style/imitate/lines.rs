@@ -1,6 +1,7 @@
 //! Lines: how much of a picture is thin and dark, or thin and light, and how wide that is.
 
 use crate::raster::Plane;
+use crate::raster::retouch::inverted;
 use serde::{Deserialize, Serialize};
 
 /// Half the width of the widest line, in pixels of a 1920 x 1080 picture.
@@ -22,12 +23,6 @@ pub struct Lines {
 pub(super) fn lines(luma: &Plane, scale: f32) -> [Lines; 2] {
     let reach = ((REACH * scale).round() as usize).max(2);
     [dark_lines(luma, reach, scale), dark_lines(&inverted(luma), reach, scale)]
-}
-
-fn inverted(luma: &Plane) -> Plane {
-    let mut luma = luma.clone();
-    luma.samples_mut().iter_mut().for_each(|tone| *tone = !*tone);
-    luma
 }
 
 fn dark_lines(luma: &Plane, reach: usize, scale: f32) -> Lines {

@@ -239,8 +239,8 @@ impl Search {
     }
 
     fn survey(&mut self) {
-        for (i, style) in catalogue().iter().enumerate() {
-            self.want(style.clone(), (i, ALL.len()), false);
+        for (i, ask) in survey().into_iter().enumerate() {
+            self.want(ask.style, (i, ALL.len()), false);
         }
     }
 
