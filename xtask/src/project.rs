@@ -14,6 +14,8 @@ pub(crate) struct Project {
     pub(crate) root: PathBuf,
     /// Cargo's target folder, wherever the environment or a configuration puts it.
     pub(crate) target: PathBuf,
+    /// Whether cargo keeps what it needs to compile only what was changed.
+    incremental: bool,
 }
 
 impl Project {
@@ -31,7 +33,13 @@ impl Project {
         let metadata: serde_json::Value = serde_json::from_str(&metadata).context("cargo metadata")?;
         let target =
             metadata["target_directory"].as_str().context("cargo metadata names no target folder")?;
-        Ok(Self { root, target: PathBuf::from(target) })
+        Ok(Self::at(root, PathBuf::from(target)))
+    }
+
+    /// A checkout at an absolute path, and its target folder.
+    pub(crate) fn at(root: PathBuf, target: PathBuf) -> Self {
+        let incremental = has_incremental(&target);
+        Self { root, target, incremental }
     }
 
     /// The front end's folder.
@@ -43,11 +51,40 @@ impl Project {
     pub(crate) fn cargo(&self) -> Command {
         let mut command = Command::new(cargo());
         command.current_dir(&self.root).env("CARGO_TARGET_DIR", &self.target);
+        if !self.incremental && std::env::var_os("CARGO_INCREMENTAL").is_none() {
+            command.env("CARGO_INCREMENTAL", "0");
+        }
         command
     }
+}
+
+/// Whether somebody who edits the engine has compiled it here. Where nobody has, as in continuous integration,
+/// keeping the state for it is a third of what compiling costs.
+fn has_incremental(target: &Path) -> bool {
+    let kept = std::fs::read_dir(target.join("debug/incremental"));
+    kept.is_ok_and(|entries| {
+        entries.flatten().any(|entry| entry.file_name().to_string_lossy().starts_with("inkpanel"))
+    })
 }
 
 /// The cargo that started this program, so that every step uses one toolchain.
 fn cargo() -> String {
     std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_an_engine_that_was_compiled_by_hand_is_compiled_incrementally() {
+        let target = tempfile::tempdir().unwrap();
+        assert!(!has_incremental(target.path()));
+        // This program is compiled by cargo itself, before it can say anything.
+        let kept = target.path().join("debug/incremental");
+        std::fs::create_dir_all(kept.join("xtask-1x2y3z")).unwrap();
+        assert!(!has_incremental(target.path()));
+        std::fs::create_dir_all(kept.join("inkpanel_pixels-1x2y3z")).unwrap();
+        assert!(has_incremental(target.path()));
+    }
 }

@@ -222,7 +222,7 @@ fn copy(project: &Project) -> Result<(Project, TempDir)> {
         copy_one(&from, &to).with_context(|| format!("cannot copy {file}"))?;
     }
     let target = root.join("target");
-    Ok((Project { root, target }, folder))
+    Ok((Project::at(root, target), folder))
 }
 
 /// Copies a file, or a link as what it leads to within the checkout.
@@ -281,7 +281,7 @@ mod tests {
         };
         git(&["init", "--quiet"]);
         git(&["add", "a", ".gitignore"]);
-        let (copy, kept) = copy(&Project { root: root.to_owned(), target: root.join("target") }).unwrap();
+        let (copy, kept) = copy(&Project::at(root.to_owned(), root.join("target"))).unwrap();
         assert!(copy.root.join("a/link").is_symlink());
         fs::remove_file(copy.root.join("a/link")).unwrap();
         let nets = models::parts().into_iter().map(|net| format!("www/models/{}", net.file));
@@ -299,7 +299,7 @@ mod tests {
             tools::output(Command::new("git").args(words).current_dir(folder.path())).unwrap();
         };
         git(&["init", "--quiet"]);
-        let project = Project { root: folder.path().to_owned(), target: folder.path().join("target") };
+        let project = Project::at(folder.path().to_owned(), folder.path().join("target"));
         clean(&project).unwrap();
         fs::write(folder.path().join("new.txt"), "").unwrap();
         let told = clean(&project).unwrap_err().to_string();
