@@ -70,6 +70,12 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     if (items.length !== arranged.length || items.some((item, i) => item !== arranged[i])) arranged = items;
     return arranged;
   });
+  /** The videos of which a frame lies on the table: undo takes a film away with its frames. */
+  const films = computed(() => {
+    const there = new Set(tray.value.map(({ id }) => id));
+    return [...videos.value.values()].filter(({ ids }) => ids.some((id) => there.has(id)));
+  });
+
   /** Facts of the tray, in its order. */
   const facts = computed(() => tray.value.flatMap(({ id }) => album.value.get(id) ?? []));
 
@@ -148,6 +154,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     place: computed(() => place.value) as ReadonlySignal<Place>,
     album,
     videos,
+    films,
     originals,
     planner,
     reading,

@@ -7,6 +7,7 @@ import { IconButton } from '../ui/button.tsx';
 import { ChosenFiles } from '../photos/chosen-files.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
+import { FilmSoundTools } from './film-sound-tools.tsx';
 import { WordFields } from './word-fields.tsx';
 import { ActionButton } from '../ui/action-button.tsx';
 
@@ -46,6 +47,7 @@ export function WordTools() {
       )}
       <Waiting />
       <Speech />
+      <FilmSoundTools />
     </section>
   );
 }

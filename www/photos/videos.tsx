@@ -5,7 +5,6 @@
 import { useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
-import { FilmSounds } from './film-sounds.tsx';
 import type { Video } from '../document/album.ts';
 
 const MOST_FRAMES = 120;
@@ -14,9 +13,7 @@ const SHORTEST = 0.1;
 
 export function Videos() {
   const { store } = useApp();
-  const tray = new Set(store.tray.value.map(({ id }) => id));
-  // A video is there as long as one of its frames is: undo takes both away.
-  const videos = [...store.videos.value.values()].filter(({ ids }) => ids.some((id) => tray.has(id)));
+  const videos = store.films.value;
   if (videos.length === 0) return null;
   return (
     <ul class="videos" aria-label={strings.videos}>
@@ -73,7 +70,6 @@ function Trim({ video }: { video: Video }) {
         >
           {strings.takeFrames}
         </button>
-        <FilmSounds video={video} />
       </details>
     </li>
   );

@@ -3,7 +3,7 @@
 
 import { readFile } from 'node:fs/promises';
 import { word } from './word-hands.js';
-import { accessible, add, expect, idle, press, test } from './support.js';
+import { accessible, add, expect, idle, press, tab, test } from './support.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
@@ -11,13 +11,13 @@ const VIDEOS = new URL('../../videos/', import.meta.url);
 /** Three claps, in seconds. */
 const CLAPS = [1.5, 3.2, 4.6];
 
-/** A film on the table, and what the tray says of it opened. @param {Page} page @param {string} name */
+/** A film on the table, and the words beside the page. @param {Page} page @param {string} name */
 async function open(page, name) {
   await page.goto('./');
   await add(page, [{ name, mimeType: 'video/webm', buffer: await readFile(new URL(name, VIDEOS)) }]);
   await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
   await idle(page);
-  await page.getByText('8 frames').click();
+  await tab(page, 'Words');
 }
 
 /** @param {Page} page */

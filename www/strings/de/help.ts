@@ -44,7 +44,7 @@ export const helpStrings = {
     },
     films: {
       title: 'Einzelbilder eines Films',
-      text: `Aus einem Film nimmt Inkpanel einige Einzelbilder, die dann Fotos wie alle anderen sind. Drücke in der Liste der Fotos auf seinen Namen, um Anfang, Ende und Anzahl zu wählen; „${photos.takeFrames}“ übernimmt sie. Ein Panel mit einem Einzelbild kann auf ein früheres oder späteres wechseln. „${sounds.hear}“ schlägt Soundwörter für das vor, was bei den Einzelbildern auf deinen Seiten zu hören ist.`,
+      text: `Aus einem Film nimmt Inkpanel einige Einzelbilder, die dann Fotos wie alle anderen sind. Drücke in der Liste der Fotos auf seinen Namen, um Anfang, Ende und Anzahl zu wählen; „${photos.takeFrames}“ übernimmt sie. Ein Panel mit einem Einzelbild kann auf ein früheres oder späteres wechseln. „${sounds.hear}“ unter „${side.sideTab.words}“ schlägt Soundwörter für das vor, was bei den Einzelbildern auf deinen Seiten zu hören ist.`,
     },
     shuffle: {
       title: 'Mischen',

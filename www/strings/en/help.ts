@@ -45,7 +45,7 @@ export const helpStrings = {
     },
     films: {
       title: 'Frames of a film',
-      text: `Of a film Inkpanel takes some frames, which are then photos like any others. Press its name in the list of photos to say where it starts and ends and how many frames you want; “${photos.takeFrames}” takes them. A panel that shows a frame can go to an earlier or a later one. “${sounds.hear}” proposes sound effects for what is heard near the frames on your pages.`,
+      text: `Of a film Inkpanel takes some frames, which are then photos like any others. Press its name in the list of photos to say where it starts and ends and how many frames you want; “${photos.takeFrames}” takes them. A panel that shows a frame can go to an earlier or a later one. “${sounds.hear}”, under “${side.sideTab.words}”, proposes sound effects for what is heard near the frames on your pages.`,
     },
     shuffle: {
       title: 'Shuffling',

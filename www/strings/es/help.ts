@@ -43,7 +43,7 @@ export const helpStrings = {
     },
     films: {
       title: 'Fotogramas de una película',
-      text: `De una película Inkpanel toma algunos fotogramas, que son fotos como las demás. Pulsa su nombre en la lista de fotos para decir dónde empieza y acaba y cuántos fotogramas quieres; «${photos.takeFrames}» los toma. Una viñeta con un fotograma puede pasar a otro anterior o posterior. «${sounds.hear}» propone onomatopeyas para lo que se oye cerca de los fotogramas de tus páginas.`,
+      text: `De una película Inkpanel toma algunos fotogramas, que son fotos como las demás. Pulsa su nombre en la lista de fotos para decir dónde empieza y acaba y cuántos fotogramas quieres; «${photos.takeFrames}» los toma. Una viñeta con un fotograma puede pasar a otro anterior o posterior. «${sounds.hear}», en «${side.sideTab.words}», propone onomatopeyas para lo que se oye cerca de los fotogramas de tus páginas.`,
     },
     shuffle: {
       title: 'Barajar',

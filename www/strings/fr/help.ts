@@ -43,7 +43,7 @@ export const helpStrings = {
     },
     films: {
       title: 'Images d’un film',
-      text: `D’un film, Inkpanel prend quelques images, qui sont alors des photos comme les autres. Appuyez sur son nom dans la liste des photos pour dire où il commence et finit et combien d’images vous voulez ; « ${photos.takeFrames} » les prend. Une case qui montre une image du film peut passer à une image précédente ou suivante. « ${sounds.hear} » propose des onomatopées pour ce que l’on entend près des images de vos pages.`,
+      text: `D’un film, Inkpanel prend quelques images, qui sont alors des photos comme les autres. Appuyez sur son nom dans la liste des photos pour dire où il commence et finit et combien d’images vous voulez ; « ${photos.takeFrames} » les prend. Une case qui montre une image du film peut passer à une image précédente ou suivante. « ${sounds.hear} », dans « ${side.sideTab.words} », propose des onomatopées pour ce que l’on entend près des images de vos pages.`,
     },
     shuffle: {
       title: 'Mélanger',

@@ -43,7 +43,7 @@ export const helpStrings = {
     },
     films: {
       title: 'Imagens de um filme',
-      text: `De um filme, o Inkpanel tira algumas imagens, que passam a ser fotos como as outras. Aperte o nome dele na lista de fotos para dizer onde começa e termina e quantas imagens você quer; “${photos.takeFrames}” as tira. Um quadro que mostra uma imagem do filme pode ir para uma anterior ou seguinte. “${sounds.hear}” propõe onomatopeias para o que se ouve perto das imagens das suas páginas.`,
+      text: `De um filme, o Inkpanel tira algumas imagens, que passam a ser fotos como as outras. Aperte o nome dele na lista de fotos para dizer onde começa e termina e quantas imagens você quer; “${photos.takeFrames}” as tira. Um quadro que mostra uma imagem do filme pode ir para uma anterior ou seguinte. “${sounds.hear}”, em “${side.sideTab.words}”, propõe onomatopeias para o que se ouve perto das imagens das suas páginas.`,
     },
     shuffle: {
       title: 'Embaralhar',

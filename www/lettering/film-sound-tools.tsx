@@ -1,12 +1,24 @@
-/** The sounds of a film: a button that has them heard, and what they may be drawn as. */
+/** The sounds of the films on the table: a button for each that has them heard, and what they may be drawn as. */
 
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
+import { Icon } from '../ui/icon.tsx';
 import type { Video } from '../document/album.ts';
-import type { Proposal } from '../lettering/film-sounds.ts';
+import type { Proposal } from './film-sounds.ts';
 
-export function FilmSounds({ video }: { video: Video }) {
+export function FilmSoundTools() {
+  const { store } = useApp();
+  const films = store.films.value.filter(({ duration }) => duration !== null);
+  return films.map((video) => (
+    <div key={video.key} class="film-sounds" role="group" aria-label={video.name}>
+      {films.length > 1 && <p class="film-name">{video.name}</p>}
+      <FilmSounds video={video} />
+    </div>
+  ));
+}
+
+function FilmSounds({ video }: { video: Video }) {
   const { filmSounds } = useApp();
   const says = strings.filmSounds;
   const heard = filmSounds.of(video);
@@ -14,14 +26,15 @@ export function FilmSounds({ video }: { video: Video }) {
   const events = heard && 'events' in heard ? heard.events : undefined;
   const found = events && filmSounds.proposals(video, events);
   return (
-    <div class="film-sounds">
+    <>
       {/* It stays where it is while the film is heard: a hand on the keyboard stays with it. */}
       <button
         type="button"
-        class="button"
+        class="button small"
         aria-disabled={stage !== undefined}
         onClick={() => void filmSounds.hear(video)}
       >
+        <Icon name="effect" />
         {says.hear}
       </button>
       {stage && (
@@ -36,7 +49,7 @@ export function FilmSounds({ video }: { video: Video }) {
         {found && counted(found, events.length)}
       </p>
       {found && found.near.length > 0 && <List video={video} near={found.near} />}
-    </div>
+    </>
   );
 }
 
