@@ -6,14 +6,17 @@ use std::process::Command;
 use anyhow::Result;
 
 use crate::project::Project;
-use crate::{chromium, native, npm, site, tools, wasm};
+use crate::{batch, chromium, native, npm, site, tools, wasm};
 
 /// Builds everything, then measures. With words in `filter` only rows whose name has one of them are timed, and
 /// `page`, `album`, `films`, `making`, `masking`, `animatic`, `living`, `detect`, `figures` or `masks` where they are among them; nothing is written;
-/// `alone` leaves the other libraries out. `native` and `lighthouse` stand each alone.
+/// `alone` leaves the other libraries out. `native`, `batch` and `lighthouse` stand each alone.
 pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
     if filter == ["native"] {
         return native::run(project);
+    }
+    if filter == ["batch"] {
+        return batch::run(project);
     }
     let browser = chromium::find()?;
     if filter == ["lighthouse"] {

@@ -2,6 +2,7 @@
 //! not change, so the only prerequisites are rustup and Node.
 
 mod albums;
+mod batch;
 mod bench;
 mod bless;
 mod budget;
@@ -26,6 +27,7 @@ mod readers;
 mod release;
 mod site;
 mod stamp;
+mod tables;
 mod tally;
 mod test;
 mod tools;

@@ -3,15 +3,13 @@
 use std::fs;
 use std::process::Command;
 
-use anyhow::{Context, Result, bail};
+use anyhow::Result;
 
 use crate::project::Project;
-use crate::tools;
+use crate::{tables, tools};
 
 /// What is installed from the Python registry, in an environment below `target`.
 const PEER: &str = "opencv-python-headless==5.0.0.93";
-
-const MARKERS: [&str; 2] = ["<!-- native:start -->", "<!-- native:end -->"];
 
 /// Builds for this machine's processor, as `OpenCV` chooses its kernels by it, measures, and writes the README's table.
 pub(crate) fn run(project: &Project) -> Result<()> {
@@ -31,30 +29,5 @@ pub(crate) fn run(project: &Project) -> Result<()> {
     let script = project.root.join("bench/native.py");
     let table = tools::output(Command::new(&python).arg(script).arg(&photo).arg(&times))?;
     println!("{table}");
-    let readme = project.root.join("README.md");
-    let text = fs::read_to_string(&readme)?;
-    fs::write(&readme, between(&text, table.trim())?).context("cannot write the README")
-}
-
-/// The text with a table between the markers.
-fn between(text: &str, table: &str) -> Result<String> {
-    let (Some((before, rest)), [start, end]) = (text.split_once(MARKERS[0]), MARKERS) else {
-        bail!("README.md lacks the markers {MARKERS:?}");
-    };
-    let Some((_, after)) = rest.split_once(end) else { bail!("README.md lacks the marker {end}") };
-    Ok(format!("{before}{start}\n{table}\n{end}{after}"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_table_replaces_the_last_one() {
-        let text = "a\n<!-- native:start -->\nold\n<!-- native:end -->\nb\n";
-        let new = between(text, "new").unwrap();
-        assert_eq!(new, "a\n<!-- native:start -->\nnew\n<!-- native:end -->\nb\n");
-        assert_eq!(between(&new, "new").unwrap(), new);
-        assert!(between("nothing", "new").is_err());
-    }
+    tables::put(&project.root.join("README.md"), "native", &table)
 }
