@@ -202,6 +202,72 @@ fn example() -> (Document, usize, Vec<(PhotoMeta, Image)>) {
     (page, own, photos)
 }
 
+/// A photo of a broad thing with a sure border, which stands on a foot that is hardly one: the mask as a whole is sure enough.
+fn with_a_vague_foot(i: u64) -> (PhotoMeta, Image) {
+    let (width, height) = (900, 600);
+    let x = 330 + 40 * (i as usize % 4);
+    let share = |px: usize, py: usize| {
+        let (across, foot) = (px.abs_diff(x), 380..500);
+        match py {
+            60..380 if across < 200 => 255,
+            _ if foot.contains(&py) && across < 60 => 150,
+            _ => 0,
+        }
+    };
+    let shares = Plane::from_fn(width, height, share);
+    let image = Image::from_rgb([0, 1, 2].map(|_| shares.clone())).unwrap();
+    let mask = Matte::new(&shares, (width, height));
+    let sure = mask.facts().confidence;
+    assert!(sure > 0.68, "{sure}");
+    let fingerprint = i.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let meta =
+        PhotoMeta { mask: Some(mask), fingerprint, ..PhotoMeta::unmeasured(&format!("p{i}"), 900, 600) };
+    (meta, image)
+}
+
+#[test]
+fn what_has_a_vague_border_stays_in_its_panel_unless_somebody_asks() {
+    let photos: Vec<_> = (1..7).map(with_a_vague_foot).collect();
+    // Whether the foot is drawn outside of its panel, on each of some pages on which a figure steps out.
+    let foot_outside = |page: &Document, own: usize| {
+        let scene = Scene::new(page, WIDTH).unwrap();
+        let id = page.panels[own].photo.as_deref().unwrap();
+        let drawn =
+            compose::render_panel(&scene, page.panels.len(), image(&photos, id), &mut Context::default())
+                .unwrap();
+        let (crop, bounds) = (scene.panels[own].crop, scene.panels[own].image_bounds);
+        let number: usize = id[1..].parse().unwrap();
+        let (x, y) = ((330.0 + 40.0 * (number % 4) as f64) / 900.0, 430.0 / 600.0);
+        let x = bounds.x + (x - crop.x) / crop.width * bounds.width;
+        let y = bounds.y + (y - crop.y) / crop.height * bounds.height;
+        let (column, row) = (x as i64 - drawn.area.x, y as i64 - drawn.area.y);
+        let there =
+            (0..drawn.area.width as i64).contains(&column) && (0..drawn.area.height as i64).contains(&row);
+        y > bounds.y + bounds.height
+            && there
+            && drawn.rgba[(row as usize * drawn.area.width + column as usize) * 4 + 3] > 0
+    };
+    let (mut stepped, mut asked) = (0, 0);
+    for seed in 0..60 {
+        let page = page(&photos, seed);
+        if let Some(own) = breaks(&page).unwrap().iter().position(|breaks| *breaks) {
+            stepped += 1;
+            assert!(!foot_outside(&page, own), "seed {seed}: the foot of panel {own} is outside");
+        }
+        let mut plain = page.clone();
+        for panel in &mut plain.panels {
+            panel.figure = None;
+        }
+        for own in 0..plain.panels.len() {
+            let Some(id) = plain.panels[own].photo.clone() else { continue };
+            let mask = photos.iter().find(|(meta, _)| meta.id == id).and_then(|(meta, _)| meta.mask.clone());
+            let out = broken(&plain, own, &mask.unwrap()).unwrap();
+            asked += usize::from(out.is_some_and(|out| foot_outside(&out, own)));
+        }
+    }
+    assert!(stepped > 10 && asked > 10, "{stepped} stepped out, {asked} were asked to, with their feet");
+}
+
 #[test]
 fn without_its_figure_a_page_differs_outside_of_the_panel_alone() {
     let (page, own, photos) = example();

@@ -9,12 +9,12 @@ use super::bleed::widened;
 use super::document::{Document, PanelContent};
 use super::scene::{self, Scene, ScenePanel};
 use crate::error::Result;
-use crate::framing::{Crop, PhotoMeta};
+use crate::framing::{Crop, PhotoMeta, Subject};
 use crate::layout::polygon::edges;
 use crate::layout::{Bounds, Point, ResolvedShape};
 use crate::raster::plane::neighbours;
 use crate::raster::resize::{Region, resample};
-use crate::raster::{Matte, Plane};
+use crate::raster::{Matte, Plane, matte};
 use oorandom::Rand64;
 
 /// From this share on a pixel is seen: what is fainter is drawn as nothing, see `STEEP` of `compose`.
@@ -27,6 +27,9 @@ const LEAST_REACH: f64 = 1.5;
 const LEAST_OUTSIDE: f64 = 0.008;
 /// The least sure border of a figure that is cut out without anybody asking.
 const SURE: f64 = 0.68;
+/// The same for what of a person or an animal is outside: nets are less sure of hair and of caps than of where these end. Of things they
+/// doubt the end itself, such as the foot of a tower in bushes, which would be a torn smudge over the neighbours.
+const SURE_OF_LIFE: f64 = 0.25;
 /// What is kept free about the faces of others, in parts of their size.
 const ABOUT_FACES: f64 = 0.15;
 
@@ -53,6 +56,8 @@ pub(super) struct Figure {
     pub(super) outside: Bounds,
     /// The area of that, in parts of the panel's.
     pub(super) share: f64,
+    /// How sure its border is there, 0 to 1.
+    confidence: f64,
 }
 
 /// The edges of a panel's outline, clockwise; a circle is one edge.
@@ -131,12 +136,19 @@ pub(super) fn figure(panel: &ScenePanel, shares: Plane, around: &Around) -> Opti
         }
     }
     let share = sum / (bounds.width * bounds.height);
+    let outside = outside.filter(|_| share >= LEAST_OUTSIDE)?;
+    let confidence = matte::confidence(&cells.shares, |x, y| {
+        let point = place(x, y);
+        (outside.x..=outside.x + outside.width).contains(&point.x)
+            && (outside.y..=outside.y + outside.height).contains(&point.y)
+            && (0..closed.len()).any(|edge| !closed[edge] && cells.edges.beyond(edge, point) > 0.0)
+    });
     let mut shares = cells.shares;
     for (share, kept) in shares.samples_mut().iter_mut().zip(kept) {
         // The soft border belongs to the figure beside it.
         *share *= u8::from(kept || *share < SEEN);
     }
-    outside.filter(|_| share >= LEAST_OUTSIDE).map(|outside| Figure { shares, closed, outside, share })
+    Some(Figure { shares, closed, outside, share, confidence })
 }
 
 /// The pixels of a mask on the page.
@@ -209,6 +221,8 @@ const COARSE: usize = 40;
 const ZOOMS: [f64; 4] = [0.92, 0.8, 0.68, 0.55];
 /// How much of a crop's height or width the figure is to stand over an edge.
 const STEPS: [f64; 3] = [0.08, 0.14, 0.2];
+/// Crops that are good in the coarse and looked at in the fine, the best first.
+const LOOKED_AT: usize = 6;
 
 /// Share of new pages on which a figure steps out where one can.
 const CHANCE: f64 = 0.35;
@@ -245,7 +259,7 @@ pub(super) fn by_chance(document: &mut Document, photos: &[PhotoMeta], wanted: O
     let mut best: Option<(usize, Matte, Crop, f64)> = None;
     for _ in 0..TRIED.min(free.len()) {
         let (panel, mask) = free.swap_remove(random.rand_range(0..free.len() as u64) as usize);
-        if let Some((crop, good)) = way_out(document, panel, &mask, photos)?
+        if let Some((crop, good)) = way_out(document, panel, &mask, Some(photos))?
             && good >= best.as_ref().map_or(GOOD, |best| best.3)
         {
             best = Some((panel, mask, crop, good));
@@ -270,7 +284,7 @@ pub fn broken(document: &Document, panel: usize, mask: &Matte) -> Result<Option<
     {
         return Ok(None);
     }
-    let Some((crop, _)) = way_out(document, panel, mask, &[])? else { return Ok(None) };
+    let Some((crop, _)) = way_out(document, panel, mask, None)? else { return Ok(None) };
     let mut document = document.clone();
     let content = &mut document.panels[panel];
     (content.figure, content.crop, content.edited) = (Some(mask.clone()), Some(crop), true);
@@ -294,17 +308,18 @@ pub fn breaks(document: &Document) -> Result<Vec<bool>> {
     Ok(breaks)
 }
 
-/// `photos`: what is known of those on the page. Of their living things the upper halves are left alone, too.
+/// `photos`: what is known of those on the page, where nobody asked for the figure. Then the upper halves of their living things are
+/// left alone, too, and its border has to be sure where it is outside.
 fn way_out(
     document: &Document,
     panel: usize,
     mask: &Matte,
-    photos: &[PhotoMeta],
+    photos: Option<&[PhotoMeta]>,
 ) -> Result<Option<(Crop, f64)>> {
     let size = scene::size(document, document.page.width as usize)?;
     let mut panels = scene::panels(document, &*document.template()?, size)?;
     for other in &mut panels {
-        let photo = photos.iter().find(|photo| Some(&photo.id) == other.photo.as_ref());
+        let photo = photos.into_iter().flatten().find(|photo| Some(&photo.id) == other.photo.as_ref());
         let alive = photo.into_iter().flat_map(|photo| &photo.subjects).filter(|subject| subject.is_alive());
         other.faces.extend(alive.map(|subject| Crop {
             x: subject.x,
@@ -314,16 +329,24 @@ fn way_out(
         }));
     }
     let around = around(document, &panels, size);
-    Ok(stepping_out(&panels[panel], &document.panels[panel], mask, &around[panel]))
+    let content = &document.panels[panel];
+    let sure = photos.map_or(0.0, |photos| {
+        let own = photos.iter().find(|photo| Some(&photo.id) == content.photo.as_ref());
+        let lives = own.is_some_and(|photo| photo.subjects.iter().any(Subject::is_alive));
+        if lives { SURE_OF_LIFE } else { SURE }
+    });
+    Ok(stepping_out(&panels[panel], content, mask, &around[panel], sure))
 }
 
 /// How a panel shows its photo so that the figure steps out, as the panel does now where it does; none where there is no such
-/// way. A crop that was made by hand stays. The score says how good it is, 0 to 1.
+/// way. A crop that was made by hand stays. The score says how good it is, 0 to 1. `sure`: the least confidence of its border
+/// outside of the panel.
 fn stepping_out(
     panel: &ScenePanel,
     content: &PanelContent,
     matte: &Matte,
     around: &Around,
+    sure: f64,
 ) -> Option<(Crop, f64)> {
     let plane = matte.plane();
     let longer = plane.width().max(plane.height());
@@ -355,7 +378,10 @@ fn stepping_out(
         (!cut).then_some((crop, good.clamp(0.0, 1.0)))
     };
     // What is good in the coarse has to be so in the fine, too.
-    let holds = |crop: Crop| figure(&ScenePanel { crop, ..panel.clone() }, plane.clone(), around).is_some();
+    let holds = |crop: Crop| {
+        figure(&ScenePanel { crop, ..panel.clone() }, plane.clone(), around)
+            .is_some_and(|figure| figure.confidence >= sure)
+    };
     if let Some(now) = judged(panel.crop).filter(|(crop, _)| holds(*crop)) {
         return Some((now.0, now.1.max(0.5)));
     }
@@ -363,7 +389,7 @@ fn stepping_out(
         return None;
     }
     let [left, top, across, down] = matte.facts().bounds;
-    let mut best: Option<(Crop, f64)> = None;
+    let mut found: Vec<(Crop, f64)> = Vec::new();
     for zoom in ZOOMS {
         let (w, h) = (panel.crop.width * zoom, panel.crop.height * zoom);
         let middle =
@@ -376,17 +402,13 @@ fn stepping_out(
                 (left + across - (1.0 + step) * w, y),
                 (x, top + down - (1.0 + step) * h),
             ];
-            for (x, y) in
-                over.into_iter().filter(|(x, y)| *x >= 0.0 && *y >= 0.0 && x + w <= 1.0 && y + h <= 1.0)
-            {
-                let found = judged(Crop { x, y, width: w, height: h });
-                if found.is_some_and(|(_, good)| best.is_none_or(|(_, least)| good > least)) {
-                    best = found;
-                }
-            }
+            let there =
+                over.into_iter().filter(|(x, y)| *x >= 0.0 && *y >= 0.0 && x + w <= 1.0 && y + h <= 1.0);
+            found.extend(there.filter_map(|(x, y)| judged(Crop { x, y, width: w, height: h })));
         }
     }
-    best.filter(|(crop, _)| holds(*crop))
+    found.sort_by(|one, other| other.1.total_cmp(&one.1));
+    found.into_iter().take(LOOKED_AT).find(|(crop, _)| holds(*crop))
 }
 
 /// The panel with room for what steps out of it: more of the photo at the same scale.

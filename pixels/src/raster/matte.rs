@@ -111,23 +111,14 @@ impl Matte {
 fn facts_of(plane: &Plane) -> MatteFacts {
     let (width, height) = (plane.width(), plane.height());
     let (mut left, mut top, mut right, mut bottom) = (width, height, 0, 0);
-    let (mut sum, mut rim, mut unsure) = (0u64, 0u64, 0u64);
+    let mut sum = 0u64;
     for y in 0..height {
-        let row = plane.row(y);
-        for (x, &share) in row.iter().enumerate() {
+        for (x, &share) in plane.row(y).iter().enumerate() {
             sum += u64::from(share);
-            unsure += u64::from(UNSURE.contains(&share));
-            if share < WITHIN {
-                continue;
+            if share >= WITHIN {
+                (left, top) = (left.min(x), top.min(y));
+                (right, bottom) = (right.max(x + 1), bottom.max(y + 1));
             }
-            (left, top) = (left.min(x), top.min(y));
-            (right, bottom) = (right.max(x + 1), bottom.max(y + 1));
-            let beside = |dx: usize, dy: usize| plane.at(dx.min(width - 1), dy.min(height - 1)) < WITHIN;
-            let at_rim = beside(x + 1, y)
-                || beside(x, y + 1)
-                || beside(x.saturating_sub(1), y)
-                || beside(x, y.saturating_sub(1));
-            rim += u64::from(at_rim);
         }
     }
     let coverage = sum as f64 / (255 * width * height) as f64;
@@ -135,8 +126,6 @@ fn facts_of(plane: &Plane) -> MatteFacts {
         return MatteFacts { coverage, bounds: [0.0; 4], confidence: 0.0 };
     }
     let share = |at: usize, of: usize| at as f64 / of as f64;
-    // A border drawn as finely as pixels allow has about two unsure ones for each of its own.
-    let width_of_doubt = unsure as f64 / rim.max(1) as f64;
     MatteFacts {
         coverage,
         bounds: [
@@ -145,8 +134,34 @@ fn facts_of(plane: &Plane) -> MatteFacts {
             share(right - left, width),
             share(bottom - top, height),
         ],
-        confidence: (1.0 - (width_of_doubt - 2.0) / 10.0).clamp(0.0, 1.0),
+        confidence: confidence(plane, |_, _| true),
     }
+}
+
+/// How sure the border of some shares is, 0 to 1, by the pixels that count: 1 where it is as sharp as pixels allow.
+#[must_use]
+pub fn confidence(shares: &Plane, counts: impl Fn(usize, usize) -> bool) -> f64 {
+    let (width, height) = (shares.width(), shares.height());
+    let (mut rim, mut unsure) = (0u64, 0u64);
+    for y in 0..height {
+        for (x, share) in shares.row(y).iter().enumerate() {
+            let (doubted, within) = (UNSURE.contains(share), *share >= WITHIN);
+            if !(doubted || within) || !counts(x, y) {
+                continue;
+            }
+            unsure += u64::from(doubted);
+            let beside = |dx: usize, dy: usize| shares.at(dx.min(width - 1), dy.min(height - 1)) < WITHIN;
+            let at_rim = within
+                && (beside(x + 1, y)
+                    || beside(x, y + 1)
+                    || beside(x.saturating_sub(1), y)
+                    || beside(x, y.saturating_sub(1)));
+            rim += u64::from(at_rim);
+        }
+    }
+    // A border drawn as finely as pixels allow has about two unsure ones for each of its own.
+    let width_of_doubt = unsure as f64 / rim.max(1) as f64;
+    (1.0 - (width_of_doubt - 2.0) / 10.0).clamp(0.0, 1.0)
 }
 
 /// The nearest step.
@@ -271,5 +286,14 @@ mod tests {
         let nothing = Matte::new(&Plane::filled(320, 200, 0), (320, 200)).facts();
         assert!(nothing.is_vague());
         assert_eq!((nothing.coverage, nothing.bounds), (0.0, [0.0; 4]));
+    }
+
+    #[test]
+    fn a_border_is_as_sure_as_where_it_is_looked_at() {
+        // A block that ends within a pixel on the left, and within a third of the plane on the right.
+        let shares = Plane::from_fn(300, 60, |x, _| if x < 60 { 0 } else { (3 * (300 - x)).min(255) as u8 });
+        assert!(confidence(&shares, |x, _| x < 150) > 0.95);
+        assert!(confidence(&shares, |x, _| x >= 150) < 0.05);
+        assert!(confidence(&shares, |_, _| false) > 0.95, "what nobody looks at is not in doubt");
     }
 }
