@@ -51,7 +51,7 @@ pub(crate) fn run(project: &Project) -> Result<()> {
     };
     let [one, two, all] = [drawn(1, Some(1))?, drawn(2, Some(1))?, drawn(1, None)?];
     let table = format!(
-        "| {ALBUMS} albums of {PHOTOS} photos of 1.5 to 3 megapixels, faces and objects looked for, a page of A4 at 300 dpi as PDF | pages a minute |\n\
+        "| {ALBUMS} albums of {PHOTOS} photos of .1 to 1.9 megapixels, faces and objects looked for, a page of A4 at 300 dpi as PDF | pages a minute |\n\
          |---|--:|\n\
          | one worker of one thread | {one:.1} |\n\
          | two of them | {two:.1}, {:.2} times as many |\n\
