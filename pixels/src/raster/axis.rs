@@ -9,6 +9,8 @@ pub(super) struct Axis {
     samples: usize,
     precision: Precision,
     halved_from: Option<usize>,
+    #[cfg(not(target_arch = "wasm32"))]
+    doubled: bool,
 }
 
 /// Pairs `offset..offset + pairs`, the first of them on the source samples `start` and `start + 1`.
@@ -39,8 +41,18 @@ impl Axis {
         let precision = Precision::for_weight(weights.iter().copied().fold(0.0, f64::max));
         let halved = (step - 2.0).abs() < 1e-12 && origin.fract() == 0.0 && origin + length <= samples as f64;
         let halved_from = halved.then_some(origin as usize);
-        let mut axis =
-            Self { spans: Vec::with_capacity(count), pairs: Vec::new(), samples, precision, halved_from };
+        #[cfg(not(target_arch = "wasm32"))]
+        let doubled = (step - 0.5).abs() < 1e-12 && origin == 0.0 && count == 2 * samples;
+        let spans = Vec::with_capacity(count);
+        let mut axis = Self {
+            spans,
+            pairs: Vec::new(),
+            samples,
+            precision,
+            halved_from,
+            #[cfg(not(target_arch = "wasm32"))]
+            doubled,
+        };
         for i in 0..count {
             let start = taps(i, &mut weights);
             axis.push(start, &weights);
@@ -56,6 +68,12 @@ impl Axis {
     /// Where every output is the mean of two samples of its own: the first of them all.
     pub(super) fn halved_from(&self) -> Option<usize> {
         self.halved_from
+    }
+
+    /// Whether all samples become two each.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn is_doubled(&self) -> bool {
+        self.doubled
     }
 
     /// Precision of the weights.

@@ -9,6 +9,8 @@
 
 use super::Plane;
 use super::axis::Axis;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::simd::double::{MARGIN, double_columns, double_rows};
 use crate::simd::mix::{LANES, halve_row, load, mix, mix_rows, transpose};
 use wide::u8x16;
 
@@ -42,6 +44,20 @@ impl Separable {
             self.halve(source, (left, top), plane);
             return planes;
         }
+        #[cfg(not(target_arch = "wasm32"))]
+        if let (1, true, true, [plane]) =
+            (C, self.across.is_doubled(), self.down.is_doubled(), &mut planes[..])
+        {
+            self.double(source, plane);
+            return planes;
+        }
+        self.mix::<C>(source, &mut planes);
+        planes
+    }
+
+    /// By the weights of each axis, whatever they are.
+    fn mix<const C: usize>(&self, source: &[u8], planes: &mut [Plane; C]) {
+        let (width, height) = (self.across.count(), self.down.count());
         let mut block = self.block::<C>();
         for top in (0..height).step_by(LANES) {
             let count = LANES.min(height - top);
@@ -51,7 +67,25 @@ impl Separable {
                 self.mix_across::<C>(&block, channel, out);
             }
         }
-        planes
+    }
+
+    /// Two rows of two samples for each: the same sums, but by weights that are known.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn double(&self, source: &[u8], plane: &mut Plane) {
+        let (width, last) = (self.width, self.height - 1);
+        let row = |y: usize| &source[y.min(last) * width..][..width];
+        let mut padded = [(); 2].map(|()| vec![0; width + 2 * MARGIN + LANES]);
+        for y in 0..self.height {
+            let rows = [y.saturating_sub(2), y.saturating_sub(1), y, y + 1, y + 2].map(row);
+            let inner = MARGIN..MARGIN + width;
+            double_rows(rows, padded.each_mut().map(|row| &mut row[inner.clone()]));
+            for (k, padded) in padded.iter_mut().enumerate() {
+                let (first, end) = (padded[inner.start], padded[inner.end - 1]);
+                padded[..inner.start].fill(first);
+                padded[inner.end..inner.end + MARGIN].fill(end);
+                double_columns(padded, plane.row_mut(2 * y + k));
+            }
+        }
     }
 
     /// Means of 2 x 2 samples, rounded once.
@@ -110,5 +144,34 @@ impl Separable {
                 out[whole..].copy_from_slice(&row[..width - whole]);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn twice_as_large_is_what_the_weights_give(
+            (width, height) in (1usize..80, 1usize..12),
+            bytes in proptest::collection::vec(prop_oneof![Just(0u8), Just(255), any::<u8>()], 80 * 12..=80 * 12),
+        ) {
+            let axis = |samples: usize| Axis::new(samples, 0.0, samples as f64, 2 * samples);
+            let plan = Separable { width, height, across: axis(width), down: axis(height) };
+            prop_assert!(plan.across.is_doubled() && plan.down.is_doubled());
+            let source = &bytes[..width * height];
+            let mut expected = [Plane::filled(2 * width, 2 * height, 0)];
+            plan.mix(source, &mut expected);
+            prop_assert_eq!(plan.planes::<1>(source), expected);
+        }
+    }
+
+    #[test]
+    fn a_part_that_becomes_twice_as_large_takes_what_lies_beside_it() {
+        assert!(!Axis::new(20, 1.0, 10.0, 20).is_doubled());
+        assert!(!Axis::new(20, 0.0, 10.0, 20).is_doubled());
+        assert!(Axis::new(20, 0.0, 20.0, 40).is_doubled());
     }
 }
