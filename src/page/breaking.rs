@@ -56,8 +56,6 @@ pub(super) struct Figure {
     pub(super) outside: Bounds,
     /// The area of that, in parts of the panel's.
     pub(super) share: f64,
-    /// How sure its border is there, 0 to 1.
-    confidence: f64,
 }
 
 /// The edges of a panel's outline, clockwise; a circle is one edge.
@@ -105,14 +103,7 @@ pub(super) fn figure(panel: &ScenePanel, shares: Plane, around: &Around) -> Opti
         return None;
     }
     let (width, height) = (shares.width(), shares.height());
-    let place = |x: usize, y: usize| {
-        let part =
-            |at: usize, of: usize, start: f64, length: f64| ((at as f64 + 0.5) / of as f64 - start) / length;
-        Point::new(
-            bounds.x + part(x, width, crop.x, crop.width) * bounds.width,
-            bounds.y + part(y, height, crop.y, crop.height) * bounds.height,
-        )
-    };
+    let place = placed(panel, (width, height));
     let cells = Cells { shares, edges: Edges::of(&panel.shape), place: &place };
     let mut closed = vec![false; cells.edges.0.len()];
     let mut kept = cells.connected(&closed);
@@ -137,18 +128,37 @@ pub(super) fn figure(panel: &ScenePanel, shares: Plane, around: &Around) -> Opti
     }
     let share = sum / (bounds.width * bounds.height);
     let outside = outside.filter(|_| share >= LEAST_OUTSIDE)?;
-    let confidence = matte::confidence(&cells.shares, |x, y| {
-        let point = place(x, y);
-        (outside.x..=outside.x + outside.width).contains(&point.x)
-            && (outside.y..=outside.y + outside.height).contains(&point.y)
-            && (0..closed.len()).any(|edge| !closed[edge] && cells.edges.beyond(edge, point) > 0.0)
-    });
     let mut shares = cells.shares;
     for (share, kept) in shares.samples_mut().iter_mut().zip(kept) {
         // The soft border belongs to the figure beside it.
         *share *= u8::from(kept || *share < SEEN);
     }
-    Some(Figure { shares, closed, outside, share, confidence })
+    Some(Figure { shares, closed, outside, share })
+}
+
+/// Where the pixels of a mask of a size are on the page.
+fn placed(panel: &ScenePanel, (width, height): (usize, usize)) -> impl Fn(usize, usize) -> Point {
+    let (crop, bounds) = (panel.crop, panel.image_bounds);
+    move |x, y| {
+        let part =
+            |at: usize, of: usize, start: f64, length: f64| ((at as f64 + 0.5) / of as f64 - start) / length;
+        Point::new(
+            bounds.x + part(x, width, crop.x, crop.width) * bounds.width,
+            bounds.y + part(y, height, crop.y, crop.height) * bounds.height,
+        )
+    }
+}
+
+/// How sure the border of a panel's figure is where it is outside, 0 to 1. `shares` are all of its mask.
+fn confidence_outside(panel: &ScenePanel, figure: &Figure, shares: &Plane) -> f64 {
+    let (edges, place) = (Edges::of(&panel.shape), placed(panel, (shares.width(), shares.height())));
+    let Bounds { x: left, y: top, width, height } = figure.outside;
+    matte::confidence(shares, |x, y| {
+        let point = place(x, y);
+        (left..=left + width).contains(&point.x)
+            && (top..=top + height).contains(&point.y)
+            && (0..figure.closed.len()).any(|edge| !figure.closed[edge] && edges.beyond(edge, point) > 0.0)
+    })
 }
 
 /// The pixels of a mask on the page.
@@ -330,7 +340,7 @@ fn way_out(
     }
     let around = around(document, &panels, size);
     let content = &document.panels[panel];
-    let sure = photos.map_or(0.0, |photos| {
+    let sure = photos.map(|photos| {
         let own = photos.iter().find(|photo| Some(&photo.id) == content.photo.as_ref());
         let lives = own.is_some_and(|photo| photo.subjects.iter().any(Subject::is_alive));
         if lives { SURE_OF_LIFE } else { SURE }
@@ -340,13 +350,13 @@ fn way_out(
 
 /// How a panel shows its photo so that the figure steps out, as the panel does now where it does; none where there is no such
 /// way. A crop that was made by hand stays. The score says how good it is, 0 to 1. `sure`: the least confidence of its border
-/// outside of the panel.
+/// outside of the panel, if that matters.
 fn stepping_out(
     panel: &ScenePanel,
     content: &PanelContent,
     matte: &Matte,
     around: &Around,
-    sure: f64,
+    sure: Option<f64>,
 ) -> Option<(Crop, f64)> {
     let plane = matte.plane();
     let longer = plane.width().max(plane.height());
@@ -379,8 +389,10 @@ fn stepping_out(
     };
     // What is good in the coarse has to be so in the fine, too.
     let holds = |crop: Crop| {
-        figure(&ScenePanel { crop, ..panel.clone() }, plane.clone(), around)
-            .is_some_and(|figure| figure.confidence >= sure)
+        let shown = ScenePanel { crop, ..panel.clone() };
+        figure(&shown, plane.clone(), around).is_some_and(|figure| {
+            sure.is_none_or(|least| confidence_outside(&shown, &figure, &plane) >= least)
+        })
     };
     if let Some(now) = judged(panel.crop).filter(|(crop, _)| holds(*crop)) {
         return Some((now.0, now.1.max(0.5)));

@@ -9,8 +9,9 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
 
+use crate::albums::{own_folders, photos_in};
 use crate::project::Project;
-use crate::{albums, models, tables, test::CLI, tools};
+use crate::{models, tables, test::CLI, tools};
 
 const ALBUMS: usize = 100;
 /// Photos of an album.
@@ -66,14 +67,7 @@ pub(crate) fn run(project: &Project) -> Result<()> {
 
 /// Folders of photos, each with others of the repository's.
 fn make_albums(project: &Project, top: &Path) -> Result<Vec<PathBuf>> {
-    let mut photos = Vec::new();
-    for folder in albums::own_folders(project) {
-        for entry in fs::read_dir(folder)? {
-            photos.push(entry?.path());
-        }
-    }
-    photos.retain(|photo| photo.extension().is_some_and(|ending| ending == "jpg"));
-    photos.sort();
+    let photos = photos_in(&own_folders(project))?;
     let _ = fs::remove_dir_all(top);
     let album = |number: usize| {
         let folder = top.join(format!("{number:03}"));

@@ -9,7 +9,6 @@
 
 use super::Plane;
 use super::axis::Axis;
-#[cfg(not(target_arch = "wasm32"))]
 use crate::simd::double::{MARGIN, double_columns, double_rows};
 use crate::simd::mix::{LANES, halve_row, load, mix, mix_rows, transpose};
 use wide::u8x16;
@@ -44,7 +43,6 @@ impl Separable {
             self.halve(source, (left, top), plane);
             return planes;
         }
-        #[cfg(not(target_arch = "wasm32"))]
         if let (1, true, true, [plane]) =
             (C, self.across.is_doubled(), self.down.is_doubled(), &mut planes[..])
         {
@@ -70,7 +68,6 @@ impl Separable {
     }
 
     /// Two rows of two samples for each: the same sums, but by weights that are known.
-    #[cfg(not(target_arch = "wasm32"))]
     fn double(&self, source: &[u8], plane: &mut Plane) {
         let (width, last) = (self.width, self.height - 1);
         let row = |y: usize| &source[y.min(last) * width..][..width];

@@ -1,7 +1,7 @@
 //! An image twice as large by Catmull-Rom: its samples lie a quarter and three quarters of the way between those of the source, so
 //! that four weights are all there are, whole numbers of 128ths.
 
-use super::mix::{LANES, load};
+use super::mix::{LANES, load, load_part};
 use bytemuck::cast;
 use wide::{i16x8, u8x16, u16x8};
 
@@ -37,7 +37,7 @@ pub fn double_rows(rows: [&[u8]; 5], [before, after]: [&mut [u8]; 2]) {
     let width = before.len();
     for at in (0..width).step_by(LANES) {
         let count = LANES.min(width - at);
-        let loaded = rows.map(|row| if count == LANES { load(row, at) } else { part(&row[at..width]) });
+        let loaded = rows.map(|row| if count == LANES { load(row, at) } else { load_part(&row[at..width]) });
         for (out, sums) in [&mut *before, &mut *after].into_iter().zip(beside(loaded)) {
             if count == LANES {
                 out[at..at + LANES].copy_from_slice(sums.as_array());
@@ -60,11 +60,4 @@ pub fn double_columns(padded: &[u8], out: &mut [u8]) {
             Err(_) => out.copy_from_slice(&pairs[..out.len()]),
         }
     }
-}
-
-/// Fewer than sixteen bytes, the rest zeros.
-fn part(samples: &[u8]) -> u8x16 {
-    let mut lanes = [0; LANES];
-    lanes[..samples.len()].copy_from_slice(samples);
-    u8x16::new(lanes)
 }

@@ -132,7 +132,8 @@ pub fn load(source: &[u8], at: usize) -> u8x16 {
 }
 
 /// Fewer than sixteen bytes, the rest zeros.
-fn load_part(source: &[u8]) -> u8x16 {
+#[must_use]
+pub fn load_part(source: &[u8]) -> u8x16 {
     let mut lanes = [0; LANES];
     lanes[..source.len()].copy_from_slice(source);
     u8x16::new(lanes)

@@ -24,8 +24,6 @@
 
 pub mod blade;
 pub mod dots;
-// The module of the page would be 7 kB larger for it, and is fast enough without.
-#[cfg(not(target_arch = "wasm32"))]
 pub mod double;
 pub mod edge;
 pub mod fine;
