@@ -14,7 +14,7 @@ use inkpanel::page::document::Document;
 use inkpanel::page::import::import;
 use inkpanel::page::request::Request;
 use inkpanel::page::{Scene, catalogue, shuffle};
-use inkpanel::raster::decode::Limits;
+use inkpanel::raster::decode::{Limits, decode_reduced};
 use inkpanel::raster::{Image, Plane};
 use inkpanel::style::{Context, Style, stylize};
 use serde_json::Value;
@@ -47,6 +47,10 @@ const MOST_EDITS: usize = 100;
 pub fn photo(bytes: &[u8]) {
     if let Ok(photo) = import("photo", bytes, &LIMITS) {
         assert!(u64::from(photo.meta.width) * u64::from(photo.meta.height) <= LIMITS.max_pixels);
+    }
+    // As a photo that is many times as large is decoded.
+    if let Ok(photo) = decode_reduced(bytes, &LIMITS, 16) {
+        assert!(photo.image.width().max(photo.image.height()) <= 16);
     }
 }
 

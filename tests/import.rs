@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use inkpanel::Error;
-use inkpanel::raster::decode::{Limits, decode, decode_fit};
+use inkpanel::raster::decode::{Limits, decode, decode_fit, decode_reduced};
 use proptest::prelude::*;
 use serde::Deserialize;
 
@@ -154,8 +154,109 @@ fn a_fitted_photo_tells_its_full_size_upright() {
     assert_eq!((fitted.image.width(), fitted.image.height()), (9, 15));
 }
 
+/// How far apart two pictures of one size are: in the mean, and at most.
+fn difference(a: &[u8], b: &[u8]) -> (f64, u8) {
+    assert_eq!(a.len(), b.len());
+    let differences = || a.iter().zip(b).map(|(&a, &b)| a.abs_diff(b));
+    let sum: u32 = differences().map(u32::from).sum();
+    (f64::from(sum) / a.len() as f64, differences().max().unwrap())
+}
+
+/// Files of an ending that are made by `tests/oracles/reduced.py`, by name.
+fn reducible(ending: &str) -> Vec<(String, Vec<u8>)> {
+    let files = files("tests/oracles/data/reduced").into_iter();
+    files.filter_map(|(name, bytes)| Some((name.strip_suffix(ending)?.to_owned(), bytes))).collect()
+}
+
+#[test]
+fn a_reduced_file_is_seen_as_libjpeg_sees_it() {
+    let (photos, seen) = (reducible(".jpg"), reducible(".png"));
+    assert_eq!((photos.len(), seen.len()), (6, 18));
+    for (name, bytes) in seen {
+        let expected = decode(&bytes, &Limits::default()).unwrap().image;
+        let (photo, _) = name.rsplit_once('-').unwrap();
+        let (_, photo) = photos.iter().find(|(name, _)| *name == photo).unwrap();
+        let reduced = decode_reduced(photo, &Limits::default(), expected.width()).unwrap();
+        assert_eq!((reduced.width, reduced.height), (216, 152), "the size of the whole photo");
+        let (mean, most) = difference(&reduced.image.to_rgb(), &expected.to_rgb());
+        // Both round brightness and colours apart, and then again.
+        assert!(mean < 0.3 && most <= 3, "{name}: {mean} in the mean, {most} at most");
+    }
+}
+
+#[test]
+fn a_reduced_photo_is_the_whole_one_made_smaller() {
+    for name in ["04-dandelions", "11-giraffe"] {
+        let bytes = fs::read(root(&format!("www/public/samples/{name}.jpg"))).unwrap();
+        for longest in [700, 333, 100] {
+            let [reduced, whole] =
+                [decode_reduced, decode_fit].map(|way| way(&bytes, &Limits::default(), longest));
+            let (reduced, whole) = (reduced.unwrap(), whole.unwrap());
+            assert_eq!((reduced.width, reduced.height), (whole.width, whole.height));
+            let (mean, most) = difference(&reduced.image.to_rgb(), &whole.image.to_rgb());
+            assert!(mean < 1.5 && most > 0, "{name} at {longest}: {mean} in the mean");
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_reduced_is_decoded_whole() {
+    for (name, bytes) in files("tests/oracles/data/files") {
+        // At no less than half its size.
+        let [reduced, whole] =
+            [decode_reduced, decode_fit].map(|way| way(&bytes, &Limits::default(), 23).unwrap());
+        assert_eq!(reduced.image, whole.image, "{name}");
+    }
+    let progressive = fs::read(root("tests/oracles/data/files/jpeg-progressive.jpg")).unwrap();
+    let [reduced, whole] =
+        [decode_reduced, decode_fit].map(|way| way(&progressive, &Limits::default(), 10).unwrap());
+    assert_eq!(reduced.image, whole.image);
+}
+
+#[test]
+fn what_is_broken_is_told_as_of_a_whole_file() {
+    let told =
+        |way: fn(&[u8], &Limits, usize) -> inkpanel::error::Result<inkpanel::raster::decode::Decoded>,
+         bytes: &[u8]| {
+            way(bytes, &Limits::default(), 40)
+                .map(|seen| (seen.width, seen.height))
+                .map_err(|error| error.to_string())
+        };
+    for (name, bytes) in reducible(".jpg") {
+        for length in (0..bytes.len()).step_by(97) {
+            assert_eq!(
+                told(decode_reduced, &bytes[..length]),
+                told(decode_fit, &bytes[..length]),
+                "{name} cut at {length}"
+            );
+        }
+        // Its end is there, and something before it is not.
+        let torn = [&bytes[..bytes.len() / 2], &[0xFF, 0xD9]].concat();
+        assert_eq!(told(decode_reduced, &torn), told(decode_fit, &torn), "{name} torn");
+    }
+    let small = Limits { max_pixels: 10_000, ..Limits::default() };
+    let bytes = fs::read(root("tests/oracles/data/reduced/grey.jpg")).unwrap();
+    assert_eq!(decode_reduced(&bytes, &small, 40).unwrap_err().code(), "too-large");
+    let little = Limits { max_bytes: 100_000, ..Limits::default() };
+    assert_eq!(decode_reduced(&bytes, &little, 40).unwrap_err().code(), "too-large");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1500))]
+
+    #[test]
+    fn flipped_bits_of_a_reduced_file_never_panic(file in 0usize..6, flips in prop::collection::vec((any::<u32>(), 0u8..8), 1..6)) {
+        let (_, mut bytes) = reducible(".jpg").swap_remove(file);
+        for (at, bit) in flips {
+            // Most of a file is coded data, most faults that matter are before them.
+            let at = if at % 2 == 0 { at as usize / 2 % 700 } else { at as usize / 2 % bytes.len() };
+            bytes[at] ^= 1 << bit;
+        }
+        let limits = Limits { max_pixels: 1_000_000, max_bytes: 1 << 24, ..Limits::default() };
+        if let Ok(decoded) = decode_reduced(&bytes, &limits, 40) {
+            prop_assert!(decoded.image.width().max(decoded.image.height()) <= 40);
+        }
+    }
 
     #[test]
     fn flipped_bits_never_panic(file in 0usize..100, flips in prop::collection::vec((any::<u32>(), 0u8..8), 1..6)) {

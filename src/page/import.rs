@@ -6,7 +6,7 @@ use super::png;
 use crate::error::Result;
 use crate::framing::{self, EnergyMap, PhotoMeta};
 use crate::raster::Image;
-use crate::raster::decode::{Limits, decode_fit};
+use crate::raster::decode::{Limits, decode_reduced};
 use crate::raster::orient::turned_clockwise;
 use crate::raster::resize::{Region, fit, resample_image};
 use crate::select::{Measures, measure};
@@ -79,7 +79,7 @@ impl Imported {
 /// # Errors
 /// `unknown-format`, `damaged`, `too-large`.
 pub fn import(id: &str, bytes: &[u8], limits: &Limits) -> Result<Imported> {
-    let decoded = decode_fit(bytes, limits, WORK_SIDE)?;
+    let decoded = decode_reduced(bytes, limits, WORK_SIDE)?;
     let facts = Facts { size: (decoded.width, decoded.height), format: decoded.format, taken: decoded.taken };
     Ok(described(id, decoded.image, facts))
 }

@@ -1,4 +1,4 @@
-/** A made-up photo, read and drawn for the code's sake alone; see `warming.ts`. */
+/** Made-up photos, read and drawn for the code's sake alone; see `warming.ts`. */
 
 import { pageMs, photoMs } from './measured.ts';
 import { STORING } from './serving.ts';
@@ -6,18 +6,25 @@ import type { Studio } from '../pkg/inkpanel.js';
 import type { Operations } from './protocol.ts';
 import type { Tell } from './serving.ts';
 
-const [WIDTH, HEIGHT] = [1500, 1000];
+/** One that is decoded whole, and one of those that are decoded at half their sides (`decode_reduced` in Rust). */
+const SIZES = [
+  [1500, 1000],
+  [3200, 480],
+];
 /** The width of the page, in pixels. */
 const PAGE = 480;
 /** Of random numbers that are asked for at once, the most that browsers give. */
 const AT_ONCE = 65_536;
 
 export function createWarmUp(studio: Studio) {
-  let photo: Promise<Uint8Array> | undefined;
+  const photos: Promise<Uint8Array>[] = [];
+  let round = 0;
 
   return async ({ document }: Operations['warm']['args'], tell: Tell): Promise<{ ok: null }> => {
     tell.waits(STORING);
-    const bytes = await (photo ??= grainy());
+    const which = round % SIZES.length;
+    round += 1;
+    const bytes = await (photos[which] ??= grainy(SIZES[which]));
     tell.expects(photoMs(bytes, null) + pageMs(document, PAGE));
     studio.import_photo('warm', bytes);
     try {
@@ -30,18 +37,18 @@ export function createWarmUp(studio: Studio) {
 }
 
 /** A file with edges and grain, as those of cameras have: smooth colour would leave out most of the decoder. */
-async function grainy(): Promise<Uint8Array> {
-  const { data } = new ImageData(WIDTH, HEIGHT);
+async function grainy([width, height]: number[]): Promise<Uint8Array> {
+  const { data } = new ImageData(width, height);
   for (let at = 0; at < data.length; at += AT_ONCE) crypto.getRandomValues(data.subarray(at, at + AT_ONCE));
   for (let at = 0; at < data.length; at += 4) {
-    const [x, y] = [(at / 4) % WIDTH, Math.floor(at / 4 / WIDTH)];
+    const [x, y] = [(at / 4) % width, Math.floor(at / 4 / width)];
     const light = ((x >> 6) ^ (y >> 6)) % 7;
     for (let channel = 0; channel < 3; channel += 1)
       data[at + channel] = 24 * light + 8 * channel + data[at + channel] / 8;
     data[at + 3] = 255;
   }
-  const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
-  canvas.getContext('2d')?.putImageData(new ImageData(data, WIDTH, HEIGHT), 0, 0);
+  const canvas = new OffscreenCanvas(width, height);
+  canvas.getContext('2d')?.putImageData(new ImageData(data, width, height), 0, 0);
   const file = await canvas.convertToBlob({ type: 'image/jpeg', quality: 0.92 });
   return new Uint8Array(await file.arrayBuffer());
 }

@@ -84,14 +84,36 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded> {
 pub fn decode_fit(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decoded> {
     let (format, name) = known_format(bytes)?;
     let (pixels, exif) = read(bytes, format, name, limits)?;
-    finished(pixels, &exif, name, longest)
+    let (width, height) = pixels.size;
+    finished(pixels.image(resize::fit(width, height, longest))?, (width, height), &exif, name)
 }
 
-fn finished(pixels: Pixels, exif: &Exif, name: &'static str, longest: usize) -> Result<Decoded> {
-    let (width, height) = pixels.size;
-    let image = pixels.image(resize::fit(width, height, longest))?;
+/// The same, but a JPEG file that is twice as large or more is decoded at a part of its size: in two thirds of the time, a quarter
+/// of the memory or less, and within a few steps of the same.
+///
+/// # Errors
+/// As [`decode`].
+pub fn decode_reduced(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decoded> {
+    let (format, name) = known_format(bytes)?;
+    if format == ImageFormat::Jpeg {
+        let markers = check_jpeg(bytes, name, limits)?;
+        let size = markers.size.map(|(width, height)| (width as usize, height as usize));
+        if let Some(size) =
+            size.filter(|&size| check_memory(size, u64::from(markers.components), limits).is_ok())
+            && let Some(planes) = jpeg::reduced(bytes, longest)
+        {
+            let exif = markers.exif.map(exif::read).unwrap_or_default();
+            return finished(samples::image_of(planes, markers.profile())?, size, &exif, name);
+        }
+    }
+    decode_fit(bytes, limits, longest)
+}
+
+/// A photo of a size, as it is stored, whose pixels may be fewer.
+#[inline(never)]
+fn finished(image: Image, size: (usize, usize), exif: &Exif, name: &'static str) -> Result<Decoded> {
     let image = upright(image, exif.orientation)?;
-    let (width, height) = if swaps_sides(exif.orientation) { (height, width) } else { (width, height) };
+    let (width, height) = if swaps_sides(exif.orientation) { (size.1, size.0) } else { size };
     let (width, height) = (width as u32, height as u32);
     let taken = exif.taken.clone();
     Ok(Decoded { image, width, height, format: name, taken, orientation: exif.orientation })
@@ -220,6 +242,7 @@ pub(super) fn out_of_memory((width, height): (usize, usize), limits: &Limits) ->
     too_large(width as u32, height as u32, format!("{} MB of memory", limits.max_bytes >> 20))
 }
 
+#[inline(never)]
 fn check_jpeg<'a>(bytes: &'a [u8], name: &'static str, limits: &Limits) -> Result<Markers<'a>> {
     let markers = Markers::of(bytes);
     if let Some((width, height)) = markers.size {

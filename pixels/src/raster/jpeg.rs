@@ -3,9 +3,15 @@
 //! The decoder paints the missing part of a file that was cut short in grey and says nothing, so the end is
 //! looked for here. Source: ITU-T T.81, annex B. The pixels are `zune-jpeg`'s.
 
+mod huffman;
+mod reduced;
+
+use super::Plane;
 use super::decode::MOST_PROFILE;
+use super::resize::{self, Region};
 use super::samples::{Channels, rgb_of_ycc};
 use crate::error::{Error, Result};
+use crate::simd::ycc;
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::errors::DecodeErrors;
 use zune_jpeg::zune_core::bytestream::ZCursor;
@@ -71,6 +77,23 @@ impl Decoder {
         }
         Ok(samples)
     }
+}
+
+/// The planes of a photo, reduced to a long side of `longest`, from a file that is decoded at a part of its size; none for a file
+/// that is not twice as large, or of an unusual kind, or faulty.
+pub(super) fn reduced(bytes: &[u8], longest: usize) -> Option<Vec<Plane>> {
+    let mut photo = reduced::reduced(bytes, longest)?;
+    if let [y, u, v] = &mut photo.planes[..] {
+        ycc::rgb_of_ycc([y, u, v]);
+    }
+    let side = |length: usize| (length * photo.of_eight) as f64 / 8.0;
+    let region = Region { x: 0.0, y: 0.0, width: side(photo.size.0), height: side(photo.size.1) };
+    let (width, height) = resize::fit(photo.size.0, photo.size.1, longest);
+    let planes = photo.planes.into_iter().map(|samples| {
+        let plane = Plane::from_samples(photo.width, photo.height, samples).ok()?;
+        Some(resize::resample(&plane, region, width, height))
+    });
+    planes.collect()
 }
 
 fn explained(error: DecodeErrors, format: &'static str) -> Error {

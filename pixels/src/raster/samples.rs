@@ -73,9 +73,7 @@ impl Pixels {
 
     /// The picture in sRGB, reduced by exact area.
     pub(super) fn image(mut self, size: (usize, usize)) -> Result<Image> {
-        let profile = self.profile.take();
-        let correction = profile.map(|profile| icc::correction(&profile, self.channels)).transpose()?;
-        match correction.flatten() {
+        match correction(self.profile.take(), self.channels)? {
             // After the reduction, which leaves less to do; all that was averaged lies close together.
             Some(correction) => correction.image(self.planes(size)?),
             None => Image::from_planes(self.without_inks().planes(size)?),
@@ -115,6 +113,19 @@ impl Pixels {
             Channels::Cmyk => resize::planes_of_interleaved::<4>(&self.samples, self.size, size),
         }
     }
+}
+
+/// The picture in sRGB that planes without inks are, one or three of them.
+pub(super) fn image_of(planes: Vec<Plane>, profile: Option<Vec<u8>>) -> Result<Image> {
+    let channels = if planes.len() == 1 { Channels::Grey } else { Channels::Rgb };
+    match correction(profile, channels)? {
+        Some(correction) => correction.image(planes),
+        None => Image::from_planes(planes),
+    }
+}
+
+fn correction(profile: Option<Vec<u8>>, channels: Channels) -> Result<Option<icc::Correction>> {
+    Ok(profile.map(|profile| icc::correction(&profile, channels)).transpose()?.flatten())
 }
 
 /// From brightness and two differences of colour, as JPEG has them (ITU-T T.871), to RGB.

@@ -20,9 +20,13 @@
 //! | [`fir`] | symmetric convolutions of rows and columns of fine planes |
 //! | [`gaussian`] | Gaussian smoothing at a cost that does not grow with sigma |
 //! | [`blade`] | 7 x 7 filters that change from place to place |
+//! | [`dct`] | the inverse transform of JPEG, at full size or reduced |
+//! | [`ycc`] | the colours of JPEG as red, green and blue |
 //! | [`oriented`] | averages and choices at places that turn with a field of directions |
 
 pub mod blade;
+#[cfg(feature = "pages")]
+pub mod dct;
 pub mod dots;
 pub mod double;
 pub mod edge;
@@ -38,3 +42,5 @@ pub mod screen;
 pub mod table;
 pub mod tones;
 pub mod volume;
+#[cfg(feature = "pages")]
+pub mod ycc;
