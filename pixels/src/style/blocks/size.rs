@@ -23,8 +23,8 @@ pub(super) static BLOCK: Block = Block {
     }),
 };
 
-/// No block makes an image of more pixels than this larger still.
-const MAX_PIXELS: f64 = 8.0e6;
+/// No block makes an image of more pixels than this larger still: a picture of 1920 x 1080 may become twice as large.
+const MAX_PIXELS: f64 = 3840.0 * 2160.0;
 
 fn target(width: usize, height: usize, factor: f64) -> (usize, usize) {
     let pixels = width as f64 * height as f64;
@@ -43,7 +43,8 @@ mod tests {
         assert_eq!(target(400, 300, 0.5), (200, 150));
         assert_eq!(target(3, 1, 0.1), (1, 1));
         let (width, height) = target(1920, 1080, 3.0);
-        assert!((width * height) as f64 <= 8.1e6 && width > 1920);
+        assert!((width * height) as f64 <= 8.3e6 && width > 1920);
+        assert_eq!(target(1920, 1080, 2.0), (3840, 2160));
         assert_eq!(target(4000, 3000, 3.0), (4000, 3000));
     }
 }
