@@ -46,6 +46,9 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   /** Whether the page is a sketch of the first: empty panels, until its photos are known. */
   const sketch = signal(false);
 
+  /** The photos in which faces were looked for before there was a page. */
+  const faced: Signal<ReadonlySet<string>> = signal(new Set());
+
   /** Files that were chosen and are not on the table yet, as nothing can be laid out so far. */
   const arriving = signal(0);
 
@@ -159,6 +162,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     planner,
     reading,
     sketch,
+    faced,
     arriving,
     fetching,
     project,

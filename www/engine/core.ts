@@ -6,6 +6,7 @@ import initCore, * as core from '../pkg/inkpanel.js';
 import { fetchAsset } from './assets.ts';
 import { expanded, interned } from './interned.ts';
 import { failure } from './protocol.ts';
+import { SHARES_CODE } from './shared-code.ts';
 import type { Program } from './protocol.ts';
 import type {
   Block,
@@ -47,13 +48,6 @@ const SPARE_PHOTOS = 500;
 
 const ADDRESS = new URL('../pkg/inkpanel_bg.wasm', import.meta.url);
 
-/**
- * Whether threads may run the code of one module. JavaScriptCore (seen in 2.50, Safari 26) replaces the code of hot
- * functions while other threads run it: now and then they then trap, or calculate nonsense. Elsewhere to share spares
- * the work and the memory of compiling it again.
- */
-const SHARES = !globalThis.navigator?.vendor?.startsWith('Apple');
-
 /** Longest wait for a first paint, in milliseconds: a tab in the background has none. */
 const UNPAINTED = 50;
 
@@ -71,9 +65,9 @@ async function load(): Promise<Program> {
   if (!response.ok) throw failure('core-missing', `The program could not be loaded (${response.status}).`);
   // A static host may serve wasm under any content type, which streaming would refuse.
   const streams = response.headers.get('content-type')?.startsWith('application/wasm');
-  if (SHARES && streams) return WebAssembly.compileStreaming(response);
+  if (SHARES_CODE && streams) return WebAssembly.compileStreaming(response);
   const bytes = await response.arrayBuffer();
-  return SHARES ? WebAssembly.compile(bytes) : bytes;
+  return SHARES_CODE ? WebAssembly.compile(bytes) : bytes;
 }
 
 export async function loadCore(): Promise<{ program: Program; planner: Planner }> {

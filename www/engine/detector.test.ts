@@ -8,14 +8,16 @@ afterEach(() => {
 
 /** Workers that answer whatever they are asked. */
 function answeringWorkers({ offline = () => false }: { offline?: () => boolean } = {}) {
-  const workers: { ended: boolean }[] = [];
+  const workers: { ended: boolean; asked: string[] }[] = [];
   class Answering {
     ended = false;
+    asked: string[] = [];
     onmessage: ((event: { data: unknown }) => void) | undefined;
     constructor() {
       workers.push(this);
     }
-    postMessage({ id }: { id: number }) {
+    postMessage({ id, op }: { id: number; op: string }) {
+      this.asked.push(op);
       const answer = offline()
         ? { error: { code: 'net-missing', message: 'no connection' } }
         : { ok: { boxes: [], closer: false } };
@@ -34,7 +36,7 @@ const photos = { get: () => ({ name: 'a.jpg', work: {} }) } as any;
 test('where memory is short the nets are given up when all is looked at, and made anew for the next photo', async () => {
   vi.useFakeTimers();
   const { workers, live } = answeringWorkers();
-  const detector = createDetector(photos, () => {}, true);
+  const detector = createDetector(photos, () => {}, 5_000);
   await detector.findFaces('a');
   expect(live()).toBe(2);
   vi.advanceTimersByTime(4_000);
@@ -45,6 +47,23 @@ test('where memory is short the nets are given up when all is looked at, and mad
   expect([live(), detector.facesReady()]).toEqual([0, false]);
   await detector.findFaces('c');
   expect([live(), workers.length, detector.facesReady()]).toEqual([2, 4, true]);
+});
+
+test('while photos are chosen the net for faces looks at a blank picture, until there is one to look at', async () => {
+  const { workers } = answeringWorkers();
+  const looks = () => workers.flatMap(({ asked }) => asked.filter((op) => op === 'faces')).length;
+  const chosen = createDetector(photos, () => {});
+  chosen.prepare();
+  await vi.waitFor(() => expect(chosen.facesReady()).toBe(true));
+  expect(looks()).toBe(0);
+  const choosing = createDetector(photos, () => {});
+  choosing.prepare(true);
+  choosing.prepare(true);
+  await vi.waitFor(() => expect(looks()).toBe(12));
+  const quick = createDetector(photos, () => {});
+  quick.prepare(true);
+  await quick.findFaces('a');
+  expect(looks()).toBe(13);
 });
 
 test('they are given up when asked, but not while photos are looked at or on their way', async () => {

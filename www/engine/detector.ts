@@ -15,17 +15,18 @@ import type { Detection, FirstLook } from './types.ts';
 
 type Net = 'faces' | 'objects';
 
-/** Milliseconds after the last look until the nets are given up, where memory is short. */
-const REST = 5_000;
+/** Looks at a blank picture while a person still chooses photos; its sides in pixels. */
+const ROUNDS = 12;
+const BLANK = { width: 640, height: 480 };
 
 /**
  * @param spare asks that so many other workers stay idle meanwhile, where nobody waits
- * @param sparing whether the nets are given up when all is looked at: they take a hundred megabytes
+ * @param idle milliseconds after the last look until the nets are given up, if ever: they take a hundred megabytes
  */
 export function createDetector(
   photos: ReturnType<typeof createPhotos>,
   spare: (workers: number) => void,
-  sparing = false,
+  idle?: number,
 ) {
   const pools: Partial<Record<Net, Pool<Looking>>> = {};
   /** Nets that are made, or in line to be. */
@@ -38,6 +39,9 @@ export function createDetector(
   let opened = 0;
   /** Photos are on their way. */
   let expected = false;
+  /** Nobody has chosen them yet. */
+  let early = false;
+  let rehearsal: Promise<void> | undefined;
   let resting: ReturnType<typeof setTimeout> | undefined;
 
   return {
@@ -52,10 +56,25 @@ export function createDetector(
     dispose: () => Object.values(pools).forEach((pool) => pool.dispose()),
   };
 
-  /** Makes the nets ready, those for faces first; what fails is told by the first look. */
-  function prepare() {
+  /**
+   * Makes the nets ready, those for faces first; what fails is told by the first look.
+   * @param choosing whether the photos are still being chosen, so that nobody waits for anything
+   */
+  function prepare(choosing = false) {
     expected = true;
-    for (const net of ['faces', 'objects'] as const) make(net).catch(() => {});
+    early = choosing;
+    make('faces')
+      .then(() => (rehearsal ??= choosing ? rehearse() : undefined))
+      .catch(() => {})
+      .then(() => make('objects'))
+      .catch(() => {});
+  }
+
+  /** Looks for faces where there are none: browsers compile code that is slow at once, and fast code of what is used much. */
+  async function rehearse() {
+    const photo = { key: '', ...BLANK, planes: new Blob([new Uint8Array(3 * BLANK.width * BLANK.height)]) };
+    for (let round = 0; round < ROUNDS && early; round += 1)
+      await open('faces').run({ op: 'faces', args: { photo }, priority: Priority.REST });
   }
 
   /**
@@ -104,13 +123,14 @@ export function createDetector(
     const { name, work } = photos.get(id);
     clearTimeout(resting);
     expected = false;
+    early = false;
     spare((running += 1));
     try {
       await make(net);
       return await open(net).run({ op, args: { photo: work, ...more }, photo: name, priority: Priority.REST, ...call });
     } finally {
       spare((running -= 1));
-      if (sparing && running === 0) resting = setTimeout(rest, REST);
+      if (idle !== undefined && running === 0) resting = setTimeout(rest, idle);
     }
   }
 
@@ -129,6 +149,7 @@ export function createDetector(
       delete made[net];
     }
     facesMade = false;
+    rehearsal = undefined;
   }
 
   /**

@@ -18,6 +18,7 @@ import { createPhotos } from './photos.ts';
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
 import { createRenders, nameOf } from './renders.ts';
+import { SHARES_CODE } from './shared-code.ts';
 import { hearFilm } from './sounds.ts';
 import { readVideo } from './video.ts';
 import { givesWebp } from './webp.ts';
@@ -34,24 +35,28 @@ export type Engine = ReturnType<typeof createEngine>;
 const MB = 2 ** 20;
 /**
  * Workers at most, the bytes of photos that they keep at hand, all together and one at least, and the memory that one may
- * keep where nothing waits. A phone ends a tab that takes too much, and each worker keeps the room that its largest photo
- * once took.
+ * keep where nothing waits; `nets`: milliseconds until those that find faces are given up. A phone ends a tab that takes too
+ * much, and each worker keeps the room that its largest photo once took; code that is compiled for each worker takes much, too.
  */
-const USUAL = { workers: 8, photos: 256 * MB, least: 64 * MB, rest: undefined };
-const SPARING = { workers: 4, photos: 64 * MB, least: 16 * MB, rest: 64 * MB };
+const USUAL = { workers: 8, photos: 256 * MB, least: 64 * MB, rest: undefined, nets: SHARES_CODE ? undefined : 30_000 };
+const SPARING = { workers: 4, photos: 64 * MB, least: 16 * MB, rest: 64 * MB, nets: 5_000 };
 
-/** @param options `workers`: as many as the device has cores unless told, 8 at most; `sparing`: for devices with little memory */
-export function createEngine({
-  workers = globalThis.navigator?.hardwareConcurrency || 2,
-  sparing = false,
-}: {
-  workers?: number;
-  sparing?: boolean;
-} = {}) {
+/**
+ * How many workers suit the device: one a core. Where each compiles the code for itself half as many, since the compiler has
+ * threads of its own, and WebKit tells four cores where there are two: there the first page of twelve photos came after 8
+ * to 24 s with four workers, after 3 to 8 with two.
+ */
+function suitable(): number {
+  const cores = globalThis.navigator?.hardwareConcurrency || 2;
+  return SHARES_CODE ? cores : Math.ceil(cores / 2);
+}
+
+/** @param options `workers`: as many as suit the device unless told, 8 at most; `sparing`: for devices with little memory */
+export function createEngine({ workers = suitable(), sparing = false }: { workers?: number; sparing?: boolean } = {}) {
   const most = sparing ? SPARING : USUAL;
   const size = Math.max(1, Math.min(most.workers, Math.floor(workers)));
   const photos = createPhotos();
-  const detector = createDetector(photos, (count) => pool?.spare(count), sparing);
+  const detector = createDetector(photos, (count) => pool?.spare(count), most.nets);
   const design = createDesign(photos);
   const words = createWords();
   const files = createFiles();
@@ -67,7 +72,7 @@ export function createEngine({
   // Whoever awaits it is told; nobody has to.
   ready.catch(() => {});
 
-  const warming = createWarming(ask);
+  const warming = createWarming(ask, SHARES_CODE ? 1 : size);
   const renders = createRenders({ run, photos, words });
   const aesthetics = createAesthetics({ run, photos });
   const masking = createMasking(photos);
@@ -138,7 +143,8 @@ export function createEngine({
   }
 
   async function ask<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {
-    await ready;
+    // Once there is a pool a job is handed to it at once, before what is due after this: that may be to draw the whole window.
+    if (!pool) await ready;
     return (pool as NonNullable<typeof pool>).run(job);
   }
 
@@ -280,10 +286,9 @@ export function createEngine({
 
   function dispose() {
     for (const part of [detector, design, aesthetics, masking, words, files]) part.dispose();
-    ready.then(
-      () => pool?.dispose(),
-      () => {},
-    );
+    // At once where it is there: a job asked for after this is refused.
+    if (pool) pool.dispose();
+    else ready.then(() => pool?.dispose()).catch(() => {});
   }
 }
 

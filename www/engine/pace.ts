@@ -4,6 +4,8 @@
  * found out.
  */
 
+import { SHARES_CODE } from './shared-code.ts';
+
 /** Times as long as measured, until it is known better. */
 const FIRST = 4;
 /** Never less: what is busy now and then is no slower than it was. */
@@ -11,8 +13,11 @@ const LEAST = 1;
 const MOST = 20;
 /** In ms: of shorter work the clock and the messages are as much as the work. */
 const TOO_SHORT = 20;
-/** Milliseconds for what is no work: messages on their way, a browser that tidies up. */
-const REST = 3_000;
+/**
+ * Milliseconds for what is no work: messages on their way, a browser that tidies up. A worker that compiles the code for
+ * itself may first wait seconds for that.
+ */
+const REST = SHARES_CODE ? 3_000 : 12_000;
 /** Work that takes this many times as long as work took here is given up. */
 const MARGIN = 4;
 

@@ -15,6 +15,18 @@ test('one made-up photo after the other is read and drawn, on one page after the
   ]);
 });
 
+test('workers that have code of their own are warmed side by side', async () => {
+  let [running, most] = [0, 0];
+  const run = vi.fn(async () => {
+    most = Math.max(most, (running += 1));
+    await Promise.resolve();
+    running -= 1;
+    return null;
+  }) as any;
+  await createWarming(run, 2).warm(pages);
+  expect(most).toBe(2);
+});
+
 test('it ends with the first real work, and where it fails', async () => {
   const run = vi.fn(async () => null) as any;
   const warming = createWarming(run);

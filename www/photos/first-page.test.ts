@@ -21,6 +21,15 @@ function app(slow: (name: string) => boolean, odd: Parameters<typeof fakeApp>[0]
   return { ...made, names, release: () => go.splice(0).forEach((done) => done()) };
 }
 
+/** Has each of the ten take 100 ms longer than the one before. */
+function readInTurn(engine: ReturnType<typeof app>['engine']) {
+  const { importPhoto } = engine;
+  engine.importPhoto = async (id: string, file: File) => {
+    await new Promise((done) => setTimeout(done, 100 * (1 + Number.parseInt(file.name, 10))));
+    return importPhoto(id, file);
+  };
+}
+
 const ten = Array.from({ length: 10 }, (_, i) => `${i}.jpg`);
 
 describe('the first page', () => {
@@ -39,6 +48,21 @@ describe('the first page', () => {
     expect({ panels, anew }).toEqual({ panels: 6, anew: true });
     expect(store.history.value.past).toEqual([]);
     expect(store.history.value.shown.length).toBe(1);
+  });
+
+  test('waits no longer than until faces were looked for in its photos', async () => {
+    const { store, reading, files, engine } = app(() => false);
+    readInTurn(engine);
+    void reading.addFiles(files(...ten));
+    await vi.advanceTimersByTimeAsync(610);
+    const read = store.facts.value.filter(({ meta }) => meta !== null).map(({ id }) => id);
+    expect(read.length).toBe(6);
+    store.faced.value = new Set(read.slice(1));
+    await vi.advanceTimersByTimeAsync(5);
+    expect(store.sketch.value).toBe(true);
+    store.faced.value = new Set(read);
+    await vi.advanceTimersByTimeAsync(5);
+    expect(store.sketch.value).toBe(false);
   });
 
   test('is near while its photos are read, but not where another must take the place of one', async () => {
@@ -68,11 +92,7 @@ describe('the first page', () => {
 
   test('does not wait for others that take long to read', async () => {
     const { store, reading, files, engine } = app(() => false);
-    const { importPhoto } = engine;
-    engine.importPhoto = async (id: string, file: File) => {
-      await new Promise((done) => setTimeout(done, 100 * (1 + Number.parseInt(file.name, 10))));
-      return importPhoto(id, file);
-    };
+    readInTurn(engine);
     void reading.addFiles(files(...ten));
     await vi.advanceTimersByTimeAsync(650);
     expect([store.sketch.value, reading.near.value]).toEqual([true, true]);

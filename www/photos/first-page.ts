@@ -10,7 +10,7 @@ import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { PhotoMeta } from '../engine/types.ts';
 
-/** Milliseconds after the photos of a page are there, in which faces are found; more where the nets are still being made. */
+/** Milliseconds after the photos of a page are there, in which faces are found at most; more where the nets are still being made. */
 const WAIT = 120;
 const LONGER_WAIT = 250;
 /** Milliseconds that the page waits for the others, as far as one can tell: of look-alikes it should have the best. */
@@ -48,6 +48,10 @@ export function createFirstPage({
     // When they are all read, nobody waits for the end of this.
     const soon = restOf(read.size) <= PATIENCE;
     if (enough) timer ??= setTimeout(compose, soon ? 2 * PATIENCE : facesReady() ? WAIT : LONGER_WAIT);
+    if (enough && !soon && [...read].every((id) => store.faced.value.has(id))) {
+      clearTimeout(timer);
+      timer = setTimeout(compose);
+    }
     // Frames come in the order of their film, those of the page among others.
     const unread = page.panels.flatMap(({ photo }) => (photo !== null && !read.has(photo) ? [photo] : []));
     near.value = enough ? !soon : unread.length > 0 && unread.every((id) => store.originals.has(id));

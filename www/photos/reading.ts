@@ -91,19 +91,29 @@ export function createReading({
   ) {
     if (given.length === 0) return;
     store.arriving.value += given.length;
-    const sources = await onTable(given, credits).finally(() => {
+    let read: Promise<void> | undefined;
+    await onTable(given, credits, (sources) => {
+      read = readAll(sources, moments);
+    }).finally(() => {
       store.arriving.value -= given.length;
     });
-    if (sources) await readAll(sources, moments);
+    await read;
   }
 
-  /** @returns what is in the tray from now on; null where there is no planner */
-  async function onTable(given: readonly File[], credits?: ReadonlyMap<string, string>): Promise<Source[] | null> {
+  /**
+   * @param begin is given what is in the tray from now on, before any of it is drawn: drawing the sketch takes longer than to hand
+   *   out the files. Not called where there is no planner
+   */
+  async function onTable(
+    given: readonly File[],
+    credits: ReadonlyMap<string, string> | undefined,
+    begin: (sources: Source[]) => void,
+  ): Promise<void> {
     try {
       // Nothing can be laid out before the planner is there.
       await engine.ready;
     } catch {
-      return null;
+      return;
     }
     const moving = new Map(
       given.some(mayMove)
@@ -126,7 +136,7 @@ export function createReading({
     );
     if (sources.length < given.length)
       messages.alert(strings.tooManyPhotos(given.length - sources.length, strings.decimal(MOST.photos)));
-    if (sources.length === 0) return null;
+    if (sources.length === 0) return;
     const ids = sources.flatMap((source) => source.ids);
     files = (store.reading.peek() ? files : 0) + given.length;
     naming.begin(sources);
@@ -140,7 +150,7 @@ export function createReading({
       gesture ??= `add-${ids[0]}`;
       store.change({ type: 'add-photos', ids, gesture });
     }
-    return sources;
+    begin(sources);
   }
 
   /**

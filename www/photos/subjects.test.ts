@@ -72,6 +72,19 @@ describe('subjects', () => {
     expect(subjects.progress.value).toBeNull();
   });
 
+  it('tells of the photos in which it looked while there was no page', async () => {
+    const { reading, files, asked, store, engine } = app(async () => ({ boxes: [], closer: false }));
+    const { importPhoto } = engine;
+    engine.importPhoto = async (id: string, file: File) => {
+      if (file.name === '2.jpg') await new Promise((read) => setTimeout(read, 50));
+      return importPhoto(id, file);
+    };
+    const done = reading.addFiles(files('1.jpg', '2.jpg'));
+    await settle();
+    expect([store.sketch.value, asked, [...store.faced.value]]).toEqual([true, ['p1'], ['p1']]);
+    await done;
+  });
+
   it('makes the nets ready when photos are about to come; without them the first page waits for no face', async () => {
     const { reading, files, subjects, painted, asked, store, nets } = app(async () => ({ boxes: [], closer: false }));
     subjects.expect();

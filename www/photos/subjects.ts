@@ -107,7 +107,7 @@ export function createSubjects({
 
   /** Photos are about to come, as far as one can see: the nets are made ready while somebody looks for them. */
   function expect() {
-    if (!off.peek() && store.tray.peek().length === 0) engine.prepareDetectors();
+    if (!off.peek() && store.tray.peek().length === 0) engine.prepareDetectors(true);
   }
 
   /** Whether faces can be found before the first page. */
@@ -141,6 +141,8 @@ export function createSubjects({
         // The other lane may have looked at the same photo meanwhile.
         known.set(id, { ...known.get(id), ...found });
         tell(id);
+        // The first page is planned on them.
+        if (store.sketch.peek()) store.faced.value = new Set([...store.faced.peek(), id]);
         round.value += 1;
       }
     } catch (error) {
