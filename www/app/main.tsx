@@ -27,6 +27,7 @@ import { createFraming } from '../page/panels/framing.ts';
 import { createImitation } from '../imitation/imitation.ts';
 import { createHints } from '../help/hints.ts';
 import { createInstalling } from '../offline/installing.ts';
+import { heroOf } from '../photos/hero.ts';
 import { freshPhotoPrefix } from '../photos/intake.ts';
 import { createKeys } from './keys.ts';
 import { createLettering } from '../lettering/lettering.ts';
@@ -55,7 +56,7 @@ import { createUi } from './ui.ts';
 import { strings } from '../strings/strings.ts';
 import { App } from './app.tsx';
 import { AppContext } from '../ui/context.ts';
-import { acceptFiles, expectFiles } from './drop.ts';
+import { acceptFiles, dragging, expectFiles, forStyle } from './drop.ts';
 import { trackPointed } from './pointed.ts';
 import { holdSliders } from './slider-touch.ts';
 import { drawn } from './guard.tsx';
@@ -243,6 +244,12 @@ const parts: Parts = {
 const actions = createActions(parts);
 window.addEventListener('keydown', createKeys({ actions, ui, leave: leaveMode, pointed: trackPointed(window) }));
 acceptFiles(window, intake, imitation.take);
+// A picture that is dragged for its style will be here in a second. Where it goes away again, the next search has the survey.
+effect(() => {
+  if (!dragging.value || !forStyle.value) return;
+  const photo = untracked(() => imitation.photo.value ?? heroOf({ store, engine }));
+  if (photo !== null) imitation.prepare(photo);
+});
 expectFiles(window, subjects.expect);
 holdSliders(window);
 

@@ -1,8 +1,7 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
 import { FOUR } from './designer-hands.js';
-import { AxeBuilder } from '../../../www/testing.ts';
-import { drop, expect, openBoard, photos, test } from './support.js';
+import { accessible, drop, expect, openBoard, photos, test } from './support.js';
 
 test('a style is taken over from a picture that is dropped with Alt, used on the page, and saved', async ({ page }) => {
   await openBoard(page, FOUR);
@@ -28,10 +27,36 @@ test('a style is taken over from a picture that is dropped with Alt, used on the
   await found.nth(1).focus();
   await page.keyboard.press('Enter');
   await expect(found.nth(1)).toHaveAttribute('aria-pressed', 'true');
-  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+  await accessible(page);
 
   await region.getByRole('button', { name: 'Save style' }).click();
   await region.getByRole('button', { name: 'Use', exact: true }).click();
   await expect(region).toBeHidden();
   await expect(page.getByRole('option', { name: 'Like dark print 2' })).toHaveAttribute('aria-selected', 'true');
+});
+
+test('the search begins while a picture is still dragged for its style', async ({ page }) => {
+  await page.addInitScript(() => {
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (/** @type {any[]} */ ...given) {
+      if (given[0]?.op === 'tryLooks') document.body.dataset.tried = 'true';
+      return /** @type {any} */ (postMessage).apply(this, given);
+    };
+  });
+  await openBoard(page, FOUR);
+  const transfer = await page.evaluateHandle(() => {
+    const made = new DataTransfer();
+    made.items.add(new File([], 'dark print.png', { type: 'image/png' }));
+    return made;
+  });
+  const drag = async (/** @type {{ altKey?: boolean }} */ keys = {}) => {
+    for (const type of ['dragenter', 'dragover'])
+      await page.dispatchEvent('body', type, { dataTransfer: transfer, ...keys });
+  };
+  // Photos for the page are no reason to search.
+  await drag();
+  await page.waitForTimeout(500);
+  await expect(page.locator('body')).not.toHaveAttribute('data-tried');
+  await drag({ altKey: true });
+  await expect(page.locator('body')).toHaveAttribute('data-tried', 'true');
 });
