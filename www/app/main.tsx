@@ -258,6 +258,7 @@ const busy = () =>
   store.planner.value === null ||
   store.reading.value !== null ||
   store.fetching.value ||
+  lettering.loading.value ||
   keeping.running.value ||
   keeping.turning.value ||
   keeping.files.progress.value !== null ||

@@ -154,6 +154,16 @@ describe('words', () => {
     expect([lettering.words.value[0].x, asked.length]).toEqual([0.7, 0]);
   });
 
+  test('the letters of a page that comes with words are told to be loading until they are there', async () => {
+    const page = store.page.value as PageDocument;
+    const words: Word[] = [{ kind: 'caption', text: 'Later', panel: 0, auto: true, craft: 2, x: 0.7, y: 0.8 }];
+    expect(lettering.loading.value).toBe(false);
+    store.change({ type: 'change-page', page: { ...page, words } });
+    expect([lettering.loading.value, lettering.boxes.value.length]).toEqual([true, 0]);
+    await lettering.ready();
+    expect([lettering.loading.value, lettering.boxes.value.length]).toEqual([false, 1]);
+  });
+
   test('words of a page that was planned before the letters were there are placed when they are', async () => {
     const page = store.page.value as PageDocument;
     const words: Word[] = [{ kind: 'caption', text: 'Later', panel: 0, auto: true, craft: 2, x: 0.7, y: 0.8 }];
@@ -175,5 +185,6 @@ describe('words', () => {
     expect(await failing.add('caption')).toBe(false);
     expect(app.messages.list.value.at(-1)?.text).toContain('offline');
     expect(failing.words.value).toEqual([]);
+    expect(failing.loading.value).toBe(false);
   });
 });

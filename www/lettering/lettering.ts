@@ -59,6 +59,7 @@ export function createLettering({
     editing,
     mode,
     rested: planning.rested,
+    loading: planning.loading,
     ready,
     settled,
     on: planning.on,

@@ -10,7 +10,7 @@ import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument, Word } from '../engine/types.ts';
 import type { Lettering as Letters } from '../engine/words.ts';
-import type { Signal } from '@preact/signals';
+import type { ReadonlySignal, Signal } from '@preact/signals';
 
 /** Words are shown among the alternatives once a drag rests for this long, in ms. */
 const REST = 300;
@@ -26,6 +26,7 @@ export function createWordPlanning({
   load: () => Promise<Letters>;
 }) {
   const letters: Signal<Letters | null> = signal(null);
+  const loading = signal(false);
   const none = [] as readonly Word[];
   const words = computed(() => store.page.value?.words ?? none);
   /** The words as they were when they last rested. */
@@ -66,16 +67,20 @@ export function createWordPlanning({
     });
   });
 
-  return { words, letters, rested, ready, settled, on };
+  return { words, letters, loading: loading as ReadonlySignal<boolean>, rested, ready, settled, on };
 
   /** @returns null where they cannot be had, which is said */
   async function ready(): Promise<Letters | null> {
+    if (letters.peek()) return letters.peek();
+    loading.value = true;
     try {
-      letters.value ??= await load();
-      return letters.value;
+      letters.value = await load();
+      return letters.peek();
     } catch (error) {
       messages.alert(strings.wordsFailed((error as Error).message));
       return null;
+    } finally {
+      loading.value = false;
     }
   }
 
