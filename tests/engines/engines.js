@@ -76,9 +76,9 @@ function webkit(args) {
   };
 }
 
-/** Milliseconds that a browser may take to start, and how often it is tried: WebKit's now and then never answers. */
-const PATIENCE = 30_000;
-const TRIES = 4;
+/** Milliseconds that a browser may take to start, and how often it is tried: of two WebKits that start at once one never answers. */
+const PATIENCE = 15_000;
+const TRIES = 6;
 
 /**
  * Starts a browser with nothing in it.
@@ -103,27 +103,41 @@ async function startOnce(name) {
   /** @type {(() => Promise<unknown>)[]} what ends it, the last first */
   const endings = [() => rm(root, { recursive: true, force: true, maxRetries: 5 })];
   const end = async () => {
-    for (const ending of endings.reverse()) await ending().catch(() => {});
+    // A browser that hangs does not answer when it is told to quit either: then its driver is ended with all that it started.
+    for (const ending of endings.reverse()) await inTime(ending(), PATIENCE, 'it does not end').catch(() => {});
   };
   try {
     const display = screen ? await startScreen(endings) : undefined;
     const port = await freePort();
     const env = { ...process.env, ...(display && { DISPLAY: display, GDK_BACKEND: 'x11', NO_AT_BRIDGE: '1' }) };
-    endings.push(stopper(spawn(program, [`--port=${port}`], { env, stdio: 'ignore' })));
+    endings.push(stopper(spawn(program, [`--port=${port}`], { env, stdio: 'ignore', detached: true })));
     const url = `http://127.0.0.1:${port}`;
     await answers(`${url}/status`, program);
     const builder = new Builder().usingServer(url).withCapabilities(capabilities({ downloads, data }));
-    const late = setTimeout(PATIENCE).then(() => {
-      throw new Error(`${name} does not start`);
-    });
-    const driver = await Promise.race([Promise.resolve(builder.build()), late]);
-    late.catch(() => {});
+    const driver = await inTime(Promise.resolve(builder.build()), PATIENCE, `${name} does not start`);
     endings.push(() => driver.quit());
     return { driver, downloads, end };
   } catch (error) {
     await end();
     throw error;
   }
+}
+
+/**
+ * What comes of something, or an error once it has taken too long: WebDriver waits for ever for the answer of what hangs.
+ * @template T
+ * @param {Promise<T>} work
+ * @param {number} limit milliseconds
+ * @param {string} fault
+ * @returns {Promise<T>}
+ */
+export function inTime(work, limit, fault) {
+  const late = setTimeout(limit, undefined, { ref: false }).then(() => {
+    throw new Error(fault);
+  });
+  // The one that loses may fail unheard.
+  for (const promise of [work, late]) promise.catch(() => {});
+  return Promise.race([work, late]);
 }
 
 /**
@@ -134,6 +148,7 @@ async function startOnce(name) {
 async function startScreen(endings) {
   const screen = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1400x1000x24', '-nolisten', 'tcp'], {
     stdio: ['ignore', 'ignore', 'ignore', 'pipe'],
+    detached: true,
   });
   endings.push(stopper(screen));
   const told = /** @type {import('node:stream').Readable} */ (screen.stdio[3]);
@@ -141,12 +156,12 @@ async function startScreen(endings) {
   throw new Error('Xvfb does not start');
 }
 
-/** @param {import('node:child_process').ChildProcess} child */
+/** @param {import('node:child_process').ChildProcess} child that leads a group of its own, all of which ends */
 function stopper(child) {
   const gone = new Promise((resolve) => child.once('exit', resolve).once('error', resolve));
-  return () => {
-    child.kill();
-    return gone;
+  return async () => {
+    if (child.pid && child.exitCode === null) process.kill(-child.pid);
+    await gone;
   };
 }
 

@@ -5,7 +5,7 @@ import { readFile, readdir, stat, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { Key, Origin, PNG, QUERIES, expect, test as plain } from '../../www/testing.ts';
-import { start } from './engines.js';
+import { inTime, start } from './engines.js';
 
 /** @typedef {import('../../www/testing.ts').WebElement} WebElement */
 /** @typedef {import('./engines.js').Running} Running */
@@ -183,7 +183,11 @@ export async function personIn({ driver, downloads }, address) {
    * @param {Place} [within]
    */
   async function click(role, name, within) {
-    await expect(async () => (await one(role, name, within)).click()).toPass({ timeout: 20_000, intervals: [200] });
+    const clicked = expect(async () => (await one(role, name, within)).click()).toPass({
+      timeout: 20_000,
+      intervals: [200],
+    });
+    await inTime(clicked, PATIENCE + 10_000, `no answer to a click on ${role} ${name ?? ''}`);
   }
 
   /** Until all work for the page is done, and its crops are final. */
