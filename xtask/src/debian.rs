@@ -3,10 +3,14 @@
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::sync::{Mutex, PoisonError};
 
 use anyhow::Result;
 
 use crate::tools;
+
+/// Suites run side by side, and apt-get refuses to run twice.
+static ALONE: Mutex<()> = Mutex::new(());
 
 /// Installs a package where that needs no questions; false where this is not Debian or not its owner.
 ///
@@ -24,6 +28,7 @@ pub(crate) fn install_all(packages: &[&str]) -> Result<bool> {
     if !(is_root() && is_debian()) {
         return Ok(false);
     }
+    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
     println!("apt-get install {}", packages.join(" "));
     tools::run(Command::new("apt-get").args(["update", "-qq"]))?;
     let mut install = Command::new("apt-get");

@@ -28,7 +28,10 @@ const GECKODRIVER: &str = "0.37.1";
 /// # Errors
 /// When one is missing and cannot be installed; the message says what to do.
 pub(crate) fn find(project: &Project, command: &mut Command) -> Result<()> {
-    let programs = PROGRAMS.iter().filter(|(program, _)| !in_path(program)).map(|(_, package)| *package);
+    let programs = PROGRAMS
+        .iter()
+        .filter(|(program, _)| tools::in_path(&[program]).is_none())
+        .map(|(_, package)| *package);
     let libraries = LIBRARIES.into_iter().filter(|package| !debian::has(package));
     let missing: Vec<_> = programs.chain(libraries).collect();
     if !(missing.is_empty() || debian::install_all(&missing)?) {
@@ -47,10 +50,4 @@ fn geckodriver(project: &Project) -> Result<PathBuf> {
         tools::run(install.arg(&root))?;
     }
     Ok(program)
-}
-
-fn in_path(name: &str) -> bool {
-    let path = env::var_os("PATH").unwrap_or_default();
-    let program = format!("{name}{}", env::consts::EXE_SUFFIX);
-    env::split_paths(&path).any(|folder| folder.join(&program).is_file())
 }

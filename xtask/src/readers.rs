@@ -1,11 +1,9 @@
 //! Programs that read the files which the browser tests save, as nobody here wrote them: Poppler's for PDF files, ffprobe for
 //! films. Those that are there, or Debian's.
 
-use std::env;
-
 use anyhow::{Result, bail};
 
-use crate::debian;
+use crate::{debian, tools};
 
 /// What is run, and the package of Debian that has it.
 const PROGRAMS: [(&str, &str); 4] = [
@@ -31,10 +29,9 @@ pub(crate) fn find() -> Result<()> {
 
 /// The packages of those that are not there.
 fn missing() -> Vec<&'static str> {
-    let path = env::var_os("PATH").unwrap_or_default();
-    let there = |name: &str| {
-        let program = format!("{name}{}", env::consts::EXE_SUFFIX);
-        env::split_paths(&path).any(|folder| folder.join(&program).is_file())
-    };
-    PROGRAMS.into_iter().filter(|(program, _)| !there(program)).map(|(_, package)| package).collect()
+    PROGRAMS
+        .into_iter()
+        .filter(|(program, _)| tools::in_path(&[program]).is_none())
+        .map(|(_, package)| package)
+        .collect()
 }

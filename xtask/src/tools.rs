@@ -1,12 +1,23 @@
 //! Runs other programs. What goes wrong is told in one sentence that names the program and, where it is missing,
 //! what to install.
 
+use std::env;
 use std::io::ErrorKind;
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 use anyhow::{Result, anyhow, bail};
 
 use crate::lane;
+
+/// The first program of these names in PATH, folder by folder.
+pub(crate) fn in_path(names: &[&str]) -> Option<PathBuf> {
+    let path = env::var_os("PATH").unwrap_or_default();
+    let suffix = env::consts::EXE_SUFFIX;
+    env::split_paths(&path)
+        .flat_map(|folder| names.iter().map(move |name| folder.join(format!("{name}{suffix}"))))
+        .find(|program| program.is_file())
+}
 
 /// Runs a program with its output on this terminal.
 ///
