@@ -142,7 +142,11 @@ function fed(page, files) {
   );
 }
 
-/** The most memory that a tab of the browser ever had, its workers included. @param {Page} page */
+/**
+ * The most memory that a tab of the browser ever had, its workers included, without what all processes of the browser share
+ * of its program.
+ * @param {Page} page
+ */
 async function peak(page) {
   const session = await /** @type {any} */ (page.context().browser()).newBrowserCDPSession();
   const { processInfo } = await session.send('SystemInfo.getProcessInfo');
@@ -151,7 +155,10 @@ async function peak(page) {
     .filter((/** @type {any} */ { type }) => type === 'renderer')
     .map((/** @type {any} */ { id }) => {
       try {
-        return Number(/^VmHWM:\s+(\d+) kB/m.exec(readFileSync(`/proc/${id}/status`, 'utf8'))?.[1] ?? 0) * 1024;
+        const status = readFileSync(`/proc/${id}/status`, 'utf8');
+        const of = (/** @type {string} */ what) =>
+          Number(new RegExp(`^${what}:\\s+(\\d+) kB`, 'm').exec(status)?.[1] ?? 0);
+        return (of('VmHWM') - of('RssFile')) * 1024;
       } catch {
         return 0;
       }

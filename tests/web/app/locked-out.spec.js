@@ -19,6 +19,9 @@ async function trip(page) {
   await saved(page);
   await press(page, 'Shuffle');
   await saved(page);
+  // What was drawn is written with the next saving, and the one before may have come before the drawing.
+  await press(page, 'Lock style');
+  await saved(page);
   const shown = await contents(page);
   await leave(page);
   await backUp(page);

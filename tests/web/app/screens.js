@@ -183,6 +183,8 @@ async function back(page) {
   for (let i = 0; i < 5; i += 1) {
     await page.evaluate(() => /** @type {HTMLElement | null} */ (document.activeElement)?.blur());
     await page.keyboard.press('Escape');
+    // What it leaves is gone with the next picture; keys that come before that are for nobody.
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
   }
   for (const dismiss of await page.getByRole('button', { name: 'Dismiss' }).all()) await dismiss.click();
 }
