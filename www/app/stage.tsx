@@ -66,6 +66,9 @@ export function Stage() {
     };
   }, []);
 
+  // The pictures of another project are of no use any more.
+  useLayoutEffect(() => () => painter.current?.forget(), [store.place.value]);
+
   const about = description(app);
   /** Said once a page, when it is there to be seen. */
   const [said, say] = useState('');

@@ -115,6 +115,9 @@ function sized({ id, meta }: Shown): Photo {
 function useItems(shown: readonly Item[], photo: Photo | null, point: Point) {
   const { explorer, ownStyles } = useApp();
   const made = useRef(new Map() as Map<string, VNode>);
+  const before = made.current;
+  // An element holds its canvas: those that hang there no more are let go.
+  made.current = new Map();
   const pointed = useRef(point);
   pointed.current = point;
   const parent = explorer.parent.value?.id;
@@ -127,9 +130,7 @@ function useItems(shown: readonly Item[], photo: Photo | null, point: Point) {
       parents !== undefined && parents === last ? 'child' : last?.some((one) => one.id === id) ? 'parent' : undefined;
     const favourite = ownStyles.isFavourite(id);
     const key = `${id} ${points} ${favourite} ${parent === id} ${role} ${item.photo.id} ${photo?.id}`;
-    const found = made.current.get(key);
-    if (found) return found;
-    const vnode = (
+    const vnode = before.get(key) ?? (
       <WallItem
         key={id}
         item={item}

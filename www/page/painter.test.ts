@@ -156,6 +156,20 @@ test('the page before is there without work', async () => {
   expect(jobs.length).toBe(asked);
 });
 
+test('of another project no picture is kept', async () => {
+  const { show, forget } = painter();
+  show(page('A'), geometry('A'), 10);
+  await finish('As0');
+  await finish('As1');
+  forget();
+  show(page('B'), geometry('B'), 10);
+  await finish('Bs0');
+  await finish('Bs1');
+  jobs = [];
+  show(page('A'), geometry('A'), 10);
+  expect(jobs.map(({ name }) => name)).toEqual(['As0', 'As1']);
+});
+
 test('a photo that is still being read leaves its panel empty, and the page counts as painted without it', async () => {
   const { show, painted } = painter(['a']);
   const document = page('A');

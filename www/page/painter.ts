@@ -50,7 +50,7 @@ export function createPainter(
   let frame = 0;
   let timer: ReturnType<typeof setTimeout> | undefined;
 
-  return { show, prepare, dispose };
+  return { show, prepare, forget: patches.forget, dispose };
 
   /**
    * @param width of the page on the screen, in its pixels

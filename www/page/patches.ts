@@ -39,7 +39,7 @@ export function createPatches(
   /** How long a page of a style took, in ms a pixel. */
   const pace: Map<string, number> = new Map();
 
-  return { signature, cached, get, coarse, keepOnly, expected, dispose };
+  return { signature, cached, get, coarse, keepOnly, expected, forget, dispose };
 
   /**
    * A cut that is moved leaves the panels that it does not touch as they are: what counts is the shape of the panel
@@ -170,9 +170,14 @@ export function createPatches(
     return patch;
   }
 
+  function forget() {
+    kept.clear();
+    bytes = 0;
+  }
+
   function dispose() {
     for (const { stop } of flights.values()) stop.abort();
-    kept.clear();
+    forget();
   }
 }
 

@@ -82,13 +82,17 @@ export function Tray() {
  * every photo that is read.
  */
 function useTiles(): (item: TrayItem, used: boolean, stack: number) => VNode {
-  const known = useRef(new Map() as Map<string, { of: string; item: TrayItem; tile: VNode }>);
+  const drawn = useRef(new Map() as Map<string, { of: string; item: TrayItem; tile: VNode }>);
+  const before = drawn.current;
+  // A tile holds its canvas: those that are not drawn any more, of other projects too, are let go.
+  const now: typeof before = new Map();
+  drawn.current = now;
   return (item, used, stack) => {
     const of = `${used} ${stack}`;
-    const last = known.current.get(item.id);
-    if (last?.of === of && last.item === item) return last.tile;
-    const tile = <PhotoTile key={item.id} item={item} used={used} stack={stack} />;
-    known.current.set(item.id, { of, item, tile });
+    const last = before.get(item.id);
+    const same = last?.of === of && last.item === item;
+    const tile = same ? last.tile : <PhotoTile key={item.id} item={item} used={used} stack={stack} />;
+    now.set(item.id, { of, item, tile });
     return tile;
   };
 }
