@@ -145,6 +145,7 @@ test('a project that cannot be shown is saved as a file, and another is opened',
   await expect(projects.getByRole('button', { name: 'Open Trip' })).toBeVisible();
   await page.getByRole('button', { name: 'Back to the page' }).click();
   await page.getByRole('button', { name: 'Try the sample album' }).click();
+  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
   await idle(page);
   await saved(page);
   // It is opened in vain, and what is on the page stays.
