@@ -3,11 +3,11 @@
 
 /** @typedef {import('playwright-core').Browser} Browser */
 
-const SHUFFLES = 15;
+export const SHUFFLES = 15;
 /** Milliseconds that somebody looks at a page before the next shuffle. */
 export const REST = 600;
 /** Milliseconds that somebody needs to choose photos. */
-const CHOOSING = 3_000;
+export const CHOOSING = 3_000;
 /** Shuffles of somebody who cannot wait, in the first ten seconds. */
 const HURRIED = 40;
 const FIRST_SECONDS = 10_000;
@@ -67,9 +67,13 @@ export async function journey(browser, address, photos) {
   await download.path();
   const png = performance.now() - start;
   await page.close();
-  const median = (/** @type {number[]} */ list) => list.sort((a, b) => a - b)[list.length >> 1];
   const [shuffle, rested, thumbnails] = [median(times), median(rests), median(resizes)];
   return { firstPage, drawn, decoded, refined, closer, shuffle, rested, hurried, png, thumbnails, listed };
+}
+
+/** @param {number[]} list */
+export function median(list) {
+  return list.toSorted((a, b) => a - b)[list.length >> 1];
 }
 
 /**
@@ -148,7 +152,7 @@ export function shuffled(page) {
 }
 
 /** Runs in the page before its own scripts: clocks that end when what the user waits for has been painted. */
-function watch() {
+export function watch() {
   const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
   const idle = () => document.body.dataset.idle === 'true';
   const drawn = () => document.body.dataset.drawn === 'true';

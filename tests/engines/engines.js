@@ -12,7 +12,7 @@ import { Builder } from '../../www/testing.ts';
 import { CHROMIUM } from '../web/launching.js';
 
 /** @typedef {import('../../www/testing.ts').WebDriver} WebDriver */
-/** A browser that runs. @typedef {{ driver: WebDriver, downloads: string, end: () => Promise<void> }} Running */
+/** A browser that runs; `pid` of the program that drives it. @typedef {{ driver: WebDriver, downloads: string, pid: number, end: () => Promise<void> }} Running */
 /** What a program of WebDriver is told. @typedef {{ program: string, capabilities: (folders: Folders) => object, screen?: boolean }} Engine */
 /** Both are empty, and removed afterwards. @typedef {{ downloads: string, data: string }} Folders */
 
@@ -36,6 +36,13 @@ export const ENGINES = {
   'firefox-private': firefox({ 'browser.privatebrowsing.autostart': true }),
   webkit: webkit(({ downloads, data }) => [downloads, data]),
   'webkit-private': webkit(({ downloads }) => [downloads]),
+};
+
+/** Without what imitates a graphics card, as Chromium always is here: WebKit spends a third of its time on it. */
+export const UNACCELERATED = {
+  chromium: ENGINES.chromium,
+  firefox: ENGINES.firefox,
+  webkit: webkit(({ downloads, data }) => ['--unaccelerated', downloads, data]),
 };
 
 /** @param {Record<string, unknown>} prefs beside those of every test @returns {Engine} */
@@ -83,21 +90,21 @@ const TRIES = 6;
 /**
  * Starts a browser with nothing in it.
  * @param {string} name
+ * @param {Record<string, Engine>} [engines] one of which has that name
  * @returns {Promise<Running>}
  */
-export async function start(name) {
+export async function start(name, engines = ENGINES) {
   for (let left = TRIES - 1; ; left -= 1) {
     try {
-      return await startOnce(name);
+      return await startOnce(name, engines[name]);
     } catch (error) {
       if (left === 0) throw error;
     }
   }
 }
 
-/** @param {string} name @returns {Promise<Running>} */
-async function startOnce(name) {
-  const { program, capabilities, screen } = ENGINES[name];
+/** @param {string} name @param {Engine} engine @returns {Promise<Running>} */
+async function startOnce(name, { program, capabilities, screen }) {
   const root = await mkdtemp(join(tmpdir(), 'inkpanel-engine-'));
   const [downloads, data] = await Promise.all(['downloads-', 'data-'].map((kind) => mkdtemp(join(root, kind))));
   /** @type {(() => Promise<unknown>)[]} what ends it, the last first */
@@ -110,13 +117,14 @@ async function startOnce(name) {
     const display = screen ? await startScreen(endings) : undefined;
     const port = await freePort();
     const env = { ...process.env, ...(display && { DISPLAY: display, GDK_BACKEND: 'x11', NO_AT_BRIDGE: '1' }) };
-    endings.push(stopper(spawn(program, [`--port=${port}`], { env, stdio: 'ignore', detached: true })));
+    const child = spawn(program, [`--port=${port}`], { env, stdio: 'ignore', detached: true });
+    endings.push(stopper(child));
     const url = `http://127.0.0.1:${port}`;
     await answers(`${url}/status`, program);
     const builder = new Builder().usingServer(url).withCapabilities(capabilities({ downloads, data }));
     const driver = await inTime(Promise.resolve(builder.build()), PATIENCE, `${name} does not start`);
     endings.push(() => driver.quit());
-    return { driver, downloads, end };
+    return { driver, downloads, pid: Number(child.pid), end };
   } catch (error) {
     await end();
     throw error;

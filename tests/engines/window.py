@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""A window of WebKit that WebKitWebDriver drives: `window.py DOWNLOADS [DATA]`.
+"""A window of WebKit that WebKitWebDriver drives: `window.py [--unaccelerated] DOWNLOADS [DATA]`.
 
 With a folder for data it keeps what a page stores, as a browser does; without one it is a private window, which keeps
-nothing. Files that a page gives away go to DOWNLOADS. `MiniBrowser --automation`, which WebKit brings along, is always
+nothing. Unaccelerated it does without the imitation of a graphics card, which takes a third of its time; no frame of a film
+is told there when it is shown (`requestVideoFrameCallback`). Files that a page gives away go to DOWNLOADS. `MiniBrowser --automation`, which WebKit brings along, is always
 private.
 """
 
@@ -25,12 +26,15 @@ def store(data):
     return WebKit2.WebContext(website_data_manager=manager)
 
 
-def main(downloads, data):
+def main(downloads, data, accelerated):
     context = store(data)
     context.set_automation_allowed(True)
 
+    policy = WebKit2.HardwareAccelerationPolicy
+    settings = WebKit2.Settings(hardware_acceleration_policy=policy.ALWAYS if accelerated else policy.NEVER)
+
     def window(_session):
-        view = WebKit2.WebView(is_controlled_by_automation=True, web_context=context)
+        view = WebKit2.WebView(is_controlled_by_automation=True, web_context=context, settings=settings)
         shell = Gtk.Window()
         shell.set_default_size(1280, 800)
         shell.add(view)
@@ -55,4 +59,4 @@ def main(downloads, data):
 
 
 folders = [Path(argument).absolute() for argument in sys.argv[1:] if not argument.startswith("-")]
-main(folders[0], folders[1] if len(folders) > 1 else None)
+main(folders[0], folders[1] if len(folders) > 1 else None, "--unaccelerated" not in sys.argv)

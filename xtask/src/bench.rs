@@ -1,16 +1,17 @@
 //! The benchmark: this project's blocks and the same operations by other libraries, in one browser session, and
 //! the real page. The measuring itself is JavaScript in `bench/`; here it gets what it needs.
 
+use std::fs;
 use std::process::Command;
 
 use anyhow::Result;
 
 use crate::project::Project;
-use crate::{batch, chromium, native, npm, site, tools, wasm};
+use crate::{batch, chromium, engines, native, npm, site, tables, tools, wasm};
 
 /// Builds everything, then measures. With words in `filter` only rows whose name has one of them are timed, and
 /// `page`, `album`, `films`, `making`, `masking`, `animatic`, `living`, `detect`, `figures` or `masks` where they are among them; nothing is written;
-/// `alone` leaves the other libraries out. `native`, `batch` and `lighthouse` stand each alone.
+/// `alone` leaves the other libraries out. `native`, `batch`, `engines` and `lighthouse` stand each alone.
 pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
     if filter == ["native"] {
         return native::run(project);
@@ -25,6 +26,16 @@ pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<(
         let mut lighthouse = Command::new("node");
         lighthouse.arg("bench/lighthouse.js").current_dir(&project.root).env("CHROMIUM", browser);
         return tools::run(&mut lighthouse);
+    }
+    if filter == ["engines"] {
+        site::build(project)?;
+        let mut playwright = npm::tool(project, "@playwright/test/cli.js");
+        playwright.args(["test", "--config", "../bench/engines.config.js"]).env("CHROMIUM", browser);
+        engines::find(project, &mut playwright)?;
+        tools::run(playwright.env("INKPANEL_TARGET", &project.target))?;
+        let table = fs::read_to_string(project.target.join("bench/engines.md"))?;
+        println!("{table}");
+        return tables::put(&project.root.join("README.md"), "engines", &table);
     }
     // Rows need the blocks alone; the site takes minutes.
     if filter.is_empty()
