@@ -6,6 +6,7 @@ import { mkdtemp, rm } from 'node:fs/promises';
 import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { createInterface } from 'node:readline';
 import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { Builder } from '../../www/testing.ts';
@@ -83,9 +84,9 @@ function webkit(args) {
   };
 }
 
-/** Milliseconds that a browser may take to start, and how often it is tried: of two WebKits that start at once one never answers. */
-const PATIENCE = 15_000;
-const TRIES = 6;
+/** Milliseconds that a browser may take to start, and how often it is tried. */
+const PATIENCE = 30_000;
+const TRIES = 2;
 
 /**
  * Starts a browser with nothing in it.
@@ -160,7 +161,8 @@ async function startScreen(endings) {
   });
   endings.push(stopper(screen));
   const told = /** @type {import('node:stream').Readable} */ (screen.stdio[3]);
-  for await (const number of told) return `:${String(number).trim()}`;
+  // It writes the number and the end of the line apart, and dies where nobody reads the second.
+  for await (const number of createInterface({ input: told })) return `:${number}`;
   throw new Error('Xvfb does not start');
 }
 
