@@ -1,6 +1,6 @@
 /** A button, and below it how the page looks and speaks. */
 
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { onEscape } from '../ui/on-escape.ts';
@@ -11,7 +11,8 @@ export function LanguageAndTheme() {
   const [open, setOpen] = useState(false);
   const menu = useRef(null as HTMLDivElement | null);
 
-  useEffect(() => {
+  // With the menu, not after the next picture: a press that is quicker than that closes it, too.
+  useLayoutEffect(() => {
     const element = menu.current;
     if (!open || !element) return;
     element.querySelector<HTMLElement>('input:checked')?.focus();
