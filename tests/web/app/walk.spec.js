@@ -203,6 +203,8 @@ test('the export is opened and left, and the file saved', async ({ page }) => {
   await expect(page.getByRole('dialog')).toBeVisible();
   await page.keyboard.press('Escape');
   await expectFocus(page, 'Export');
+  // The browser hides a dialog first and tells of it after; keys that come between are for nobody.
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
   const waiting = page.waitForEvent('download', { timeout: 60_000 });
   await page.keyboard.press('Control+s');
   expect(PNG.sync.read(await readFile(await (await waiting).path())).width).toBe(2480);
