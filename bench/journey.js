@@ -163,7 +163,8 @@ export function watch() {
     await frame();
     return performance.now();
   };
-  Object.assign(globalThis, {
+  // The window itself: scripts by WebDriver have another global object in Firefox.
+  Object.assign(window, {
     watch: {
       afterChoosing: async () => {
         const start = await new Promise((resolve) => {
