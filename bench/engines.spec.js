@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * The page in three engines, in turns: `cargo xtask bench engines` starts it and puts the table that it prints into the README.
+ * The page in three engines, in turns: `cargo xtask bench engines` starts it and puts its table into the README.
  * None has a graphics card here, nor the imitation of one.
  */
 
@@ -68,13 +68,12 @@ async function measured(name, { address, photos }) {
       .move({ origin: await person.one('button', /^Choose photos/) })
       .perform();
     await setTimeout(CHOOSING);
-    const told = 'window.told';
-    await driver.executeScript(`window.watch.afterChoosing().then((times) => { ${told} = times; })`);
+    await driver.executeScript('window.watch.afterChoosing().then((times) => { window.told = times; })');
     await person.choose(photos);
     const from = performance.now();
     const until = (/** @type {string} */ what) =>
       driver.wait(() => driver.executeScript(`return ${what}`).catch(() => null), 180_000, what, 100);
-    const { drawn, firstPage } = /** @type {any} */ (await until(told));
+    const { drawn, firstPage } = /** @type {any} */ (await until('window.told'));
     await until(`document.body.dataset.searched === 'true' || null`);
     const searched = performance.now() - from - firstPage;
     await person.idle();
@@ -134,7 +133,7 @@ function table(runs) {
     ['From there until all are searched for faces and objects', 'searched', 'ms'],
     [`Shuffle to visible page, after ${REST / 1000} s of rest`, 'shuffle', 'ms'],
     ['Largest process, at most', 'most', 'MB'],
-    ['The same after 20 s of rest', 'rested', 'MB'],
+    [`The same after ${WHILE / 1000} s of rest`, 'rested', 'MB'],
   ]);
   const of = (/** @type {string} */ name, /** @type {keyof Times} */ what) =>
     median(runs[name].map((times) => times[what]));

@@ -1,7 +1,7 @@
 // @ts-check
 /** What the masks of photos cost whoever does not wait for them, in the real page: shuffles while they are made, and the first page. */
 
-import { opened, shuffled } from './journey.js';
+import { median, opened, shuffled } from './journey.js';
 
 /** @typedef {import('playwright-core').Browser} Browser */
 
@@ -48,9 +48,4 @@ async function firstPages(browser, address, photos) {
     }
   }
   return { first: median(times.first), bare: median(times.bare) };
-}
-
-/** @param {number[]} list */
-function median(list) {
-  return list.sort((a, b) => a - b)[list.length >> 1];
 }
