@@ -3,8 +3,12 @@ import { defineConfig } from '@playwright/test';
 import { CHROMIUM, servedSite } from '../tests/web/launching.js';
 
 const site = servedSite(4187);
-/** Files that take minutes. */
-const LONG = /(hostile|screens|languages|zoom)\.spec\.js$/;
+/** Specs that take minutes. */
+const LONG = /(hostile|languages|screens|sights|access|locked-out|traps|animatic|motion|video)\.spec\.js$/;
+
+/** `INKPANEL_PAGE=short` leaves the long specs out and prints their pattern. */
+const short = process.env.INKPANEL_PAGE === 'short';
+if (short && !process.env.TEST_WORKER_INDEX) console.log(`NOT RUN: specs that match ${LONG}`);
 
 export default defineConfig({
   testDir: '../tests/web/app',
@@ -12,7 +16,7 @@ export default defineConfig({
   fullyParallel: false,
   // Files are begun in the order of their projects: one that takes minutes would leave a worker idle at the end.
   projects: [
-    { name: 'long', testMatch: LONG },
+    ...(short ? [] : [{ name: 'long', testMatch: LONG }]),
     { name: 'short', testIgnore: LONG },
   ],
   // A page that waits for a timer, a message or one worker leaves cores idle: two files run side by side, even on two cores.
