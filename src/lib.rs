@@ -41,7 +41,6 @@
 //! | `files` | saved projects |
 //! | `cli` | the command line `inkpanel`: `cargo install inkpanel --features cli` |
 //! | `internals` | the stages themselves; they change from one version to the next without a word |
-//! | `core`, `words`, `exports`, `decoders`, `films`, `imitation`, `brush` | what the modules of the page in the browser export |
 //!
 //! # The stages
 //!
@@ -67,8 +66,8 @@
 //! `error`, `raster`, `simd` and `style` are a crate of their own, `inkpanel-pixels`: what runs over pixels is compiled for
 //! speed, the rest of the core to be small. So is `detect`, `inkpanel-detect`, which brings tract.
 //!
-//! On top, without algorithms of their own: `facade`, which is what you see here, `wasm` and the modules whose names begin so (the web
-//! boundary), and `main.rs` (the command line). Every spatial parameter of a style is in pixels of a 1920 x 1080 image and scaled to
+//! On top, without algorithms of their own: `facade`, which is what you see here, and `main.rs` (the command line). The crates of
+//! `modules/` bind the stages to JavaScript. Every spatial parameter of a style is in pixels of a 1920 x 1080 image and scaled to
 //! the render at hand.
 
 // Without the stages, much of them is used by nobody.
@@ -123,27 +122,6 @@ pub mod native;
 
 #[cfg(all(test, feature = "cli"))]
 mod typescript;
-
-#[cfg(all(target_arch = "wasm32", feature = "core"))]
-pub mod wasm;
-#[cfg(all(target_arch = "wasm32", feature = "exports"))]
-pub mod wasm_boards;
-#[cfg(all(target_arch = "wasm32", feature = "brush"))]
-pub mod wasm_brush;
-#[cfg(all(target_arch = "wasm32", feature = "exports"))]
-pub mod wasm_comics;
-#[cfg(all(target_arch = "wasm32", feature = "decoders"))]
-pub mod wasm_decoders;
-#[cfg(all(target_arch = "wasm32", feature = "exports"))]
-pub mod wasm_files;
-#[cfg(all(target_arch = "wasm32", feature = "films"))]
-pub mod wasm_films;
-#[cfg(all(target_arch = "wasm32", feature = "imitation"))]
-pub mod wasm_imitation;
-#[cfg(all(target_arch = "wasm32", any(feature = "words", feature = "exports")))]
-pub mod wasm_letters;
-#[cfg(all(target_arch = "wasm32", feature = "words"))]
-pub mod wasm_words;
 
 #[cfg(not(target_arch = "wasm32"))]
 pub use facade::*;

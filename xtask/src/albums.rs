@@ -8,7 +8,7 @@ use anyhow::{Context, Result};
 use crate::project::Project;
 
 /// The sample album, and the photos of the tests.
-pub(crate) fn own_folders(project: &Project) -> Vec<PathBuf> {
+pub fn own_folders(project: &Project) -> Vec<PathBuf> {
     ["www/public/samples", "tests/photos"].iter().map(|folder| project.root.join(folder)).collect()
 }
 
@@ -16,7 +16,7 @@ pub(crate) fn own_folders(project: &Project) -> Vec<PathBuf> {
 ///
 /// # Errors
 /// Where a folder cannot be listed.
-pub(crate) fn photos_in(folders: &[PathBuf]) -> Result<Vec<PathBuf>> {
+pub fn photos_in(folders: &[PathBuf]) -> Result<Vec<PathBuf>> {
     let mut photos = Vec::new();
     for folder in folders {
         let files = fs::read_dir(folder).with_context(|| format!("cannot list {}", folder.display()))?;

@@ -22,7 +22,7 @@ const PHOTOS: usize = 12;
 ///
 /// # Errors
 /// When something cannot be built or written, or an album does not become a page.
-pub(crate) fn run(project: &Project) -> Result<()> {
+pub fn run(project: &Project) -> Result<()> {
     models::make(project)?;
     tools::run(project.cargo().args(["build", "--release", "--package", "inkpanel", "--features", CLI]))?;
     let program = project.target.join("release").join(format!("inkpanel{}", std::env::consts::EXE_SUFFIX));

@@ -12,7 +12,7 @@ use crate::{batch, chromium, engines, native, npm, site, tables, tools, wasm};
 /// Builds everything, then measures. With words in `filter` only rows whose name has one of them are timed, and
 /// `page`, `album`, `films`, `making`, `masking`, `animatic`, `living`, `detect`, `figures` or `masks` where they are among them; nothing is written;
 /// `alone` leaves the other libraries out. `native`, `batch`, `engines` and `lighthouse` stand each alone.
-pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
+pub fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
     if filter == ["native"] {
         return native::run(project);
     }
@@ -21,14 +21,14 @@ pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<(
     }
     let browser = chromium::find()?;
     if filter == ["lighthouse"] {
-        site::build(project)?;
+        site::build(project, crate::wasm::Purpose::Publish)?;
         npm::install_peers(project)?;
         let mut lighthouse = Command::new("node");
         lighthouse.arg("bench/lighthouse.js").current_dir(&project.root).env("CHROMIUM", browser);
         return tools::run(&mut lighthouse);
     }
     if filter == ["engines"] {
-        site::build(project)?;
+        site::build(project, crate::wasm::Purpose::Publish)?;
         let mut playwright = npm::tool(project, "@playwright/test/cli.js");
         playwright.args(["test", "--config", "../bench/engines.config.js"]).env("CHROMIUM", browser);
         engines::find(project, &mut playwright)?;
@@ -44,7 +44,7 @@ pub(crate) fn run(project: &Project, filter: &[String], alone: bool) -> Result<(
                 .contains(&word.as_str())
         })
     {
-        site::build(project)?;
+        site::build(project, crate::wasm::Purpose::Publish)?;
     } else {
         npm::install(project)?;
     }

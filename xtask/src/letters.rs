@@ -15,12 +15,12 @@ use crate::project::Project;
 use crate::stamp::{Inputs, Stamp};
 
 /// The folder of `letters.bin`.
-pub(crate) fn folder(project: &Project) -> PathBuf {
+pub fn folder(project: &Project) -> PathBuf {
     project.www().join("letters")
 }
 
 /// Writes the letters unless they are there.
-pub(crate) fn make(project: &Project) -> Result<()> {
+pub fn make(project: &Project) -> Result<()> {
     let (fonts, file) = (project.root.join("fonts"), folder(project).join("letters.bin"));
     let mut inputs = Inputs::default();
     inputs.path(&fonts, &[])?.value(include_str!("letters.rs"));

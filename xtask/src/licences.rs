@@ -18,7 +18,7 @@ const MANIFESTS: [&str; 2] = ["Cargo.toml", "python/Cargo.toml"];
 ///
 /// # Errors
 /// When cargo-deny cannot be installed, or has something against a crate.
-pub(crate) fn check(project: &Project) -> Result<()> {
+pub fn check(project: &Project) -> Result<()> {
     let program = install(project)?;
     for manifest in MANIFESTS {
         let mut deny = Command::new(&program);

@@ -1,47 +1,16 @@
 //! `cargo xtask`: builds, serves, tests and measures the project. It fetches what it needs and skips what did
 //! not change, so the only prerequisites are rustup and Node.
 
-mod albums;
-mod batch;
-mod bench;
-mod bless;
-mod budget;
-mod chromium;
-mod clamps;
-mod corpora;
-mod debian;
-mod duplicates;
-mod engines;
-mod faces;
-mod lane;
-mod letters;
-mod licences;
-mod models;
-mod native;
-mod npm;
-mod package;
-mod pages;
-mod project;
-mod python;
-mod readers;
-mod release;
-mod site;
-mod stamp;
-mod tables;
-mod tally;
-mod test;
-mod tools;
-mod train;
-mod translations;
-mod wasm;
-mod wheel;
 
 use std::process::ExitCode;
 
 use anyhow::Result;
 use clap::{Parser, Subcommand};
 
-use project::Project;
+use xtask::project::Project;
+use xtask::{
+    bench, bless, corpora, duplicates, faces, models, package, pages, site, test, tools, train, translations, wasm, wheel,
+};
 
 #[derive(Parser)]
 #[command(
@@ -77,16 +46,12 @@ enum Task {
         #[arg(long)]
         ray: bool,
     },
-    /// Make a release: set the version, build all twice, and write its files with their sums into target/release-VERSION
+    /// Make a release or check that one can be made; see `cargo xtask release --help`
+    #[command(disable_help_flag = true)]
     Release {
-        /// Such as 0.2.0; without it the version that Cargo.toml has
-        version: Option<semver::Version>,
-        /// Check all that a release checks, and change no file
-        #[arg(long)]
-        check: bool,
-        /// Build nothing: only what is checked in seconds
-        #[arg(long, requires = "check")]
-        quick: bool,
+        /// Arguments of the release tool
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<String>,
     },
     /// The page's strings for translators: write PO files of gettext, or read one back
     #[command(subcommand)]
@@ -144,18 +109,15 @@ fn main() -> ExitCode {
 fn run(task: &Task) -> Result<()> {
     let project = Project::locate()?;
     match task {
-        Task::Build => site::build(&project),
+        Task::Build => site::build(&project, wasm::Purpose::Publish),
         Task::Module { name } => site::build_module(&project, name),
         Task::Serve { port } => site::serve(&project, *port),
         Task::Package => package::make(&project),
         Task::Wheel { ray } => wheel::run(&project, *ray),
-        Task::Release { version, check, quick } => {
-            let extent = match (check, quick) {
-                (false, _) => release::Extent::Release,
-                (true, false) => release::Extent::Check,
-                (true, true) => release::Extent::Quick,
-            };
-            release::run(&project, version.as_ref(), extent)
+        Task::Release { arguments } => {
+            let mut cargo = project.cargo();
+            cargo.args(["run", "--quiet", "--package", "inkpanel-release", "--"]).args(arguments);
+            tools::run(&mut cargo)
         }
         Task::Translations(task) => translations::run(&project, task),
         Task::Models => models::make(&project),

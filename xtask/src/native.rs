@@ -12,7 +12,7 @@ use crate::{tables, tools};
 const PEER: &str = "opencv-python-headless==5.0.0.93";
 
 /// Builds for this machine's processor, as `OpenCV` chooses its kernels by it, measures, and writes the README's table.
-pub(crate) fn run(project: &Project) -> Result<()> {
+pub fn run(project: &Project) -> Result<()> {
     let folder = project.target.join("native");
     let photo = project.root.join("www/public/samples/06-castle.jpg");
     let mut build = project.cargo();

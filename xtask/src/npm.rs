@@ -13,21 +13,21 @@ use crate::tools;
 const NODE: (u32, u32) = (20, 19);
 
 /// Installs the packages of www unless they are there as the lock file wants them.
-pub(crate) fn install(project: &Project) -> Result<()> {
+pub fn install(project: &Project) -> Result<()> {
     let www = project.www();
     install_in(project, "npm", &www, clean_install(&www))
 }
 
 /// Installs the libraries to compare with, which have a lock file of their own, so that building the site does not download
 /// them.
-pub(crate) fn install_peers(project: &Project) -> Result<()> {
+pub fn install_peers(project: &Project) -> Result<()> {
     let folder = project.root.join("bench");
     install_in(project, "peers", &folder, clean_install(&folder))
 }
 
 /// Installs Ace, which looks at EPUB files, unless it is there as its lock file wants it. The browser that it runs in is the
 /// one of the other tests: it downloads none.
-pub(crate) fn install_ace(project: &Project) -> Result<()> {
+pub fn install_ace(project: &Project) -> Result<()> {
     let folder = project.root.join("tests/ace");
     let mut install = clean_install(&folder);
     install.arg("--ignore-scripts").env("PUPPETEER_SKIP_DOWNLOAD", "1");
@@ -57,12 +57,12 @@ fn clean_install(folder: &Path) -> Command {
 }
 
 /// What npm is called here.
-pub(crate) fn program() -> &'static str {
+pub fn program() -> &'static str {
     if cfg!(windows) { "npm.cmd" } else { "npm" }
 }
 
 /// A JavaScript tool of an installed package: `script` is a path below `node_modules`.
-pub(crate) fn tool(project: &Project, script: &str) -> Command {
+pub fn tool(project: &Project, script: &str) -> Command {
     let mut command = Command::new("node");
     command.arg(project.www().join("node_modules").join(script)).current_dir(project.www());
     command

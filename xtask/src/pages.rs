@@ -14,7 +14,7 @@ use crate::tools;
 ///
 /// # Errors
 /// Where a folder cannot be listed, or the example fails.
-pub(crate) fn run(project: &Project, folders: &[String]) -> Result<()> {
+pub fn run(project: &Project, folders: &[String]) -> Result<()> {
     models::make(project)?;
     let own = folders.is_empty();
     let folders = if own { own_folders(project) } else { folders.iter().map(PathBuf::from).collect() };

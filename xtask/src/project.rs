@@ -9,18 +9,18 @@ use anyhow::{Context, Result};
 use crate::tools;
 
 /// The folders of one checkout. All paths are absolute.
-pub(crate) struct Project {
+pub struct Project {
     /// The workspace's top folder.
-    pub(crate) root: PathBuf,
+    pub root: PathBuf,
     /// Cargo's target folder, wherever the environment or a configuration puts it.
-    pub(crate) target: PathBuf,
+    pub target: PathBuf,
     /// Whether cargo keeps what it needs to compile only what was changed.
     incremental: bool,
 }
 
 impl Project {
     /// Finds the checkout that this program was built from.
-    pub(crate) fn locate() -> Result<Self> {
+    pub fn locate() -> Result<Self> {
         // As cargo says it now: checkouts that share a target folder share this program as well.
         let told = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
         let here = told.as_deref().unwrap_or(Path::new(env!("CARGO_MANIFEST_DIR")));
@@ -37,18 +37,18 @@ impl Project {
     }
 
     /// A checkout at an absolute path, and its target folder.
-    pub(crate) fn at(root: PathBuf, target: PathBuf) -> Self {
+    pub fn at(root: PathBuf, target: PathBuf) -> Self {
         let incremental = has_incremental(&target);
         Self { root, target, incremental }
     }
 
     /// The front end's folder.
-    pub(crate) fn www(&self) -> PathBuf {
+    pub fn www(&self) -> PathBuf {
         self.root.join("www")
     }
 
     /// Cargo at the top folder, with the target folder of this checkout whatever the environment says.
-    pub(crate) fn cargo(&self) -> Command {
+    pub fn cargo(&self) -> Command {
         let mut command = Command::new(cargo());
         command.current_dir(&self.root).env("CARGO_TARGET_DIR", &self.target);
         if !self.incremental && std::env::var_os("CARGO_INCREMENTAL").is_none() {

@@ -8,7 +8,7 @@ use anyhow::{Result, bail};
 use crate::tools;
 
 /// What Python is called here.
-pub(crate) fn program() -> &'static str {
+pub fn program() -> &'static str {
     if cfg!(windows) { "python" } else { "python3" }
 }
 
@@ -19,7 +19,7 @@ const LEAST: (u32, u32) = (3, 11);
 ///
 /// # Errors
 /// When it is missing or older than what the tests need.
-pub(crate) fn check() -> Result<()> {
+pub fn check() -> Result<()> {
     let told =
         tools::output(Command::new(program()).args(["-c", "import sys; print(*sys.version_info[:2])"]))?;
     let mut numbers = told.split_whitespace().filter_map(|number| number.parse::<u32>().ok());
@@ -35,7 +35,7 @@ pub(crate) fn check() -> Result<()> {
 ///
 /// # Errors
 /// When Python or its `venv` is missing, or pip does not give a package.
-pub(crate) fn environment(folder: &Path, requirements: &[&Path]) -> Result<PathBuf> {
+pub fn environment(folder: &Path, requirements: &[&Path]) -> Result<PathBuf> {
     let python = made(folder)?;
     install(&python, |pip| requirements.iter().fold(pip, |pip, file| pip.arg("-r").arg(file)))?;
     Ok(python)
@@ -45,7 +45,7 @@ pub(crate) fn environment(folder: &Path, requirements: &[&Path]) -> Result<PathB
 ///
 /// # Errors
 /// When pip does not give a package.
-pub(crate) fn install(python: &Path, what: impl FnOnce(&mut Command) -> &mut Command) -> Result<()> {
+pub fn install(python: &Path, what: impl FnOnce(&mut Command) -> &mut Command) -> Result<()> {
     let mut pip = Command::new(python);
     pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]);
     tools::run(what(&mut pip))
@@ -64,7 +64,7 @@ fn made(environment: &Path) -> Result<PathBuf> {
 ///
 /// # Errors
 /// When Python is missing, or pip does not give a package.
-pub(crate) fn with(folder: &Path, packages: &[&str]) -> Result<PathBuf> {
+pub fn with(folder: &Path, packages: &[&str]) -> Result<PathBuf> {
     let python = made(&folder.join("python"))?;
     install(&python, |pip| pip.arg("--no-deps").args(packages))?;
     Ok(python)

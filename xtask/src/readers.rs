@@ -17,7 +17,7 @@ const PROGRAMS: [(&str, &str); 4] = [
 ///
 /// # Errors
 /// When one is missing and cannot be installed; the message says what to do.
-pub(crate) fn find() -> Result<()> {
+pub fn find() -> Result<()> {
     let mut packages = missing();
     packages.dedup();
     if packages.is_empty() || debian::install_all(&packages)? && missing().is_empty() {

@@ -3,7 +3,7 @@
 use std::fs;
 use std::net::TcpListener;
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::Instant;
 
@@ -14,16 +14,23 @@ use crate::stamp::{Inputs, Stamp};
 use crate::wasm::Purpose;
 use crate::{letters, models, npm, tools, wasm};
 
-/// Builds everything that the page needs, as it is published; each step is skipped when nothing it reads has changed.
-pub(crate) fn build(project: &Project) -> Result<()> {
-    fetch(project)?;
-    build_modules(project)?;
+/// Builds the modules and the site for a purpose. A step is skipped if its inputs did not change.
+///
+/// # Errors
+/// If a module does not compile, or the bundler fails.
+pub fn build(project: &Project, purpose: Purpose) -> Result<()> {
+    npm::install(project)?;
+    models::make_or_warn(project);
+    build_modules(project, purpose)?;
     bundle(project, Nets::There)
 }
 
-/// The modules as they are published.
-pub(crate) fn build_modules(project: &Project) -> Result<()> {
-    wasm::build_all(project, &wasm::all(project), Purpose::Publish)
+/// Builds all modules for a purpose.
+///
+/// # Errors
+/// If a module does not compile.
+pub fn build_modules(project: &Project, purpose: Purpose) -> Result<()> {
+    wasm::build_all(project, &wasm::all(project), purpose)
 }
 
 /// Whether the module of the nets is there when the front end is bundled.
@@ -33,15 +40,8 @@ enum Nets {
     Later,
 }
 
-/// What comes out of registries.
-fn fetch(project: &Project) -> Result<()> {
-    npm::install(project)?;
-    models::make_or_warn(project);
-    Ok(())
-}
-
 /// Builds one module and nothing else.
-pub(crate) fn build_module(project: &Project, name: &str) -> Result<()> {
+pub fn build_module(project: &Project, name: &str) -> Result<()> {
     letters::make(project)?;
     let modules = wasm::all(project);
     match modules.iter().find(|module| module.name == name) {
@@ -52,24 +52,40 @@ pub(crate) fn build_module(project: &Project, name: &str) -> Result<()> {
     }
 }
 
-/// Serves on 127.0.0.1 until interrupted: as soon as the page is there, while the module of the nets may still be built.
-pub(crate) fn serve(project: &Project, port: u16) -> Result<()> {
+/// Serves on 127.0.0.1 until interrupted. The page is served before the detector module is built.
+///
+/// # Errors
+/// If the page cannot be built. Missing models or detectors are a warning: the page works without them.
+pub fn serve(project: &Project, port: u16) -> Result<()> {
     let start = Instant::now();
-    wasm::install_target()?;
+    let (mut server, address) = start_serving(project, port)?;
+    println!("Inkpanel: {address} (after {} s; stop with Ctrl+C)", start.elapsed().as_secs());
+    match add_detectors(project) {
+        Ok(false) => {}
+        Ok(true) => println!("Face and object detection is ready, after {} s.", start.elapsed().as_secs()),
+        Err(error) => eprintln!("warning: the page does not detect faces and objects: {error:#}"),
+    }
+    ensure!(server.wait()?.success(), "the server stopped");
+    Ok(())
+}
+
+/// Builds the page without the detector module and starts the server. Returns it with the page's address.
+///
+/// # Errors
+/// If the page cannot be built.
+pub fn start_serving(project: &Project, port: u16) -> Result<(Child, String)> {
+    let modules = wasm::all(project);
+    let (detectors, needed) = modules.split_last().context("there are modules")?;
     letters::make(project)?;
-    let [core, decoders, words, exports, films, imitation, brush, detectors] = wasm::all(project);
-    let needed = [core, decoders, words, exports, films, imitation, brush];
-    let stale: Vec<_> =
-        needed.iter().filter(|module| !module.is_current(project, SERVE).unwrap_or(false)).collect();
-    // What comes over the network takes hardly any of the compiler's time.
+    let stale = wasm::stale(project, needed, SERVE);
+    // Downloads need little CPU time, so they run beside the compiler.
     thread::scope(|scope| {
-        let fetched = scope.spawn(|| fetch(project));
-        let compiled = stale.iter().try_for_each(|module| wasm::compile(project, module, SERVE));
-        fetched.join().unwrap_or_else(|_| bail!("fetching panicked")).and(compiled)
+        let fetched = scope.spawn(|| npm::install(project).inspect(|()| models::make_or_warn(project)));
+        let compiled = wasm::compile(project, &stale, SERVE);
+        fetched.join().unwrap_or_else(|_| bail!("installing npm packages panicked")).and(compiled)
     })?;
     stale.iter().try_for_each(|module| wasm::finish(project, module, SERVE))?;
-    let nets = if detectors.is_current(project, SERVE)? { Nets::There } else { Nets::Later };
-    bundle(project, nets)?;
+    bundle(project, if detectors.is_current(project, SERVE)? { Nets::There } else { Nets::Later })?;
 
     let port = free_port(port)?;
     let mut server = Command::new("node");
@@ -77,20 +93,24 @@ pub(crate) fn serve(project: &Project, port: u16) -> Result<()> {
         .args(["serve.js", &port.to_string(), "/", "headers"])
         .current_dir(project.www())
         .stdout(Stdio::null());
-    let mut server = server.spawn().map_err(|error| tools::cannot_start(&server, &error))?;
-    println!("Inkpanel: http://127.0.0.1:{port}/ (after {} s; stop with Ctrl+C)", start.elapsed().as_secs());
-    if nets == Nets::Later {
-        println!("What finds faces and objects is still being built; the page waits for it by itself.");
-        match wasm::build(project, &detectors, SERVE).and_then(|()| fill_in(project, &detectors)) {
-            Ok(()) => println!("It is there, after {} s.", start.elapsed().as_secs()),
-            Err(error) => {
-                let _ = LATER.map(|name| fs::remove_file(assets(project).join(name)));
-                eprintln!("The page does without it: {error:#}");
-            }
-        }
+    let server = server.spawn().map_err(|error| tools::cannot_start(&server, &error))?;
+    Ok((server, format!("http://127.0.0.1:{port}/")))
+}
+
+/// Builds the detector module and gives it to a site that was bundled without it. Returns false if the site has it.
+///
+/// # Errors
+/// If it cannot be built; the page then stops waiting for it.
+pub fn add_detectors(project: &Project) -> Result<bool> {
+    let detectors = wasm::detectors(project);
+    if detectors.is_current(project, SERVE)? {
+        return Ok(false);
     }
-    ensure!(server.wait()?.success(), "the server stopped");
-    Ok(())
+    let added = wasm::build(project, &detectors, SERVE).and_then(|()| fill_in(project, &detectors));
+    if added.is_err() {
+        let _ = LATER.map(|name| fs::remove_file(assets(project).join(name)));
+    }
+    added.map(|()| true)
 }
 
 const SERVE: Purpose = Purpose::Serve;
@@ -131,7 +151,7 @@ fn bundle(project: &Project, nets: Nets) -> Result<()> {
 }
 
 /// The first port from `first` on that nothing listens on.
-pub(crate) fn free_port(first: u16) -> Result<u16> {
+pub fn free_port(first: u16) -> Result<u16> {
     (first..=first.saturating_add(99))
         .find(|port| TcpListener::bind(("127.0.0.1", *port)).is_ok())
         .with_context(|| format!("no free port from {first} on: choose another with --port"))

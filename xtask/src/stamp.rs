@@ -10,17 +10,17 @@ use crate::project::Project;
 
 /// A hash over everything that a step depends on.
 #[derive(Default)]
-pub(crate) struct Inputs(DefaultHasher);
+pub struct Inputs(DefaultHasher);
 
 impl Inputs {
     /// Adds a value, for example an option of the step.
-    pub(crate) fn value(&mut self, value: &str) -> &mut Self {
+    pub fn value(&mut self, value: &str) -> &mut Self {
         value.hash(&mut self.0);
         self
     }
 
     /// Adds a file's bytes, or all files below a folder with their names. Entries called `skip` are left out.
-    pub(crate) fn path(&mut self, path: &Path, skip: &[&str]) -> Result<&mut Self> {
+    pub fn path(&mut self, path: &Path, skip: &[&str]) -> Result<&mut Self> {
         if path.is_dir() {
             let mut entries = fs::read_dir(path)?.collect::<Result<Vec<_>, _>>()?;
             entries.sort_by_key(fs::DirEntry::file_name);
@@ -43,7 +43,7 @@ impl Inputs {
 }
 
 /// The record that a step was done for certain inputs.
-pub(crate) struct Stamp {
+pub struct Stamp {
     file: PathBuf,
     hash: String,
 }
@@ -51,18 +51,18 @@ pub(crate) struct Stamp {
 impl Stamp {
     /// The stamp of the step `name`. It lies in `node_modules`, beside what it describes: a fresh checkout or
     /// a fresh install has none, and two target folders of one checkout share it.
-    pub(crate) fn new(project: &Project, name: &str, inputs: &Inputs) -> Self {
+    pub fn new(project: &Project, name: &str, inputs: &Inputs) -> Self {
         let folder = project.www().join("node_modules/.cache/inkpanel");
         Self { file: folder.join(name), hash: inputs.finish() }
     }
 
     /// Whether the step was done for the same inputs and its output is still there.
-    pub(crate) fn is_current(&self, output: &Path) -> bool {
+    pub fn is_current(&self, output: &Path) -> bool {
         output.exists() && fs::read_to_string(&self.file).is_ok_and(|kept| kept == self.hash)
     }
 
     /// Records that the step is done.
-    pub(crate) fn keep(&self) -> Result<()> {
+    pub fn keep(&self) -> Result<()> {
         if let Some(folder) = self.file.parent() {
             fs::create_dir_all(folder)?;
         }

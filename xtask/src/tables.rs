@@ -9,7 +9,7 @@ use anyhow::{Context, Result, bail};
 ///
 /// # Errors
 /// When the document cannot be read or written, or lacks the markers.
-pub(crate) fn put(document: &Path, name: &str, table: &str) -> Result<()> {
+pub fn put(document: &Path, name: &str, table: &str) -> Result<()> {
     let text = fs::read_to_string(document).with_context(|| format!("cannot read {}", document.display()))?;
     let text = between(&text, name, table.trim()).with_context(|| document.display().to_string())?;
     fs::write(document, text).with_context(|| format!("cannot write {}", document.display()))

@@ -10,11 +10,11 @@ use crate::lane;
 
 /// Tests of one suite, or of all.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Tally {
-    pub(crate) passed: usize,
-    pub(crate) failed: usize,
+pub struct Tally {
+    pub passed: usize,
+    pub failed: usize,
     /// What the runner said of each that failed: a test that passed when tried again is among them.
-    pub(crate) failures: Vec<String>,
+    pub failures: Vec<String>,
 }
 
 impl AddAssign for Tally {
@@ -27,7 +27,7 @@ impl AddAssign for Tally {
 
 /// Runs a program with its output on this terminal and adds up the summaries it prints. The second value tells
 /// whether the program itself ended well.
-pub(crate) fn count(command: &mut Command) -> Result<(Tally, bool)> {
+pub fn count(command: &mut Command) -> Result<(Tally, bool)> {
     if stdout().is_terminal() {
         command.env("CARGO_TERM_COLOR", "always").env("FORCE_COLOR", "1");
     }

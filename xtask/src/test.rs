@@ -65,7 +65,7 @@ const SUITES: &[Suite] = &[
         name: "build",
         lane: Lane::Web,
         needs: Needs::Packages,
-        run: |project| checked(site::build(project)),
+        run: |project| checked(site::build(project, crate::wasm::Purpose::Publish)),
     },
     Suite {
         name: "size",
@@ -84,10 +84,10 @@ const SUITES: &[Suite] = &[
 
 /// The packages of the engine. What these and xtask share of libraries would be compiled once more, with the features of
 /// both, if they were built by one command.
-pub(crate) const ENGINE: [&str; 5] = ["--workspace", "--exclude", "xtask", "--features", CLI];
+pub const ENGINE: [&str; 5] = ["--workspace", "--exclude", "xtask", "--features", CLI];
 
 /// Without it there is no command line.
-pub(crate) const CLI: &str = "inkpanel/cli";
+pub const CLI: &str = "inkpanel/cli";
 
 /// The examples of stages, and what each is given.
 const STAGES: [(&str, &[&str]); 7] = [
@@ -104,7 +104,7 @@ const STAGES: [(&str, &[&str]); 7] = [
 ///
 /// # Errors
 /// When a name is unknown or anything failed.
-pub(crate) fn run(project: &Project, names: &[String]) -> Result<()> {
+pub fn run(project: &Project, names: &[String]) -> Result<()> {
     if let Some(unknown) = names.iter().find(|name| SUITES.iter().all(|suite| suite.name != **name)) {
         let known: Vec<_> = SUITES.iter().map(|suite| suite.name).collect();
         bail!("no suite is called {unknown}; there are {}", known.join(", "));
@@ -161,8 +161,8 @@ fn run_lane(project: &Project, suites: &[&Suite]) -> Vec<(&'static str, Tally, D
                 (Needs::Modules | Needs::Site, Some(false)) => {
                     bail!("not run, as the site was not built")
                 }
-                (Needs::Modules, None) => site::build_modules(project)?,
-                (Needs::Site, None) => site::build(project)?,
+                (Needs::Modules, None) => site::build_modules(project, crate::wasm::Purpose::Publish)?,
+                (Needs::Site, None) => site::build(project, crate::wasm::Purpose::Publish)?,
                 _ => {}
             }
             (suite.run)(project)

@@ -7,11 +7,12 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 use anyhow::{Result, anyhow, bail};
+use sha2::{Digest, Sha256};
 
 use crate::lane;
 
 /// The first program of these names in PATH, folder by folder.
-pub(crate) fn in_path(names: &[&str]) -> Option<PathBuf> {
+pub fn in_path(names: &[&str]) -> Option<PathBuf> {
     let path = env::var_os("PATH").unwrap_or_default();
     let suffix = env::consts::EXE_SUFFIX;
     env::split_paths(&path)
@@ -23,7 +24,7 @@ pub(crate) fn in_path(names: &[&str]) -> Option<PathBuf> {
 ///
 /// # Errors
 /// When it is missing or ends with a failure.
-pub(crate) fn run(command: &mut Command) -> Result<()> {
+pub fn run(command: &mut Command) -> Result<()> {
     let status = if lane::name().is_some() {
         let (mut child, printed) = lane::start(command)?;
         lane::lines(printed, lane::say)?;
@@ -41,7 +42,7 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
 ///
 /// # Errors
 /// When it is missing, ends with a failure or prints no UTF-8.
-pub(crate) fn output(command: &mut Command) -> Result<String> {
+pub fn output(command: &mut Command) -> Result<String> {
     let output = command.stderr(Stdio::inherit()).output().map_err(|error| cannot_start(command, &error))?;
     if !output.status.success() {
         bail!("`{}` failed ({})", line(command), output.status);
@@ -49,8 +50,17 @@ pub(crate) fn output(command: &mut Command) -> Result<String> {
     Ok(String::from_utf8(output.stdout)?)
 }
 
+/// Returns the SHA-256 as hexadecimal digits.
+pub fn sha256(bytes: &[u8]) -> String {
+    use std::fmt::Write as _;
+    Sha256::digest(bytes).iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
 /// The command as one would type it, without the folders of the program's path.
-pub(crate) fn line(command: &Command) -> String {
+pub fn line(command: &Command) -> String {
     let program = std::path::Path::new(command.get_program()).file_name().unwrap_or(command.get_program());
     let mut words = vec![program.to_string_lossy().into_owned()];
     words.extend(command.get_args().map(|argument| argument.to_string_lossy().into_owned()));
@@ -58,7 +68,7 @@ pub(crate) fn line(command: &Command) -> String {
 }
 
 /// Why a program did not start, with what to install when it is missing.
-pub(crate) fn cannot_start(command: &Command, error: &std::io::Error) -> anyhow::Error {
+pub fn cannot_start(command: &Command, error: &std::io::Error) -> anyhow::Error {
     let program = command.get_program().to_string_lossy();
     if error.kind() != ErrorKind::NotFound {
         return anyhow!("`{program}` could not be started: {error}");

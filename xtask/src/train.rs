@@ -12,7 +12,7 @@ const HELD_OUT: &str = "tests/photos";
 
 /// Fits the bank of an operator to the sample album and to the photos in further folders, writes it, and prints how
 /// near it comes to the operator on the photos of the tests, which it never saw.
-pub(crate) fn run(project: &Project, operator: &str, folders: &[String]) -> Result<()> {
+pub fn run(project: &Project, operator: &str, folders: &[String]) -> Result<()> {
     let bank = format!("pixels/src/style/banks/{operator}.blade");
     let mut cargo = project.cargo();
     cargo.args([

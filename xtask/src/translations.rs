@@ -10,7 +10,7 @@ use crate::project::Project;
 use crate::{npm, site, tools};
 
 #[derive(Subcommand)]
-pub(crate) enum Task {
+pub enum Task {
     /// Write a PO file for each language into a folder, and list what only code can say
     Export {
         /// Where to; it is made if it is not there
@@ -29,7 +29,7 @@ pub(crate) enum Task {
 ///
 /// # Errors
 /// When a file cannot be read or written, or something in it was not taken.
-pub(crate) fn run(project: &Project, task: &Task) -> Result<()> {
+pub fn run(project: &Project, task: &Task) -> Result<()> {
     npm::install(project)?;
     // The names of filters and styles are told by the core.
     if !project.www().join("pkg/inkpanel_bg.wasm").is_file() {

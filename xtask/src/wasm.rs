@@ -14,11 +14,22 @@ use crate::stamp::{Inputs, Stamp};
 use crate::{clamps, lane, letters, npm, tools};
 
 /// What rustc calls the browser.
-pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
+pub const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The features of the library that the modules have between them.
-pub(crate) const FEATURES: [&str; 8] =
-    ["brush", "core", "decoders", "detect", "exports", "films", "imitation", "words"];
+/// Features of the library that the modules have in total.
+pub const FEATURES: &str = "internals,rare";
+
+/// Packages of all modules.
+pub const PACKAGES: [&str; 8] = [
+    "inkpanel-brush",
+    "inkpanel-core",
+    "inkpanel-decoders",
+    "inkpanel-detectors",
+    "inkpanel-exports",
+    "inkpanel-films",
+    "inkpanel-imitation",
+    "inkpanel-words",
+];
 
 /// What the modules are made of, in the top folder.
 const SOURCES: [&str; 11] = [
@@ -50,7 +61,7 @@ const OPTIMISE: &[&str] = &[
 
 /// Who a module is built for.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Purpose {
+pub enum Purpose {
     /// Whoever waits for it on this machine: compiled by all cores, hardly slower.
     Serve,
     /// Everyone: small and fast, whatever it takes.
@@ -58,69 +69,72 @@ pub(crate) enum Purpose {
 }
 
 /// One of the modules of the page: a crate of `modules/`.
-pub(crate) struct Module {
+pub struct Module {
     /// Name of the stamp.
-    pub(crate) name: &'static str,
+    pub name: &'static str,
     /// The crate.
     package: &'static str,
     /// Its features.
     features: &'static str,
+    /// Whether it needs the rare image formats of the engine. Modules with equal needs are compiled by one cargo call, so the
+    /// engine is compiled once for all of them.
+    rare: bool,
     /// Cargo profile of what is published.
     profile: &'static str,
     /// What wasm-opt shall aim at in what is published: `-O3` speed, `-Oz` size.
     level: &'static str,
     /// Folder of `inkpanel.js`, `inkpanel.d.ts` and `inkpanel_bg.wasm`.
-    pub(crate) folder: PathBuf,
+    pub folder: PathBuf,
 }
 
 /// The module that the page loads.
-pub(crate) fn core(project: &Project) -> Module {
+pub fn core(project: &Project) -> Module {
     Module { name: "core", folder: project.www().join("pkg"), ..fast() }
 }
 
 /// The detectors, which the page loads after its first page is drawn. The time goes into tract's kernels, which the
 /// profile compiles for speed; the rest is large.
-pub(crate) fn detectors(project: &Project) -> Module {
+pub fn detectors(project: &Project) -> Module {
     let folder = project.www().join("pkg-detector");
     Module { name: "detectors", package: "inkpanel-detectors", folder, ..small() }
 }
 
 /// The module of words, which a page loads when it first has some: small, as nobody waits for what it does.
-pub(crate) fn words(project: &Project) -> Module {
+pub fn words(project: &Project) -> Module {
     Module { name: "words", package: "inkpanel-words", folder: project.www().join("pkg-words"), ..small() }
 }
 
 /// What makes other files than PNG, which the page loads with the first of them.
-pub(crate) fn exports(project: &Project) -> Module {
+pub fn exports(project: &Project) -> Module {
     let folder = project.www().join("pkg-exports");
-    Module { name: "exports", package: "inkpanel-exports", folder, ..small() }
+    Module { name: "exports", package: "inkpanel-exports", rare: true, folder, ..small() }
 }
 
 /// The decoders of what few photos are, which the page loads with the first of them.
-pub(crate) fn decoders(project: &Project) -> Module {
+pub fn decoders(project: &Project) -> Module {
     let folder = project.www().join("pkg-decoders");
-    Module { name: "decoders", package: "inkpanel-decoders", folder, ..small() }
+    Module { name: "decoders", package: "inkpanel-decoders", rare: true, folder, ..small() }
 }
 
 /// What finds the shots of a film, which the page loads with the first of them.
-pub(crate) fn films(project: &Project) -> Module {
+pub fn films(project: &Project) -> Module {
     Module { name: "films", package: "inkpanel-films", folder: project.www().join("pkg-films"), ..fast() }
 }
 
 /// The search for styles from a picture, which the page loads with the first such picture: as fast as the core, whose styles it
 /// tries by the hundred.
-pub(crate) fn imitation(project: &Project) -> Module {
+pub fn imitation(project: &Project) -> Module {
     let folder = project.www().join("pkg-imitation");
     Module { name: "imitation", package: "inkpanel-imitation", folder, ..fast() }
 }
 
 /// What corrects masks, which the page loads when a person does: it draws while the brush moves.
-pub(crate) fn brush(project: &Project) -> Module {
+pub fn brush(project: &Project) -> Module {
     Module { name: "brush", package: "inkpanel-brush", folder: project.www().join("pkg-brush"), ..fast() }
 }
 
 /// All modules of the page.
-pub(crate) fn all(project: &Project) -> [Module; 8] {
+pub fn all(project: &Project) -> [Module; 8] {
     [
         core(project),
         decoders(project),
@@ -134,37 +148,40 @@ pub(crate) fn all(project: &Project) -> [Module; 8] {
 }
 
 /// The core with the benchmark's entry point.
-pub(crate) fn bench(project: &Project) -> Module {
-    Module { name: "bench", features: "bench", folder: project.target.join("bench/pkg"), ..fast() }
+pub fn bench(project: &Project) -> Module {
+    Module { name: "bench", features: "inkpanel-core/bench", folder: project.target.join("bench/pkg"), ..fast() }
 }
 
 fn fast() -> Module {
     let folder = PathBuf::new();
-    Module { name: "", package: "inkpanel-core", features: "", profile: "wasm", level: "-O3", folder }
+    Module { name: "", package: "inkpanel-core", features: "", rare: false, profile: "wasm", level: "-O3", folder }
 }
 
 fn small() -> Module {
     Module { profile: "wasm-detect", level: "-Oz", ..fast() }
 }
 
-/// Builds modules unless they are there for this purpose, and the letters that they are given. The npm packages must be installed.
+/// Builds the modules that are not current for this purpose, and the fonts of the page. The npm packages must be installed.
 ///
 /// # Errors
-/// When one does not compile; the others are built all the same.
-pub(crate) fn build_all(project: &Project, modules: &[Module], purpose: Purpose) -> Result<()> {
-    // Each profile has a lock of its own, and the last steps of each module have use for one core only.
+/// If a module does not compile. The modules of other profiles are still built.
+pub fn build_all(project: &Project, modules: &[Module], purpose: Purpose) -> Result<()> {
+    letters::make(project)?;
+    let stale = stale(project, modules, purpose);
     let mut by_profile: Vec<Vec<&Module>> = Vec::new();
-    for module in modules {
+    for module in stale {
         match by_profile.iter_mut().find(|group| module.profile(purpose) == group[0].profile(purpose)) {
             Some(group) => group.push(module),
             None => by_profile.push(vec![module]),
         }
     }
-    install_target()?;
-    letters::make(project)?;
+    // Cargo has one lock per profile, and the last steps of a module use one core.
     let lane = lane::name();
     let build = |group: &Vec<&Module>| {
-        let all = || group.iter().try_for_each(|module| build(project, module, purpose));
+        let all = || {
+            compile(project, group, purpose)?;
+            group.iter().try_for_each(|module| finish(project, module, purpose))
+        };
         lane.map_or_else(all, |name| lane::named(name, all))
     };
     thread::scope(|scope| {
@@ -173,29 +190,45 @@ pub(crate) fn build_all(project: &Project, modules: &[Module], purpose: Purpose)
     })
 }
 
-/// Builds a module unless it is there for this purpose. The npm packages must be installed.
-pub(crate) fn build(project: &Project, module: &Module, purpose: Purpose) -> Result<()> {
+/// Builds a module unless it is current for this purpose. The npm packages must be installed.
+pub fn build(project: &Project, module: &Module, purpose: Purpose) -> Result<()> {
     if module.is_current(project, purpose)? {
         return Ok(());
     }
-    install_target()?;
-    compile(project, module, purpose)?;
+    compile(project, &[module], purpose)?;
     finish(project, module, purpose)
 }
 
-/// Compiles a module. What is compiled already takes no time.
-pub(crate) fn compile(project: &Project, module: &Module, purpose: Purpose) -> Result<()> {
-    let mut cargo = project.cargo();
-    cargo.args(["build", "--package", module.package, "--target", TARGET]);
-    cargo.args(["--profile", module.profile(purpose), "--features", module.features]);
-    if purpose == Purpose::Publish {
-        cargo.args(["--config", &without_local_paths(project, TARGET)]);
+/// Returns the modules that are not current for this purpose.
+pub fn stale<'a>(project: &Project, modules: &'a [Module], purpose: Purpose) -> Vec<&'a Module> {
+    modules.iter().filter(|module| !module.is_current(project, purpose).unwrap_or(false)).collect()
+}
+
+/// Compiles modules of one profile.
+pub fn compile(project: &Project, modules: &[&Module], purpose: Purpose) -> Result<()> {
+    install_target()?;
+    for rare in [false, true] {
+        let group: Vec<_> = modules.iter().filter(|module| module.rare == rare).collect();
+        let Some(first) = group.first() else { continue };
+        let mut cargo = project.cargo();
+        cargo.args(["build", "--target", TARGET, "--profile", first.profile(purpose)]);
+        for module in &group {
+            cargo.args(["--package", module.package]);
+        }
+        let features: Vec<_> = group.iter().map(|module| module.features).filter(|f| !f.is_empty()).collect();
+        if !features.is_empty() {
+            cargo.args(["--features", &features.join(",")]);
+        }
+        if purpose == Purpose::Publish {
+            cargo.args(["--config", &without_local_paths(project, TARGET)]);
+        }
+        tools::run(&mut cargo)?;
     }
-    tools::run(&mut cargo)
+    Ok(())
 }
 
 /// Makes a compiled module loadable, and small where it is published.
-pub(crate) fn finish(project: &Project, module: &Module, purpose: Purpose) -> Result<()> {
+pub fn finish(project: &Project, module: &Module, purpose: Purpose) -> Result<()> {
     let stamp = module.stamp(project, purpose)?;
     println!(
         "wasm-bindgen{}: {}",
@@ -236,7 +269,7 @@ impl Module {
     }
 
     /// Whether the module is there, for this purpose or a higher one, as its sources are now.
-    pub(crate) fn is_current(&self, project: &Project, purpose: Purpose) -> Result<bool> {
+    pub fn is_current(&self, project: &Project, purpose: Purpose) -> Result<bool> {
         let module = self.folder.join("inkpanel_bg.wasm");
         let there = |purpose| -> Result<bool> { Ok(self.stamp(project, purpose)?.is_current(&module)) };
         Ok(there(Purpose::Publish)? || purpose == Purpose::Serve && there(purpose)?)
@@ -255,7 +288,7 @@ impl Module {
 }
 
 /// Panic messages carry source paths; in what is published they start at the crate, not at someone's home.
-pub(crate) fn without_local_paths(project: &Project, target: &str) -> String {
+pub fn without_local_paths(project: &Project, target: &str) -> String {
     let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
     let mut flags = vec![format!("--remap-path-prefix={}=inkpanel", project.root.display())];
@@ -299,7 +332,7 @@ fn clear(folder: &Path) -> Result<()> {
 }
 
 /// Rust's standard library for wasm. A distribution may bring it without rustup.
-pub(crate) fn install_target() -> Result<()> {
+pub fn install_target() -> Result<()> {
     let sysroot = tools::output(Command::new("rustc").args(["--print", "sysroot"]))?;
     if Path::new(sysroot.trim()).join("lib/rustlib").join(TARGET).exists() {
         return Ok(());

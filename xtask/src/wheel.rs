@@ -15,7 +15,7 @@ const MODELS: [&str; 3] = ["faces.onnx", "objects.onnx", "README.md"];
 ///
 /// # Errors
 /// When Python is missing or too old, something cannot be fetched or built, or a test fails.
-pub(crate) fn run(project: &Project, with_ray: bool) -> Result<()> {
+pub fn run(project: &Project, with_ray: bool) -> Result<()> {
     make(project, with_ray, None).map(|_| ())
 }
 
@@ -23,7 +23,7 @@ pub(crate) fn run(project: &Project, with_ray: bool) -> Result<()> {
 ///
 /// # Errors
 /// As there.
-pub(crate) fn make(project: &Project, with_ray: bool, time: Option<u64>) -> Result<PathBuf> {
+pub fn make(project: &Project, with_ray: bool, time: Option<u64>) -> Result<PathBuf> {
     python::check()?;
     models::make(project)?;
     let package = project.root.join("python");

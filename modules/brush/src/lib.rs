@@ -1,5 +1,7 @@
-//! The module of masks corrected by hand: all that `inkpanel::wasm_brush` exports. A crate of its own, so that
-//! each module has its own name among what cargo makes, and none is compiled again because another was.
+//! The wasm module of the mask brush.
+//!
+//! The page loads it when a user first edits a mask.
+//! The crate contains only the bindings, so the engine is compiled once for all modules.
 
 #[cfg(target_arch = "wasm32")]
-use inkpanel as _;
+pub mod boundary;

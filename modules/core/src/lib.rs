@@ -1,5 +1,7 @@
-//! The module that the page loads first: all that `inkpanel::wasm` exports. A crate of its own, so that
-//! each module has its own name among what cargo makes, and none is compiled again because another was.
+//! The wasm module of the core, which the page loads first.
+//!
+//! It exports planning, page composition and filters.
+//! The crate contains only the bindings, so the engine is compiled once for all modules.
 
 #[cfg(target_arch = "wasm32")]
-use inkpanel as _;
+pub mod boundary;

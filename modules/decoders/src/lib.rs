@@ -1,5 +1,7 @@
-//! The module of what few photos are: all that `inkpanel::wasm_decoders` exports. A crate of its own, so that
-//! each module has its own name among what cargo makes, and none is compiled again because another was.
+//! The wasm module of the rare image decoders.
+//!
+//! The page loads it with the first WebP, TIFF, GIF or CMYK photo.
+//! The crate contains only the bindings, so the engine is compiled once for all modules.
 
 #[cfg(target_arch = "wasm32")]
-use inkpanel as _;
+pub mod boundary;

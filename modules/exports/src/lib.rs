@@ -1,6 +1,14 @@
-//! The module of files other than PNG: all that `inkpanel::wasm_files`, `inkpanel::wasm_boards`, `inkpanel::wasm_comics` and `inkpanel::wasm_letters`
-//! export. A crate of its own, so that each module has its own name among what cargo makes, and none is compiled again because
-//! another was.
+//! The wasm module of export formats other than PNG.
+//!
+//! The page loads it with the first such export.
+//! The crate contains only the bindings, so the engine is compiled once for all modules.
 
 #[cfg(target_arch = "wasm32")]
-use inkpanel as _;
+pub mod boards;
+#[cfg(target_arch = "wasm32")]
+pub mod comics;
+#[cfg(target_arch = "wasm32")]
+pub mod files;
+#[cfg(target_arch = "wasm32")]
+#[path = "../../letters.rs"]
+pub mod letters;

@@ -1,5 +1,7 @@
-//! The module of films: all that `inkpanel::wasm_films` exports. A crate of its own, so that each module has its own name
-//! among what cargo makes, and none is compiled again because another was.
+//! The wasm module of shot detection and sound analysis.
+//!
+//! The video worker loads it with the first video.
+//! The crate contains only the bindings, so the engine is compiled once for all modules.
 
 #[cfg(target_arch = "wasm32")]
-use inkpanel as _;
+pub mod boundary;

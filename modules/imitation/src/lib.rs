@@ -1,5 +1,7 @@
-//! The module of styles from a picture: all that `inkpanel::wasm_imitation` exports. A crate of its own, so that
-//! each module has its own name among what cargo makes, and none is compiled again because another was.
+//! The wasm module that finds a style for a picture.
+//!
+//! The page loads it with the first such picture.
+//! The crate contains only the bindings, so the engine is compiled once for all modules.
 
 #[cfg(target_arch = "wasm32")]
-use inkpanel as _;
+pub mod boundary;

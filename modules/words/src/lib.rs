@@ -1,5 +1,10 @@
-//! The module of lettering: all that `inkpanel::wasm_words` and `inkpanel::wasm_letters` export. A crate of its own, so that
-//! each module has its own name among what cargo makes, and none is compiled again because another was.
+//! The wasm module of lettering.
+//!
+//! The page loads it with the first text item.
+//! The crate contains only the bindings, so the engine is compiled once for all modules.
 
 #[cfg(target_arch = "wasm32")]
-use inkpanel as _;
+pub mod boundary;
+#[cfg(target_arch = "wasm32")]
+#[path = "../../letters.rs"]
+pub mod letters;

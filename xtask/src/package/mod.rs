@@ -1,7 +1,7 @@
 //! The npm package: the engine of `www/engine`, its wasm modules, letters and nets, their types, as files that a static server can
 //! serve as they are. `www/package` has what is there for the package alone.
 
-pub(crate) mod notices;
+pub mod notices;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -42,7 +42,7 @@ const FOLDERS: [&str; 13] = [
 ///
 /// # Errors
 /// When a part cannot be built.
-pub(crate) fn make(project: &Project) -> Result<()> {
+pub fn make(project: &Project) -> Result<()> {
     let folder = build(project)?;
     println!("{}: publish it with `npm publish`, or try it with `npm install FOLDER`", folder.display());
     Ok(())
@@ -130,7 +130,7 @@ fn papers(project: &Project, folder: &Path) -> Result<()> {
         copy(&project.root.join(file), &folder.join(file))?;
     }
     copy_all(&project.root.join("fonts"), &folder.join("licences"), |name| name.ends_with("-OFL.txt"))?;
-    fs::write(folder.join("THIRD-PARTY.txt"), notices::text(project, wasm::TARGET, &wasm::FEATURES)?)?;
+    fs::write(folder.join("THIRD-PARTY.txt"), notices::text(project, wasm::TARGET, wasm::FEATURES, &wasm::PACKAGES)?)?;
     Ok(())
 }
 
@@ -176,7 +176,7 @@ fn manifest(project: &Project) -> Result<Value> {
 ///
 /// # Errors
 /// When a part cannot be built, or npm does not pack it.
-pub(crate) fn pack(project: &Project) -> Result<PathBuf> {
+pub fn pack(project: &Project) -> Result<PathBuf> {
     let folder = build(project)?;
     let mut pack = Command::new(npm::program());
     pack.args(["pack", "--silent", "--pack-destination", ".."]).current_dir(&folder);
@@ -187,7 +187,7 @@ pub(crate) fn pack(project: &Project) -> Result<PathBuf> {
 ///
 /// # Errors
 /// When the package cannot be built or packed.
-pub(crate) fn check(project: &Project) -> Result<(Tally, bool)> {
+pub fn check(project: &Project) -> Result<(Tally, bool)> {
     let tarball = pack(project)?;
     println!("{}: {} bytes", tarball.display(), fs::metadata(&tarball)?.len());
     // As the suite `rust` builds it.

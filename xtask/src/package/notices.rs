@@ -14,18 +14,17 @@ use crate::tools;
 /// How files with licences and notices begin.
 const BEGINNINGS: [&str; 4] = ["LICENSE", "LICENCE", "COPYING", "NOTICE"];
 
-/// One text for all crates that the library has on a target with these features: each text once, above it the crates
-/// that it is of. A crate without such a file is named with what it says of itself.
+/// Returns the licence texts of all third-party crates in these workspace packages. Each text is printed once, below the
+/// crates that it covers. A crate without a licence file is listed with its authors.
 ///
 /// # Errors
-/// When cargo cannot tell.
-pub(crate) fn text(project: &Project, target: &str, features: &[&str]) -> Result<String> {
+/// If `cargo metadata` fails.
+pub fn text(project: &Project, target: &str, features: &str, packages: &[&str]) -> Result<String> {
     let mut cargo = project.cargo();
     cargo.args(["metadata", "--format-version", "1", "--locked", "--no-default-features"]);
-    cargo.args(["--features", &features.join(","), "--filter-platform", target]);
+    cargo.args(["--features", features, "--filter-platform", target]);
     let metadata: Value = serde_json::from_str(&tools::output(&mut cargo)?)?;
-    let root = metadata["workspace_default_members"][0].as_str().context("cargo names no crate")?;
-    let needed = reached(&metadata, root, &BTreeSet::new());
+    let needed = reached(&metadata, &workspace_ids(&metadata, packages), &BTreeSet::new());
     let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for package in metadata["packages"].as_array().into_iter().flatten() {
         let field = |name: &str| package[name].as_str().unwrap_or_default();
@@ -52,16 +51,26 @@ pub(crate) fn text(project: &Project, target: &str, features: &[&str]) -> Result
     Ok(written)
 }
 
-/// The ids of all packages that `root` needs when it is compiled, itself among them, without those of `left_out` and what they
-/// alone need.
-pub(crate) fn reached<'a>(
+/// Returns the ids of workspace packages with these names.
+pub fn workspace_ids<'a>(metadata: &'a Value, names: &[&str]) -> Vec<&'a str> {
+    let packages = metadata["packages"].as_array().into_iter().flatten();
+    packages
+        .filter(|package| package["source"].is_null())
+        .filter(|package| names.iter().any(|name| package["name"] == *name))
+        .filter_map(|package| package["id"].as_str())
+        .collect()
+}
+
+/// Returns the ids of all packages that are compiled into `roots`, including the roots. Packages in `left_out` and their own
+/// dependencies are excluded.
+pub fn reached<'a>(
     metadata: &'a Value,
-    root: &'a str,
+    roots: &[&'a str],
     left_out: &BTreeSet<&str>,
 ) -> BTreeSet<&'a str> {
     let nodes = metadata["resolve"]["nodes"].as_array().map_or(&[][..], Vec::as_slice);
     let mut reached = BTreeSet::new();
-    let mut open = vec![root];
+    let mut open = roots.to_vec();
     while let Some(id) = open.pop() {
         if left_out.contains(id) || !reached.insert(id) {
             continue;

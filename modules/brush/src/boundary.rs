@@ -1,0 +1,168 @@
+//! The web boundary of the module of masks that are corrected by hand, which is loaded when a person does: it holds the mask that
+//! is worked on, and draws how it lies over its photo.
+
+// Every function that returns a Result throws as the module's documentation says.
+#![allow(clippy::missing_errors_doc)]
+// What the macro makes of an enum compares numbers of JavaScript with its own.
+#![allow(clippy::float_cmp)]
+
+use inkpanel::raster::retouch::{Mending, Session, View};
+use inkpanel::raster::{Image, Matte};
+use inkpanel_pixels::thrown::thrown;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(start)]
+fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// What is done to a mask as a whole.
+#[wasm_bindgen]
+#[derive(Clone, Copy)]
+pub enum Mend {
+    /// The border goes outward.
+    Grow,
+    /// The border goes inward.
+    Shrink,
+    /// The border gets softer, as long as it is one.
+    Feather,
+    /// The subject is what was not.
+    Invert,
+    /// All that was found, or all of the photo.
+    Everything,
+    /// Nothing is the subject.
+    Nothing,
+    /// Back to what was found.
+    Found,
+    /// The next of several figures alone.
+    NextFigure,
+}
+
+/// The mask of a photo while it is corrected.
+#[wasm_bindgen]
+pub struct Retouch {
+    session: Session,
+    view: View,
+}
+
+#[wasm_bindgen]
+impl Retouch {
+    /// `planes` are the photo's red, green and blue samples, one plane after the other; `own` is the mask as it was corrected
+    /// before, `found` as the net found it, both as text. A text that is no mask is as if there were none.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        width: usize,
+        height: usize,
+        planes: &[u8],
+        own: Option<String>,
+        found: Option<String>,
+    ) -> std::result::Result<Retouch, JsValue> {
+        let photo = Image::from_rgb_planes(width, height, planes).map_err(thrown)?;
+        let [own, found] = [own, found].map(|text| text.and_then(|text| Matte::try_from(text).ok()));
+        let session = Session::new((width, height), own.as_ref(), found.as_ref());
+        Ok(Self { session, view: View::new(&photo) })
+    }
+
+    /// Width of the view in pixels.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn width(&self) -> usize {
+        self.view.size().0
+    }
+
+    /// Its height.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn height(&self) -> usize {
+        self.view.size().1
+    }
+
+    /// The view as RGBA, with the edges of the photo where it is to be `fine`.
+    #[must_use]
+    pub fn draw(&mut self, fine: bool) -> Vec<u8> {
+        self.view.draw(self.session.mask(), fine).to_vec()
+    }
+
+    /// Paints along a path of x and y in parts of the photo, one after the other; the radius is in photo widths.
+    pub fn paint(&mut self, path: &[f32], radius: f32, adds: bool) {
+        let path: Vec<[f32; 2]> = path.chunks_exact(2).map(|at| [at[0], at[1]]).collect();
+        self.session.paint(&path, radius, adds);
+    }
+
+    /// Ends a stroke; whether anything changed.
+    pub fn end(&mut self) -> bool {
+        self.session.end()
+    }
+
+    /// Takes back a stroke that is not ended.
+    pub fn abandon(&mut self) {
+        self.session.abandon();
+    }
+
+    /// Does something to the mask as a whole; whether anything changed.
+    pub fn mend(&mut self, how: Mend) -> bool {
+        self.session.mend(match how {
+            Mend::Grow => Mending::Grow,
+            Mend::Shrink => Mending::Shrink,
+            Mend::Feather => Mending::Feather,
+            Mend::Invert => Mending::Invert,
+            Mend::Everything => Mending::Everything,
+            Mend::Nothing => Mending::Nothing,
+            Mend::Found => Mending::Found,
+            Mend::NextFigure => Mending::NextFigure,
+        })
+    }
+
+    /// The figure at a point alone, which is in parts of the photo; whether anything changed.
+    pub fn choose(&mut self, x: f32, y: f32) -> bool {
+        self.session.mend(Mending::FigureAt([x, y]))
+    }
+
+    /// One step back; whether there was one.
+    pub fn undo(&mut self) -> bool {
+        self.session.undo()
+    }
+
+    /// One step forth; whether there was one.
+    pub fn redo(&mut self) -> bool {
+        self.session.redo()
+    }
+
+    /// Whether there is a step back.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn undoable(&self) -> bool {
+        self.session.can().0
+    }
+
+    /// Whether there is a step forth.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn redoable(&self) -> bool {
+        self.session.can().1
+    }
+
+    /// Whether the mask is what was found.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn found(&self) -> bool {
+        self.session.is_found()
+    }
+
+    /// The part of the photo that is its subject, 0 to 1.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn coverage(&self) -> f64 {
+        self.session.coverage()
+    }
+
+    /// The mask after each step that counts, as text; an empty one where it is what was found.
+    #[must_use]
+    pub fn steps(&self) -> Vec<String> {
+        self.session
+            .steps()
+            .into_iter()
+            .map(|mask| mask.map_or_else(String::new, |mask| mask.text().to_owned()))
+            .collect()
+    }
+}

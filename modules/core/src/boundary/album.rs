@@ -1,0 +1,95 @@
+//! The photos that pages are planned from. They are told once: an album of hundreds is a megabyte of text, and a page is
+//! planned with every shuffle, for every alternative and whenever a photo was searched for subjects.
+
+use super::planning::parse_request;
+use super::{parse, thrown};
+use inkpanel::document::planning::{Known, planned_of};
+use inkpanel::error::{Error, Result};
+use inkpanel::framing::PhotoMeta;
+use inkpanel::page::fill::framed_json;
+use inkpanel::plan::prepared::Place;
+use std::collections::{HashMap, HashSet};
+use wasm_bindgen::prelude::*;
+
+/// Photos by id.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct Album {
+    /// What is told of each, and what plans found out about it.
+    photos: HashMap<String, (PhotoMeta, Place)>,
+    /// Those in use, in their order.
+    used: Vec<String>,
+}
+
+#[wasm_bindgen]
+impl Album {
+    /// An empty album.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Learns what is known of some photos, a JSON array; each takes the place of the photo with its id.
+    pub fn know(&mut self, photos: &str) -> std::result::Result<(), JsValue> {
+        let photos: Vec<PhotoMeta> = parse(photos, "photos").map_err(thrown)?;
+        for photo in photos {
+            // Told again as it was, a photo is not looked at again.
+            if self.photos.get(&photo.id).is_none_or(|(known, _)| *known != photo) {
+                self.photos.insert(photo.id.clone(), (photo, Place::default()));
+            }
+        }
+        Ok(())
+    }
+
+    /// Forgets all but these photos, a JSON array of ids.
+    pub fn keep(&mut self, ids: &str) -> std::result::Result<(), JsValue> {
+        let ids: HashSet<String> = parse(ids, "photos").map_err(thrown)?;
+        self.photos.retain(|id, _| ids.contains(id));
+        Ok(())
+    }
+
+    /// Learns which photos are in use, a JSON array of ids in their order.
+    pub fn take(&mut self, ids: &str) -> std::result::Result<(), JsValue> {
+        self.used = parse(ids, "photos").map_err(thrown)?;
+        Ok(())
+    }
+
+    /// A new document from photos, locks and a seed; see `page::request::Request`, whose photos are `ids`, a JSON array.
+    pub fn plan(&self, request: &str, ids: &str) -> std::result::Result<String, JsValue> {
+        let plan = || -> Result<String> {
+            let ids: Vec<String> = parse(ids, "photos")?;
+            Ok(planned_of(parse_request(request)?, &self.known(&ids)?)?.to_json())
+        };
+        plan().map_err(thrown)
+    }
+}
+
+#[wasm_bindgen]
+impl Album {
+    /// What frames of an aspect show of photos, `ids` as JSON: of each `{photo, crop, faces}`.
+    pub fn frames(&self, ids: &str, aspect: f64) -> std::result::Result<String, JsValue> {
+        let framed = || -> Result<String> {
+            let ids: Vec<String> = parse(ids, "photos")?;
+            Ok(framed_json(self.known(&ids)?.iter().map(|known| known.meta), aspect))
+        };
+        framed().map_err(thrown)
+    }
+}
+
+impl Album {
+    /// The photos in use.
+    pub(super) fn used(&self) -> Result<Vec<Known<'_>>> {
+        self.known(&self.used)
+    }
+
+    /// These photos.
+    #[inline(never)]
+    pub(super) fn known(&self, ids: &[String]) -> Result<Vec<Known<'_>>> {
+        let known = |id: &String| {
+            let (meta, place) = self.photos.get(id).ok_or_else(|| Error::MissingPhoto(id.clone()))?;
+            Ok(Known { meta, place: Some(place) })
+        };
+        ids.iter().map(known).collect()
+    }
+}

@@ -1,0 +1,107 @@
+//! What the benchmark times: blocks or a whole style, again and again on planes that are already here, so that
+//! neither decoding nor copies across the boundary count.
+
+use super::{style_of, thrown};
+use inkpanel::error::Result;
+use inkpanel::framing::{EnergyMap, Facts, lettering};
+use inkpanel::page::import::SMALL_SIDE;
+use inkpanel::page::{Document, Scene, mask};
+use inkpanel::raster::Image;
+use inkpanel::raster::resize::{Region, fit, resample_image};
+use inkpanel::style::{Context, Style, chain, stylize};
+use wasm_bindgen::prelude::*;
+
+/// Learns what framing has to know of a photo of these pixels, reduced to the size at which it looks.
+#[wasm_bindgen(js_name = benchFacts)]
+pub fn bench_facts(width: usize, height: usize, rgba: &[u8]) -> std::result::Result<usize, JsValue> {
+    let image = Image::from_rgba(width, height, rgba, [255; 3]).map_err(thrown)?;
+    let (wide, high) = fit(width, height, SMALL_SIDE);
+    let small = resample_image(&image, Region::whole(width, height), wide, high);
+    let energy = EnergyMap::of(&small);
+    Ok(energy.values().len() + Facts::of(&small).spread().0 as usize + lettering(&small).len())
+}
+
+/// One style, one picture, and the scratch memory that a worker would keep.
+#[wasm_bindgen]
+pub struct Bench {
+    style: Style,
+    /// Blocks of the background that were run beforehand.
+    done: usize,
+    picture: Image,
+    next: Option<Image>,
+    context: Context<'static>,
+}
+
+#[wasm_bindgen]
+impl Bench {
+    /// Takes a style file and RGBA pixels, and runs the first `done` blocks of the background. Throws what a
+    /// style or a size can be wrong in.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        style: &str,
+        done: usize,
+        width: usize,
+        height: usize,
+        rgba: &[u8],
+    ) -> std::result::Result<Bench, JsValue> {
+        let make = || -> Result<Bench> {
+            let style = style_of(style)?;
+            let done = done.min(style.background.len());
+            let picture = Image::from_rgba(width, height, rgba, [255; 3])?;
+            let mut context = Context::for_image(&picture);
+            let picture = chain::run_until(&style.background, done, picture, &mut context)?;
+            Ok(Bench { style, done, picture, next: None, context })
+        };
+        make().map_err(thrown)
+    }
+
+    /// Copies the picture for the next [`Bench::run`], which changes it in place.
+    pub fn prepare(&mut self) {
+        self.next = Some(self.picture.clone());
+    }
+
+    /// Runs the other blocks of the background once on the prepared copy; does nothing without one.
+    pub fn run(&mut self) -> std::result::Result<(), JsValue> {
+        let Some(picture) = self.next.take() else { return Ok(()) };
+        let steps = &self.style.background[self.done..];
+        chain::run_owned(steps, picture, &mut self.context).map(drop).map_err(thrown)
+    }
+
+    /// Runs the whole style once, both layers and its own copies.
+    pub fn run_style(&mut self) -> std::result::Result<(), JsValue> {
+        stylize(&self.picture, &self.style, &mut self.context).map(drop).map_err(thrown)
+    }
+}
+
+/// A page whose masks and borders are drawn again and again.
+#[wasm_bindgen]
+pub struct BenchPage {
+    scene: Scene,
+}
+
+#[wasm_bindgen]
+impl BenchPage {
+    /// Takes a document and the width of its page in pixels. Throws what a document can be wrong in.
+    #[wasm_bindgen(constructor)]
+    pub fn new(document: &str, width: usize) -> std::result::Result<BenchPage, JsValue> {
+        let make = || -> Result<BenchPage> {
+            Ok(BenchPage { scene: Scene::new(&Document::parse(document)?, width)? })
+        };
+        make().map_err(thrown)
+    }
+
+    /// Draws the inside, the border and the halo of every panel as [`render_panel`](inkpanel::page::compose) does;
+    /// gives the pixels drawn.
+    #[must_use]
+    pub fn draw_masks(&self) -> usize {
+        let Scene { corner_radius, border, ref panels, .. } = self.scene;
+        let drawn = panels.iter().map(|panel| {
+            let mut pixels = mask::inside(&panel.shape, corner_radius, panel.area).len();
+            for line in [2.0 * panel.halo, border].into_iter().filter(|&width| width >= 0.05) {
+                pixels += mask::border(&panel.shape, corner_radius, line, panel.area).len();
+            }
+            pixels
+        });
+        drawn.sum()
+    }
+}

@@ -1,0 +1,34 @@
+//! Styles while they are designed, for the designer of the page. A draft is that of `document::draft`, as JSON.
+
+use super::{parse, thrown};
+use inkpanel::document::draft;
+use inkpanel::error::Result;
+use serde_json::Value;
+use wasm_bindgen::prelude::*;
+
+/// A draft of a style that has no block.
+#[wasm_bindgen]
+#[must_use]
+pub fn empty_draft(id: &str, name: &str) -> String {
+    draft::empty_json(id, name)
+}
+
+/// A style taken apart. Throws `invalid-style`.
+#[wasm_bindgen]
+pub fn draft_of(style: &str) -> std::result::Result<String, JsValue> {
+    let draft = || -> Result<String> { draft::of_json(&parse::<Value>(style, "style")?) };
+    draft().map_err(thrown)
+}
+
+/// A draft after an edit, both as JSON: see `document::draft::DraftEdit`. Null where nothing changes, or where it cannot be
+/// done.
+#[wasm_bindgen]
+pub fn edit_draft(draft: &str, edit: &str) -> std::result::Result<String, JsValue> {
+    draft::after_json(draft, edit).map_err(thrown)
+}
+
+/// What is known of a draft: see `document::draft::facts_json`.
+#[wasm_bindgen]
+pub fn draft_facts(draft: &str) -> std::result::Result<String, JsValue> {
+    draft::facts_json(draft).map_err(thrown)
+}

@@ -1,0 +1,18 @@
+//! Figures that step out of their panels.
+
+use super::thrown;
+use inkpanel::error::Result;
+use inkpanel::page::{Document, breaking};
+use inkpanel::raster::Matte;
+use wasm_bindgen::prelude::*;
+
+/// The page with the figure of a panel stepping out of it; empty where it cannot. `mask`: the subject of the panel's photo.
+#[wasm_bindgen]
+pub fn break_frame(document: &str, panel: usize, mask: String) -> std::result::Result<String, JsValue> {
+    let broken = || -> Result<String> {
+        let Ok(mask) = Matte::try_from(mask) else { return Ok(String::new()) };
+        let broken = breaking::broken(&Document::parse(document)?, panel, &mask)?;
+        Ok(broken.map(|page| page.to_json()).unwrap_or_default())
+    };
+    broken().map_err(thrown)
+}

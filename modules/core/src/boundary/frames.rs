@@ -1,0 +1,87 @@
+//! Frames of videos, which the browser decodes and hands over as pixels.
+
+use super::{Patch, Studio, thrown};
+use inkpanel::error::Result;
+use inkpanel::page::compose;
+use inkpanel::page::import::{Frame, import_frame, small_frame};
+use inkpanel::page::living::living;
+use inkpanel::raster::Image;
+use inkpanel::raster::decode::Limits;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+impl Studio {
+    /// Takes a frame of a video as RGBA: `width` x `height` pixels that stand for `square_width` x `square_height`
+    /// square ones, to be turned clockwise by `rotation` degrees. The facts are those of `import_photo`; the frame
+    /// as a PNG file waits for `take_file`.
+    #[allow(clippy::too_many_arguments, reason = "JavaScript passes numbers, not structs")]
+    pub fn import_frame(
+        &mut self,
+        id: &str,
+        width: usize,
+        height: usize,
+        rgba: &[u8],
+        square_width: usize,
+        square_height: usize,
+        rotation: u32,
+    ) -> std::result::Result<String, JsValue> {
+        let frame = Frame { size: (width, height), rgba, square: (square_width, square_height), rotation };
+        let (photo, file) = import_frame(id, &frame, &Limits::default()).map_err(thrown)?;
+        self.file = file;
+        self.take_in(photo)
+    }
+
+    /// The file that the last `import_frame` made; empty afterwards.
+    #[must_use]
+    pub fn take_file(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.file)
+    }
+
+    /// A frame of a video as RGBA, as `import_frame` takes it, upright and with a long side of `longest` pixels at most.
+    #[allow(clippy::too_many_arguments, reason = "JavaScript passes numbers, not structs")]
+    pub fn small_frame(
+        &self,
+        width: usize,
+        height: usize,
+        rgba: &[u8],
+        square_width: usize,
+        square_height: usize,
+        rotation: u32,
+        longest: usize,
+    ) -> std::result::Result<Patch, JsValue> {
+        let frame = Frame { size: (width, height), rgba, square: (square_width, square_height), rotation };
+        let image = small_frame(&frame, longest, &Limits::default()).map_err(thrown)?;
+        Ok(Patch::whole(image.width(), image.height(), image.to_rgba()))
+    }
+
+    /// Gives one frame more of the film to the panel that is drawn next by `draw_living`.
+    pub fn add_living(
+        &mut self,
+        width: usize,
+        height: usize,
+        rgba: &[u8],
+    ) -> std::result::Result<(), JsValue> {
+        // Those of a panel that came to nothing are not another's.
+        let frame = Image::from_rgba(width, height, rgba, [255; 3]).inspect_err(|_| self.living.clear());
+        self.living.push(frame.map_err(thrown)?);
+        Ok(())
+    }
+
+    /// The pictures of a panel of a page, a loop of the frames that were given, of which `still` is that of its photo; see
+    /// `page::living`. None where the panel stays still.
+    pub fn draw_living(
+        &mut self,
+        document: &str,
+        index: usize,
+        width: usize,
+        still: usize,
+    ) -> std::result::Result<Vec<Patch>, JsValue> {
+        let frames = std::mem::take(&mut self.living);
+        let mut drawn = || -> Result<_> {
+            let scene = self.scene(document, width, "work")?;
+            living(&scene, index, (&frames, still), &mut self.context)
+        };
+        let told = |patch: compose::Patch| Patch { area: patch.area, rgba: patch.rgba };
+        Ok(drawn().map_err(thrown)?.into_iter().map(told).collect())
+    }
+}

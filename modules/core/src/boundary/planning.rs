@@ -1,0 +1,148 @@
+//! Pages planned for a project while it is edited: which photos each may show, and how it follows what is changed. Each
+//! answer is a proposal; the page makes an edit of it.
+//!
+//! Every request is one of `page::request::Request` in JSON, which tells a seed and perhaps a taste; what else it may
+//! tell stands with each function. A page is null where there can be none.
+
+use super::album::Album;
+use super::editing::Editor;
+use super::{parse, thrown};
+use inkpanel::document::planning::{Planning, Seeds};
+use inkpanel::document::upkeep::Groups;
+use inkpanel::error::Result;
+use inkpanel::json::Writer;
+use inkpanel::page::Document;
+use inkpanel::page::request::{Request, Taste};
+use serde_json::Value;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+impl Editor {
+    /// A new page. `photos`: those that it is to have, as JSON; empty for those in use that are free for it. `anew`: as if
+    /// there was no page; else the page is the current one of a request that tells none.
+    pub fn plan(
+        &self,
+        album: &Album,
+        request: &str,
+        photos: &str,
+        anew: bool,
+    ) -> std::result::Result<String, JsValue> {
+        self.asked(album, request, &mut |planning, mut request| {
+            if request.current.is_none() && !anew {
+                request.current = planning.project.page.as_deref().cloned();
+            }
+            let mut own = None;
+            if !photos.is_empty() {
+                let ids: Vec<String> = parse(photos, "photos")?;
+                own = Some(album.known(&ids)?);
+            }
+            Ok(told(planning.plan(request, own)?))
+        })
+    }
+
+    /// The page after the photos in use changed: as it was where it can be. `grow`: there are more photos than before.
+    pub fn refitted(&self, album: &Album, request: &str, grow: bool) -> std::result::Result<String, JsValue> {
+        self.asked(album, request, &mut |planning, request| Ok(told(planning.refitted(grow, request.seed)?)))
+    }
+
+    /// All pages of the storyboard, in order, with the settings of the request.
+    pub fn on_paper(&self, album: &Album, request: &str) -> std::result::Result<String, JsValue> {
+        self.asked(album, request, &mut |planning, request| {
+            let mut out = Writer::default();
+            out.open(b'[');
+            for sheet in planning.project.sheets() {
+                out.item();
+                planning.on_paper(&sheet.page, &request.page)?.write(&mut out);
+            }
+            out.close(b']');
+            Ok(out.finish())
+        })
+    }
+
+    /// A page that was shown before, which the request tells as the current one, as it can be shown now.
+    pub fn brought_back(&self, album: &Album, request: &str) -> std::result::Result<String, JsValue> {
+        self.asked(album, request, &mut |planning, request| {
+            let page = request.current.as_ref().map(|page| planning.brought_back(page));
+            Ok(told(page.transpose()?))
+        })
+    }
+
+    /// The photos in use laid out over pages, in the place of those that there are: a list of sheets, or null.
+    pub fn spread(&self, album: &Album, request: &str) -> std::result::Result<String, JsValue> {
+        let fresh = self.hands.history().fresh();
+        self.asked(album, request, &mut |planning, request| {
+            planning.spread_json(fresh, &mut Seeds::new(u64::from(request.seed)))
+        })
+    }
+
+    /// A page to be added, of photos that no page shows as long as there are some.
+    pub fn another(&self, album: &Album, request: &str) -> std::result::Result<String, JsValue> {
+        self.asked(album, request, &mut |planning, request| {
+            Ok(told(planning.another(&mut Seeds::new(u64::from(request.seed)))?))
+        })
+    }
+
+    /// Whether one of the other pages shows a photo that is not in use.
+    pub fn torn(&self, album: &Album) -> std::result::Result<bool, JsValue> {
+        self.planning(album).map(|planning| planning.torn()).map_err(thrown)
+    }
+
+    /// The pages with other photos where one is gone, and without pages that none is left for: see
+    /// `Planning::repaired_json`. `groups`: of look-alikes, by the ids of photos.
+    pub fn repaired(
+        &self,
+        album: &Album,
+        request: &str,
+        groups: &str,
+    ) -> std::result::Result<String, JsValue> {
+        self.asked(album, request, &mut |planning, _| {
+            let groups = match parse(groups, "groups")? {
+                Value::Object(groups) => groups,
+                _ => Groups::new(),
+            };
+            planning.repaired_json(&groups)
+        })
+    }
+
+    /// The ids of the photos in use that are free for the page.
+    pub fn free_photos(&self, album: &Album) -> std::result::Result<String, JsValue> {
+        let free = |planning: Planning| {
+            let mut out = Writer::default();
+            let free = planning.free(&planning.elsewhere(), planning.project.page.as_deref());
+            out.list(&free, &|out, photo| out.text(photo.id()));
+            out.finish()
+        };
+        self.planning(album).map(free).map_err(thrown)
+    }
+}
+
+/// What is made of a request. One for all questions: what is the same for them is in the module once.
+type Answer<'a> = &'a mut dyn FnMut(&Planning, Request) -> Result<String>;
+
+impl Editor {
+    #[inline(never)]
+    fn asked(&self, album: &Album, request: &str, answer: Answer) -> std::result::Result<String, JsValue> {
+        let mut answered = || {
+            let mut request = parse_request(request)?;
+            let mut planning = self.planning(album)?;
+            planning.taste = std::mem::take(&mut request.taste);
+            answer(&planning, request)
+        };
+        answered().map_err(thrown)
+    }
+
+    #[inline(never)]
+    fn planning<'p>(&'p self, album: &'p Album) -> Result<Planning<'p>> {
+        Ok(Planning { project: self.hands.project(), photos: album.used()?, taste: Taste::default() })
+    }
+}
+
+#[inline(never)]
+pub(super) fn parse_request(json: &str) -> Result<Request> {
+    parse(json, "request")
+}
+
+#[inline(never)]
+fn told(page: Option<Document>) -> String {
+    page.map_or_else(|| "null".to_owned(), |page| page.to_json())
+}

@@ -1,0 +1,135 @@
+//! The web boundary of the module of decoders for what few photos are: WebP, TIFF, GIF, and any whose colours are those of a
+//! scanner or a press. It is loaded with the first of them, and makes them files that the core reads.
+
+// Every function that returns a Result throws as the module's documentation says.
+#![allow(clippy::missing_errors_doc)]
+
+use inkpanel::raster::Image;
+use inkpanel::raster::animation;
+use inkpanel::raster::decode::{Limits, decode};
+use inkpanel_pixels::thrown::thrown;
+use wasm_bindgen::prelude::*;
+
+/// Bytes before the pixels of a BMP file.
+const HEADER: usize = 54;
+
+#[wasm_bindgen(start)]
+fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// A photo as another file.
+#[wasm_bindgen]
+pub struct Converted {
+    format: &'static str,
+    taken: Option<String>,
+    file: Vec<u8>,
+}
+
+#[wasm_bindgen]
+impl Converted {
+    /// Decodes a file: upright, in sRGB, laid on white. Throws `unknown-format`, `unsupported`, `damaged` and `too-large`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(bytes: &[u8]) -> std::result::Result<Converted, JsValue> {
+        let photo = decode(bytes, &Limits::default()).map_err(thrown)?;
+        Ok(Self { format: photo.format, taken: photo.taken, file: bmp(&photo.image) })
+    }
+
+    /// Name of its format.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn format(&self) -> String {
+        self.format.to_owned()
+    }
+
+    /// When it was taken, `YYYY:MM:DD HH:MM:SS`, where the file says so.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn taken(&self) -> Option<String> {
+        self.taken.clone()
+    }
+
+    /// The BMP file, which is given away.
+    #[must_use]
+    pub fn take(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.file)
+    }
+}
+
+/// An animated GIF or WebP file, picture by picture.
+#[wasm_bindgen]
+pub struct Animation {
+    pictures: animation::Animation,
+}
+
+#[wasm_bindgen]
+impl Animation {
+    /// Opens a file. Throws `unknown-format`, `damaged` and `too-large`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(bytes: Vec<u8>) -> std::result::Result<Animation, JsValue> {
+        let pictures = animation::Animation::new(bytes, &Limits::default()).map_err(thrown)?;
+        Ok(Self { pictures })
+    }
+
+    /// Goes on to the next picture; false when there is none. Throws `damaged` where the file breaks off.
+    pub fn advance(&mut self) -> std::result::Result<bool, JsValue> {
+        self.pictures.advance().map_err(thrown)
+    }
+
+    /// The picture that was gone on to, laid on white, in sRGB.
+    pub fn picture(&mut self) -> std::result::Result<Picture, JsValue> {
+        let image = self.pictures.picture().map_err(thrown)?;
+        Ok(Picture { width: image.width(), height: image.height(), rgba: image.to_rgba() })
+    }
+}
+
+/// One picture of an animation.
+#[wasm_bindgen]
+pub struct Picture {
+    /// In pixels.
+    #[wasm_bindgen(readonly)]
+    pub width: usize,
+    /// In pixels.
+    #[wasm_bindgen(readonly)]
+    pub height: usize,
+    rgba: Vec<u8>,
+}
+
+#[wasm_bindgen]
+impl Picture {
+    /// Its RGBA, which is given away.
+    #[must_use]
+    pub fn take(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.rgba)
+    }
+}
+
+/// 24 bits a pixel, from the top down.
+fn bmp(image: &Image) -> Vec<u8> {
+    let (width, height) = (image.width(), image.height());
+    let stride = (3 * width).next_multiple_of(4);
+    let mut file = vec![0; HEADER + stride * height];
+    let length = file.len() as u32;
+    file[..2].copy_from_slice(b"BM");
+    // Length, start of the pixels, length of what follows, sides (a negative height: from the top down), planes and bits.
+    let fields = [
+        (2, length),
+        (10, HEADER as u32),
+        (14, 40),
+        (18, width as u32),
+        (22, (height as u32).wrapping_neg()),
+        (26, (24 << 16) | 1),
+    ];
+    for (at, value) in fields {
+        file[at..at + 4].copy_from_slice(&value.to_le_bytes());
+    }
+    let planes = image.planes();
+    let [red, green, blue] = [0, 1, 2].map(|i| &planes[i.min(planes.len() - 1)]);
+    for (y, row) in file[HEADER..].chunks_exact_mut(stride.max(1)).enumerate() {
+        let samples = red.row(y).iter().zip(green.row(y)).zip(blue.row(y));
+        for (pixel, ((&r, &g), &b)) in row.chunks_exact_mut(3).zip(samples) {
+            pixel.copy_from_slice(&[b, g, r]);
+        }
+    }
+    file
+}

@@ -1,0 +1,89 @@
+//! The web boundary of boards, a part of the module of other files: their sheets as pages, the lists of their shots, and the plans of
+//! films, of shots and of pages.
+//!
+//! Errors are as in the module of words.
+
+use inkpanel::error::{Error, Result};
+use inkpanel::output::animatic::{self, Animatic};
+use inkpanel::output::board::Request;
+use inkpanel::output::motion;
+use inkpanel::output::shots::{Kind, ShotList};
+use crate::letters::Lettering;
+use inkpanel_pixels::thrown::thrown;
+use wasm_bindgen::prelude::*;
+
+/// The text of a list of shots (a `ShotList` as JSON) as a file of that ending: csv, edl, otio or xml.
+///
+/// # Errors
+/// `invalid-document` for a list that is none, and for another ending.
+#[wasm_bindgen(js_name = shotFile)]
+pub fn shot_file(ending: &str, list: &str) -> std::result::Result<String, JsValue> {
+    let made = || -> Result<String> {
+        let kind = Kind::of(ending).ok_or_else(|| Error::InvalidDocument {
+            location: "kind".into(),
+            reason: format!("{ending} is none of csv, edl, otio, xml"),
+        })?;
+        Ok(ShotList::parse(list)?.written(kind))
+    };
+    made().map_err(thrown)
+}
+
+/// The sheets of a board (a `Request` of `output::board` as JSON): a list of pages.
+///
+/// # Errors
+/// `invalid-document` for a request that is none; those of the style.
+#[wasm_bindgen(js_name = boardSheets)]
+pub fn board_sheets(request: &str) -> std::result::Result<String, JsValue> {
+    let made = || -> Result<String> {
+        let sheets = Request::parse(request)?.sheets()?;
+        let pages: Vec<String> = sheets.iter().map(inkpanel::page::Document::to_json).collect();
+        Ok(format!("[{}]", pages.join(",")))
+    };
+    made().map_err(thrown)
+}
+
+/// An animatic: its shots in their times, and what each of its frames shows.
+#[wasm_bindgen]
+pub struct AnimaticPlan {
+    plan: Animatic,
+}
+
+#[wasm_bindgen]
+impl AnimaticPlan {
+    /// Lays out a `Request` of `output::animatic`, told as JSON.
+    ///
+    /// # Errors
+    /// `invalid-document` for a request that is none, or whose shots cannot be shown; those of the style.
+    #[wasm_bindgen(constructor)]
+    pub fn new(request: &str) -> std::result::Result<Self, JsValue> {
+        let planned = || animatic::Request::parse(request)?.planned();
+        planned().map(|plan| Self { plan }).map_err(thrown)
+    }
+
+    /// Lays pages out that are read panel by panel: a `Request` of `output::motion`, told as JSON.
+    ///
+    /// # Errors
+    /// `invalid-document` for a request that is none, or whose pages cannot be read; those of layouts and of words.
+    pub fn pages(request: &str, letters: &Lettering) -> std::result::Result<AnimaticPlan, JsValue> {
+        let planned = || motion::Request::parse(request)?.planned(letters.letters());
+        planned().map(|plan| Self { plan }).map_err(thrown)
+    }
+
+    /// The `Animatic` as JSON.
+    ///
+    /// # Errors
+    /// `invalid-document` for what cannot be written.
+    pub fn json(&self) -> std::result::Result<String, JsValue> {
+        let written = |error: serde_json::Error| Error::InvalidDocument {
+            location: "animatic".into(),
+            reason: error.to_string(),
+        };
+        serde_json::to_string(&self.plan).map_err(written).map_err(thrown)
+    }
+
+    /// What each frame shows, as `Animatic::table` tells it.
+    #[must_use]
+    pub fn table(&self) -> Vec<f32> {
+        self.plan.table()
+    }
+}

@@ -1,0 +1,38 @@
+//! The web boundary of comics that are read, a part of the module of other files: their text. The page has their pictures as Blobs and
+//! puts them in.
+//!
+//! Errors are as in the module of words.
+
+use inkpanel::error::{Error, Result};
+use inkpanel::output::{Comic, cbz, epub, html};
+use crate::letters::Lettering;
+use inkpanel_pixels::thrown::thrown;
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+/// What a comic (a `Comic` as JSON) is as a file of that kind: for `html` a list of pieces, for `epub` and `cbz` one of files, as
+/// JSON. See `output::comic`.
+///
+/// # Errors
+/// `invalid-document` for a comic that is none, and for another kind; those of the layout.
+#[wasm_bindgen(js_name = comicFile)]
+pub fn comic_file(kind: &str, comic: &str, lettering: &Lettering) -> std::result::Result<String, JsValue> {
+    let made = || -> Result<String> {
+        let comic = Comic::parse(comic)?;
+        let letters = lettering.letters();
+        match kind {
+            "html" => json(&html::write(&comic, letters)?),
+            "epub" => json(&epub::write(&comic, letters)?),
+            "cbz" => json(&cbz::write(&comic, letters)?),
+            _ => Err(Error::InvalidDocument {
+                location: "kind".into(),
+                reason: format!("{kind} is none of html, epub, cbz"),
+            }),
+        }
+    };
+    made().map_err(thrown)
+}
+
+fn json(made: &impl Serialize) -> Result<String> {
+    serde_json::to_string(made).map_err(|error| Error::Encode(error.to_string()))
+}

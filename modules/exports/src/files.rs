@@ -1,0 +1,221 @@
+//! The web boundary of the module of files other than PNG: pages as JPEG, WebP and PDF.
+//! The core makes the pixels; they come from there as patches.
+//!
+//! Errors are as in the module of words.
+
+// Every function that returns a Result throws as the module's documentation says.
+#![allow(clippy::missing_errors_doc)]
+
+use inkpanel::error::{Error, Result};
+use inkpanel::page::compose::Sheet;
+use inkpanel::page::mask::PixelRect;
+use inkpanel::page::pdf::{self, Leaf, Options, Picture, picture};
+use inkpanel::page::plates::Separation;
+use inkpanel::page::{Document, jpeg, webp};
+use crate::letters::Lettering;
+use inkpanel_pixels::thrown::thrown;
+use wasm_bindgen::prelude::*;
+
+/// A page on which patches are laid.
+#[wasm_bindgen]
+pub struct Print {
+    sheet: Sheet,
+    dpi: u32,
+}
+
+#[wasm_bindgen]
+impl Print {
+    /// The empty paper of a document, of any size.
+    #[wasm_bindgen(constructor)]
+    pub fn new(document: &str, width: usize, height: usize) -> std::result::Result<Print, JsValue> {
+        let page = Document::parse(document).map_err(thrown)?.page;
+        Ok(Self { sheet: Sheet::blank(width, height, page.paper_rgb()), dpi: page.dpi })
+    }
+
+    /// Lays a patch of the page on it.
+    pub fn lay(
+        &mut self,
+        x: i32,
+        y: i32,
+        width: usize,
+        height: usize,
+        rgba: &[u8],
+    ) -> std::result::Result<(), JsValue> {
+        let area = PixelRect { x: i64::from(x), y: i64::from(y), width, height };
+        self.sheet.lay(area, rgba).map_err(thrown)
+    }
+
+    /// The file, with a quality from 1 to 100.
+    pub fn jpeg(&self, quality: u8) -> std::result::Result<Vec<u8>, JsValue> {
+        let Self { sheet, dpi } = self;
+        jpeg::encode_rgb(sheet.width(), sheet.height(), sheet.rgb(), *dpi, quality).map_err(thrown)
+    }
+
+    /// The file as WebP, without loss; it says nothing of its resolution.
+    pub fn webp(&self) -> std::result::Result<Vec<u8>, JsValue> {
+        let Self { sheet, .. } = self;
+        webp::encode_rgb(sheet.width(), sheet.height(), sheet.rgb()).map_err(thrown)
+    }
+}
+
+/// A picture with straight alpha as a WebP file without loss.
+#[wasm_bindgen(js_name = losslessPicture)]
+pub fn lossless_picture(width: usize, height: usize, rgba: &[u8]) -> std::result::Result<Vec<u8>, JsValue> {
+    webp::encode_rgba(width, height, rgba).map_err(thrown)
+}
+
+/// The picture of a panel for a [`Book`].
+#[wasm_bindgen]
+pub struct Cut {
+    /// Left edge in pixels of the page.
+    pub x: i32,
+    /// Top edge.
+    pub y: i32,
+    /// Width.
+    pub width: u32,
+    /// Height.
+    pub height: u32,
+    jpeg: Vec<u8>,
+    alpha: Option<Vec<u8>>,
+}
+
+/// The plate of an ink, which the panels of pages in one style share.
+#[wasm_bindgen]
+pub struct Plate {
+    separation: Separation,
+    ink: usize,
+}
+
+#[wasm_bindgen]
+impl Plate {
+    /// That of the ink at a place among inks, whose colours on white paper follow each other: red, green and blue of each.
+    #[wasm_bindgen(constructor)]
+    pub fn new(colours: &[u8], ink: usize) -> std::result::Result<Plate, JsValue> {
+        let inks = colours.as_chunks::<3>().0;
+        if ink >= inks.len() {
+            return Err(thrown(no_plate()));
+        }
+        Ok(Self { separation: Separation::new(inks), ink })
+    }
+
+    /// The picture of a panel in gray, as this ink is printed; else as [`Cut`] makes it.
+    #[allow(clippy::too_many_arguments)] // The fields of a patch, which cross one by one.
+    pub fn cut(
+        &self,
+        document: &str,
+        index: usize,
+        x: i32,
+        y: i32,
+        width: usize,
+        height: usize,
+        rgba: &[u8],
+        quality: u8,
+    ) -> std::result::Result<Cut, JsValue> {
+        let area = PixelRect { x: i64::from(x), y: i64::from(y), width, height };
+        Cut::made(document, (index, area, rgba), quality, Some((&self.separation, self.ink)))
+    }
+}
+
+fn no_plate() -> Error {
+    Error::InvalidDocument { location: "style".into(), reason: "prints no plate of that number".into() }
+}
+
+#[wasm_bindgen]
+impl Cut {
+    /// Makes it of the patch of a panel without a border; see `page::pdf::picture::cut`.
+    #[wasm_bindgen(constructor)]
+    #[allow(clippy::too_many_arguments)] // The fields of a patch, which cross one by one.
+    pub fn new(
+        document: &str,
+        index: usize,
+        x: i32,
+        y: i32,
+        width: usize,
+        height: usize,
+        rgba: &[u8],
+        quality: u8,
+    ) -> std::result::Result<Cut, JsValue> {
+        let area = PixelRect { x: i64::from(x), y: i64::from(y), width, height };
+        Self::made(document, (index, area, rgba), quality, None)
+    }
+
+    /// Moves the file out.
+    #[must_use]
+    pub fn take(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.jpeg)
+    }
+
+    /// Moves out how much of each pixel of a figure is seen, packed.
+    #[must_use]
+    pub fn take_alpha(&mut self) -> Option<Vec<u8>> {
+        self.alpha.take()
+    }
+}
+
+impl Cut {
+    fn made(
+        document: &str,
+        patch: (usize, PixelRect, &[u8]),
+        quality: u8,
+        plate: Option<(&Separation, usize)>,
+    ) -> std::result::Result<Cut, JsValue> {
+        let cut = || -> Result<Picture> { picture::cut(&Document::parse(document)?, patch, quality, plate) };
+        let Picture { area, jpeg, alpha, .. } = cut().map_err(thrown)?;
+        let (width, height) = (area.width as u32, area.height as u32);
+        Ok(Self { x: area.x as i32, y: area.y as i32, width, height, jpeg, alpha })
+    }
+}
+
+/// Pages of a PDF file.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct Book {
+    leaves: Vec<Leaf>,
+}
+
+#[wasm_bindgen]
+impl Book {
+    /// A book without pages.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a page. `alts`: what its panels show, a JSON array of texts.
+    pub fn add_page(&mut self, document: &str, alts: &str) -> std::result::Result<(), JsValue> {
+        let document = Document::parse(document).map_err(thrown)?;
+        let alts = serde_json::from_str(alts).map_err(|error| thrown(refused("alts", &error)))?;
+        self.leaves.push(Leaf { document, pictures: Vec::new(), alts });
+        Ok(())
+    }
+
+    /// Adds a picture to the page that was added last.
+    #[allow(clippy::too_many_arguments)] // The fields of a picture, which cross one by one.
+    pub fn add_picture(
+        &mut self,
+        index: usize,
+        x: i32,
+        y: i32,
+        width: usize,
+        height: usize,
+        jpeg: Vec<u8>,
+        alpha: Option<Vec<u8>>,
+    ) {
+        let area = PixelRect { x: i64::from(x), y: i64::from(y), width, height };
+        if let Some(leaf) = self.leaves.last_mut() {
+            leaf.pictures.push(Picture { index, area, jpeg, alpha });
+        }
+    }
+
+    /// The file. `options`: those of `page::pdf::options` as JSON.
+    pub fn finish(&self, lettering: &Lettering, options: &str) -> std::result::Result<Vec<u8>, JsValue> {
+        let options: Options =
+            serde_json::from_str(options).map_err(|error| thrown(refused("options", &error)))?;
+        pdf::write(&self.leaves, &options, lettering.letters()).map_err(thrown)
+    }
+}
+
+fn refused(what: &str, error: &serde_json::Error) -> Error {
+    Error::InvalidDocument { location: what.into(), reason: error.to_string() }
+}

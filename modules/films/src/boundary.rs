@@ -1,0 +1,105 @@
+//! The web boundary of the module of films: it looks at frames that the browser decodes, and says which stand for the film, and
+//! hears its sound. It is loaded with the first film, into the worker that reads it.
+
+// Every function that returns a Result throws as the module's documentation says.
+#![allow(clippy::missing_errors_doc)]
+
+use inkpanel::error::Result;
+use inkpanel::hearing;
+use inkpanel::select::look::{Look, Samples};
+use inkpanel::select::shots::Film;
+use inkpanel::select::stills::{self, Wish};
+use inkpanel_pixels::thrown::thrown;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(start)]
+fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// A film as far as it was looked at.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct Looking {
+    film: Film,
+}
+
+#[wasm_bindgen]
+impl Looking {
+    /// A film that nobody looked at.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Looks at a frame of `width` x `height` pixels that is shown at `time`, in seconds. `format` is `I420`, `NV12` or
+    /// `RGBA`, and `planes` are the offset and the stride of each plane in `bytes`. Throws `buffer-size`.
+    pub fn look(
+        &mut self,
+        time: f64,
+        format: &str,
+        width: usize,
+        height: usize,
+        bytes: &[u8],
+        planes: &[u32],
+    ) -> std::result::Result<(), JsValue> {
+        let look = look(format, [width, height], bytes, planes).map_err(thrown)?;
+        self.film.add(time, look);
+        Ok(())
+    }
+
+    /// How many frames were looked at.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn looks(&self) -> usize {
+        self.film.times().len()
+    }
+
+    /// How much the frames on both sides of a moment differ, in grey steps.
+    #[must_use]
+    pub fn change(&self, time: f64) -> f32 {
+        self.film.change(time)
+    }
+
+    /// The frames that stand for the film, which ends at `end`: for each its seconds and the number of its shot, from 1.
+    /// `count` is how many, 0 for as many as suit; those `taken` already are among them, and `moments` should have one near.
+    #[must_use]
+    pub fn choose(&self, end: f64, count: usize, taken: &[f64], moments: &[f64]) -> Vec<f64> {
+        let shots = self.film.shots(end);
+        let wish = Wish { count: (count > 0).then_some(count), taken, moments };
+        let chosen = stills::choose(&self.film, &shots, &wish);
+        chosen.iter().flat_map(|still| [still.time, (still.shot + 1) as f64]).collect()
+    }
+
+    /// Where the shots begin, in seconds.
+    #[must_use]
+    pub fn shots(&self, end: f64) -> Vec<f64> {
+        self.film.shots(end).iter().map(|shot| shot.start).collect()
+    }
+}
+
+/// The sounds in samples of one channel and full scale 1, at `rate` a second, as the JSON of `SoundEvent[]`.
+#[wasm_bindgen(js_name = soundEvents)]
+#[must_use]
+pub fn sound_events(samples: Vec<f32>, rate: f32) -> String {
+    hearing::to_json(&hearing::events(samples, rate))
+}
+
+fn look(format: &str, size: [usize; 2], bytes: &[u8], planes: &[u32]) -> Result<Look> {
+    if format == "RGBA" {
+        return Look::of_rgba(bytes, size[0], size[1]);
+    }
+    let half = size.map(|side| side.div_ceil(2));
+    let number = |i: usize| planes.get(i).map_or(usize::MAX, |&number| number as usize);
+    let plane = |offset: usize, stride: usize, step: usize, size: [usize; 2]| {
+        Samples::new(bytes.get(offset..).unwrap_or_default(), [stride, step], size)
+    };
+    let luma = plane(number(0), number(1), 1, size)?;
+    let [blue, red] = if format == "NV12" {
+        [plane(number(2), number(3), 2, half)?, plane(number(2).saturating_add(1), number(3), 2, half)?]
+    } else {
+        [plane(number(2), number(3), 1, half)?, plane(number(4), number(5), 1, half)?]
+    };
+    Ok(Look::of(&luma, [&blue, &red]))
+}

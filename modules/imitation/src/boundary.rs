@@ -1,0 +1,132 @@
+//! The web boundary of the module of styles from a picture, which is loaded with the first such picture. A worker measures the
+//! picture and tries styles on a photo, the page leads the search. The photos come out of the core as planes; what is measured
+//! crosses as JSON that only this module reads.
+
+// Every function that returns a Result throws as the module's documentation says.
+#![allow(clippy::missing_errors_doc)]
+
+use inkpanel::error::Result;
+use inkpanel::json::plain as parse;
+use inkpanel::raster::Image;
+use inkpanel::style::imitate::{self, Ask, Features, Search, Seen, Trial};
+use inkpanel::style::{Context, Style};
+use inkpanel_pixels::thrown::thrown;
+use serde_json::{Value, json};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(start)]
+fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// The look of a picture as JSON. Throws `small-picture`, `blank-picture` or `plain-photo` where there is nothing to imitate.
+///
+/// `planes` are its red, green and blue samples, one plane after the other; `anyway` takes all but small ones.
+#[wasm_bindgen]
+pub fn picture_look(
+    width: usize,
+    height: usize,
+    planes: &[u8],
+    anyway: bool,
+) -> std::result::Result<String, JsValue> {
+    let reader = if anyway { imitate::read_any } else { imitate::read };
+    let read = || -> Result<String> { Ok(told(&reader(&Image::from_rgb_planes(width, height, planes)?)?)) };
+    read().map_err(thrown)
+}
+
+/// A photo on which a worker tries styles, and its scratch memory.
+#[wasm_bindgen]
+pub struct Sitter {
+    photo: Image,
+    context: Context<'static>,
+    /// The photo as the last trial saw it, and how that was.
+    seen: Option<((usize, bool), Seen)>,
+}
+
+#[wasm_bindgen]
+impl Sitter {
+    /// `planes` are the photo's red, green and blue samples, one plane after the other.
+    #[wasm_bindgen(constructor)]
+    pub fn new(width: usize, height: usize, planes: &[u8]) -> std::result::Result<Sitter, JsValue> {
+        let photo = Image::from_rgb_planes(width, height, planes).map_err(thrown)?;
+        Ok(Self { photo, context: Context::default(), seen: None })
+    }
+
+    /// What comes of a style that a search asked for, as JSON.
+    pub fn try_look(&mut self, ask: &str) -> std::result::Result<String, JsValue> {
+        let mut attempt = || -> Result<String> {
+            let wanted: Value = parse(ask, "trial")?;
+            let ask = Ask {
+                style: Style::from_value("trial", &wanted["style"])?,
+                area: wanted["area"].as_u64().unwrap_or(1) as usize,
+                close: wanted["close"].as_bool().unwrap_or_default(),
+            };
+            let how = (ask.area, ask.close);
+            let seen = match self.seen.take() {
+                Some((known, seen)) if known == how => seen,
+                _ => Seen::of(&self.photo, &ask),
+            };
+            let trial = imitate::attempt(&seen, &ask.style, &mut self.context);
+            self.seen = Some((how, seen));
+            Ok(told(&trial?))
+        };
+        attempt().map_err(thrown)
+    }
+}
+
+fn told(value: &impl serde::Serialize) -> String {
+    serde_json::to_string(value).unwrap_or_default()
+}
+
+fn asked(asks: Vec<Ask>) -> String {
+    let asks = asks
+        .into_iter()
+        .map(|Ask { style, area, close }| json!({ "style": style.to_value(), "area": area, "close": close }));
+    Value::Array(asks.collect()).to_string()
+}
+
+/// The first trials of most searches, as [`Imitation::ask`] tells them: they need no picture.
+#[wasm_bindgen]
+#[must_use]
+pub fn survey() -> String {
+    asked(imitate::survey())
+}
+
+/// A search for styles that look like a picture.
+#[wasm_bindgen]
+pub struct Imitation(Search);
+
+#[wasm_bindgen]
+impl Imitation {
+    /// Begins with the look of a picture as [`picture_look`] tells it.
+    #[wasm_bindgen(constructor)]
+    pub fn new(look: &str, seed: u32) -> std::result::Result<Self, JsValue> {
+        let look: Features = parse(look, "look").map_err(thrown)?;
+        Ok(Self(Search::new(look, seed)))
+    }
+
+    /// The next trials, a JSON array for `try_look`; empty when the search is done.
+    #[must_use]
+    pub fn ask(&mut self) -> String {
+        asked(self.0.ask())
+    }
+
+    /// What came of them, in their order: a JSON array, null for what failed.
+    pub fn tell(&mut self, trials: &str) -> std::result::Result<(), JsValue> {
+        let trials: Vec<Option<Trial>> = parse(trials, "trials").map_err(thrown)?;
+        self.0.tell(trials);
+        Ok(())
+    }
+
+    /// How far it is, 0 to 1, with so many trials made of those that were asked for last.
+    #[must_use]
+    pub fn progress(&self, tried: usize) -> f64 {
+        self.0.progress(tried)
+    }
+
+    /// Three to six styles, the nearest first, a JSON array of style files with scores.
+    #[must_use]
+    pub fn proposals(&self) -> String {
+        self.0.proposals().iter().map(Style::to_value).collect::<Value>().to_string()
+    }
+}

@@ -1,0 +1,60 @@
+//! The web boundary of letters, a part of the modules of words and of other files: the fonts, and what is learnt beyond them. The
+//! page gives them as a file of their own, which is loaded once for both.
+//!
+//! Errors are as in the module of words.
+
+use inkpanel::page::words::Letters;
+use inkpanel::page::words::learning::Drawing;
+use inkpanel_pixels::thrown::thrown;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(start)]
+fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// The letters of the page.
+#[wasm_bindgen]
+pub struct Lettering {
+    letters: Letters,
+}
+
+#[wasm_bindgen]
+impl Lettering {
+    /// Unpacks the fonts: the table that `fonts/pack.rs` makes of them.
+    ///
+    /// # Errors
+    /// `damaged` for anything but a whole table.
+    #[wasm_bindgen(constructor)]
+    pub fn new(table: &[u8]) -> std::result::Result<Lettering, JsValue> {
+        Letters::parse(table).map(|letters| Self { letters }).map_err(thrown)
+    }
+
+    /// Makes a run of text a letter of all fonts; see `page::words::learning`. Returns whether it is one now.
+    #[allow(clippy::too_many_arguments, reason = "a picture, as plain numbers")]
+    pub fn learn(
+        &mut self,
+        run: &str,
+        leftward: bool,
+        width: usize,
+        ink: &[u8],
+        em: f64,
+        baseline: f64,
+        left: f64,
+        advance: f64,
+    ) -> bool {
+        self.letters.learn(run, leftward, Drawing { width, ink, em, baseline, left, advance })
+    }
+
+    /// The letters of a text that no font of that id has, each once.
+    #[must_use]
+    pub fn missing(&self, text: &str, font: &str) -> String {
+        self.letters.font(font).map(|font| self.letters.missing(text, font)).into_iter().flatten().collect()
+    }
+}
+
+impl Lettering {
+    pub(crate) fn letters(&self) -> &Letters {
+        &self.letters
+    }
+}

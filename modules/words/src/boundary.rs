@@ -1,0 +1,147 @@
+//! The web boundary of the module of words: where they go, how large they are, and their pixels. It is loaded when a page
+//! first has words, and given their letters (`wasm_letters`).
+//!
+//! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` beside
+//! its `message`.
+
+// Every function that returns a Result throws as the module's documentation says.
+#![allow(clippy::missing_errors_doc)]
+
+use inkpanel::document::script;
+use inkpanel::document::speech::Taking;
+use inkpanel::document::subtitles::{self, Frame};
+use inkpanel::error::{Error, Result};
+use inkpanel::framing::Subject;
+use inkpanel::page::mask::PixelRect;
+use inkpanel::page::words::place::{self, Known};
+use inkpanel::page::words::{draw, layout};
+use inkpanel::page::{Document, Patch};
+use inkpanel::raster::Matte;
+use crate::letters::Lettering;
+use inkpanel_pixels::thrown::thrown;
+use serde::Deserialize;
+use serde_json::Value;
+use std::collections::HashMap;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+impl Lettering {
+    /// The words of a document, those that are placed by themselves where they hide no face, and as little of bodies as they
+    /// can. `photos`: what is known of each by its id, `{subjects, mask?}` as in its facts.
+    pub fn settle(&self, document: &str, photos: &str) -> std::result::Result<String, JsValue> {
+        let settle = || -> Result<String> {
+            let mut document = Document::parse(document)?;
+            let told: HashMap<String, Told> = serde_json::from_str(photos).map_err(|error| {
+                Error::InvalidDocument { location: "photos".into(), reason: error.to_string() }
+            })?;
+            let known = |id: &str| told.get(id).map(Told::known).unwrap_or_default();
+            place::settle(&mut document, known, self.letters())?;
+            Ok(Value::Array(document.words).to_string())
+        };
+        settle().map_err(thrown)
+    }
+
+    /// Where the words of a document are; see `page::words::layout::measured`.
+    pub fn measure(&self, document: &str) -> std::result::Result<String, JsValue> {
+        let measure = || {
+            let boxes = layout::measured(&Document::parse(document)?, self.letters())?;
+            serde_json::to_string(&boxes).map_err(|error| Error::Encode(error.to_string()))
+        };
+        measure().map_err(thrown)
+    }
+
+    /// Whether some letters of a text were learnt.
+    #[must_use]
+    pub fn foreign(&self, text: &str) -> bool {
+        self.letters().foreign(text)
+    }
+
+    /// One word of a page that is `width` pixels wide.
+    pub fn render(
+        &self,
+        document: &str,
+        index: usize,
+        width: usize,
+    ) -> std::result::Result<Picture, JsValue> {
+        let render = || draw::render(&Document::parse(document)?, index, width, self.letters());
+        let picture = |patch: Patch| Picture {
+            x: patch.area.x as i32,
+            y: patch.area.y as i32,
+            width: patch.area.width as u32,
+            height: patch.area.height as u32,
+            rgba: patch.rgba,
+        };
+        render().map(picture).map_err(thrown)
+    }
+}
+
+/// What is told of a photo.
+#[derive(Deserialize)]
+struct Told {
+    subjects: Vec<Subject>,
+    #[serde(default)]
+    mask: Option<Matte>,
+}
+
+impl Told {
+    fn known(&self) -> Known<'_> {
+        Known { subjects: &self.subjects, mask: self.mask.as_ref() }
+    }
+}
+
+/// What a file of subtitles says at the times of frames, or laid over `panels`; see `document::subtitles::told`. Of each frame
+/// its time in seconds, and 1 where a page shows it, one after the other. `sounds` become effects, or are left out.
+#[wasm_bindgen]
+#[must_use]
+pub fn subtitles(bytes: &[u8], vtt: bool, frames: &[f64], panels: usize, kind: &str, sounds: bool) -> String {
+    let (frames, _) = frames.as_chunks::<2>();
+    let frames: Vec<Frame> = frames.iter().map(|&[time, shown]| Frame { time, shown: shown > 0.0 }).collect();
+    subtitles::told(bytes, vtt, &frames, panels, Taking { kind, sounds })
+}
+
+/// A script laid over `panels`; see `document::script::told`. Null for what is no text.
+#[wasm_bindgen]
+#[must_use]
+pub fn script(bytes: &[u8], panels: usize, kind: &str, sounds: bool) -> String {
+    match subtitles::decoded(bytes) {
+        Some((text, _)) => script::told(&text, panels, Taking { kind, sounds }),
+        None => "null".to_owned(),
+    }
+}
+
+/// A rectangle of rendered pixels, in pixels of the page.
+#[wasm_bindgen]
+pub struct Picture {
+    /// Left edge.
+    pub x: i32,
+    /// Top edge.
+    pub y: i32,
+    /// Width.
+    pub width: u32,
+    /// Height.
+    pub height: u32,
+    rgba: Vec<u8>,
+}
+
+#[wasm_bindgen]
+impl Picture {
+    /// Leaves so much less of the word as a figure covers that stands before it, a patch of the same page; see
+    /// `page::compose::Patch::stand_behind`.
+    pub fn stand_behind(&mut self, x: i32, y: i32, width: usize, height: usize, rgba: &[u8]) {
+        let own = PixelRect {
+            x: i64::from(self.x),
+            y: i64::from(self.y),
+            width: self.width as usize,
+            height: self.height as usize,
+        };
+        let mut patch = Patch { area: own, rgba: std::mem::take(&mut self.rgba) };
+        patch.stand_behind(PixelRect { x: i64::from(x), y: i64::from(y), width, height }, rgba);
+        self.rgba = patch.rgba;
+    }
+
+    /// Moves the straight-alpha RGBA out; the picture is empty afterwards.
+    #[must_use]
+    pub fn take(&mut self) -> js_sys::Uint8ClampedArray {
+        js_sys::Uint8ClampedArray::from(std::mem::take(&mut self.rgba).as_slice())
+    }
+}

