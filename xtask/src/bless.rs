@@ -1,6 +1,6 @@
 //! Takes what the program draws and writes now as what it should, topic by topic.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -14,13 +14,13 @@ use crate::tools;
 /// What is stored together, and who writes it.
 struct Topic {
     name: &'static str,
-    /// A file of `tests/` without its ending, or [`LIBRARY`], and the test in it that writes where `BLESS` is set.
+    /// A file of `tests/it/` without its extension, or [`LIBRARY`], and the test in it that writes if `BLESS` is set.
     tests: &'static [(&'static str, &'static str)],
     /// Files, and folders with all that is in them.
     stored: &'static [&'static str],
 }
 
-/// In the place of a file of `tests/`: the tests of the library itself, which alone know how its types are told.
+/// Instead of a file of `tests/it/`: the unit tests of the library, which generate the TypeScript types.
 const LIBRARY: &str = "lib";
 
 const TOPICS: &[Topic] = &[
@@ -102,22 +102,24 @@ fn topics(names: &[String]) -> Result<Vec<&'static Topic>> {
 
 /// Cargo about the test files of the topics, to be compiled at least.
 fn tests(project: &Project, topics: &[&Topic]) -> Command {
-    let files: BTreeSet<&str> = topics.iter().flat_map(|topic| topic.tests).map(|(file, _)| *file).collect();
     let mut command = project.cargo();
     command.args(["test", "--features", CLI, "--no-fail-fast"]);
-    for file in files {
-        if file == LIBRARY {
-            command.arg("--lib");
-        } else {
-            command.args(["--test", file]);
-        }
+    let mut tests = topics.iter().flat_map(|topic| topic.tests);
+    if tests.clone().any(|(file, _)| *file == LIBRARY) {
+        command.arg("--lib");
+    }
+    if tests.any(|(file, _)| *file != LIBRARY) {
+        command.args(["--test", "it"]);
     }
     command
 }
 
 /// The same, but of those files only the tests that bless: others in them take minutes.
 fn only(mut command: Command, topics: &[&Topic]) -> Command {
-    command.args(["--", "--exact"]).args(topics.iter().flat_map(|topic| topic.tests).map(|(_, test)| test));
+    let name = |(file, test): &(&str, &str)| {
+        if *file == LIBRARY { (*test).to_owned() } else { format!("{file}::{test}") }
+    };
+    command.args(["--", "--exact"]).args(topics.iter().flat_map(|topic| topic.tests).map(name));
     command
 }
 

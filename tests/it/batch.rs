@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 #[allow(dead_code, reason = "the example makes more of it")]
-#[path = "../examples/hostile/made.rs"]
+#[path = "../../examples/hostile/made.rs"]
 mod made;
 
 use std::fs;

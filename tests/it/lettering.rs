@@ -2,15 +2,14 @@
 //! that come with the program.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
-mod golden;
-#[path = "../examples/lettering/measure.rs"]
+#[path = "../../examples/lettering/measure.rs"]
 mod measure;
-#[path = "../examples/lettering/pages.rs"]
+#[path = "../../examples/lettering/pages.rs"]
 mod pages;
 
 use std::path::Path;
 
-use golden::Goldens;
+use crate::golden::Goldens;
 use inkpanel::framing::{PhotoMeta, Subject};
 use inkpanel::page::words::layout::{Chain, lay_all, measured};
 use inkpanel::page::words::place::{self, Known};
@@ -27,7 +26,7 @@ fn letters() -> Letters {
 }
 
 fn every_kind() -> Document {
-    Document::parse(include_str!("../examples/lettering/kinds.json")).unwrap()
+    Document::parse(include_str!("../../examples/lettering/kinds.json")).unwrap()
 }
 
 #[test]

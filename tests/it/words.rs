@@ -2,12 +2,11 @@
 //! faces.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
-mod golden;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use golden::Goldens;
+use crate::golden::Goldens;
 use inkpanel::framing::Subject;
 use inkpanel::layout::Point;
 use inkpanel::page::words::given::{GivenFonts, missing};

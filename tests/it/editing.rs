@@ -1200,7 +1200,7 @@ fn comparable(value: Value) -> Value {
 
 #[test]
 fn the_same_edits_make_what_they_made_in_the_page() {
-    let runs: Value = serde_json::from_str(include_str!("oracles/data/edits.json")).unwrap();
+    let runs: Value = serde_json::from_str(include_str!("../oracles/data/edits.json")).unwrap();
     for (number, run) in runs.as_array().unwrap().iter().enumerate() {
         let mut editor = Editor::default();
         // The page did not draw invented styles by itself then.

@@ -199,7 +199,7 @@ fn the_same_pages_make_the_same_file() {
 
 #[test]
 fn pages_go_where_another_program_puts_them() {
-    let told: Value = serde_json::from_str(include_str!("oracles/data/impose.json")).unwrap();
+    let told: Value = serde_json::from_str(include_str!("../oracles/data/impose.json")).unwrap();
     let mut seen = 0;
     for (name, how) in Imposition::ALL {
         for (pages, expected) in told[name].as_object().into_iter().flatten() {

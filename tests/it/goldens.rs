@@ -1,12 +1,11 @@
 //! What people get is what they got before: a page of each family of layouts, and every designed style.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
-mod golden;
 
 use std::fs;
 use std::path::Path;
 
-use golden::Goldens;
+use crate::golden::Goldens;
 use inkpanel::framing::frame;
 use inkpanel::layout::{self, FAMILIES, PageSettings, Template, resolve};
 use inkpanel::page::import::{Imported, import};

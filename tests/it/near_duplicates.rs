@@ -2,7 +2,7 @@
 //! `cargo test --test near_duplicates -- --nocapture` prints the table.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
-#[path = "../examples/duplicate_table/variants.rs"]
+#[path = "../../examples/duplicate_table/variants.rs"]
 mod variants;
 
 use std::fs;

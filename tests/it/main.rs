@@ -1,0 +1,48 @@
+//! The integration tests of the library and of the command line, in one program.
+//!
+//! One program links once and runs all tests in parallel. `cargo test --test it blocks::` runs the tests of one file.
+//! `tests/memory.rs` is a separate program because it counts every allocation.
+
+mod aesthetics;
+mod animate;
+mod batch;
+mod behind;
+mod block_properties;
+mod blocks;
+mod boards;
+mod bounds;
+mod breaking;
+mod catalogue;
+mod comics;
+mod composing;
+mod designed_styles;
+mod detect;
+mod editing;
+mod facade;
+mod framing_faces;
+mod golden;
+mod goldens;
+mod hearing;
+mod imitate;
+mod import;
+mod layout_files;
+mod layout_pages;
+mod lettering;
+mod licences;
+mod near_duplicates;
+mod odd_files;
+mod pdf;
+mod plans;
+mod preview;
+mod project_reading;
+mod regressions;
+mod rooms;
+mod saved;
+mod segment;
+mod selection;
+mod shots;
+mod style_imports;
+mod subjects;
+mod tidy;
+mod trained_block;
+mod words;
