@@ -12,6 +12,8 @@ import { CHROMIUM } from '../tests/web/launching.js';
 
 const SITE = new URL('../www/serve.js', import.meta.url).pathname;
 const CATEGORIES = ['performance', 'accessibility', 'best-practices'];
+/** The lowest score in hundredths that is accepted. */
+const LIMITS = { performance: 90, accessibility: 100, 'best-practices': 95 };
 const TIMES = ['first-contentful-paint', 'largest-contentful-paint', 'total-blocking-time', 'cumulative-layout-shift'];
 
 // Compressed and without further headers, as static hosts send it. Port 0 is any that is free.
@@ -37,6 +39,13 @@ try {
       ...CATEGORIES.map((id) => String(Math.round((categories[id].score ?? 0) * 100))),
       ...TIMES.map((id) => audits[id].displayValue ?? '-'),
     ]);
+  }
+  for (const [profile, ...scores] of rows.slice(1)) {
+    CATEGORIES.forEach((id, i) => {
+      if (Number(scores[i]) >= LIMITS[id]) return;
+      console.error(`${profile}: ${id} is ${scores[i]}, at least ${LIMITS[id]} is expected`);
+      process.exitCode = 1;
+    });
   }
   const lines = rows.map((row) => `| ${row.join(' | ')} |`);
   console.log([lines[0], `|${' --- |'.repeat(rows[0].length)}`, ...lines.slice(1)].join('\n'));

@@ -16,13 +16,10 @@ fn root(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
-/// The net; none, with the reason printed, where it could not be made. It is optional.
-fn net() -> Option<Aesthetics> {
-    let Ok(onnx) = fs::read(root("www/models/aesthetics.onnx")) else {
-        println!("skipped: no www/models/aesthetics.onnx, `cargo xtask models` makes it where there is pip");
-        return None;
-    };
-    Some(Aesthetics::new(&onnx).unwrap())
+/// The model of `cargo xtask models`.
+fn net() -> Aesthetics {
+    let onnx = fs::read(root("www/models/aesthetics.onnx")).expect("run `cargo xtask models`");
+    Aesthetics::new(&onnx).unwrap()
 }
 
 fn photo(file: &str) -> Image {
@@ -31,7 +28,7 @@ fn photo(file: &str) -> Image {
 
 #[test]
 fn scores_are_those_of_a_forward_pass_in_numpy() {
-    let Some(net) = net() else { return };
+    let net = net();
     let rows: Vec<Value> =
         serde_json::from_slice(&fs::read(root("tests/oracles/data/aesthetics.json")).unwrap()).unwrap();
     assert!(rows.len() >= 35, "{} photos", rows.len());
@@ -49,7 +46,7 @@ fn scores_are_those_of_a_forward_pass_in_numpy() {
 
 #[test]
 fn any_picture_has_a_score_and_a_gray_one_that_of_its_three_planes() {
-    let Some(net) = net() else { return };
+    let net = net();
     for (width, height) in [(1, 1), (1, 700), (700, 3), (67, 41)] {
         let plane = inkpanel::raster::Plane::from_fn(width, height, |x, y| (x * 7 + y * 13) as u8);
         let colour = Image::from_rgb([plane.clone(), plane.clone(), plane.clone()]).unwrap();
@@ -82,9 +79,7 @@ fn generated_styles_have_scores_with_and_without_the_net() {
     };
     let light = scores("src");
     assert!(light.len() == 6 && light.iter().all(|score| (0.0..=1.0).contains(score)));
-    if net().is_some() {
-        let judged = scores("www/models");
-        assert!(judged.iter().all(|score| (0.0..=1.0).contains(score)));
-        assert_ne!(light, judged);
-    }
+    let judged = scores("www/models");
+    assert!(judged.iter().all(|score| (0.0..=1.0).contains(score)));
+    assert_ne!(light, judged);
 }

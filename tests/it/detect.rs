@@ -16,14 +16,10 @@ fn root(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
-/// The nets; none, with the reason printed, where they could not be made. `cargo xtask test` makes them first.
-fn detectors() -> Option<Detectors> {
-    let read = |name: &str| fs::read(root("www/models").join(name));
-    let (Ok(faces), Ok(objects)) = (read("faces.onnx"), read("objects.onnx")) else {
-        println!("skipped: no models in www/models, `cargo xtask models` makes them");
-        return None;
-    };
-    Some(Detectors::new(&faces, &objects).unwrap())
+/// The models of `cargo xtask models`.
+fn detectors() -> Detectors {
+    let read = |name: &str| fs::read(root("www/models").join(name)).expect("run `cargo xtask models`");
+    Detectors::new(&read("faces.onnx"), &read("objects.onnx")).unwrap()
 }
 
 fn photo(file: &str) -> Image {
@@ -64,7 +60,7 @@ fn corners(found: &Detection) -> [f64; 4] {
 
 #[test]
 fn boxes_are_those_of_onnx_runtime() {
-    let Some(detectors) = detectors() else { return };
+    let detectors = detectors();
     let rows: Vec<Value> =
         serde_json::from_slice(&fs::read(root("tests/oracles/data/detect.json")).unwrap()).unwrap();
     assert!(rows.len() >= 35, "{} photos", rows.len());
@@ -99,7 +95,7 @@ fn boxes_are_those_of_onnx_runtime() {
 
 #[test]
 fn small_faces_of_a_large_photo_are_found_in_its_parts() {
-    let Some(detectors) = detectors() else { return };
+    let detectors = detectors();
     // A face that fills 1/25 of a large picture, which is 8 of the net's 192 pixels.
     let astronaut = photo("www/public/samples/19-astronaut.jpg");
     let (width, height) = (2400, 2400);
@@ -127,7 +123,7 @@ fn small_faces_of_a_large_photo_are_found_in_its_parts() {
 
 #[test]
 fn any_picture_gives_boxes_inside_it() {
-    let Some(detectors) = detectors() else { return };
+    let detectors = detectors();
     for (width, height) in [(1, 1), (1, 700), (700, 3), (67, 41)] {
         let plane = inkpanel::raster::Plane::from_fn(width, height, |x, y| (x * 7 + y * 13) as u8);
         let photo = Image::from_rgb([plane.clone(), plane.clone(), plane]).unwrap();
@@ -139,7 +135,7 @@ fn any_picture_gives_boxes_inside_it() {
 
 #[test]
 fn another_file_is_no_net() {
-    let Some(_) = detectors() else { return };
+    let _ = detectors();
     let faces = fs::read(root("www/models/faces.onnx")).unwrap();
     let cut = &faces[..faces.len() / 2];
     for wrong in [&b"no net"[..], b"", cut] {
@@ -150,9 +146,6 @@ fn another_file_is_no_net() {
 
 #[test]
 fn the_command_answers_in_pixels_and_passes_over_what_is_no_photo() {
-    if detectors().is_none() {
-        return;
-    }
     let run = |arguments: &[&str]| {
         Command::new(env!("CARGO_BIN_EXE_inkpanel"))
             .args(arguments)

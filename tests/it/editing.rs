@@ -475,7 +475,7 @@ fn sequences(count: u64, run: impl Fn(u64) + Sync) {
 
 #[test]
 fn whatever_is_done_can_be_undone_and_saved() {
-    sequences(10_000, |seed| {
+    sequences(crate::trials(1000, 10_000), |seed| {
         let mut random = Rand64::new(u128::from(seed));
         let mut editor = Editor::default();
         let mut steps: Vec<Project> = Vec::new();
@@ -505,7 +505,7 @@ fn whatever_is_done_can_be_undone_and_saved() {
 /// Edits that are no steps of their own, among those that are: the states before change with them, and still hold.
 #[test]
 fn what_changes_all_times_leaves_every_state_whole() {
-    sequences(10_000, |seed| {
+    sequences(crate::trials(1000, 10_000), |seed| {
         let mut random = Rand64::new(u128::from(seed) << 64);
         let mut editor = Editor::default();
         let mut lost = HashSet::new();

@@ -1,7 +1,6 @@
 //! What people get is what they got before: a page of each family of layouts, and every designed style.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
-
 use std::fs;
 use std::path::Path;
 

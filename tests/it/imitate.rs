@@ -118,16 +118,14 @@ fn check(rows: &[(String, [bool; 3])], share: f64) {
     assert!(found as f64 >= share * rows.len() as f64, "{table}");
 }
 
-/// Ten of the forty, the hardest among them, by a brief search.
+/// Ten of forty styles with a brief search; in a thorough run all of them with a full search, which takes minutes.
 #[test]
 fn designed_styles_are_found_again_on_another_photo() {
-    check(&trials(4, Effort::BRIEF, AREA), 0.3);
-}
-
-#[test]
-#[ignore = "it takes minutes: 32 were found when this was written, as many as are asked for"]
-fn forty_designed_styles_are_found_again() {
-    check(&trials(1, Effort::FULL, WHOLE), FOUND);
+    if crate::trials(0, 1) == 1 {
+        check(&trials(1, Effort::FULL, WHOLE), FOUND);
+    } else {
+        check(&trials(4, Effort::BRIEF, AREA), 0.3);
+    }
 }
 
 #[test]

@@ -46,3 +46,8 @@ mod subjects;
 mod tidy;
 mod trained_block;
 mod words;
+
+/// Returns the number of random trials: `few` by default, `all` if `INKPANEL_THOROUGH` is set (`cargo xtask test --all`).
+fn trials(few: u64, all: u64) -> u64 {
+    if std::env::var_os("INKPANEL_THOROUGH").is_some() { all } else { few }
+}

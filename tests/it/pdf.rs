@@ -125,23 +125,15 @@ fn text_is_there_with_what_it_stands_for_and_only_its_letters() {
     assert_eq!(count(drawing, "3 Tr\n"), 1, "the bent word alone is unseen text");
 }
 
-/// What a program of poppler says of a file; nothing where it is not installed, which is no excuse on a build machine.
-fn poppler(program: &str, arguments: &[&str], file: &[u8]) -> Option<Vec<u8>> {
+/// Returns what a program of Poppler prints about a file.
+fn poppler(program: &str, arguments: &[&str], file: &[u8]) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("file.pdf");
     std::fs::write(&path, file).unwrap();
-    match Command::new(program).args(arguments).arg(&path).output() {
-        Ok(done) => {
-            assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
-            assert!(done.stderr.is_empty(), "{}", String::from_utf8_lossy(&done.stderr));
-            Some(done.stdout)
-        }
-        Err(error) => {
-            assert!(std::env::var_os("CI").is_none(), "{program}: {error}");
-            eprintln!("SKIPPED: {program} is not installed: {error}");
-            None
-        }
-    }
+    let done = Command::new(program).args(arguments).arg(&path).output().expect("Poppler is installed");
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    assert!(done.stderr.is_empty(), "{}", String::from_utf8_lossy(&done.stderr));
+    done.stdout
 }
 
 /// A page that is one panel, without gutter, margin or line.
@@ -178,12 +170,10 @@ fn what_is_read_has_an_order_and_pictures_have_words() {
         names.iter().map(|name| place(name).unwrap()).is_sorted()
     };
     assert!(order(&file, &["/Alt(A gray", "/ActualText(First)", "/ActualText(Second)", "/ActualText(KRAK"]));
-    if let Some(told) = poppler("pdfinfo", &["-struct-text"], &file) {
-        let told = String::from_utf8(told).unwrap();
-        let told: Vec<&str> = told.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
-        let told = told.join(" ");
-        assert!(order(told.as_bytes(), &["Document", "Sect", "Figure", "First", "Second", "KRAK"]), "{told}");
-    }
+    let printed = String::from_utf8(poppler("pdfinfo", &["-struct-text"], &file)).unwrap();
+    let lines: Vec<&str> = printed.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    let text = lines.join(" ");
+    assert!(order(text.as_bytes(), &["Document", "Sect", "Figure", "First", "Second", "KRAK"]), "{text}");
 }
 
 #[test]
@@ -259,7 +249,7 @@ fn art_goes_on_beyond_the_edge_and_marks_stay_outside() {
             String::from_utf8_lossy(&file[..900])
         );
         assert_eq!(count(&file, "/BleedBox["), 1);
-        let Some(drawn) = poppler("pdftoppm", &["-r", "72", "-singlefile", "-png"], &file) else { return };
+        let drawn = poppler("pdftoppm", &["-r", "72", "-singlefile", "-png"], &file);
         let image = decode(&drawn, &Limits::default()).unwrap().image;
         let at = |x: usize, y: usize| [0, 1, 2].map(|i| i32::from(image.planes()[i].at(x, y)));
         let (left, top, right, bottom) = (31, 31, 31 + 288, 31 + 192);
@@ -391,22 +381,15 @@ fn the_font_of_some_letters_has_the_outlines_of_the_whole() {
     }
 }
 
-/// A PDF file of one page as a program that is not ours draws it; none where that program is not there.
-fn drawn_by_poppler(file: &[u8], dpi: u32) -> Option<Image> {
+/// Draws a PDF file of one page with Poppler.
+fn drawn_by_poppler(file: &[u8], dpi: u32) -> Image {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("page.pdf"), file).unwrap();
     let mut command = std::process::Command::new("pdftoppm");
     command.args(["-r", &dpi.to_string(), "-png", "-singlefile", "page.pdf", "page"]);
-    match command.current_dir(folder.path()).status() {
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
-            eprintln!("SKIPPED: pdftoppm of Poppler is not there, so nothing is compared");
-            assert!(std::env::var_os("CI").is_none(), "pdftoppm must be there in CI");
-            return None;
-        }
-        done => assert!(done.unwrap().success()),
-    }
+    assert!(command.current_dir(folder.path()).status().expect("Poppler is installed").success());
     let png = std::fs::read(folder.path().join("page.png")).unwrap();
-    Some(decode(&png, &Limits::default()).unwrap().image)
+    decode(&png, &Limits::default()).unwrap().image
 }
 
 #[test]
@@ -422,7 +405,7 @@ fn panels_without_a_photo_look_as_on_the_page_of_pixels() {
     let file =
         write(&[Leaf { document, pictures: Vec::new(), alts: Vec::new() }], &Options::default(), &letters())
             .unwrap();
-    let Some(drawn) = drawn_by_poppler(&file, 75) else { return };
+    let drawn = drawn_by_poppler(&file, 75);
     assert_eq!((drawn.width(), drawn.height().abs_diff(877) <= 1), (620, true));
     let rgb = drawn.to_rgb();
     let rows = drawn.height().min(877) * 620 * 3;

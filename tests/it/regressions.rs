@@ -13,8 +13,6 @@ use std::path::{Path, PathBuf};
 use entries::{ENTRIES, Entry};
 use oorandom::Rand64;
 
-/// Damaged copies of each good file.
-const COPIES: usize = 60;
 /// What a number of a JSON file is replaced by.
 const ODD: &[&str] = &[
     "0",
@@ -88,7 +86,7 @@ fn damaged_copies_of_good_files_are_read_or_refused() {
     for (name, entry) in ENTRIES {
         let seeds = seeds(name);
         assert!(!seeds.is_empty(), "{name}");
-        let copies = COPIES * 40 / seeds.len().clamp(1, 40);
+        let copies = crate::trials(15, 60) as usize * 40 / seeds.len().clamp(1, 40);
         for (i, seed) in seeds.iter().enumerate() {
             survive(name, *entry, seed);
             let mut random = Rand64::new(i as u128);

@@ -16,13 +16,10 @@ fn root(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
-/// The net; none, with the reason printed, where it could not be made.
-fn segmenter() -> Option<Segmenter> {
-    let Ok(onnx) = fs::read(root("www/models/subject.onnx")) else {
-        println!("skipped: no subject.onnx in www/models, `cargo xtask models` makes it");
-        return None;
-    };
-    Some(Segmenter::new(&onnx).unwrap())
+/// The model of `cargo xtask models`.
+fn segmenter() -> Segmenter {
+    let onnx = fs::read(root("www/models/subject.onnx")).expect("run `cargo xtask models`");
+    Segmenter::new(&onnx).unwrap()
 }
 
 fn photo(file: &str) -> Image {
@@ -40,7 +37,7 @@ fn bytes(hexadecimal: &Value) -> Vec<u8> {
 
 #[test]
 fn subjects_are_those_of_onnx_runtime() {
-    let Some(net) = segmenter() else { return };
+    let net = segmenter();
     let rows = expected()["subjects"].as_array().unwrap().clone();
     assert_eq!(rows.len(), 10);
     for row in rows {
@@ -59,7 +56,7 @@ fn subjects_are_those_of_onnx_runtime() {
 
 #[test]
 fn a_look_in_steps_is_the_look_at_once() {
-    let Some(net) = segmenter() else { return };
+    let net = segmenter();
     let photo = photo("www/public/samples/02-kitten.jpg");
     let at_once = String::from(net.look(&photo).unwrap());
     // Two at a time, as they do not know of each other.
@@ -96,9 +93,6 @@ fn masks_are_refined_as_opencv_does_it() {
 
 #[test]
 fn the_command_writes_masks_and_leaves_out_what_is_no_photo() {
-    if segmenter().is_none() {
-        return;
-    }
     let folder = std::env::temp_dir().join(format!("inkpanel-segment-{}", std::process::id()));
     fs::create_dir_all(&folder).unwrap();
     let broken = folder.join("broken.jpg");

@@ -2,7 +2,6 @@
 //! faces.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
-
 use std::fs;
 use std::path::{Path, PathBuf};
 

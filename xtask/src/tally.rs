@@ -5,16 +5,41 @@ use std::ops::AddAssign;
 use std::process::Command;
 
 use anyhow::Result;
+use serde_json::Value;
 
 use crate::lane;
 
 /// Tests of one suite, or of all.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
     pub passed: usize,
     pub failed: usize,
-    /// What the runner said of each that failed: a test that passed when tried again is among them.
+    /// Names of the tests that failed.
     pub failures: Vec<String>,
+    /// Names of the tests that failed and passed when tried again.
+    pub flaky: Vec<String>,
+    /// Names of tests, and how many seconds each took.
+    pub times: Vec<(String, f64)>,
+}
+
+impl Tally {
+    /// One failure without a test.
+    pub fn failure() -> Self {
+        Self { failed: 1, ..Self::default() }
+    }
+
+    /// Adds what a line of a test runner reports.
+    fn read(&mut self, line: &str) {
+        *self += summary(line);
+        self.failures.extend(failure(line));
+        let Some((name, seconds)) = timed(line) else { return };
+        // The tries of one test have the same name.
+        if let Some(at) = self.failures.iter().position(|failed| is_try_of(failed, &name)) {
+            let failed = self.failures.remove(at);
+            self.flaky.push(failed);
+        }
+        self.times.push((name, seconds));
+    }
 }
 
 impl AddAssign for Tally {
@@ -22,6 +47,8 @@ impl AddAssign for Tally {
         self.passed += other.passed;
         self.failed += other.failed;
         self.failures.extend(other.failures);
+        self.flaky.extend(other.flaky);
+        self.times.extend(other.times);
     }
 }
 
@@ -35,9 +62,7 @@ pub fn count(command: &mut Command) -> Result<(Tally, bool)> {
     let mut tally = Tally::default();
     lane::lines(printed, |line| {
         lane::say(line);
-        let line = without_colour(line);
-        tally += summary(&line);
-        tally.failures.extend(failure(&line));
+        tally.read(&without_colour(line));
     })?;
     Ok((tally, child.wait()?.success()))
 }
@@ -68,9 +93,54 @@ fn summary(line: &str) -> Tally {
 /// `✘  7 FILE:LINE:COLUMN › NAME` of Playwright.
 fn failure(line: &str) -> Option<String> {
     let line = line.trim();
-    let of_cargo = line.strip_prefix("test ").and_then(|rest| rest.strip_suffix(" ... FAILED"));
+    let of_cargo = line.strip_prefix("test ").and_then(|rest| Some(rest.split_once(" ... FAILED")?.0));
     let of_others = line.strip_prefix("FAIL ").or_else(|| line.strip_prefix('✘'));
     of_cargo.or(of_others).map(|name| name.trim().to_owned())
+}
+
+/// The test that passed and its time in seconds, if a line reports one: `test NAME ... ok <1.234s>` of libtest, or
+/// `✓  7 FILE:LINE:COLUMN › NAME (1.2s)` of Playwright.
+fn timed(line: &str) -> Option<(String, f64)> {
+    let line = line.trim();
+    if let Some(rest) = line.strip_prefix("test ") {
+        let (name, time) = rest.split_once(" ... ok <")?;
+        return Some((name.to_owned(), time.strip_suffix("s>")?.parse().ok()?));
+    }
+    let (name, time) = line.strip_prefix('✓')?.trim().rsplit_once(" (")?;
+    let (_, name) = name.split_once(' ')?;
+    Some((name.trim().to_owned(), seconds(time.strip_suffix(')')?)?))
+}
+
+/// Seconds of a time such as `350ms`, `1.2s` or `1.5m`.
+fn seconds(time: &str) -> Option<f64> {
+    let unit = time.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
+    let number: f64 = time.strip_suffix(unit)?.parse().ok()?;
+    Some(
+        number
+            * match unit {
+                "ms" => 0.001,
+                "s" => 1.0,
+                "m" => 60.0,
+                _ => return None,
+            },
+    )
+}
+
+/// Whether a failed test is an earlier try of the test that passed: `34 FILE › NAME (1.1m)` and `FILE › NAME (retry #1)`.
+fn is_try_of(failed: &str, passed: &str) -> bool {
+    let Some((passed, _)) = passed.split_once(" (retry #") else { return false };
+    let failed = failed.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
+    failed.starts_with(passed)
+}
+
+/// The times in a JSON report of Vitest, in seconds.
+pub fn vitest_times(report: &str) -> Result<Vec<(String, f64)>> {
+    let report: Value = serde_json::from_str(report)?;
+    let files = report["testResults"].as_array().into_iter().flatten();
+    let tests = files.flat_map(|file| file["assertionResults"].as_array().into_iter().flatten());
+    let time =
+        |test: &Value| Some((test["fullName"].as_str()?.to_owned(), test["duration"].as_f64()? / 1000.0));
+    Ok(tests.filter_map(time).collect())
 }
 
 /// The line without its terminal colours.
@@ -130,6 +200,28 @@ mod tests {
         );
         assert_eq!(failure("test result: FAILED. 5 passed; 2 failed"), None);
         assert_eq!(failure("test page::words ... ok"), None);
+    }
+
+    #[test]
+    fn times_are_read() {
+        assert_eq!(timed("test page::words ... ok <0.250s>"), Some(("page::words".to_owned(), 0.25)));
+        assert_eq!(timed("test page::words ... ok"), None);
+        let name = "[short] › ../tests/a.spec.js:1:1 › opens";
+        for (time, expected) in [("350ms", 0.35), ("1.5s", 1.5), ("2.0m", 120.0)] {
+            assert_eq!(timed(&format!("  ✓   7 {name} ({time})")), Some((name.to_owned(), expected)));
+        }
+        let report = r#"{"testResults": [{"assertionResults": [{"fullName": "a b", "duration": 1500}, {"fullName": "c"}]}]}"#;
+        assert_eq!(vitest_times(report).unwrap(), [("a b".to_owned(), 1.5)]);
+    }
+
+    #[test]
+    fn a_test_that_passes_at_the_second_try_is_flaky() {
+        let mut tally = Tally::default();
+        tally.read("  ✘  34 [webkit] › ../tests/a.spec.js:104:1 › films (1.1m)");
+        tally.read("  ✘  35 [webkit] › ../tests/a.spec.js:120:1 › pages (2.0s)");
+        tally.read("  ✓  36 [webkit] › ../tests/a.spec.js:104:1 › films (retry #1) (1.0m)");
+        assert_eq!(tally.flaky, ["34 [webkit] › ../tests/a.spec.js:104:1 › films (1.1m)"]);
+        assert_eq!(tally.failures, ["35 [webkit] › ../tests/a.spec.js:120:1 › pages (2.0s)"]);
     }
 
     #[test]

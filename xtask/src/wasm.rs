@@ -149,12 +149,25 @@ pub fn all(project: &Project) -> [Module; 8] {
 
 /// The core with the benchmark's entry point.
 pub fn bench(project: &Project) -> Module {
-    Module { name: "bench", features: "inkpanel-core/bench", folder: project.target.join("bench/pkg"), ..fast() }
+    Module {
+        name: "bench",
+        features: "inkpanel-core/bench",
+        folder: project.target.join("bench/pkg"),
+        ..fast()
+    }
 }
 
 fn fast() -> Module {
     let folder = PathBuf::new();
-    Module { name: "", package: "inkpanel-core", features: "", rare: false, profile: "wasm", level: "-O3", folder }
+    Module {
+        name: "",
+        package: "inkpanel-core",
+        features: "",
+        rare: false,
+        profile: "wasm",
+        level: "-O3",
+        folder,
+    }
 }
 
 fn small() -> Module {

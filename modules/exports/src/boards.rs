@@ -3,12 +3,12 @@
 //!
 //! Errors are as in the module of words.
 
+use crate::letters::Lettering;
 use inkpanel::error::{Error, Result};
 use inkpanel::output::animatic::{self, Animatic};
 use inkpanel::output::board::Request;
 use inkpanel::output::motion;
 use inkpanel::output::shots::{Kind, ShotList};
-use crate::letters::Lettering;
 use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 

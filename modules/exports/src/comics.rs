@@ -3,9 +3,9 @@
 //!
 //! Errors are as in the module of words.
 
+use crate::letters::Lettering;
 use inkpanel::error::{Error, Result};
 use inkpanel::output::{Comic, cbz, epub, html};
-use crate::letters::Lettering;
 use inkpanel_pixels::thrown::thrown;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;

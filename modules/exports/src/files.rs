@@ -6,13 +6,13 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
+use crate::letters::Lettering;
 use inkpanel::error::{Error, Result};
 use inkpanel::page::compose::Sheet;
 use inkpanel::page::mask::PixelRect;
 use inkpanel::page::pdf::{self, Leaf, Options, Picture, picture};
 use inkpanel::page::plates::Separation;
 use inkpanel::page::{Document, jpeg, webp};
-use crate::letters::Lettering;
 use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 

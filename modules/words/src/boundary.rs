@@ -7,6 +7,7 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
+use crate::letters::Lettering;
 use inkpanel::document::script;
 use inkpanel::document::speech::Taking;
 use inkpanel::document::subtitles::{self, Frame};
@@ -17,7 +18,6 @@ use inkpanel::page::words::place::{self, Known};
 use inkpanel::page::words::{draw, layout};
 use inkpanel::page::{Document, Patch};
 use inkpanel::raster::Matte;
-use crate::letters::Lettering;
 use inkpanel_pixels::thrown::thrown;
 use serde::Deserialize;
 use serde_json::Value;

@@ -1,7 +1,6 @@
 //! `cargo xtask release`: a version, checked and packed. Either all of its files are there in the end, or none is and every file of
 //! the checkout is as it was.
 
-
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -130,7 +130,10 @@ fn papers(project: &Project, folder: &Path) -> Result<()> {
         copy(&project.root.join(file), &folder.join(file))?;
     }
     copy_all(&project.root.join("fonts"), &folder.join("licences"), |name| name.ends_with("-OFL.txt"))?;
-    fs::write(folder.join("THIRD-PARTY.txt"), notices::text(project, wasm::TARGET, wasm::FEATURES, &wasm::PACKAGES)?)?;
+    fs::write(
+        folder.join("THIRD-PARTY.txt"),
+        notices::text(project, wasm::TARGET, wasm::FEATURES, &wasm::PACKAGES)?,
+    )?;
     Ok(())
 }
 
@@ -191,7 +194,9 @@ pub fn check(project: &Project) -> Result<(Tally, bool)> {
     let tarball = pack(project)?;
     println!("{}: {} bytes", tarball.display(), fs::metadata(&tarball)?.len());
     // As the suite `rust` builds it.
-    tools::run(project.cargo().arg("test").args(crate::test::ENGINE).args(["--no-run", "--quiet"]))?;
+    tools::run(
+        project.cargo().arg("test").args(crate::test::ENGINE).args(["--test", "it", "--no-run", "--quiet"]),
+    )?;
     let native = project.target.join("debug").join(format!("inkpanel{}", std::env::consts::EXE_SUFFIX));
     let mut playwright = npm::tool(project, "@playwright/test/cli.js");
     playwright.args(["test", "--config", "../tests/web/package/playwright.config.js"]);

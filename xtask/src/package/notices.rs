@@ -63,11 +63,7 @@ pub fn workspace_ids<'a>(metadata: &'a Value, names: &[&str]) -> Vec<&'a str> {
 
 /// Returns the ids of all packages that are compiled into `roots`, including the roots. Packages in `left_out` and their own
 /// dependencies are excluded.
-pub fn reached<'a>(
-    metadata: &'a Value,
-    roots: &[&'a str],
-    left_out: &BTreeSet<&str>,
-) -> BTreeSet<&'a str> {
+pub fn reached<'a>(metadata: &'a Value, roots: &[&'a str], left_out: &BTreeSet<&str>) -> BTreeSet<&'a str> {
     let nodes = metadata["resolve"]["nodes"].as_array().map_or(&[][..], Vec::as_slice);
     let mut reached = BTreeSet::new();
     let mut open = roots.to_vec();
