@@ -12,25 +12,22 @@ use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use serde_json::Value;
 
-fn root(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
-
 /// The model of `cargo xtask models`.
 fn net() -> Aesthetics {
-    let onnx = fs::read(root("www/models/aesthetics.onnx")).expect("run `cargo xtask models`");
+    let onnx = fs::read(crate::root("www/models/aesthetics.onnx")).expect("run `cargo xtask models`");
     Aesthetics::new(&onnx).unwrap()
 }
 
 fn photo(file: &str) -> Image {
-    decode(&fs::read(root(file)).unwrap(), &Limits::default()).unwrap().image
+    decode(&fs::read(crate::root(file)).unwrap(), &Limits::default()).unwrap().image
 }
 
 #[test]
 fn scores_are_those_of_a_forward_pass_in_numpy() {
     let net = net();
     let rows: Vec<Value> =
-        serde_json::from_slice(&fs::read(root("tests/oracles/data/aesthetics.json")).unwrap()).unwrap();
+        serde_json::from_slice(&fs::read(crate::root("tests/oracles/data/aesthetics.json")).unwrap())
+            .unwrap();
     assert!(rows.len() >= 35, "{} photos", rows.len());
     let (mut least, mut most, mut worst) = (f64::MAX, f64::MIN, 0.0_f64);
     for row in rows {
@@ -58,7 +55,7 @@ fn any_picture_has_a_score_and_a_gray_one_that_of_its_three_planes() {
 
 #[test]
 fn another_file_is_no_net() {
-    let Ok(faces) = fs::read(root("www/models/faces.onnx")) else { return };
+    let Ok(faces) = fs::read(crate::root("www/models/faces.onnx")) else { return };
     for wrong in [&faces[..], b"no net", b""] {
         assert_eq!(Aesthetics::new(wrong).err().unwrap().code(), "detector");
     }
@@ -67,7 +64,7 @@ fn another_file_is_no_net() {
 #[test]
 fn generated_styles_have_scores_with_and_without_the_net() {
     let scores = |models: &str| -> Vec<f64> {
-        let answer = Command::new(env!("CARGO_BIN_EXE_inkpanel"))
+        let answer = crate::inkpanel()
             .args(["generate", "--json", "--seed", "3", "--count", "6", "--models", models])
             .arg("www/public/samples/09-mariachi.jpg")
             .current_dir(env!("CARGO_MANIFEST_DIR"))

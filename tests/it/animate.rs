@@ -25,11 +25,11 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 fn project() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/saved/version-1/storyboard.inkpanel")
+    crate::root("tests/data/saved/version-1/storyboard.inkpanel")
 }
 
 fn animate(project: &Path, folder: &Path, more: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_inkpanel"));
+    let mut command = crate::inkpanel();
     command.arg("animate").arg(project).args(more).arg("-o").arg(folder).output().unwrap()
 }
 
@@ -118,7 +118,7 @@ fn what_is_no_project_or_no_size_is_told() {
 
 /// A page of four panels, three words in the first of them.
 fn page() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/saved/version-1/merged-words.png")
+    crate::root("tests/data/saved/version-1/merged-words.png")
 }
 
 const READ: [&str; 8] = ["--pages", "--size", "320x180", "--fps", "10", "--seconds", "0.5", "--json"];

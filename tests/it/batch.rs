@@ -17,7 +17,7 @@ use made::Tiff;
 /// A folder with a photo, tiles in planes that do not divide their image, and files that are no photos.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/files/jpeg-444.jpg");
+    let sample = crate::root("tests/oracles/data/files/jpeg-444.jpg");
     fs::copy(sample, folder.path().join("good.jpg")).unwrap();
     let tiles = Tiff { tile: Some((16, 16)), planar: true, ..Tiff::rgb(45, 27) };
     fs::write(folder.path().join("tiles.tif"), tiles.file()).unwrap();
@@ -29,7 +29,7 @@ fn folder() -> tempfile::TempDir {
 }
 
 fn inkpanel(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_inkpanel")).args(arguments).current_dir(folder).output().unwrap()
+    crate::inkpanel().args(arguments).current_dir(folder).output().unwrap()
 }
 
 fn text(bytes: &[u8]) -> String {
@@ -86,7 +86,7 @@ fn nothing_left_is_a_failure() {
 /// A folder with four photos that look like no other.
 fn album() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    let photos = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/photos");
+    let photos = crate::root("tests/photos");
     for (i, name) in ["bee.jpg", "cat.jpg", "macaw.jpg", "wine.jpg"].into_iter().enumerate() {
         fs::create_dir_all(folder.path().join("album/day")).unwrap();
         let place = if i < 2 { format!("album/{name}") } else { format!("album/day/{name}") };
@@ -97,7 +97,7 @@ fn album() -> tempfile::TempDir {
 
 /// Runs it with that on standard input.
 fn fed(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_inkpanel"));
+    let mut command = crate::inkpanel();
     command.args(arguments).current_dir(folder);
     let piped = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = piped.spawn().unwrap();
@@ -113,7 +113,7 @@ fn fed(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
 #[test]
 fn a_font_gives_letters_and_what_none_has_is_named() {
     let folder = album();
-    let fonts = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/fonts");
+    let fonts = crate::root("tests/oracles/data/fonts");
     let font = |name: &str| fonts.join(name).display().to_string();
     let words = r#"[{ "kind": "balloon", "text": "مرحبا 漢字 😀" }]"#;
     fs::write(folder.path().join("words.json"), words).unwrap();

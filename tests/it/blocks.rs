@@ -83,12 +83,8 @@ fn bound(block: &str, params: &Map<String, Value>) -> Option<Bound> {
     })
 }
 
-fn root(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
-
 fn read(name: &str) -> Image {
-    let bytes = fs::read(root("tests/oracles/data/blocks").join(name)).unwrap();
+    let bytes = fs::read(crate::root("tests/oracles/data/blocks").join(name)).unwrap();
     decode(&bytes, &Limits::default()).unwrap().image
 }
 
@@ -102,7 +98,7 @@ struct Case {
 }
 
 fn cases() -> Vec<Case> {
-    let text = fs::read_to_string(root("tests/oracles/data/blocks/blocks.json")).unwrap();
+    let text = fs::read_to_string(crate::root("tests/oracles/data/blocks/blocks.json")).unwrap();
     let rows: Vec<Value> = serde_json::from_str(&text).unwrap();
     let length = |value: &Value| usize::try_from(value.as_u64().unwrap()).unwrap();
     rows.iter()
@@ -190,7 +186,7 @@ fn means(samples: &[u8], width: usize) -> Vec<f64> {
 }
 
 fn keep(case: &Case, number: usize, image: &Image, expected: &[Vec<u8>]) {
-    let folder = root("target/oracles");
+    let folder = crate::root("target/oracles");
     fs::create_dir_all(&folder).unwrap();
     let (width, height) = (image.width() as u32, image.height() as u32);
     let pixel = |planes: [&[u8]; 3], i: usize| [planes[0][i], planes[1][i], planes[2][i]];

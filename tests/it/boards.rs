@@ -118,7 +118,7 @@ fn a_logo_is_read_with_the_head_and_has_no_border() {
 
 /// A saved project whose board has that logo.
 fn project(folder: &Path, logo: &str) -> String {
-    let saved = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/saved/version-1/storyboard.inkpanel");
+    let saved = crate::root("tests/data/saved/version-1/storyboard.inkpanel");
     let mut archive = zip::ZipArchive::new(fs::File::open(saved).unwrap()).unwrap();
     let mut writer = zip::ZipWriter::new(Cursor::new(Vec::new()));
     for i in 0..archive.len() {
@@ -139,7 +139,7 @@ fn project(folder: &Path, logo: &str) -> String {
 }
 
 fn render(project: &str, output: &Path) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_inkpanel"));
+    let mut command = crate::inkpanel();
     command.args(["render", project, "--board", "6", "-o"]).arg(output).output().unwrap()
 }
 

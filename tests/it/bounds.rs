@@ -153,7 +153,7 @@ fn told(value: &Value, text: &str) -> String {
 
 /// With `BLESS=1` a module is written anew, and the test fails for once.
 fn check(file: &str, expected: &str) {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    let path = crate::root(file);
     let found = std::fs::read_to_string(&path).unwrap_or_default();
     if std::env::var_os("BLESS").is_some() && found != expected {
         std::fs::write(&path, expected).unwrap();

@@ -13,10 +13,6 @@ use serde_json::Value;
 const START: &str = "<!-- blocks:start -->\n";
 const END: &str = "<!-- blocks:end -->";
 
-fn root(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
-
 fn ids(catalogue: &Value) -> BTreeSet<String> {
     catalogue.as_array().unwrap().iter().map(|entry| text(entry, "id")).collect()
 }
@@ -27,7 +23,7 @@ fn text(entry: &Value, field: &str) -> String {
 
 /// The names in a folder without what follows the first dot, those called `other` left out.
 fn stems(folder: &str, other: &[&str]) -> BTreeSet<String> {
-    fs::read_dir(root(folder))
+    fs::read_dir(crate::root(folder))
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .filter_map(|name| name.split('.').next().map(str::to_owned))
@@ -60,7 +56,7 @@ fn every_block_and_parameter_explains_itself() {
 /// With `BLESS=1` the table is written anew, and the test fails for once.
 #[test]
 fn the_readme_of_the_styles_lists_the_blocks_as_they_are() {
-    let path = root("styles/README.md");
+    let path = crate::root("styles/README.md");
     let readme = fs::read_to_string(&path).unwrap();
     let (before, rest) = readme.split_once(START).unwrap();
     let (table, after) = rest.split_once(END).unwrap();

@@ -268,12 +268,11 @@ fn a_book_has_its_parts() {
 }
 
 fn sample(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("www/public/samples").join(name)
+    crate::root("www/public/samples").join(name)
 }
 
 fn inkpanel(folder: &Path, arguments: &[&str]) -> Output {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_inkpanel")).args(arguments).current_dir(folder).output().unwrap();
+    let output = crate::inkpanel().args(arguments).current_dir(folder).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     output
 }
@@ -312,8 +311,7 @@ fn the_command_line_makes_the_same_comic_again() {
 #[test]
 fn a_saved_project_becomes_a_comic_of_all_its_pages() {
     let folder = tempfile::tempdir().unwrap();
-    let project =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/saved/version-1/storyboard.inkpanel");
+    let project = crate::root("tests/data/saved/version-1/storyboard.inkpanel");
     let project = project.to_str().unwrap();
     inkpanel(folder.path(), &["render", project, "--language", "fr", "-o", "all.html"]);
     inkpanel(folder.path(), &["render", project, "--page", "2", "-o", "one.html"]);
@@ -349,7 +347,7 @@ fn epub_passes_epubcheck() {
 fn epub_passes_ace() {
     let folder = tempfile::tempdir().unwrap();
     rendered(folder.path(), "comic.epub");
-    let ace = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ace");
+    let ace = crate::root("tests/ace");
     let browser = std::env::var_os("CHROMIUM").unwrap_or_else(|| "/usr/bin/chromium".into());
     let done = Command::new("node")
         .arg(ace.join("check.js"))

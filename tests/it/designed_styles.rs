@@ -51,13 +51,9 @@ const ALIKE: f64 = 6.0;
 const START: &str = "<!-- families:start -->\n";
 const END: &str = "<!-- families:end -->";
 
-fn root(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
-
 /// A sample photo at the size of a small panel.
 fn panel(name: &str) -> Image {
-    let bytes = fs::read(root("www/public/samples").join(name)).unwrap();
+    let bytes = fs::read(crate::root("www/public/samples").join(name)).unwrap();
     let photo = decode(&bytes, &Limits::default()).unwrap().image;
     resample_image(&photo, Region::whole(photo.width(), photo.height()), 320, 214)
 }
@@ -119,7 +115,7 @@ fn the_readme_lists_the_families_as_they_are() {
         let names: Vec<&str> = members.map(|style| style.name.as_str()).collect();
         writeln!(expected, "| `{family}` | {look} | {} |", names.join(", ")).unwrap();
     }
-    let path = root("styles/README.md");
+    let path = crate::root("styles/README.md");
     let readme = fs::read_to_string(&path).unwrap();
     let (before, rest) = readme.split_once(START).unwrap();
     let (table, after) = rest.split_once(END).unwrap();

@@ -12,18 +12,14 @@ use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use serde_json::Value;
 
-fn root(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
-
 /// The models of `cargo xtask models`.
 fn detectors() -> Detectors {
-    let read = |name: &str| fs::read(root("www/models").join(name)).expect("run `cargo xtask models`");
+    let read = |name: &str| fs::read(crate::root("www/models").join(name)).expect("run `cargo xtask models`");
     Detectors::new(&read("faces.onnx"), &read("objects.onnx")).unwrap()
 }
 
 fn photo(file: &str) -> Image {
-    decode(&fs::read(root(file)).unwrap(), &Limits::default()).unwrap().image
+    decode(&fs::read(crate::root(file)).unwrap(), &Limits::default()).unwrap().image
 }
 
 /// COCO's numbers of the labels that the expected boxes have.
@@ -62,7 +58,7 @@ fn corners(found: &Detection) -> [f64; 4] {
 fn boxes_are_those_of_onnx_runtime() {
     let detectors = detectors();
     let rows: Vec<Value> =
-        serde_json::from_slice(&fs::read(root("tests/oracles/data/detect.json")).unwrap()).unwrap();
+        serde_json::from_slice(&fs::read(crate::root("tests/oracles/data/detect.json")).unwrap()).unwrap();
     assert!(rows.len() >= 35, "{} photos", rows.len());
     let numbers = numbers();
     let mut compared = 0;
@@ -136,7 +132,7 @@ fn any_picture_gives_boxes_inside_it() {
 #[test]
 fn another_file_is_no_net() {
     let _ = detectors();
-    let faces = fs::read(root("www/models/faces.onnx")).unwrap();
+    let faces = fs::read(crate::root("www/models/faces.onnx")).unwrap();
     let cut = &faces[..faces.len() / 2];
     for wrong in [&b"no net"[..], b"", cut] {
         let error = Detectors::new(wrong, wrong).err().unwrap();
@@ -147,11 +143,7 @@ fn another_file_is_no_net() {
 #[test]
 fn the_command_answers_in_pixels_and_passes_over_what_is_no_photo() {
     let run = |arguments: &[&str]| {
-        Command::new(env!("CARGO_BIN_EXE_inkpanel"))
-            .args(arguments)
-            .current_dir(env!("CARGO_MANIFEST_DIR"))
-            .output()
-            .unwrap()
+        crate::inkpanel().args(arguments).current_dir(env!("CARGO_MANIFEST_DIR")).output().unwrap()
     };
     let answer = run(&["detect", "--json", "Cargo.toml", "www/public/samples/19-astronaut.jpg"]);
     assert!(answer.status.success());

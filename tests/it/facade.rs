@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 fn samples(count: usize) -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/public/samples");
+    let folder = crate::root("www/public/samples");
     let mut all: Vec<PathBuf> =
         std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     all.retain(|path| path.extension().is_some_and(|ending| ending == "jpg"));
@@ -34,7 +34,7 @@ fn told<T>(result: Result<T, Failure>) -> (&'static str, Option<String>) {
 fn a_page_is_that_of_the_command_line() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("page.png");
-    let mut command = Command::new(env!("CARGO_BIN_EXE_inkpanel"));
+    let mut command = crate::inkpanel();
     command.args(["render", "--no-detect", "--width", "320", "--style", "comic", "--seed", "5", "-o"]);
     let output = command.arg(&file).args(samples(6)).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));

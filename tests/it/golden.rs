@@ -94,7 +94,7 @@ impl Goldens {
     }
 
     fn path(&self) -> PathBuf {
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/goldens").join(self.folder)
+        crate::root("tests/goldens").join(self.folder)
     }
 }
 

@@ -11,7 +11,7 @@ use std::path::Path;
 const NEAR: f64 = 0.05;
 
 fn told() -> Value {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/hearing.json");
+    let path = crate::root("tests/oracles/data/hearing.json");
     serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
 }
 

@@ -23,7 +23,7 @@ const AREA: usize = 60_000;
 const WHOLE: usize = 160_000;
 
 fn photo(name: &str) -> Image {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/photos").join(name);
+    let path = crate::root("tests/photos").join(name);
     decode_fit(&fs::read(path).unwrap(), &Limits::default(), 1000).unwrap().image
 }
 
@@ -166,7 +166,7 @@ fn pictures_without_a_look_are_told() {
     }
     // Whole pages, the paper and the panels with what is drawn in them.
     for name in ["comic", "gouache", "noir", "screenprint"] {
-        let page = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("docs/pages/{name}.png"));
+        let page = crate::root(format!("docs/pages/{name}.png"));
         let page = decode_fit(&fs::read(page).unwrap(), &Limits::default(), 4000).unwrap().image;
         assert!(code(&page).is_ok(), "{name}");
     }
@@ -182,7 +182,7 @@ fn pictures_without_a_look_are_told() {
 #[test]
 #[ignore = "it prints numbers and checks nothing"]
 fn looks_of_photos_and_of_styles() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/photos");
+    let folder = crate::root("tests/photos");
     let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|ending| ending == "jpg"));
     files.sort();

@@ -20,12 +20,8 @@ struct Expected {
     offset: usize,
 }
 
-fn root(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
-
 fn files(folder: &str) -> Vec<(String, Vec<u8>)> {
-    let paths = fs::read_dir(root(folder)).unwrap().map(|entry| entry.unwrap().path());
+    let paths = fs::read_dir(crate::root(folder)).unwrap().map(|entry| entry.unwrap().path());
     let photos = paths.filter(|path| !matches!(path.extension().unwrap().to_str(), Some("md" | "json")));
     let mut files: Vec<_> = photos
         .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), fs::read(path).unwrap()))
@@ -36,7 +32,7 @@ fn files(folder: &str) -> Vec<(String, Vec<u8>)> {
 
 #[test]
 fn every_format_is_seen_as_pillow_sees_it() {
-    let data = root("tests/oracles/data");
+    let data = crate::root("tests/oracles/data");
     let expected: Vec<Expected> =
         serde_json::from_slice(&fs::read(data.join("expected.json")).unwrap()).unwrap();
     let pixels = fs::read(data.join("expected.bin")).unwrap();
@@ -95,7 +91,7 @@ fn a_file_cut_short_anywhere_is_named_damaged() {
 
 #[test]
 fn a_header_that_lies_is_refused_before_memory_is_taken() {
-    let jpeg = fs::read(root("tests/oracles/data/files/jpeg-420.jpg")).unwrap();
+    let jpeg = fs::read(crate::root("tests/oracles/data/files/jpeg-420.jpg")).unwrap();
     let frame = jpeg.windows(2).position(|pair| pair == [0xFF, 0xC0]).unwrap();
     let sized = |width: u16, height: u16| {
         let mut file = jpeg.clone();
@@ -108,7 +104,7 @@ fn a_header_that_lies_is_refused_before_memory_is_taken() {
     assert_eq!(sized(9_000, 9_000), "damaged");
     assert_eq!(sized(0, 9_000), "damaged");
 
-    let mut png = fs::read(root("tests/oracles/data/files/png-rgb.png")).unwrap();
+    let mut png = fs::read(crate::root("tests/oracles/data/files/png-rgb.png")).unwrap();
     png[16..24].copy_from_slice(&[0, 0, 0xEA, 0x60, 0, 0, 0xEA, 0x60]);
     let crc = crc32(&png[12..29]);
     png[29..33].copy_from_slice(&crc.to_be_bytes());
@@ -148,7 +144,7 @@ fn what_is_no_image_is_unknown() {
 
 #[test]
 fn a_fitted_photo_tells_its_full_size_upright() {
-    let bytes = fs::read(root("tests/oracles/data/files/jpeg-exif-6.jpg")).unwrap();
+    let bytes = fs::read(crate::root("tests/oracles/data/files/jpeg-exif-6.jpg")).unwrap();
     let fitted = decode_fit(&bytes, &Limits::default(), 15).unwrap();
     assert_eq!((fitted.width, fitted.height), (27, 45));
     assert_eq!((fitted.image.width(), fitted.image.height()), (9, 15));
@@ -187,7 +183,7 @@ fn a_reduced_file_is_seen_as_libjpeg_sees_it() {
 #[test]
 fn a_reduced_photo_is_the_whole_one_made_smaller() {
     for name in ["04-dandelions", "11-giraffe"] {
-        let bytes = fs::read(root(&format!("www/public/samples/{name}.jpg"))).unwrap();
+        let bytes = fs::read(crate::root(&format!("www/public/samples/{name}.jpg"))).unwrap();
         for longest in [700, 333, 100] {
             let [reduced, whole] =
                 [decode_reduced, decode_fit].map(|way| way(&bytes, &Limits::default(), longest));
@@ -207,7 +203,7 @@ fn what_cannot_be_reduced_is_decoded_whole() {
             [decode_reduced, decode_fit].map(|way| way(&bytes, &Limits::default(), 23).unwrap());
         assert_eq!(reduced.image, whole.image, "{name}");
     }
-    let progressive = fs::read(root("tests/oracles/data/files/jpeg-progressive.jpg")).unwrap();
+    let progressive = fs::read(crate::root("tests/oracles/data/files/jpeg-progressive.jpg")).unwrap();
     let [reduced, whole] =
         [decode_reduced, decode_fit].map(|way| way(&progressive, &Limits::default(), 10).unwrap());
     assert_eq!(reduced.image, whole.image);
@@ -235,7 +231,7 @@ fn what_is_broken_is_told_as_of_a_whole_file() {
         assert_eq!(told(decode_reduced, &torn), told(decode_fit, &torn), "{name} torn");
     }
     let small = Limits { max_pixels: 10_000, ..Limits::default() };
-    let bytes = fs::read(root("tests/oracles/data/reduced/grey.jpg")).unwrap();
+    let bytes = fs::read(crate::root("tests/oracles/data/reduced/grey.jpg")).unwrap();
     assert_eq!(decode_reduced(&bytes, &small, 40).unwrap_err().code(), "too-large");
     let little = Limits { max_bytes: 100_000, ..Limits::default() };
     assert_eq!(decode_reduced(&bytes, &little, 40).unwrap_err().code(), "too-large");

@@ -22,13 +22,9 @@ fn allowed(expression: &str, licences: &[String]) -> bool {
     plain.split(" AND ").all(|part| part.split(" OR ").any(one))
 }
 
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
 /// The licences that `deny.toml` allows.
 fn permissive() -> Vec<String> {
-    let file = fs::read_to_string(root().join("deny.toml")).unwrap();
+    let file = fs::read_to_string(crate::root("deny.toml")).unwrap();
     let (_, list) = file.split_once("\nallow = [\n").unwrap();
     let (list, _) = list.split_once("\n]").unwrap();
     list.lines().map(|line| line.trim().trim_matches([',', '"']).to_owned()).collect()
@@ -52,7 +48,7 @@ fn npm_packages_are_permissive() {
     licences.push(PYTHON.to_owned());
     let mut seen = 0;
     for folder in ["www", "bench", "tests/ace"] {
-        let lock = fs::read_to_string(root().join(folder).join("package-lock.json")).unwrap();
+        let lock = fs::read_to_string(crate::root(folder).join("package-lock.json")).unwrap();
         let lock: Value = serde_json::from_str(&lock).unwrap();
         for (path, package) in lock["packages"].as_object().unwrap() {
             // The first entry is the project itself.

@@ -51,3 +51,13 @@ mod words;
 fn trials(few: u64, all: u64) -> u64 {
     if std::env::var_os("INKPANEL_THOROUGH").is_some() { all } else { few }
 }
+
+/// Returns the absolute path of a file of the repository.
+fn root(path: &str) -> std::path::PathBuf {
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// Returns a call of the command line.
+fn inkpanel() -> std::process::Command {
+    std::process::Command::new(env!("CARGO_BIN_EXE_inkpanel"))
+}

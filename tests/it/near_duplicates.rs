@@ -17,8 +17,7 @@ use inkpanel::simd::point::luma_plane;
 use variants::{blurred, variants};
 
 fn photos() -> Vec<Image> {
-    let folders = ["tests/photos", "www/public/samples"]
-        .map(|folder| Path::new(env!("CARGO_MANIFEST_DIR")).join(folder));
+    let folders = ["tests/photos", "www/public/samples"].map(|folder| crate::root(folder));
     let mut paths: Vec<_> = folders
         .iter()
         .flat_map(|folder| fs::read_dir(folder).unwrap())

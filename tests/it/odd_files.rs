@@ -24,7 +24,7 @@ struct Row {
 
 #[test]
 fn what_pillow_opens_is_seen_the_same_or_the_reason_is_told() {
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data");
+    let data = crate::root("tests/oracles/data");
     let rows: Vec<Row> = serde_json::from_slice(&fs::read(data.join("odd.json")).unwrap()).unwrap();
     let pixels = fs::read(data.join("odd.bin")).unwrap();
     assert_eq!(rows.len(), fs::read_dir(data.join("odd")).unwrap().count());
@@ -62,8 +62,7 @@ fn likeness(one: &[u8], other: &[u8]) -> f64 {
 
 #[test]
 fn half_red_is_half_red() {
-    let file =
-        fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/odd/tiff-half-red.tif"));
+    let file = fs::read(crate::root("tests/oracles/data/odd/tiff-half-red.tif"));
     let image = decode(&file.unwrap(), &Limits::default()).unwrap().image;
     assert_eq!(image.to_rgb()[..3], [255, 127, 127]);
 }
@@ -71,7 +70,7 @@ fn half_red_is_half_red() {
 /// What Pillow itself sees wrongly is held against the same picture in another layout.
 #[test]
 fn layouts_of_the_same_samples_are_seen_the_same() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/odd");
+    let folder = crate::root("tests/oracles/data/odd");
     let seen = |name: &str| {
         decode(&fs::read(folder.join(name)).unwrap(), &Limits::default()).unwrap().image.to_rgb()
     };

@@ -12,8 +12,8 @@ const PHOTOS: [&str; 7] =
 
 /// Runs the program in `folder` on the photos of the tests.
 fn inkpanel(folder: &Path, arguments: &[&str], photos: &[&str]) -> Output {
-    let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/photos");
-    Command::new(env!("CARGO_BIN_EXE_inkpanel"))
+    let from = crate::root("tests/photos");
+    crate::inkpanel()
         .args(arguments)
         .args(photos.iter().map(|photo| from.join(photo)))
         .current_dir(folder)

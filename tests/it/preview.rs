@@ -18,12 +18,8 @@ const PHOTOS: &[&str] = &["www/public/samples/02-kitten.jpg", "www/public/sample
 /// Structural similarity from which on the two are taken for the same picture.
 const SAME: f64 = 0.9;
 
-fn root(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
-
 fn read(path: &str) -> Image {
-    decode(&fs::read(root(path)).unwrap(), &Limits::default()).unwrap().image
+    decode(&fs::read(crate::root(path)).unwrap(), &Limits::default()).unwrap().image
 }
 
 fn sized(image: &Image, width: usize, height: usize) -> Image {
@@ -85,7 +81,7 @@ fn similarity(a: &Plane, b: &Plane) -> f64 {
 /// scikit-image's `structural_similarity` of two files, as `tests/oracles/blocks.py` found it.
 #[test]
 fn similarity_is_that_of_scikit_image() {
-    let text = fs::read_to_string(root("tests/oracles/data/blocks/similarity.json")).unwrap();
+    let text = fs::read_to_string(crate::root("tests/oracles/data/blocks/similarity.json")).unwrap();
     let expected: Value = serde_json::from_str(&text).unwrap();
     let luma = luma_plane(&read("tests/oracles/data/blocks/luma.png"));
     let other = luma_plane(&read("tests/oracles/data/blocks/etf.png"));

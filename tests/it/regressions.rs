@@ -31,12 +31,8 @@ const ODD: &[&str] = &[
     "true",
 ];
 
-fn root(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
-
 fn files(folder: &str) -> Vec<Vec<u8>> {
-    let Ok(entries) = fs::read_dir(root(folder)) else { return Vec::new() };
+    let Ok(entries) = fs::read_dir(crate::root(folder)) else { return Vec::new() };
     let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
     paths.sort();
     let hidden = |path: &Path| path.file_name().is_some_and(|name| name.as_encoded_bytes().starts_with(b"."));
@@ -63,7 +59,7 @@ fn seeds(name: &str) -> Vec<Vec<u8>> {
 /// Runs an entry; what makes it panic is kept in `target/` and named.
 fn survive(name: &str, entry: Entry, bytes: &[u8]) {
     if catch_unwind(|| entry(bytes)).is_err() {
-        let kept = root("target").join(format!("fault-{name}"));
+        let kept = crate::root("target").join(format!("fault-{name}"));
         fs::write(&kept, bytes).unwrap();
         panic!(
             "the entry {name} panicked; its input is {}: move it to tests/regressions/{name}/",

@@ -28,10 +28,6 @@ const ROOMS: [&[&str]; 16] = [
     &["facade"],
 ];
 
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
 /// All files below a folder with one of these endings.
 fn files(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
     let mut found = Vec::new();
@@ -78,7 +74,7 @@ fn names(text: &str) -> BTreeSet<String> {
 #[test]
 fn no_room_of_the_crate_knows_one_above_it() {
     let level = |name: &str| ROOMS.iter().position(|rooms| rooms.contains(&name));
-    let tops = TOPS.map(|top| root().join(top));
+    let tops = TOPS.map(|top| crate::root(top));
     let all = tops.iter().flat_map(|top| files(top, &[".rs"]).into_iter().map(move |file| (top, file)));
     let mut wrong = Vec::new();
     let mut known = 0;
@@ -88,7 +84,7 @@ fn no_room_of_the_crate_knows_one_above_it() {
             let Some(there) = level(&name) else { continue };
             known += 1;
             if there > here {
-                wrong.push(format!("{} uses {name}", file.strip_prefix(root()).unwrap().display()));
+                wrong.push(format!("{} uses {name}", file.strip_prefix(crate::root("")).unwrap().display()));
             }
         }
     }
@@ -142,7 +138,7 @@ fn end_of<'a>(rooms: &BTreeSet<&'a str>, doors: &'a BTreeMap<(String, String), S
 
 #[test]
 fn no_rooms_of_the_page_know_each_other_in_a_circle() {
-    let top = root().join("www");
+    let top = crate::root("www");
     // One file for each pair of rooms, to be named.
     let mut doors: BTreeMap<(String, String), String> = BTreeMap::new();
     for file in files(&top, &[".ts", ".tsx"]) {

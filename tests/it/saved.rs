@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/saved")
+    crate::root("tests/data/saved")
 }
 
 fn file(name: &str) -> Vec<u8> {
@@ -23,7 +23,7 @@ fn read(name: &str) -> Saved {
 }
 
 fn render(arguments: &[&str], output: &Path) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_inkpanel"));
+    let mut command = crate::inkpanel();
     command.arg("render").args(arguments).arg("-o").arg(output).output().unwrap()
 }
 

@@ -12,22 +12,18 @@ use inkpanel::raster::guided::guided;
 use inkpanel::raster::{Image, Plane};
 use serde_json::Value;
 
-fn root(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
-
 /// The model of `cargo xtask models`.
 fn segmenter() -> Segmenter {
-    let onnx = fs::read(root("www/models/subject.onnx")).expect("run `cargo xtask models`");
+    let onnx = fs::read(crate::root("www/models/subject.onnx")).expect("run `cargo xtask models`");
     Segmenter::new(&onnx).unwrap()
 }
 
 fn photo(file: &str) -> Image {
-    decode(&fs::read(root(file)).unwrap(), &Limits::default()).unwrap().image
+    decode(&fs::read(crate::root(file)).unwrap(), &Limits::default()).unwrap().image
 }
 
 fn expected() -> Value {
-    serde_json::from_slice(&fs::read(root("tests/oracles/data/segment.json")).unwrap()).unwrap()
+    serde_json::from_slice(&fs::read(crate::root("tests/oracles/data/segment.json")).unwrap()).unwrap()
 }
 
 fn bytes(hexadecimal: &Value) -> Vec<u8> {
@@ -99,15 +95,9 @@ fn the_command_writes_masks_and_leaves_out_what_is_no_photo() {
     fs::write(&broken, "no photo").unwrap();
     let masks = folder.join("masks");
     let run = |files: &[&Path]| {
-        Command::new(env!("CARGO_BIN_EXE_inkpanel"))
-            .arg("segment")
-            .args(files)
-            .args(["--json", "-o"])
-            .arg(&masks)
-            .output()
-            .unwrap()
+        crate::inkpanel().arg("segment").args(files).args(["--json", "-o"]).arg(&masks).output().unwrap()
     };
-    let kitten = root("www/public/samples/02-kitten.jpg");
+    let kitten = crate::root("www/public/samples/02-kitten.jpg");
     let told = run(&[&broken, &kitten, &kitten]);
     assert!(told.status.success(), "{}", String::from_utf8_lossy(&told.stderr));
     assert!(String::from_utf8_lossy(&told.stderr).contains("broken.jpg"));

@@ -24,10 +24,6 @@ struct Expected {
     laplacian: f32,
 }
 
-fn root(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
-
 /// Mean and largest difference of a plane from expected samples in hexadecimal.
 fn difference(plane: &Plane, hex: &str) -> (f64, u8) {
     let expected = (0..hex.len()).step_by(2).map(|i| u8::from_str_radix(&hex[i..i + 2], 16).unwrap());
@@ -39,12 +35,12 @@ fn difference(plane: &Plane, hex: &str) -> (f64, u8) {
 
 #[test]
 fn photos_are_measured_as_in_numpy() {
-    let rows = fs::read(root("tests/oracles/data/selection.json")).unwrap();
+    let rows = fs::read(crate::root("tests/oracles/data/selection.json")).unwrap();
     let rows: Vec<Expected> = serde_json::from_slice(&rows).unwrap();
     assert_eq!(rows.len(), 16);
     for expected in rows {
         let file = &expected.file;
-        let bytes = fs::read(root("tests/photos").join(file)).unwrap();
+        let bytes = fs::read(crate::root("tests/photos").join(file)).unwrap();
         let image = decode(&bytes, &Limits::default()).unwrap().image;
         let luma = luma_plane(&image);
         let whole = resample(&luma, Region::whole(luma.width(), luma.height()), 23, 17);

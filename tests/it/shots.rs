@@ -21,7 +21,7 @@ const RATES: [(&str, u32, Pace); 6] = [
 ];
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/shots")
+    crate::root("tests/oracles/data/shots")
 }
 
 /// Pictures and places in two films, of lengths that end on no second.

@@ -15,7 +15,7 @@ const OVERLAP: f64 = 0.85;
 
 #[test]
 fn masks_are_what_a_person_would_cut_out() {
-    let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/models/subject.onnx");
+    let model = crate::root("www/models/subject.onnx");
     let onnx = fs::read(model).expect("run `cargo xtask models`");
     let net = Segmenter::new(&onnx).unwrap();
     for (half, names) in [("tuned on", &TUNED[..]), ("held out", &HELD_OUT[..])] {

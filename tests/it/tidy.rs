@@ -9,16 +9,13 @@ use std::process::Command;
 /// Largest file in bytes; photos and goldens are kept small.
 const BYTES: u64 = 2_000_000;
 
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
 /// Paths relative to the top folder, with forward slashes.
 fn files() -> Vec<String> {
     let mut git = Command::new("git");
-    git.args(["ls-files", "-z", "--cached", "--others", "--exclude-standard"]).current_dir(root());
+    git.args(["ls-files", "-z", "--cached", "--others", "--exclude-standard"]).current_dir(crate::root(""));
     let listed = String::from_utf8(git.output().unwrap().stdout).unwrap();
-    let files: Vec<_> = listed.split_terminator('\0').filter(|file| root().join(file).is_file()).collect();
+    let files: Vec<_> =
+        listed.split_terminator('\0').filter(|file| crate::root(file).is_file()).collect();
     assert!(files.contains(&"Cargo.toml"), "the rules need git and a checkout");
     files.into_iter().map(str::to_owned).collect()
 }
@@ -38,7 +35,7 @@ fn nothing_generated_or_heavy_is_in_git() {
     const KINDS: &[&str] = &["wasm", "onnx", "tflite", "pt", "pth", "safetensors", "gguf", "pb", "zip", "gz"];
     let mut offences = Vec::new();
     for file in files() {
-        let bytes = fs::metadata(root().join(&file)).unwrap().len();
+        let bytes = fs::metadata(crate::root(&file)).unwrap().len();
         if file.split('/').any(|part| FOLDERS.contains(&part)) || KINDS.contains(&extension(&file)) {
             offences.push(format!("{file}: made by a command, so it does not belong in git"));
         } else if bytes > BYTES {
@@ -67,7 +64,7 @@ fn no_text_names_a_machine_or_a_registry() {
     .map(|(a, b)| format!("{a}{b}"));
     let mut offences = Vec::new();
     for file in files() {
-        let Ok(text) = fs::read_to_string(root().join(&file)) else { continue };
+        let Ok(text) = fs::read_to_string(crate::root(&file)) else { continue };
         for (number, line) in text.lines().enumerate() {
             for word in forbidden.iter().filter(|word| line.contains(word.as_str())) {
                 offences.push(format!("{file}:{}: {word}", number + 1));
@@ -91,7 +88,7 @@ fn every_module_says_what_it_is_for() {
 }
 
 fn starts_with(file: &str, start: &str) -> bool {
-    fs::read_to_string(root().join(file)).unwrap().starts_with(start)
+    fs::read_to_string(crate::root(file)).unwrap().starts_with(start)
 }
 
 /// Data files are registered by being there; a file whose name is not its id would be found under another name.
@@ -104,7 +101,7 @@ fn data_files_are_named_by_their_id() {
             if extension(file) != "json" {
                 continue;
             }
-            let text = fs::read_to_string(root().join(file)).unwrap();
+            let text = fs::read_to_string(crate::root(file)).unwrap();
             let value: serde_json::Value = serde_json::from_str(&text).unwrap();
             let id = value["id"].as_str().unwrap_or("").to_owned();
             if *file != format!("{folder}/{id}.json") {

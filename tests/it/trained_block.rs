@@ -93,7 +93,7 @@ fn strengths_beyond_the_most_passes_run_smaller() {
 
 #[test]
 fn every_bank_can_be_read() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("pixels/src/style/banks");
+    let folder = crate::root("pixels/src/style/banks");
     let mut banks = 0;
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

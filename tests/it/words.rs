@@ -19,10 +19,6 @@ use inkpanel::simd::point::luma_plane;
 use inkpanel::style::Context;
 use serde_json::{Value, json};
 
-fn root(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
-}
-
 fn letters() -> Letters {
     Letters::bundled().unwrap()
 }
@@ -80,7 +76,7 @@ fn a_page_of_words_looks_as_it_did() {
 
 /// A folder of fonts, see `tests/oracles/fonts.py`.
 fn font_file(name: &str) -> Vec<u8> {
-    fs::read(root("tests/oracles/data/fonts").join(name)).unwrap()
+    fs::read(crate::root("tests/oracles/data/fonts").join(name)).unwrap()
 }
 
 fn fonts(files: &[&str]) -> GivenFonts {
@@ -526,12 +522,12 @@ fn rendered(words: &str) -> (std::process::Output, Option<Image>) {
     let folder = tempfile::tempdir().unwrap();
     let [list, page] = ["words.json", "page.png"].map(|name| folder.path().join(name));
     fs::write(&list, words).unwrap();
-    let output = std::process::Command::new(env!("CARGO_BIN_EXE_inkpanel"))
+    let output = crate::inkpanel()
         .args(["render", "--no-detect", "--layout", "splash", "--style", "noir", "--width", "400", "--words"])
         .arg(&list)
         .arg("-o")
         .arg(&page)
-        .arg(root("tests/photos/bee.jpg"))
+        .arg(crate::root("tests/photos/bee.jpg"))
         .output()
         .unwrap();
     let image = fs::read(&page).ok().map(|bytes| decode(&bytes, &Limits::default()).unwrap().image);
