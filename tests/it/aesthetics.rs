@@ -4,8 +4,6 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use inkpanel::detect::Aesthetics;
 use inkpanel::raster::Image;

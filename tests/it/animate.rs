@@ -22,7 +22,7 @@ use serde_json::{Value, json};
 use std::fs;
 use std::io::{Cursor, Read, Write};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
 fn project() -> PathBuf {
     crate::root("tests/data/saved/version-1/storyboard.inkpanel")

@@ -8,7 +8,7 @@ mod made;
 use std::fs;
 use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Output, Stdio};
 
 use inkpanel::document::saved::Saved;
 use inkpanel::raster::decode::{Limits, decode};

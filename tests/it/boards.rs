@@ -17,7 +17,7 @@ use serde_json::{Value, json};
 use std::fs;
 use std::io::{Cursor, Read, Write};
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 /// A picture in which no two neighbours are alike.
 fn checked(width: usize, height: usize) -> Image {

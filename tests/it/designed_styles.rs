@@ -5,7 +5,6 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
-use std::path::{Path, PathBuf};
 
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};

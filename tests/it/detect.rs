@@ -4,8 +4,6 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use inkpanel::detect::{Detection, Detectors, worth_a_closer_look};
 use inkpanel::raster::Image;

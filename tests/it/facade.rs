@@ -2,8 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::{Album, Failure, Nets, PageOptions, Photo, Pixels, Style, layouts, pdf};
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::PathBuf;
 
 fn samples(count: usize) -> Vec<PathBuf> {
     let folder = crate::root("www/public/samples");

@@ -5,7 +5,6 @@ use inkpanel::hearing::{Kind, events};
 use serde_json::Value;
 use std::f64::consts::TAU;
 use std::fs;
-use std::path::Path;
 
 /// Seconds that two may differ in when a sound begins, as is usual where onsets are judged (MIREX).
 const NEAR: f64 = 0.05;

@@ -11,7 +11,6 @@ use rayon::prelude::*;
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::fs;
-use std::path::Path;
 
 /// How many styles are looked for, and what share of them must be found.
 const TRIALS: usize = 40;
@@ -166,7 +165,7 @@ fn pictures_without_a_look_are_told() {
     }
     // Whole pages, the paper and the panels with what is drawn in them.
     for name in ["comic", "gouache", "noir", "screenprint"] {
-        let page = crate::root(format!("docs/pages/{name}.png"));
+        let page = crate::root(&format!("docs/pages/{name}.png"));
         let page = decode_fit(&fs::read(page).unwrap(), &Limits::default(), 4000).unwrap().image;
         assert!(code(&page).is_ok(), "{name}");
     }

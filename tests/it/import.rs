@@ -3,7 +3,6 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
-use std::path::{Path, PathBuf};
 
 use inkpanel::Error;
 use inkpanel::raster::decode::{Limits, decode, decode_fit, decode_reduced};

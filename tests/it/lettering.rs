@@ -7,8 +7,6 @@ mod measure;
 #[path = "../../examples/lettering/pages.rs"]
 mod pages;
 
-use std::path::Path;
-
 use crate::golden::Goldens;
 use inkpanel::framing::{PhotoMeta, Subject};
 use inkpanel::page::words::layout::{Chain, lay_all, measured};
@@ -44,7 +42,7 @@ fn a_page_by_a_letterer_looks_as_it_did() {
 #[test]
 fn balloons_on_forty_pages_cover_no_face_and_say_who_speaks() {
     let root = crate::root("");
-    let (photos, letters) = (pages::photos(&pages::known(root).unwrap()), letters());
+    let (photos, letters) = (pages::photos(&pages::known(&root).unwrap()), letters());
     let mut all = Figures::default();
     for number in 0..pages::PAGES {
         let page = pages::page(&photos, number, &letters).unwrap();
@@ -85,7 +83,7 @@ fn masked(photo: &PhotoMeta) -> PhotoMeta {
 #[test]
 fn masks_keep_balloons_off_bodies_better_than_boxes_do() {
     let root = crate::root("");
-    let (plain, letters) = (pages::photos(&pages::known(root).unwrap()), letters());
+    let (plain, letters) = (pages::photos(&pages::known(&root).unwrap()), letters());
     let masked: Vec<PhotoMeta> = plain.iter().map(masked).collect();
     let (mut by_boxes, mut by_masks, mut moved) = (Figures::default(), Figures::default(), 0);
     for number in 0..pages::PAGES {
@@ -108,7 +106,7 @@ fn masks_keep_balloons_off_bodies_better_than_boxes_do() {
 #[test]
 fn a_mask_that_is_none_changes_no_place() {
     let root = crate::root("");
-    let (plain, letters) = (pages::photos(&pages::known(root).unwrap()), letters());
+    let (plain, letters) = (pages::photos(&pages::known(&root).unwrap()), letters());
     let vague = |photo: &PhotoMeta, shares: fn(usize, usize) -> u8| {
         let size = (photo.width as usize, photo.height as usize);
         PhotoMeta { mask: Some(Matte::new(&Plane::from_fn(200, 150, shares), size)), ..photo.clone() }

@@ -6,7 +6,6 @@
 mod variants;
 
 use std::fs;
-use std::path::Path;
 
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};

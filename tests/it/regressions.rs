@@ -8,7 +8,7 @@ mod entries;
 
 use std::fs;
 use std::panic::catch_unwind;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use entries::{ENTRIES, Entry};
 use oorandom::Rand64;

@@ -8,7 +8,7 @@ use inkpanel::raster::decode::{Limits, decode};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
 fn folder() -> PathBuf {
     crate::root("tests/data/saved")

@@ -3,8 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::Path;
 
 use inkpanel::detect::{SEGMENT_SIDE, Segmenter};
 use inkpanel::raster::decode::{Limits, decode};

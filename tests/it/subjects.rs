@@ -5,7 +5,6 @@
 mod measure;
 
 use std::fs;
-use std::path::Path;
 
 use inkpanel::detect::Segmenter;
 use measure::{HELD_OUT, Measured, TUNED, WIDTH, measure};

@@ -14,8 +14,7 @@ fn files() -> Vec<String> {
     let mut git = Command::new("git");
     git.args(["ls-files", "-z", "--cached", "--others", "--exclude-standard"]).current_dir(crate::root(""));
     let listed = String::from_utf8(git.output().unwrap().stdout).unwrap();
-    let files: Vec<_> =
-        listed.split_terminator('\0').filter(|file| crate::root(file).is_file()).collect();
+    let files: Vec<_> = listed.split_terminator('\0').filter(|file| crate::root(file).is_file()).collect();
     assert!(files.contains(&"Cargo.toml"), "the rules need git and a checkout");
     files.into_iter().map(str::to_owned).collect()
 }

@@ -3,7 +3,6 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
-use std::path::Path;
 use std::sync::LazyLock;
 
 use inkpanel::raster::{Image, Plane};

@@ -115,15 +115,12 @@ fn timed(line: &str) -> Option<(String, f64)> {
 fn seconds(time: &str) -> Option<f64> {
     let unit = time.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
     let number: f64 = time.strip_suffix(unit)?.parse().ok()?;
-    Some(
-        number
-            * match unit {
-                "ms" => 0.001,
-                "s" => 1.0,
-                "m" => 60.0,
-                _ => return None,
-            },
-    )
+    match unit {
+        "ms" => Some(number / 1000.0),
+        "s" => Some(number),
+        "m" => Some(number * 60.0),
+        _ => None,
+    }
 }
 
 /// Whether a failed test is an earlier try of the test that passed: `34 FILE › NAME (1.1m)` and `FILE › NAME (retry #1)`.
