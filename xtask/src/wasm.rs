@@ -68,6 +68,17 @@ pub enum Purpose {
     Publish,
 }
 
+/// Modules that one cargo call compiles. They use the same features of the libraries, which are then compiled once.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Group {
+    /// The engine without rare image formats.
+    Core,
+    /// The engine with rare image formats.
+    Rare,
+    /// The neural networks.
+    Detectors,
+}
+
 /// One of the modules of the page: a crate of `modules/`.
 pub struct Module {
     /// Name of the stamp.
@@ -76,9 +87,8 @@ pub struct Module {
     package: &'static str,
     /// Its features.
     features: &'static str,
-    /// Whether it needs the rare image formats of the engine. Modules with equal needs are compiled by one cargo call, so the
-    /// engine is compiled once for all of them.
-    rare: bool,
+    /// The modules that are compiled together.
+    group: Group,
     /// Cargo profile of what is published.
     profile: &'static str,
     /// What wasm-opt shall aim at in what is published: `-O3` speed, `-Oz` size.
@@ -96,7 +106,7 @@ pub fn core(project: &Project) -> Module {
 /// profile compiles for speed; the rest is large.
 pub fn detectors(project: &Project) -> Module {
     let folder = project.www().join("pkg-detector");
-    Module { name: "detectors", package: "inkpanel-detectors", folder, ..small() }
+    Module { name: "detectors", package: "inkpanel-detectors", group: Group::Detectors, folder, ..small() }
 }
 
 /// The module of words, which a page loads when it first has some: small, as nobody waits for what it does.
@@ -107,13 +117,13 @@ pub fn words(project: &Project) -> Module {
 /// What makes other files than PNG, which the page loads with the first of them.
 pub fn exports(project: &Project) -> Module {
     let folder = project.www().join("pkg-exports");
-    Module { name: "exports", package: "inkpanel-exports", rare: true, folder, ..small() }
+    Module { name: "exports", package: "inkpanel-exports", group: Group::Rare, folder, ..small() }
 }
 
 /// The decoders of what few photos are, which the page loads with the first of them.
 pub fn decoders(project: &Project) -> Module {
     let folder = project.www().join("pkg-decoders");
-    Module { name: "decoders", package: "inkpanel-decoders", rare: true, folder, ..small() }
+    Module { name: "decoders", package: "inkpanel-decoders", group: Group::Rare, folder, ..small() }
 }
 
 /// What finds the shots of a film, which the page loads with the first of them.
@@ -163,7 +173,7 @@ fn fast() -> Module {
         name: "",
         package: "inkpanel-core",
         features: "",
-        rare: false,
+        group: Group::Core,
         profile: "wasm",
         level: "-O3",
         folder,
@@ -220,8 +230,8 @@ pub fn stale<'a>(project: &Project, modules: &'a [Module], purpose: Purpose) -> 
 /// Compiles modules of one profile.
 pub fn compile(project: &Project, modules: &[&Module], purpose: Purpose) -> Result<()> {
     install_target()?;
-    for rare in [false, true] {
-        let group: Vec<_> = modules.iter().filter(|module| module.rare == rare).collect();
+    for group in [Group::Core, Group::Rare, Group::Detectors] {
+        let group: Vec<_> = modules.iter().filter(|module| module.group == group).collect();
         let Some(first) = group.first() else { continue };
         let mut cargo = project.cargo();
         cargo.args(["build", "--target", TARGET, "--profile", first.profile(purpose)]);
