@@ -7,6 +7,7 @@ import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { DataPicture } from '../ui/data-picture.tsx';
 import { Icon } from '../ui/icon.tsx';
+import { importing } from '../ui/importing.ts';
 import { logoOf } from './logo-file.ts';
 
 export function LogoChoice() {
@@ -17,12 +18,7 @@ export function LogoChoice() {
   const { logo: name, chooseLogo, removeLogo, logoFile } = strings.boards;
 
   async function take([file]: readonly File[]) {
-    if (!file) return;
-    try {
-      boards.change({ logo: await logoOf(file) });
-    } catch (error) {
-      messages.alert((error as Error).message);
-    }
+    if (file) await importing(messages, file.name, async () => boards.change({ logo: await logoOf(file) }));
   }
 
   function remove() {

@@ -6,6 +6,7 @@ import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { DataPicture } from '../ui/data-picture.tsx';
+import { importing } from '../ui/importing.ts';
 import { textureOf } from './texture-file.ts';
 
 export function TextureChoice({
@@ -26,11 +27,9 @@ export function TextureChoice({
   async function take([file]: readonly File[]) {
     const planner = store.planner.peek();
     if (!file || !planner) return;
-    try {
-      onSet(await textureOf(file, (style, name) => planner.checkStyle(JSON.stringify(style), name)));
-    } catch (error) {
-      messages.alert((error as Error).message);
-    }
+    await importing(messages, file.name, async () =>
+      onSet(await textureOf(file, (style, name) => planner.checkStyle(JSON.stringify(style), name))),
+    );
   }
 
   function remove() {

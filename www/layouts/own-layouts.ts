@@ -3,8 +3,10 @@
  * project, so a layout that was removed comes back by undo.
  */
 
+import { readText } from '../engine/text-file.ts';
 import { strings } from '../strings/strings.ts';
 import { save as saveFile } from '../ui/files.ts';
+import { importing } from '../ui/importing.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
@@ -31,22 +33,24 @@ export function createOwnLayouts({ store, pages, messages }: { store: Store; pag
 
   /** Takes layouts from files; the last good one becomes the page's. */
   async function open(files: readonly File[]) {
-    const planner = store.planner.peek();
-    if (!planner) return;
-    let last = null as Template | null;
+    const taken: { file: File; layout: Template }[] = [];
     for (const file of files) {
-      try {
-        if (file.size > LONGEST) throw new Error(strings.layoutTooLong(file.name));
-        last = planner.checkLayout(await file.text(), file.name);
-        keep(last);
-      } catch (error) {
-        const { message } = error as Error;
-        messages.fileFailed(file.name, message, { text: message });
-      }
+      const layout = await importing(messages, file.name, () => take(file));
+      if (layout) taken.push({ file, layout });
     }
+    const last = taken.at(-1);
     if (!last) return;
-    if (store.page.peek()) pages.chooseLayout(last);
+    if (store.page.peek()) await importing(messages, last.file.name, () => pages.chooseLayout(last.layout));
     else messages.note(strings.layoutKept);
+  }
+
+  async function take(file: File): Promise<Template> {
+    const planner = store.planner.peek();
+    if (!planner) throw new Error(strings.starting);
+    if (file.size > LONGEST) throw new Error(strings.layoutTooLong(file.name));
+    const layout = planner.checkLayout((await readText(file)).text, file.name);
+    keep(layout);
+    return layout;
   }
 
   function remove(id: string) {

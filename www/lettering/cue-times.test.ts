@@ -14,5 +14,7 @@ test('the cues of subtitles are moments of the film of their name, else of the f
     [new File(['02:30.000 --> 02:31.000\nx'], 'b.vtt'), new File(['A: hi'], 'c.txt')],
   );
   expect([...loose]).toEqual([[other, [150.5]]]);
+  const wide = new File([Buffer.from(`\ufeff${cues}`, 'utf16le')], 'trip.srt');
+  expect([...(await momentsOf([film], [wide]))]).toEqual([[film, [2, 3601]]]);
   expect((await momentsOf([], [new File([cues], 'x.srt')])).size).toBe(0);
 });

@@ -4,6 +4,7 @@
  */
 
 import { MOST } from '../document/limits.ts';
+import { readText } from '../engine/text-file.ts';
 import { isVideo } from '../engine/video.ts';
 
 /** Seconds, by film. */
@@ -20,7 +21,8 @@ export async function momentsOf(files: readonly File[], speech: readonly File[])
     if (!/\.(srt|vtt)$/i.test(subtitles.name) || subtitles.size > MOST.subtitles) continue;
     const [film] = [...films.filter(({ name }) => stem(name) === stem(subtitles.name)), ...films];
     if (!film) continue;
-    const text = await subtitles.text().catch(() => '');
+    // The same file is read again as subtitles, which reports what is wrong with it.
+    const { text } = await readText(subtitles).catch(() => ({ text: '' }));
     const middles = [...text.matchAll(CUE)].map(([, from, to]) => (seconds(from) + seconds(to)) / 2);
     moments.set(film, [...(moments.get(film) ?? []), ...middles]);
   }

@@ -6,6 +6,7 @@
 import { signal } from '@preact/signals';
 import { MOST_SOUND } from '../engine/sounds.ts';
 import { strings } from '../strings/strings.ts';
+import { reasonOf } from '../ui/importing.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Video } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
@@ -57,7 +58,7 @@ export function createFilmSounds({
       know(file, { events });
     } catch (error) {
       if ((error as Error).name === 'AbortError') know(file, undefined);
-      else know(file, { why: sentence(error as Error & { code?: string }) });
+      else know(file, { why: sentence(error) });
     } finally {
       stops.delete(file);
     }
@@ -123,9 +124,9 @@ function nearest({ start, end }: SoundEvent, frames: readonly { id: string; time
   return first?.id;
 }
 
-function sentence({ code, message }: Error & { code?: string }): string {
+function sentence(error: unknown): string {
   const says = strings.filmSounds;
-  switch (code) {
+  switch ((error as { code?: string }).code) {
     case 'sound-none':
       return says.mute;
     case 'sound-long':
@@ -135,6 +136,6 @@ function sentence({ code, message }: Error & { code?: string }): string {
     case 'sound-undecodable':
       return says.undecodable;
     default:
-      return says.failed(strings.reasons[code ?? ''] ?? message);
+      return says.failed(reasonOf(error));
   }
 }

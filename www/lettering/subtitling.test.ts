@@ -97,7 +97,7 @@ test('what is wrong is said, with its line; single subtitles that are wrong are 
     return { flaw: text === 'time' ? { kind: 'time', line: 2, text: 'soon' } : { kind: 'header' } };
   });
   await open([new File(['time'], 'a.srt'), new File(['?'], 'b.vtt'), new File(['some'], 'c.srt')]);
-  expect(fileFailed.mock.calls).toEqual([
+  expect(fileFailed.mock.calls.map(([name, why]) => [name, why])).toEqual([
     ['a.srt', expect.stringMatching(/^line 2: “soon” is not a time/)],
     ['b.vtt', expect.stringMatching(/WEBVTT/)],
   ]);
@@ -110,5 +110,25 @@ test('a file that is too large is refused before it is read', async () => {
   const arrayBuffer = vi.fn();
   await open([{ name: 'a.srt', size: 5_000_001, arrayBuffer } as any]);
   expect(arrayBuffer).not.toHaveBeenCalled();
-  expect(fileFailed.mock.calls).toEqual([['a.srt', expect.stringMatching(/larger than 5 MB/)]]);
+  expect(fileFailed).toHaveBeenCalledOnce();
+  expect(fileFailed).toHaveBeenCalledWith('a.srt', expect.stringMatching(/larger than 5 MB/), expect.anything());
+});
+
+test('subtitles in Windows-1252 are decoded like every other text file, and the guess is reported', async () => {
+  const words: Spoken[] = [{ kind: 'balloon', text: 'x', frame: 0, auto: true }];
+  const { open, subtitles, alert, fileFailed } = app(() => ({ ...NONE, words }));
+  await open([
+    new File([Uint8Array.of(0x43, 0x61, 0x66, 0xe9)], 'a.srt'),
+    new File([Uint8Array.of(1, 2, 0xff)], 'b.srt'),
+  ]);
+  expect(subtitles.mock.calls.map(([bytes]) => new TextDecoder().decode(bytes))).toEqual(['Café']);
+  expect(alert).toHaveBeenCalledWith(expect.stringMatching(/^a\.srt: .*Windows-1252/));
+  expect(fileFailed).toHaveBeenCalledWith('b.srt', expect.stringMatching(/not a text file/), expect.anything());
+});
+
+test('a text that cannot be read is no script, and does not stop the other files', async () => {
+  const gone = Object.assign(new File([''], 'gone.txt'), {
+    slice: () => ({ arrayBuffer: () => Promise.reject(Error()) }),
+  });
+  expect(await speechAmong([gone, new File(['ANNA: Hello'], 'script.txt')])).toHaveLength(1);
 });

@@ -5,7 +5,9 @@
  */
 
 import { signal } from '@preact/signals';
+import { readText } from '../engine/text-file.ts';
 import { strings } from '../strings/strings.ts';
+import { importing, reasonOf } from '../ui/importing.ts';
 import { MOST } from '../document/limits.ts';
 import { isUsed } from '../document/album.ts';
 import { sheetsOf } from '../engine/sheets.ts';
@@ -23,7 +25,7 @@ type Place = { sheet: number; panel: number };
 
 /** A line that tells who speaks, as `ANNA: Hello` does. */
 const SPEAKER = /^[ \t]*[\p{L}\p{N}][^:：\n]{0,60}[:：][ \t]*\S/mu;
-/** Bytes of a text in which such a line stands, if any. */
+/** Characters at the start of a text in which such a line is looked for. */
 const BEGINNING = 64 << 10;
 
 /** @returns the files that say something: subtitles, and texts in which somebody speaks; any other text is none */
@@ -35,10 +37,9 @@ export async function speechAmong(files: readonly File[]): Promise<File[]> {
 }
 
 async function isScript(file: File): Promise<boolean> {
-  const bytes = new Uint8Array(await file.slice(0, BEGINNING).arrayBuffer());
-  const wide = bytes[0] === 0xff ? 'utf-16le' : 'utf-16be';
-  const encoding = bytes[0] === 0xff || bytes[0] === 0xfe ? wide : 'utf-8';
-  return SPEAKER.test(new TextDecoder(encoding).decode(bytes));
+  // A file that is longer, or cannot be read, is reported when it is opened.
+  const { text } = await readText(file.slice(0, MOST.subtitles)).catch(() => ({ text: '' }));
+  return SPEAKER.test(text.slice(0, BEGINNING));
 }
 
 export function createSubtitling({
@@ -60,20 +61,16 @@ export function createSubtitling({
   return { kind, sounds, draft, open, put };
 
   async function open(files: readonly File[]) {
-    for (const file of files) {
-      try {
-        await take(file);
-      } catch (error) {
-        messages.fileFailed(file.name, (error as Error).message);
-      }
-    }
+    for (const file of files) await importing(messages, file.name, () => take(file));
   }
 
   async function take(file: File) {
-    if (file.size > MOST.subtitles) throw new Error(sentence({ kind: 'large' }));
-    const bytes = new Uint8Array(await file.arrayBuffer());
+    if (file.size > MOST.subtitles) throw new Error(strings.subtitleErrors.large);
+    const { text, guessed } = await readText(file);
+    const bytes = new TextEncoder().encode(text);
     if (/\.txt$/i.test(file.name)) await lay(bytes);
     else await subtitle(file.name, bytes);
+    if (guessed) messages.alert(strings.fileFailed(file.name, strings.subtitlesGuessed));
   }
 
   /**
@@ -84,7 +81,7 @@ export function createSubtitling({
     try {
       return await lay(new TextEncoder().encode(script));
     } catch (error) {
-      messages.alert(strings.scriptFailed((error as Error).message));
+      messages.alert(strings.scriptFailed(reasonOf(error)));
       return false;
     }
   }

@@ -18,7 +18,7 @@ export async function soundOf(file: File, seconds: number): Promise<Sound> {
   try {
     decoded = await new OfflineAudioContext(2, 1, RATE).decodeAudioData(await file.arrayBuffer());
   } catch {
-    throw failure('sound-unread', `${file.name} is no sound that this browser reads.`);
+    throw failure('sound-unread', 'The browser cannot decode the sound.', { photo: file.name });
   }
   const channels = Array.from({ length: Math.min(2, decoded.numberOfChannels) }, (_, i) => decoded.getChannelData(i));
   return fitted({ channels, sampleRate: decoded.sampleRate }, seconds);

@@ -5,7 +5,7 @@
 import { batch } from '@preact/signals';
 import { CROWD, Priority } from '../engine/queue.ts';
 import { freshId } from '../document/fresh-id.ts';
-import { strings } from '../strings/strings.ts';
+import { reportFailure } from '../ui/importing.ts';
 import { looksLike } from './identity.ts';
 import { emptyFrames } from './placeholder.ts';
 import type { Messages } from '../ui/messages.ts';
@@ -157,9 +157,7 @@ export function createIntake({
   }
 
   function failed(file: File, error: unknown) {
-    const { code, message } = error as { code: string; message: string };
-    const why = strings.reasons[code] ?? strings.reasonsOf[code]?.(message) ?? message;
-    if (code !== 'cancelled') messages.fileFailed(file.name, why);
+    reportFailure(messages, file.name, error);
   }
 
   /**

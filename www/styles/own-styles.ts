@@ -4,8 +4,10 @@
  */
 
 import { computed } from '@preact/signals';
+import { readText } from '../engine/text-file.ts';
 import { strings } from '../strings/strings.ts';
 import { save as saveFile } from '../ui/files.ts';
+import { importing } from '../ui/importing.ts';
 import { LONGEST_LINK, LONGEST_STYLE, isStyleLink, linkOf, textOfLink } from './style-link.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Designer } from '../designer/designer.ts';
@@ -74,27 +76,29 @@ export function createOwnStyles({
 
   /** Takes styles from files; the last good one goes to the designer. */
   async function open(files: readonly File[]) {
-    let last = null as Style | null;
+    const taken: { file: File; style: Style }[] = [];
     for (const file of files) {
-      try {
+      const style = await importing(messages, file.name, async () => {
         if (file.size > LONGEST_STYLE) throw new Error(strings.styleTooLong(file.name));
-        last = take(await file.text(), file.name);
-      } catch (error) {
-        const { message } = error as Error;
-        messages.fileFailed(file.name, message, { text: message });
-      }
+        return take((await readText(file)).text, file.name);
+      });
+      if (style) taken.push({ file, style });
     }
-    if (last) show(last);
+    const last = taken.at(-1);
+    if (last) await importing(messages, last.file.name, () => show(last.style));
   }
 
   /** Takes the style of a link, if it is one. */
   async function openLink(hash: string) {
     if (!isStyleLink(hash)) return;
-    try {
-      show(take(await textOfLink(hash), strings.linkedStyle));
-    } catch (error) {
-      messages.alert((error as Error).message);
-    }
+    await importing(
+      messages,
+      strings.linkedStyle,
+      async () => show(take(await textOfLink(hash), strings.linkedStyle)),
+      {
+        text: (why) => why,
+      },
+    );
   }
 
   /**

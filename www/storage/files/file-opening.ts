@@ -9,6 +9,7 @@ import { patience } from '../../engine/patience.ts';
 import { cancelled as stopped, failure } from '../../engine/protocol.ts';
 import { Priority } from '../../engine/queue.ts';
 import { strings } from '../../strings/strings.ts';
+import { reasonOf, reportFailure } from '../../ui/importing.ts';
 import { freshPlace } from '../../document/place.ts';
 import { takenBy } from './project-json.ts';
 import { UNLIKE, placeholderOf } from '../../photos/placeholder.ts';
@@ -116,10 +117,8 @@ export function createFileOpening({
   }
 
   function tell(file: File, error: unknown, way?: Way) {
-    const { code, message } = error as { code?: string; message: string };
-    const why = strings.projectReasons[code ?? ''] ?? message;
-    if (code !== 'cancelled')
-      messages.fileFailed(file.name, why, { text: strings.projectFileNotOpened(file.name, why), way });
+    const text = (why: string) => strings.projectFileNotOpened(file.name, why);
+    reportFailure(messages, file.name, error, { reasons: strings.projectReasons, text, way });
   }
 
   async function openNow(file: File, read: (hands: Hands) => Promise<Content>, way?: Way) {
@@ -187,9 +186,9 @@ export function createFileOpening({
         if (absent && like) return keepsPlace(known, photo);
         return { ...known, measures: measured ? meta.measures : null, looked: subjects !== null };
       } catch (error) {
-        const { code, message } = error as { code?: string; message: string };
+        const { code } = error as { code?: string };
         if (watch.signal.aborted || ['cancelled', 'too-large-project'].includes(code ?? '')) throw error;
-        failed.push({ name: fact.name, why: strings.reasons[code ?? ''] ?? message });
+        failed.push({ name: fact.name, why: reasonOf(error) });
         return [];
       } finally {
         const now = progress.peek();

@@ -59,10 +59,14 @@ export const boardsStrings = {
     nothingIn: (name: string) => `Nichts in ${name} passt zu den Einstellungen.`,
     taken: (count: number, name: string) =>
       count === 1 ? `${name}: 1 Einstellung wurde ausgefüllt.` : `${name}: ${count} Einstellungen wurden ausgefüllt.`,
-    left: (count: number, first: string) =>
+    quoted: (text: string) => `„${text}“`,
+    left: (count: number, lines: string) =>
+      count === 1 ? `1 Zeile fand keine Einstellung: ${lines}.` : `${count} Zeilen fanden keine Einstellung: ${lines}.`,
+    cellsLeft: (count: number, cells: string) =>
       count === 1
-        ? `1 Zeile fand keine Einstellung: „${first}“`
-        : `${count} Zeilen fanden keine Einstellung, ab „${first}“.`,
+        ? `1 Zelle wurde ausgelassen oder gekürzt: ${cells}.`
+        : `${count} Zellen wurden ausgelassen oder gekürzt: ${cells}.`,
+    columnsLeft: (columns: string) => `Für diese Spalten ist im Storyboard kein Platz: ${columns}.`,
     noSheets: (why: string) => `Das Storyboard konnte nicht angelegt werden: ${why}`,
     missing: 'Der Teil des Programms, der Storyboards zeigt, konnte nicht geladen werden. Versuch es noch einmal.',
     sheet: (n: number, of: number) => `Blatt ${n} von ${of}`,

@@ -1,6 +1,7 @@
 export const faultStrings = {
   fileFailed: (name: string, why: string) => `${name}: ${why}`,
   filesFailed: (n: number) => `${n} Dateien konnten nicht gelesen werden.`,
+  importBroken: (why: string) => `Beim Lesen trat ein interner Fehler auf: ${why}`,
   showList: 'Liste zeigen',
   moreFiles: (n: number) => `und ${n} weitere`,
   /** The core's own sentences are English, so all its codes are here. */
@@ -16,6 +17,10 @@ export const faultStrings = {
     'films-missing': 'Was Filme liest, konnte nicht geladen werden. Versuche es mit Verbindung noch einmal.',
     'worker-lost': 'Beim Lesen brach das Programm zweimal ab, daher wurde sie ausgelassen.',
     'unreadable-file': 'Die Datei wurde verschoben, geändert oder gelöscht, nachdem du sie gewählt hast.',
+    'not-text': 'Das ist keine Textdatei, oder ihre Kodierung ist unbekannt. Speichere sie als UTF-8.',
+    'unreadable-entry':
+      'Der Browser kann sie nicht lesen. Vielleicht liegt sie nur in der Cloud, oder die Verknüpfung ist defekt.',
+    'unreadable-folder': 'Der Browser kann nicht alle Dateien dieses Ordners lesen.',
     'unknown-format': 'Das ist kein Bild, das Inkpanel lesen kann (JPEG, PNG, WebP, GIF, BMP oder TIFF).',
     damaged: 'Die Datei ist beschädigt oder unvollständig.',
     unsupported: 'Diese Art von Datei kann nicht gelesen werden.',

@@ -12,4 +12,5 @@ export const fileStrings = {
   savingProject: (done: number, total: number) => `Speichert das Projekt, ${Math.floor(done)} von ${total} Dateien`,
   damagedInArchive: (archive: string) => `Sie ist in ${archive} beschädigt.`,
   noPicturesInside: 'Darin ist kein Bild.',
+  unknownJson: 'Das ist weder ein Layout noch ein Stil von Inkpanel.',
 };

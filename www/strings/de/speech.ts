@@ -41,6 +41,7 @@ export const speechStrings = {
     n === 1 ? '1 Text wurde auf die Seiten gesetzt.' : `${n} Texte wurden auf die Seiten gesetzt.`,
   scriptNoPage: 'Es gibt noch keine Seite. Füge erst Fotos hinzu.',
   scriptEmpty: 'Es wird nichts darin gesagt.',
+  scriptOffered: (names: string) => `${names} könnte ein Skript sein. Der Text wurde nicht auf die Seiten gesetzt.`,
   scriptFailed: (why: string) => `Das Skript kam nicht auf die Seite: ${why}`,
   subtitlesLaid: (shown: number, waiting: number, homeless: number) =>
     [

@@ -57,8 +57,14 @@ export const boardsStrings = {
     nothingIn: (name: string) => `Nothing in ${name} fits the shots.`,
     taken: (count: number, name: string) =>
       count === 1 ? `${name}: 1 shot was filled in.` : `${name}: ${count} shots were filled in.`,
-    left: (count: number, first: string) =>
-      count === 1 ? `1 line found no shot: “${first}”` : `${count} lines found no shot, from “${first}” on.`,
+    quoted: (text: string) => `“${text}”`,
+    left: (count: number, lines: string) =>
+      count === 1 ? `1 line found no shot: ${lines}.` : `${count} lines found no shot: ${lines}.`,
+    cellsLeft: (count: number, cells: string) =>
+      count === 1
+        ? `1 cell was left out or shortened: ${cells}.`
+        : `${count} cells were left out or shortened: ${cells}.`,
+    columnsLeft: (columns: string) => `The board has no room for these columns: ${columns}.`,
     noSheets: (why: string) => `The board could not be laid out: ${why}`,
     missing: 'The part of the program that shows boards could not be loaded. Try again.',
     sheet: (n: number, of: number) => `Sheet ${n} of ${of}`,

@@ -3,6 +3,7 @@
 export const faultStrings = {
   fileFailed: (name: string, why: string) => `${name}: ${why}`,
   filesFailed: (n: number) => `${n} files could not be read.`,
+  importBroken: (why: string) => `reading it failed with an internal error: ${why}`,
   showList: 'Show the list',
   moreFiles: (n: number) => `and ${n} more`,
   /** Reasons in the page's words where it knows better than the core, by error code. */
@@ -17,6 +18,9 @@ export const faultStrings = {
     'films-missing': 'what reads films could not be loaded. Try again with a connection.',
     'worker-lost': 'reading it stopped the program twice, so it was left out.',
     'unreadable-file': 'the file was moved, changed or deleted since you chose it.',
+    'not-text': 'it is not a text file, or its encoding is unknown. Save it as UTF-8.',
+    'unreadable-entry': 'the browser cannot read it. It may be stored online only, or be a broken link.',
+    'unreadable-folder': 'the browser cannot read all files of this folder.',
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>
     `${n === 1 ? '1 file was' : `${n} files were`} left out: a project holds ${most} photos.`,

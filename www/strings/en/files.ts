@@ -12,4 +12,5 @@ export const fileStrings = {
   savingProject: (done: number, total: number) => `Saving the project, ${Math.floor(done)} of ${total} files`,
   damagedInArchive: (archive: string) => `it is damaged in ${archive}.`,
   noPicturesInside: 'there is no picture in it.',
+  unknownJson: 'it is neither a layout nor a style of Inkpanel.',
 };

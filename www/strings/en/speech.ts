@@ -40,6 +40,7 @@ export const speechStrings = {
   scriptLaid: (n: number) => (n === 1 ? '1 word was put on the pages.' : `${n} words were put on the pages.`),
   scriptNoPage: 'there is no page yet. Add photos first.',
   scriptEmpty: 'there is nothing to say in it.',
+  scriptOffered: (names: string) => `${names} may be a script. It was not put on the pages.`,
   scriptFailed: (why: string) => `The script was not put on the page: ${why}`,
   subtitlesLaid: (shown: number, waiting: number, homeless: number) =>
     [

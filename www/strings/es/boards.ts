@@ -70,8 +70,14 @@ export const boardsStrings = {
     nothingIn: (name: string) => `Nada de ${name} encaja con los planos.`,
     taken: (count: number, name: string) =>
       count === 1 ? `${name}: se rellenó 1 plano.` : `${name}: se rellenaron ${count} planos.`,
-    left: (count: number, first: string) =>
-      count === 1 ? `1 línea no encontró plano: «${first}»` : `${count} líneas no encontraron plano, desde «${first}».`,
+    quoted: (text: string) => `«${text}»`,
+    left: (count: number, lines: string) =>
+      count === 1 ? `1 línea no encontró plano: ${lines}.` : `${count} líneas no encontraron plano: ${lines}.`,
+    cellsLeft: (count: number, cells: string) =>
+      count === 1
+        ? `1 celda se omitió o se acortó: ${cells}.`
+        : `${count} celdas se omitieron o se acortaron: ${cells}.`,
+    columnsLeft: (columns: string) => `En el storyboard no caben estas columnas: ${columns}.`,
     noSheets: (why: string) => `No se pudo componer el storyboard: ${why}`,
     missing: 'No se pudo cargar la parte del programa que muestra storyboards. Inténtalo de nuevo.',
     sheet: (n: number, of: number) => `Hoja ${n} de ${of}`,

@@ -1,6 +1,7 @@
 export const faultStrings = {
   fileFailed: (name: string, why: string) => `${name}: ${why}`,
   filesFailed: (n: number) => `No se han podido leer ${n} archivos.`,
+  importBroken: (why: string) => `un error interno impidió leerlo: ${why}`,
   showList: 'Ver la lista',
   moreFiles: (n: number) => `y ${n} más`,
   /** The core's own sentences are English, so all its codes are here. */
@@ -14,6 +15,9 @@ export const faultStrings = {
     'films-missing': 'no se pudo cargar lo que lee películas. Inténtalo otra vez con conexión.',
     'worker-lost': 'al leerlo se detuvo el programa dos veces, así que se ha dejado fuera.',
     'unreadable-file': 'el archivo se movió, cambió o borró después de elegirlo.',
+    'not-text': 'no es un archivo de texto, o su codificación es desconocida. Guárdalo como UTF-8.',
+    'unreadable-entry': 'el navegador no puede leerlo. Quizá solo está en la nube o es un enlace roto.',
+    'unreadable-folder': 'el navegador no puede leer todos los archivos de esta carpeta.',
     'unknown-format': 'no es una imagen que Inkpanel sepa leer (JPEG, PNG, WebP, GIF, BMP o TIFF).',
     damaged: 'el archivo está dañado o incompleto.',
     unsupported: 'este tipo de archivo no se puede leer.',

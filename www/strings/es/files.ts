@@ -12,4 +12,5 @@ export const fileStrings = {
   savingProject: (done: number, total: number) => `Guardando el proyecto, ${Math.floor(done)} de ${total} archivos`,
   damagedInArchive: (archive: string) => `está dañada en ${archive}.`,
   noPicturesInside: 'no hay ninguna imagen dentro.',
+  unknownJson: 'no es una plantilla ni un estilo de Inkpanel.',
 };

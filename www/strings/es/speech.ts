@@ -40,6 +40,7 @@ export const speechStrings = {
   scriptLaid: (n: number) => (n === 1 ? 'Se puso 1 texto en las páginas.' : `Se pusieron ${n} textos en las páginas.`),
   scriptNoPage: 'todavía no hay página. Añade primero fotos.',
   scriptEmpty: 'no dice nada.',
+  scriptOffered: (names: string) => `${names} puede ser un guion. No se puso en las páginas.`,
   scriptFailed: (why: string) => `El guion no se puso en la página: ${why}`,
   subtitlesLaid: (shown: number, waiting: number, homeless: number) =>
     [

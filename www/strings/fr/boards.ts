@@ -61,10 +61,16 @@ export const boardsStrings = {
     nothingIn: (name: string) => `Rien dans ${name} ne correspond aux plans.`,
     taken: (count: number, name: string) =>
       count === 1 ? `${name} : 1 plan a été rempli.` : `${name} : ${count} plans ont été remplis.`,
-    left: (count: number, first: string) =>
+    quoted: (text: string) => `« ${text} »`,
+    left: (count: number, lines: string) =>
       count === 1
-        ? `1 ligne n’a pas trouvé de plan : « ${first} »`
-        : `${count} lignes n’ont pas trouvé de plan, à partir de « ${first} ».`,
+        ? `1 ligne n’a pas trouvé de plan : ${lines}.`
+        : `${count} lignes n’ont pas trouvé de plan : ${lines}.`,
+    cellsLeft: (count: number, cells: string) =>
+      count === 1
+        ? `1 cellule a été omise ou raccourcie : ${cells}.`
+        : `${count} cellules ont été omises ou raccourcies : ${cells}.`,
+    columnsLeft: (columns: string) => `Le storyboard n’a pas de place pour ces colonnes : ${columns}.`,
     noSheets: (why: string) => `Le storyboard n’a pas pu être composé : ${why}`,
     missing: 'La partie du programme qui montre les storyboards n’a pas pu être chargée. Réessayez.',
     sheet: (n: number, of: number) => `Feuille ${n} sur ${of}`,

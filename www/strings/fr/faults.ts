@@ -1,6 +1,7 @@
 export const faultStrings = {
   fileFailed: (name: string, why: string) => `${name} : ${why}`,
   filesFailed: (n: number) => `${n} fichiers n’ont pas pu être lus.`,
+  importBroken: (why: string) => `une erreur interne a empêché sa lecture : ${why}`,
   showList: 'Voir la liste',
   moreFiles: (n: number) => (n < 2 ? `et ${n} autre` : `et ${n} autres`),
   /** The core's own sentences are English, so all its codes are here. */
@@ -15,6 +16,9 @@ export const faultStrings = {
     'films-missing': 'ce qui lit les films n’a pas pu être chargé. Réessayez avec une connexion.',
     'worker-lost': 'sa lecture a arrêté le programme deux fois, il a donc été laissé de côté.',
     'unreadable-file': 'le fichier a été déplacé, modifié ou supprimé depuis que vous l’avez choisi.',
+    'not-text': 'ce n’est pas un fichier texte, ou son encodage est inconnu. Enregistrez-le en UTF-8.',
+    'unreadable-entry': 'le navigateur ne peut pas le lire. Il n’est peut-être qu’en ligne, ou le lien est rompu.',
+    'unreadable-folder': 'le navigateur ne peut pas lire tous les fichiers de ce dossier.',
     'unknown-format': 'ce n’est pas une image qu’Inkpanel sait lire (JPEG, PNG, WebP, GIF, BMP ou TIFF).',
     damaged: 'le fichier est abîmé ou incomplet.',
     unsupported: 'ce type de fichier ne peut pas être lu.',

@@ -12,4 +12,5 @@ export const fileStrings = {
   savingProject: (done: number, total: number) => `Enregistrement du projet, ${Math.floor(done)} fichiers sur ${total}`,
   damagedInArchive: (archive: string) => `elle est endommagée dans ${archive}.`,
   noPicturesInside: 'il ne contient aucune image.',
+  unknownJson: 'ce n’est ni un gabarit ni un style d’Inkpanel.',
 };

@@ -40,6 +40,7 @@ export const speechStrings = {
   scriptLaid: (n: number) => (n < 2 ? `${n} texte a été mis sur les pages.` : `${n} textes ont été mis sur les pages.`),
   scriptNoPage: 'il n’y a pas encore de page. Ajoutez d’abord des photos.',
   scriptEmpty: 'rien n’y est dit.',
+  scriptOffered: (names: string) => `${names} est peut-être un script. Il n’a pas été mis sur les pages.`,
   scriptFailed: (why: string) => `Le script n’a pas été mis sur la page : ${why}`,
   subtitlesLaid: (shown: number, waiting: number, homeless: number) =>
     [

@@ -54,10 +54,12 @@ export const boardsStrings = {
     nothingIn: (name: string) => `${name} にはショットに合うものがありません。`,
     taken: (count: number, name: string) =>
       count === 1 ? `${name}：1 ショットに書き込みました。` : `${name}：${count} ショットに書き込みました。`,
-    left: (count: number, first: string) =>
-      count === 1
-        ? `1 行に合うショットがありません：「${first}」`
-        : `${count} 行に合うショットがありません。「${first}」から後です。`,
+    quoted: (text: string) => `「${text}」`,
+    left: (count: number, lines: string) =>
+      count === 1 ? `1 行に合うショットがありません：${lines}。` : `${count} 行に合うショットがありません：${lines}。`,
+    cellsLeft: (count: number, cells: string) =>
+      count === 1 ? `セル 1 個を省くか短くしました：${cells}。` : `セル ${count} 個を省くか短くしました：${cells}。`,
+    columnsLeft: (columns: string) => `絵コンテに入らない列があります：${columns}。`,
     noSheets: (why: string) => `絵コンテを作れませんでした：${why}`,
     missing: '絵コンテを表示する部分を読み込めませんでした。もう一度試してください。',
     sheet: (n: number, of: number) => `${of} 枚中 ${n} 枚目`,

@@ -1,6 +1,7 @@
 export const faultStrings = {
   fileFailed: (name: string, why: string) => `${name}：${why}`,
   filesFailed: (n: number) => `${n}個のファイルを読み込めませんでした。`,
+  importBroken: (why: string) => `内部エラーのため読み込めませんでした：${why}`,
   showList: '一覧を見る',
   moreFiles: (n: number) => `ほか${n}個`,
   /** The core's own sentences are English, so all its codes are here. */
@@ -14,6 +15,9 @@ export const faultStrings = {
     'films-missing': '動画を読むプログラムを読み込めませんでした。接続してもう一度お試しください。',
     'worker-lost': '読み込み中にプログラムが2回止まったため、除外しました。',
     'unreadable-file': '選んだあとでファイルが移動、変更、または削除されました。',
+    'not-text': 'テキストファイルではないか、文字コードが不明です。UTF-8で保存してください。',
+    'unreadable-entry': 'ブラウザーで読み込めません。オンラインにしかないか、リンクが切れている可能性があります。',
+    'unreadable-folder': 'このフォルダーの一部のファイルをブラウザーで読み込めません。',
     'unknown-format': 'Inkpanelが読める画像（JPEG、PNG、WebP、GIF、BMP、TIFF）ではありません。',
     damaged: 'ファイルが壊れているか、不完全です。',
     unsupported: 'この種類のファイルは読み込めません。',

@@ -12,4 +12,5 @@ export const fileStrings = {
   savingProject: (done: number, total: number) => `プロジェクトを保存中、${total}個中${Math.floor(done)}個のファイル`,
   damagedInArchive: (archive: string) => `${archive}の中で壊れています。`,
   noPicturesInside: '中に画像がありません。',
+  unknownJson: 'Inkpanelのレイアウトでもスタイルでもありません。',
 };

@@ -40,6 +40,7 @@ export const speechStrings = {
   scriptLaid: (n: number) => `${n}件の文字をページに入れました。`,
   scriptNoPage: 'まだページがありません。先に写真を追加してください。',
   scriptEmpty: 'せりふがありません。',
+  scriptOffered: (names: string) => `${names}は台本かもしれません。ページには入れていません。`,
   scriptFailed: (why: string) => `台本をページに入れられませんでした：${why}`,
   subtitlesLaid: (shown: number, waiting: number, homeless: number) =>
     [

@@ -52,10 +52,14 @@ export const boardsStrings = {
     nothingIn: (name: string) => `Nada em ${name} serve para os planos.`,
     taken: (count: number, name: string) =>
       count === 1 ? `${name}: 1 plano foi preenchido.` : `${name}: ${count} planos foram preenchidos.`,
-    left: (count: number, first: string) =>
+    quoted: (text: string) => `“${text}”`,
+    left: (count: number, lines: string) =>
+      count === 1 ? `1 linha não achou plano: ${lines}.` : `${count} linhas não acharam plano: ${lines}.`,
+    cellsLeft: (count: number, cells: string) =>
       count === 1
-        ? `1 linha não achou plano: “${first}”`
-        : `${count} linhas não acharam plano, a partir de “${first}”.`,
+        ? `1 célula foi omitida ou encurtada: ${cells}.`
+        : `${count} células foram omitidas ou encurtadas: ${cells}.`,
+    columnsLeft: (columns: string) => `O storyboard não tem lugar para estas colunas: ${columns}.`,
     noSheets: (why: string) => `O storyboard não pôde ser montado: ${why}`,
     missing: 'A parte do programa que mostra storyboards não pôde ser carregada. Tente de novo.',
     sheet: (n: number, of: number) => `Folha ${n} de ${of}`,

@@ -1,6 +1,7 @@
 export const faultStrings = {
   fileFailed: (name: string, why: string) => `${name}: ${why}`,
   filesFailed: (n: number) => `Não foi possível ler ${n} arquivos.`,
+  importBroken: (why: string) => `um erro interno impediu a leitura: ${why}`,
   showList: 'Ver a lista',
   moreFiles: (n: number) => `e mais ${n}`,
   /** The core's own sentences are English, so all its codes are here. */
@@ -14,6 +15,9 @@ export const faultStrings = {
     'films-missing': 'não foi possível carregar o que lê filmes. Tente de novo com conexão.',
     'worker-lost': 'a leitura dele parou o programa duas vezes, então ficou de fora.',
     'unreadable-file': 'o arquivo foi movido, alterado ou apagado depois que você o escolheu.',
+    'not-text': 'não é um arquivo de texto, ou a codificação é desconhecida. Salve-o como UTF-8.',
+    'unreadable-entry': 'o navegador não consegue lê-lo. Talvez esteja só na nuvem ou seja um link quebrado.',
+    'unreadable-folder': 'o navegador não consegue ler todos os arquivos desta pasta.',
     'unknown-format': 'não é uma imagem que o Inkpanel saiba ler (JPEG, PNG, WebP, GIF, BMP ou TIFF).',
     damaged: 'o arquivo está danificado ou incompleto.',
     unsupported: 'este tipo de arquivo não pode ser lido.',

@@ -12,4 +12,5 @@ export const fileStrings = {
   savingProject: (done: number, total: number) => `Salvando o projeto, ${Math.floor(done)} de ${total} arquivos`,
   damagedInArchive: (archive: string) => `está danificada em ${archive}.`,
   noPicturesInside: 'não há nenhuma imagem dentro.',
+  unknownJson: 'não é um layout nem um estilo do Inkpanel.',
 };

@@ -40,6 +40,7 @@ export const speechStrings = {
   scriptLaid: (n: number) => (n === 1 ? '1 texto foi posto nas páginas.' : `${n} textos foram postos nas páginas.`),
   scriptNoPage: 'ainda não há página. Adicione fotos primeiro.',
   scriptEmpty: 'nada é dito nele.',
+  scriptOffered: (names: string) => `${names} pode ser um roteiro. Não foi posto nas páginas.`,
   scriptFailed: (why: string) => `O roteiro não foi posto na página: ${why}`,
   subtitlesLaid: (shown: number, waiting: number, homeless: number) =>
     [
