@@ -10,8 +10,8 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { Workspace } from '../ui/workspace.tsx';
+import { importShots } from './board-import.ts';
 import { BoardSettings } from './board-settings.tsx';
-import { HEADINGS } from './headings.ts';
 import { Sheets } from './sheets.tsx';
 import { ShotsTable } from './shots-table.tsx';
 import './boards.css';
@@ -92,35 +92,10 @@ function Tools() {
   );
 }
 
-/** Screenplays and tables: what they tell goes to the shots, as one step. */
+/** The button that imports screenplays and tables. */
 function ImportFile() {
   const { boards, store, messages } = useApp();
   const input = useRef(null as HTMLInputElement | null);
-
-  async function take(file: File) {
-    const { fits, fromFountain, fromTable } = await import('./imports.ts');
-    if (!fits(file)) {
-      messages.alert(strings.boards.tooLarge(file.name));
-      return;
-    }
-    const text = await file.text();
-    const rows = boards.rows.peek();
-    const names = new Map([...store.album.peek().values()].map(({ id, name }) => [id, name]));
-    const told = /\.(fountain|spmd)$/i.test(file.name)
-      ? fromFountain(text, rows)
-      : fromTable(text, { rows, board: boards.board.peek(), headings: HEADINGS, names });
-    const count = Object.keys(told.shots).length;
-    if (count === 0) {
-      messages.alert(strings.boards.nothingIn(file.name));
-      return;
-    }
-    // Columns and what stands in them are one step.
-    const gesture = `import ${performance.now()}`;
-    if (told.columns.length > 0) boards.change({ columns: [...boards.board.peek().columns, ...told.columns] }, gesture);
-    boards.describe(told.shots, gesture);
-    const taken = strings.boards.taken(count, file.name);
-    messages.note(told.left > 0 ? `${taken} ${strings.boards.left(told.left, told.first.slice(0, 60))}` : taken);
-  }
 
   useEffect(() => {
     if (input.current) input.current.value = '';
@@ -139,7 +114,7 @@ function ImportFile() {
         accept=".fountain,.spmd,.csv,.tsv,.txt,text/csv,text/tab-separated-values"
         onChange={(event) => {
           const [file] = event.currentTarget.files ?? [];
-          if (file) void take(file);
+          if (file) void importShots(file, { boards, store, messages });
           event.currentTarget.value = '';
         }}
       />

@@ -1,6 +1,7 @@
-/** What the columns of a shot list are called in every language of the page: a list that was saved in one is read in all. */
+/** The names of the columns of a shot list in every language of the app, so that a list saved in one language is read in all. */
 
-export const HEADINGS: readonly (readonly string[])[] = [
+/** The columns of a list that is saved. */
+const SAVED: readonly (readonly string[])[] = [
   ['Scene', 'Shot', 'Picture', 'Film', 'Time code', 'Duration', 'Frames', 'Action', 'Dialogue', 'Notes'],
   ['Szene', 'Einstellung', 'Bild', 'Film', 'Timecode', 'Dauer', 'Bilder', 'Handlung', 'Dialog', 'Notizen'],
   ['Escena', 'Plano', 'Imagen', 'Película', 'Código de tiempo', 'Duración', 'Fotogramas', 'Acción', 'Diálogo', 'Notas'],
@@ -8,3 +9,11 @@ export const HEADINGS: readonly (readonly string[])[] = [
   ['シーン', 'カット', '画像', '映像', 'タイムコード', '長さ', 'フレーム', '内容', '台詞', 'メモ'],
   ['Cena', 'Plano', 'Imagem', 'Filme', 'Código de tempo', 'Duração', 'Quadros', 'Ação', 'Diálogo', 'Notas'],
 ];
+
+/** Other names: those in the table of the app, which is copied to spreadsheets. */
+const SHOWN: readonly (readonly string[])[] = [
+  ['', '', '', '', '', 'Length'],
+  ['', '', '', '', '', 'Länge'],
+];
+
+export const HEADINGS: readonly (readonly string[])[] = [...SAVED, ...SHOWN];

@@ -1,89 +1,89 @@
 /**
- * What is told of shots, read from files: screenplays in Fountain, and tables of values apart by commas, semicolons or tabs.
- * Loaded with the first of them, as are the libraries that read them.
+ * Shots read from files: screenplays in Fountain, and tables with commas, semicolons or tabs. Loaded with the first file, as is
+ * the library that reads tables.
  */
 
-// The reader of Fountain that is kept, in TypeScript and without dependencies.
-import { Fountain } from 'fountain-js';
-// Quotes, line ends and what parts the cells, as RFC 4180 and spreadsheets have them.
+// Quotes, line ends and delimiters of cells, as RFC 4180 and spreadsheets have them.
 import Papa from 'papaparse';
+import { wellFormed } from '../document/limits.ts';
 import { MOST } from '../engine/bounds.ts';
 import type { Board, Shot } from '../engine/types.ts';
+import { fountainLines } from './fountain.ts';
 import type { ShotRow } from './shots.ts';
-import { lengthOf, withColumn, withField } from './shots.ts';
+import { lengthOf, USUAL_SECONDS, withColumn, withField } from './shots.ts';
 
-/** What came of a file: shots by their photos, columns that are new, how many lines there were, and the first that found no shot. */
-export type Imported = { shots: Record<string, Shot>; columns: string[]; lines: number; left: number; first: string };
+export { isFountain } from './fountain.ts';
 
-type Line = Pick<Shot, 'scene' | 'action' | 'dialogue'>;
+/**
+ * The result of an import: shots by the ids of their photos, and new columns. The rest could not be used: `lost` lines found no
+ * shot, `cells` were left out or shortened, `beyond` are columns for which the board has no room.
+ */
+export type Imported = {
+  shots: Record<string, Shot>;
+  columns: string[];
+  lost: string[];
+  cells: string[];
+  beyond: string[];
+};
 
-/** Bytes of a file. */
-const MOST_BYTES = 5_000_000;
-/** Begins a cell that would be a formula, see `src/output/shots/csv.rs`. */
+/** Maximum size of a file in bytes. */
+export const MAX_BYTES = 5_000_000;
+/** Begins a cell that a spreadsheet would take for a formula, see `src/output/shots/csv.rs`. */
 const GUARDED = /^'(?=[=+\-@\t\r])/;
+/** The line with which Excel names the delimiter. */
+const DELIMITER = /^"?sep=(.)"?[,;\t]*(?:\r\n|\r|\n|$)/i;
 
-/** @returns null for a file that is too large to be one */
-export function fits(file: Blob): boolean {
-  return file.size <= MOST_BYTES;
-}
-
-/** The paragraphs of a screenplay, each with its scene: one a shot. What is said belongs to what happens before it. */
-export function fountainLines(text: string): Line[] {
-  const lines: Line[] = [];
-  let scene = '';
-  let speaker = '';
-  let open = false;
-  const plain = (said = '') =>
-    said
-      .replace(/<br\s*\/?>|\n/g, ' ')
-      .replace(/[*_]{1,3}([^*_]+)[*_]{1,3}/g, '$1')
-      .trim();
-  for (const token of new Fountain().parse(text, true).tokens) {
-    if (token.type === 'scene_heading') {
-      scene = [token.scene_number, plain(token.text)].filter(Boolean).join(' ').slice(0, MOST.label);
-      open = false;
-    } else if (token.type === 'action' || token.type === 'centered') {
-      const action = plain(token.text).slice(0, MOST.field);
-      if (action) lines.push({ scene, action });
-      open = action !== '' || open;
-    } else if (token.type === 'character') {
-      speaker = plain(token.text);
-    } else if (token.type === 'dialogue' || token.type === 'lyrics') {
-      const said = `${speaker ? `${speaker}: ` : ''}${plain(token.text)}`;
-      const last = lines.at(-1);
-      if (open && last) last.dialogue = [last.dialogue, said].filter(Boolean).join('\n').slice(0, MOST.field);
-      else lines.push({ scene, dialogue: said.slice(0, MOST.field) });
-      open = true;
-    }
-  }
-  return lines.map((line) => Object.fromEntries(Object.entries(line).filter(([, told]) => told)) as Line);
-}
-
-/** Lays the paragraphs of a screenplay on shots, one each. */
+/** Puts the paragraphs of a screenplay on shots, one per shot. */
 export function fromFountain(text: string, rows: readonly ShotRow[]): Imported {
-  const lines = fountainLines(text);
-  const shots = Object.fromEntries(
-    rows.slice(0, lines.length).map(({ id, shot }, i) => [id, { ...shot, ...lines[i] }]),
-  );
-  const rest = lines.slice(rows.length);
-  return {
-    shots,
-    columns: [],
-    lines: lines.length,
-    left: rest.length,
-    first: rest[0]?.action ?? rest[0]?.dialogue ?? '',
-  };
+  const cells: string[] = [];
+  const lines = fountainLines(text).map((line) => {
+    const fields = Object.entries(line).map(([field, told]) => {
+      const fitting = fitted(told, field === 'scene' ? MOST.label : MOST.field);
+      if (fitting.cut) cells.push(told);
+      return [field, fitting.text] as const;
+    });
+    return Object.fromEntries(fields.filter(([, told]) => told)) as Shot;
+  });
+  const shots = rows.slice(0, lines.length).map(({ id, shot }, i) => [id, { ...shot, ...lines[i] }] as const);
+  const lost = lines.slice(rows.length).map(({ scene, action, dialogue }) => action ?? dialogue ?? scene ?? '');
+  return { shots: Object.fromEntries(shots), columns: [], lost, cells, beyond: [] };
 }
 
-/** Cells of a table, whatever parts them. */
-export function cells(text: string, delimiter = ''): string[][] {
-  const { data } = Papa.parse<string[]>(text.replace(/^\ufeff/, ''), { delimiter, skipEmptyLines: 'greedy' });
+/** The cells of a table. */
+export function cells(text: string, delimiter: string): string[][] {
+  const { data } = Papa.parse<string[]>(text.replace(/^\ufeff/, ''), { delimiter });
   return data.map((line) => line.map((cell) => cell.replace(GUARDED, '')));
 }
 
+/** Rows that are not empty, with their numbers in a spreadsheet. */
+function rowsOf(text: string): Line[] {
+  const [named = '', mark] = DELIMITER.exec(text) ?? [];
+  const table = text.slice(named.length);
+  const delimiter = mark ?? Papa.parse(table, { preview: 1, skipEmptyLines: 'greedy' }).meta.delimiter;
+  return cells(table, delimiter)
+    .map((line, i) => ({ row: i + 1, cells: line }))
+    .filter((line) => line.cells.some((cell) => cell.trim() !== ''));
+}
+
+/** The standard columns that are fields of a shot, by their places among the headings. */
+const FIELDS: Readonly<Record<number, string>> = { 0: 'scene', 7: 'action', 8: 'dialogue', 9: 'notes' };
+const SCENE = 0;
+const NUMBER = 1;
+const PICTURE = 2;
+const DURATION = 5;
+const FRAMES = 6;
+/** Standard columns that only describe the picture of a shot. */
+const FIXED: readonly (number | string)[] = [PICTURE, 3, 4];
+
+/** A column of a table: a standard column by its place among the headings, or a custom column by its name. */
+type Column = { place: number | string; heading: string };
+type Line = { row: number; cells: string[] };
+
 /**
- * Lays the lines of a table on shots: those that name a picture of the album on its shot, the others one after the other.
- * @param headings what the ten columns of a list are called, in every language
+ * Puts the lines of a table on shots. A line with the name of a photo belongs to the shot of that photo: the n-th line of a name
+ * to the n-th shot of that name. The other lines go to the remaining shots in order.
+ * @param headings the names of the standard columns in every language
+ * @param names of photos, by id
  */
 export function fromTable(
   text: string,
@@ -99,47 +99,134 @@ export function fromTable(
     names: ReadonlyMap<string, string>;
   },
 ): Imported {
-  const [head = [], ...lines] = cells(text);
-  const known = (name: string) => {
-    const plain = name.trim().toLowerCase();
-    return headings.map((list) => list.findIndex((heading) => heading.toLowerCase() === plain)).find((at) => at >= 0);
-  };
-  const places = head.map((name) => known(name) ?? name.trim());
-  const fresh = places.filter((place): place is string => typeof place === 'string' && place !== '');
-  const own = [...new Set([...board.columns, ...fresh])].slice(0, MOST.columns);
-  const picture = places.indexOf(2);
+  const [head, ...lines] = rowsOf(text);
+  const columns = columnsOf(head?.cells ?? [], headings);
+  const custom = columns.flatMap(({ place }) => (typeof place === 'string' && place !== '' ? place : []));
+  const fresh = custom.filter((name) => !board.columns.includes(name));
+  const room = Math.max(0, MOST.columns - board.columns.length);
+  const beyond = fresh.slice(room);
+  const used = columns.map((column) => ({
+    ...column,
+    off: typeof column.place === 'string' && beyond.includes(column.place),
+  }));
+  const picture = columns.findIndex(({ place }) => place === PICTURE);
+  const homes = homesOf(lines, picture, { rows, names });
   const shots: Record<string, Shot> = {};
-  let left = 0;
-  let first = '';
+  const numbers = new Map<string, { number: string; saved: boolean }>();
+  const lost: string[] = [];
+  const cells: string[] = [];
   lines.forEach((line, i) => {
-    const named = picture < 0 ? undefined : rows.find(({ id }) => names.get(id) === line[picture]);
-    const row = named ?? (picture < 0 || !line[picture] ? rows[i] : undefined);
-    if (!row) {
-      left += 1;
-      first ||= line.join(' ').trim();
+    const home = homes[i];
+    if (!home) {
+      lost.push(`${line.row}: ${line.cells.join(' ').trim()}`);
       return;
     }
-    shots[row.id] = places.reduce((shot, place, at) => withCell(shot, place, line[at] ?? '', { board, own }), row.shot);
+    const { shot, number } = filled(home.shot, line, used, { board, failed: (cell) => cells.push(cell) });
+    shots[home.id] = shot;
+    if (number !== undefined) numbers.set(home.id, { number, saved: Boolean(line.cells[picture]?.trim()) });
   });
-  return { shots, columns: own.slice(board.columns.length), lines: lines.length, left, first };
+  return { shots: withNumbers(shots, numbers, rows), columns: fresh.slice(0, room), lost, cells, beyond };
 }
 
-/** The columns of a list that are fields, by their places among the headings. */
-const PLACES: Readonly<Record<number, string>> = { 0: 'scene', 1: 'number', 7: 'action', 8: 'dialogue', 9: 'notes' };
+/** Names the columns of a table. A heading that occurs again gets a number, so that no column overwrites another. */
+function columnsOf(head: readonly string[], headings: readonly (readonly string[])[]): Column[] {
+  const taken = new Set<number | string>();
+  return head.map((cell) => {
+    const heading = fitted(cell, MOST.label).text;
+    const plain = heading.toLowerCase();
+    const known = headings
+      .map((list) => list.findIndex((name) => name.toLowerCase() === plain))
+      .find((place) => place >= 0);
+    let place = heading === '' ? '' : (known ?? heading);
+    for (let n = 2; place !== '' && taken.has(place); n += 1) place = `${fitted(heading, MOST.label - 6).text} ${n}`;
+    taken.add(place);
+    return { place, heading };
+  });
+}
 
-function withCell(
-  shot: Shot,
-  place: string | number,
-  text: string,
-  { board, own }: { board: Board; own: readonly string[] },
-): Shot {
-  if (typeof place === 'string')
-    return own.includes(place) ? withColumn(shot, place, text.trim().slice(0, MOST.field)) : shot;
-  const field = PLACES[place];
-  // A number that is only counted is not one of its own.
-  if (field === 'number' && /^\d+$/.test(text.trim())) return shot;
-  if (field) return withField(shot, field, text.trim().slice(0, field === 'scene' ? MOST.label : MOST.field));
-  if (place !== 5 && place !== 6) return shot;
-  const frames = lengthOf(place === 6 ? `${text.trim()}f` : text, board, MOST.shotFrames);
-  return frames ? { ...shot, frames } : shot;
+/**
+ * Returns the shot of each line, or undefined for a line that no shot is left for.
+ * @param picture the column with the names of photos, -1 if there is none
+ */
+function homesOf(
+  lines: readonly Line[],
+  picture: number,
+  { rows, names }: { rows: readonly ShotRow[]; names: ReadonlyMap<string, string> },
+): (ShotRow | undefined)[] {
+  const waiting = new Map<string, ShotRow[]>();
+  for (const row of rows) {
+    const name = (names.get(row.id) ?? row.id).trim();
+    const same = waiting.get(name);
+    if (same) same.push(row);
+    else waiting.set(name, [row]);
+  }
+  const named = lines.map(({ cells }) => (cells[picture] ?? '').trim());
+  const homes = named.map((name) => (name === '' ? undefined : waiting.get(name)?.shift()));
+  const taken = new Set(homes);
+  const free = rows.filter((row) => !taken.has(row));
+  return homes.map((home, i) => (named[i] === '' ? free.shift() : home));
+}
+
+/**
+ * Puts the cells of a line into a shot.
+ * @param how `failed` hears of each cell that could not be used as it is
+ * @returns the shot, and the number in the line, if there is one
+ */
+function filled(
+  before: Shot,
+  { row, cells }: Line,
+  columns: readonly (Column & { off: boolean })[],
+  { board, failed }: { board: Board; failed: (cell: string) => void },
+): { shot: Shot; number: string | undefined } {
+  let shot = before;
+  let number: string | undefined;
+  /** Lengths in frames. */
+  const lengths: number[] = [];
+  cells.forEach((cell, at) => {
+    const { place, heading, off } = columns[at] ?? { place: '', heading: '', off: false };
+    if (off || FIXED.includes(place)) return;
+    const { text, cut } = fitted(cell, place === SCENE || place === NUMBER ? MOST.label : MOST.field);
+    const field = typeof place === 'number' ? FIELDS[place] : undefined;
+    const frames = place === FRAMES && text !== '' ? `${text}f` : text;
+    const length = place === DURATION || place === FRAMES ? lengthOf(frames, board, MOST.shotFrames) : null;
+    if (cut || length === undefined || (place === '' && text !== ''))
+      failed(`${row}, ${heading && `${heading}: `}${text}`);
+    if (place === NUMBER) number = text;
+    else if (typeof length === 'number') lengths.push(length);
+    else if (field !== undefined) shot = withField(shot, field, text);
+    else if (typeof place === 'string' && place !== '') shot = withColumn(shot, place, text);
+  });
+  // A list has the length of a shot twice. The one that was edited counts, and an unchanged default stays a default.
+  const now = before.frames ?? USUAL_SECONDS * board.fps;
+  const edited = lengths.filter((length) => length !== now).at(-1);
+  return { shot: edited === undefined ? shot : { ...shot, frames: edited }, number };
+}
+
+/**
+ * Gives shots the numbers of a table. A number that the board counts anyway is not fixed, nor is one that is unchanged since the
+ * list was saved.
+ * @param numbers with the lines of a saved list, which name their photos, as `saved`
+ */
+function withNumbers(
+  shots: Record<string, Shot>,
+  numbers: ReadonlyMap<string, { number: string; saved: boolean }>,
+  rows: readonly ShotRow[],
+): Record<string, Shot> {
+  const all = { ...shots };
+  let counted = 0;
+  for (const { id, shot, number: shown } of rows) {
+    const { number, saved } = numbers.get(id) ?? { number: shown, saved: true };
+    const same = number === shot.number?.trim() || (saved && number === shown);
+    const own = same ? (shot.number?.trim() ?? '') : number === String(counted + 1) ? '' : number;
+    if (own === '') counted += 1;
+    if (!same) all[id] = withField(all[id], 'number', own);
+  }
+  return all;
+}
+
+/** Returns a text with at most that many characters, and whether it was cut. */
+function fitted(text: string, most: number): { text: string; cut: boolean } {
+  const plain = wellFormed(text.trim());
+  const cut = plain.length > most;
+  return { text: cut ? wellFormed(plain.slice(0, most)).trim() : plain, cut };
 }
