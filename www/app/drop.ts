@@ -1,9 +1,14 @@
 /**
- * Files dropped on the window or pasted into it, and how one sees them coming. Folders are walked.
+ * Files that are dropped on the window or pasted into it. Folders are read with all that is in them; an entry that cannot be
+ * read is reported, and the others still come.
  */
 
 import { signal } from '@preact/signals';
+import { failure } from '../engine/protocol.ts';
 import { noteFolders } from '../photos/folders.ts';
+
+/** Reports an entry that could not be read, by its name or its path in the dropped folder. */
+type Unread = (name: string, error: unknown) => void;
 
 /** Whether files are being dragged over the window. */
 export const dragging = signal(false);
@@ -15,7 +20,10 @@ export const forStyle = signal(false);
 export const STYLE_ZONE = 'style';
 
 /** @param imitate takes files for their style */
-export function acceptFiles(window: Window, accept: (files: File[]) => void, imitate: (files: File[]) => void) {
+export function acceptFiles(
+  window: Window,
+  { accept, imitate, unread }: { accept: (files: File[]) => void; imitate: (files: File[]) => void; unread: Unread },
+) {
   let depth = 0;
   const over = (step: number) => {
     depth = Math.max(0, depth + step);
@@ -24,17 +32,18 @@ export function acceptFiles(window: Window, accept: (files: File[]) => void, imi
   window.addEventListener('dragenter', (event) => carries(event) && over(1));
   window.addEventListener('dragleave', (event) => carries(event) && over(-1));
   window.addEventListener('dragover', (event) => {
-    if (!carries(event)) return;
+    if (!carries(event)) return refuse(event);
     event.preventDefault();
     forStyle.value = wantsStyle(event);
   });
   window.addEventListener('drop', async (event) => {
     depth = 0;
     dragging.value = false;
-    if (!event.dataTransfer || !carries(event)) return;
+    if (!event.dataTransfer || !carries(event)) return refuse(event);
     event.preventDefault();
     const take = wantsStyle(event) ? imitate : accept;
-    take(await filesOf(event.dataTransfer));
+    const files = await filesOf(event.dataTransfer, unread);
+    if (files.length > 0) take(files);
   });
   window.addEventListener('paste', (event) => {
     const files = [...(event.clipboardData?.files ?? [])];
@@ -46,6 +55,14 @@ export function acceptFiles(window: Window, accept: (files: File[]) => void, imi
 export function expectFiles(window: Window, expect: () => void) {
   window.addEventListener('dragenter', (event) => carries(event) && expect());
   window.addEventListener('click', ({ target }) => isFileInput(target) && expect(), { capture: true });
+}
+
+/** Keeps the browser from leaving the app to open a dropped link. Text can be dropped on fields. */
+function refuse(event: DragEvent) {
+  const { target, dataTransfer } = event;
+  if (event.defaultPrevented || (target instanceof Element && target.matches(':read-write'))) return;
+  event.preventDefault();
+  if (dataTransfer) dataTransfer.dropEffect = 'none';
 }
 
 function wantsStyle({ altKey, target }: DragEvent) {
@@ -60,26 +77,42 @@ function isFileInput(target: EventTarget | null) {
   return target instanceof HTMLInputElement && target.type === 'file';
 }
 
-async function filesOf(transfer: DataTransfer): Promise<File[]> {
-  // The entries must be taken before the first await: the browser empties the transfer after the event.
+async function filesOf(transfer: DataTransfer, unread: Unread): Promise<File[]> {
+  // The browser empties the transfer after the event, so everything is taken before the first await.
   const plain = [...transfer.files];
-  const entries = [...transfer.items].flatMap((item) => item.webkitGetAsEntry?.() ?? []);
-  if (!entries.some((entry) => entry.isDirectory)) return plain;
-  return (await Promise.all(entries.map(walk))).flat();
+  const sources = [...transfer.items].flatMap((item) => item.webkitGetAsEntry?.() ?? item.getAsFile?.() ?? []);
+  if (!sources.some((source) => 'isDirectory' in source && source.isDirectory)) return plain;
+  const lists = await Promise.all(
+    sources.map((source) => ('isDirectory' in source ? filesIn(source, unread) : [source])),
+  );
+  return lists.flat();
 }
 
-async function walk(entry: FileSystemEntry): Promise<File[]> {
+/** Returns the files of an entry, in the order of its folders. */
+async function filesIn(entry: FileSystemEntry, unread: Unread): Promise<File[]> {
+  const path = (entry.fullPath || entry.name).split('/').filter(Boolean);
+  const failed = (code: string) => unread(path.join('/'), failure(code, 'The browser cannot read it.'));
   if (entry.isFile) {
-    const file: File = await new Promise((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
-    return [noteFolders(file, entry.fullPath.split('/').slice(1, -1))];
+    try {
+      const file: File = await new Promise((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
+      return [noteFolders(file, path.slice(0, -1))];
+    } catch {
+      failed('unreadable-entry');
+      return [];
+    }
   }
-  const reader = (entry as FileSystemDirectoryEntry).createReader();
-  const found = [];
-  // A reader gives at most a hundred entries a call.
-  for (;;) {
-    const some = (await new Promise((resolve, reject) => reader.readEntries(resolve, reject))) as FileSystemEntry[];
-    if (some.length === 0) break;
-    found.push(...some);
+  const found: FileSystemEntry[] = [];
+  try {
+    const reader = (entry as FileSystemDirectoryEntry).createReader();
+    // A reader returns at most 100 entries per call.
+    for (;;) {
+      const some: FileSystemEntry[] = await new Promise((resolve, reject) => reader.readEntries(resolve, reject));
+      if (some.length === 0) break;
+      found.push(...some);
+    }
+  } catch {
+    failed('unreadable-folder');
   }
-  return (await Promise.all(found.map(walk))).flat();
+  const lists = await Promise.all(found.map((inner) => filesIn(inner, unread)));
+  return lists.flat();
 }

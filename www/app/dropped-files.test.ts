@@ -2,6 +2,7 @@
 
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { createDroppedFiles } from './dropped-files.ts';
+import { noteFolders } from '../photos/folders.ts';
 import { save as saveFile } from '../ui/files.ts';
 import { fakeBrowser } from '../storage/testing.ts';
 import { downloaded, inPanels } from '../storage/files/testing-pages.ts';
@@ -12,16 +13,21 @@ type Tab = Awaited<ReturnType<ReturnType<typeof fakeBrowser>['tab']>>;
 
 function dropsOn(tab: Tab) {
   const showProjects = vi.fn();
-  const open = vi.fn(async () => {});
+  const opened = () => vi.fn(async (_files: readonly File[]) => {});
+  const [speech, layouts, styles] = [opened(), opened(), opened()];
   const made = createDroppedFiles({
     ...(tab as any),
-    subtitling: { open },
-    ownLayouts: { open },
-    ownStyles: { open },
+    subtitling: { open: speech },
+    ownLayouts: { open: layouts },
+    ownStyles: { open: styles },
     showProjects,
   });
-  return { ...made, showProjects };
+  return { ...made, showProjects, speech, layouts, styles };
 }
+
+/** The names of the files that a mock was called with. */
+const namesIn = ({ mock }: { mock: { calls: [readonly File[]][] } }) =>
+  mock.calls.flatMap(([files]) => files.map(({ name }) => name));
 
 /** A browser that has made a project, and the project as a file. */
 async function made(name: string, ...photos: string[]) {
@@ -190,4 +196,99 @@ describe('photos that are dropped while another project is on its way', () => {
     await tab.keeping.open(old);
     expect(tab.names()).toEqual(['old.jpg']);
   });
+});
+
+describe('files that systems and programs store next to photos', () => {
+  const SIDECARS = ['.DS_Store', '._a.jpg', 'Thumbs.db', 'desktop.ini', 'a.AAE', 'a.xmp', 'Icon\r'];
+
+  it('are skipped', async () => {
+    const tab = await fakeBrowser().tab();
+    await dropsOn(tab).take([
+      ...SIDECARS.map((name) => new File(['bad'], name)),
+      ...tab.files('a.jpg'),
+      noteFolders(new File(['bad'], 'b.jpg'), ['trip', '__MACOSX']),
+    ]);
+    expect([tab.names(), texts(tab)]).toEqual([['a.jpg'], []]);
+  });
+
+  it('are reported if nothing else comes', async () => {
+    const tab = await fakeBrowser().tab();
+    await dropsOn(tab).take([new File(['bad'], 'a.xmp')]);
+    expect(texts(tab)).toEqual([expect.stringMatching(/^a\.xmp: /)]);
+  });
+});
+
+describe('JSON files', () => {
+  const json = (name: string, value: unknown) => new File([JSON.stringify(value)], name);
+  const takeout = json('a.jpg.json', { title: 'a.jpg', photoTakenTime: { timestamp: '1' } });
+  const layout = json('layout.json', { id: 'x', family: 'custom', tree: {} });
+  const style = json('style.json', { id: 'x', background: [] });
+
+  it('of other programs are skipped next to photos; layouts and styles are opened', async () => {
+    const tab = await fakeBrowser().tab();
+    const drops = dropsOn(tab);
+    await drops.take([takeout, layout, style, new File(['{'], 'broken.json'), ...tab.files('a.jpg')]);
+    await vi.waitFor(() => expect(namesIn(drops.styles)).toEqual(['style.json']));
+    // What is wrong with a file that is not JSON is said where layouts are read.
+    expect(namesIn(drops.layouts)).toEqual(['layout.json', 'broken.json']);
+    expect([tab.names(), texts(tab)]).toEqual([['a.jpg'], []]);
+  });
+
+  it('of other programs that come alone are said to be neither layouts nor styles', async () => {
+    const tab = await fakeBrowser().tab();
+    const drops = dropsOn(tab);
+    await drops.take([takeout, json('list.json', [1]), json('null.json', null)]);
+    await vi.waitFor(() => expect(tab.messages.failures.value).toHaveLength(3));
+    expect(new Set(tab.messages.failures.value.map(({ why }) => why))).toEqual(
+      new Set(['it is neither a layout nor a style of Inkpanel.']),
+    );
+    expect(namesIn(drops.layouts)).toEqual([]);
+  });
+});
+
+describe('a text', () => {
+  const readme = () => new File(['Album: Lisbon\nCamera: Nikon D70\nLicense: CC BY 4.0'], 'readme.txt');
+
+  it('that comes alone is a script if somebody speaks in it', async () => {
+    const drops = dropsOn(await fakeBrowser().tab());
+    await drops.take([readme(), new File(['1'], 'a.srt')]);
+    expect(namesIn(drops.speech)).toEqual(['readme.txt', 'a.srt']);
+  });
+
+  it('that comes with photos is only offered as a script', async () => {
+    const tab = await fakeBrowser().tab();
+    const drops = dropsOn(tab);
+    await drops.take([readme(), new File(['1'], 'a.srt'), ...tab.files('a.jpg')]);
+    expect([namesIn(drops.speech), tab.names()]).toEqual([['a.srt'], ['a.jpg']]);
+    const offer = tab.messages.list.value.find(({ kind }) => kind === 'offer');
+    expect(offer?.text).toBe('readme.txt may be a script. It was not put on the pages.');
+    offer?.way?.run();
+    expect(namesIn(drops.speech)).toEqual(['a.srt', 'readme.txt']);
+  });
+
+  it('without speech is skipped in a folder of photos, and reported among chosen files', async () => {
+    const tab = await fakeBrowser().tab();
+    const drops = dropsOn(tab);
+    await drops.take([noteFolders(new File(['bad'], 'notes.txt'), ['trip']), ...tab.files('a.jpg')]);
+    expect([tab.names(), texts(tab)]).toEqual([['a.jpg'], []]);
+    await drops.take([new File(['bad'], 'notes.txt'), ...tab.files('b.jpg')]);
+    expect([tab.names(), texts(tab)]).toEqual([['a.jpg', 'b.jpg'], [expect.stringMatching(/^notes\.txt: /)]]);
+  });
+});
+
+it('a drop that fails as a whole is reported with the names of its files', async () => {
+  const tab = await fakeBrowser().tab();
+  tab.keeping.absentPhotos.fill = () => Promise.reject(new TypeError('broken'));
+  const drops = dropsOn(tab);
+  await drops.take(tab.files('a.jpg', 'b.jpg'));
+  expect(texts(tab)).toEqual(['a.jpg, b.jpg: reading it failed with an internal error: broken']);
+  expect(drops.busy.value).toBe(false);
+});
+
+it('a text that cannot be read does not take away the photos that came with it', async () => {
+  const tab = await fakeBrowser().tab();
+  const unreadable = { arrayBuffer: () => Promise.reject(new DOMException('gone', 'NotFoundError')) };
+  const gone = Object.assign(new File([''], 'gone.txt'), { slice: () => unreadable, ...unreadable });
+  await dropsOn(tab).take([gone, ...tab.files('a.jpg')]);
+  expect(tab.names()).toContain('a.jpg');
 });

@@ -2,15 +2,19 @@
  * Files of any kind that were dropped, pasted, chosen or sent by the system. Each project among them becomes a project of
  * its own, one after the other; the last by name stays on the page, and the others are told, with a way to open them.
  * Photos go where a frame waits for them in any of these projects, and what is left joins the one on the page, as it
- * does where no project came along.
+ * does where no project came along. Files that systems and programs store next to photos are skipped. A text that comes with
+ * photos is only offered as a script.
  */
 
 import { computed, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { byName } from '../ui/by-name.ts';
 import { isArchiveFile } from '../storage/files/page-archive.ts';
+import { foldersOf } from '../photos/folders.ts';
+import { isSidecar } from '../photos/sidecars.ts';
 import { isNamedPng } from '../storage/files/page-files.ts';
 import { isProjectFile } from '../storage/files/project-file.ts';
+import { importing } from '../ui/importing.ts';
 import { openPlans } from './plans.ts';
 import { momentsOf } from '../lettering/cue-times.ts';
 import { speechAmong } from '../lettering/subtitling.ts';
@@ -22,6 +26,19 @@ import type { Moments } from '../lettering/cue-times.ts';
 import type { Keeping } from '../storage/storage.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
 import type { Messages } from '../ui/messages.ts';
+
+/** Names of files in the message about a whole drop that failed. */
+const NAMED = 3;
+
+/** Names of subtitles, and of texts, which may be scripts. */
+const SPEECH = /\.(?:srt|vtt|txt)$/i;
+const isText = ({ name }: File) => /\.txt$/i.test(name);
+
+const namesOf = (files: readonly File[]) =>
+  files
+    .slice(0, NAMED)
+    .map(({ name }) => name)
+    .join(', ');
 
 type Opened = { id: string; name: string };
 type ProjectFile = { name: string; open: () => Promise<boolean> };
@@ -41,7 +58,7 @@ export function createDroppedFiles({
   keeping: Pick<Keeping, 'files' | 'pageFiles' | 'absentPhotos' | 'current' | 'open' | 'turned'>;
   reading: Pick<Reading, 'addFiles'>;
   subtitling: Pick<Subtitling, 'open'>;
-  messages: Pick<Messages, 'offer'>;
+  messages: Pick<Messages, 'offer' | 'fileFailed'>;
   ownLayouts: Pick<OwnLayouts, 'open'>;
   ownStyles: Pick<OwnStyles, 'open'>;
   showProjects: () => void;
@@ -55,32 +72,43 @@ export function createDroppedFiles({
   return { take, openProjects, busy: computed(() => taking.value > 0) };
 
   async function take(files: readonly File[]) {
+    if (files.length === 0) return;
     taking.value += 1;
-    await takeIn(files).finally(() => {
-      taking.value -= 1;
-    });
+    await importing(messages, namesOf(files), () => takeIn(files));
+    taking.value -= 1;
   }
 
-  async function takeIn(files: readonly File[]) {
+  async function takeIn(given: readonly File[]) {
+    const wanted = given.filter((file) => !isSidecar(file.name, foldersOf(file)));
+    // A sidecar file that comes alone is reported like any other file that is not a photo.
+    const files = wanted.length > 0 ? wanted : given;
     const plans = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
     const projects = files.filter(isProjectFile);
-    const speech = speechAmong(files);
     const archives = files.filter((file) => !projects.includes(file) && isArchiveFile(file));
     const pictures = files.filter((file) => ![plans, projects, archives].some((list) => list.includes(file)));
-    void openPlans(plans, { ownLayouts, ownStyles });
+    const beside = projects.length + archives.length > 0 || pictures.some(({ name }) => !SPEECH.test(name));
+    const speech = speechAmong(files);
+    void openPlans(plans, { ownLayouts, ownStyles, messages, beside });
     // What is dropped while another project is on its way is meant for that one.
     const turn = Promise.all([speech, before, keeping.turned()]).then(([spoken]) =>
       openAll(
         projects,
-        pictures.filter((file) => !spoken.includes(file)),
+        pictures.filter((file) => !spoken.includes(file) && !(beside && isText(file) && foldersOf(file).length > 0)),
         archives,
       ),
     );
     before = turn.catch(() => {});
     const { photos, shown } = await turn;
     await add(photos, shown, await momentsOf(photos, await speech));
+    const spoken = await speech;
+    const scripts = beside ? spoken.filter(isText) : [];
     // Their video may have come with them.
-    await subtitling.open(await speech);
+    await subtitling.open(spoken.filter((file) => !scripts.includes(file)));
+    if (scripts.length > 0)
+      messages.offer(strings.scriptOffered(strings.listed(scripts.map(({ name }) => name))), {
+        label: strings.putScript,
+        run: () => void subtitling.open(scripts),
+      });
   }
 
   /** Opens files that were chosen as projects. */
@@ -94,7 +122,7 @@ export function createDroppedFiles({
     }));
     const turn = Promise.all([before, keeping.turned()]).then(() => oneByOne(projects));
     before = turn.catch(() => {});
-    tell(await turn);
+    await importing(messages, namesOf(files), async () => tell(await turn));
   }
 
   /**

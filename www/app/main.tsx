@@ -32,6 +32,7 @@ import { freshPhotoPrefix } from '../photos/intake.ts';
 import { createKeys } from './keys.ts';
 import { createLettering } from '../lettering/lettering.ts';
 import { createMerging } from '../page/panels/merging.ts';
+import { reportFailure } from '../ui/importing.ts';
 import { createMessages } from '../ui/messages.ts';
 import { createOffline } from '../offline/offline.ts';
 import { createOwnLayouts } from '../layouts/own-layouts.ts';
@@ -243,7 +244,11 @@ const parts: Parts = {
 };
 const actions = createActions(parts);
 window.addEventListener('keydown', createKeys({ actions, ui, leave: leaveMode, pointed: trackPointed(window) }));
-acceptFiles(window, intake, imitation.take);
+acceptFiles(window, {
+  accept: (files) => void intake(files),
+  imitate: imitation.take,
+  unread: (name, error) => reportFailure(messages, name, error),
+});
 // A picture that is dragged for its style will be here in a second. Where it goes away again, the next search has the survey.
 effect(() => {
   if (!dragging.value || !forStyle.value) return;

@@ -1,24 +1,48 @@
-/** JSON files from outside: a style has a layer of blocks, everything else is taken for a layout. */
+/** JSON files of users: a style has a layer of blocks, a layout has panels. */
 
+import { readText } from '../engine/text-file.ts';
 import { LONGEST_STYLE } from '../styles/style-link.ts';
+import { strings } from '../strings/strings.ts';
 import type { OwnLayouts } from '../layouts/own-layouts.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
+import type { Messages } from '../ui/messages.ts';
 
+type Kind = 'style' | 'layout' | 'other';
+
+/** Fields of which a file of that kind has at least one. */
+const FIELDS = { style: ['background', 'foreground'], layout: ['family', 'tree', 'polygons'] } as const;
+
+/** @param beside whether the files came with photos: then JSON of other programs, such as Google Takeout, is skipped */
 export async function openPlans(
   files: readonly File[],
-  { ownLayouts, ownStyles }: { ownLayouts: Pick<OwnLayouts, 'open'>; ownStyles: Pick<OwnStyles, 'open'> },
+  {
+    ownLayouts,
+    ownStyles,
+    messages,
+    beside,
+  }: {
+    ownLayouts: Pick<OwnLayouts, 'open'>;
+    ownStyles: Pick<OwnStyles, 'open'>;
+    messages: Pick<Messages, 'fileFailed'>;
+    beside: boolean;
+  },
 ) {
-  const kinds = await Promise.all(files.map(isStyle));
-  await ownLayouts.open(files.filter((_, i) => !kinds[i]));
-  await ownStyles.open(files.filter((_, i) => kinds[i]));
+  const kinds = await Promise.all(files.map(kindOf));
+  const of = (kind: Kind) => files.filter((_, i) => kinds[i] === kind);
+  await ownLayouts.open(of('layout'));
+  await ownStyles.open(of('style'));
+  if (!beside) for (const { name } of of('other')) messages.fileFailed(name, strings.unknownJson);
 }
 
-async function isStyle(file: File) {
-  if (file.size > LONGEST_STYLE) return false;
+/** A file that is not JSON counts as a layout: reading it as one says what is wrong with it. */
+async function kindOf(file: File): Promise<Kind> {
+  if (file.size > LONGEST_STYLE) return 'other';
   try {
-    const value = JSON.parse(await file.text());
-    return typeof value === 'object' && value !== null && ['background', 'foreground'].some((layer) => layer in value);
+    const value = JSON.parse((await readText(file)).text);
+    const has = (kind: 'style' | 'layout') =>
+      typeof value === 'object' && value !== null && FIELDS[kind].some((field) => Object.hasOwn(value, field));
+    return has('style') ? 'style' : has('layout') ? 'layout' : 'other';
   } catch {
-    return false;
+    return 'layout';
   }
 }

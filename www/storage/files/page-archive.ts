@@ -8,6 +8,7 @@ import { isVideo } from '../../engine/video.ts';
 import { MOST } from '../../document/limits.ts';
 import { damaged } from '../../engine/protocol.ts';
 import { noteFolders } from '../../photos/folders.ts';
+import { isSidecar } from '../../photos/sidecars.ts';
 import { archiveOf, readArchive } from '../../engine/archive.ts';
 import { withPage } from './page-file.ts';
 import type { Watch } from '../../engine/inflate.ts';
@@ -98,11 +99,11 @@ async function readProject(
   return { project: withPage(await text.text(), planner), archive };
 }
 
-/** What systems put beside pictures, and hidden files, are none. */
+/** Whether a path is that of a photo or video, and not of a sidecar file. */
 function isPicture(path: string): boolean {
-  const parts = path.split('/');
-  const name = parts.at(-1) ?? '';
-  if (parts.includes('__MACOSX') || name.startsWith('.')) return false;
+  const folders = path.split('/');
+  const name = folders.pop() as string;
+  if (isSidecar(name, folders)) return false;
   return endingOf(name) in TYPES || isVideo(Object.assign(new Blob(), { name }));
 }
 
