@@ -25,7 +25,9 @@ export async function importShots(file: File, app: App) {
 }
 
 async function take(file: File, { boards, store, messages }: App) {
-  const { MAX_BYTES, fromFountain, fromTable, isFountain } = await import('./imports.ts');
+  const { MAX_BYTES, fromFountain, fromTable, isFountain } = await import('./imports.ts').catch(() => {
+    throw new Error(strings.boards.missing);
+  });
   if (file.size > MAX_BYTES) throw new Error(strings.boards.tooLarge(file.name));
   const { text, guessed } = await readText(file);
   const rows = boards.rows.peek();

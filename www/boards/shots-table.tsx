@@ -10,6 +10,7 @@ import { useApp } from '../ui/context.ts';
 import { useListDrag } from '../ui/list-drag.ts';
 import type { ListDrag } from '../ui/list-drag.ts';
 import { Icon } from '../ui/icon.tsx';
+import { importing } from '../ui/importing.ts';
 import type { Column } from './boards.ts';
 import { Frame } from './frame.tsx';
 import type { Rate, ShotRow } from './shots.ts';
@@ -275,7 +276,7 @@ function Cell({
       onInput={(event) => setTyped(event.currentTarget.value)}
       onBlur={(event) => take(event.currentTarget.value)}
       onKeyDown={onKeyDown}
-      onPaste={(event) => void paste(event)}
+      onPaste={(event) => void importing(messages, strings.boards.shots, () => paste(event))}
     />
   );
 }

@@ -5,7 +5,7 @@
 
 import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { reasonOf } from '../ui/importing.ts';
+import { codeOf, reasonOf } from '../ui/importing.ts';
 import type { Signal } from '@preact/signals';
 import type { Ui } from '../app/ui.ts';
 import type { Store } from '../document/store.ts';
@@ -131,7 +131,7 @@ export function createImitation({
       shown.value = proposals.value[0]?.id ?? null;
       if (found.length === 0) fault.value = strings.imitationNone;
     } catch (error) {
-      const { code } = error as { code?: string };
+      const code = codeOf(error);
       if (!ends.aborted && code !== 'cancelled') {
         fault.value = reasonOf(error, strings.imitationReasons);
         doubted.value = code === 'plain-photo';

@@ -6,7 +6,7 @@
 import { signal } from '@preact/signals';
 import { MOST_SOUND } from '../engine/sounds.ts';
 import { strings } from '../strings/strings.ts';
-import { reasonOf } from '../ui/importing.ts';
+import { codeOf, reasonOf } from '../ui/importing.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Video } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
@@ -57,7 +57,7 @@ export function createFilmSounds({
       });
       know(file, { events });
     } catch (error) {
-      if ((error as Error).name === 'AbortError') know(file, undefined);
+      if ((error as Error | null)?.name === 'AbortError') know(file, undefined);
       else know(file, { why: sentence(error) });
     } finally {
       stops.delete(file);
@@ -126,7 +126,7 @@ function nearest({ start, end }: SoundEvent, frames: readonly { id: string; time
 
 function sentence(error: unknown): string {
   const says = strings.filmSounds;
-  switch ((error as { code?: string }).code) {
+  switch (codeOf(error)) {
     case 'sound-none':
       return says.mute;
     case 'sound-long':

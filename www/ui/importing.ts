@@ -34,18 +34,24 @@ export async function importing<T>(
 
 /** Reports that a file could not be read. Cancelled work is not reported. */
 export function reportFailure(messages: Reporter, name: string, error: unknown, { reasons, text, way }: How = {}) {
-  if ((error as { code?: unknown } | null | undefined)?.code === 'cancelled') return;
+  if (codeOf(error) === 'cancelled') return;
   const why = reasonOf(error, reasons);
   // Some reasons name the file themselves.
   messages.fileFailed(name, why, { text: text?.(why) ?? (why.includes(name) ? why : undefined), way });
 }
 
+/** @returns the code of an error of this program; empty for all others */
+export function codeOf(error: unknown): string {
+  const { code } = (error ?? {}) as { code?: unknown };
+  return typeof code === 'string' ? code : '';
+}
+
 /** @returns why a file could not be read, as a sentence */
 export function reasonOf(error: unknown, reasons: How['reasons'] = {}): string {
-  const { code, name, message } = (error ?? {}) as { code?: unknown; name?: unknown; message?: unknown };
+  const { name, message } = (error ?? {}) as { name?: unknown; message?: unknown };
+  const code = codeOf(error);
   const text = typeof message === 'string' ? message : '';
-  if (typeof code === 'string')
-    return reasons[code] ?? strings.reasons[code] ?? strings.reasonsOf[code]?.(text) ?? text;
+  if (code !== '') return reasons[code] ?? strings.reasons[code] ?? strings.reasonsOf[code]?.(text) ?? text;
   if (UNREADABLE.includes(name)) return strings.reasons['unreadable-file'];
   // Importers throw sentences as plain errors. All other errors come from bugs.
   if (name === 'Error' && text !== '') return text;

@@ -9,7 +9,7 @@ import { patience } from '../../engine/patience.ts';
 import { cancelled as stopped, failure } from '../../engine/protocol.ts';
 import { Priority } from '../../engine/queue.ts';
 import { strings } from '../../strings/strings.ts';
-import { reasonOf, reportFailure } from '../../ui/importing.ts';
+import { codeOf, reasonOf, reportFailure } from '../../ui/importing.ts';
 import { freshPlace } from '../../document/place.ts';
 import { takenBy } from './project-json.ts';
 import { UNLIKE, placeholderOf } from '../../photos/placeholder.ts';
@@ -186,8 +186,7 @@ export function createFileOpening({
         if (absent && like) return keepsPlace(known, photo);
         return { ...known, measures: measured ? meta.measures : null, looked: subjects !== null };
       } catch (error) {
-        const { code } = error as { code?: string };
-        if (watch.signal.aborted || ['cancelled', 'too-large-project'].includes(code ?? '')) throw error;
+        if (watch.signal.aborted || ['cancelled', 'too-large-project'].includes(codeOf(error))) throw error;
         failed.push({ name: fact.name, why: reasonOf(error) });
         return [];
       } finally {
