@@ -202,10 +202,32 @@ test('a screenplay fills scenes, action and dialogue as one step, and says what 
   const cell = (/** @type {string} */ name) => shots.getByRole('textbox', { name, exact: true });
   await expect(cell('Scene, shot 6')).toHaveValue('INT. CORRIDOR - NIGHT');
   await expect(cell('Dialogue, shot 1')).toHaveValue('ANNA: Is anybody there?');
-  await expect(page.getByRole('status').filter({ hasText: '1 line found no shot: “Action number 6.”' })).toBeVisible();
+  await expect(page.getByRole('alert').filter({ hasText: '1 line found no shot: “Action number 6.”' })).toBeVisible();
   await page.getByRole('button', { name: 'Undo', exact: true }).click();
   await expect(cell('Scene, shot 6')).toHaveValue('');
   await expect(cell('Dialogue, shot 1')).toHaveValue('');
+});
+
+test('tables and screenplays of other programs are read as they are meant', async ({ page }) => {
+  await openBoard(page, SIX.slice(0, 3));
+  const shots = await openShots(page);
+  const cell = (/** @type {string} */ name) => shots.getByRole('textbox', { name, exact: true });
+  const take = (/** @type {string} */ name, /** @type {string} */ text) =>
+    page
+      .locator('input[aria-label="Import script or table"]')
+      .setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(text, 'latin1') });
+  // As Excel saves it in German, with the numbers of the production.
+  await take('liste.csv', 'sep=;\r\nSzene;Einstellung;Dauer;Handlung\r\n1;101;2:12;Öffnet die Tür\r\n1;102;;Geht\r\n');
+  await expect(cell('Action, shot 101')).toHaveValue('Öffnet die Tür');
+  await expect(cell('Length, shot 101')).toHaveValue('0:02:12');
+  await expect(cell('Shot, shot 102')).toHaveValue('102');
+  await expect(shots.getByRole('textbox', { name: /^sep=/ })).toHaveCount(0);
+  await expect(page.getByRole('alert').filter({ hasText: 'liste.csv: it is not in UTF-8' })).toBeVisible();
+  await take('song.fountain', 'SINGER\n~These are the songs\n~That I sing.\n\nShe bows. [[low]]\n');
+  await expect(cell('Dialogue, shot 101')).toHaveValue('SINGER: These are the songs That I sing.');
+  await expect(cell('Action, shot 102')).toHaveValue('She bows.');
+  await take('photo.csv', '\x89PNG\r\n\x1a\n\0\0\0\r');
+  await expect(page.getByRole('alert').filter({ hasText: 'photo.csv: it is not a text file' })).toBeVisible();
 });
 
 test('sheets are laid out as they are asked for', async ({ page }) => {
