@@ -15,6 +15,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::{env, fs, io};
 
+/// Paths are relative to the package, where cargo runs this program, so that a checkout can be moved without a new build.
 fn main() -> io::Result<()> {
     layouts()?;
     palettes()?;
@@ -26,14 +27,12 @@ fn main() -> io::Result<()> {
 fn palettes() -> io::Result<()> {
     println!("cargo:rerun-if-changed=src/page/words/palette.rs");
     println!("cargo:rerun-if-changed=styles");
-    let root = env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?;
     let mut rows = Vec::new();
-    for entry in fs::read_dir(Path::new(&root).join("styles"))? {
+    for entry in fs::read_dir("styles")? {
         let path = entry?.path();
         if path.extension().is_none_or(|extension| extension != "json") {
             continue;
         }
-        println!("cargo:rerun-if-changed={}", path.display());
         let style: serde_json::Value = serde_json::from_str(&fs::read_to_string(&path)?)?;
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let id = style["id"].as_str().map_or(stem, str::to_owned);
@@ -49,14 +48,14 @@ fn palettes() -> io::Result<()> {
 /// Writes `OUT_DIR/reader.rs`: by which hash a policy names the script and the style that stand in a comic of one file.
 fn reader() -> io::Result<()> {
     println!("cargo:rerun-if-changed=src/output/reader");
-    let [root, out] = ["CARGO_MANIFEST_DIR", "OUT_DIR"].map(|name| env::var(name).map_err(io::Error::other));
-    let folder = Path::new(&root?).join("src/output/reader");
+    let out = env::var("OUT_DIR").map_err(io::Error::other)?;
+    let folder = Path::new("src/output/reader");
     let mut constants = String::new();
     for (name, file) in [("STYLE_HASH", "reader.css"), ("SCRIPT_HASH", "reader.js")] {
         let hash = BASE64_STANDARD.encode(Sha256::digest(fs::read(folder.join(file))?));
         let _ = writeln!(constants, "const {name}: &str = \"{hash}\";");
     }
-    fs::write(Path::new(&out?).join("reader.rs"), constants)
+    fs::write(Path::new(&out).join("reader.rs"), constants)
 }
 
 /// Writes `OUT_DIR/letters.bin`.
@@ -66,16 +65,15 @@ fn letters() -> io::Result<()> {
     if env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|target| target == "wasm32") {
         return Ok(());
     }
-    let [root, out] = ["CARGO_MANIFEST_DIR", "OUT_DIR"].map(|name| env::var(name).map_err(io::Error::other));
-    let table = pack::pack(&Path::new(&root?).join("fonts")).map_err(io::Error::other)?;
-    fs::write(Path::new(&out?).join("letters.bin"), table)
+    let out = env::var("OUT_DIR").map_err(io::Error::other)?;
+    let table = pack::pack(Path::new("fonts")).map_err(io::Error::other)?;
+    fs::write(Path::new(&out).join("letters.bin"), table)
 }
 
 /// Writes `OUT_DIR/layouts.rs` with `static LAYOUT_FILES: &[(&str, &str)]`, sorted by file name.
 fn layouts() -> io::Result<()> {
     println!("cargo:rerun-if-changed=layouts");
-    let root = env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?;
-    let mut files: Vec<_> = fs::read_dir(Path::new(&root).join("layouts"))?
+    let mut files: Vec<_> = fs::read_dir("layouts")?
         .filter_map(Result::ok)
         .map(|entry| entry.path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
@@ -84,7 +82,6 @@ fn layouts() -> io::Result<()> {
     let mut source = "static LAYOUT_FILES: &[(&str, &str)] = &[\n".to_owned();
     for path in &files {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        println!("cargo:rerun-if-changed={}", path.display());
         let text = without_space(&fs::read_to_string(path)?);
         writeln!(source, "    ({name:?}, {text:?}),").map_err(io::Error::other)?;
     }

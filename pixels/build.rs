@@ -3,15 +3,15 @@
 //! package of neither.
 
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::{env, fs, io};
 
-/// Writes `OUT_DIR/styles.rs` with `static STYLE_FILES: &[(&str, &str)]`, sorted by file name.
+/// Writes `OUT_DIR/styles.rs` with `static STYLE_FILES: &[(&str, &str)]`, sorted by file name. Paths are relative to the package,
+/// where cargo runs this program, so that a checkout can be moved without a new build.
 fn main() -> io::Result<()> {
-    let root = env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?;
-    let folder = styles(Path::new(&root));
+    let folder = styles();
     println!("cargo:rerun-if-changed={}", folder.display());
-    let mut files: Vec<_> = fs::read_dir(&folder)?
+    let mut files: Vec<_> = fs::read_dir(folder)?
         .filter_map(Result::ok)
         .map(|entry| entry.path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
@@ -20,7 +20,6 @@ fn main() -> io::Result<()> {
     let mut source = "static STYLE_FILES: &[(&str, &str)] = &[\n".to_owned();
     for path in &files {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        println!("cargo:rerun-if-changed={}", path.display());
         let text = without_space(&fs::read_to_string(path)?);
         writeln!(source, "    ({name:?}, {text:?}),").map_err(io::Error::other)?;
     }
@@ -30,9 +29,9 @@ fn main() -> io::Result<()> {
 }
 
 /// The folder at the top of the repository; in what is published a folder of the crate, where the link to it stands.
-fn styles(root: &Path) -> PathBuf {
-    let top = root.join("../styles");
-    if top.is_dir() { top } else { root.join("styles") }
+fn styles() -> &'static Path {
+    let top = Path::new("../styles");
+    if top.is_dir() { top } else { Path::new("styles") }
 }
 
 /// JSON without what stands between its tokens: every visitor loads these texts.

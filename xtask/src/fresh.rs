@@ -1,6 +1,7 @@
 //! The first command of the README on a fresh checkout: `cargo xtask serve` in a copy of the committed and new files, without
 //! models and npm packages. The copy shares the compiled crates, so that the check takes a minute.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -36,11 +37,12 @@ pub fn check(project: &Project) -> Result<crate::test::Outcome> {
     crate::tally::count(playwright.env("CHROMIUM", browser).env("INKPANEL_ADDRESS", address))
 }
 
-/// Copies the files that git tracks, and new files that it does not ignore. Cargo compares times of change, so they are
-/// preserved.
+/// Copies the files that git tracks, and new files that it does not ignore. Cargo compares the times of change of files and
+/// folders, so they are preserved.
 fn copy(project: &Project, root: &Path) -> Result<()> {
     let mut git = Command::new("git");
     git.args(["ls-files", "-z", "--cached", "--others", "--exclude-standard"]).current_dir(&project.root);
+    let mut folders = BTreeSet::new();
     for file in tools::output(&mut git)?.split_terminator('\0') {
         let (from, to) = (project.root.join(file), root.join(file));
         // A deleted file is still listed until the deletion is committed.
@@ -53,6 +55,13 @@ fn copy(project: &Project, root: &Path) -> Result<()> {
         }
         fs::copy(&from, &to).with_context(|| format!("cannot copy {file}"))?;
         fs::File::options().append(true).open(&to)?.set_modified(found.modified()?)?;
+        folders.extend(Path::new(file).ancestors().skip(1).map(Path::to_owned));
+    }
+    // A folder cannot be opened on Windows, where the crates are then compiled again.
+    #[cfg(unix)]
+    for folder in folders {
+        let modified = project.root.join(&folder).metadata()?.modified()?;
+        fs::File::open(root.join(&folder))?.set_modified(modified)?;
     }
     Ok(())
 }
