@@ -15,10 +15,7 @@ export default defineConfig({
   outputDir: '../tests/web/results',
   fullyParallel: false,
   // Files are begun in the order of their projects: one that takes minutes would leave a worker idle at the end.
-  projects: [
-    ...(short ? [] : [{ name: 'long', testMatch: LONG }]),
-    { name: 'short', testIgnore: LONG },
-  ],
+  projects: [...(short ? [] : [{ name: 'long', testMatch: LONG }]), { name: 'short', testIgnore: LONG }],
   // A page that waits for a timer, a message or one worker leaves cores idle: two files run side by side, even on two cores.
   workers: 2,
   // The machine may be busy: a limit ends what hangs, it does not measure.

@@ -1,7 +1,6 @@
 //! Scores of pictures by the net, against a forward pass in numpy; the values are made by
 //! `tests/oracles/aesthetics.py`. And the command that gives them.
 #![cfg(feature = "cli")]
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
 

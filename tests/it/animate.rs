@@ -1,7 +1,6 @@
 //! Animatics: which frame shows which shot, and how the camera moves; and on the command line, that the frames are as many as
 //! the shots are long, that a shot without a move is one picture, and that work that was stopped goes on; the same of pages that are
 //! read, of which each frame shows the panel that is read with the words that are there by now.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::document::saved::Saved;
 use inkpanel::framing::{Crop, FACE, Subject};

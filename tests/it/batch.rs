@@ -1,5 +1,4 @@
 //! The command line with many files, some of them bad: those are named and left out, the others are done.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 #[allow(dead_code, reason = "the example makes more of it")]
 #[path = "../../examples/hostile/made.rs"]

@@ -1,5 +1,4 @@
 //! Effects that stand behind the subject of their panel.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::native::{self, Photo, Photos};
 use inkpanel::page::words::Letters;

@@ -1,8 +1,6 @@
 //! What holds for every block of the registry, whatever it does: sizes, determinism, every extreme of its
 //! parameters, and that no pixel depends on how wide the row is that a lane kernel happens to work on.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
-
 use inkpanel::raster::{Image, Plane};
 use inkpanel::style::blocks::{ALL, Block, Channels};
 use inkpanel::style::context::Context;

@@ -1,6 +1,5 @@
 //! Every filter block against the same by numpy, scipy, scikit-image or `OpenCV`. The expected images are made by
 //! `tests/oracles/blocks.py`; a case that fails leaves expected and actual in `target/oracles/`.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
 

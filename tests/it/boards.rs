@@ -1,6 +1,5 @@
 //! Sheets of boards with a logo in their heads: it is shown as it is, read with the head, and drawn of a saved project by the
 //! command line.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;

@@ -1,6 +1,5 @@
 //! What is told once, in Rust, and written from there for the page: the bounds of a document (`src/document/limits.rs`), and
 //! the project in which nothing was done.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::document::history::History;
 use inkpanel::document::{kept, limits, script, spreading, subtitles};

@@ -1,5 +1,4 @@
 //! Figures that step out of their panels: where they may be seen, and in which files.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::collections::BTreeMap;
 

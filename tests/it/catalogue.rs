@@ -1,6 +1,5 @@
 //! What people choose from: every data file and every block's file is in the catalogue, and the table of blocks
 //! in `styles/README.md` is what the descriptors say.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

@@ -1,6 +1,5 @@
 //! Comics that are read: what they tell is what the page has, in reading order, and their files are what their formats want. That
 //! people can read them is for the browser tests.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::framing::Crop;
 use inkpanel::layout::{PageSettings, ResolvedShape, catalogue, find, resolve};

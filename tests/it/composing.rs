@@ -1,5 +1,4 @@
 //! Albums that leave the composer little or nothing to choose from: a page each time, whole, and the same for the same seed.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::framing::PhotoMeta;
 use inkpanel::page::Document;

@@ -1,6 +1,5 @@
 //! The designed styles: each in a family that `styles/README.md` lists, no two alike, and none that loses the picture
 //! in haze, by night, overexposed or in dull light.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

@@ -1,6 +1,5 @@
 //! Detection on photos against ONNX Runtime and numpy; the values are made by `tests/oracles/detect.py`. And the
 //! command, as it is used.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,6 +1,5 @@
 //! What a person does to a project, step by step, and undone: the cases of the page's own tests, what must hold whatever is
 //! done, and the same answers as the page gave before (`tests/oracles/edits.mjs`).
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::document::edit::{Edit, How, Part, Shelf};
 use inkpanel::document::editor::Editor;

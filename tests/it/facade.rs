@@ -1,5 +1,4 @@
 //! What programs of others use, against the command line, and what it says to what cannot be done.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::{Album, Failure, Nets, PageOptions, Photo, Pixels, Style, layouts, pdf};
 use std::path::PathBuf;

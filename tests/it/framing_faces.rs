@@ -1,5 +1,4 @@
 //! Framing round faces, over arbitrary photos: what a search over very many crops finds possible, `frame` does.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::framing::{Crop, FACE, PhotoMeta, Subject, Target, frame};
 use proptest::prelude::*;

@@ -1,5 +1,4 @@
 //! What people get is what they got before: a page of each family of layouts, and every designed style.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
 

@@ -1,5 +1,4 @@
 //! Sounds of films: what begins in them is what librosa hears begin (`tests/oracles/hearing.py`), and nothing else.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::hearing::{Kind, events};
 use serde_json::Value;

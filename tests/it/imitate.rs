@@ -1,6 +1,5 @@
 //! Styles from a picture: designed styles, drawn on one photo, are found again for another; what has no look of its own is
 //! told; the same seed finds the same.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::raster::{Image, Plane};

@@ -1,6 +1,5 @@
 //! Files in, pixels out: every format against what Pillow sees, and every way to be broken.
 //! The files and the expectations are made by `tests/oracles/decode.py`.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
 

@@ -1,6 +1,5 @@
 //! Words that letter by the conventions of letterers: how they look, and where they go by themselves on pages of the photos
 //! that come with the program.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 #[path = "../../examples/lettering/measure.rs"]
 mod measure;

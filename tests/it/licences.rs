@@ -1,6 +1,5 @@
 //! Every npm package is under a licence that lets anybody use, change and sell what contains it; no other comes in
 //! unseen. Which those are says `deny.toml`, by which `cargo xtask test licences` checks the crates.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
 

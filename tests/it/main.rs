@@ -3,6 +3,8 @@
 //! One program links once and runs all tests in parallel. `cargo test --test it blocks::` runs the tests of one file.
 //! `tests/memory.rs` is a separate program because it counts every allocation.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a panic fails the test")]
+
 mod aesthetics;
 mod animate;
 mod batch;

@@ -1,6 +1,5 @@
 //! How many altered copies of a photo are found, and how many different photos are taken for copies.
 //! `cargo test --test near_duplicates -- --nocapture` prints the table.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 #[path = "../../examples/duplicate_table/variants.rs"]
 mod variants;
@@ -16,7 +15,7 @@ use inkpanel::simd::point::luma_plane;
 use variants::{blurred, variants};
 
 fn photos() -> Vec<Image> {
-    let folders = ["tests/photos", "www/public/samples"].map(|folder| crate::root(folder));
+    let folders = ["tests/photos", "www/public/samples"].map(crate::root);
     let mut paths: Vec<_> = folders
         .iter()
         .flat_map(|folder| fs::read_dir(folder).unwrap())

@@ -1,6 +1,5 @@
 //! The rarer kinds of each format against what Pillow sees in them: the same at 45 dB or more, or otherwise for a reason
 //! that is told. Files, pixels and reasons are made by `tests/oracles/odd.py`, which also writes docs/decoding.md.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
 

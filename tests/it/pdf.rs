@@ -1,6 +1,5 @@
 //! Pages as PDF files: their size, the pictures of their panels, and text that can be found. That they look as the page
 //! of pixels does is for the browser tests, which have a program that draws them.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::page::mask::PixelRect;
 use inkpanel::page::pdf::{Imposition, Leaf, Options, impose, picture, write};

@@ -1,5 +1,4 @@
 //! Plans on the command line: told as JSON, spread over pages, judged again, and refused where they are none.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
 use std::path::Path;

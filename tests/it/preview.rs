@@ -1,5 +1,4 @@
 //! What is shown is what is printed: every designed style at 960 x 540 looks like the same at 1920 x 1080, reduced.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
 use std::sync::Mutex;

@@ -1,5 +1,4 @@
 //! Saved projects, as they are read: whole and bounded, or refused with the place and a sentence.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 #![allow(clippy::needless_pass_by_value, reason = "JSON that is made for one call")]
 
 use inkpanel::document::file::ProjectFile;

@@ -1,6 +1,5 @@
 //! The entries that `fuzz/` fuzzes, under plain `cargo test`: files that once were a fault (`tests/regressions/NAME/`),
 //! and as many damaged copies of good ones as fit into a few seconds.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 #[allow(unreachable_pub, reason = "the fuzz targets take it as a crate of its own")]
 #[path = "../../fuzz/entries.rs"]

@@ -1,6 +1,5 @@
 //! Projects and pages that were saved are drawn again without the browser, with the pixels that the page gave them; and files
 //! of every version open as they were. `tests/data/saved/README.md` says how they are made.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::document::saved::Saved;
 use inkpanel::raster::Image;

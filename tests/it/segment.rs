@@ -1,6 +1,5 @@
 //! Subjects against ONNX Runtime, their refinement against `OpenCV`; the values are made by `tests/oracles/segment.py`. And the
 //! command, as it is used.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
 use std::path::Path;

@@ -1,6 +1,5 @@
 //! Resampling, fingerprints and sharpness against the same in numpy and scipy.
 //! The values are made by `tests/oracles/selection.py`.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
 

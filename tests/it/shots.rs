@@ -1,6 +1,5 @@
 //! Lists of shots: what they say is what `OpenTimelineIO` reads in them, to the frame (`tests/oracles/shots.py`), and what a saved
 //! project tells.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::document::file::ProjectFile;
 use inkpanel::output::shots::timecode::{Pace, Rate};

@@ -1,5 +1,4 @@
 //! Style files from anywhere: each malformed one is refused with the place and the reason, and nothing panics.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use inkpanel::style::Style;
 

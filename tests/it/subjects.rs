@@ -1,5 +1,4 @@
 //! How well the subjects of photos are cut out: the masks of the net against marks that a person made.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 #[path = "../../examples/subjects/measure.rs"]
 mod measure;

@@ -1,5 +1,4 @@
 //! Rules of the house that no compiler checks, over all files that git tracks or would track.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::collections::BTreeSet;
 use std::fs;

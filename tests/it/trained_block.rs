@@ -1,6 +1,5 @@
 //! A block of a trained operator is a data file and a descriptor, and nothing else: here is one that no other code
 //! knows, run by the chain like any other.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
 use std::sync::LazyLock;

@@ -1,6 +1,5 @@
 //! Words on the page: what is drawn is what was drawn before, inside of its shape, alike at every size, and away from
 //! faces.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 use std::fs;
 

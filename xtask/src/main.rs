@@ -66,7 +66,7 @@ enum Task {
         /// Also run the tests of a push: published modules, all page specs, lints, sizes, packages
         #[arg(long)]
         ci: bool,
-        /// Also run the tests of a night: Firefox and WebKit, thorough trials, fuzzing, validators of EPUB, the wheel
+        /// Also run the tests of a night: other browsers, thorough trials, fuzzing, validators of EPUB, the wheel
         #[arg(long)]
         all: bool,
         /// Leave out what `cargo xtask test` has tested already

