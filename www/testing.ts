@@ -15,7 +15,7 @@ import { createRequire } from 'node:module';
  * `node_modules`, and reach them through this file.
  */
 export { defineConfig, expect, test } from '@playwright/test';
-export type { TestInfo } from '@playwright/test';
+export type { Locator, TestInfo } from '@playwright/test';
 export { Builder, Key, Origin } from 'selenium-webdriver';
 export type { WebDriver, WebElement } from 'selenium-webdriver';
 /** A script that finds elements by role and accessible name in any browser. */

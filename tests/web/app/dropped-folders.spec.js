@@ -107,7 +107,7 @@ test('a link that is dropped does not make the browser leave the app, and can be
 }) => {
   await openBoard(page, ['bee.jpg']);
   /** Whether the app keeps the browser from what it does with a link. */
-  const prevented = (/** @type {import('@playwright/test').Locator} */ target) =>
+  const prevented = (/** @type {import('../../../www/testing.ts').Locator} */ target) =>
     target.evaluate((element) =>
       ['dragover', 'drop'].map((type) => {
         const dataTransfer = new DataTransfer();
