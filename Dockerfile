@@ -15,7 +15,7 @@ COPY . .
 RUN cargo xtask build && cargo build --release --package inkpanel --features cli
 
 FROM nginx:1.28-bookworm
-COPY docs/hosting/nginx.conf /etc/nginx/conf.d/default.conf
+COPY docs/reference/nginx.conf /etc/nginx/conf.d/default.conf
 COPY --from=build /inkpanel/www/dist /srv/inkpanel
 # The command line finds its nets beside itself.
 COPY --from=build /inkpanel/www/models /usr/local/bin/models

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * The page in three engines, in turns: `cargo xtask bench engines` starts it and puts its table into the README.
- * None has a graphics card here, nor the imitation of one.
+ * Times the app in three browser engines, in turns, without GPU acceleration. `cargo xtask bench engines` runs it and writes the
+ * table of docs/reports/benchmarks.md.
  */
 
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -128,12 +128,12 @@ function watchMemory(pid) {
 /** Medians, each with how many times Chromium's it is. @param {Record<string, Times[]>} runs */
 function table(runs) {
   const rows = /** @type {const} */ ([
-    ['Twelve 12-megapixel JPEG files to the first page', 'first', 'ms'],
-    ['The same, all read', 'read', 'ms'],
-    ['From there until all are searched for faces and objects', 'searched', 'ms'],
+    ['First page from twelve 12-megapixel JPEG files', 'first', 'ms'],
+    ['All twelve files read', 'read', 'ms'],
+    ['Face and object detection in all photos, after that', 'searched', 'ms'],
     [`Shuffle to visible page, after ${REST / 1000} s of rest`, 'shuffle', 'ms'],
-    ['Largest process, at most', 'most', 'MB'],
-    [`The same after ${WHILE / 1000} s of rest`, 'rested', 'MB'],
+    ['Peak memory of the largest process', 'most', 'MB'],
+    [`Its memory after ${WHILE / 1000} s of rest`, 'rested', 'MB'],
   ]);
   const of = (/** @type {string} */ name, /** @type {keyof Times} */ what) =>
     median(runs[name].map((times) => times[what]));
@@ -147,7 +147,7 @@ function table(runs) {
     lines.push(`| ${label} | ${cells.join(' | ')} |`);
   }
   const visits = runs[NAMES[0]].length;
-  return [`Medians of ${visits === 1 ? 'one visit' : `${visits} visits`} each:`, '', ...lines].join('\n');
+  return [`Each value is the median of ${visits === 1 ? 'one visit' : `${visits} visits`}.`, '', ...lines].join('\n');
 }
 
 function titled(/** @type {string} */ name) {

@@ -1,5 +1,5 @@
 // @ts-check
-/** The results as a Markdown table, and that table's place in the README. */
+/** Writes the results as a Markdown table into docs/reports/benchmarks.md. */
 
 import { readFileSync, writeFileSync } from 'node:fs';
 
@@ -52,9 +52,9 @@ export function markdown({
   const peers = Object.entries(PEERS);
   const heads = peers.map(([id, name]) => (versions[id] ? `${name} ${versions[id]}` : name));
   const lines = [
-    `Milliseconds at 1920x1080 on one thread of ${machine.cpu} (${machine.cores} cores), ${machine.browser}, medians.`,
-    "A peer's column has its time and how many times longer it takes; wasm-vips uses all cores. *Of copy* is the time",
-    `to copy the same bytes at the measured ${(machine.copySpeed / 1e9).toFixed(1)} GB/s, as a share of the block's.`,
+    `Median milliseconds at 1920 x 1080, one thread of ${machine.cpu} (${machine.cores} cores), ${machine.browser}.`,
+    'Columns of other libraries show their time and the ratio to Inkpanel. wasm-vips uses all cores.',
+    `The column *of copy* is the time to copy the same bytes at the measured ${(machine.copySpeed / 1e9).toFixed(1)} GB/s, divided by the time of the block.`,
     '',
     `| Block | ms | of copy | ${heads.join(' | ')} |`,
     `|---|--:|--:|${'--:|'.repeat(heads.length)}`,
@@ -85,98 +85,101 @@ export function markdown({
     films ||
     loops
   )
-    lines.push('', '| In the page, all workers | |', '|---|--:|');
+    lines.push('', '| In the app, all workers | |', '|---|--:|');
   if (journey) {
     lines.push(
-      `| Twelve 12-megapixel JPEG files to the first page on the screen | ${(journey.drawn / 1000).toFixed(2)} s |`,
-      `| The same files decoded by the browser itself, \`createImageBitmap\` | ${(journey.decoded / 1000).toFixed(2)} s |`,
-      `| The same files until all are read and the page stands | ${(journey.firstPage / 1000).toFixed(2)} s |`,
-      `| From the first page until its twelve photos are searched for faces and objects | ${(journey.refined / 1000).toFixed(2)} s |`,
-      `| The same, until small faces were looked for in parts of them, too | ${(journey.closer / 1000).toFixed(2)} s |`,
-      `| Shuffle to visible page, one after the other | ${Math.round(journey.shuffle)} ms |`,
-      `| The same after ${REST / 1000} s of rest | ${Math.round(journey.rested)} ms |`,
-      `| The same in the ten seconds after the first page, the slowest but one in twenty of ${journey.hurried.count} | ${Math.round(journey.hurried.ms)} ms |`,
-      `| PNG of 2480 x 3508 from the original photos | ${(journey.png / 1000).toFixed(2)} s |`,
-      `| The ${journey.listed} thumbnails of the layouts, for another page size | ${Math.round(journey.thumbnails)} ms |`,
+      `| First page from twelve 12-megapixel JPEG files | ${(journey.drawn / 1000).toFixed(2)} s |`,
+      `| Browser decode of these files, \`createImageBitmap\` | ${(journey.decoded / 1000).toFixed(2)} s |`,
+      `| All twelve files read and the page complete | ${(journey.firstPage / 1000).toFixed(2)} s |`,
+      `| Face and object detection in twelve photos, after the first page | ${(journey.refined / 1000).toFixed(2)} s |`,
+      `| Detection including small faces in photo quarters | ${(journey.closer / 1000).toFixed(2)} s |`,
+      `| Shuffle to visible page, repeated without pause | ${Math.round(journey.shuffle)} ms |`,
+      `| Shuffle to visible page after ${REST / 1000} s of rest | ${Math.round(journey.rested)} ms |`,
+      `| Shuffle in the first ten seconds, 95th percentile of ${journey.hurried.count} | ${Math.round(journey.hurried.ms)} ms |`,
+      `| PNG export at 2480 x 3508 from the original photos | ${(journey.png / 1000).toFixed(2)} s |`,
+      `| Thumbnails of ${journey.listed} layouts after a change of the page size | ${Math.round(journey.thumbnails)} ms |`,
     );
   }
   if (facts)
     lines.push(
-      `| What framing has to know of a photo: tones, edges, colours, lettering, one thread | ${short(facts)} ms |`,
+      `| Photo analysis for cropping (tones, edges, colours, lettering), one thread | ${short(facts)} ms |`,
     );
   for (const { count, ms, first } of plans ?? [])
     lines.push(
-      `| A page planned from ${count} photos, one thread (and once for each photo that is new) | ${short(ms)} ms (${short(first)} ms) |`,
+      `| Planning a page from ${count} photos, one thread (plus once per new photo) | ${short(ms)} ms (${short(first)} ms) |`,
     );
   if (masks)
-    lines.push(`| Masks and borders of a page at 2480 x 3508, slowest layout, one thread | ${short(masks.ms)} ms |`);
+    lines.push(`| Panel masks and borders at 2480 x 3508, slowest layout, one thread | ${short(masks.ms)} ms |`);
   if (detect) {
     lines.push(
-      `| Faces of a photo, one worker | ${short(detect.faces)} ms |`,
-      `| Objects of a photo, one worker | ${short(detect.objects)} ms |`,
-      `| The detectors made ready, once | ${Math.round(detect.load)} ms |`,
-      `| Subject of a photo, one worker (times as long as its objects) | ${short(detect.subject)} ms (${short(detect.subject / detect.objects)}x) |`,
+      `| Face detection in a photo, one worker | ${short(detect.faces)} ms |`,
+      `| Object detection in a photo, one worker | ${short(detect.objects)} ms |`,
+      `| Loading the detectors, once | ${Math.round(detect.load)} ms |`,
+      `| Subject mask of a photo, one worker (relative to object detection) | ${short(detect.subject)} ms (${short(detect.subject / detect.objects)}x) |`,
     );
   }
   if (figures) {
     const { pages, panels, plain, broken, ratio } = figures;
     lines.push(
-      `| A page of 1600 pixels across and ${panels} panels with a figure that steps out, and without, ${pages} pages, one thread | ${short(broken)} ms, ${short(plain)} ms (${short(ratio)}x) |`,
+      `| Page 1600 pixels wide with ${panels} panels, with and without a subject that breaks its panel, ${pages} pages, one thread | ${short(broken)} ms, ${short(plain)} ms (${short(ratio)}x) |`,
     );
   }
   if (masking) {
     const { count, during, after, first, bare } = masking;
     lines.push(
-      `| Shuffle to visible page while masks are made (${count}), and once they are there | ${Math.round(during)} ms, ${Math.round(after)} ms |`,
-      `| Twelve photos to the first page with the net of subjects on the site, and without | ${(first / 1000).toFixed(2)} s, ${(bare / 1000).toFixed(2)} s |`,
+      `| Shuffle to visible page during and after subject detection (${count} shuffles) | ${Math.round(during)} ms, ${Math.round(after)} ms |`,
+      `| First page with and without the subject model on the site | ${(first / 1000).toFixed(2)} s, ${(bare / 1000).toFixed(2)} s |`,
     );
   }
   if (aesthetics) {
     lines.push(
-      `| How good a picture looks, by NIMA, one worker | ${short(aesthetics.ms)} ms |`,
-      `| NIMA made ready, once | ${Math.round(aesthetics.load)} ms |`,
+      `| Aesthetic score (NIMA) of a picture, one worker | ${short(aesthetics.ms)} ms |`,
+      `| Loading NIMA, once | ${Math.round(aesthetics.load)} ms |`,
     );
   }
   if (crowd) {
     const { photos, first, read, found, longest, long, memory } = crowd;
     lines.push(
-      `| An album of ${photos} photos of twelve megapixels, its first page | ${(first / 1000).toFixed(2)} s |`,
-      `| The same, all read and the page drawn | ${(read / 1000).toFixed(1)} s |`,
-      `| The same, all searched for faces and objects | ${(found / 1000).toFixed(1)} s |`,
-      `| The same, longest task of the page's main thread (and tasks above 50 ms) | ${Math.round(longest)} ms (${long}) |`,
-      ...peakOf(memory),
+      `| ${photos} photos of twelve megapixels: first page | ${(first / 1000).toFixed(2)} s |`,
+      `| ${photos} photos: all read and the page drawn | ${(read / 1000).toFixed(1)} s |`,
+      `| ${photos} photos: face and object detection complete | ${(found / 1000).toFixed(1)} s |`,
+      `| ${photos} photos: longest main-thread task (number of tasks above 50 ms) | ${Math.round(longest)} ms (${long}) |`,
+      ...peakOf(`${photos} photos`, memory),
     );
   }
   for (const { minutes, first, read, memory } of footage ?? [])
     lines.push(
-      `| A film of ${minutes} minutes at 854 x 480: its first page, all its frames | ${(first / 1000).toFixed(2)} s, ${(read / 1000).toFixed(1)} s |`,
-      ...peakOf(memory),
+      `| Video of ${minutes} minutes at 854 x 480: first page, all frames | ${(first / 1000).toFixed(2)} s, ${(read / 1000).toFixed(1)} s |`,
+      ...peakOf(`Video of ${minutes} minutes`, memory),
     );
   if (making) {
     const { frames, width, height, styles, searches, hasty } = making;
     const seconds = (/** @type {number} */ ms) => (ms / 1000).toFixed(1);
     const searched = searches.map(seconds).join(', ');
     lines.push(
-      `| Designer: preview of ${width} x ${height} while a slider of a three-block chain moves, one worker | ${Math.round(frames)} pictures/s |`,
-      `| Explorer: styles invented, drawn as thumbnails, scored and compared | ${Math.round(styles)} a second |`,
-      `| A style from a picture, three pictures: from the file, four seconds after the workspace was opened, to all proposals | ${searched} s |`,
-      `| The same where the file comes with the workspace | ${seconds(hasty)} s |`,
+      `| Designer preview at ${width} x ${height} while dragging a slider (three blocks), one worker | ${Math.round(frames)} frames/s |`,
+      `| Explorer: styles generated, drawn, scored and compared | ${Math.round(styles)} per second |`,
+      `| Style from a picture, all proposals of three pictures, four seconds after opening the workspace | ${searched} s |`,
+      `| Style from a picture, with the file at once | ${seconds(hasty)} s |`,
     );
   }
   for (const { kind, frames, ms, bytes } of films ?? [])
     lines.push(
-      `| An animatic of twelve shots at 1080p as ${kind.toUpperCase()}, from the click to the file of ${Math.round(bytes / 1e6)} MB | ${((frames / ms) * 1000).toFixed(1)} frames/s |`,
+      `| Animatic of twelve shots at 1080p as ${kind.toUpperCase()}, file of ${Math.round(bytes / 1e6)} MB | ${((frames / ms) * 1000).toFixed(1)} frames/s |`,
     );
   for (const { style, pictures, ms, width, height } of loops ?? [])
     lines.push(
-      `| A panel that moves, about ${width} x ${height}, ${style}: frames decoded and drawn, one worker | ${((pictures / ms) * 1000).toFixed(1)} pictures/s |`,
+      `| Animated panel, about ${width} x ${height}, ${style}: frames decoded and drawn, one worker | ${((pictures / ms) * 1000).toFixed(1)} frames/s |`,
     );
   return lines.join('\n');
 }
 
-/** @param {number | null} memory bytes; null where the system does not tell */
-function peakOf(memory) {
-  return memory ? [`| The same, peak memory of the tab's process | ${(memory / 2 ** 30).toFixed(2)} GB |`] : [];
+/**
+ * @param {string} name
+ * @param {number | null} memory in bytes; null if the system does not report it
+ */
+function peakOf(name, memory) {
+  return memory ? [`| ${name}: peak memory of the tab process | ${(memory / 2 ** 30).toFixed(2)} GB |`] : [];
 }
 
 /** Milliseconds to copy what a row reads and writes. @param {Row} row @param {number} speed bytes a second */
@@ -190,7 +193,7 @@ function short(value) {
 }
 
 /**
- * Puts the table between the README's markers.
+ * Replaces the table between the markers.
  * @param {string} path
  * @param {string} table
  */

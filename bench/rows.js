@@ -50,7 +50,7 @@ export function rows(blocks, styles) {
   const alone = { id: 'row', name: 'Row', background: [{ block: 'to_gray' }, { block: 'to_color' }] };
   list.push({
     id: 'alone to_color',
-    label: 'To Color alone',
+    label: 'To Color',
     luma: false,
     planes: 3,
     done: 1,
@@ -82,7 +82,7 @@ function blockRow(block, luma, params) {
   const defaults = Object.fromEntries(block.params.map((/** @type {any} */ p) => [p.id, p.default]));
   const told = Object.entries(params).map(([name, value]) => `${name} ${value}`);
   const planes = (/** @type {string} */ channels) => (channels === 'luma' || (channels === 'any' && luma) ? 1 : 3);
-  // To Color alone has no colours to bring back.
+  // To Color without To GrayScale has no colours to restore.
   const gray = luma || block.id === 'to_color' ? [{ block: 'to_gray' }] : [];
   const words = [...told, luma ? 'luma' : 'colour'];
   return {

@@ -1,7 +1,7 @@
 // @ts-check
 /**
  * The benchmark: `cargo xtask bench` starts it with the folders it needs. Times every block and the same
- * operations by other libraries in one browser session, then the real page; writes JSON and the README's table.
+ * operations by other libraries in one browser session, then the real page; writes JSON and docs/reports/benchmarks.md.
  */
 
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -92,7 +92,7 @@ try {
   if (whole && !options.alone) {
     writeFileSync(join(options.target, 'bench.json'), `${JSON.stringify(results, null, 2)}\n`);
     // A table with gaps would take figures away.
-    if (broken.length === 0) insert(join(options.root, 'README.md'), table);
+    if (broken.length === 0) insert(join(options.root, 'docs/reports/benchmarks.md'), table);
   }
 } finally {
   await browser.close();

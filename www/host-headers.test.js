@@ -21,7 +21,7 @@ test('the policy of the headers is that of the page, and forbids frames of other
 });
 
 test('nginx is told the same', async () => {
-  const conf = await read('../docs/hosting/nginx.conf');
+  const conf = await read('../docs/reference/nginx.conf');
   const told = Object.fromEntries(
     [...conf.matchAll(/^ {4}add_header (\S+) "(.*)" always;$/gm)].map(([, name, value]) => [name, value]),
   );

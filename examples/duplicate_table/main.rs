@@ -22,11 +22,18 @@ const THRESHOLDS: [u32; 5] = [4, 7, 10, 13, 16];
 const ABOUT: &str = "\
 # Near-duplicates: found and mistaken
 
-Written by `cargo xtask duplicates`, over the photos of the tests and the sample album. Each photo is altered in the ways
-of the first table and put into one album with all the others and all their copies, which is then grouped as the page
-groups it. A *pair* is two pictures of that album in one group. *Precision* is the share of pairs that are of one photo,
-*recall* the share of the copies that lie in the group of their photo. The corner that is cut off moves everything by a
-twentieth, beyond what the fingerprint is for; it is left out of the last line and of the second table.
+This report measures how reliably Inkpanel groups similar photos.
+`cargo xtask duplicates` writes it from the test photos and the sample album.
+
+Every photo is altered in the ways that the first table lists.
+All photos and all copies form one album, which is grouped like an album in the app.
+
+- Pair: two pictures of the album in one group.
+- Precision: the share of pairs that come from one photo.
+- Recall: the share of copies in the group of their photo.
+
+A crop at a corner moves the content by a twentieth, which the fingerprint does not tolerate by design.
+The last line and the second table exclude it.
 ";
 
 /// A copy in the album: the number of its photo, and of its kind (0 is the photo itself).
@@ -110,7 +117,7 @@ fn written(names: &[&str], album: &[Picture], photos: usize) -> String {
             all = (all.0 + one.0, all.1 + one.1);
         }
     }
-    let _ = writeln!(text, "| all but the corner | {} |", percent(all));
+    let _ = writeln!(text, "| all except the corner | {} |", percent(all));
     let meant: Vec<&Picture> = album.iter().filter(|copy| copy.kind == 0 || is_meant(copy.kind)).collect();
     let _ = writeln!(text, "\n| Threshold | Precision | Recall | Wrong pairs |\n|--:|--:|--:|--:|");
     for threshold in THRESHOLDS {

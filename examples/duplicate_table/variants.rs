@@ -18,17 +18,17 @@ pub(crate) fn variants(image: &Image) -> Vec<(&'static str, Image)> {
     vec![
         ("JPEG at quality 25", as_jpeg(image, 25)),
         ("half the size", half),
-        ("a third of the size", third),
-        ("darker, x .8", each_sample(image, |v| f64::from(v) * 0.8)),
+        ("1/3 of the size", third),
+        ("darker, x 0.8", each_sample(image, |v| f64::from(v) * 0.8)),
         ("brighter, x 1.2", each_sample(image, |v| f64::from(v) * 1.2)),
-        ("gamma .8", each_sample(image, |v| 255.0 * (f64::from(v) / 255.0).powf(0.8))),
+        ("gamma 0.8", each_sample(image, |v| 255.0 * (f64::from(v) / 255.0).powf(0.8))),
         ("noise, sigma 12", with_noise(image, 12.0)),
-        ("blurred to a sixth", blurred(image, 1.0 / 6.0)),
-        ("cut by 5 %", cut(image, 0.025, 0.025, 0.95)),
-        ("cut by 10 %", cut(image, 0.05, 0.05, 0.9)),
-        ("cut by 10 % at a corner", cut(image, 0.0, 0.0, 0.9)),
-        ("turned by 1 degree", turned(image, 1.0)),
-        ("turned by 3 degrees", turned(image, 3.0)),
+        ("blurred to 1/6", blurred(image, 1.0 / 6.0)),
+        ("cropped by 5 %", cut(image, 0.025, 0.025, 0.95)),
+        ("cropped by 10 %", cut(image, 0.05, 0.05, 0.9)),
+        ("cropped by 10 % at a corner", cut(image, 0.0, 0.0, 0.9)),
+        ("rotated by 1 degree", turned(image, 1.0)),
+        ("rotated by 3 degrees", turned(image, 3.0)),
     ]
 }
 

@@ -31,14 +31,15 @@ const ASPECTS: [f64; 9] = [0.4, 0.5, 0.67, 0.8, 1.0, 1.25, 1.5, 2.0, 2.5];
 
 /// What stands above the table.
 const ABOUT: &str = "\
-# Faces: found, missed, cut
+# Face detection: found, missed and cut
 
-Written by `cargo xtask faces`, over the sample album, the photos of the tests, and `sample1` to `sample6` of the npm
-package `@vladmandic/face-api` 1.7.15, which are for tests only. *Faces* are those that a person marked
-(`examples/face_table/truth.json`): a thirtieth of the photo's longer side or more. Each photo is framed for nine
-panels from 0.4 to 2.5 times as wide as high, by contrast alone (*before*) and by what was found (*after*). A face is
-cut when a panel shows a part of it only; *avoidable* are the cuts after, for which a crop exists that holds a face and
-cuts none.
+This report shows how many faces the detector finds, and how many of them panels cut.
+`cargo xtask faces` writes it.
+
+- Photos: the sample album, the test photos, and `sample1` to `sample6` of the npm package `@vladmandic/face-api` 1.7.15.
+- Faces: a person marked them in `examples/face_table/truth.json`. Each is at least 1/30 of the longer side of its photo.
+- Cut before, cut after: each photo is cropped for nine panels with aspect ratios from 0.4 to 2.5. The crop before detection uses contrast only. A face is cut if a panel shows only a part of it.
+- Avoidable: cuts after detection, if another crop contains a face and cuts no face.
 ";
 
 /// The part of two boxes' union that both have, from which on they are the same face.

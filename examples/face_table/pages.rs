@@ -15,13 +15,13 @@ use crate::seen::seen;
 const ABOUT: &str = "\
 ## Whole pages
 
-Each photo with a face, framed for every panel of every layout on the page that it was drawn for, with its slanted edges,
-its circles and the overlays that lie on it with their halo; and for every merge of its panels, with the gutters inside of
-the image. A face or head (the face with hair and ears) is *cut* when more than 8 % of it is seen and less than 90 % in one
-panel, counted by points against the exact outlines. *Avoidable* are those for which a crop of the same shape exists that
-shows a face or head whole and cuts none.
+Each photo with a face is cropped for every panel of every layout, including slanted edges, circles and overlays.
+It is also cropped for every group of panels that can share one photo, with the gutters inside the image.
+A face is cut if a panel shows between 8 % and 90 % of it, measured with points against the exact outlines.
+A head is the face with hair and ears.
+A cut is avoidable if another crop of the same shape shows a face or head completely and cuts no other.
 
-| Panels | Framed | Faces cut | Avoidable | Heads cut, the face whole | Avoidable |
+| Panels | Crops | Faces cut | Avoidable | Heads cut, face complete | Avoidable |
 |---|--:|--:|--:|--:|--:|
 ";
 /// Steps of the sizes and places of crops that are tried for a cut that could be avoided.
@@ -54,7 +54,7 @@ pub(crate) fn table(photos: &[&PhotoMeta]) -> String {
     };
     let all: Vec<[Counts; 3]> = catalogue().par_iter().map(of).collect();
     let mut text = ABOUT.to_owned();
-    for (kind, name) in ["upright rectangles", "slanted, round, under overlays", "merged"].iter().enumerate()
+    for (kind, name) in ["rectangles", "slanted, round or below overlays", "merged"].iter().enumerate()
     {
         let mut total = Counts::default();
         for counts in &all {

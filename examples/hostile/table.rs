@@ -7,13 +7,15 @@ use crate::Outcome;
 
 /// What stands above the table.
 pub(crate) const ABOUT: &str = "\
-# Hostile files
+# Malformed files
 
-Written by `cargo xtask corpora`; `cargo xtask test corpora` replays the same. The files come from Debian's package
-`gdk-pixbuf-tests` and from the sources of libpng in the crate `libpng-src` 0.2.3, by the package managers, and are not
-kept here; those *made here* come from `examples/hostile/made.rs`: records that inflate to 900 MB, tiles and planes of all
-sizes, fields that lie, screens that are no frames. Each file is read as the page reads it; one that panics, takes more than five seconds or more memory than
-the limit (1 GiB) fails the suite. Times are those of a build for tests. *Memory* is the most that one file took.
+This report shows how the decoders handle malformed and malicious files.
+`cargo xtask corpora` writes it, and `cargo xtask test corpora` repeats the run.
+
+- The files come from the Debian package `gdk-pixbuf-tests` and the crate `libpng-src` 0.2.3. Package managers download them; the repository does not contain them.
+- `examples/hostile/made.rs` generates the files *made here*: records that inflate to 900 MB, tiles and planes of many sizes, wrong fields, and frames outside the screen.
+- Inkpanel reads each file as the app does. The suite fails if a file causes a panic, takes more than five seconds, or needs more than 1 GiB.
+- Times are from a test build. *Memory* is the largest peak of one file.
 ";
 
 /// The table of all corpora, and their sum.
@@ -30,7 +32,7 @@ pub(crate) fn written(corpora: &[(String, Vec<Outcome>)]) -> String {
             words.iter().map(|word| outcomes.iter().filter(|one| one.word == *word).count().to_string());
         let slowest = outcomes.iter().map(|one| one.time.as_millis()).max().unwrap_or(0);
         let memory = outcomes.iter().filter_map(|one| one.memory).max();
-        let memory = memory.map_or("not told".to_owned(), |bytes| format!("{} MB", bytes >> 20));
+        let memory = memory.map_or("not known".to_owned(), |bytes| format!("{} MB", bytes >> 20));
         let counts = counts.collect::<Vec<_>>().join(" | ");
         // Writing to a string cannot fail.
         let _ = writeln!(text, "| {name} | {} | {counts} | {slowest} ms | {memory} |", outcomes.len());

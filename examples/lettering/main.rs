@@ -1,9 +1,9 @@
 //! How well words are placed by themselves, in figures and to look at.
 //!
-//!     cargo run --features cli --example lettering                       prints the figures of docs/lettering.md
+//!     cargo run --features cli --example lettering                       prints the figures of docs/design/lettering.md
 //!     cargo run --features cli --example lettering -- draw FOLDER [N]    draws the first N pages, in their styles
 //!     cargo run --features cli --example lettering -- kinds FILE.png     draws one of each kind of word
-//!     cargo run --features cli --example lettering -- masks              the same by boxes and by the masks of the net: docs/masks.md
+//!     cargo run --features cli --example lettering -- masks              the same by boxes and by the masks of the net: docs/design/subjects.md
 //!     cargo run --features cli --example lettering -- detect             looks at the photos again: tests/data/lettering.json
 
 mod measure;

@@ -5,7 +5,7 @@
 Every folder in ALBUMS is an album, and becomes PAGES/<folder>.pdf, or .png, or with --parquet a row of a table in PAGES. Albums whose
 page is there already are skipped, so a job that was stopped goes on where it was. What cannot be made is a row of the error table, PAGES/errors.jsonl, and not the end
 of the job: the album, the photo where it is about one, a code, and a sentence. Needs `pip install inkpanel "ray[data]"`; with
-the variable RAY_ADDRESS it runs on that cluster, whose machines have to see both folders. docs/batches.md tells more.
+the variable RAY_ADDRESS it runs on that cluster, whose machines have to see both folders. docs/guide/batches.md tells more.
 """
 
 import argparse

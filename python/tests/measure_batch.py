@@ -1,4 +1,4 @@
-"""Measures examples/batch_ray.py with one worker and with two, for docs/batches.md: prints its figures.
+"""Measures examples/batch_ray.py with one worker and with two, for docs/guide/batches.md: prints its figures.
 
     python python/tests/measure_batch.py FOLDER [ALBUMS]
 

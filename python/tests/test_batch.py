@@ -174,7 +174,7 @@ def test_pages_as_rows_of_parquet(albums, tmp_path):
 
 
 def test_ten_lines_of_dask_do_the_same(albums, tmp_path):
-    lines = re.search(r"```python\n(.*?)```", (ROOT / "docs/batches.md").read_text(), re.DOTALL)[1]
+    lines = re.search(r"```python\n(.*?)```", (ROOT / "docs/guide/batches.md").read_text(), re.DOTALL)[1]
     (tmp_path / "albums").mkdir()
     for number in [1, 2, 7]:
         (tmp_path / f"albums/album-{number:03}").symlink_to(albums / f"album-{number:03}")

@@ -1,5 +1,5 @@
 //! The rarer kinds of each format against what Pillow sees in them: the same at 45 dB or more, or otherwise for a reason
-//! that is told. Files, pixels and reasons are made by `tests/oracles/odd.py`, which also writes docs/decoding.md.
+//! that is told. Files, pixels and reasons are made by `tests/oracles/odd.py`, which also writes docs/reference/decoding.md.
 
 use std::fs;
 

@@ -4,7 +4,7 @@
     python3 tests/oracles/odd.py        (numpy, pillow, tifffile, imagecodecs)
 
 Writes tests/oracles/data/odd/*, `odd.bin` (RGB pixels of what Pillow opens, upright, flattened on white), `odd.json` (per
-file: size, where its pixels begin in odd.bin, and why Inkpanel sees it otherwise, where it does) and docs/decoding.md.
+file: size, where its pixels begin in odd.bin, and why Inkpanel sees it otherwise, where it does) and docs/reference/decoding.md.
 """
 
 import io
@@ -35,38 +35,38 @@ BITS = (GREY > 120).astype(np.uint8)
 LARGE = np.asarray(Image.fromarray(RGB).resize((105, 70), Image.Resampling.BICUBIC))
 
 # Why Inkpanel sees otherwise what Pillow opens. A file that stands here and agrees fails the test, as does the contrary.
-CLEAR = "What the first frame does not cover is clear, as in browsers; Pillow takes the first colour of the palette."
-CUT = "A JPEG file that is cut short is refused, never drawn with a grey foot; Pillow was told to open it here."
-SCANS = "Scans are missing: the blocks are drawn as they are, libjpeg smooths them."
-PLANES = "Pillow reads wide samples in planes without compression as bytes, each column twice; compressed they agree."
+CLEAR = "The area outside the first frame is transparent, like in browsers. Pillow fills it with the first palette colour."
+CUT = "Truncated JPEG files are rejected. Pillow draws a gray area instead (LOAD_TRUNCATED_IMAGES)."
+SCANS = "Scans are missing. Inkpanel draws the blocks unchanged; libjpeg smooths them."
+PLANES = "Pillow reads uncompressed planar 16-bit samples as bytes, each column twice. Compressed files agree."
 REASONS = {
-    "bmp-os2-v2.bmp": "The long header of OS/2 2 is refused: its makers are gone, and so are their files.",
-    "bmp-fields-24.bmp": "Fields of 24 bits are refused; no program but Pillow's tests writes them.",
-    "bmp-fields-none.bmp": "Fields without a mask are refused: they say nothing about the colours.",
-    "bmp-alpha-zero.bmp": "Where all alpha is zero the maker forgot it: the colours are shown, as browsers do.",
-    "bmp-rle8-steps.bmp": "Pixels that the runs of a BMP pass over have no colour: black here, the palette's first in Pillow.",
+    "bmp-os2-v2.bmp": "The long OS/2 2 header is not supported: such files are hardly in use any more.",
+    "bmp-fields-24.bmp": "Bit fields of 24 bits are not supported. Only the tests of Pillow write them.",
+    "bmp-fields-none.bmp": "Bit fields without a mask are rejected, because they do not define the colours.",
+    "bmp-alpha-zero.bmp": "If alpha is zero everywhere, Inkpanel ignores it and shows the colours, like browsers.",
+    "bmp-rle8-steps.bmp": "Pixels that the runs skip have no defined colour. Inkpanel makes them black; Pillow uses the first palette colour.",
     "gif-offset.gif": CLEAR,
     "gif-smaller.gif": CLEAR,
     "gif-screen-narrow.gif": CLEAR,
     "jpeg-cut.jpg": CUT,
-    "jpeg-patched.jpg": "Data are missing though the end is in its place: what stands there is chance, in any decoder.",
+    "jpeg-patched.jpg": "Data is missing, but the end marker is present. The result is random in every decoder.",
     "jpeg-progressive-1-scans.jpg": SCANS,
     "jpeg-progressive-3-scans.jpg": SCANS,
     "jpeg-progressive-cut.jpg": CUT,
-    "tiff-bigtiff.tif": "BigTIFF is for files beyond 4 GB, which no photo is; it is refused.",
-    "tiff-bits-12.tif": "Samples of 12 bits are refused: scientific cameras write them.",
-    "tiff-fax3.tif": "Only group 4 of the fax methods is read; group 3 is of scanned letters.",
-    "tiff-float.tif": "Floats are light of 0 to 1, as all who write them mean it; Pillow cuts them off at 0 and 255.",
-    "tiff-grey-16-inverted.tif": "Pillow forgets that 0 is white where samples have 16 bits.",
-    "tiff-int16.tif": "Whole numbers with a sign are refused: they are heights and measurements, not light.",
+    "tiff-bigtiff.tif": "BigTIFF is not supported. It is for files larger than 4 GB.",
+    "tiff-bits-12.tif": "12-bit samples are not supported. Scientific cameras write them.",
+    "tiff-fax3.tif": "Group 4 is the only supported fax compression. Group 3 is for scanned letters.",
+    "tiff-float.tif": "Floating-point samples range from 0 to 1, as writers intend. Pillow clips them at 0 and 255.",
+    "tiff-grey-16-inverted.tif": "Pillow ignores WhiteIsZero for 16-bit samples.",
+    "tiff-int16.tif": "Signed integers are not supported. They are heights and measurements, not light.",
     "tiff-planes-16-big.tif": PLANES,
     "tiff-planes-16-tiles.tif": PLANES,
     "tiff-planes-16.tif": PLANES,
-    "tiff-uint32.tif": "Whole numbers of 32 bits are refused: they are measurements, not light.",
-    "tiff-lab.tif": "L*a*b* is refused.",
-    "tiff-lzma.tif": "LZMA is refused: its decoder would weigh more than all else of TIFF.",
-    "tiff-zstd.tif": "Zstandard is refused: its decoder would weigh more than all else of TIFF.",
-    "tiff-ycbcr-2x2.tif": "Colours at half the size are read in JPEG only.",
+    "tiff-uint32.tif": "32-bit integers are not supported. They are measurements, not light.",
+    "tiff-lab.tif": "L*a*b* is not supported.",
+    "tiff-lzma.tif": "LZMA is not supported. Its decoder would be larger than the rest of the TIFF decoder.",
+    "tiff-zstd.tif": "Zstandard is not supported. Its decoder would be larger than the rest of the TIFF decoder.",
+    "tiff-ycbcr-2x2.tif": "Chroma subsampling is supported only in JPEG files.",
 }
 
 
@@ -454,14 +454,18 @@ def seen(path):
 
 
 TABLE = """\
-# What is seen otherwise
+# Decoding differences from Pillow
 
-Written by `tests/oracles/odd.py`, which makes {count} small files of the rarer kinds of JPEG, PNG, WebP, GIF, BMP and TIFF:
-depths, planes, tiles, predictors, alpha of all kinds, palettes, inks, screens that are no frames, scans that are missing.
-Of these Pillow {version} opens {open}; `tests/odd_files.rs` holds that Inkpanel sees the same in {same} of them, at 45 dB or
-more, and otherwise only what stands here.
+This page lists the files that Inkpanel reads differently from Pillow, for integrators who compare pixels.
+`tests/oracles/odd.py` writes it.
 
-| File | Why |
+The script makes {count} small files with rare variants of JPEG, PNG, WebP, GIF, BMP and TIFF.
+They cover bit depths, planes, tiles, predictors, alpha modes, palettes, inks, frames outside the screen and missing scans.
+Pillow {version} opens {open} of them.
+Inkpanel gives the same pixels for {same}, at 45 dB or more.
+`tests/odd_files.rs` checks this and fails for any other difference.
+
+| File | Reason |
 |---|---|
 """
 
@@ -494,7 +498,7 @@ def main():
     import PIL
     about = TABLE.format(count=len(index), version=PIL.__version__, open=len(opened), same=len(opened) - len(REASONS))
     rows = "".join(f"| `{name}` | {reason} |\n" for name, reason in sorted(REASONS.items()))
-    (HERE.parent.parent / "docs/decoding.md").write_text(about + rows)
+    (HERE.parent.parent / "docs/reference/decoding.md").write_text(about + rows)
 
 
 main()

@@ -15,7 +15,7 @@ import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-import { prose, sentences, words } from './extract.mjs';
+import { LABEL, prose, sentences, words } from './extract.mjs';
 import { LONGEST, RULES } from './rules.mjs';
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
@@ -137,7 +137,7 @@ function unknownLabels() {
   const known = (/** @type {string} */ label) => [`'${label}'`, `"${label}"`, `\`${label}\``].some((text) => strings.includes(text));
   const guides = files().filter((path) => /^docs\/guide\/[\w-]+\.md$/.test(path));
   return guides.flatMap((path) => {
-    const labels = [...readFileSync(join(ROOT, path), 'utf8').matchAll(/\*\*([^*]+?[^*.:])\*\*/g)].map((match) => match[1]);
+    const labels = [...readFileSync(join(ROOT, path), 'utf8').matchAll(LABEL)].map((match) => match[1]);
     return labels.filter((label) => !known(label)).map((label) => `  ${path}: **${label}** is not a string of www/strings/en`);
   });
 }

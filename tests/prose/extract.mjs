@@ -5,6 +5,9 @@
  * @typedef {{ kind: 'markdown' | 'comment' | 'string', lines: Line[] }} Block
  */
 
+/** A control in a guide. Bold text that ends in a full stop or a colon is not one. */
+export const LABEL = /\*\*([^*\n]*[^*\n.:?])\*\*/g;
+
 /**
  * @param {string} path relative to the top folder
  * @param {string} text
@@ -14,7 +17,8 @@ export function prose(path, text) {
   const kind = /\.(\w+)$/.exec(path)?.[1] ?? '';
   switch (kind) {
     case 'md':
-      return markdown(numbered(text), 'markdown');
+      // Guides print controls in bold, as the app names them.
+      return markdown(numbered(path.startsWith('docs/guide/') ? text.replace(LABEL, '`control`') : text), 'markdown');
     case 'rs':
     case 'ts':
     case 'tsx':
@@ -308,4 +312,4 @@ export function sentences({ lines, kind }) {
 }
 
 /** Counts the words of a text. */
-export const words = (/** @type {string} */ text) => text.match(/[\p{L}\p{N}][\p{L}\p{N}'’.,-]*/gu)?.length ?? 0;
+export const words = (/** @type {string} */ text) => text.match(/\p{L}[\p{L}\p{N}'’-]*/gu)?.length ?? 0;

@@ -9,7 +9,7 @@ import { LANGUAGES, localeOf, pickLanguage } from './language.ts';
 import { filled } from './partial.ts';
 import { inLanguage, translations } from './testing.ts';
 
-/** Languages that may lack words, which are then said in English (`docs/translating.md`). */
+/** Languages that may lack words, which are then said in English (`docs/guide/translating.md`). */
 const PARTIAL: readonly string[] = [];
 
 const others = Object.entries(translations).filter(([code]) => code !== 'en');

@@ -18,7 +18,7 @@ const ALBUMS: usize = 100;
 const PHOTOS: usize = 12;
 
 /// Makes albums of the repository's photos, has each drawn as a page of A4 in a PDF file, and writes the table of
-/// `docs/batches.md`.
+/// `docs/guide/batches.md`.
 ///
 /// # Errors
 /// When something cannot be built or written, or an album does not become a page.
@@ -52,17 +52,17 @@ pub fn run(project: &Project) -> Result<()> {
     };
     let [one, two, all] = [drawn(1, Some(1))?, drawn(2, Some(1))?, drawn(1, None)?];
     let table = format!(
-        "| {ALBUMS} albums of {PHOTOS} photos of .1 to 1.9 megapixels, faces and objects looked for, a page of A4 at 300 dpi as PDF | pages a minute |\n\
+        "| {ALBUMS} albums of {PHOTOS} photos of 0.1 to 1.9 megapixels, detection, one A4 page at 300 DPI as PDF | Pages per minute |\n\
          |---|--:|\n\
-         | one worker of one thread | {one:.1} |\n\
-         | two of them | {two:.1}, {:.2} times as many |\n\
-         | one album after the other, each by all of {} cores | {all:.1}, {:.2} times as many |",
+         | One process with one thread | {one:.1} |\n\
+         | Two processes with one thread each | {two:.1} ({:.2} times) |\n\
+         | One process with all {} cores, one album after another | {all:.1} ({:.2} times) |",
         two / one,
         thread::available_parallelism()?,
         all / one,
     );
     println!("{table}");
-    tables::put(&project.root.join("docs/batches.md"), "batch", &table)
+    tables::put(&project.root.join("docs/guide/batches.md"), "batch", &table)
 }
 
 /// Folders of photos, each with others of the repository's.

@@ -32,7 +32,7 @@ pub fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
         tools::run(playwright.env("INKPANEL_TARGET", &project.target))?;
         let table = fs::read_to_string(project.target.join("bench/engines.md"))?;
         println!("{table}");
-        return tables::put(&project.root.join("README.md"), "engines", &table);
+        return tables::put(&project.root.join(tables::BENCHMARKS), "engines", &table);
     }
     // Rows need the blocks alone; the site takes minutes.
     if filter.is_empty()

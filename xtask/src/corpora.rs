@@ -18,7 +18,7 @@ const CRATE: (&str, &str, &str) =
     ("libpng-src", "0.2.3", "6189252c6416ae6e97e267f143cfa9ab639bbddfafddf9c6108c07669ebc090b");
 const CRATE_FOLDER: &str = "libpng/contrib";
 
-/// Replays all and writes `docs/hostile.md`.
+/// Replays all and writes `docs/reports/malformed-files.md`.
 ///
 /// # Errors
 /// When a corpus cannot be obtained, or a file is a fault.
@@ -27,7 +27,7 @@ pub fn write(project: &Project) -> Result<()> {
     if let Some(reason) = missing.first() {
         bail!("the table needs all files: {reason}");
     }
-    tools::run(replay(project, "docs/hostile.md")?.args(folders))
+    tools::run(replay(project, "docs/reports/malformed-files.md")?.args(folders))
 }
 
 /// Replays what can be obtained, and says loudly what cannot.

@@ -23,7 +23,7 @@ const CLIPS: [(&str, &str); 3] = [
 /// Milliseconds between frames.
 const STEP: &str = "200";
 
-/// Writes `docs/near-duplicates.md`.
+/// Writes `docs/reports/near-duplicates.md`.
 ///
 /// # Errors
 /// When a folder cannot be listed or the program fails.
@@ -31,7 +31,7 @@ pub fn run(project: &Project) -> Result<()> {
     let mut photos = photos_in(&own_folders(project))?;
     photos.sort();
     let mut cargo = project.cargo();
-    cargo.args(["run", "--features", CLI, "--example", "duplicate_table", "--", "docs/near-duplicates.md"]);
+    cargo.args(["run", "--features", CLI, "--example", "duplicate_table", "--", "docs/reports/near-duplicates.md"]);
     tools::run(cargo.arg(frames(project)?).args(photos))
 }
 

@@ -73,7 +73,7 @@ enum Task {
         #[arg(long)]
         skip_default: bool,
     },
-    /// Time every block beside other libraries, and the page; writes target/bench.json and the README's table
+    /// Time every block beside other libraries, and the page; writes target/bench.json and docs/reports/benchmarks.md
     Bench {
         /// Time only rows whose name has one of these words, and write nothing
         rows: Vec<String>,
@@ -88,16 +88,16 @@ enum Task {
         /// Folders with more photos to fit to, beside the sample album
         folders: Vec<String>,
     },
-    /// Count the faces found, missed and cut by panels into docs/faces.md, and draw target/faces.jpg
+    /// Count the faces found, missed and cut by panels into docs/reports/faces.md, and draw target/faces.jpg
     Faces,
-    /// Draw 48 automatic pages into target/pages, and count what two hundred of them cut and repeat into docs/automatic-pages.md
+    /// Draw 48 automatic pages into target/pages, and count what two hundred of them cut and repeat into docs/reports/automatic-pages.md
     Pages {
         /// Folders of other photos; their table is printed
         folders: Vec<String>,
     },
-    /// Read files made to break decoders, and count what became of them into docs/hostile.md
+    /// Read files made to break decoders, and count what became of them into docs/reports/malformed-files.md
     Corpora,
-    /// Count near-duplicates found and taken for one into docs/near-duplicates.md
+    /// Count near-duplicates found and taken for one into docs/reports/near-duplicates.md
     Duplicates,
     /// Store what is drawn and written now as what it should be, list what changed, and fail if anything did
     Bless {

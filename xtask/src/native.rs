@@ -11,7 +11,7 @@ use crate::{tables, tools};
 /// What is installed from the Python registry, in an environment below `target`.
 const PEER: &str = "opencv-python-headless==5.0.0.93";
 
-/// Builds for this machine's processor, as `OpenCV` chooses its kernels by it, measures, and writes the README's table.
+/// Builds for this machine's processor, as `OpenCV` chooses its kernels by it, measures, and writes a table of [`tables::BENCHMARKS`].
 pub fn run(project: &Project) -> Result<()> {
     let folder = project.target.join("native");
     let photo = project.root.join("www/public/samples/06-castle.jpg");
@@ -29,5 +29,5 @@ pub fn run(project: &Project) -> Result<()> {
     let script = project.root.join("bench/native.py");
     let table = tools::output(Command::new(&python).arg(script).arg(&photo).arg(&times))?;
     println!("{table}");
-    tables::put(&project.root.join("README.md"), "native", &table)
+    tables::put(&project.root.join(tables::BENCHMARKS), "native", &table)
 }

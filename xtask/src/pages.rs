@@ -10,7 +10,7 @@ use crate::project::Project;
 use crate::test::CLI;
 use crate::tools;
 
-/// Draws 48 pages into `target/pages`, scores apart, and writes `docs/automatic-pages.md` where the photos are the repository's own.
+/// Draws 48 pages into `target/pages`, scores apart, and writes `docs/reports/automatic-pages.md` where the photos are the repository's own.
 ///
 /// # Errors
 /// Where a folder cannot be listed, or the example fails.
@@ -20,7 +20,7 @@ pub fn run(project: &Project, folders: &[String]) -> Result<()> {
     let folders = if own { own_folders(project) } else { folders.iter().map(PathBuf::from).collect() };
     let photos = photos_in(&folders)?;
     let sheet = project.target.join("pages");
-    let table = if own { project.root.join("docs/automatic-pages.md") } else { PathBuf::from("-") };
+    let table = if own { project.root.join("docs/reports/automatic-pages.md") } else { PathBuf::from("-") };
     for (task, output) in [("sheet", &sheet), ("table", &table)] {
         let mut cargo = project.cargo();
         cargo.args(["run", "--release", "--features", CLI, "--example", "composer", "--", task]);

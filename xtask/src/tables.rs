@@ -1,11 +1,14 @@
-//! Tables of measured figures in the documents: each stands between two markers of its name.
+//! Tables of measurements in documents, each between two named markers.
 
 use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 
-/// Puts a table into a document, in the place of the last one of that name.
+/// The document with the tables of the benchmarks.
+pub(crate) const BENCHMARKS: &str = "docs/reports/benchmarks.md";
+
+/// Replaces the table of this name in a document.
 ///
 /// # Errors
 /// When the document cannot be read or written, or lacks the markers.

@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * `node main.js export FOLDER [LANGUAGE]` and `node main.js import FILE`, which `cargo xtask translations` calls. `docs/translating.md`
+ * `node main.js export FOLDER [LANGUAGE]` and `node main.js import FILE`, which `cargo xtask translations` calls. `docs/guide/translating.md`
  * is for those who translate.
  */
 
@@ -30,7 +30,7 @@ function writeAll(folder, wanted) {
     if (hasMoreForms(language)) console.log(`${language} counts in more than two forms: write these sentences by hand`);
     for (const context of code) console.log(`  by hand, as its translation is code: ${context}`);
   }
-  console.log(`${all.code.length} sentences are code in English and translated by hand (docs/translating.md):`);
+  console.log(`${all.code.length} sentences are code in English and translated by hand (docs/guide/translating.md):`);
   for (const context of all.code) console.log(`  ${context}`);
 }
 
@@ -57,7 +57,7 @@ function readOne(file) {
       console.log(`name ${name}.ts in www/strings/${language}/index.ts`);
     }
   }
-  if (isNew && changed > 0) console.log(`a new language: docs/translating.md says where ${language} is named besides`);
+  if (isNew && changed > 0) console.log(`a new language: docs/guide/translating.md says where ${language} is named besides`);
   for (const why of refused) console.error(`not taken: ${why}`);
   if (refused.length > 0) process.exitCode = 1;
 }
