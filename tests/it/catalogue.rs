@@ -66,7 +66,7 @@ fn the_readme_of_the_styles_lists_the_blocks_as_they_are() {
 }
 
 fn blocks_table() -> String {
-    let mut table = String::from("| block | parameters | what it does |\n|---|---|---|\n");
+    let mut table = String::from("| Block | Parameters | Effect |\n|---|---|---|\n");
     for block in told(&catalogue::blocks()).as_array().unwrap() {
         let params: Vec<_> = block["params"].as_array().unwrap().iter().map(parameter).collect();
         let cells = [format!("`{}`", text(block, "id")), params.join("; "), text(block, "help")];

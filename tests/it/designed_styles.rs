@@ -26,7 +26,7 @@ const FAMILIES: &[(&str, &str)] = &[
     ("vintage", "Faded photos and prints."),
     ("duotone", "Two or three colours from shadow to light."),
     ("blueprint", "Light lines on a dark ground, screens."),
-    ("paper", "Chains after those that the paper prints."),
+    ("paper", "Filter chains of the original paper."),
 ];
 
 /// Fewest designed styles.
@@ -107,7 +107,7 @@ fn there_are_many_and_each_is_in_its_families() {
 /// With `BLESS=1` the table is written anew, and the test fails for once.
 #[test]
 fn the_readme_lists_the_families_as_they_are() {
-    let mut expected = String::from("| family | look | styles |\n|---|---|---|\n");
+    let mut expected = String::from("| Family | Look | Styles |\n|---|---|---|\n");
     for (family, look) in FAMILIES {
         let members = catalogue().iter().filter(|style| style.tags.first().is_some_and(|tag| tag == family));
         let names: Vec<&str> = members.map(|style| style.name.as_str()).collect();

@@ -175,12 +175,18 @@ def main():
     work = parser.parse_args().work
     work.mkdir(parents=True, exist_ok=True)
     folders = fetch(work)
-    made_by = "Made by `tests/oracles/samples.py`; licences as stated in the packages (for gcompris-qt-data in the README files inside its resource files, for scikit-image in the docstrings of `skimage.data`, for scikit-learn in `datasets/images/README.txt`, for scipy in the docstring of `scipy.misc.face`, for lomiri-wallpapers in Debian's copyright file)."
+    made_by = """`tests/oracles/samples.py` makes these files. The licences are stated in the packages:
+
+- gcompris-qt-data: README files in its resource files
+- scikit-image: docstrings of `skimage.data`
+- scikit-learn: `datasets/images/README.txt`
+- scipy: docstring of `scipy.misc.face`
+- lomiri-wallpapers: copyright file of Debian"""
     licences = "CC0-1.0: https://creativecommons.org/publicdomain/zero/1.0/ · CC-BY-2.0: https://creativecommons.org/licenses/by/2.0/ · CC-BY-4.0: https://creativecommons.org/licenses/by/4.0/"
     album = ROOT / "www/public/samples"
-    index = make(folders, ALBUM, album, 1600, 82, f"# Where the sample photos come from\n\n{made_by}\n\n{licences}")
+    index = make(folders, ALBUM, album, 1600, 82, f"# Origin of the sample photos\n\n{made_by}\n\n{licences}")
     (album / "index.json").write_text(json.dumps(index, ensure_ascii=False, indent=1) + "\n")
-    make(folders, HELD_OUT, ROOT / "tests/photos", 800, 82, f"# Where the test photos come from\n\nHeld out: none of them is in the sample album.\n\n{made_by}\n\n{licences}")
+    make(folders, HELD_OUT, ROOT / "tests/photos", 800, 82, f"# Origin of the test photos\n\nThese photos are held out: the sample album contains none of them.\n\n{made_by}\n\n{licences}")
 
 
 main()

@@ -2,7 +2,7 @@
 
 /**
  * @typedef {{ line: number, text: string }} Line
- * @typedef {{ kind: 'markdown' | 'comment' | 'string', lines: Line[] }} Block
+ * @typedef {{ kind: 'markdown' | 'comment' | 'string' | 'cell', lines: Line[] }} Block
  */
 
 /** A control in a guide. Bold text that ends in a full stop or a colon is not one. */
@@ -79,7 +79,7 @@ function markdown(lines, kind) {
     if (block.length === 0 && /^ {4,}\S/.test(text) && !/^\s*(?:[-*+]|\d+\.) /.test(text)) continue;
     if (/^\s*\|/.test(text)) {
       end();
-      for (const cell of text.split('|')) if (/[a-z]{2}/i.test(cell)) blocks.push({ kind, lines: [{ line, text: cell }] });
+      for (const cell of text.split('|')) if (/[a-z]{2}/i.test(cell)) blocks.push({ kind: 'cell', lines: [{ line, text: cell }] });
       continue;
     }
     const item = /^\s*(?:(?:[-*+]|\d+\.)\s+|#+ |> ?)(.*)$/.exec(text);
@@ -288,7 +288,7 @@ function listed(/** @type {string} */ text) {
  * Splits a block into sentences with line numbers. Inline code and URLs become one word.
  *
  * @param {Block} block
- * @returns {Line[]}
+ * @returns {(Line & { isList: boolean })[]} a list in a table cell has no limit of words
  */
 export function sentences({ lines, kind }) {
   const text = lines.map((line) => line.text).join('\n');
@@ -298,15 +298,16 @@ export function sentences({ lines, kind }) {
     .replace(/\[([^\]]*)\]\[[^\]]*\]/g, '$1')
     .replace(/<\/?[a-zA-Z][^>]*>/g, '')
     .replace(/\bhttps?:\/\/\S+/g, 'code')
-    .replace(kind === 'markdown' ? /\*+/g : /\*\*/g, '');
-  /** @type {Line[]} */
+    .replace(kind === 'markdown' || kind === 'cell' ? /\*+/g : /\*\*/g, '');
+  /** @type {(Line & { isList: boolean })[]} */
   const found = [];
   let at = 0;
   for (const part of plainText.split(/(?<=[.!?]["”)]?)\s+(?=["“(]?(?:[A-Z0-9]|code))/u)) {
     const before = plainText.slice(0, plainText.indexOf(part, at)).split('\n').length - 1;
     at = plainText.indexOf(part, at) + part.length;
     const text = part.replace(/\s+/g, ' ').trim();
-    if (text !== '') found.push({ line: lines[Math.min(before, lines.length - 1)].line, text });
+    const isList = kind === 'cell' && 4 * (text.match(/[,;]/g)?.length ?? 0) >= words(text);
+    if (text !== '') found.push({ line: lines[Math.min(before, lines.length - 1)].line, text, isList });
   }
   return found;
 }

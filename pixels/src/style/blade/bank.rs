@@ -1,4 +1,4 @@
-//! The file of a filter bank, and the filters of a strength. The format is `src/style/banks/README.md`.
+//! The file of a filter bank, and the filters of a strength. The format is `pixels/src/style/banks/README.md`.
 
 use crate::error::{Error, Result};
 use crate::simd::blade::{FRACTION, Filter, SIDE};

@@ -6,7 +6,7 @@
 //! filter  out(i) = sum over 7 x 7 of h(bucket(i), j) z(i + j), the same filter for R, G and B
 //! ```
 //!
-//! A bank is a data file (`src/style/banks/README.md`) that holds filters for a few strengths of its operator; between
+//! A bank is a data file (`pixels/src/style/banks/README.md`) that holds filters for a few strengths of its operator; between
 //! two strengths the weights are interpolated, below the first toward no filter at all, and beyond the last the
 //! filters run several times. A block is a descriptor and a [`Trained`] bank: see `blocks/etf.rs`.
 //!

@@ -1,7 +1,7 @@
 //! Edge Tangent Flow: averages each pixel along the edge that runs through it, as a brush follows a shape.
 //!
 //! The operator is learned: its filters were fitted to Kang's edge tangent field with a Gaussian line integral of
-//! sigma along it (`cargo xtask train etf`, see `src/style/banks/README.md`). Colour images are guided by their luma.
+//! sigma along it (`cargo xtask train etf`, see `pixels/src/style/banks/README.md`). Colour images are guided by their luma.
 //!
 //! Sources: Kang, Lee and Chui, "Flow-based image abstraction", 2009; [`crate::style::blade`].
 
