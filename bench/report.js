@@ -101,9 +101,7 @@ export function markdown({
     );
   }
   if (facts)
-    lines.push(
-      `| Photo analysis for cropping (tones, edges, colours, lettering), one thread | ${short(facts)} ms |`,
-    );
+    lines.push(`| Photo analysis for cropping (tones, edges, colours, lettering), one thread | ${short(facts)} ms |`);
   for (const { count, ms, first } of plans ?? [])
     lines.push(
       `| Planning a page from ${count} photos, one thread (plus once per new photo) | ${short(ms)} ms (${short(first)} ms) |`,

@@ -1,4 +1,4 @@
-//! Photos with faces in styles, without and with care for faces, side by side: what `docs/style-ratings.md` was rated on.
+//! Draws photos with faces in styles, without and with face protection, side by side.
 //!
 //!     cargo run --release --features cli --example face_care -- OUT.png WIDTH STYLE,STYLE,... PHOTO...
 //!

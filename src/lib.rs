@@ -53,7 +53,7 @@
 //! | `simd` | row kernels on lanes (under `style`) |
 //! | `select` | fingerprints, near-duplicate groups, the sharpest of each; the shots of films |
 //! | `hearing` | sounds of films that words may stand for, and where music runs |
-//! | `detect` | faces and objects, by two nets (feature `detect`) |
+//! | `detect` | faces, objects, aesthetic scores and subject masks (feature `detect`) |
 //! | `layout` | page templates: split trees, polygons, gutters, merges |
 //! | `framing` | the crop of a photo that fits a panel |
 //! | `style` | chains of filter blocks in two layers |

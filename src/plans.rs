@@ -22,7 +22,7 @@ const CORNERS: usize = 64;
 const MOST_PANELS: usize = 200;
 const MOST_PAGES: usize = 1000;
 
-/// The plan as JSON, see the contract in the README.
+/// Returns the plan as JSON, in the format of `docs/reference/formats.md`.
 pub(crate) fn told(pages: &[Planned], photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {
     let pages = pages.iter().map(|page| told_page(page, photos)).collect::<Result<Vec<_>, _>>()?;
     Ok(json!({ "pages": pages }))

@@ -179,13 +179,13 @@ fn table(pages: &[Counted]) -> String {
     };
     row("pages, panels", format!("{}, {panels}", pages.len()), "");
     row("panels with a cut face", format!("{:.1} %", of_panels(&|p| p.cut_faces)), "0");
-    row(
-        "panels with a cut head and a complete face",
-        format!("{:.1} %", of_panels(&|p| p.cut_heads)),
-        "",
-    );
+    row("panels with a cut head and a complete face", format!("{:.1} %", of_panels(&|p| p.cut_heads)), "");
     row("panels with a cut subject", format!("{:.1} %", of_panels(&|p| p.cut_subjects)), "2 %");
-    row("panels that show less than 40 % of their photo", format!("{:.1} %", of_panels(&|p| p.little)), "3 %");
+    row(
+        "panels that show less than 40 % of their photo",
+        format!("{:.1} %", of_panels(&|p| p.little)),
+        "3 %",
+    );
     row("panels enlarged by more than 2.5", format!("{:.1} %", of_panels(&|p| p.blown_up)), "1 %");
     row("pages with one of the best photos in the largest panel", format!("{heroes:.0} %"), "90 %");
     row(

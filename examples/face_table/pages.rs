@@ -54,8 +54,7 @@ pub(crate) fn table(photos: &[&PhotoMeta]) -> String {
     };
     let all: Vec<[Counts; 3]> = catalogue().par_iter().map(of).collect();
     let mut text = ABOUT.to_owned();
-    for (kind, name) in ["rectangles", "slanted, round or below overlays", "merged"].iter().enumerate()
-    {
+    for (kind, name) in ["rectangles", "slanted, round or below overlays", "merged"].iter().enumerate() {
         let mut total = Counts::default();
         for counts in &all {
             total.iter_mut().zip(counts[kind]).for_each(|(sum, count)| *sum += count);

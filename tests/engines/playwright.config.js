@@ -24,7 +24,7 @@ export default defineConfig({
       name,
       testIgnore: 'all-engines.spec.js',
       metadata: { engine: name },
-      // JavaScriptCore 2.50 now and then breaks code while it runs it (ARCHITECTURE.md, Engines), and WebDriver's own
+      // JavaScriptCore 2.50 now and then breaks code while it runs it (docs/design/webkit.md), and WebDriver's own
       // clicks miss then, too. What is wrong in our code fails each time.
       ...(name.startsWith('webkit') && { retries: 3 }),
       // What is different in a private window is what it keeps.

@@ -19,6 +19,7 @@ mod comics;
 mod composing;
 mod designed_styles;
 mod detect;
+mod docs;
 mod editing;
 mod facade;
 mod framing_faces;

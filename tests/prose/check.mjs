@@ -26,7 +26,8 @@ const RATE = 3;
 const SUBJECT = 72;
 const KINDS = /\.(?:md|rs|ts|tsx|js|mjs|css|py|toml|sh|yml)$/;
 /** Generated files, other people's texts, and the rules with their bad examples. */
-const SKIPPED = /(?:^|\/)(?:node_modules|target|dist|pkg[\w-]*|vendor)\/|^www\/engine\/types(?:-written)?\.ts$|^tests\/prose\/rules\.mjs$/;
+const SKIPPED =
+  /(?:^|\/)(?:node_modules|target|dist|pkg[\w-]*|vendor)\/|^www\/engine\/types(?:-written)?\.ts$|^tests\/prose\/rules\.mjs$/;
 
 /** @typedef {{ line: number, id: string, advice: string, text: string }} Hit */
 
@@ -105,13 +106,16 @@ function brokenSubjects(since) {
   console.log(`commit subjects: ${subjects.length} checked`);
   return subjects.flatMap((line) => {
     const [, hash, subject] = /^(\S+) (.*)$/.exec(line) ?? ['', '', line];
-    const hits = judge(subject.replace(/^[\w /-]+: /, ''), 0, LONGEST.markdown).map(({ id, advice }) => `${id}: ${advice}`);
+    const hits = judge(subject.replace(/^[\w /-]+: /, ''), 0, LONGEST.markdown).map(
+      ({ id, advice }) => `${id}: ${advice}`,
+    );
     if (subject.length > SUBJECT) hits.push(`length: ${subject.length} characters, at most ${SUBJECT}`);
     return hits.map((hit) => `  commit ${hash}: ${hit}\n      ${subject}`);
   });
 }
 
-const total = (/** @type {Record<string, number>} */ counts) => Object.values(counts).reduce((sum, count) => sum + count, 0);
+const total = (/** @type {Record<string, number>} */ counts) =>
+  Object.values(counts).reduce((sum, count) => sum + count, 0);
 
 /**
  * @param {string} since
@@ -123,7 +127,9 @@ function raised(since, counts) {
     const commits = git('log', '--format=%h', `${since}..HEAD`, '--', BASELINE).split('\n').filter(Boolean);
     return commits.flatMap((commit) => {
       const before = total(JSON.parse(git('show', `${commit}:${BASELINE}`)).files);
-      return before < total(counts) ? [`  ${BASELINE}: commit ${commit} allows ${before} hits in all, now ${total(counts)}`] : [];
+      return before < total(counts)
+        ? [`  ${BASELINE}: commit ${commit} allows ${before} hits in all, now ${total(counts)}`]
+        : [];
     });
   } catch {
     return [];
@@ -133,17 +139,26 @@ function raised(since, counts) {
 /** @returns {string[]} controls that a guide prints in bold and the interface does not have */
 function unknownLabels() {
   const folder = join(ROOT, 'www/strings/en');
-  const strings = readdirSync(folder).map((file) => readFileSync(join(folder, file), 'utf8')).join('\n');
-  const known = (/** @type {string} */ label) => [`'${label}'`, `"${label}"`, `\`${label}\``].some((text) => strings.includes(text));
+  const strings = readdirSync(folder)
+    .map((file) => readFileSync(join(folder, file), 'utf8'))
+    .join('\n');
+  const known = (/** @type {string} */ label) =>
+    [`'${label}'`, `"${label}"`, `\`${label}\``].some((text) => strings.includes(text));
   const guides = files().filter((path) => /^docs\/guide\/[\w-]+\.md$/.test(path));
   return guides.flatMap((path) => {
     const labels = [...readFileSync(join(ROOT, path), 'utf8').matchAll(LABEL)].map((match) => match[1]);
-    return labels.filter((label) => !known(label)).map((label) => `  ${path}: **${label}** is not a string of www/strings/en`);
+    return labels
+      .filter((label) => !known(label))
+      .map((label) => `  ${path}: **${label}** is not a string of www/strings/en`);
   });
 }
 
 const store = (/** @type {string} */ since, /** @type {Record<string, number>} */ counts) => {
-  const sorted = Object.fromEntries(Object.entries(counts).filter(([, count]) => count > 0).sort(([a], [b]) => (a < b ? -1 : 1)));
+  const sorted = Object.fromEntries(
+    Object.entries(counts)
+      .filter(([, count]) => count > 0)
+      .sort(([a], [b]) => (a < b ? -1 : 1)),
+  );
   writeFileSync(join(ROOT, BASELINE), `${JSON.stringify({ since, files: sorted }, null, 2)}\n`);
   console.log(`${BASELINE}: ${total(sorted)} hits in ${Object.keys(sorted).length} files`);
 };
@@ -161,7 +176,10 @@ function main() {
   }
   const found = new Map(files().map((path) => [path, read(path)]));
   if (args.includes('--record')) {
-    store(git('rev-parse', 'HEAD').trim(), Object.fromEntries([...found].map(([path, { hits }]) => [path, hits.length])));
+    store(
+      git('rev-parse', 'HEAD').trim(),
+      Object.fromEntries([...found].map(([path, { hits }]) => [path, hits.length])),
+    );
     return 0;
   }
   /** @type {{ since: string, files: Record<string, number> }} */
@@ -175,13 +193,24 @@ function main() {
     `${path}: ${hits.length} hits, at most ${allowed(path, count)} allowed`,
     ...hits.slice(0, 20).map((hit) => show(path, hit)),
   ]);
-  problems.push(...brokenRules(), ...raised(baseline.since, baseline.files), ...unknownLabels(), ...brokenSubjects(baseline.since));
-  const worst = [...found].filter(([, { hits }]) => hits.length > 0).sort(([, a], [, b]) => b.hits.length - a.hits.length);
+  problems.push(
+    ...brokenRules(),
+    ...raised(baseline.since, baseline.files),
+    ...unknownLabels(),
+    ...brokenSubjects(baseline.since),
+  );
+  const worst = [...found]
+    .filter(([, { hits }]) => hits.length > 0)
+    .sort(([, a], [, b]) => b.hits.length - a.hits.length);
   const sum = worst.reduce((sum, [, { hits }]) => sum + hits.length, 0);
   console.log(`${sum} hits in ${worst.length} of ${found.size} files; the worst:`);
-  for (const [path, { hits, count }] of worst.slice(0, 5)) console.log(`  ${path}: ${hits.length} hits in ${count} words`);
-  const falls = Object.entries(baseline.files).filter(([path, count]) => (found.get(path)?.hits.length ?? 0) < count).length;
-  if (falls > 0) console.log(`${falls} files have fewer hits than allowed: store that with node tests/prose/check.mjs --lower`);
+  for (const [path, { hits, count }] of worst.slice(0, 5))
+    console.log(`  ${path}: ${hits.length} hits in ${count} words`);
+  const falls = Object.entries(baseline.files).filter(
+    ([path, count]) => (found.get(path)?.hits.length ?? 0) < count,
+  ).length;
+  if (falls > 0)
+    console.log(`${falls} files have fewer hits than allowed: store that with node tests/prose/check.mjs --lower`);
   if (problems.length === 0) return 0;
   console.error(`\n${problems.join('\n')}`);
   console.error(

@@ -79,7 +79,8 @@ function markdown(lines, kind) {
     if (block.length === 0 && /^ {4,}\S/.test(text) && !/^\s*(?:[-*+]|\d+\.) /.test(text)) continue;
     if (/^\s*\|/.test(text)) {
       end();
-      for (const cell of text.split('|')) if (/[a-z]{2}/i.test(cell)) blocks.push({ kind: 'cell', lines: [{ line, text: cell }] });
+      for (const cell of text.split('|'))
+        if (/[a-z]{2}/i.test(cell)) blocks.push({ kind: 'cell', lines: [{ line, text: cell }] });
       continue;
     }
     const item = /^\s*(?:(?:[-*+]|\d+\.)\s+|#+ |> ?)(.*)$/.exec(text);
@@ -96,7 +97,8 @@ function markdown(lines, kind) {
 }
 
 /** Whether a Rust string is a message: three words or more. */
-const isSentence = (/** @type {string} */ text) => (text.match(/[A-Za-z]{2,}/g)?.length ?? 0) >= 3 && / /.test(text.trim());
+const isSentence = (/** @type {string} */ text) =>
+  (text.match(/[A-Za-z]{2,}/g)?.length ?? 0) >= 3 && / /.test(text.trim());
 
 /**
  * Extracts comments, and the strings of the interface, the command line and error messages.
@@ -183,7 +185,12 @@ function scan(text, kind) {
       end = text.indexOf('*/', at + 2) + 2;
       if (end < 2) end = text.length;
       comments.push(...tagged(text.slice(at + 2, end - 2), line));
-    } else if (isRust && /[br]/.test(text[at]) && !/\w/.test(text[at - 1] ?? ' ') && /^b?r#*"/.test(text.slice(at, at + 12))) {
+    } else if (
+      isRust &&
+      /[br]/.test(text[at]) &&
+      !/\w/.test(text[at - 1] ?? ' ') &&
+      /^b?r#*"/.test(text.slice(at, at + 12))
+    ) {
       const hashes = /^b?r(#*)"/.exec(text.slice(at, at + 12))?.[1] ?? '';
       const open = text.indexOf('"', at) + 1;
       end = text.indexOf(`"${hashes}`, open) + 1 + hashes.length;
@@ -193,7 +200,11 @@ function scan(text, kind) {
       strings.push({ line, text: plain(text.slice(at + 1, end - 1)) });
     } else if (isRust && text[at] === "'") {
       end = at + (/^'(?:\\(?:u\{\w+\}|x\w\w|.)|[^\\'])'/u.exec(text.slice(at, at + 14))?.[0].length ?? 1);
-    } else if (isScript && text[at] === '/' && /(?:^|[([{,;:=!&|?+>]|\breturn|\bcase)\s*$/.test(text.slice(Math.max(0, at - 40), at))) {
+    } else if (
+      isScript &&
+      text[at] === '/' &&
+      /(?:^|[([{,;:=!&|?+>]|\breturn|\bcase)\s*$/.test(text.slice(Math.max(0, at - 40), at))
+    ) {
       end = at + (/^\/(?:\\.|\[(?:\\.|[^\]\\\n])*\]|[^/\\[\n])+\//.exec(text.slice(at, at + 2000))?.[0].length ?? 1);
     }
     line += lineOf(text.slice(at, end));

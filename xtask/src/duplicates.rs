@@ -31,7 +31,15 @@ pub fn run(project: &Project) -> Result<()> {
     let mut photos = photos_in(&own_folders(project))?;
     photos.sort();
     let mut cargo = project.cargo();
-    cargo.args(["run", "--features", CLI, "--example", "duplicate_table", "--", "docs/reports/near-duplicates.md"]);
+    cargo.args([
+        "run",
+        "--features",
+        CLI,
+        "--example",
+        "duplicate_table",
+        "--",
+        "docs/reports/near-duplicates.md",
+    ]);
     tools::run(cargo.arg(frames(project)?).args(photos))
 }
 

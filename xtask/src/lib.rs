@@ -32,6 +32,7 @@ pub mod npm;
 pub mod package;
 pub mod pages;
 pub mod project;
+pub mod prose;
 pub mod python;
 pub mod readers;
 pub mod site;

@@ -148,3 +148,41 @@ fn run(task: &Task) -> Result<()> {
         Task::Bless { topics } => bless::run(&project, topics),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    /// Returns the arguments of every `cargo xtask` command in a document.
+    fn commands(text: &str) -> Vec<Vec<String>> {
+        let commands =
+            text.split("cargo xtask ").skip(1).filter_map(|rest| rest.split(['`', '\n', '#', '&']).next());
+        let words = |command: &str| command.split_whitespace().map(str::to_owned).collect();
+        commands.map(words).collect()
+    }
+
+    #[test]
+    fn commands_of_documents_exist() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        let mut git = std::process::Command::new("git");
+        git.args(["ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.md"]).current_dir(root);
+        let listed = String::from_utf8(git.output().unwrap().stdout).unwrap();
+        let (mut count, mut wrong) = (0, Vec::new());
+        for file in listed.split_terminator('\0') {
+            let Ok(text) = std::fs::read_to_string(root.join(file)) else { continue };
+            for command in commands(&text) {
+                count += 1;
+                let known = Arguments::command().find_subcommand(&command[0]).is_some();
+                let suites = command.iter().skip(1).filter(|word| !word.starts_with('-'));
+                let unknown =
+                    |suite: &&String| command[0] == "test" && !test::suites().contains(&suite.as_str());
+                if !known && command[0] != "--help" || suites.filter(unknown).count() > 0 {
+                    wrong.push(format!("{file}: cargo xtask {}", command.join(" ")));
+                }
+            }
+        }
+        assert!(count > 30, "only {count} commands were found");
+        assert!(wrong.is_empty(), "these commands do not exist:\n{}", wrong.join("\n"));
+    }
+}

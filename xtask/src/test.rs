@@ -15,7 +15,7 @@ use crate::tally::{self, Tally};
 use crate::wasm::Purpose;
 use crate::{
     budget, chromium, corpora, cpu, debian, engines, fresh, fuzz, lane, licences, lighthouse, models, npm,
-    package, readers, site, tools, wheel,
+    package, prose, readers, site, tools, wheel,
 };
 
 /// How much is tested. Each tier contains the ones before it.
@@ -89,6 +89,13 @@ use Tier::{All, Change, Ci};
 
 const SUITES: &[Suite] = &[
     Suite { name: "format", lane: Lane::Native, needs: Needs::Packages, tiers: &[Change], run: format },
+    Suite {
+        name: "prose",
+        lane: Lane::Native,
+        needs: Needs::Nothing,
+        tiers: &[Change],
+        run: |run| checked(prose::check(run.project)),
+    },
     Suite { name: "rust", lane: Lane::Native, needs: Needs::Nothing, tiers: &[Change, All], run: rust },
     Suite { name: "tools", lane: Lane::Native, needs: Needs::Nothing, tiers: &[Ci], run: release_tools },
     Suite { name: "docs", lane: Lane::Native, needs: Needs::Nothing, tiers: &[Ci], run: docs },
@@ -186,6 +193,11 @@ const STAGES: [(&str, &[&str]); 7] = [
     ("page", &["OUT.png", "PHOTO"]),
 ];
 
+/// Returns the names of all suites.
+pub fn suites() -> Vec<&'static str> {
+    SUITES.iter().map(|suite| suite.name).collect()
+}
+
 /// Number of tests in the list of the slowest.
 const SLOWEST: usize = 20;
 
@@ -204,9 +216,8 @@ struct Finished {
 /// # Errors
 /// If a name is unknown or a test fails.
 pub fn run(project: &Project, tier: Tier, names: &[String], skip_default: bool) -> Result<()> {
-    if let Some(unknown) = names.iter().find(|name| SUITES.iter().all(|suite| suite.name != **name)) {
-        let known: Vec<_> = SUITES.iter().map(|suite| suite.name).collect();
-        bail!("{unknown}: not a suite; the suites are {}", known.join(", "));
+    if let Some(unknown) = names.iter().find(|name| !suites().contains(&name.as_str())) {
+        bail!("{unknown}: not a suite; the suites are {}", suites().join(", "));
     }
     let start = Instant::now();
     let run = Run { project, tier };

@@ -57,7 +57,8 @@ function readOne(file) {
       console.log(`name ${name}.ts in www/strings/${language}/index.ts`);
     }
   }
-  if (isNew && changed > 0) console.log(`a new language: docs/guide/translating.md says where ${language} is named besides`);
+  if (isNew && changed > 0)
+    console.log(`a new language: docs/guide/translating.md says where ${language} is named besides`);
   for (const why of refused) console.error(`not taken: ${why}`);
   if (refused.length > 0) process.exitCode = 1;
 }
