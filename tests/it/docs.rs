@@ -31,7 +31,7 @@ fn documents() -> Vec<PathBuf> {
         .current_dir(crate::root(""));
     let listed = String::from_utf8(git.output().unwrap().stdout).unwrap();
     let all = listed.split_terminator('\0').map(PathBuf::from);
-    let files: Vec<PathBuf> = all.filter(|file| crate::root("").join(file).is_file()).collect();
+    let files: Vec<PathBuf> = all.filter(|file| crate::root(file).is_file()).collect();
     assert!(files.len() > 20, "this test needs a git checkout");
     files
 }
@@ -64,7 +64,7 @@ fn commands(text: &str) -> Vec<String> {
 
 /// Runs the `inkpanel` commands of a document in a folder with the sample files. Returns their number and the errors.
 fn run(document: &Path) -> (usize, Vec<String>) {
-    let text = fs::read_to_string(crate::root("").join(document)).unwrap();
+    let text = fs::read_to_string(crate::root(document)).unwrap();
     let calls: Vec<String> =
         commands(&text).into_iter().filter(|command| command.starts_with("inkpanel ")).collect();
     if calls.is_empty() {
@@ -73,7 +73,7 @@ fn run(document: &Path) -> (usize, Vec<String>) {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("photos")).unwrap();
     for (name, file) in SAMPLES {
-        fs::copy(crate::root("").join(file), folder.path().join(name)).unwrap();
+        fs::copy(crate::root(file), folder.path().join(name)).unwrap();
     }
     for (language, name) in FILES {
         if let Some((_, block)) = blocks(&text).into_iter().find(|(known, _)| *known == language) {
@@ -119,11 +119,11 @@ fn commands_of_documents_run() {
 fn examples_of_documents_exist() {
     let mut missing = Vec::new();
     for document in documents() {
-        let text = fs::read_to_string(crate::root("").join(&document)).unwrap();
+        let text = fs::read_to_string(crate::root(&document)).unwrap();
         for name in text.split("--example ").skip(1).filter_map(|rest| rest.split([' ', '`', '\n']).next()) {
             let found = ["", "/main.rs", ".rs"]
                 .iter()
-                .any(|end| crate::root("").join(format!("examples/{name}{end}")).is_file());
+                .any(|end| crate::root(&format!("examples/{name}{end}")).is_file());
             if !found {
                 missing.push(format!("{}: {name}", document.display()));
             }
@@ -157,7 +157,7 @@ fn anchors(text: &str) -> BTreeSet<String> {
 fn links_of_documents_lead_to_files() {
     let mut broken = Vec::new();
     for document in documents() {
-        let text = fs::read_to_string(crate::root("").join(&document)).unwrap();
+        let text = fs::read_to_string(crate::root(&document)).unwrap();
         let code: String = blocks(&text).into_iter().map(|(_, block)| block).collect();
         for link in links(&text) {
             if link.contains(':') || link.contains(' ') || link == ISSUES || code.contains(&link) {
@@ -166,7 +166,7 @@ fn links_of_documents_lead_to_files() {
             let (file, anchor) = link.split_once('#').unwrap_or((&link, ""));
             let target =
                 if file.is_empty() { document.clone() } else { document.parent().unwrap().join(file) };
-            let target = crate::root("").join(target);
+            let target = crate::root(target);
             let known = || anchors(&fs::read_to_string(&target).unwrap_or_default()).contains(anchor);
             if !target.exists() || !(anchor.is_empty() || known()) {
                 broken.push(format!("{}: {link}", document.display()));

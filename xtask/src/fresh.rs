@@ -70,7 +70,7 @@ fn copy(project: &Project, root: &Path) -> Result<()> {
 struct Running(Child);
 
 impl Running {
-    /// Prints what the server prints until it prints its address, and returns that.
+    /// Prints the output of the server up to its address, and returns the address.
     fn address(&mut self) -> Result<String> {
         let output = self.0.stdout.take().context("the output is piped")?;
         let mut lines = BufReader::new(output).lines();

@@ -15,7 +15,7 @@ const CARGO_FUZZ: &str = "0.13.2";
 /// Seconds per target.
 const SECONDS: u32 = 60;
 
-/// Folders with valid files for targets that have none in `fuzz/seeds`.
+/// Folders with valid files, for the targets without seeds in `fuzz/seeds`.
 const SEEDS: [(&str, &[&str]); 3] = [
     ("photo", &["tests/oracles/data/files", "tests/oracles/data/animations", "tests/oracles/data/reduced"]),
     ("style", &["styles"]),

@@ -1,4 +1,4 @@
-//! The task runner as a library: what `cargo xtask` does, and what the release tool in `tools/release` shares with it.
+//! The task runner as a library, which the release tool in `tools/release` uses, too.
 
 #![allow(
     missing_docs,
