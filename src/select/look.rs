@@ -8,6 +8,8 @@ use crate::error::{Error, Result};
 const CELLS: [usize; 2] = [64, 36];
 /// Cells of each chroma copy.
 const CHROMA: [usize; 2] = [32, 18];
+/// Cells of each channel of a [`Coarse`] copy.
+const COARSE: [usize; 2] = [16, 9];
 /// Sharpness is measured on no more pixels across than these: what a larger frame has beyond is seen in no panel.
 const ACROSS: usize = 640;
 /// Below this standard deviation of luma a frame shows nothing: black, white, a colour.
@@ -189,6 +191,31 @@ impl Look {
         0.6 * luma + 0.8 * chroma
     }
 
+    /// Returns the correlation of the luma of two frames, -1 to 1: 1 if one is a brighter copy of the other, 0 if they have
+    /// nothing in common or one of them is even.
+    #[must_use]
+    pub(super) fn correlation(&self, other: &Self) -> f64 {
+        let product: f64 = self
+            .luma
+            .iter()
+            .zip(&other.luma)
+            .map(|(&a, &b)| f64::from((f32::from(a) - self.mean) * (f32::from(b) - other.mean)))
+            .sum();
+        let scale = f64::from(self.deviation * other.deviation) * self.luma.len() as f64;
+        if scale > 0.0 { product / scale } else { 0.0 }
+    }
+
+    /// Returns a copy in which small movements do not show.
+    #[must_use]
+    pub(super) fn coarse(&self) -> Coarse {
+        let [blue, red] = &self.chroma;
+        let channels = [(&self.luma, CELLS), (blue, CHROMA), (red, CHROMA)];
+        let reduced = channels.map(|(cells, [width, height])| {
+            Samples::reduced(COARSE, &Samples { bytes: cells, stride: width, step: 1, width, height })
+        });
+        Coarse(reduced.concat())
+    }
+
     /// How different the tones of two frames are, wherever they stand: half the sum of the differences of their histograms
     /// of 32 bins, 0 to 1.
     #[must_use]
@@ -196,6 +223,28 @@ impl Look {
         let (a, b) = (bins(&self.luma), bins(&other.luma));
         let sum: u32 = a.iter().zip(&b).map(|(a, b)| a.abs_diff(*b)).sum();
         sum as f32 / (2 * self.luma.len()) as f32
+    }
+}
+
+/// Luma and both chromas of a frame in a few large cells.
+#[derive(Debug, Clone)]
+pub(super) struct Coarse(Vec<u8>);
+
+impl Coarse {
+    /// Number of values.
+    pub(super) const CELLS: usize = 3 * COARSE[0] * COARSE[1];
+
+    /// Returns the sum of the squared differences of all cells.
+    pub(super) fn squared_distance(&self, other: &Self) -> f64 {
+        let square = |(&a, &b): (&u8, &u8)| (i32::from(a) - i32::from(b)).pow(2);
+        f64::from(self.0.iter().zip(&other.0).map(square).sum::<i32>())
+    }
+
+    /// Returns where this frame lies on the way between two others, as a part of their squared distance: 0 at the first.
+    pub(super) fn share(&self, first: &Self, last: &Self) -> f64 {
+        let product =
+            |((&x, &a), &b): ((&u8, &u8), &u8)| (i32::from(x) - i32::from(a)) * (i32::from(b) - i32::from(a));
+        f64::from(self.0.iter().zip(&first.0).zip(&last.0).map(product).sum::<i32>())
     }
 }
 

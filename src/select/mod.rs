@@ -4,6 +4,7 @@
 //! one with the best [`sharpness`] is kept, unless it is blurred; the [`verdict`] says why. Frames of a film
 //! are photos, too: a [`look`] at many of them finds its [`shots`], and of these the [`stills`] that stand for it.
 
+mod dissolves;
 pub mod fingerprint;
 pub mod groups;
 pub mod look;

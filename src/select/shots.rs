@@ -3,7 +3,10 @@
 //! Frames that stand close are judged as `PySceneDetect`'s `AdaptiveDetector` judges them: a cut is where two of them differ
 //! by far more than those about them do, so that a moving camera is none. Frames that stand far apart, such as key frames of a
 //! long film, have nothing about them: there a cut is where the picture and its tones are other ones.
+//!
+//! A dissolve separates two shots in its middle ([`dissolves`]). Frames that show both scenes stand for neither of them.
 
+use super::dissolves::{self, Dissolve};
 use super::look::Look;
 
 /// Seconds between two frames that count as close.
@@ -23,8 +26,10 @@ const OTHER_TONES: f32 = 0.3;
 const SHORTEST: f64 = 0.5;
 /// A frame after a flash lies no farther from the one before than this part of the flash.
 const BACK: f32 = 0.4;
-/// Part of the deviation of its shot below which a frame is fading.
+/// Part of the deviation of the strongest frame of its shot nearby below which a frame is fading,
 const FADED: f32 = 0.5;
+/// and how far such a frame may be away, in seconds: half of the longest fade.
+const FADE: f64 = 3.0;
 
 /// The film as far as it was looked at.
 #[derive(Debug, Default)]
@@ -88,29 +93,51 @@ impl Film {
     #[must_use]
     pub fn shots(&self, end: f64) -> Vec<Shot> {
         let count = self.times.len();
+        let dissolves = dissolves::find(&self.times, &self.looks);
         let mut shots = Vec::new();
         let mut first = 0;
-        for cut in self.cuts().into_iter().chain([count]) {
+        for cut in self.cuts(&dissolves).into_iter().chain([count]) {
             if cut > first {
                 let until = self.times.get(cut).copied().unwrap_or_else(|| end.max(self.times[count - 1]));
-                shots.push(self.shot(first..cut, until));
+                shots.push(self.shot(first..cut, until, &dissolves));
             }
             first = cut;
         }
         shots
     }
 
-    fn shot(&self, range: std::ops::Range<usize>, end: f64) -> Shot {
+    fn shot(&self, range: std::ops::Range<usize>, end: f64, dissolves: &[Dissolve]) -> Shot {
         let start = self.times[range.start];
-        let most = range.clone().map(|i| self.looks[i].deviation).fold(0.0, f32::max);
-        let seen: Vec<usize> =
-            range.filter(|&i| !self.looks[i].flat && self.looks[i].deviation >= FADED * most).collect();
+        let shown: Vec<usize> =
+            range.clone().filter(|&i| !self.looks[i].flat && !self.is_fading(i, &range)).collect();
+        let clean = |i: &usize| !dissolves.iter().any(|dissolve| dissolve.mixes(*i));
+        let seen: Vec<usize> = shown.iter().copied().filter(clean).collect();
+        // A shot of nothing but mixtures still has a frame.
+        let seen = if seen.is_empty() { shown } else { seen };
         let titles = seen.iter().filter(|&&i| self.looks[i].title).count();
         Shot { start, end, title: 2 * titles > seen.len(), usable: seen }
     }
 
+    /// Whether a frame is much weaker than one of the same shot shortly before or after it.
+    fn is_fading(&self, i: usize, shot: &std::ops::Range<usize>) -> bool {
+        let near = |&j: &usize| (self.times[j] - self.times[i]).abs() <= FADE;
+        let before = (shot.start..i).rev().take_while(near);
+        let after = (i + 1..shot.end).take_while(near);
+        before.chain(after).any(|j| self.looks[i].deviation < FADED * self.looks[j].deviation)
+    }
+
     /// The numbers of the first frames of all shots but the first.
-    fn cuts(&self) -> Vec<usize> {
+    fn cuts(&self, dissolves: &[Dissolve]) -> Vec<usize> {
+        let mut cuts = self.hard_cuts();
+        // No cut falls into a dissolve but its own, in the middle.
+        cuts.retain(|&cut| !dissolves.iter().any(|dissolve| dissolve.before < cut && cut <= dissolve.after));
+        cuts.extend(dissolves.iter().map(|dissolve| dissolve.middle));
+        cuts.sort_unstable();
+        cuts
+    }
+
+    /// The numbers of the first frames of all shots that begin with a cut or in the dark.
+    fn hard_cuts(&self) -> Vec<usize> {
         let count = self.times.len();
         // Between each frame and the one before.
         let apart: Vec<f32> = (0..count)
@@ -172,6 +199,10 @@ pub(super) mod tests {
 
     /// A made-up picture, `moved` pixels on and so bright; `seed` 0 is black.
     pub(in crate::select) fn look(seed: u64, moved: usize, light: f32) -> Look {
+        look_at(&picture(seed, moved, light))
+    }
+
+    pub(in crate::select) fn picture(seed: u64, moved: usize, light: f32) -> Vec<u8> {
         let mut random = oorandom::Rand32::new(seed);
         let blobs: Vec<[f32; 3]> = (0..9).map(|_| std::array::from_fn(|_| random.rand_float())).collect();
         let mut pixels = Vec::with_capacity(128 * 72);
@@ -184,8 +215,12 @@ pub(super) mod tests {
                 pixels.push(if seed == 0 { 16 } else { ((30.0 + 200.0 * sum) * light).min(250.0) as u8 });
             }
         }
+        pixels
+    }
+
+    pub(in crate::select) fn look_at(pixels: &[u8]) -> Look {
         let chroma = vec![128; 64 * 36];
-        let luma = Samples::new(&pixels, [128, 1], [128, 72]).unwrap();
+        let luma = Samples::new(pixels, [128, 1], [128, 72]).unwrap();
         let grey = Samples::new(&chroma, [64, 1], [64, 36]).unwrap();
         Look::of(&luma, [&grey, &grey])
     }
@@ -222,6 +257,67 @@ pub(super) mod tests {
         for shot in &shots {
             assert!(shot.usable.iter().all(|&i| light(i) > 0.4), "no frame that fades: {:?}", shot.usable);
         }
+    }
+
+    #[test]
+    fn scenes_that_dissolve_are_shots_and_no_frame_shows_both() {
+        for (length, speed) in [(6, 0), (6, 1), (12, 0), (12, 1), (24, 0), (24, 1)] {
+            let film = film(dissolving(length, speed), 12.0);
+            let shots = film.shots(6.0);
+            assert_eq!(shots.len(), 2, "{length} frames: {:?}", starts(&film));
+            let middle = (24 + length / 2) as f64 / 12.0;
+            assert!((shots[1].start - middle).abs() < 0.2 * length as f64 / 12.0, "{:?}", starts(&film));
+            let half = length / 4..length - length / 4;
+            for shot in &shots {
+                assert!(shot.usable.len() >= 12, "{length} frames: {:?}", shot.usable);
+                assert!(
+                    !shot.usable.iter().any(|&i| i >= 24 && half.contains(&(i - 24))),
+                    "{:?}",
+                    shot.usable
+                );
+            }
+        }
+    }
+
+    /// Two seconds of a weak scene, so many frames of a dissolve, and two seconds of a strong one.
+    pub(in crate::select) fn dissolving(length: usize, speed: usize) -> impl Iterator<Item = Look> {
+        (0..48 + length).map(move |i| {
+            let share = (i as f32 - 23.0) / (length as f32 + 1.0);
+            let [weak, strong] = [picture(1, i * speed, 0.4), picture(2, i * speed, 1.0)];
+            look_at(&mixed(&weak, &strong, share.clamp(0.0, 1.0)))
+        })
+    }
+
+    fn mixed(first: &[u8], second: &[u8], share: f32) -> Vec<u8> {
+        let mix = |(&a, &b): (&u8, &u8)| (f32::from(a) * (1.0 - share) + f32::from(b) * share).round() as u8;
+        first.iter().zip(second).map(mix).collect()
+    }
+
+    #[test]
+    fn a_scene_between_two_dissolves_has_a_frame_even_if_it_is_never_seen_alone() {
+        let looks = (0..96).map(|i: usize| {
+            let [first, second, third] = [1, 2, 4].map(|seed| picture(seed, 0, 1.0));
+            let share = |from: f32| ((i as f32 - from) / 18.0).clamp(0.0, 1.0);
+            look_at(&mixed(&mixed(&first, &second, share(24.0)), &third, share(42.0)))
+        });
+        let film = film(looks, 12.0);
+        let shots = film.shots(8.0);
+        assert_eq!(shots.len(), 3, "{:?}", starts(&film));
+        assert!(shots.iter().all(|shot| !shot.usable.is_empty()));
+        // The one that is cleanest.
+        let near = |&i: &usize| (40..45).contains(&i);
+        assert!(shots[1].usable.iter().any(near), "{:?}", shots[1].usable);
+    }
+
+    #[test]
+    fn a_weak_scene_is_usable_where_no_strong_one_is_near() {
+        // The light comes up over two seconds.
+        let light = |i: usize| 0.3 + 0.7 * ((i as f32 - 72.0) / 24.0).clamp(0.0, 1.0);
+        let film = film((0..168).map(|i| look(1, 0, light(i))), 12.0);
+        let shots = film.shots(14.0);
+        assert_eq!(shots.len(), 1, "{:?}", starts(&film));
+        let usable = &shots[0].usable;
+        assert!(usable.contains(&0) && usable.contains(&160) && !usable.contains(&75), "{usable:?}");
     }
 
     #[test]

@@ -203,7 +203,7 @@ fn parts<'a>(usable: &'a [usize], times: &[f64], quota: usize) -> Vec<&'a [usize
 
 #[cfg(test)]
 mod tests {
-    use super::super::shots::tests::{film, look};
+    use super::super::shots::tests::{dissolving, film, look};
     use super::*;
 
     /// The same picture with what is fine in it gone.
@@ -269,6 +269,16 @@ mod tests {
         assert!(taken.iter().all(|&time| stills.iter().any(|still| (still.time - time).abs() < 1e-9)));
         let few = chosen(&film, 8.0, &Wish { count: Some(100_000), ..Wish::default() });
         assert!(few.len() <= 96);
+    }
+
+    #[test]
+    fn both_scenes_of_a_dissolve_are_there() {
+        let film = film(dissolving(12, 0), 12.0);
+        for count in [None, Some(2), Some(3)] {
+            let stills = chosen(&film, 5.0, &Wish { count, ..Wish::default() });
+            let of = |from: f64, to: f64| stills.iter().any(|still| (from..to).contains(&still.time));
+            assert!(of(0.0, 2.2) && of(2.8, 5.0) && !of(2.25, 2.75), "{stills:?}");
+        }
     }
 
     #[test]
