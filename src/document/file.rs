@@ -15,6 +15,7 @@ use super::{Dropped, VERSION, pages, refusal, version};
 use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
+use crate::output::shots::timecode::StartTimecode;
 use crate::page::Document;
 use crate::raster::Matte;
 use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
@@ -114,6 +115,9 @@ pub struct FileVideo {
     pub start: f64,
     /// to here.
     pub end: Option<f64>,
+    /// The timecode of its first picture.
+    #[cfg_attr(all(test, feature = "cli"), ts(optional))]
+    pub timecode: Option<StartTimecode>,
 }
 
 impl ProjectFile {
@@ -381,7 +385,9 @@ impl FileVideo {
         let kind = fields.take("type").and_then(|kind| text_of(kind, LONGEST_PATH).ok()).unwrap_or_default();
         let mut time = |name: &str| fields.take(name)?.as_f64().filter(|time| *time >= 0.0);
         let (duration, start, end) = (time("duration"), time("start").unwrap_or_default(), time("end"));
-        Ok(Self { key, name, path, kind, ids, duration, start, end })
+        let timecode = fields.take("timecode").and_then(|start| serde_json::from_value(start).ok());
+        let timecode = timecode.filter(|start: &StartTimecode| start.is_valid());
+        Ok(Self { key, name, path, kind, ids, duration, start, end, timecode })
     }
 
     fn write(&self, out: &mut Writer) {
@@ -394,6 +400,13 @@ impl FileVideo {
         for (name, time) in [("duration", self.duration), ("start", Some(self.start)), ("end", self.end)] {
             // Nothing has no end, and is written as null.
             out.key(name).number(time.unwrap_or(f64::NAN));
+        }
+        if let Some(StartTimecode { frame, fps, drop }) = self.timecode {
+            out.key("timecode").open(b'{');
+            out.key("frame").whole(u64::from(frame));
+            out.key("fps").whole(u64::from(fps));
+            out.key("drop").flag(drop);
+            out.close(b'}');
         }
         out.close(b'}');
     }

@@ -57,9 +57,11 @@ impl ProjectFile {
         let film = photo.and_then(|photo| {
             let video = self.videos.iter().find(|video| Some(&video.key) == photo.video.as_ref())?;
             Some(Film {
+                key: video.key.clone(),
                 name: video.name.clone(),
                 time: photo.time.unwrap_or_default(),
                 length: video.duration,
+                timecode: video.timecode,
             })
         });
         let more =

@@ -2,7 +2,7 @@
 //! project tells.
 
 use inkpanel::document::file::ProjectFile;
-use inkpanel::output::shots::timecode::{Pace, Rate};
+use inkpanel::output::shots::timecode::{Pace, Rate, StartTimecode};
 use inkpanel::output::shots::{Film, Kind, ListedShot, ShotList};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -23,9 +23,20 @@ fn folder() -> PathBuf {
     crate::root("tests/oracles/data/shots")
 }
 
-/// Pictures and places in two films, of lengths that end on no second.
+/// Pictures, three of one name, and places in films: two have lengths that end on no second, two have one name and two are
+/// from cameras with a timecode.
 fn list((fps, pace): (u32, Pace)) -> ShotList {
-    let film = |name: &str, time| Some(Film { name: name.into(), time, length: Some(7_261.44) });
+    let film = |key: &str, name: &str, time, length| {
+        let start = match key {
+            "clip" => StartTimecode::parse("10:00:59;20", 30),
+            "a" => StartTimecode::parse("09:59:59:12", 25),
+            _ => None,
+        };
+        Some(Film { key: key.into(), name: name.into(), time, length: Some(length), timecode: start })
+    };
+    let night = |time| film("night", "Nacht & Tag.mp4", time, 7_261.44);
+    let clip = |time| film("clip", "clip.mov", time, 7_261.44);
+    let card = |key, time| film(key, "C0001.MP4", time, 2.0);
     let shot = |i: usize, film: Option<Film>| ListedShot {
         number: format!("{}{}", i / 2 + 1, if i % 2 == 1 { "A" } else { "" }),
         scene: ["1", "Küche", ""][i % 3].into(),
@@ -34,17 +45,23 @@ fn list((fps, pace): (u32, Pace)) -> ShotList {
         notes: ["dusk", "=1+1", ""][i % 3].into(),
         frames: [Some(1), Some(37), None, Some(fps), Some(fps * 61 + 7)][i % 5],
         more: BTreeMap::from([("Lens".into(), "35 mm".into())]),
-        name: format!("photo {i}.jpg"),
+        name: if i < 10 { format!("photo {i}.jpg") } else { "IMG_0001.jpg".into() },
         film,
     };
     let films = [
         None,
-        film("Nacht & Tag.mp4", 0.0),
-        film("Nacht & Tag.mp4", 3_599.98),
-        film("clip.mov", 12.345),
+        night(0.0),
+        night(3_599.98),
+        clip(12.345),
         None,
-        film("clip.mov", 1.0 / 3.0),
-        film("Nacht & Tag.mp4", 7_200.04),
+        clip(1.0 / 3.0),
+        night(7_200.04),
+        card("a", 0.96),
+        card("b", 1.2),
+        card("a", 0.0),
+        None,
+        None,
+        None,
     ];
     let shots = films.into_iter().enumerate().map(|(i, film)| shot(i, film)).collect();
     ShotList { title: "Abend".into(), fps, pace, columns: vec!["Lens".into()], headings: Vec::new(), shots }
@@ -87,17 +104,50 @@ fn other_programs_read_every_length_and_place_to_the_frame() {
         let read = &told[&name];
         assert_eq!(read.len(), list.shots.len(), "{name}");
         for (shot, read) in list.shots.iter().zip(read) {
-            let frames = u64::from(shot.frames.unwrap_or(2 * rate.0));
             let counted = Rate { base: rate.0, pace: rate.1 };
-            let start = shot.film.as_ref().map_or(0, |film| counted.frame_at(film.time));
+            let wanted = u64::from(shot.frames.unwrap_or(2 * rate.0));
+            let [start, frames, length, origin] = match &shot.film {
+                None => [0, wanted, wanted, 0],
+                Some(film) => {
+                    let length = (film.length.unwrap() * counted.exact() + 0.1).floor() as u64;
+                    let start = counted.frame_at(film.time);
+                    let origin = film.timecode.map_or(0, |code| code.frame_in(code.counting_at(counted)));
+                    [start, wanted.min(length - start), length, origin]
+                }
+            };
             let file = shot.film.as_ref().map_or(&shot.name, |film| &film.name);
-            let expected = json!({ "start": start, "frames": frames, "at": at, "media": file });
-            assert_eq!(*read, expected, "{name}");
+            let mut expected = json!({ "start": origin + start, "frames": frames, "at": at, "media": file });
+            // A decision list does not say how long its sources are.
+            if !name.ends_with(".edl") {
+                expected["available"] = json!([origin, length]);
+            }
+            let mut plain = read.clone();
+            plain.as_object_mut().unwrap().remove("source");
+            assert_eq!(plain, expected, "{name}");
             at += frames;
             compared += 1;
         }
     }
-    assert_eq!(compared, 6 * 3 * 7);
+    assert_eq!(compared, 6 * 3 * 13);
+}
+
+/// `source` is what tells files apart: the reel of a decision list, the address of a file in the others.
+#[test]
+fn other_programs_distinguish_files_of_one_name() {
+    let told = fs::read_to_string(folder().with_extension("json")).unwrap();
+    let told: BTreeMap<String, Vec<Value>> = serde_json::from_str(&told).unwrap();
+    let reels = ["AX", "NACHTTAG", "NACHTTAG", "CLIP", "AX", "CLIP", "NACHTTAG", "C0001", "C00012", "C0001"];
+    for (name, read) in &told {
+        let of = |i: usize| read[i]["source"].as_str().unwrap();
+        let sources: Vec<&str> = (0..13).map(of).collect();
+        if name.ends_with(".edl") {
+            assert_eq!(sources[..10], reels, "{name}");
+            assert_eq!(sources[10..], ["AX", "IMG0001", "IMG00012"], "{name}");
+        } else {
+            assert_eq!(sources[7..10], ["C0001.MP4", "2/C0001.MP4", "C0001.MP4"], "{name}");
+            assert_eq!(sources[10..], ["IMG_0001.jpg", "2/IMG_0001.jpg", "3/IMG_0001.jpg"], "{name}");
+        }
+    }
 }
 
 /// The codes that `OpenTimelineIO` gives frames, and the frames that it reads in them (`tests/oracles/shots.py`).
@@ -129,14 +179,55 @@ fn a_saved_project_tells_its_shots_in_their_order_with_their_films() {
     photos[1]["time"] = json!(2.5);
     let project = json!({
         "format": "inkpanel", "version": 1, "photos": photos,
-        "videos": [{ "key": "v", "name": "film.mp4", "path": "film.mp4", "ids": ["b"], "duration": 60 }],
+        "videos": [{ "key": "v", "name": "film.mp4", "path": "film.mp4", "ids": ["b"], "duration": 60, "timecode": { "frame": 900_000, "fps": 25 } }],
         "history": { "present": { "name": "N", "tray": tray, "page": page, "board": { "fps": 25, "columns": ["Lens"], "order": ["e", "b"] } } },
     });
     let list = ProjectFile::parse(&project.to_string()).unwrap().shot_list();
     let told: Vec<_> = list.shots.iter().map(|shot| (shot.name.as_str(), shot.number.as_str())).collect();
     // `d` is on no page and nobody chose it, `c` is not used; those that were moved go before.
     assert_eq!(told, [("e.jpg", "1B"), ("b.jpg", "1"), ("a.jpg", "2")]);
-    let film = Film { name: "film.mp4".into(), time: 2.5, length: Some(60.0) };
+    let film = Film {
+        key: "v".into(),
+        name: "film.mp4".into(),
+        time: 2.5,
+        length: Some(60.0),
+        timecode: Some(StartTimecode { frame: 900_000, fps: 25, drop: false }),
+    };
     assert_eq!((list.shots[1].film.as_ref(), list.shots[2].frames, list.fps), (Some(&film), Some(12), 25));
     assert_eq!(list.shots[2].more["Lens"], "35");
+}
+
+#[test]
+fn a_timecode_is_written_with_its_video_and_one_that_is_not_valid_is_left_out() {
+    let video = |timecode: Value| {
+        let mut video = json!({ "key": "v", "name": "a.mov", "path": "a.mov", "type": "", "ids": [], "duration": 1, "start": 0, "end": null });
+        if !timecode.is_null() {
+            video["timecode"] = timecode;
+        }
+        video
+    };
+    let written = |timecode: Value| {
+        let project = json!({
+            "format": "inkpanel", "version": 1, "photos": [], "videos": [video(timecode)], "history": { "present": {} },
+        });
+        let text = ProjectFile::parse(&project.to_string()).unwrap().write();
+        let written: Value = serde_json::from_str(&text).unwrap();
+        written["videos"][0]["timecode"].clone()
+    };
+    let valid = json!({ "frame": 1_078_920, "fps": 30, "drop": true });
+    assert_eq!(written(valid.clone()), valid);
+    assert_eq!(written(json!({ "frame": 1, "fps": 24 })), json!({ "frame": 1, "fps": 24, "drop": false }));
+    for wrong in [
+        Value::Null,
+        json!("10:00:00:00"),
+        json!({ "frame": 1 }),
+        json!({ "frame": -1, "fps": 24 }),
+        json!({ "frame": 0.5, "fps": 24 }),
+        json!({ "frame": 2_073_600, "fps": 24 }),
+        json!({ "frame": 1, "fps": 0 }),
+        json!({ "frame": 1, "fps": 24, "drop": true }),
+        json!({ "frame": 1, "fps": 24, "drop": 1 }),
+    ] {
+        assert_eq!(written(wrong.clone()), Value::Null, "{wrong}");
+    }
 }

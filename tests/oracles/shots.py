@@ -4,7 +4,8 @@
     python tests/oracles/shots.py
 
 Writes `tests/oracles/data/shots.json`: of each file the shots in their order, each with its first frame in its film, its first
-frame in the programme, and how many frames it has; and `timecodes.json`: the time codes of some frames at each rate.
+frame in the programme, how many frames it has, the first frame and the length of its film, and the reel or the address of its
+film; and `timecodes.json`: the time codes of some frames at each rate.
 """
 
 import json
@@ -45,12 +46,19 @@ def read(path):
         assert abs(clip.source_range.duration.rate - rate) < 1e-6, clip
         placed = clip.transformed_time_range(clip.trimmed_range(), timeline.tracks)
         media = clip.media_reference
-        shots.append({
+        shot = {
             "start": frames(clip.source_range.start_time),
             "frames": frames(clip.source_range.duration),
             "at": frames(placed.start_time),
             "media": getattr(media, "name", "") or clip.name,
-        })
+        }
+        if path.suffix == ".edl":
+            # The reader leaves out the reel of what has none.
+            shot["source"] = clip.metadata["cmx_3600"].get("reel", "AX")
+        else:
+            shot["available"] = [frames(media.available_range.start_time), frames(media.available_range.duration)]
+            shot["source"] = media.target_url
+        shots.append(shot)
     # In a decision list the programme begins at one hour.
     begin = shots[0]["at"]
     hour = frames(otio.opentime.from_timecode("01:00:00;00" if drops else "01:00:00:00", rate))

@@ -147,7 +147,13 @@ export function createBoards({
       const fact = album.get(id);
       const video = fact?.video === undefined ? undefined : videos.get(fact.video);
       const { number: _, ...told } = shot;
-      const film = video && { name: video.name, time: fact?.time ?? 0, length: video.duration ?? undefined };
+      const film = video && {
+        key: video.key,
+        name: video.name,
+        time: fact?.time ?? 0,
+        length: video.duration ?? undefined,
+        timecode: video.timecode,
+      };
       return { ...UNTOLD, ...told, number, name: fact?.name ?? id, ...(film && { film }) };
     });
     const { heading } = strings.boards;

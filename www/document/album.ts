@@ -2,7 +2,7 @@
  * What is known of every photo that was ever added: facts that no edit changes, hence outside of undo.
  */
 
-import type { Likeness, Measures, PhotoMeta, Subject, Verdict } from '../engine/types.ts';
+import type { Likeness, Measures, PhotoMeta, StartTimecode, Subject, Verdict } from '../engine/types.ts';
 import type { TrayItem } from './project.ts';
 
 export type Absent = Likeness & { subjects: readonly Subject[] | null; measured: boolean };
@@ -27,8 +27,8 @@ export type Fact = {
 export type Album = ReadonlyMap<string, Fact>;
 
 /**
- * A video whose frames are photos: `ids`, taken between `start` and `end`. Seconds; `duration` and `end` are null
- * until the file was opened.
+ * A video whose frames are photos: `ids`, taken between `start` and `end`. Seconds from its first picture; `duration` and
+ * `end` are null until the file was opened. `timecode`: that of its first picture.
  */
 export type Video = {
   key: string;
@@ -38,6 +38,7 @@ export type Video = {
   duration: number | null;
   start: number;
   end: number | null;
+  timecode?: StartTimecode;
 };
 
 /** What the planner is told of a photo that is still being read, so that its place on the page is found at once. */

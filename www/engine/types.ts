@@ -144,16 +144,30 @@ export type ListedShot = {
 
 /** A place in a film. */
 export type Film = {
+  /** Identifies the film: others may have the same name. Without a key, films of one name are one film. */
+  key: string,
   /** The name of its file. */
   name: string,
-  /** Seconds from its beginning. */
+  /** Seconds from its first picture. */
   time: number,
   /** How long it is, in seconds, where that is known. */
   length?: number,
+  /** The timecode of its first picture. */
+  timecode?: StartTimecode,
 };
 
 /** How fast a counted second passes. */
 export type Pace = "clock" | "ntsc" | "drop";
+
+/** The timecode of the first frame of a video, as its camera recorded it. */
+export type StartTimecode = {
+  /** Frames since midnight. */
+  frame: number,
+  /** Frames per counted second: 30 at 29.97 frames per second. */
+  fps: number,
+  /** Whether it is drop-frame timecode. */
+  drop: boolean,
+};
 
 /** What is asked for. In JSON the fields of a `ShotList` beside these. */
 export type BoardRequest = {
@@ -1547,6 +1561,8 @@ export type FileVideo = {
   start: number,
   /** to here. */
   end: number | null,
+  /** The timecode of its first picture. */
+  timecode?: StartTimecode,
 };
 
 /** How a photo is recognised. */

@@ -5,6 +5,7 @@
 
 import { batch } from '@preact/signals';
 import { pictureEnds } from '../engine/animation-times.ts';
+import { startTimecode } from '../engine/start-timecode.ts';
 import { strings } from '../strings/strings.ts';
 import { MOST } from '../document/limits.ts';
 import type { Video } from '../document/album.ts';
@@ -50,6 +51,8 @@ export function createFrames({
     const all = [...video.ids];
     let [got, expected] = [0, all.length];
     try {
+      const timecode = await startTimecode(file);
+      if (timecode) know(key, { timecode });
       await engine.importVideo(file, {
         ids: [...video.ids],
         leading: video.ids.filter(intake.isShown),

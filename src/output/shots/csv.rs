@@ -12,16 +12,18 @@ pub(super) fn write(list: &ShotList) -> String {
     let heading = |i: usize, name: &str| if told { list.headings[i].clone() } else { name.to_owned() };
     let names = HEADINGS.iter().enumerate().map(|(i, name)| heading(i, name));
     row(&mut out, names.chain(list.columns.iter().cloned()));
-    for cut in list.cuts() {
-        let Cut { shot, start, frames, .. } = &cut;
+    for cut in &list.cuts() {
+        let Cut { shot, start, .. } = cut;
+        // What a person entered comes back when the table is imported.
+        let frames = shot.frames.map_or(cut.frames, u64::from);
         let of_film = |text: &str| if shot.film.is_some() { text.to_owned() } else { String::new() };
         let known = [
             shot.scene.clone(),
             shot.number.clone(),
             shot.name.clone(),
             of_film(cut.file()),
-            of_film(&list.rate().timecode(*start)),
-            list.rate().timecode(*frames),
+            of_film(&cut.timecode(*start)),
+            list.rate().timecode(frames),
             frames.to_string(),
             shot.action.clone(),
             shot.dialogue.clone(),

@@ -1,12 +1,14 @@
 //! An edit decision list, CMX 3600: each shot a cut on the one picture track, with the time codes of its film and those of
-//! the programme, which begins at one hour. What it is called and of which file, and what is told of it, are comments.
+//! the programme, which begins at one hour. What it is called and of which file, and what is told of it, are comments. Each film
+//! has a reel, and so has each picture whose file has the name of another.
 
 use super::{Cut, ShotList, line};
 use std::collections::HashMap;
 use std::fmt::Write as _;
 
-/// What stands for material without a reel.
+/// What stands for material without a reel, and for black.
 const AUXILIARY: &str = "AX";
+const BLACK: &str = "BL";
 /// Characters of the name of a reel.
 const REEL: usize = 8;
 
@@ -18,12 +20,13 @@ pub(super) fn write(list: &ShotList) -> String {
     // Writing into text never fails.
     let _ = write!(out, "TITLE: {}\nFCM: {count}\n", if title.is_empty() { "Untitled" } else { &title });
     let mut reels = Reels::default();
-    for (i, cut) in list.cuts().enumerate() {
-        let Cut { shot, start, frames, at } = &cut;
-        let reel = shot.film.as_ref().map_or(AUXILIARY.to_owned(), |film| reels.of(&film.name));
+    for (i, cut) in list.cuts().iter().enumerate() {
+        let Cut { shot, source, start, frames, at, .. } = cut;
+        let still = shot.film.is_none() && source.namesake == 1;
+        let reel = if still { AUXILIARY } else { reels.of(source.first, cut.file()) };
         let record = rate.programme() + at;
-        let [from, to, begin, end] =
-            [*start, start + frames, record, record + frames].map(|frame| rate.timecode(frame));
+        let [from, to] = [*start, start + frames].map(|frame| cut.timecode(frame));
+        let [begin, end] = [record, record + frames].map(|frame| rate.timecode(frame));
         let _ = write!(out, "\n{:03}  {reel:<8} V     C        {from} {to} {begin} {end}\n", i + 1);
         for (what, text) in [
             ("FROM CLIP NAME", cut.file()),
@@ -42,29 +45,31 @@ pub(super) fn write(list: &ShotList) -> String {
     out
 }
 
-/// Names of reels, of eight letters and digits, one a film.
+/// Names of reels, of eight letters and digits, by the numbers of their sources.
 #[derive(Default)]
-struct Reels(HashMap<String, String>);
+struct Reels(HashMap<usize, String>);
 
 impl Reels {
-    fn of(&mut self, film: &str) -> String {
-        if let Some(reel) = self.0.get(film) {
-            return reel.clone();
-        }
-        let stem = film.rsplit_once('.').map_or(film, |(stem, _)| stem);
+    fn of(&mut self, source: usize, file: &str) -> &str {
+        let reel = self.0.get(&source).cloned().unwrap_or_else(|| self.fresh(file));
+        self.0.entry(source).or_insert(reel)
+    }
+
+    /// A reel that no other source has.
+    fn fresh(&self, file: &str) -> String {
+        let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
         let plain = |letter: &char| letter.is_ascii_alphanumeric();
         let short: String = stem.chars().filter(plain).take(REEL).collect::<String>().to_ascii_uppercase();
-        let taken = |reel: &String| reel == AUXILIARY || self.0.values().any(|other| other == reel);
-        let mut reel = if short.is_empty() { "FILM".to_owned() } else { short.clone() };
-        let mut count = 1;
-        while taken(&reel) {
-            count += 1;
+        let short = if short.is_empty() { "FILM" } else { &short };
+        let taken =
+            |reel: &str| [AUXILIARY, BLACK].contains(&reel) || self.0.values().any(|other| other == reel);
+        let numbered = (2_u64..).map(|count| {
             let digits = count.to_string();
             let kept: String = short.chars().take(REEL.saturating_sub(digits.len())).collect();
-            reel = format!("{kept}{digits}");
-        }
-        self.0.insert(film.to_owned(), reel.clone());
-        reel
+            kept + &digits
+        });
+        let mut names = std::iter::once(short.to_owned()).chain(numbered);
+        names.find(|reel| !taken(reel)).unwrap_or_default()
     }
 }
 
@@ -83,8 +88,12 @@ mod tests {
     #[test]
     fn films_of_one_beginning_have_reels_of_their_own() {
         let mut reels = Reels::default();
-        let names = ["holidays-1.mp4", "holidays-2.mp4", "夏.mp4", "冬.mp4", "ax.mov", "holidays-1.mp4"]
-            .map(|name| reels.of(name));
-        assert_eq!(names, ["HOLIDAYS", "HOLIDAY2", "FILM", "2", "AX2", "HOLIDAYS"]);
+        let names = ["holidays-1.mp4", "holidays-2.mp4", "夏.mp4", "冬.mp4", "ax.mov", "bl.mov"];
+        let mut named: Vec<String> =
+            names.iter().enumerate().map(|(source, name)| reels.of(source, name).to_owned()).collect();
+        named.push(reels.of(0, names[0]).to_owned());
+        // Another file of the same name.
+        named.push(reels.of(7, names[0]).to_owned());
+        assert_eq!(named, ["HOLIDAYS", "HOLIDAY2", "FILM", "FILM2", "AX2", "BL2", "HOLIDAYS", "HOLIDAY3"]);
     }
 }

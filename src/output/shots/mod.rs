@@ -17,8 +17,9 @@ mod xmeml;
 
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
-use timecode::{Pace, Rate};
+use std::collections::{BTreeMap, HashMap};
+use std::fmt::Write as _;
+use timecode::{Pace, Rate, StartTimecode};
 
 /// Shots in their order. In JSON what is empty may be missing.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
@@ -65,17 +66,24 @@ pub struct ListedShot {
     pub film: Option<Film>,
 }
 
+/// Frames by which the end of a source may be missed because its length was rounded to milliseconds.
+const ROUNDED: f64 = 0.1;
+
 /// A place in a film.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(optional_fields))]
 pub struct Film {
+    /// Identifies the film: others may have the same name. Without a key, films of one name are one film.
+    pub key: String,
     /// The name of its file.
     pub name: String,
-    /// Seconds from its beginning.
+    /// Seconds from its first picture.
     pub time: f64,
     /// How long it is, in seconds, where that is known.
     pub length: Option<f64>,
+    /// The timecode of its first picture.
+    pub timecode: Option<StartTimecode>,
 }
 
 /// The columns of a table, those of one's own apart.
@@ -122,6 +130,10 @@ impl ShotList {
         if !list.pace.fits(list.rate().base) {
             return Err(invalid("have a rate whose frames are not counted in this way".into()));
         }
+        let mut starts = list.shots.iter().filter_map(|shot| shot.film.as_ref()?.timecode);
+        if !starts.all(StartTimecode::is_valid) {
+            return Err(invalid("timecode: must be a frame of a day at 1 to 120 frames per second".into()));
+        }
         Ok(list)
     }
 
@@ -142,27 +154,92 @@ impl ShotList {
         Rate { base: if self.fps == 0 { 24 } else { self.fps }, pace: self.pace }
     }
 
-    /// The shots with their places: in their film, and behind each other.
-    fn cuts(&self) -> impl Iterator<Item = Cut<'_>> {
+    /// The shots with their places: in their source, and behind each other.
+    fn cuts(&self) -> Vec<Cut<'_>> {
         let rate = self.rate();
+        let mut sources = Sources::default();
         let mut at = 0;
-        self.shots.iter().map(move |shot| {
-            let frames = shot.frames.map_or(2 * u64::from(rate.base), u64::from).max(1);
-            let start = shot.film.as_ref().map_or(0, |film| rate.frame_at(film.time));
-            let cut = Cut { shot, start, frames, at };
-            at += frames;
-            cut
-        })
+        let mut cuts = Vec::with_capacity(self.shots.len());
+        for (i, shot) in self.shots.iter().enumerate() {
+            let cut = sources.cut(i, shot, rate, at);
+            at += cut.frames;
+            cuts.push(cut);
+        }
+        cuts
     }
 }
 
-/// A shot in its place, in frames.
+/// The files that shots are from.
+#[derive(Default)]
+struct Sources<'a> {
+    /// The first shot of each film.
+    films: HashMap<&'a str, Source>,
+    /// How many files have a name.
+    names: HashMap<&'a str, u64>,
+}
+
+/// A file that shots are from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Source {
+    /// The number of the first shot that is from it.
+    first: usize,
+    /// 1 for the first file of its name, 2 for the second.
+    namesake: u64,
+}
+
+impl<'a> Sources<'a> {
+    fn cut(&mut self, i: usize, shot: &'a ListedShot, rate: Rate, at: u64) -> Cut<'a> {
+        let usual = 2 * u64::from(rate.base);
+        let wanted = shot.frames.map_or(usual, u64::from).max(1);
+        let Some(film) = &shot.film else {
+            let source = self.add(i, &shot.name);
+            return Cut {
+                shot,
+                source,
+                start: 0,
+                frames: wanted,
+                length: Some(wanted),
+                origin: 0,
+                counting: rate,
+                at,
+            };
+        };
+        let key = if film.key.is_empty() { &film.name } else { &film.key };
+        let known = self.films.get(key.as_str()).copied();
+        let source = known.unwrap_or_else(|| {
+            let source = self.add(i, &film.name);
+            self.films.insert(key, source);
+            source
+        });
+        let counting = film.timecode.map_or(rate, |start| start.counting_at(rate));
+        let origin = film.timecode.map_or(0, |start| start.frame_in(counting));
+        let length = film.length.map(|seconds| rate.whole_frames(seconds, ROUNDED).max(1));
+        let start = rate.frame_at(film.time).min(length.map_or(u64::MAX, |length| length - 1));
+        let frames = wanted.min(length.map_or(u64::MAX, |length| length - start));
+        Cut { shot, source, start, frames, length, origin, counting, at }
+    }
+
+    fn add(&mut self, first: usize, name: &'a str) -> Source {
+        let namesake = self.names.entry(name).or_default();
+        *namesake += 1;
+        Source { first, namesake: *namesake }
+    }
+}
+
+/// A shot in its place, in frames of the list's rate.
 struct Cut<'a> {
     shot: &'a ListedShot,
-    /// Where it begins in its film; 0 for a picture of its own.
+    source: Source,
+    /// Where it begins in its source; 0 for a picture of its own.
     start: u64,
-    /// How long it is.
+    /// How long it is: not longer than the rest of its source.
     frames: u64,
+    /// How long its source is, if that is known.
+    length: Option<u64>,
+    /// The timecode of the first frame of its source, in frames since midnight.
+    origin: u64,
+    /// How the timecode of its source is counted.
+    counting: Rate,
     /// Where it begins among the others.
     at: u64,
 }
@@ -173,11 +250,40 @@ impl Cut<'_> {
         self.shot.film.as_ref().map_or(&self.shot.name, |film| &film.name)
     }
 
+    /// Where its file is looked for beside the list. Of files with the same name only the first can be there, and each of the
+    /// others is looked for in a folder with its number.
+    fn url(&self) -> String {
+        let name = encoded(self.file());
+        match self.source.namesake {
+            1 => name,
+            number => format!("{number}/{name}"),
+        }
+    }
+
+    /// The timecode of a frame of its source.
+    fn timecode(&self, frame: u64) -> String {
+        self.counting.timecode(self.origin + frame)
+    }
+
     /// What it is called: its scene and number.
     fn title(&self) -> String {
         let ListedShot { scene, number, .. } = self.shot;
         if scene.is_empty() { number.clone() } else { format!("{} / {number}", line(scene)) }
     }
+}
+
+/// A name of a file as a part of a URL.
+fn encoded(name: &str) -> String {
+    let mut out = String::new();
+    for byte in name.bytes() {
+        if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) {
+            out.push(char::from(byte));
+        } else {
+            // Writing into text never fails.
+            let _ = write!(out, "%{byte:02X}");
+        }
+    }
+    out
 }
 
 /// A text in one line.
@@ -197,7 +303,12 @@ mod tests {
             action: format!("She opens \"{number}\",\nthe door."),
             frames,
             name: format!("{number} ä.jpg"),
-            film: film.map(|(name, time)| Film { name: name.into(), time, length: Some(60.0) }),
+            film: film.map(|(name, time)| Film {
+                name: name.into(),
+                time,
+                length: Some(60.0),
+                ..Film::default()
+            }),
             ..ListedShot::default()
         };
         let shots = vec![
@@ -212,8 +323,65 @@ mod tests {
     #[test]
     fn shots_stand_one_behind_the_other_and_where_they_are_in_their_film() {
         let list = list(25);
-        let cuts: Vec<_> = list.cuts().map(|cut| (cut.at, cut.frames, cut.start)).collect();
+        let cuts: Vec<_> = list.cuts().iter().map(|cut| (cut.at, cut.frames, cut.start)).collect();
         assert_eq!(cuts, [(0, 36, 0), (36, 50, 313), (86, 1, 0)]);
+    }
+
+    #[test]
+    fn no_shot_is_longer_than_the_rest_of_its_film() {
+        let film = |key: &str, time| Film { key: key.into(), name: "a.mp4".into(), time, ..Film::default() };
+        let shot = |frames, film: Film| ListedShot { frames, film: Some(film), ..ListedShot::default() };
+        let of = |frames, time, length| shot(frames, Film { length: Some(length), ..film("a", time) });
+        let shots = vec![
+            of(None, 1.2, 2.0),
+            of(Some(500), 1.2, 2.0),
+            of(Some(3), 1.2, 2.0),
+            // Beyond the end, without a length, and a length that was rounded down.
+            of(None, 9.0, 2.0),
+            of(None, 1.0, 0.0),
+            shot(None, film("a", 9.0)),
+            of(None, 1.0, 1.999),
+            // A frame and a half of the list: the second one is not there.
+            of(None, 0.0, 0.06),
+        ];
+        let list = ShotList { fps: 25, shots, ..ShotList::default() };
+        let cuts: Vec<_> = list.cuts().iter().map(|cut| (cut.start, cut.frames, cut.length)).collect();
+        let two = Some(50);
+        assert_eq!(
+            cuts,
+            [
+                (30, 20, two),
+                (30, 20, two),
+                (30, 3, two),
+                (49, 1, two),
+                (0, 1, Some(1)),
+                (225, 50, None),
+                (25, 25, two),
+                (0, 1, Some(1)),
+            ]
+        );
+    }
+
+    #[test]
+    fn files_of_one_name_are_as_many_sources_as_they_are() {
+        let film = |key: &str| Some(Film { key: key.into(), name: "C0001.MP4".into(), ..Film::default() });
+        let shot = |name: &str, film| ListedShot { name: name.into(), film, ..ListedShot::default() };
+        let shots = vec![
+            shot("frame", film("v1")),
+            shot("frame", film("v2")),
+            shot("frame", film("v1")),
+            shot("a b.jpg", None),
+            shot("a b.jpg", None),
+            shot("frame", film("")),
+            shot("frame", film("")),
+        ];
+        let list = ShotList { shots, ..ShotList::default() };
+        let cuts = list.cuts();
+        let sources: Vec<_> = cuts.iter().map(|cut| (cut.source.first, cut.source.namesake)).collect();
+        assert_eq!(sources, [(0, 1), (1, 2), (0, 1), (3, 1), (4, 2), (5, 3), (5, 3)]);
+        let urls: Vec<_> = cuts.iter().map(Cut::url).collect();
+        let of = |number: usize| ["C0001.MP4", "2/C0001.MP4", "3/C0001.MP4"][number].to_owned();
+        assert_eq!(urls, [of(0), of(1), of(0), "a%20b.jpg".into(), "2/a%20b.jpg".into(), of(2), of(2)]);
     }
 
     #[test]
@@ -227,12 +395,23 @@ mod tests {
             let list = format!("{{\"fps\":{fps},\"pace\":\"{pace}\"}}");
             assert_eq!(ShotList::parse(&list).is_ok(), fits, "{list}");
         }
+        for (start, valid) in [
+            (r#"{"frame":0,"fps":25}"#, true),
+            (r#"{"frame":2160000,"fps":25}"#, false),
+            (r#"{"frame":0,"fps":0}"#, false),
+            (r#"{"frame":0,"fps":25,"drop":true}"#, false),
+            (r#"{"frame":-1,"fps":25}"#, false),
+            (r#""10:00:00:00""#, false),
+        ] {
+            let list = format!("{{\"shots\":[{{\"film\":{{\"timecode\":{start}}}}}]}}");
+            assert_eq!(ShotList::parse(&list).is_ok(), valid, "{list}");
+        }
     }
 
     proptest! {
         #[test]
         fn no_text_breaks_a_list(text in "\\PC{0,40}", time in -1e300_f64..1e300) {
-            let film = Film { name: text.clone(), time, length: None };
+            let film = Film { name: text.clone(), time, ..Film::default() };
             let shot = ListedShot { number: text.clone(), notes: text.clone(), film: Some(film), ..ListedShot::default() };
             let list = ShotList { title: text, shots: vec![shot], ..ShotList::default() };
             for (_, kind) in Kind::ALL {

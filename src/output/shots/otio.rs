@@ -1,17 +1,16 @@
-//! An `OpenTimelineIO` timeline of one picture track, its fields in the metadata of the clips. Source: the schema of
-//! `OpenTimelineIO` 0.15 (`Timeline.1`, `Clip.2`, `ExternalReference.1`).
+//! An `OpenTimelineIO` timeline of one picture track, its fields in the metadata of the clips. The times of a source are those of
+//! its timecode. Source: the schema of `OpenTimelineIO` 0.15 (`Timeline.1`, `Clip.2`, `ExternalReference.1`).
 
 use super::timecode::Rate;
 use super::{Cut, ShotList};
 use serde_json::{Value, json};
-use std::fmt::Write as _;
 
 /// The name under which its media is known.
 const MEDIA: &str = "DEFAULT_MEDIA";
 
 pub(super) fn write(list: &ShotList) -> String {
     let rate = list.rate();
-    let clips: Vec<Value> = list.cuts().map(|cut| clip(&cut, rate)).collect();
+    let clips: Vec<Value> = list.cuts().iter().map(|cut| clip(cut, rate)).collect();
     let track = json!({
         "OTIO_SCHEMA": "Track.1", "metadata": {}, "name": "V1", "source_range": null, "effects": [], "markers": [],
         "enabled": true, "children": clips, "kind": "Video",
@@ -28,16 +27,14 @@ pub(super) fn write(list: &ShotList) -> String {
 }
 
 fn clip(cut: &Cut, rate: Rate) -> Value {
-    let Cut { shot, start, frames, .. } = cut;
-    let length =
-        shot.film.as_ref().map_or(Some(*frames), |film| film.length.map(|length| rate.frame_at(length)));
-    let available = length.map(|length| range(0, length.max(start + frames), rate));
+    let Cut { shot, start, frames, origin, .. } = cut;
+    let available = cut.length.map(|length| range(*origin, length, rate));
     let media = json!({
         "OTIO_SCHEMA": "ExternalReference.1", "metadata": {}, "name": cut.file(), "available_range": available,
-        "available_image_bounds": null, "target_url": url(cut.file()),
+        "available_image_bounds": null, "target_url": cut.url(),
     });
     json!({
-        "OTIO_SCHEMA": "Clip.2", "name": cut.title(), "source_range": range(*start, *frames, rate), "effects": [],
+        "OTIO_SCHEMA": "Clip.2", "name": cut.title(), "source_range": range(origin + start, *frames, rate), "effects": [],
         "markers": [], "enabled": true, "media_references": { MEDIA: media }, "active_media_reference_key": MEDIA,
         "metadata": { "inkpanel": {
             "scene": shot.scene, "shot": shot.number, "action": shot.action, "dialogue": shot.dialogue,
@@ -52,17 +49,4 @@ fn range(start: u64, frames: u64, rate: Rate) -> Value {
 
 fn time(frames: u64, rate: Rate) -> Value {
     json!({ "OTIO_SCHEMA": "RationalTime.1", "rate": rate.exact(), "value": frames as f64 })
-}
-
-/// The name of a file as a URL that is looked for beside the list.
-pub(super) fn url(name: &str) -> String {
-    let mut out = String::new();
-    for byte in name.bytes() {
-        if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) {
-            out.push(char::from(byte));
-        } else {
-            let _ = write!(out, "%{byte:02X}");
-        }
-    }
-    out
 }

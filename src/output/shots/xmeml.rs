@@ -1,21 +1,18 @@
 //! XML of Final Cut Pro 7: a sequence of one picture track. Source: Apple, Final Cut Pro XML Interchange Format, version 5.
 
-use super::otio::url;
 use super::timecode::{Pace, Rate};
 use super::{Cut, ShotList};
 use crate::output::markup::escaped;
-use std::collections::HashMap;
 use std::fmt::Write as _;
 
 pub(super) fn write(list: &ShotList) -> String {
     let rate = list.rate();
     let pace = pace(rate);
     let mut items = String::new();
-    let mut files = HashMap::new();
-    let mut end = 0;
-    for (i, cut) in list.cuts().enumerate() {
-        end = cut.at + cut.frames;
-        item(&mut items, (i + 1, &cut), (&mut files, list), &pace);
+    let cuts = list.cuts();
+    let end = cuts.last().map_or(0, |cut| cut.at + cut.frames);
+    for (i, cut) in cuts.iter().enumerate() {
+        item(&mut items, (i, cut), length_of(cut, &cuts), &pace);
     }
     let begin = rate.programme();
     let shown = shown(rate);
@@ -36,27 +33,21 @@ fn shown(rate: Rate) -> &'static str {
     if rate.drops() { "DF" } else { "NDF" }
 }
 
-/// A clip. `files`: the numbers of films that were told already, and how far each is known to reach.
-fn item(
-    out: &mut String,
-    (number, cut): (usize, &Cut),
-    (files, list): (&mut HashMap<String, usize>, &ShotList),
-    pace: &str,
-) {
-    let Cut { shot, start, frames, at } = cut;
+/// A clip of a file of `length` frames. The file is described by the first clip that is from it.
+fn item(out: &mut String, (i, cut): (usize, &Cut), length: u64, pace: &str) {
+    let Cut { shot, source, start, frames, at, .. } = cut;
+    let (number, known) = (i + 1, source.first + 1);
     let still = if shot.film.is_some() { "" } else { "<stillframe>TRUE</stillframe>\n" };
-    let length = length_of(list, cut);
-    let known = shot.film.as_ref().and_then(|film| files.get(&film.name));
-    let file = if let Some(known) = known {
+    let file = if source.first < i {
         format!("<file id=\"file-{known}\"/>")
     } else {
-        files.insert(cut.file().to_owned(), number);
         format!(
-            "<file id=\"file-{number}\">\n<name>{}</name>\n<pathurl>{}</pathurl>\n{pace}\n<duration>{length}</duration>\n<timecode>{pace}<string>{}</string><frame>0</frame><displayformat>{}</displayformat></timecode>\n<media><video/></media>\n</file>",
+            "<file id=\"file-{known}\">\n<name>{}</name>\n<pathurl>{}</pathurl>\n{pace}\n<duration>{length}</duration>\n<timecode>{pace}<string>{}</string><frame>{}</frame><displayformat>{}</displayformat></timecode>\n<media><video/></media>\n</file>",
             escaped(cut.file()),
-            url(cut.file()),
-            list.rate().timecode(0),
-            shown(list.rate()),
+            cut.url(),
+            cut.timecode(0),
+            cut.origin,
+            shown(cut.counting),
         )
     };
     // Writing into text never fails.
@@ -74,13 +65,10 @@ fn item(
     );
 }
 
-/// Frames of the file of a shot: as long as its film is, and as far as any shot of it reaches.
-fn length_of(list: &ShotList, cut: &Cut) -> u64 {
-    let Some(film) = &cut.shot.film else { return cut.frames };
-    let own = film.length.map_or(0, |length| list.rate().frame_at(length));
-    let same =
-        list.cuts().filter(|other| other.shot.film.as_ref().is_some_and(|other| other.name == film.name));
-    same.map(|other| other.start + other.frames).fold(own, u64::max)
+/// Frames of the source of a shot; if that is not known, as far as any shot reaches into it.
+fn length_of(cut: &Cut, cuts: &[Cut]) -> u64 {
+    let same = cuts.iter().filter(|other| other.source == cut.source);
+    cut.length.unwrap_or_else(|| same.map(|other| other.start + other.frames).fold(0, u64::max))
 }
 
 #[cfg(test)]
