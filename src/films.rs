@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
+use inkpanel::output::shots::timecode::StartTimecode;
 use inkpanel::select::look::{Look, Samples};
 use inkpanel::select::shots::{Film, Shot};
 use inkpanel::select::stills::{self, Still, Wish};
@@ -25,13 +26,12 @@ const MOST_LOOKS: f64 = 20_000.0;
 pub(crate) fn shots(film: &Path, count: Option<usize>) -> Result<Value, Complaint> {
     let about = About::of(film)?;
     let seen = look_at(film, &about)?;
-    let end = about.duration.max(seen.times().last().copied().unwrap_or_default());
-    let shots = seen.shots(end);
+    let shots = seen.shots(about.end(&seen));
     let chosen = stills::choose(&seen, &shots, &Wish { count, ..Wish::default() });
-    Ok(shots.iter().enumerate().map(|(i, shot)| told(i, shot, &chosen)).collect())
+    Ok(shots.iter().enumerate().map(|(i, shot)| told(i, shot, &chosen, &about)).collect())
 }
 
-fn told(number: usize, shot: &Shot, chosen: &[Still]) -> Value {
+fn told(number: usize, shot: &Shot, chosen: &[Still], about: &About) -> Value {
     let round = |seconds: f64| (seconds * 1000.0).round() / 1000.0;
     let frames: Vec<f64> =
         chosen.iter().filter(|still| still.shot == number).map(|still| round(still.time)).collect();
@@ -42,23 +42,34 @@ fn told(number: usize, shot: &Shot, chosen: &[Still]) -> Value {
     } else {
         "picture"
     };
-    json!({ "shot": number + 1, "start": round(shot.start), "end": round(shot.end), "kind": kind, "frames": frames })
+    let mut told = json!({ "shot": number + 1, "start": round(shot.start), "end": round(shot.end), "kind": kind, "frames": frames });
+    if let Some(start) = about.timecode {
+        told["timecode"] = start.at(shot.start, about.frame_rate).into();
+    }
+    told
 }
 
 /// What a film says of itself.
 struct About {
     width: usize,
     height: usize,
+    /// Frames a second.
+    frame_rate: f64,
     /// Frames a second that are looked at.
     rate: f64,
     duration: f64,
+    /// The timecode of its first picture.
+    timecode: Option<StartTimecode>,
 }
 
 impl About {
     fn of(film: &Path) -> Result<Self, Complaint> {
         let mut probe = Command::new("ffprobe");
         probe.args(["-v", "error", "-select_streams", "V:0", "-of", "json", "-show_entries"]);
-        probe.arg("stream=width,height,avg_frame_rate:format=duration").arg(film).stdin(Stdio::null());
+        probe
+            .arg("stream=width,height,avg_frame_rate:stream_tags=timecode:format=duration")
+            .arg(film)
+            .stdin(Stdio::null());
         let answer = probe.output().map_err(|_| "films need ffmpeg, which is not installed".to_owned())?;
         let name = film.display();
         let told: Value = serde_json::from_slice(&answer.stdout).unwrap_or_default();
@@ -73,19 +84,31 @@ impl About {
             let (frames, seconds) = rate.split_once('/')?;
             Some(frames.parse::<f64>().ok()? / seconds.parse::<f64>().ok()?)
         });
-        let rate = rate.filter(|rate| rate.is_finite() && *rate > 0.0).unwrap_or(25.0).min(60.0);
+        let frame_rate = rate.filter(|rate| rate.is_finite() && *rate > 0.0).unwrap_or(25.0);
+        let timecode = stream["tags"]["timecode"].as_str();
+        let timecode = timecode.and_then(|start| StartTimecode::parse(start, frame_rate.round() as u32));
+        let rate = frame_rate.min(60.0);
         // Two even numbers, as half of them are chroma's.
         let across = (width as usize).min(ACROSS) / 2 * 2;
         let down = (height as usize * across / width as usize).max(2) / 2 * 2;
         let rate = if duration * rate > MOST_LOOKS { MOST_LOOKS / duration } else { rate };
-        Ok(Self { width: across.max(2), height: down, rate, duration })
+        Ok(Self { width: across.max(2), height: down, frame_rate, rate, duration, timecode })
+    }
+
+    /// Seconds at which the pictures end. A film that breaks off has fewer of them than it says.
+    fn end(&self, seen: &Film) -> f64 {
+        let last = seen.times().last().copied().unwrap_or_default();
+        let end = last + 1.0 / self.rate;
+        if self.duration > 0.0 { end.min(self.duration.max(last)) } else { end }
     }
 }
 
 fn look_at(film: &Path, about: &About) -> Result<Film, Complaint> {
     let mut ffmpeg = Command::new("ffmpeg");
     ffmpeg.args(["-v", "error", "-nostdin", "-noautorotate", "-i"]).arg(film).args(["-map", "0:V:0", "-vf"]);
-    ffmpeg.arg(format!("fps={},scale={}:{}", about.rate, about.width, about.height));
+    // A film begins with its first picture, whatever the time of that in the file.
+    let (rate, width, height) = (about.rate, about.width, about.height);
+    ffmpeg.arg(format!("setpts=PTS-STARTPTS,fps={rate},scale={width}:{height}"));
     ffmpeg.args(["-pix_fmt", "yuv420p", "-f", "rawvideo", "-"]).stdin(Stdio::null()).stdout(Stdio::piped());
     let failed = |error: std::io::Error| format!("ffmpeg: {error}");
     let mut running = ffmpeg.spawn().map_err(failed)?;

@@ -39,8 +39,11 @@ export async function hearFilm(
     const samples = await orStopped(decoded(file), signal);
     onStage('hearing');
     const { events = [] } = await asked(worker, { samples, rate: RATE }, signal, [samples.buffer]);
-    const at = (seconds: number) => seconds + sound.begins;
-    return events.map((event) => ({ ...event, start: at(event.start), end: at(event.end) }));
+    const at = (seconds: number) => Math.max(0, seconds + sound.begins);
+    // A sound that ends before the first picture belongs to no frame.
+    return events
+      .map((event) => ({ ...event, start: at(event.start), end: at(event.end) }))
+      .filter(({ end }) => end > 0);
   } finally {
     worker.terminate();
   }

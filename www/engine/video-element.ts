@@ -31,13 +31,17 @@ export async function readByElement(
     const opened = await happens(video, 'loadeddata', OPENING);
     // A codec that the system lacks may load without an error, as a film without a picture.
     if (!opened || video.videoWidth === 0) throw failure('video-codec', why);
-    const duration = await lengthOf(video);
+    const whole = await lengthOf(video);
+    const first = await wind(video, 0);
+    // A player that does not say when it shows a frame starts with the first one.
+    const begins = first < whole ? first : 0;
+    const duration = whole - begins;
     onAbout({ duration });
     const times = told ?? sampleTimes({ first: 0, duration, count: count || USUAL, start, end });
     for (const index of runs(times.length, leading).flat()) {
       const time = times[index];
       if (signal?.aborted) throw cancelled();
-      await wind(video, time);
+      await wind(video, begins + time);
       await onFrame({ index, time, rotation: 0, ...(await pixelsOf(video)) });
     }
   } finally {
@@ -57,16 +61,16 @@ async function lengthOf(video: HTMLVideoElement) {
   return video.duration;
 }
 
-/** @param time seconds */
+/** @param time seconds @returns when the frame begins that is shown then; `time` if that is not known */
 async function wind(video: HTMLVideoElement, time: number) {
-  const shown = new Promise((resolve) => {
+  const shown = new Promise<number>((resolve) => {
     const told = 'requestVideoFrameCallback' in video;
-    if (told) video.requestVideoFrameCallback(resolve);
-    else (video as HTMLVideoElement).addEventListener('seeked', resolve, { once: true });
-    setTimeout(resolve, PATIENCE);
+    if (told) video.requestVideoFrameCallback((_, { mediaTime }) => resolve(mediaTime));
+    else (video as HTMLVideoElement).addEventListener('seeked', () => resolve(time), { once: true });
+    setTimeout(() => resolve(time), PATIENCE);
   });
   video.currentTime = time;
-  await shown;
+  return shown;
 }
 
 async function pixelsOf(video: HTMLVideoElement): Promise<{

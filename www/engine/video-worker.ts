@@ -6,6 +6,7 @@
  */
 
 import { ALL_FORMATS, BlobSource, EncodedPacketSink, Input, VideoSampleSink } from 'mediabunny';
+import { createFilmClock } from './film-clock.ts';
 import { codecName, filmKind } from './film-kinds.ts';
 import { createLooks } from './film-looks.ts';
 import { filmModule } from './film-module.ts';
@@ -13,6 +14,7 @@ import { rgbaOf } from './frame-pixels.ts';
 import { mayGoOn, sendFrame, serveFrames } from './frame-sender.ts';
 import { describe, failure } from './protocol.ts';
 import { runs, sampleTimes } from './sample-times.ts';
+import type { FilmClock } from './film-clock.ts';
 import type { FileWish } from './frame-sender.ts';
 import type { InputVideoTrack, VideoSample } from 'mediabunny';
 
@@ -35,12 +37,15 @@ async function read(wish: FileWish) {
     const track = await open(input, wish.file);
     const first = Math.max(0, await track.getFirstTimestamp());
     const { duration, reaches } = await lengthOf(track);
-    if (!(reaches > 0)) throw failure('film-empty', 'There is no frame in it.');
-    postMessage({ about: { duration: reaches, whole: reaches < duration - 0.5 ? duration : undefined } });
-    const sender = createSender(track);
+    if (!(reaches > 0 && reaches >= first)) throw failure('film-empty', 'There is no frame in it.');
+    const clock = createFilmClock(first);
+    const whole = reaches < duration - 0.5 ? clock.inFilm(duration) : undefined;
+    postMessage({ about: { duration: clock.inFilm(reaches), whole } });
+    const sender = createSender(track, clock);
+    const spread = { ...clock.wishInFile(wish), first, duration: reaches };
     try {
-      if (wish.shots) await byShots(track, sender, { ...wish, first, duration: reaches });
-      else await atTimes(sender, { ...wish, first, duration: reaches });
+      if (wish.shots) await byShots(track, sender, spread, clock.inFilm(reaches));
+      else await atTimes(sender, spread);
     } catch (error) {
       // Where not even one frame comes out of what it says it decodes, the browser's own player may do better.
       const { code, message } = describe(error);
@@ -54,16 +59,18 @@ async function read(wish: FileWish) {
 }
 
 type Sender = ReturnType<typeof createSender>;
-type Spread = FileWish & { first: number; duration: number };
+/** In seconds of the file: when its first picture is shown, and when its last one ends. */
+type Spread = Omit<FileWish, 'file'> & { first: number; duration: number };
 
 async function atTimes(sender: Sender, { count, start, end, leading, times: told, first, duration }: Spread) {
   const times = told ? [...told] : sampleTimes({ first, duration, count, start, end });
   for (const run of runs(times.length, leading)) await sender.send(run.map((index) => ({ index, time: times[index] })));
 }
 
-async function byShots(track: InputVideoTrack, sender: Sender, wish: Spread) {
-  const { count, start = 0, end = Infinity, first, duration, moments = [] } = wish;
-  const [from, to] = [Math.max(first, start), Math.min(duration, end)];
+/** @param duration of the film, as the page knows it */
+async function byShots(track: InputVideoTrack, sender: Sender, wish: Spread, duration: number) {
+  const { count, start = 0, end = Infinity, first, moments = [] } = wish;
+  const [from, to] = [Math.max(first, start), Math.min(wish.duration, end)];
   const films = await filmModule().catch(() => null);
   // Nobody should be left without a page because a file of the program is missing.
   if (!films) return atTimes(sender, { ...wish, count: count || WITHOUT });
@@ -165,7 +172,8 @@ async function trackOf(input: Input) {
   return input.getPrimaryVideoTrack();
 }
 
-function createSender(track: InputVideoTrack) {
+/** @param clock by which the page hears of the times of frames, which are asked for in seconds of the file */
+function createSender(track: InputVideoTrack, clock: FilmClock) {
   const sink = new VideoSampleSink(track);
   // A slow film may show one frame at two of the times.
   const sent = new Set<number>();
@@ -183,7 +191,7 @@ function createSender(track: InputVideoTrack) {
       }
       sent.add(sample.timestamp);
       await mayGoOn();
-      await handOver(sample, place);
+      await handOver(sample, { ...place, time: clock.inFilm(place.time) });
     }
   }
 }
