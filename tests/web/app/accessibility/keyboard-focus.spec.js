@@ -2,10 +2,10 @@
 /** The whole job by keyboard alone, with the focus watched at every step: it is somewhere, and it is seen. */
 
 import { readFile } from 'node:fs/promises';
-import { four } from './panel-hands.js';
-import { expect, idle, openBoard, picture, PNG, tab, test } from './support.js';
+import { four } from '../panel-hands.js';
+import { expect, idle, openBoard, picture, PNG, tab, test } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 // What fades in on focus is there at once.
 test.use({ contextOptions: { reducedMotion: 'reduce' } });

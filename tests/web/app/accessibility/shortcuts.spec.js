@@ -1,7 +1,7 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { PNG } from '../../../www/testing.ts';
-import { contents, expect, idle, openBoard, picture, tab, test } from './support.js';
+import { PNG } from '../../../../www/testing.ts';
+import { contents, expect, idle, openBoard, picture, tab, test } from '../support.js';
 
 test('from the start to the file by keyboard alone', async ({ page }) => {
   await page.goto('./');

@@ -4,10 +4,10 @@
 import { execFile } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { promisify } from 'node:util';
-import { probed } from './film-hands.js';
-import { accessible, expect, idle, openBoard, PNG, photos, SIX, test } from './support.js';
+import { probed } from '../film-hands.js';
+import { accessible, expect, idle, openBoard, PNG, photos, SIX, test } from '../support.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
 const run = promisify(execFile);
 
@@ -105,7 +105,7 @@ test('a film becomes a board and an animatic by keyboard alone', async ({ page }
   await page.goto('./');
   const chooser = page.waitForEvent('filechooser');
   await page.getByRole('button', { name: 'Choose photos or a video' }).press('Enter');
-  const buffer = await readFile(new URL('../../videos/album.mp4', import.meta.url));
+  const buffer = await readFile(new URL('../../../videos/album.mp4', import.meta.url));
   await (await chooser).setFiles([{ name: 'album.mp4', mimeType: 'video/mp4', buffer }]);
   await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
   await idle(page);
@@ -255,7 +255,7 @@ function picture(name, { width, height }, rgba) {
 }
 
 /**
- * @param {import('./support.js').Page} page
+ * @param {import('../support.js').Page} page
  * @returns the colour in the middle of where a logo as wide as high stands on the first sheet
  */
 function logoColour(page) {

@@ -1,6 +1,6 @@
 // @ts-check
-import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from './designer-hands.js';
-import { accessible, contents, expect, idle, openBoard, picture, pixelsOf, tab, test } from './support.js';
+import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from '../designer-hands.js';
+import { accessible, contents, expect, idle, openBoard, picture, pixelsOf, tab, test } from '../support.js';
 
 test('a style is built from nothing by mouse, ordered, bypassed, undone and used', async ({ page }) => {
   await openDesigner(page);

@@ -1,9 +1,9 @@
 // @ts-check
 /** Blocks that are put anywhere, what they are called, and the style on the page being made. */
-import { FOUR, addBlock, button, cards, drawn, names, openDesigner, region } from './designer-hands.js';
-import { accessible, expect, idle, openBoard, test } from './support.js';
+import { FOUR, addBlock, button, cards, drawn, names, openDesigner, region } from '../designer-hands.js';
+import { accessible, expect, idle, openBoard, test } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 const palette = (/** @type {Page} */ page) => page.getByRole('region', { name: 'Blocks to add' });
 /** @param {Page} page @param {string} term */

@@ -1,9 +1,9 @@
 // @ts-check
-import { addBlock, cards, names, openDesigner, preview, region } from './designer-hands.js';
-import { expect, test } from './support.js';
-import { touch, way } from './touch-hands.js';
+import { addBlock, cards, names, openDesigner, preview, region } from '../designer-hands.js';
+import { expect, test } from '../support.js';
+import { touch, way } from '../touch-hands.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 test.use({ viewport: { width: 1100, height: 760 }, hasTouch: true });
 

@@ -1,11 +1,11 @@
 // @ts-check
 /** The album as a film: played in the page, and saved as MP4, WebM and GIF files that ffprobe reads. */
 
-import { openExport, saved } from './export-hands.js';
-import { probed } from './film-hands.js';
-import { accessible, expect, idle, openBoard, test } from './support.js';
+import { openExport, saved } from '../export-hands.js';
+import { probed } from '../film-hands.js';
+import { accessible, expect, idle, openBoard, test } from '../support.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
 /** Frames of the film that all tests make: three shots of half a second each at 24 a second. */
 const FRAMES = 36;

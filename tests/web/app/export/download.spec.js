@@ -1,9 +1,9 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { PNG } from '../../../www/testing.ts';
-import { colours, expect, openBoard, press, test } from './support.js';
+import { PNG } from '../../../../www/testing.ts';
+import { colours, expect, openBoard, press, test } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 /**
  * @param {Page} page

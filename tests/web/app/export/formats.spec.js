@@ -1,10 +1,10 @@
 // @ts-check
-import { PNG } from '../../../www/testing.ts';
-import { openExport, saved, savedAs } from './export-hands.js';
-import { panel } from './panel-hands.js';
-import { accessible, expect, openBoard, test } from './support.js';
+import { PNG } from '../../../../www/testing.ts';
+import { openExport, saved, savedAs } from '../export-hands.js';
+import { panel } from '../panel-hands.js';
+import { accessible, expect, openBoard, test } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 /** What the browser makes of a picture. @param {Page} page @param {Buffer} bytes @param {string} type */
 function sizeOf(page, bytes, type) {

@@ -3,11 +3,11 @@
 
 import { writeFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
-import { savedAs } from './export-hands.js';
-import { accessible, expect, openBoard, test } from './support.js';
-import { write } from './word-hands.js';
+import { savedAs } from '../export-hands.js';
+import { accessible, expect, openBoard, test } from '../support.js';
+import { write } from '../word-hands.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 /** What can be seen of the page that is read, in pixels of the screen. @param {Page} page @param {string} part of it */
 const boxOf = (page, part) =>

@@ -5,16 +5,16 @@ import { execFile } from 'node:child_process';
 import { readFile, writeFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
-import { openExport, saved } from './export-hands.js';
-import { probed } from './film-hands.js';
-import { accessible, add, different, expect, idle, openBoard, pixelsOf, tab, test } from './support.js';
-import { write } from './word-hands.js';
+import { openExport, saved } from '../export-hands.js';
+import { probed } from '../film-hands.js';
+import { accessible, add, different, expect, idle, openBoard, pixelsOf, tab, test } from '../support.js';
+import { write } from '../word-hands.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 /** @typedef {ReturnType<Page['locator']>} Locator */
 
 const run = promisify(execFile);
-const CAT = fileURLToPath(new URL('../../photos/cat.jpg', import.meta.url));
+const CAT = fileURLToPath(new URL('../../../photos/cat.jpg', import.meta.url));
 
 /**
  * A film of three seconds: a photo that stands still, and over its left half a square that wanders where `moves`.

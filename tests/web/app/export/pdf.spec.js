@@ -4,11 +4,11 @@
 import { execFile } from 'node:child_process';
 import { readFile, writeFile } from 'node:fs/promises';
 import { promisify } from 'node:util';
-import { PNG } from '../../../www/testing.ts';
-import { thumbs } from './book-hands.js';
-import { openExport, saved, savedAs } from './export-hands.js';
-import { drop, expect, idle, openBoard, press, tab, test } from './support.js';
-import { write } from './word-hands.js';
+import { PNG } from '../../../../www/testing.ts';
+import { thumbs } from '../book-hands.js';
+import { openExport, saved, savedAs } from '../export-hands.js';
+import { drop, expect, idle, openBoard, press, tab, test } from '../support.js';
+import { write } from '../word-hands.js';
 
 const run = promisify(execFile);
 

@@ -1,11 +1,11 @@
 // @ts-check
 /** The check of what is printed: panels whose photos are too coarse, and the box that has these enlarged well. */
 
-import { PNG } from '../../../www/testing.ts';
-import { openExport, saved } from './export-hands.js';
-import { add, expect, idle, photos, test } from './support.js';
+import { PNG } from '../../../../www/testing.ts';
+import { openExport, saved } from '../export-hands.js';
+import { add, expect, idle, photos, test } from '../support.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 /** @typedef {ReturnType<Page['getByRole']>} Locator */
 
 /** The check box. @param {Locator} dialog */

@@ -1,14 +1,14 @@
 // @ts-check
 /** The PNG is the project: what it carries, what it never carries, and the ways back in. */
 
-import { withoutMetadata } from '../../../www/engine/metadata/strip.ts';
-import { SECRETS, loaded } from '../../../www/engine/metadata/testing.ts';
-import { openExport, saved } from './export-hands.js';
-import { panel } from './panel-hands.js';
-import { accessible, add, drop, expect, idle, openBoard, photos, picture, press, SIX, tab, test } from './support.js';
-import { word, write } from './word-hands.js';
+import { withoutMetadata } from '../../../../www/engine/metadata/strip.ts';
+import { SECRETS, loaded } from '../../../../www/engine/metadata/testing.ts';
+import { openExport, saved } from '../export-hands.js';
+import { panel } from '../panel-hands.js';
+import { accessible, add, drop, expect, idle, openBoard, photos, picture, press, SIX, tab, test } from '../support.js';
+import { word, write } from '../word-hands.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 const STYLE = {
   id: 'dropped',
@@ -82,7 +82,7 @@ const file = (/** @type {string} */ name, /** @type {Buffer} */ buffer) => ({ na
 
 /**
  * The page on a device that has seen none of it.
- * @param {import('../../../www/testing.ts').Browser} browser
+ * @param {import('../../../../www/testing.ts').Browser} browser
  * @param {string | undefined} baseURL
  */
 async function elsewhere(browser, baseURL) {

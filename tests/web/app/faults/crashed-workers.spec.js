@@ -1,10 +1,10 @@
 // @ts-check
-import { test as plain } from '../../../www/testing.ts';
-import { SIX, add, colours, expect, idle, photos, picture, pixelsOf, press } from './support.js';
+import { test as plain } from '../../../../www/testing.ts';
+import { SIX, add, colours, expect, idle, photos, picture, pixelsOf, press } from '../support.js';
 
 // Not the watched test of `support.js`: here errors in workers are the point.
 
-/** @param {import('../../../www/testing.ts').Page} page */
+/** @param {import('../../../../www/testing.ts').Page} page */
 const crashWorkers = (page) =>
   Promise.all(
     page.workers().map((worker) =>

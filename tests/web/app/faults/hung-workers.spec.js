@@ -1,8 +1,8 @@
 // @ts-check
 /** Workers that hang: they cost seconds, and no photo where the next worker can read it. */
 
-import { test as plain } from '../../../www/testing.ts';
-import { SIX, add, colours, expect, idle, openBoard, photos, picture, pixelsOf, press } from './support.js';
+import { test as plain } from '../../../../www/testing.ts';
+import { SIX, add, colours, expect, idle, openBoard, photos, picture, pixelsOf, press } from '../support.js';
 
 const WORKER = /assets\/worker-[^/]*\.js$/;
 /** What a worker costs that hangs was half a minute before; now it is some seconds on an idle machine. */
@@ -10,7 +10,7 @@ const SECONDS = 25_000;
 
 /**
  * Lets workers hang for ever in the middle of the third photo.
- * @param {import('./support.js').Page} page
+ * @param {import('../support.js').Page} page
  * @param {(load: number) => boolean} which of the worker's loads do so, counted from 1
  */
 async function hang(page, which) {

@@ -1,7 +1,7 @@
 // @ts-check
 import { copyFile, mkdir, rename } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
-import { test as plain } from '../../../www/testing.ts';
+import { test as plain } from '../../../../www/testing.ts';
 import {
   SIX,
   add,
@@ -15,11 +15,11 @@ import {
   pixelsOf,
   press,
   test,
-} from './support.js';
+} from '../support.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
-const PHOTOS = new URL('../../photos/', import.meta.url);
+const PHOTOS = new URL('../../../photos/', import.meta.url);
 
 /**
  * Makes every worker of the pool fail in the way of `fault` when it is about to answer for a photo whose id ends so.

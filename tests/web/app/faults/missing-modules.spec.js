@@ -2,11 +2,11 @@
 /** Parts of the program that are loaded when they are asked for, and do not come. */
 
 import { fileURLToPath } from 'node:url';
-import { test as plain } from '../../../www/testing.ts';
-import { FOUR } from './designer-hands.js';
-import { openExport, saved } from './export-hands.js';
-import { expect, idle, openBoard } from './support.js';
-import { openWords, word, write } from './word-hands.js';
+import { test as plain } from '../../../../www/testing.ts';
+import { FOUR } from '../designer-hands.js';
+import { openExport, saved } from '../export-hands.js';
+import { expect, idle, openBoard } from '../support.js';
+import { openWords, word, write } from '../word-hands.js';
 
 const LETTERS = /letters-[^/]*\.bin$/;
 
@@ -66,7 +66,7 @@ plain('a style from a picture whose search did not come is looked for at a new t
   await page.route(modules, (route) => route.abort());
   await page.getByRole('button', { name: 'Style from a picture', exact: true }).click();
   const region = page.getByRole('region', { name: 'Style from a picture' });
-  const print = fileURLToPath(new URL('../../../docs/pages/noir.png', import.meta.url));
+  const print = fileURLToPath(new URL('../../../../docs/pages/noir.png', import.meta.url));
   await region.getByLabel('Picture whose style is wanted').setInputFiles(print);
   await expect(region.getByText('What finds styles in pictures could not be loaded.', { exact: false })).toBeVisible();
   await page.unroute(modules);

@@ -1,6 +1,6 @@
 // @ts-check
-import { accessible, idle, openBoard, press, expect, test } from './support.js';
-import { box, inked, word, write } from './word-hands.js';
+import { accessible, idle, openBoard, press, expect, test } from '../support.js';
+import { box, inked, word, write } from '../word-hands.js';
 
 test('words are added, written and drawn, one undo a step', async ({ page }) => {
   await openBoard(page);

@@ -1,10 +1,10 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { PNG } from '../../../www/testing.ts';
-import { accessible, add, drop, expect, idle, openBoard, press, tab, test } from './support.js';
-import { box, inked, word, write } from './word-hands.js';
+import { PNG } from '../../../../www/testing.ts';
+import { accessible, add, drop, expect, idle, openBoard, press, tab, test } from '../support.js';
+import { box, inked, word, write } from '../word-hands.js';
 
-const VIDEO = new URL('../../videos/album.mp4', import.meta.url);
+const VIDEO = new URL('../../../videos/album.mp4', import.meta.url);
 
 test('every drag has a click and a field', async ({ page }) => {
   await openBoard(page);
@@ -141,7 +141,7 @@ test('subtitles that come with a video are put on its frames; what is malformed 
   await expect(word(page, /^Balloon: Second \d/).first()).toBeVisible({ timeout: 60_000 });
   await idle(page);
   const placed = (
-    /** @type {ReturnType<import('../../../www/testing.ts').Page['locator']>} */ things,
+    /** @type {ReturnType<import('../../../../www/testing.ts').Page['locator']>} */ things,
     /** @type {string} */ about,
   ) =>
     things.evaluateAll(

@@ -1,10 +1,10 @@
 // @ts-check
 /** Words written on the page by touch: the text stays in sight, above the keyboard of the screen too, and a second tap writes. */
 
-import { expect, idle, openBoard, test } from './support.js';
-import { box, word } from './word-hands.js';
+import { expect, idle, openBoard, test } from '../support.js';
+import { box, word } from '../word-hands.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 const LONG = 'We are late again, and this is a rather long sentence that needs some lines of its own';
 

@@ -1,9 +1,9 @@
 // @ts-check
 /** Thumbnails that are seen larger by a finger that stays on them. */
-import { FOUR } from './designer-hands.js';
-import { expect, openBoard, test } from './support.js';
+import { FOUR } from '../designer-hands.js';
+import { expect, openBoard, test } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 

@@ -1,8 +1,8 @@
 // @ts-check
-import { choose, expect, idle, openBoard, picture, test } from './support.js';
-import { touch as fingersGo } from './touch-hands.js';
+import { choose, expect, idle, openBoard, picture, test } from '../support.js';
+import { touch as fingersGo } from '../touch-hands.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 test.use({ viewport: { width: 360, height: 740 }, hasTouch: true, deviceScaleFactor: 2 });
 

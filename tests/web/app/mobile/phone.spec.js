@@ -1,9 +1,9 @@
 // @ts-check
-import { expect, idle, openBoard, picture, press, test } from './support.js';
+import { expect, idle, openBoard, picture, press, test } from '../support.js';
 
 test.use({ viewport: { width: 360, height: 740 }, hasTouch: true, deviceScaleFactor: 2 });
 
-/** @param {import('../../../www/testing.ts').Page} page */
+/** @param {import('../../../../www/testing.ts').Page} page */
 const overflow = (page) => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
 
 test('the page fills a narrow screen, and nothing sticks out', async ({ page }) => {
@@ -59,7 +59,7 @@ test('a swipe turns to another page, and back', async ({ page }) => {
 });
 
 /**
- * @param {import('../../../www/testing.ts').Page} page
+ * @param {import('../../../../www/testing.ts').Page} page
  * @param {number} by pixels to the right
  */
 async function swipe(page, by) {

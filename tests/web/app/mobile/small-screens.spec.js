@@ -1,11 +1,11 @@
 // @ts-check
 /** What was covered, cut off or out of sight on small screens, by what a person does there. */
 
-import { covered } from '../covered.js';
-import { SIX, expect, idle, openBoard, test } from './support.js';
-import { drawn, region } from './designer-hands.js';
+import { covered } from '../../covered.js';
+import { SIX, expect, idle, openBoard, test } from '../support.js';
+import { drawn, region } from '../designer-hands.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 const SIDEWAYS = { width: 844, height: 390 };
 const UPRIGHT = { width: 390, height: 844 };

@@ -1,10 +1,10 @@
 // @ts-check
 /** In the hand: what a finger can hit, what a scroll leaves alone, what a phone held sideways shows. */
 
-import { covered } from '../covered.js';
-import { drop, expect, idle, openBoard, test } from './support.js';
+import { covered } from '../../covered.js';
+import { drop, expect, idle, openBoard, test } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 const SIDEWAYS = { width: 844, height: 390 };
 

@@ -2,12 +2,12 @@
 /** The page without a connection, after one visit. */
 
 import { readFile } from 'node:fs/promises';
-import { PNG } from '../../../www/testing.ts';
-import { kept, netsKept, test } from './offline-hands.js';
-import { SIX, accessible, add, colours, expect, idle, photos, picture, pixelsOf, press } from './support.js';
-import { write } from './word-hands.js';
+import { PNG } from '../../../../www/testing.ts';
+import { kept, netsKept, test } from '../offline-hands.js';
+import { SIX, accessible, add, colours, expect, idle, photos, picture, pixelsOf, press } from '../support.js';
+import { write } from '../word-hands.js';
 
-const WEBP = new URL('../../oracles/data/files/webp-lossy.webp', import.meta.url);
+const WEBP = new URL('../../../oracles/data/files/webp-lossy.webp', import.meta.url);
 
 test('after one visit the page works without its host: album, words, PNG', async ({ page, host }) => {
   await page.goto(host.address);

@@ -3,10 +3,10 @@
 
 import { readdir, unlink } from 'node:fs/promises';
 import { join } from 'node:path';
-import { buildOf, builds, kept, lookForUpdate, offer, test } from './offline-hands.js';
-import { anotherBuild } from './site-host.js';
-import { SIX, accessible, add, contents, expect, idle, photos } from './support.js';
-import { word, write } from './word-hands.js';
+import { buildOf, builds, kept, lookForUpdate, offer, test } from '../offline-hands.js';
+import { anotherBuild } from '../site-host.js';
+import { SIX, accessible, add, contents, expect, idle, photos } from '../support.js';
+import { word, write } from '../word-hands.js';
 
 test('a new version is taken when the person says so; a page of the old one goes on with its own files', async ({
   page,

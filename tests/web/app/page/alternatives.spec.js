@@ -1,7 +1,7 @@
 // @ts-check
-import { contents, expect, idle, openBoard, picture, test } from './support.js';
+import { contents, expect, idle, openBoard, picture, test } from '../support.js';
 
-/** @param {import('../../../www/testing.ts').Page} page */
+/** @param {import('../../../../www/testing.ts').Page} page */
 const drawn = (page) => page.getByRole('region', { name: 'Alternatives' }).locator('canvas[data-drawn=true]');
 
 test('at least fourteen pages are in view on a large screen, more as one scrolls', async ({ page }) => {

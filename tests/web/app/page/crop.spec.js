@@ -1,6 +1,6 @@
 // @ts-check
-import { boxOf, changed, drag, four, panel } from './panel-hands.js';
-import { expect, idle, picture, press, tab, test } from './support.js';
+import { boxOf, changed, drag, four, panel } from '../panel-hands.js';
+import { expect, idle, picture, press, tab, test } from '../support.js';
 
 test('by mouse: wheel zooms, drag pans, double click fits, Reset restores', async ({ page }) => {
   await four(page);

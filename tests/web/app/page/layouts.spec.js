@@ -1,8 +1,8 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { choose, contents, drop, expect, idle, openBoard, picture, PNG, press, tab, test } from './support.js';
+import { choose, contents, drop, expect, idle, openBoard, picture, PNG, press, tab, test } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 /** @param {Page} page */
 const layouts = (page) => page.getByRole('listbox', { name: 'Layouts' });

@@ -1,9 +1,9 @@
 // @ts-check
 /** Storyboards of several pages on a phone, by touch. */
 
-import { strip, thumb, thumbs } from './book-hands.js';
-import { accessible, expect, idle, openBoard, picture, press, test } from './support.js';
-import { way } from './touch-hands.js';
+import { strip, thumb, thumbs } from '../book-hands.js';
+import { accessible, expect, idle, openBoard, picture, press, test } from '../support.js';
+import { way } from '../touch-hands.js';
 
 test.use({ viewport: { width: 360, height: 740 }, hasTouch: true });
 

@@ -1,7 +1,7 @@
 // @ts-check
 /** Storyboards of several pages: an album spread over them, pages added, turned, moved, removed. */
 
-import { photosOfPages, strip, thumb, thumbs } from './book-hands.js';
+import { photosOfPages, strip, thumb, thumbs } from '../book-hands.js';
 import {
   accessible,
   colours,
@@ -14,9 +14,9 @@ import {
   press,
   tab,
   test,
-} from './support.js';
+} from '../support.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
 /** @param {Page} page */
 async function spreadSamples(page) {

@@ -1,7 +1,7 @@
 // @ts-check
 /** Room for the page: what folds, what floats, and the page alone. */
 
-import { expect, idle, openBoard, test } from './support.js';
+import { expect, idle, openBoard, test } from '../support.js';
 
 // Where versions are told in words.
 test.use({ viewport: { width: 1366, height: 768 } });

@@ -1,5 +1,5 @@
 // @ts-check
-import { accessible, choose, contents, expect, idle, openBoard, picture, press, tab, test } from './support.js';
+import { accessible, choose, contents, expect, idle, openBoard, picture, press, tab, test } from '../support.js';
 
 test('a panel is split into rows and columns and taken away', async ({ page }) => {
   await openBoard(page);

@@ -1,5 +1,5 @@
 // @ts-check
-import { contents, expect, idle, openBoard, picture, press, tab, test } from './support.js';
+import { contents, expect, idle, openBoard, picture, press, tab, test } from '../support.js';
 
 test('shuffle shows another page, again and again', async ({ page }) => {
   await openBoard(page);

@@ -1,6 +1,6 @@
 // @ts-check
-import { boxOf, changed, drag, four, panel } from './panel-hands.js';
-import { contents, expect, idle, picture, press, test } from './support.js';
+import { boxOf, changed, drag, four, panel } from '../panel-hands.js';
+import { contents, expect, idle, picture, press, test } from '../support.js';
 
 test('photos are swapped by a drag, by two clicks and by keyboard', async ({ page }) => {
   await four(page);

@@ -12,7 +12,7 @@ import {
   picture,
   pixelsOf,
   test,
-} from './support.js';
+} from '../support.js';
 
 test('the start says what to do, and opens from any sub-path', async ({ page }) => {
   await page.goto('./');

@@ -1,15 +1,15 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { add, colours, contents, expect, idle, photos, picture, pixelsOf, press, test } from './support.js';
+import { add, colours, contents, expect, idle, photos, picture, pixelsOf, press, test } from '../support.js';
 
-const DATA = new URL('../../oracles/data/', import.meta.url);
+const DATA = new URL('../../../oracles/data/', import.meta.url);
 
 /** @param {string} path @param {string} [name] @returns {Promise<{ name: string, mimeType: string, buffer: Buffer }>} */
 async function file(path, name = path.split('/').at(-1) ?? path) {
   return { name, mimeType: `image/${name.split('.').at(-1)}`, buffer: await readFile(new URL(path, DATA)) };
 }
 
-/** @param {import('./support.js').Page} page @param {RegExp} name */
+/** @param {import('../support.js').Page} page @param {RegExp} name */
 const boxes = (page, name) => page.getByRole('checkbox', { name });
 
 test('an AVIF photo, which the browser decodes, becomes a panel and is exported from its file', async ({ page }) => {

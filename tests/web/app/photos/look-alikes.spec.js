@@ -1,9 +1,9 @@
 // @ts-check
 /** Look-alikes as stacks, how alike is too alike, and the order of the photos. */
 
-import { SIX, add, expect, idle, photos, press, test } from './support.js';
+import { SIX, add, expect, idle, photos, press, test } from '../support.js';
 
-/** @param {import('./support.js').Page} page */
+/** @param {import('../support.js').Page} page */
 async function openWithCopies(page) {
   const some = await photos(...SIX);
   const cat = some.find(({ name }) => name === 'cat.jpg') ?? some[0];

@@ -1,8 +1,8 @@
 // @ts-check
 /** What the page says when much goes wrong at once. */
 
-import { test as plain } from '../../../www/testing.ts';
-import { SIX, accessible, add, expect, idle, openBoard, photos, press, test } from './support.js';
+import { test as plain } from '../../../../www/testing.ts';
+import { SIX, accessible, add, expect, idle, openBoard, photos, press, test } from '../support.js';
 
 /** @param {number} count */
 const bad = (count) =>

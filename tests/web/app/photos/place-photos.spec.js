@@ -1,9 +1,9 @@
 // @ts-check
 /** Photos on the table under the pointer: a click chooses and places, the tick alone leaves out, and each says where it is. */
 
-import { expect, idle, openBoard, test } from './support.js';
+import { expect, idle, openBoard, test } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 const panel = (/** @type {Page} */ page, /** @type {number} */ n) =>
   page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) });

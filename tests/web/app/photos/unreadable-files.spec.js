@@ -1,6 +1,6 @@
 // @ts-check
 import { crc32 } from 'node:zlib';
-import { SIX, add, contents, expect, idle, openBoard, photos, picture, press, test } from './support.js';
+import { SIX, add, contents, expect, idle, openBoard, photos, picture, press, test } from '../support.js';
 
 /** @param {string} name @param {Buffer} buffer */
 const file = (name, buffer) => ({ name, mimeType: 'image/jpeg', buffer });

@@ -2,13 +2,13 @@
 /** The page's Content-Security-Policy: it forbids other hosts, and nothing that the page does. */
 
 import { readFile } from 'node:fs/promises';
-import { addBlock, drawn } from './designer-hands.js';
-import { add, detectingTest, expect, idle, press, test } from './support.js';
-import { write } from './word-hands.js';
+import { addBlock, drawn } from '../designer-hands.js';
+import { add, detectingTest, expect, idle, press, test } from '../support.js';
+import { write } from '../word-hands.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
-const FILM = new URL('../../videos/album.mp4', import.meta.url);
+const FILM = new URL('../../../videos/album.mp4', import.meta.url);
 const film = async () => ({ name: 'album.mp4', mimeType: 'video/mp4', buffer: await readFile(FILM) });
 
 /** Notes what the policy forbids, from the first script on. @param {Page} page */

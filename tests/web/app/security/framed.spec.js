@@ -3,15 +3,15 @@
 
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
-import { headersOfAll } from '../../../www/host-headers.js';
-import { test as plain } from '../../../www/testing.ts';
-import { savedAs } from './export-hands.js';
-import { kept } from './offline-hands.js';
-import { startHost } from './site-host.js';
-import { accessible, add, expect, idle, photos, press, test } from './support.js';
-import { write } from './word-hands.js';
+import { headersOfAll } from '../../../../www/host-headers.js';
+import { test as plain } from '../../../../www/testing.ts';
+import { savedAs } from '../export-hands.js';
+import { kept } from '../offline-hands.js';
+import { startHost } from '../site-host.js';
+import { accessible, add, expect, idle, photos, press, test } from '../support.js';
+import { write } from '../word-hands.js';
 
-const HEADERS = headersOfAll(await readFile(new URL('../../../www/public/_headers', import.meta.url), 'utf8'));
+const HEADERS = headersOfAll(await readFile(new URL('../../../../www/public/_headers', import.meta.url), 'utf8'));
 const REFUSED = 'Another site shows Inkpanel inside its own page.';
 
 /** A page of another origin with a frame. @param {string} inside @param {string} [attributes] of the frame */
@@ -45,7 +45,7 @@ plain(
     await accessible(page);
     // Neither files nor buttons, no worker, nothing stored, and the module was never asked for.
     await expect(frame.locator('input, button')).toHaveCount(0);
-    const inner = /** @type {ReturnType<import('./support.js').Page['frames']>[number]} */ (
+    const inner = /** @type {ReturnType<import('../support.js').Page['frames']>[number]} */ (
       page.frames().find((other) => other.url().startsWith(String(baseURL)))
     );
     expect(

@@ -2,9 +2,9 @@
 /** Projects that are dropped together, and photos with them. */
 
 import { readFile } from 'node:fs/promises';
-import { SIX, accessible, add, drop, expect, idle, openBoard, photos, test } from './support.js';
+import { SIX, accessible, add, drop, expect, idle, openBoard, photos, test } from '../support.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
 /** The project on the page as a file. @param {Page} page @param {string} name */
 async function saved(page, name) {

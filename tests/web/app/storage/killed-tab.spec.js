@@ -1,10 +1,10 @@
 // @ts-check
 /** A tab that the system kills at once, as phones do: all of the work is there when the page is opened again. */
 
-import { contents, expect, idle, openBoard, press, test } from './support.js';
-import { openWords, word, write } from './word-hands.js';
+import { contents, expect, idle, openBoard, press, test } from '../support.js';
+import { openWords, word, write } from '../word-hands.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
 /** @param {Page} page */
 async function kill(page) {

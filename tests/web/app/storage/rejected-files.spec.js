@@ -1,13 +1,13 @@
 // @ts-check
 /** A file that cannot be opened changes nothing, on the page and in the database; nor does what the page writes lock it out. */
 
-import { soundPage, soundProject } from './hostile-files.js';
-import { SMALL, goodFiles, saved } from './project-hands.js';
-import { accessible, add, contents, drop, expect, idle, picture, press, tab, test } from './support.js';
-import { tables } from './table-hands.js';
-import { word, write } from './word-hands.js';
+import { soundPage, soundProject } from '../hostile-files.js';
+import { SMALL, goodFiles, saved } from '../project-hands.js';
+import { accessible, add, contents, drop, expect, idle, picture, press, tab, test } from '../support.js';
+import { tables } from '../table-hands.js';
+import { word, write } from '../word-hands.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
 const idOf = (/** @type {Page} */ page) => page.evaluate(() => String(sessionStorage.getItem('inkpanel.project')));
 
@@ -59,7 +59,7 @@ const REFUSED = {
   },
 };
 
-/** @param {import('./hostile-files.js').Hostile} file */
+/** @param {import('../hostile-files.js').Hostile} file */
 const asFile = ({ name, bytes }) => ({
   name,
   mimeType: name.endsWith('png') ? 'image/png' : 'application/zip',

@@ -4,9 +4,9 @@
  */
 
 import { readFile } from 'node:fs/promises';
-import { SIX, contents, drop, expect, idle, openBoard, photos, press, test } from './support.js';
+import { SIX, contents, drop, expect, idle, openBoard, photos, press, test } from '../support.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
 /** @param {Page} page */
 const saved = (page) => expect(page.locator('.save-state')).toHaveText('Saved');

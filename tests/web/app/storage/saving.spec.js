@@ -4,9 +4,9 @@
  * photos, an edit right before the page closes, and when the tab asks.
  */
 
-import { PNG, SIX, add, contents, expect, idle, openBoard, photos, press, test } from './support.js';
+import { PNG, SIX, add, contents, expect, idle, openBoard, photos, press, test } from '../support.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
 /** @param {Page} page */
 const state = (page) => page.locator('.save-state');

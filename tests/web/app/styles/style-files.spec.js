@@ -1,7 +1,7 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from './designer-hands.js';
-import { drop, expect, idle, openBoard, picture, tab, test } from './support.js';
+import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from '../designer-hands.js';
+import { drop, expect, idle, openBoard, picture, tab, test } from '../support.js';
 
 test('a style goes out as a file and a link, and comes back by both', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);

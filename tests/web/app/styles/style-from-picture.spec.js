@@ -1,7 +1,7 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { FOUR } from './designer-hands.js';
-import { accessible, drop, expect, openBoard, photos, test } from './support.js';
+import { FOUR } from '../designer-hands.js';
+import { accessible, drop, expect, openBoard, photos, test } from '../support.js';
 
 test('a style is taken over from a picture that is dropped with Alt, used on the page, and saved', async ({ page }) => {
   await openBoard(page, FOUR);
@@ -15,7 +15,7 @@ test('a style is taken over from a picture that is dropped with Alt, used on the
   // The photo that styles are tried on is seen as it is.
   await expect(region.locator('.imitation-result canvas[data-drawn=true]')).toBeVisible();
 
-  const buffer = await readFile(new URL('../../../docs/pages/noir.png', import.meta.url));
+  const buffer = await readFile(new URL('../../../../docs/pages/noir.png', import.meta.url));
   await drop(page, [{ name: 'dark print.png', mimeType: 'image/png', buffer }], { altKey: true });
   await expect(region.getByRole('progressbar')).toBeVisible();
   const found = region.getByRole('list', { name: 'Styles found' }).getByRole('button');

@@ -1,9 +1,9 @@
 // @ts-check
 /** The help: found by a word, read by everyone. */
 
-import { accessible, expect, idle, openBoard, test } from './support.js';
+import { accessible, expect, idle, openBoard, test } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 /** @param {Page} page */
 const help = (page) => page.getByRole('dialog', { name: 'Help and keyboard shortcuts' });

@@ -1,10 +1,10 @@
 // @ts-check
 /** Three hints at first use: where they stand, when they go, and that they come no second time. */
 
-import { covered } from '../covered.js';
-import { accessible, choose, expect, idle, openBoard, press, test } from './support.js';
+import { covered } from '../../covered.js';
+import { accessible, choose, expect, idle, openBoard, press, test } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 /** @param {Page} page @param {string} text */
 const hint = (page, text) => page.locator('.hint[data-placed=true]').filter({ hasText: text });

@@ -1,10 +1,10 @@
 // @ts-check
 /** Language and theme: one menu, what it chooses, and when. */
 
-import { covered } from '../covered.js';
-import { accessible, expect, idle, openBoard, test } from './support.js';
+import { covered } from '../../covered.js';
+import { accessible, expect, idle, openBoard, test } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 const background = (/** @type {Page} */ page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
 const LIGHT = 'rgb(250, 250, 251)';

@@ -1,7 +1,7 @@
 // @ts-check
 /** The tabs beside the page: by keys, their lists, and what is seen of a choice before it is made. */
 
-import { contents, expect, idle, openBoard, picture, tab, test } from './support.js';
+import { contents, expect, idle, openBoard, picture, tab, test } from '../support.js';
 
 test('tabs are one tab stop that arrows walk, and what is sought in one stays', async ({ page }) => {
   await openBoard(page);

@@ -2,12 +2,12 @@
 /** The sounds of a film, as words on its frames. */
 
 import { readFile } from 'node:fs/promises';
-import { word } from './word-hands.js';
-import { accessible, add, expect, idle, press, tab, test } from './support.js';
+import { word } from '../word-hands.js';
+import { accessible, add, expect, idle, press, tab, test } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
-const VIDEOS = new URL('../../videos/', import.meta.url);
+const VIDEOS = new URL('../../../videos/', import.meta.url);
 /** Three claps, in seconds. */
 const CLAPS = [1.5, 3.2, 4.6];
 

@@ -1,8 +1,8 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { add, expect, idle, photos, test } from './support.js';
+import { add, expect, idle, photos, test } from '../support.js';
 
-const ODD = new URL('../../videos/odd/', import.meta.url);
+const ODD = new URL('../../../videos/odd/', import.meta.url);
 
 /** @param {string} name @param {string} [as] */
 async function film(name, as = name) {

@@ -1,10 +1,10 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { add, contents, expect, idle, photos, press, test } from './support.js';
+import { add, contents, expect, idle, photos, press, test } from '../support.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
-const VIDEOS = new URL('../../videos/', import.meta.url);
+const VIDEOS = new URL('../../../videos/', import.meta.url);
 
 /** @param {string} name @param {string} mimeType */
 async function video(name, mimeType) {
