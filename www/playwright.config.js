@@ -3,38 +3,43 @@ import { defineConfig } from '@playwright/test';
 import { CHROMIUM, servedSite } from '../tests/web/launching.js';
 
 const site = servedSite(4187);
-/** Specs that take minutes. */
-const LONG = /(hostile|languages|screens|sights|access|locked-out|traps|animatic|motion|video)\.spec\.js$/;
 
-/** `INKPANEL_PAGE=short` leaves the long specs out and prints their pattern. */
-const short = process.env.INKPANEL_PAGE === 'short';
-if (short && !process.env.TEST_WORKER_INDEX) console.log(`NOT RUN: specs that match ${LONG}`);
+/** Specs that take more than half a minute. */
+const LONG =
+  /\/(access|explorer|explorer-wall|hostile|languages|locked-out|masks|screens|sights|subject-brush)\.spec\.js$/;
+
+/** Tags of the tests that a tier of `cargo xtask test` leaves out. A run by hand is like that of a push. */
+const LEFT_OUT = { change: /@ci|@nightly/, ci: /@nightly/, all: undefined };
+const tier = /** @type {keyof typeof LEFT_OUT} */ (process.env.INKPANEL_TIER ?? 'ci');
+if (!(tier in LEFT_OUT))
+  throw new Error(`INKPANEL_TIER: ${tier} is not a tier; use ${Object.keys(LEFT_OUT).join(', ')}`);
 
 export default defineConfig({
   testDir: '../tests/web/app',
   outputDir: '../tests/web/results',
   fullyParallel: false,
-  // Files are begun in the order of their projects: one that takes minutes would leave a worker idle at the end.
-  projects: [...(short ? [] : [{ name: 'long', testMatch: LONG }]), { name: 'short', testIgnore: LONG }],
-  // A page that waits for a timer, a message or one worker leaves cores idle: two files run side by side, even on two cores.
+  grepInvert: LEFT_OUT[tier],
+  // Files start in the order of the projects. A long file that starts late would run alone at the end.
+  projects: [
+    { name: 'long', testMatch: LONG },
+    { name: 'short', testIgnore: LONG },
+  ],
+  // A page that waits for a timer, a message or a worker leaves cores idle: two files run in parallel, even on two cores.
   workers: 2,
-  // The machine may be busy: a limit ends what hangs, it does not measure.
+  // The machine may be busy. A limit ends a test that hangs; it measures nothing.
   timeout: 240_000,
   expect: { timeout: 30_000 },
   reporter: [['list']],
   forbidOnly: !!process.env.CI,
-  // Nobody watches there: a second try brings the trace, and tells a race, which is listed as flaky, from a fault.
-  retries: process.env.CI ? 1 : 0,
+  retries: 0,
   use: {
     baseURL: site.url,
     viewport: { width: 1280, height: 800 },
     acceptDownloads: true,
-    // What a worker serves no test can stand in the way of; `offline.spec.js` is about it, and allows it.
+    // Responses of a service worker cannot be changed by a test. `offline.spec.js` allows it.
     serviceWorkers: 'block',
-    // Pictures and page contents of every step cost a third of the suite's time: they are kept of a second try alone.
-    trace: process.env.CI
-      ? 'on-first-retry'
-      : { mode: 'retain-on-failure', screenshots: false, snapshots: false, sources: false },
+    // Screenshots and snapshots of every step take a third of the time of the tests.
+    trace: { mode: 'retain-on-failure', screenshots: false, snapshots: false, sources: false },
     screenshot: 'only-on-failure',
     launchOptions: CHROMIUM,
   },

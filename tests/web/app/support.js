@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * What the tests share: a page that is watched for foreign requests and script errors, and the few gestures that
- * every test begins with.
+ * What the tests of the app share: a page that is checked for errors and for requests to other origins, and the steps
+ * that most tests begin with.
  */
 
 import { readFile } from 'node:fs/promises';
@@ -9,36 +9,196 @@ import { AxeBuilder, PNG, expect, test as plain } from '../../../www/testing.ts'
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
+/** Options of a test. `detects`: whether the app looks for faces and objects. `isWatched`: whether faults of the page fail the test. @typedef {{ detects: boolean, isWatched: boolean }} Own */
+/** A page that tests share: the key of these tests, and its state after it was opened. @typedef {{ key: string, open: Open, page: Page, start: string }} Shared */
+/** Brings a page to the state that tests start from. @typedef {(page: Page) => Promise<unknown>} Open */
+
 /** Photos that are no part of the site. */
 const PHOTOS = new URL('../../photos/', import.meta.url);
 
 /**
- * A test whose page made no request to another origin and threw no error, whatever else it checks.
- * @param {{ detects: boolean }} how whether the page looks for faces and objects
+ * Replaces random seeds by a fixed sequence. It goes on after a reload, so that no seed comes twice. Ids remain random,
+ * because tabs must not have the same ids.
  */
-const watched = ({ detects }) =>
-  plain.extend({
-    page: async ({ page, baseURL }, use) => {
-      if (!detects) await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
-      const { origin } = new URL(baseURL ?? '');
-      /** @type {string[]} */
-      const wrong = [];
-      page.on('request', (request) => {
-        const url = new URL(request.url());
-        if (!['blob:', 'data:'].includes(url.protocol) && url.origin !== origin) wrong.push(`request to ${url}`);
-      });
-      page.on('pageerror', (error) => wrong.push(`error: ${error.message}`));
-      page.on('console', (message) => {
-        if (message.type() === 'error') wrong.push(`console: ${message.text()}`);
-      });
-      await use(page);
-      expect(wrong).toEqual([]);
-    },
-  });
+function fixSeeds() {
+  const random = crypto.getRandomValues.bind(crypto);
+  const loads = Number(/^loads: (\d+)$/.exec(window.name)?.[1] ?? 0);
+  window.name = `loads: ${loads + 1}`;
+  let state = Math.imul(loads + 1, 0x9e3779b9) >>> 0;
+  // The generator mulberry32.
+  const next = () => {
+    state = (state + 0x6d2b79f5) >>> 0;
+    let mixed = Math.imul(state ^ (state >>> 15), state | 1);
+    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61)) ^ mixed;
+    return (mixed ^ (mixed >>> 14)) >>> 0;
+  };
+  crypto.getRandomValues = (values) => {
+    if (!(values instanceof Uint32Array)) return random(values);
+    values.set(values.map(next));
+    return values;
+  };
+}
 
-/** Most tests do without the detectors, which would only take time. */
-export const test = watched({ detects: false });
-export const detectingTest = watched({ detects: true });
+/** Makes chance repeatable. @param {Page} page @param {boolean} detects */
+async function prepare(page, detects) {
+  await page.addInitScript(fixSeeds);
+  if (!detects)
+    await page.addInitScript(() => {
+      if (location.protocol.startsWith('http')) localStorage.setItem('inkpanel.detect', 'off');
+    });
+}
+
+/** Errors of pages and their requests to other origins. @type {WeakMap<Page, string[]>} */
+const FAULTS = new WeakMap();
+
+/** Notes the faults of a page. @param {Page} page @param {string} baseURL */
+function watch(page, baseURL) {
+  const { origin } = new URL(baseURL);
+  /** @type {string[]} */
+  const wrong = [];
+  FAULTS.set(page, wrong);
+  page.on('request', (request) => {
+    const url = new URL(request.url());
+    if (!['blob:', 'data:'].includes(url.protocol) && url.origin !== origin) wrong.push(`request to ${url}`);
+  });
+  page.on('pageerror', (error) => wrong.push(`error: ${error.message}`));
+  page.on('console', (message) => {
+    if (message.type() === 'error') wrong.push(`console: ${message.text()}`);
+  });
+}
+
+/** @param {Page} page @returns {string[]} its faults since the last call */
+const faultsOf = (page) => FAULTS.get(page)?.splice(0) ?? [];
+
+/**
+ * A test with a new page, which must make no request to another origin and have no error.
+ * @type {import('../../../www/testing.ts').TestWith<Own>}
+ */
+export const test = plain.extend(
+  /** @type {any} */ ({
+    detects: [false, { option: true }],
+    isWatched: [true, { option: true }],
+    shared: [
+      async (/** @type {{}} */ {}, /** @type {(shared: { now?: Shared }) => Promise<void>} */ use) => {
+        const shared = /** @type {{ now?: Shared }} */ ({});
+        await use(shared);
+        await shared.now?.page.context().close();
+      },
+      { scope: 'worker' },
+    ],
+    page: async (
+      /** @type {any} */ { page, baseURL, detects, isWatched },
+      /** @type {(page: Page) => Promise<void>} */ use,
+    ) => {
+      await prepare(page, detects);
+      if (isWatched) watch(page, baseURL);
+      await use(page);
+      expect(faultsOf(page)).toEqual([]);
+    },
+  }),
+);
+
+/** A test of an app that looks for faces and objects, which takes time. */
+export const detectingTest = test.extend(/** @type {any} */ ({ detects: [true, { option: true }] }));
+
+/** A test in which errors and requests to other origins may happen. */
+export const faultTest = test.extend(/** @type {any} */ ({ isWatched: [false, { option: true }] }));
+
+/**
+ * Tests that share one page, as opening a board takes seconds. Each test should end where it began: with the same panels,
+ * screen and settings. Otherwise, and after a failure, the page is opened again for the next test. Scripts, listeners,
+ * routes, clocks and media settings of a test would stay in the page: such a test uses `test`.
+ * @param {Open} open
+ */
+export const testsOn = (open) =>
+  test.extend(
+    /** @type {any} */ ({
+      page: async (
+        /** @type {any} */ {
+          browser,
+          shared,
+          baseURL,
+          detects,
+          bypassCSP,
+          colorScheme,
+          contextOptions,
+          deviceScaleFactor,
+          hasTouch,
+          isMobile,
+          locale,
+          viewport,
+        },
+        /** @type {(page: Page) => Promise<void>} */ use,
+        /** @type {import('../../../www/testing.ts').TestInfo} */ info,
+      ) => {
+        const options = { bypassCSP, colorScheme, contextOptions, deviceScaleFactor, hasTouch, isMobile, locale };
+        const key = JSON.stringify([info.file, detects, viewport, options]);
+        const { now } = shared;
+        const isOpen = now && now.key === key && now.open === open;
+        const left = isOpen ? difference(now.start, await stateOf(now.page)) : '';
+        if (!isOpen || left !== '') {
+          if (left !== '') console.log(`opened again for "${info.title}", as the test before left: ${left}`);
+          await now?.page.context().close();
+          const page = await (await browser.newContext()).newPage();
+          await prepare(page, detects);
+          watch(page, baseURL);
+          await open(page);
+          shared.now = { key, open, page, start: await stateOf(page) };
+        }
+        const { page } = shared.now;
+        await use(page);
+        expect(faultsOf(page)).toEqual([]);
+      },
+    }),
+  );
+
+/** Tests that share a board of six photos. */
+export const boardTest = testsOn((page) => openBoard(page));
+
+/**
+ * The state of a page: its panels, the open screen, and what is chosen, pressed or filled in. One line for each.
+ * @param {Page} page
+ * @returns {Promise<string>}
+ */
+const stateOf = (page) =>
+  page
+    .evaluate(() => {
+      const states = [...document.querySelectorAll('button, summary, input, select, textarea, [role], .panel, dialog')]
+        .filter((one) => one.checkVisibility() && !one.closest('.alternatives'))
+        .map((one) => {
+          const { value, checked, disabled } = /** @type {HTMLInputElement} */ (one);
+          const name = one.getAttribute('aria-label') ?? one.textContent;
+          const is = ['aria-pressed', 'aria-selected', 'aria-current'].map((of) => one.getAttribute(of) === 'true');
+          if (one.matches('input, select, textarea')) return `${name}: ${value} ${checked}`;
+          if (one.matches('.panel')) return `${name}: ${one.getAttribute('aria-description')}`;
+          if (one.matches('dialog[open], .workspace')) return `${name} is open`;
+          if (is.includes(true)) return `${name} is on`;
+          // Buttons that show whether there is something to undo, and whether the page is enlarged.
+          return name === 'Undo' || name === 'Shrink page' ? `${name}: ${disabled}` : '';
+        });
+      const { lang, dataset } = document.documentElement;
+      return [`${innerWidth} x ${innerHeight}`, lang, JSON.stringify(dataset), ...states].filter(Boolean).join('\n');
+    })
+    .catch((error) => String(error));
+
+/** @param {string} before @param {string} after @returns {string} the lines that only one of two states has */
+function difference(before, after) {
+  const [old, now] = [before.split('\n'), after.split('\n')];
+  const lines = [...now.filter((line) => !old.includes(line)), ...old.filter((line) => !now.includes(line))];
+  return lines.join('; ').slice(0, 400);
+}
+
+/**
+ * One step of a test. A fault of the page fails the test, and the next step runs all the same.
+ * @param {Page} page
+ * @param {string} title
+ * @param {() => Promise<void>} body
+ */
+export const step = (page, title, body) =>
+  test.step(title, async () => {
+    await body();
+    expect.soft(faultsOf(page), title).toEqual([]);
+  });
 
 export { PNG, expect };
 

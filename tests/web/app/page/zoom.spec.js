@@ -1,10 +1,12 @@
 // @ts-check
-/** The page larger than the window has room for. */
+/** Zoom of the comic page. */
 
-import { four, panel } from './panel-hands.js';
-import { expect, idle, test } from './support.js';
+import { four, panel } from '../panel-hands.js';
+import { expect, idle, testsOn } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
+
+const test = testsOn(four);
 
 const button = (/** @type {Page} */ page, /** @type {string} */ name) =>
   page.getByRole('button', { name, exact: true });
@@ -12,8 +14,13 @@ const button = (/** @type {Page} */ page, /** @type {string} */ name) =>
 /** @param {Page} page @returns {Promise<{ width: number, height: number, x: number, y: number }>} */
 const boxOf = (page) => panel(page, 1).evaluate((element) => element.getBoundingClientRect().toJSON());
 
-test('the page is enlarged about its middle, painted sharper, and whole again', async ({ page }) => {
-  await four(page);
+/** Shows the whole page again, with no panel chosen. @param {Page} page */
+async function shrink(page) {
+  while (await button(page, 'Shrink page').isEnabled()) await page.keyboard.press('x');
+  await page.keyboard.press('Escape');
+}
+
+test('zooming keeps the middle of the page in place, sharpens it, and returns to the whole page', async ({ page }) => {
   const canvas = page.locator('.page-canvas');
   const painted = () => canvas.evaluate((element) => /** @type {HTMLCanvasElement} */ (element).width);
   const [whole, pixels] = [await boxOf(page), await painted()];
@@ -37,17 +44,16 @@ test('the page is enlarged about its middle, painted sharper, and whole again', 
   await expect(button(page, 'Shrink page')).toBeDisabled();
 });
 
-test('the tools of a panel are in sight while the page is enlarged', async ({ page }) => {
-  await four(page);
+test('the tools of a panel remain visible while the page is enlarged', async ({ page }) => {
   for (let i = 0; i < 4; i += 1) await button(page, 'Enlarge page').click();
   await panel(page, 1).click({ position: { x: 300, y: 300 } });
   const tools = page.getByRole('toolbar', { name: 'Tools for the photo of the panel' }).getByRole('button');
   for (const tool of await tools.and(page.locator(':enabled')).all()) await tool.click({ trial: true });
   await button(page, 'Shrink page').click({ trial: true });
+  await shrink(page);
 });
 
-test('the wheel shows the rest of an enlarged page, and zooms no picture meanwhile', async ({ page }) => {
-  await four(page);
+test('the wheel scrolls an enlarged page and does not zoom a photo', async ({ page }) => {
   for (let i = 0; i < 3; i += 1) await button(page, 'Enlarge page').click();
   await idle(page);
   const before = await boxOf(page);
@@ -60,4 +66,7 @@ test('the wheel shows the rest of an enlarged page, and zooms no picture meanwhi
   // What is undone is the choice of the layout: the wheel left no step.
   await button(page, 'Undo').click();
   await expect(page.getByRole('group', { name: /^Panel \d of 4$/ })).toHaveCount(0);
+  await button(page, 'Redo').click();
+  await idle(page);
+  await shrink(page);
 });
