@@ -1,5 +1,5 @@
 // @ts-check
-/** The pages of a storyboard, as a person finds them. */
+/** The pages of a comic, in the page strip. */
 
 import { contents, idle } from './support.js';
 
@@ -10,7 +10,7 @@ export const thumbs = (/** @type {Page} */ page) => strip(page).getByRole('butto
 export const thumb = (/** @type {Page} */ page, /** @type {number} */ n) =>
   strip(page).getByRole('button', { name: new RegExp(`^Page ${n} of `) });
 
-/** The photos of every page, turned to one after the other. @param {Page} page */
+/** Returns the photos of each page, by opening one page after the other. @param {Page} page */
 export async function photosOfPages(page) {
   const found = [];
   for (let n = 1; n <= (await thumbs(page).count()); n += 1) {

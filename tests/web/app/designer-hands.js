@@ -1,5 +1,5 @@
 // @ts-check
-/** The gestures of the designer's and the explorer's tests. */
+/** Steps of the tests of the style designer and the style explorer. */
 
 import { expect, openBoard } from './support.js';
 
@@ -18,10 +18,10 @@ export const button = (page, name) => region(page).getByRole('button', { name, e
 export const cards = (page, layer = 'Background layer') =>
   region(page).getByRole('list', { name: layer }).getByRole('listitem');
 
-/** The names of the blocks of a layer, in order, as the field has them. @param {Page} page @param {LayerName} [layer] */
+/** The standard names of the blocks of a layer, in order. @param {Page} page @param {LayerName} [layer] */
 export async function names(page, layer) {
-  const told = await cards(page, layer).getByRole('heading').allTextContents();
-  return told.map((name) => name.replace(/^.* \((.*)\)$/, '$1'));
+  const headings = await cards(page, layer).getByRole('heading').allTextContents();
+  return headings.map((name) => name.replace(/^.* \((.*)\)$/, '$1'));
 }
 
 /** @param {Page} page */
@@ -31,7 +31,7 @@ export async function openDesigner(page) {
   await drawn(page);
 }
 
-/** Until the preview and the pictures of the cards are drawn. @param {Page} page */
+/** Waits until the preview and the pictures of the cards are drawn. @param {Page} page */
 export async function drawn(page) {
   await expect(page.getByRole('region', { name: 'Preview', exact: true })).toHaveAttribute('aria-busy', 'false');
 }
@@ -56,7 +56,7 @@ export async function preview(page) {
     .evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
 }
 
-/** Opens the explorer over four photos and lets it invent from a seed. @param {Page} page */
+/** Opens the explorer with four photos and generates styles from a fixed seed. @param {Page} page */
 export async function invent(page) {
   await openBoard(page, FOUR);
   await page.getByRole('button', { name: 'Explorer', exact: true }).click();

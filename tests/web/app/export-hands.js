@@ -1,5 +1,5 @@
 // @ts-check
-/** The export dialog as a person uses it, and the files that come of it. */
+/** The export dialog, and the files that it saves. */
 
 import { readFile } from 'node:fs/promises';
 
@@ -12,6 +12,7 @@ export async function openExport(page) {
 }
 
 /**
+ * Returns the file that an action saves.
  * @param {Page} page
  * @param {() => Promise<void>} act
  * @returns {Promise<{ name: string, path: string, bytes: Buffer }>}
@@ -23,6 +24,12 @@ export async function saved(page, act) {
   const path = await download.path();
   return { name: download.suggestedFilename(), path, bytes: await readFile(path) };
 }
+
+/**
+ * Saves the page by the button above it.
+ * @param {Page} page
+ */
+export const download = (page) => saved(page, () => page.getByRole('button', { name: 'Download PNG' }).click());
 
 /**
  * Saves the page as a kind of file.

@@ -10,8 +10,14 @@ import { AxeBuilder, PNG, expect, test as plain } from '../../../www/testing.ts'
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
 /** Options of a test. `detects`: whether the app looks for faces and objects. `isWatched`: whether faults of the page fail the test. @typedef {{ detects: boolean, isWatched: boolean }} Own */
-/** A page that tests share: the key of these tests, and its state after it was opened. @typedef {{ key: string, open: Open, page: Page, start: string }} Shared */
+/** A page that tests share: the key of these tests, and its state after it was opened. @typedef {{ key: string, open?: Open, page: Page, start: string }} Shared */
 /** Brings a page to the state that tests start from. @typedef {(page: Page) => Promise<unknown>} Open */
+
+/** A file that is added to the app. @typedef {{ name: string, mimeType: string, buffer: Buffer }} File */
+/**
+ * The board that tests share: whether the app was opened, its files, and its state and its picture after they were added.
+ * @typedef {{ isUsed?: boolean, names?: string, start?: string, picture?: string }} Board
+ */
 
 /** Photos that are no part of the site. */
 const PHOTOS = new URL('../../photos/', import.meta.url);
@@ -108,7 +114,7 @@ export const faultTest = test.extend(/** @type {any} */ ({ isWatched: [false, { 
  * Tests that share one page, as opening a board takes seconds. Each test should end where it began: with the same panels,
  * screen and settings. Otherwise, and after a failure, the page is opened again for the next test. Scripts, listeners,
  * routes, clocks and media settings of a test would stay in the page: such a test uses `test`.
- * @param {Open} open
+ * @param {Open} [open] without it, each test begins with `openBoard` or `openStart`
  */
 export const testsOn = (open) =>
   test.extend(
@@ -135,25 +141,42 @@ export const testsOn = (open) =>
         const key = JSON.stringify([info.file, detects, viewport, options]);
         const { now } = shared;
         const isOpen = now && now.key === key && now.open === open;
-        const left = isOpen ? difference(now.start, await stateOf(now.page)) : '';
+        const left = isOpen && open ? difference(now.start, await stateOf(now.page)) : '';
         if (!isOpen || left !== '') {
           if (left !== '') console.log(`opened again for "${info.title}", as the test before left: ${left}`);
           await now?.page.context().close();
           const page = await (await browser.newContext()).newPage();
           await prepare(page, detects);
           watch(page, baseURL);
-          await open(page);
-          shared.now = { key, open, page, start: await stateOf(page) };
+          if (open) await open(page);
+          else BOARDS.set(page, {});
+          shared.now = { key, open, page, start: open ? await stateOf(page) : '' };
         }
         const { page } = shared.now;
         await use(page);
+        const context = page.context();
+        await Promise.all(context.pages().map((/** @type {Page} */ other) => (other === page ? null : other.close())));
+        await context.clearPermissions();
+        await page.unrouteAll({ behavior: 'ignoreErrors' });
+        await page.setViewportSize(viewport);
+        await page.emulateMedia({ colorScheme: null, reducedMotion: null });
         expect(faultsOf(page)).toEqual([]);
       },
+      context: async (
+        /** @type {{ page: Page }} */ { page },
+        /** @type {(context: ReturnType<Page['context']>) => Promise<void>} */ use,
+      ) => use(page.context()),
     }),
   );
 
 /** Tests that share a board of six photos. */
 export const boardTest = testsOn((page) => openBoard(page));
+
+/** The boards of shared pages. @type {WeakMap<Page, Board>} */
+const BOARDS = new WeakMap();
+
+/** Tests that share a page. `openBoard` undoes what the tests before did. */
+export const sharedBoardTest = testsOn();
 
 /**
  * The state of a page: its panels, the open screen, and what is chosen, pressed or filled in. One line for each.
@@ -204,7 +227,7 @@ export { PNG, expect };
 
 /**
  * @param {...string} names of files in `tests/photos`
- * @returns {Promise<{ name: string, mimeType: string, buffer: Buffer }[]>}
+ * @returns {Promise<File[]>}
  */
 export function photos(...names) {
   return Promise.all(
@@ -212,7 +235,10 @@ export function photos(...names) {
   );
 }
 
-/** Six photos: a page, and quick to read. */
+/** The photos of the sample album, for `openBoard`. */
+export const SAMPLES = ['sample album'];
+
+/** Six photos: enough for a comic page, and quick to read. */
 export const SIX = ['bee.jpg', 'cat.jpg', 'crab.jpg', 'gateway.jpg', 'macaw.jpg', 'temple.jpg'];
 
 /**
@@ -224,29 +250,100 @@ export async function idle(page) {
 }
 
 /**
- * Opens the page with some photos on the table, and waits until the page is drawn.
+ * Opens the start screen, without stored data if tests share the page.
+ * @param {Page} page
+ */
+export async function openStart(page) {
+  const board = BOARDS.get(page);
+  if (board?.isUsed) {
+    const { origin } = new URL(page.url());
+    await page.goto('about:blank');
+    const session = await page.context().newCDPSession(page);
+    await session.send('Storage.clearDataForOrigin', { origin, storageTypes: 'all' });
+    await session.detach();
+  }
+  if (board) Object.assign(board, { isUsed: true, names: undefined });
+  await page.goto('./');
+}
+
+/**
+ * Opens a board with photos, and waits until its comic page is drawn. If tests share the page, it undoes what they did.
  * @param {Page} page
  * @param {string[]} [names]
+ * @param {File[]} [files] by default: the photos of these names in `tests/photos`
  */
-export async function openBoard(page, names = SIX) {
-  await page.goto('./');
-  await add(page, await photos(...names));
+export async function openBoard(page, names = SIX, files) {
+  const board = BOARDS.get(page);
+  if (board?.names === names.join() && (await returnToStart(page, board))) return;
+  await openNewBoard(page, names, files);
+}
+
+/**
+ * Like `openBoard`, for tests that need a board without earlier versions of the page.
+ * @param {Page} page
+ * @param {string[]} [names]
+ * @param {File[]} [files]
+ */
+export async function openNewBoard(page, names = SIX, files) {
+  await openStart(page);
+  if (names === SAMPLES) await page.getByRole('button', { name: 'Try the sample album' }).click();
+  else await add(page, files ?? (await photos(...names)));
   await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
   await idle(page);
+  const board = BOARDS.get(page);
+  if (board) Object.assign(board, { names: names.join(), start: await stateOf(page), picture: await picture(page) });
+}
+
+/**
+ * Leaves the dialogs and modes of a board and undoes all edits.
+ * @param {Page} page
+ * @param {Board} board
+ * @returns {Promise<boolean>} whether the board is as it was at the start
+ */
+async function returnToStart(page, board) {
+  if (page.url() === 'about:blank') return false;
+  await page.mouse.move(0, 0);
+  for (let i = 0; i < 3; i += 1) {
+    await page.evaluate(() => /** @type {HTMLElement | null} */ (document.activeElement)?.blur());
+    await page.keyboard.press('Escape');
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
+  }
+  await page.evaluate(async () => {
+    const click = async (/** @type {string} */ selector) => {
+      const button = /** @type {HTMLElement | null} */ (document.querySelector(selector));
+      button?.click();
+      await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+      return button !== null;
+    };
+    await click('.side-tabs [role=tab]:first-child[aria-selected=false]');
+    while (await click('.toasts [aria-label=Dismiss]'));
+    while (await click('.top-bar [aria-label=Undo]:enabled'));
+  });
+  await idle(page);
+  const left = difference(board.start ?? '', await stateOf(page));
+  const isDrawn = (await picture(page)) === board.picture;
+  if (left !== '' || !isDrawn) console.log(`opened again for "${test.info().title}": ${left || 'another picture'}`);
+  return left === '' && isDrawn;
 }
 
 /**
  * @param {Page} page
- * @param {{ name: string, mimeType: string, buffer: Buffer }[]} files
+ * @param {File[]} files
  */
 export async function add(page, files) {
   await page.getByLabel('Photos or video').setInputFiles(files);
 }
 
+/** Closes all alerts. @param {Page} page */
+export async function dismissAlerts(page) {
+  const buttons = page.getByRole('alert').getByRole('button', { name: 'Dismiss' });
+  while ((await buttons.count()) > 0) await buttons.first().click();
+}
+
 /**
  * Drops files on the window, as a person does.
  * @param {Page} page
- * @param {{ name: string, mimeType: string, buffer: Buffer }[]} files
+ * @param {File[]} files
  * @param {{ altKey?: boolean }} [keys] held meanwhile
  */
 export async function drop(page, files, keys = {}) {
@@ -295,6 +392,19 @@ export async function choose(page, family, name) {
   await page.getByRole('listbox', { name: 'Layouts' }).getByRole('option', { name, exact: true }).click();
   await idle(page);
   await page.getByRole('combobox', { name: 'Family' }).selectOption('');
+}
+
+/**
+ * Makes the comic page 600 pixels wide. A file in print size takes seconds.
+ * @param {Page} page
+ */
+export async function makePageSmall(page) {
+  await tab(page, 'Page');
+  const settings = page.getByRole('region', { name: 'Page settings' });
+  await settings.getByLabel('Page size').selectOption('custom');
+  await settings.getByLabel('Width').fill('600');
+  await settings.getByLabel('Height').fill('848');
+  await idle(page);
 }
 
 /**

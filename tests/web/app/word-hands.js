@@ -1,5 +1,5 @@
 // @ts-check
-/** What the tests of words share: finding, adding and measuring them. */
+/** Text items: finding, adding and measuring them. */
 
 import { expect, idle, pixelsOf, tab } from './support.js';
 
@@ -8,7 +8,7 @@ import { expect, idle, pixelsOf, tab } from './support.js';
 export const word = (/** @type {Page} */ page, /** @type {string | RegExp} */ name) =>
   page.locator('.words').getByRole('button', { name, exact: typeof name === 'string' });
 
-/** Opens the words of a large screen. @param {Page} page */
+/** Opens the tab of the text items on a large screen. @param {Page} page */
 export async function openWords(page) {
   const tools = page.getByRole('region', { name: 'Words', exact: true });
   await tab(page, 'Words');
@@ -25,7 +25,7 @@ export async function write(page, kind, text) {
   await idle(page);
 }
 
-/** How many pixels of the words are there, and where their middle is. @param {Page} page */
+/** Counts the pixels of the text items, and finds their middle. @param {Page} page */
 export async function inked(page) {
   const address = await page
     .locator('.word-canvas')

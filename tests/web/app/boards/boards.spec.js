@@ -1,11 +1,22 @@
 // @ts-check
-/** The album as a board: its shots typed, pasted and read from files, its sheets, and the lists of its shots. */
+/** Storyboards: shots that are typed, pasted and imported, sheets, and shot lists. */
 
 import { execFile } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { promisify } from 'node:util';
 import { probed } from '../film-hands.js';
-import { accessible, expect, idle, openBoard, PNG, photos, SIX, test } from '../support.js';
+import { saved } from '../export-hands.js';
+import {
+  accessible,
+  expect,
+  idle,
+  openBoard,
+  openStart,
+  PNG,
+  photos,
+  SIX,
+  sharedBoardTest as test,
+} from '../support.js';
 
 /** @typedef {import('../support.js').Page} Page */
 
@@ -28,19 +39,8 @@ async function drawn(page) {
   return sheets;
 }
 
-/**
- * @param {Page} page
- * @param {() => Promise<void>} act
- */
-async function savedBy(page, act) {
-  const coming = page.waitForEvent('download');
-  await act();
-  const download = await coming;
-  return { path: await download.path(), name: download.suggestedFilename() };
-}
-
-test('the whole way by keyboard alone: photos in, fields typed, board and shot list out', async ({ page }) => {
-  await page.goto('./');
+test('keyboard: photos are added, fields are typed, and the board and the shot list are saved', async ({ page }) => {
+  await openStart(page);
   const chooser = page.waitForEvent('filechooser');
   await page.getByRole('button', { name: 'Choose photos or a video' }).press('Enter');
   await (await chooser).setFiles(await photos(...SIX));
@@ -51,7 +51,7 @@ test('the whole way by keyboard alone: photos in, fields typed, board and shot l
   const shots = page.getByRole('region', { name: 'Shots' });
   await shots.getByRole('textbox', { name: 'Scene, shot 1' }).focus();
   const { keyboard } = page;
-  // Tab changes the field, Enter goes on to the next shot.
+  // Tab moves to the next field, Enter to the next shot.
   await keyboard.type('1');
   await keyboard.press('Tab');
   await keyboard.press('Tab');
@@ -68,17 +68,17 @@ test('the whole way by keyboard alone: photos in, fields typed, board and shot l
   await keyboard.press('Shift+Tab');
   await keyboard.type('1A');
   await keyboard.press('Enter');
-  // Those without a number of their own are counted past it.
+  // Shots without a number skip a number that was typed.
   await expect(shots.getByRole('textbox', { name: 'Action, shot 1A' })).toHaveValue('The cat watches.');
   await expect(shots.getByRole('textbox', { name: 'Shot, shot 2' })).toBeFocused();
-  // Escape gives up what was typed.
+  // Escape discards the typed text.
   await keyboard.type('99');
   await keyboard.press('Escape');
   await expect(shots.getByRole('textbox', { name: 'Shot, shot 2' })).toHaveValue('');
   await expect(shots).toContainText('0:11:12');
 
   const ways = page.getByRole('combobox', { name: 'Save as' });
-  const board = await savedBy(page, () => page.getByRole('button', { name: 'Save board' }).press('Enter'));
+  const board = await saved(page, () => page.getByRole('button', { name: 'Save board' }).press('Enter'));
   expect(board.name).toMatch(/\.pdf$/);
   const text = (await run('pdftotext', ['-raw', board.path, '-'])).stdout.replace(/\s+/g, ' ');
   for (const said of ['She opens the door.', 'Dialogue: Is anybody there?', '1A', 'Page 1 of 1'])
@@ -87,13 +87,13 @@ test('the whole way by keyboard alone: photos in, fields typed, board and shot l
   await keyboard.press('ArrowDown');
   await keyboard.press('ArrowDown');
   await expect(ways).toHaveValue('csv');
-  const list = await savedBy(page, () => page.getByRole('button', { name: 'Save board' }).press('Enter'));
+  const list = await saved(page, () => page.getByRole('button', { name: 'Save board' }).press('Enter'));
   const lines = (await readFile(list.path, 'utf8')).split('\r\n');
   expect(lines[0]).toBe('\ufeffScene,Shot,Picture,Film,Time code,Duration,Frames,Action,Dialogue,Notes');
   expect(lines[1]).toMatch(/^1,1,[^,]+\.jpg,,,00:00:01:12,36,She opens the door\.,,$/);
   expect(lines[2]).toMatch(/^,1A,[^,]+\.jpg,,,00:00:02:00,48,The cat watches\.,Is anybody there\?,$/);
   expect(lines).toHaveLength(8);
-  // Back to the pages, where Shuffle leaves the fields with their photos; one undo takes it back.
+  // Shuffle on the comic page does not change the fields.
   await page.getByRole('button', { name: 'Comic', exact: true }).press('Enter');
   await page.getByRole('button', { name: 'Shuffle', exact: true }).press('Enter');
   await idle(page);
@@ -101,8 +101,8 @@ test('the whole way by keyboard alone: photos in, fields typed, board and shot l
   await expect(shots.getByRole('textbox', { name: 'Action, shot 1A' })).toHaveValue('The cat watches.');
 });
 
-test('a film becomes a board and an animatic by keyboard alone', async ({ page }) => {
-  await page.goto('./');
+test('keyboard: a video becomes a board and an animatic', async ({ page }) => {
+  await openStart(page);
   const chooser = page.waitForEvent('filechooser');
   await page.getByRole('button', { name: 'Choose photos or a video' }).press('Enter');
   const buffer = await readFile(new URL('../../../videos/album.mp4', import.meta.url));
@@ -118,7 +118,7 @@ test('a film becomes a board and an animatic by keyboard alone', async ({ page }
   await page.keyboard.type('It begins.');
   await page.keyboard.press('Enter');
   await expect(actions.nth(1)).toBeFocused();
-  const board = await savedBy(page, () => page.getByRole('button', { name: 'Save board' }).press('Enter'));
+  const board = await saved(page, () => page.getByRole('button', { name: 'Save board' }).press('Enter'));
   const { stdout } = await run('pdftotext', ['-raw', board.path, '-']);
   expect(stdout).toContain('It begins.');
   await page.getByRole('button', { name: 'Animatic', exact: true }).press('Enter');
@@ -129,13 +129,13 @@ test('a film becomes a board and an animatic by keyboard alone', async ({ page }
   await page.keyboard.press('ArrowDown');
   await expect(dialog.getByRole('combobox', { name: 'Size' })).toHaveValue('720p');
   await expect(dialog.getByText(`${count} shots, 0:`)).toBeVisible();
-  const film = await savedBy(page, () => dialog.getByRole('button', { name: 'Save the file' }).press('Enter'));
+  const film = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).press('Enter'));
   expect(film.name).toMatch(/\.mp4$/);
   const { streams } = await probed(film.path);
   expect(streams[0]).toMatchObject({ width: 1280, height: 720, nb_read_frames: String(12 * count) });
 });
 
-test('cells of a spreadsheet are pasted, shots are moved, and an own column comes and goes', async ({ page }) => {
+test('spreadsheet cells are pasted, shots are moved, and a custom column is added and removed', async ({ page }) => {
   await openBoard(page);
   const shots = await openShots(page);
   const cell = (/** @type {string} */ name) => shots.getByRole('textbox', { name, exact: true });
@@ -153,7 +153,7 @@ test('cells of a spreadsheet are pasted, shots are moved, and an own column come
   await expect(cell('Notes, shot 3')).toHaveValue('dawn');
   await expect(cell('Lens, shot 2')).toHaveValue('35');
   await expect(page.getByRole('alert')).toContainText('1 pasted cell found no place.');
-  // Numbers follow a move, and what is told goes with the photo.
+  // A move changes the numbers. The fields stay with their photo.
   await cell('Notes, shot 3').press('Alt+ArrowUp');
   await expect(cell('Notes, shot 2')).toHaveValue('dawn');
   await expect(cell('Notes, shot 2')).toBeFocused();
@@ -168,7 +168,7 @@ test('cells of a spreadsheet are pasted, shots are moved, and an own column come
   await expect(cell('Lens, shot 1')).toHaveValue('50');
 });
 
-test('a shot is dragged to another place in the list by its picture, as one step', async ({ page }) => {
+test('a drag of its picture moves a shot in the list, as one undo step', async ({ page }) => {
   await openBoard(page);
   const shots = await openShots(page);
   const names = () =>
@@ -191,7 +191,9 @@ test('a shot is dragged to another place in the list by its picture, as one step
   expect(await names()).toEqual([first, second, third, ...rest]);
 });
 
-test('a screenplay fills scenes, action and dialogue as one step, and says what found no shot', async ({ page }) => {
+test('a screenplay fills scenes, action and dialogue as one undo step, and lines without a shot are reported', async ({
+  page,
+}) => {
   await openBoard(page);
   const shots = await openShots(page);
   const more = Array.from({ length: 6 }, (_, i) => `Action number ${i + 1}.`).join('\n\n');
@@ -230,7 +232,7 @@ test('tables and screenplays of other programs are read as they are meant', asyn
   await expect(page.getByRole('alert').filter({ hasText: 'photo.csv: it is not a text file' })).toBeVisible();
 });
 
-test('sheets are laid out as they are asked for', async ({ page }) => {
+test('the sheets have the chosen layout and number of frames', async ({ page }) => {
   await openBoard(page);
   await openShots(page);
   const sheets = await drawn(page);
@@ -243,7 +245,7 @@ test('sheets are laid out as they are asked for', async ({ page }) => {
 });
 
 /**
- * A picture of one colour as a file.
+ * Returns an image file of one colour.
  * @param {string} name
  * @param {{ width: number, height: number }} size
  * @param {readonly [number, number, number, number]} rgba
@@ -256,7 +258,7 @@ function picture(name, { width, height }, rgba) {
 
 /**
  * @param {import('../support.js').Page} page
- * @returns the colour in the middle of where a logo as wide as high stands on the first sheet
+ * @returns the colour in the middle of a square logo on the first sheet
  */
 function logoColour(page) {
   const canvas = page.getByRole('region', { name: 'Board sheets' }).locator('canvas').first();
@@ -265,7 +267,7 @@ function logoColour(page) {
     const context = new OffscreenCanvas(shown.width, shown.height).getContext('2d');
     if (!context) throw new Error('no context');
     context.drawImage(shown, 0, 0);
-    // 15.5 mm from the corner of A4, which stands or lies.
+    // 15.5 mm from the corner of A4, in portrait or landscape orientation.
     const at = Math.round((15.5 / (shown.width > shown.height ? 297 : 210)) * shown.width);
     return [...context.getImageData(at, at, 1, 1).data.slice(0, 3)].join(' ');
   });
@@ -277,11 +279,11 @@ async function imagesIn(path) {
   return stdout.trim().split('\n').length - 2;
 }
 
-test('a logo stands in the head of each sheet, is a step, and is kept and saved', async ({ page }) => {
+test('a logo is in the head of each sheet, can be undone, and is stored and saved', async ({ page }) => {
   await openBoard(page);
   await openShots(page);
   const sheets = await drawn(page);
-  const save = () => savedBy(page, () => page.getByRole('button', { name: 'Save board' }).click());
+  const save = () => saved(page, () => page.getByRole('button', { name: 'Save board' }).click());
   const before = await imagesIn((await save()).path);
   const group = sheets.getByRole('group', { name: 'Logo' });
   const file = group.locator('input[type=file]');
@@ -301,7 +303,7 @@ test('a logo stands in the head of each sheet, is a step, and is kept and saved'
   const { stdout: read } = await run('pdfinfo', ['-struct-text', board.path]);
   expect(read).toContain('Figure');
 
-  // What is seen through is white; a large picture is made smaller.
+  // Transparent pixels are white. A large image is scaled down.
   await file.setInputFiles(picture('clear.png', { width: 900, height: 900 }, [0, 0, 0, 0]));
   await expect.poll(() => logoColour(page)).toBe('255 255 255');
   const svg =
@@ -333,7 +335,7 @@ test('a logo stands in the head of each sheet, is a step, and is kept and saved'
   await expect.poll(() => logoColour(page)).not.toBe(red);
 });
 
-test('a logo of many colours is made as small as a board holds', async ({ page }) => {
+test('a logo of many colours is scaled down to the size limit', async ({ page }) => {
   await openBoard(page);
   await openShots(page);
   await drawn(page);
@@ -352,13 +354,13 @@ test('a logo of many colours is made as small as a board holds', async ({ page }
     const { naturalWidth, naturalHeight } = /** @type {HTMLImageElement} */ (image);
     return [naturalWidth, naturalHeight];
   });
-  // Noise has some three bytes a pixel, and is told in 64 kB of letters.
+  // Noise needs about three bytes per pixel. The limit is 64 kB of text.
   expect(width).toBeGreaterThan(150);
   expect(width).toBeLessThan(250);
   expect(Math.abs(width / height - 2.4)).toBeLessThan(0.05);
 });
 
-test('lists of the shots are among the formats of Export', async ({ page }) => {
+test('Export saves four formats of shot lists', async ({ page }) => {
   await openBoard(page);
   await page.getByRole('button', { name: 'Export', exact: true }).click();
   const dialog = page.getByRole('dialog');
@@ -370,12 +372,12 @@ test('lists of the shots are among the formats of Export', async ({ page }) => {
   ]) {
     if (!(await dialog.isVisible())) await page.getByRole('button', { name: 'Export', exact: true }).click();
     await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: name });
-    const { path } = await savedBy(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+    const { path } = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
     expect((await readFile(path, 'utf8')).startsWith(start), name).toBe(true);
   }
 });
 
-test('a rate that leaves out frame numbers counts lengths and lists by it, as one step', async ({ page }) => {
+test('a drop-frame rate changes lengths and lists, as one undo step', async ({ page }) => {
   await openBoard(page);
   const shots = await openShots(page);
   const length = shots.getByRole('textbox', { name: 'Length, shot 1' });
@@ -386,10 +388,10 @@ test('a rate that leaves out frame numbers counts lengths and lists by it, as on
   const names = await rate.getByRole('option').allTextContents();
   expect(names).toEqual(['23.976', '24', '25', '29.97 NDF', '29.97 DF', '30']);
   await rate.selectOption('29.97 DF');
-  // A minute and two frames of 24 are 1803 of 30: the first number of the second minute is 2.
+  // 1:00:02 at 24 is 1803 frames at 30. Drop-frame timecode starts each minute at frame 2.
   await expect(length).toHaveValue('1:00;05');
   await page.getByRole('combobox', { name: 'Save as' }).selectOption('edl');
-  const list = await savedBy(page, () => page.getByRole('button', { name: 'Save board' }).click());
+  const list = await saved(page, () => page.getByRole('button', { name: 'Save board' }).click());
   const text = await readFile(list.path, 'utf8');
   expect(text).toContain('FCM: DROP FRAME');
   expect(text).toContain('00:00:00;00 00:01:00;05 01:00:00;00 01:01:00;05');
@@ -398,23 +400,22 @@ test('a rate that leaves out frame numbers counts lengths and lists by it, as on
   await expect(length).toHaveValue('1:00:02');
 });
 
-for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
-  for (const size of [
-    { width: 1366, height: 768 },
-    { width: 360, height: 740 },
-  ]) {
-    test.describe(`in ${colorScheme} at ${size.width} pixels`, () => {
-      test.use({ colorScheme });
-
-      test('axe finds nothing on the list of shots and the sheets', async ({ page }) => {
-        await page.setViewportSize(size);
-        await openBoard(page);
-        if (size.width < 1000) await page.getByRole('button', { name: 'Page settings', exact: true }).click();
-        await openShots(page);
-        await drawn(page);
-        await accessible(page);
-        expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
-      });
-    });
-  }
+for (const size of [
+  { width: 1366, height: 768 },
+  { width: 360, height: 740 },
+]) {
+  test(`axe finds nothing in the shot list and the sheets, ${size.width} pixels wide, in light and dark`, async ({
+    page,
+  }) => {
+    await openBoard(page);
+    await page.setViewportSize(size);
+    if (size.width < 1000) await page.getByRole('button', { name: 'Page settings', exact: true }).click();
+    await openShots(page);
+    await drawn(page);
+    for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+      await page.emulateMedia({ colorScheme });
+      await accessible(page);
+    }
+    expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+  });
 }

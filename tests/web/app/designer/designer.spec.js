@@ -1,8 +1,22 @@
 // @ts-check
-import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from '../designer-hands.js';
-import { accessible, contents, expect, idle, openBoard, picture, pixelsOf, tab, test } from '../support.js';
+/** The style designer: blocks, layers, sliders, preview and saved styles. */
 
-test('a style is built from nothing by mouse, ordered, bypassed, undone and used', async ({ page }) => {
+import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from '../designer-hands.js';
+import {
+  accessible,
+  contents,
+  expect,
+  idle,
+  openBoard,
+  picture,
+  pixelsOf,
+  tab,
+  sharedBoardTest as test,
+} from '../support.js';
+
+test('mouse: blocks are added, moved, bypassed, duplicated, removed and undone, and the style is used', async ({
+  page,
+}) => {
   await openDesigner(page);
   const plain = await preview(page);
   await addBlock(page, 'Gaussian');
@@ -44,7 +58,7 @@ test('a style is built from nothing by mouse, ordered, bypassed, undone and used
   expect((await contents(page)).style).toBe('Untitled style');
 });
 
-test('a slider shows its effect while it moves, and its drag is one step back', async ({ page }) => {
+test('a slider updates the preview during a drag, and the drag is one undo step', async ({ page }) => {
   await openDesigner(page);
   await addBlock(page, 'Gaussian');
   const slider = cards(page).first().getByRole('slider', { name: 'Radius' });
@@ -55,7 +69,7 @@ test('a slider shows its effect while it moves, and its drag is one step back', 
   await page.mouse.move(box.x + 12, box.y + box.height / 2);
   await page.mouse.down();
   for (let i = 1; i <= 8; i += 1) await page.mouse.move(box.x + 12 + i * 12, box.y + box.height / 2);
-  // Live, before the hand lets go.
+  // Before the mouse button is released.
   await expect
     .poll(() =>
       region(page)
@@ -78,7 +92,7 @@ test('a slider shows its effect while it moves, and its drag is one step back', 
   await expect(number).toHaveValue('2');
 });
 
-test('a block that needs gray says so, and brings it', async ({ page }) => {
+test('a block that needs gray adds To GrayScale, and an error offers to add it', async ({ page }) => {
   await openDesigner(page);
   await page.getByRole('button', { name: 'Add block' }).click();
   const palette = page.getByRole('region', { name: 'Blocks to add' });
@@ -94,7 +108,7 @@ test('a block that needs gray says so, and brings it', async ({ page }) => {
   expect(await preview(page)).toBe(drawnGray);
 });
 
-test('a style is built, ordered, saved and found again by keyboard alone', async ({ page }) => {
+test('keyboard: a style is built, saved, and edited after a reload', async ({ page }) => {
   await openBoard(page, FOUR);
   await page.getByRole('button', { name: 'Designer', exact: true }).focus();
   await page.keyboard.press('Enter');
@@ -143,7 +157,7 @@ test('a style is built, ordered, saved and found again by keyboard alone', async
   await expect(region(page)).toHaveCount(0);
 });
 
-test('before and after, and four photos at once', async ({ page }) => {
+test('the preview compares with the original, and shows four photos or another photo', async ({ page }) => {
   await openDesigner(page);
   await addBlock(page, 'Sobel');
   await button(page, 'Compare with original').click();
@@ -164,7 +178,7 @@ test('before and after, and four photos at once', async ({ page }) => {
   await drawn(page);
   await button(page, 'Four photos').click();
   const first = await preview(page);
-  // Which photo is shown first depends on the page, which is drawn by chance.
+  // The first photo depends on the random page.
   await region(page)
     .getByRole('group', { name: 'Photo of the preview' })
     .locator('button:not([aria-current])')
@@ -174,7 +188,7 @@ test('before and after, and four photos at once', async ({ page }) => {
 });
 
 for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
-  test(`axe finds nothing in the designer, in ${colorScheme}`, async ({ page }) => {
+  test(`axe finds nothing in the designer, in ${colorScheme} colours`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     await openDesigner(page);
     await accessible(page);

@@ -1,7 +1,8 @@
 // @ts-check
-/** Blocks that are put anywhere, what they are called, and the style on the page being made. */
+/** Blocks inserted at any place of the style designer, their names, and the preview of the comic page. */
+
 import { FOUR, addBlock, button, cards, drawn, names, openDesigner, region } from '../designer-hands.js';
-import { accessible, expect, idle, openBoard, test } from '../support.js';
+import { accessible, expect, idle, openBoard, sharedBoardTest as test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 
@@ -10,7 +11,7 @@ const palette = (/** @type {Page} */ page) => page.getByRole('region', { name: '
 const block = (page, term) => palette(page).getByRole('button', { name: term }).first();
 const undo = (/** @type {Page} */ page) => page.getByRole('button', { name: 'Undo', exact: true });
 
-/** Some cards, and the palette open beside them. @param {Page} page */
+/** Adds three cards and opens the palette. @param {Page} page */
 async function threeCards(page) {
   await openDesigner(page);
   for (const name of ['Gaussian', 'Posterization', 'Saturation']) await addBlock(page, name);
@@ -26,7 +27,7 @@ test('a block is dragged from the palette to any place of a layer', async ({ pag
   // The new card has the focus, and the palette is still there.
   await expect(cards(page).nth(1)).toBeFocused();
   await expect(palette(page)).toBeVisible();
-  // What needs gray brings it, where it is colour.
+  // A block that needs gray adds To GrayScale.
   await block(page, 'Pattern Filling').dragTo(head(0));
   await expect
     .poll(async () => (await names(page)).slice(0, 3))
@@ -35,13 +36,13 @@ test('a block is dragged from the palette to any place of a layer', async ({ pag
   await undo(page).click();
   await expect.poll(() => names(page)).toEqual(['Gaussian Smoothing', 'Posterization', 'Saturation']);
 
-  // Into the layer that is empty, and behind the last card.
+  // Into the empty layer, and after the last card.
   await block(page, 'XDoG').dragTo(region(page).getByText('Nothing yet: no lines.'));
   await expect.poll(() => names(page, 'Foreground layer')).toEqual(['XDoG']);
   await block(page, 'Soft Threshold').dragTo(cards(page, 'Foreground layer').first().locator('.parameter').last());
   await expect.poll(() => names(page, 'Foreground layer')).toEqual(['XDoG', 'Soft Threshold']);
 
-  // Let go elsewhere, or given up, it goes nowhere.
+  // A drop outside of the layers and Escape add no block.
   await block(page, 'Hue').dragTo(page.getByRole('region', { name: 'Preview', exact: true }));
   const [from, to] = [await block(page, 'Hue').boundingBox(), await head(0).boundingBox()];
   if (!from || !to) throw new Error('not shown');
@@ -56,7 +57,7 @@ test('a block is dragged from the palette to any place of a layer', async ({ pag
   expect(await names(page)).toEqual(['Gaussian Smoothing', 'Posterization', 'Saturation']);
 });
 
-test('a block is put before another by keyboard alone', async ({ page }) => {
+test('keyboard: a block is inserted before another', async ({ page }) => {
   await openDesigner(page);
   for (const name of ['Gaussian', 'Posterization']) await addBlock(page, name);
   await cards(page)
@@ -71,7 +72,7 @@ test('a block is put before another by keyboard alone', async ({ page }) => {
   await expect.poll(() => names(page)).toEqual(['Gaussian Smoothing', 'Gaussian Smoothing', 'Posterization']);
   await expect(cards(page).nth(1)).toBeFocused();
 
-  // The place counts once.
+  // The place applies to one block.
   await addBlock(page, 'Saturation');
   expect(await names(page)).toEqual(['Gaussian Smoothing', 'Gaussian Smoothing', 'Posterization', 'Saturation']);
   await cards(page)
@@ -90,7 +91,7 @@ test('a block is put before another by keyboard alone', async ({ page }) => {
   ]);
 });
 
-test('a block has a plain name first, then the term of the field, and is found by both', async ({ page }) => {
+test('a block has a plain name and its standard term, and the search finds both', async ({ page }) => {
   await openDesigner(page);
   await addBlock(page, 'edges');
   await addBlock(page, 'sobel');
@@ -98,7 +99,7 @@ test('a block has a plain name first, then the term of the field, and is found b
   await expect(cards(page).first()).toHaveAccessibleName('1. Edges (Sobel)');
 });
 
-test('the style is seen on the page that is being made', async ({ page }) => {
+test('the preview shows the style on the comic page', async ({ page }) => {
   await openDesigner(page);
   await addBlock(page, 'Posterization');
   await expect(button(page, 'Photo')).toHaveAttribute('aria-pressed', 'true');
@@ -112,10 +113,10 @@ test('the style is seen on the page that is being made', async ({ page }) => {
     const { width, height } = /** @type {HTMLCanvasElement} */ (canvas);
     return width / height;
   });
-  // As the board has it: A4 upright.
+  // The page on the board is A4 in portrait orientation.
   expect(Math.abs(shape - 2480 / 3508)).toBeLessThan(0.01);
   await expect(button(page, 'Four photos')).toHaveCount(0);
-  // It follows a slider, and the cards keep their pictures.
+  // A slider updates it, and the cards have their pictures.
   const levels = cards(page).first().getByRole('slider', { name: 'Levels' });
   await levels.fill('3');
   await drawn(page);
@@ -130,9 +131,9 @@ test('the style is seen on the page that is being made', async ({ page }) => {
   await drawn(page);
 });
 
-test('in a small window a block is put in place, too', async ({ page }) => {
-  await page.setViewportSize({ width: 390, height: 844 });
+test('a block is inserted before another in a small window', async ({ page }) => {
   await openBoard(page, FOUR);
+  await page.setViewportSize({ width: 390, height: 844 });
   await page.getByRole('button', { name: 'Styles', exact: true }).click();
   await page.getByRole('button', { name: 'Designer', exact: true }).click();
   await drawn(page);

@@ -1,13 +1,13 @@
 // @ts-check
-/** The album as a film: played in the page, and saved as MP4, WebM and GIF files that ffprobe reads. */
+/** Animatics: played in the app, and saved as MP4, WebM and GIF files that ffprobe reads. */
 
 import { openExport, saved } from '../export-hands.js';
 import { probed } from '../film-hands.js';
-import { accessible, expect, idle, openBoard, test } from '../support.js';
+import { accessible, expect, idle, openBoard, sharedBoardTest as test } from '../support.js';
 
 /** @typedef {import('../support.js').Page} Page */
 
-/** Frames of the film that all tests make: three shots of half a second each at 24 a second. */
+/** Frames of the animatic: three shots of half a second at 24 frames per second. */
 const FRAMES = 36;
 
 /** @param {Page} page */
@@ -51,7 +51,9 @@ for (const [kind, container, codec] of [
   ['mp4', 'mov,mp4,m4a,3gp,3g2,mj2', 'h264'],
   ['webm', 'matroska,webm', 'vp9'],
 ])
-  test(`an animatic is saved as ${kind}, exact to the frame, with its sound`, async ({ page }) => {
+  test(`an animatic is saved as ${kind}, with the exact number of frames and sound`, { tag: '@ci' }, async ({
+    page,
+  }) => {
     const dialog = await openAnimatic(page);
     await dialog.getByRole('combobox', { name: 'File' }).selectOption(kind);
     await dialog.getByRole('combobox', { name: 'Size' }).selectOption('720p');
@@ -75,7 +77,7 @@ for (const [kind, container, codec] of [
     await expect(page.getByText('The animatic was saved.')).toBeVisible();
   });
 
-test('a film of a board that is counted at 23.976 passes as slowly', async ({ page }) => {
+test('an animatic of a board at 23.976 frames per second has this rate', { tag: '@ci' }, async ({ page }) => {
   await page.getByRole('button', { name: 'Board', exact: true }).click();
   await page.getByRole('combobox', { name: 'Frames a second' }).selectOption('23.976');
   await page.getByRole('button', { name: 'Animatic', exact: true }).click();
@@ -88,7 +90,7 @@ test('a film of a board that is counted at 23.976 passes as slowly', async ({ pa
   expect(stream(probe, 'video')).toMatchObject({ nb_read_frames: String(FRAMES), r_frame_rate: '24000/1001' });
 });
 
-test('an animatic is saved as GIF, as long, smaller and without sound', async ({ page }) => {
+test('an animatic is saved as GIF, with the same duration, smaller and without sound', async ({ page }) => {
   const dialog = await openAnimatic(page);
   await dialog.getByRole('combobox', { name: 'File' }).selectOption('gif');
   await expect(dialog.getByText('3 shots, 0:01 at 12 frames a second')).toBeVisible();
@@ -96,12 +98,12 @@ test('an animatic is saved as GIF, as long, smaller and without sound', async ({
   await dialog.getByRole('checkbox', { name: 'Camera moves' }).uncheck();
   const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
   const probe = await probed(file.path);
-  // What stands still is one frame a shot.
+  // Without camera moves, each shot is one frame.
   expect(stream(probe, 'video')).toMatchObject({ codec_name: 'gif', width: 640, height: 360, nb_read_frames: '3' });
   expect(Number(probe.format.duration)).toBeCloseTo(1.5, 1);
 });
 
-test('it plays, stops, and is wound by keyboard alone', async ({ page }) => {
+test('keyboard: an animatic plays, stops, and moves to a position', async ({ page }) => {
   const dialog = await openAnimatic(page);
   const screen = dialog.getByRole('group', { name: 'Animatic' }).getByRole('img');
   const frame = async () => Number(await screen.getAttribute('data-frame'));
@@ -127,7 +129,7 @@ test('it plays, stops, and is wound by keyboard alone', async ({ page }) => {
   await expect(dialog.getByRole('button', { name: 'Play' })).toBeVisible();
 });
 
-test('it is opened from the board, shows what is typed there, and can be cancelled', async ({ page }) => {
+test('an animatic opened from the board has its lengths, and its export can be cancelled', async ({ page }) => {
   await page.getByRole('button', { name: 'Board', exact: true }).click();
   const shots = page.getByRole('region', { name: 'Shots' });
   await shots.getByRole('textbox', { name: 'Length, shot 1' }).fill('90');
@@ -136,7 +138,7 @@ test('it is opened from the board, shows what is typed there, and can be cancell
   const dialog = page.getByRole('dialog');
   await expect(dialog.getByText('3 shots, 1:34 at 24 frames a second')).toBeVisible();
   await accessible(page);
-  // Longer than a GIF file may be.
+  // A GIF file is limited to a minute.
   await dialog.getByRole('combobox', { name: 'File' }).selectOption('gif');
   await expect(dialog.getByText('a GIF file is for up to a minute')).toBeVisible();
   await expect(dialog.getByRole('button', { name: 'Save the file' })).toBeDisabled();
@@ -148,7 +150,7 @@ test('it is opened from the board, shows what is typed there, and can be cancell
   await idle(page);
 });
 
-test('a sound that is none is told, and what is not a sound is left out by the person', async ({ page }) => {
+test('an unreadable sound file is reported', async ({ page }) => {
   const dialog = await openAnimatic(page);
   await dialog.getByLabel('Sound under it').setInputFiles({
     name: 'noise.mp3',
@@ -163,9 +165,9 @@ for (const [width, height] of [
   [1280, 800],
   [360, 740],
 ])
-  test(`axe finds nothing on an animatic, ${width} wide`, async ({ page }) => {
+  test(`axe finds nothing in the dialog of an animatic, ${width} pixels wide`, async ({ page }) => {
     await page.setViewportSize({ width, height });
-    const dialog = width > 1000 ? await openAnimatic(page) : await openExport(page).then((opened) => opened);
+    const dialog = width > 1000 ? await openAnimatic(page) : await openExport(page);
     if (width < 1000) await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: 'Animatic' });
     await expect(dialog.getByRole('button', { name: 'Play' })).toBeEnabled();
     await accessible(page);

@@ -1,12 +1,23 @@
 // @ts-check
-import { PNG } from '../../../../www/testing.ts';
-import { openExport, saved, savedAs } from '../export-hands.js';
+/** Files of the comic page: formats, sizes, clipboard, sharing, progress and Cancel. */
+
+import { download, openExport, saved, savedAs } from '../export-hands.js';
 import { panel } from '../panel-hands.js';
-import { accessible, expect, openBoard, test } from '../support.js';
+import {
+  PNG,
+  accessible,
+  colours,
+  expect,
+  makePageSmall,
+  openBoard,
+  press,
+  test as plainTest,
+  sharedBoardTest as test,
+} from '../support.js';
 
-/** @typedef {import('../../../../www/testing.ts').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
-/** What the browser makes of a picture. @param {Page} page @param {Buffer} bytes @param {string} type */
+/** The size of an image file, as the browser decodes it. @param {Page} page @param {Buffer} bytes @param {string} type */
 function sizeOf(page, bytes, type) {
   return page.evaluate(
     async ([base64, kind]) => {
@@ -18,7 +29,7 @@ function sizeOf(page, bytes, type) {
   );
 }
 
-/** The size and the pixels that the browser sees. @param {Page} page @param {Buffer} bytes @param {string} type */
+/** The size and a digest of the pixels, as the browser decodes them. @param {Page} page @param {Buffer} bytes @param {string} type */
 function pixelsOf(page, bytes, type) {
   return page.evaluate(
     async ([base64, kind]) => {
@@ -35,12 +46,49 @@ function pixelsOf(page, bytes, type) {
   );
 }
 
-test('PNG and JPEG say their dots an inch, and a lower quality makes a smaller file', async ({ page }) => {
+test('Download PNG saves the page in print size, and another page gives another file', async ({ page }) => {
+  await openBoard(page);
+  // The message disappears again, perhaps before a file of this size is read.
+  const message = expect(page.getByRole('status')).toContainText('saved', { timeout: 150_000 });
+  const print = await download(page);
+  await message;
+  expect(print.name).toMatch(/\d{4}\.png$/);
+  const png = PNG.sync.read(print.bytes);
+  expect([png.width, png.height]).toEqual([2480, 3508]);
+  expect(colours(png)).toBeGreaterThan(2);
+  // Dots per metre.
+  const density = print.bytes.subarray(print.bytes.indexOf('pHYs') + 4);
+  expect([density.readUInt32BE(0), density.readUInt32BE(4), density[8]]).toEqual([11811, 11811, 1]);
+
+  await makePageSmall(page);
+  const first = PNG.sync.read((await download(page)).bytes);
+  await press(page, 'Shuffle');
+  const second = PNG.sync.read((await download(page)).bytes);
+  expect([first.width, first.height]).toEqual([600, 848]);
+  expect([second.width, second.height]).toEqual([600, 848]);
+  expect(second.data.equals(first.data)).toBe(false);
+});
+
+test('the export dialog saves a square', async ({ page }) => {
+  await openBoard(page);
+  const dialog = await openExport(page);
+  await dialog.getByRole('radio', { name: 'Square' }).check();
+  await expect(dialog.locator('canvas[data-drawn=true]')).toBeVisible();
+  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+  await expect(dialog.getByText('1200 × 1200 pixels')).toBeVisible();
+  const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  const png = PNG.sync.read(file.bytes);
+  expect([png.width, png.height]).toEqual([1200, 1200]);
+  expect(colours(png)).toBeGreaterThan(2);
+  await expect(dialog).toBeHidden();
+});
+
+test('PNG, JPEG and WebP files contain their DPI, and a lower JPEG quality makes a smaller file', async ({ page }) => {
   await openBoard(page);
   const png = await savedAs(page, 'png');
-  const about = png.bytes.subarray(png.bytes.indexOf('pHYs') + 4);
-  // Dots a metre.
-  expect([about.readUInt32BE(0), about.readUInt32BE(4), about[8]]).toEqual([5906, 5906, 1]);
+  const density = png.bytes.subarray(png.bytes.indexOf('pHYs') + 4);
+  // Dots per metre.
+  expect([density.readUInt32BE(0), density.readUInt32BE(4), density[8]]).toEqual([5906, 5906, 1]);
   const fine = await savedAs(page, 'jpeg', { quality: 95 });
   expect(fine.name).toMatch(/\d{4}\.jpg$/);
   expect(fine.bytes.subarray(6, 11).toString('latin1')).toBe('JFIF\0');
@@ -48,10 +96,7 @@ test('PNG and JPEG say their dots an inch, and a lower quality makes a smaller f
   expect(await sizeOf(page, fine.bytes, 'image/jpeg')).toEqual([1240, 1754]);
   const poor = await savedAs(page, 'jpeg', { quality: 30 });
   expect(poor.bytes.length).toBeLessThan(fine.bytes.length * 0.8);
-});
 
-test('WebP says its dots an inch', async ({ page }) => {
-  await openBoard(page);
   const { name, bytes } = await savedAs(page, 'webp', { quality: 80 });
   expect(name).toMatch(/\.webp$/);
   expect([bytes.toString('latin1', 0, 4), bytes.toString('latin1', 8, 16)]).toEqual(['RIFF', 'WEBPVP8X']);
@@ -61,7 +106,65 @@ test('WebP says its dots an inch', async ({ page }) => {
   expect(await sizeOf(page, bytes, 'image/webp')).toEqual([1240, 1754]);
 });
 
-test('a browser without an encoder of WebP saves one without loss', async ({ page }) => {
+test('the estimated file size is close to the size of the file', async ({ page }) => {
+  await openBoard(page);
+  const dialog = await openExport(page);
+  for (const format of ['png', 'jpeg']) {
+    await dialog.getByRole('combobox', { name: 'Format' }).selectOption(format);
+    const estimate = dialog.locator('.file-size[aria-busy=false]');
+    await expect(estimate).toHaveText(/^about [\d.]+ [KM]B$/);
+    const [, amount, unit] = /** @type {RegExpMatchArray} */ ((await estimate.innerText()).match(/([\d.]+) ([KM])B/));
+    const about = Number(amount) * (unit === 'M' ? 1e6 : 1e3);
+    const { bytes } = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+    expect(about / bytes.length, format).toBeGreaterThan(0.65);
+    expect(about / bytes.length, format).toBeLessThan(1.5);
+    await openExport(page);
+  }
+});
+
+test('the page is copied to the clipboard', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await openBoard(page);
+  await makePageSmall(page);
+  const dialog = await openExport(page);
+  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+  await dialog.getByRole('button', { name: 'Copy to clipboard' }).click();
+  await expect(page.getByRole('status')).toContainText('on the clipboard', { timeout: 60_000 });
+  const size = await page.evaluate(async () => {
+    const [item] = await navigator.clipboard.read();
+    const { width, height } = await createImageBitmap(await item.getType('image/png'));
+    return [width, height];
+  });
+  expect(size).toEqual([300, 424]);
+});
+
+test('one panel is saved in its print size', async ({ page }) => {
+  await openBoard(page);
+  await panel(page, 1).click();
+  const { bytes, name } = await saved(page, () => page.getByRole('button', { name: 'Save this panel' }).click());
+  expect(name).toMatch(/ \d{4} - panel 1\.png$/);
+  const box = /** @type {{ width: number, height: number }} */ (await panel(page, 1).boundingBox());
+  const sheet = /** @type {{ width: number }} */ (await page.locator('.page-canvas').boundingBox());
+  const { width, height } = PNG.sync.read(bytes);
+  expect(Math.abs(width / 2480 - box.width / sheet.width)).toBeLessThan(0.02);
+  expect(Math.abs(height / width - box.height / box.width)).toBeLessThan(0.05);
+  expect(bytes.includes('pHYs')).toBe(true);
+});
+
+for (const width of [1280, 360]) {
+  test(`axe finds nothing in the export dialog, ${width} pixels wide`, async ({ page }) => {
+    await openBoard(page);
+    await page.setViewportSize({ width, height: 780 });
+    const dialog = await openExport(page);
+    await dialog.getByRole('combobox', { name: 'Format' }).selectOption('jpeg');
+    await expect(dialog.locator('.file-size[aria-busy=false]')).toHaveText(/^about/);
+    await accessible(page);
+    const over = await dialog.evaluate((element) => element.scrollWidth - element.clientWidth);
+    expect(over).toBe(0);
+  });
+}
+
+plainTest('a browser without a WebP encoder saves a lossless WebP file', async ({ page }) => {
   await page.addInitScript(() => {
     const { convertToBlob } = OffscreenCanvas.prototype;
     OffscreenCanvas.prototype.convertToBlob = function png() {
@@ -69,6 +172,7 @@ test('a browser without an encoder of WebP saves one without loss', async ({ pag
     };
   });
   await openBoard(page);
+  await makePageSmall(page);
   const png = await savedAs(page, 'png');
   const { bytes } = await savedAs(page, 'webp');
   expect(bytes.toString('latin1', 0, 4)).toBe('RIFF');
@@ -87,38 +191,7 @@ test('a browser without an encoder of WebP saves one without loss', async ({ pag
   await expect(dialog.locator('.file-size[aria-busy=false]')).toHaveText(/^about [\d.]+ [KM]B$/);
 });
 
-test('the size that is told before is about the size of the file', async ({ page }) => {
-  await openBoard(page);
-  const dialog = await openExport(page);
-  for (const format of ['png', 'jpeg']) {
-    await dialog.getByRole('combobox', { name: 'Format' }).selectOption(format);
-    const told = dialog.locator('.file-size[aria-busy=false]');
-    await expect(told).toHaveText(/^about [\d.]+ [KM]B$/);
-    const [, amount, unit] = /** @type {RegExpMatchArray} */ ((await told.innerText()).match(/([\d.]+) ([KM])B/));
-    const about = Number(amount) * (unit === 'M' ? 1e6 : 1e3);
-    const { bytes } = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
-    expect(about / bytes.length, format).toBeGreaterThan(0.65);
-    expect(about / bytes.length, format).toBeLessThan(1.5);
-    await openExport(page);
-  }
-});
-
-test('the page is copied to the clipboard', async ({ page, context }) => {
-  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-  await openBoard(page);
-  const dialog = await openExport(page);
-  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
-  await dialog.getByRole('button', { name: 'Copy to clipboard' }).click();
-  await expect(page.getByRole('status')).toContainText('on the clipboard', { timeout: 60_000 });
-  const size = await page.evaluate(async () => {
-    const [item] = await navigator.clipboard.read();
-    const { width, height } = await createImageBitmap(await item.getType('image/png'));
-    return [width, height];
-  });
-  expect(size).toEqual([1240, 1754]);
-});
-
-test('a file that took long is shared with a second click', async ({ page }) => {
+plainTest('a file that takes long is shared by a second click', async ({ page }) => {
   await page.addInitScript(() => {
     /** @type {string[]} */
     const shared = [];
@@ -134,6 +207,7 @@ test('a file that took long is shared with a second click', async ({ page }) => 
     });
   });
   await openBoard(page);
+  await makePageSmall(page);
   const dialog = await openExport(page);
   const share = dialog.getByRole('button', { name: 'Share' });
   await dialog.getByRole('combobox', { name: 'Format' }).selectOption('pdf');
@@ -145,45 +219,31 @@ test('a file that took long is shared with a second click', async ({ page }) => 
   expect(await shared.jsonValue()).toMatch(/\d{4}\.jpg image\/jpeg true$/);
 });
 
-test('one panel is saved at its print size', async ({ page }) => {
+plainTest('an export shows its progress and can be cancelled', async ({ page }) => {
+  /** @type {string[]} */
+  const downloads = [];
+  page.on('download', (file) => downloads.push(file.suggestedFilename()));
   await openBoard(page);
-  await panel(page, 1).click();
-  const { bytes, name } = await saved(page, () => page.getByRole('button', { name: 'Save this panel' }).click());
-  expect(name).toMatch(/ \d{4} - panel 1\.png$/);
-  const box = /** @type {{ width: number, height: number }} */ (await panel(page, 1).boundingBox());
-  const sheet = /** @type {{ width: number }} */ (await page.locator('.page-canvas').boundingBox());
-  const { width, height } = PNG.sync.read(bytes);
-  expect(Math.abs(width / 2480 - box.width / sheet.width)).toBeLessThan(0.02);
-  expect(Math.abs(height / width - box.height / box.width)).toBeLessThan(0.05);
-  expect(bytes.includes('pHYs')).toBe(true);
-});
-
-test('making a PDF shows its progress and can be cancelled', async ({ page }) => {
-  await openBoard(page);
-  let downloads = 0;
-  page.on('download', () => {
-    downloads += 1;
+  const progress = page.getByRole('progressbar', { name: /full size/ });
+  // The worker that makes the file does not start before the export is cancelled.
+  /** @type {() => void} */
+  let start = () => {};
+  const cancelled = new Promise((/** @type {(value?: any) => void} */ resolve) => (start = resolve));
+  await page.route(/file-worker-[^/]*\.js$/, async (route) => {
+    await cancelled;
+    await route.continue();
   });
   const dialog = await openExport(page);
   await dialog.getByRole('combobox', { name: 'Format' }).selectOption('pdf');
   await dialog.getByRole('button', { name: 'Save the file' }).click();
-  await expect(page.getByRole('progressbar', { name: /full size/ })).toBeVisible();
+  await expect(progress).toBeVisible();
   await page.getByRole('button', { name: 'Cancel' }).click();
-  await expect(page.getByRole('progressbar', { name: /full size/ })).toHaveCount(0);
-  await page.waitForTimeout(1500);
-  expect(downloads).toBe(0);
+  await expect(progress).toHaveCount(0);
+  start();
+  // The app continues to work, and the next file is the only one.
+  await press(page, 'Shuffle');
+  await makePageSmall(page);
+  const { name } = await savedAs(page, 'jpeg');
+  expect(downloads).toEqual([name]);
   await expect(page.getByRole('alert')).toBeEmpty();
 });
-
-for (const width of [1280, 360]) {
-  test(`the dialog is for everybody at ${width} pixels`, async ({ page }) => {
-    await openBoard(page);
-    await page.setViewportSize({ width, height: 780 });
-    const dialog = await openExport(page);
-    await dialog.getByRole('combobox', { name: 'Format' }).selectOption('jpeg');
-    await expect(dialog.locator('.file-size[aria-busy=false]')).toHaveText(/^about/);
-    await accessible(page);
-    const over = await dialog.evaluate((element) => element.scrollWidth - element.clientWidth);
-    expect(over).toBe(0);
-  });
-}

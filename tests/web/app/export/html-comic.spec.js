@@ -1,15 +1,15 @@
 // @ts-check
-/** An HTML comic, opened from its file as whoever gets it does: read panel by panel, by pages, and as text. */
+/** An HTML comic, opened from its file: read panel by panel, by pages, and as text. */
 
 import { writeFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
 import { savedAs } from '../export-hands.js';
-import { accessible, expect, openBoard, test } from '../support.js';
+import { accessible, expect, makePageSmall, openBoard, test } from '../support.js';
 import { write } from '../word-hands.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 
-/** What can be seen of the page that is read, in pixels of the screen. @param {Page} page @param {string} part of it */
+/** The box of an element, in pixels. @param {Page} page @param {string} part its selector */
 const boxOf = (page, part) =>
   page.evaluate((part) => {
     const { left, top, right, bottom } = /** @type {Element} */ (document.querySelector(part)).getBoundingClientRect();
@@ -17,7 +17,7 @@ const boxOf = (page, part) =>
   }, part);
 
 /**
- * The panel fills the screen as far as its shape lets it, and is the one that is not dimmed.
+ * Checks that a panel fills the screen as far as its shape allows, and that the other panels are dimmed.
  * @param {Page} page
  * @param {number} panel from 0
  */
@@ -33,7 +33,7 @@ async function fills(page, panel) {
     expect(box.bottom).toBeLessThanOrEqual(stage.bottom + 1);
     expect(Math.max(wide / across, high / down)).toBeGreaterThan(0.8);
   }).toPass();
-  // The first hole in what dims the page.
+  // The first hole in the dimming layer.
   const [hole, outline] = await page.evaluate(
     (parts) => parts.map((part) => document.querySelector(part)?.getAttribute('points')),
     ['.current .hole polygon', shape],
@@ -41,10 +41,9 @@ async function fills(page, panel) {
   expect(hole).toBe(outline);
 }
 
-test('an HTML comic is read panel by panel from its file, asks for nothing, and says all that is in it', async ({
-  page,
-}, info) => {
+test('an HTML comic is read panel by panel, by pages and as text, and requests nothing', async ({ page }, info) => {
   await openBoard(page);
+  await makePageSmall(page);
   await write(page, 'caption', 'Meanwhile <in> Lisbon');
   const { name, bytes } = await savedAs(page, 'html');
   expect(name).toMatch(/\.html$/);
@@ -74,7 +73,7 @@ test('an HTML comic is read panel by panel from its file, asks for nothing, and 
       if (panel + 1 < count) await reader.keyboard.press('ArrowRight');
     }
     await expect(reader.getByRole('button', { name: 'Next' })).toHaveAttribute('aria-disabled', 'true');
-    // A tap on the left goes back.
+    // A click on the left side shows the previous panel.
     await reader.mouse.click(20, 200);
     await expect(status).toContainText(`panel ${count - 1}: `);
     await reader.getByRole('button', { name: 'Pages' }).click();
@@ -86,7 +85,7 @@ test('an HTML comic is read panel by panel from its file, asks for nothing, and 
   await reader.emulateMedia({ colorScheme: 'dark' });
   await accessible(reader);
   expect(asked.filter((what) => !what.startsWith('file:') && !what.startsWith('data:'))).toEqual([]);
-  // Without the pictures.
+  // The file without its images is small.
   const text = bytes.toString('utf8').replaceAll(/data:image[^"]*/g, '');
   expect(text.length).toBeLessThan(60_000);
 });

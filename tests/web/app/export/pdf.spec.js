@@ -1,5 +1,5 @@
 // @ts-check
-/** PDF files of the page, opened by poppler; and several pages in one file. */
+/** PDF files of the page, read by Poppler, and files of several pages. */
 
 import { execFile } from 'node:child_process';
 import { readFile, writeFile } from 'node:fs/promises';
@@ -7,12 +7,14 @@ import { promisify } from 'node:util';
 import { PNG } from '../../../../www/testing.ts';
 import { thumbs } from '../book-hands.js';
 import { openExport, saved, savedAs } from '../export-hands.js';
-import { drop, expect, idle, openBoard, press, tab, test } from '../support.js';
+import { drop, expect, idle, openBoard, press, tab, sharedBoardTest as test } from '../support.js';
 import { write } from '../word-hands.js';
 
 const run = promisify(execFile);
 
-test('a PDF has the page in its size, text that is found, and looks as the PNG does', async ({ page }, info) => {
+test('a PDF file has the page size, searchable text, and the same appearance as the PNG file', async ({
+  page,
+}, info) => {
   await openBoard(page);
   await write(page, 'caption', 'Meanwhile, at the harbour');
   await write(page, 'balloon', 'Où est le phare?');
@@ -30,7 +32,7 @@ test('a PDF has the page in its size, text that is found, and looks as the PNG d
   expect(about).not.toContain('CreationDate');
   const text = (await run('pdftotext', ['-raw', path, '-'])).stdout.replace(/\s+/g, ' ');
   for (const words of ['Meanwhile, at the harbour', 'Où est le phare?']) {
-    // Letterers write capitals, and so does what is drawn.
+    // Comic lettering is in capitals.
     expect(text.toLowerCase()).toContain(words.toLowerCase());
   }
   expect(text.replace(/ /g, '')).toContain('KRAKOOM');
@@ -49,10 +51,10 @@ test('a PDF has the page in its size, text that is found, and looks as the PNG d
 });
 
 /**
- * Squares are compared, as programs that draw PDF files put pixels a fraction further.
+ * Compares squares of pixels, because PDF renderers place pixels at fractions.
  * @param {PNG} a
  * @param {PNG} b
- * @returns {{ mean: number, far: number }} the mean difference of their channels, of 255; the share of those that are far off
+ * @returns {{ mean: number, far: number }} the mean difference of the channels, of 255, and the share of the squares with a large difference
  */
 function difference(a, b) {
   const side = 10;
@@ -75,7 +77,7 @@ function difference(a, b) {
   return { mean: sum / count, far: far / count };
 }
 
-test('all pages go into one PDF, and into one archive', async ({ page }) => {
+test('all pages are saved in one PDF file, and in one comic archive, which can be opened again', async ({ page }) => {
   await openBoard(page);
   await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('3');
@@ -98,7 +100,7 @@ test('all pages go into one PDF, and into one archive', async ({ page }) => {
   expect(cbz.name).toMatch(/\d{4}\.cbz$/);
   const names = new Set(cbz.bytes.toString('latin1').match(/page-\d\d\.jpg|ComicInfo\.xml|comic\.acbf/g));
   expect([...names]).toEqual(['page-01.jpg', 'page-02.jpg', 'ComicInfo.xml', 'comic.acbf']);
-  // It carries the storyboard, which opens again with all of its pages.
+  // The archive contains the project with all pages.
   await drop(page, [{ name: cbz.name, mimeType: 'application/vnd.comicbook+zip', buffer: cbz.bytes }]);
   await expect(page.getByRole('status').getByText(`${cbz.name} is open again`)).toBeVisible();
   await idle(page);

@@ -1,14 +1,14 @@
 // @ts-check
-/** The check of what is printed: panels whose photos are too coarse, and the box that has these enlarged well. */
+/** Print resolution: panels with a low resolution, and the check box that upscales them. */
 
 import { PNG } from '../../../../www/testing.ts';
 import { openExport, saved } from '../export-hands.js';
-import { add, expect, idle, photos, test } from '../support.js';
+import { expect, makePageSmall, openBoard, sharedBoardTest as test } from '../support.js';
 
 /** @typedef {import('../support.js').Page} Page */
 /** @typedef {ReturnType<Page['getByRole']>} Locator */
 
-/** The check box. @param {Locator} dialog */
+/** The check box that upscales photos. @param {Locator} dialog */
 const box = (dialog) => dialog.getByRole('checkbox', { name: 'Enlarge well' });
 
 /** The page as a PNG, saved from the dialog. @param {Page} page @param {Locator} dialog */
@@ -17,7 +17,7 @@ async function savedPng(page, dialog) {
   return PNG.sync.read(bytes);
 }
 
-/** How many samples of two pictures of one size are clearly apart. @param {PNG} a @param {PNG} b */
+/** Counts the samples of two images of one size that clearly differ. @param {PNG} a @param {PNG} b */
 function apart(a, b) {
   expect([b.width, b.height]).toEqual([a.width, a.height]);
   let count = 0;
@@ -25,32 +25,27 @@ function apart(a, b) {
   return count;
 }
 
-test('a panel below the resolution of print is enlarged well where the box is ticked, for this export alone', async ({
-  page,
-}) => {
-  await page.goto('./');
-  await add(page, await photos('cat.jpg'));
-  await idle(page);
+test('a panel with a low resolution is upscaled if the box is checked, for this export only', async ({ page }) => {
+  await openBoard(page, ['cat.jpg']);
+  await makePageSmall(page);
   const dialog = await openExport(page);
   await expect(dialog.getByRole('button', { name: /^Panel 1: \d+ dpi$/ })).toBeVisible();
   await expect(box(dialog)).not.toBeChecked();
   const plain = await savedPng(page, dialog);
-  // It is closed once the file is saved, and what was chosen in it is chosen for one file.
+  // The dialog closes after the file is saved. Its options apply to one file.
   const next = await openExport(page);
   await next.getByRole('combobox', { name: 'Format' }).selectOption('png');
   await box(next).check();
   await expect(next.getByText('enlarged with sharper edges')).toBeVisible();
   const sharp = await savedPng(page, next);
-  expect(apart(plain, sharp)).toBeGreaterThan(20_000);
+  expect(apart(plain, sharp)).toBeGreaterThan(20_000 * (600 / 2480) ** 2);
   const last = await openExport(page);
   await expect(box(last)).not.toBeChecked();
   expect(apart(plain, await savedPng(page, last))).toBe(0);
 });
 
-test('a size for screens asks nothing of the kind', async ({ page }) => {
-  await page.goto('./');
-  await add(page, await photos('cat.jpg'));
-  await idle(page);
+test('a size for screens has no check of the print resolution', async ({ page }) => {
+  await openBoard(page, ['cat.jpg']);
   const dialog = await openExport(page);
   await expect(box(dialog)).toBeVisible();
   await dialog.getByRole('radio', { name: /^Story/ }).check();

@@ -1,11 +1,25 @@
 // @ts-check
-/** The PNG is the project: what it carries, what it never carries, and the ways back in. */
+/** PNG files with project data: their chunks, private data, and opening them as projects. */
 
 import { withoutMetadata } from '../../../../www/engine/metadata/strip.ts';
 import { SECRETS, loaded } from '../../../../www/engine/metadata/testing.ts';
-import { openExport, saved } from '../export-hands.js';
+import { download as downloaded, openExport, saved } from '../export-hands.js';
 import { panel } from '../panel-hands.js';
-import { accessible, add, drop, expect, idle, openBoard, photos, picture, press, SIX, tab, test } from '../support.js';
+import {
+  SIX,
+  accessible,
+  add,
+  drop,
+  expect,
+  idle,
+  makePageSmall,
+  openBoard,
+  photos,
+  picture,
+  press,
+  tab,
+  sharedBoardTest as test,
+} from '../support.js';
 import { word, write } from '../word-hands.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
@@ -20,8 +34,8 @@ const STYLE = {
 };
 const PLAIN = ['IHDR', 'pHYs', 'sRGB', 'IDAT', 'IEND'];
 
-/** Photos as a telephone makes them, turned and told. @param {...string} names */
-async function told(...names) {
+/** Photos with the metadata of a phone: rotated, with date and place. @param {...string} names */
+async function withMetadata(...names) {
   return Promise.all(
     (await photos(...names)).map(async (file) => ({
       ...file,
@@ -30,11 +44,11 @@ async function told(...names) {
   );
 }
 
-/** A page with everything that is a person's own. @param {Page} page */
+/** Makes a comic page with a custom layout, style, crop and text. @param {Page} page */
 async function ownPage(page) {
-  await page.goto('./');
-  await add(page, [...(await told(...SIX.slice(0, 3))), ...(await photos(...SIX.slice(3)))]);
-  await idle(page);
+  const files = [...(await withMetadata(...SIX.slice(0, 3))), ...(await photos(...SIX.slice(3)))];
+  await openBoard(page, ['photos with metadata'], files);
+  await makePageSmall(page);
   await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('6');
   await press(page, 'Surprise layout');
@@ -49,8 +63,7 @@ async function ownPage(page) {
   await write(page, 'balloon', 'AS IT WAS');
 }
 
-const download = async (/** @type {Page} */ page) =>
-  (await saved(page, () => page.getByRole('button', { name: 'Download PNG' }).click())).bytes;
+const download = async (/** @type {Page} */ page) => (await downloaded(page)).bytes;
 
 /** @param {Page} page @param {string} cargo @returns {Promise<Buffer>} */
 async function exported(page, cargo) {
@@ -59,7 +72,7 @@ async function exported(page, cargo) {
   return (await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click())).bytes;
 }
 
-/** @param {Buffer} png @returns {string[]} the types of its chunks, each kind once */
+/** @param {Buffer} png @returns {string[]} the types of its chunks, without adjacent repetitions */
 function chunksOf(png) {
   /** @type {string[]} */
   const types = [];
@@ -67,7 +80,7 @@ function chunksOf(png) {
   return types.filter((type, i) => type !== types[i - 1]);
 }
 
-/** The same picture, and then the same file. @param {Buffer} made @param {Buffer} png */
+/** Checks that two files have the same pixels, and the same bytes. @param {Buffer} made @param {Buffer} png */
 function expectSame(made, png) {
   expect(made.subarray(made.indexOf('IDAT')).equals(png.subarray(png.indexOf('IDAT'))), 'the pixels').toBe(true);
   expect(made.equals(png), 'the file').toBe(true);
@@ -81,7 +94,7 @@ function expectNoSecrets(bytes) {
 const file = (/** @type {string} */ name, /** @type {Buffer} */ buffer) => ({ name, mimeType: 'image/png', buffer });
 
 /**
- * The page on a device that has seen none of it.
+ * Opens the app in another browser context.
  * @param {import('../../../../www/testing.ts').Browser} browser
  * @param {string | undefined} baseURL
  */
@@ -93,7 +106,7 @@ async function elsewhere(browser, baseURL) {
   return page;
 }
 
-test('a page with photos opens on another device, and goes out again byte by byte as it came', async ({
+test('a PNG file with photos opens in another browser, and is exported with the same bytes', async ({
   page,
   browser,
   baseURL,
@@ -107,14 +120,17 @@ test('a page with photos opens on another device, and goes out again byte by byt
   await expect(other.getByRole('status').getByText('page.png is open again')).toBeVisible();
   await idle(other);
   await expect(word(other, 'Balloon: AS IT WAS')).toBeVisible();
-  // To the last byte: the pixels, and all that the file carries.
   expectSame(await exported(other, 'With photos'), png);
-  // Photos go with the file for which they were asked only.
+  // Other files do not contain the photos.
   expect(chunksOf(await download(other))).not.toContain('ipPh');
   await other.context().close();
 });
 
-test('a page without photos waits for them, and is then the same picture', async ({ page, browser, baseURL }) => {
+test('a PNG file without photos asks for them, and is then exported with the same bytes', async ({
+  page,
+  browser,
+  baseURL,
+}) => {
   await ownPage(page);
   const png = await download(page);
   expect(chunksOf(png)).toEqual(['IHDR', 'pHYs', 'sRGB', 'iTXt', 'IDAT', 'IEND']);
@@ -133,14 +149,14 @@ test('a page without photos waits for them, and is then the same picture', async
     other.waitForEvent('filechooser'),
     alert.getByRole('button', { name: 'Choose photos' }).click(),
   ]);
-  await chooser.setFiles([...(await told(...SIX.slice(1, 3))), ...(await photos(...SIX.slice(3)))]);
+  await chooser.setFiles([...(await withMetadata(...SIX.slice(1, 3))), ...(await photos(...SIX.slice(3)))]);
   await expect(other.getByRole('alert').getByText('1 photo of this page is still missing')).toBeVisible();
   await expect(other.locator('.save-state')).toHaveText('Saved');
   await other.reload();
   await idle(other);
   await expect(other.getByRole('checkbox', { name: /^Use Missing photo/ })).toHaveCount(1);
-  // With what the telephone wrote or without: it is the same photo.
-  const [{ name, mimeType, buffer }] = await told(SIX[0]);
+  // The metadata of a photo does not matter.
+  const [{ name, mimeType, buffer }] = await withMetadata(SIX[0]);
   const { blob } = await withoutMetadata(new Blob([new Uint8Array(buffer)]));
   await drop(other, [{ name, mimeType, buffer: Buffer.from(await blob.arrayBuffer()) }]);
   await expect(other.getByRole('status').getByText('1 photo is back in place.')).toBeVisible();
@@ -150,8 +166,9 @@ test('a page without photos waits for them, and is then the same picture', async
   await other.context().close();
 });
 
-test('a page opens beside the work that is there, and there is a way back', async ({ page }) => {
+test('a PNG file opens as a new project, and a button returns to the old project', async ({ page }) => {
   await openBoard(page, SIX.slice(0, 4));
+  await makePageSmall(page);
   const png = await download(page);
   await page.getByLabel('Project name').fill('First');
   await page.keyboard.press('Enter');
@@ -172,8 +189,9 @@ test('a page opens beside the work that is there, and there is a way back', asyn
   await expect(page.getByLabel('Project name')).toHaveValue('First');
 });
 
-test('a page that is damaged or too new is named, and can still be a photo', async ({ page }) => {
+test('a damaged PNG file is reported, and can be used as a photo', async ({ page }) => {
   await openBoard(page, SIX.slice(0, 2));
+  await makePageSmall(page);
   const png = await download(page);
   const before = await picture(page);
   const spoilt = Buffer.from(png);
@@ -186,14 +204,15 @@ test('a page that is damaged or too new is named, and can still be a photo', asy
   await expect(page.getByRole('checkbox', { name: 'Use spoilt.png' })).toBeVisible();
 });
 
-test('without project data the PNG is the picture and nothing else', async ({ page }) => {
+test('a PNG file without project data contains only the picture', async ({ page }) => {
   await openBoard(page, SIX.slice(0, 2));
+  await makePageSmall(page);
   await page.getByRole('button', { name: 'Export', exact: true }).click();
   await accessible(page);
   await page.keyboard.press('Escape');
   const png = await exported(page, 'Without project data');
   expect(chunksOf(png)).toEqual(PLAIN);
-  // It stays so until something else is chosen.
+  // The choice applies to later files.
   expect((await download(page)).equals(png)).toBe(true);
   const whole = await exported(page, 'With project data');
   await page.getByRole('button', { name: 'Projects' }).click();
@@ -205,10 +224,8 @@ test('without project data the PNG is the picture and nothing else', async ({ pa
   await expect(page.getByRole('status').getByText('page.png is open again')).toBeVisible();
 });
 
-test('a project file has the photos, but not where and when they were taken', async ({ page }) => {
-  await page.goto('./');
-  await add(page, await told(...SIX.slice(0, 3)));
-  await idle(page);
+test('a project file contains the photos without their place, date and camera', async ({ page }) => {
+  await openBoard(page, ['three photos with metadata'], await withMetadata(...SIX.slice(0, 3)));
   const before = await picture(page);
   await page.getByLabel('Project name').fill('Back home');
   await page.getByRole('button', { name: 'Projects' }).click();

@@ -1,8 +1,28 @@
 // @ts-check
-import { accessible, idle, openBoard, press, expect, test } from '../support.js';
+/** Text items: captions, balloons and sound effects, by mouse and keyboard, from scripts and from subtitles. */
+
+import { readFile } from 'node:fs/promises';
+import { download } from '../export-hands.js';
+import { drag } from '../panel-hands.js';
+import {
+  PNG,
+  accessible,
+  add,
+  drop,
+  expect,
+  idle,
+  makePageSmall,
+  openBoard,
+  openStart,
+  press,
+  tab,
+  sharedBoardTest as test,
+} from '../support.js';
 import { box, inked, word, write } from '../word-hands.js';
 
-test('words are added, written and drawn, one undo a step', async ({ page }) => {
+const VIDEO = new URL('../../../videos/album.mp4', import.meta.url);
+
+test('text items are added, edited and drawn, and each step can be undone', async ({ page }) => {
   await openBoard(page);
   await write(page, 'balloon', 'HELLO');
   await expect(word(page, 'Balloon: HELLO')).toBeFocused();
@@ -13,14 +33,14 @@ test('words are added, written and drawn, one undo a step', async ({ page }) => 
   await expect(word(page, /: /)).toHaveCount(3);
   expect((await inked(page)).count).toBeGreaterThan(one.count);
   await accessible(page);
-  // Six steps: each was added, then written.
+  // Six steps: each text item was added, then edited.
   for (let i = 0; i < 6; i += 1) await press(page, 'Undo');
   await expect(word(page, /: /)).toHaveCount(0);
   await press(page, 'Redo');
   await expect(word(page, 'Balloon: Hello!')).toBeVisible();
 });
 
-test('a word is dragged, and its tail is dragged to a speaker', async ({ page }) => {
+test('a balloon is dragged, and its tail is dragged to a speaker', async ({ page }) => {
   await openBoard(page);
   await write(page, 'balloon', 'DRAG ME');
   const balloon = word(page, /^Balloon: DRAG ME/);
@@ -51,7 +71,7 @@ test('a word is dragged, and its tail is dragged to a speaker', async ({ page })
   expect(Math.hypot(back.x - before.x, back.y - before.y)).toBeLessThan(2);
 });
 
-test('the keyboard alone writes, moves, points and removes', async ({ page }) => {
+test('keyboard: a balloon is edited, moved and removed, and its tail is moved', async ({ page }) => {
   await openBoard(page);
   await write(page, 'balloon', 'KEYS');
   const balloon = word(page, /^Balloon: KEYS/);
@@ -85,7 +105,7 @@ test('the keyboard alone writes, moves, points and removes', async ({ page }) =>
   await expect(word(page, /^Balloon: TWO/)).toBeVisible();
 });
 
-test('a long text leaves the fields of its word in sight', async ({ page }) => {
+test('a long text does not push the fields of its text item out of the panel', async ({ page }) => {
   await openBoard(page);
   await write(page, 'balloon', 'a very long line that nobody would ever say at once but in a comic '.repeat(6));
   const side = await box(page.getByRole('region', { name: 'Words', exact: true }));
@@ -96,4 +116,210 @@ test('a long text leaves the fields of its word in sight', async ({ page }) => {
     expect(x).toBeGreaterThanOrEqual(side.x);
     expect(x + width).toBeLessThanOrEqual(side.x + side.width);
   }
+});
+
+test('a balloon is also moved by a click and by a field, and has four shapes', async ({ page }) => {
+  await openBoard(page);
+  await write(page, 'balloon', 'CLICK');
+  const canvas = await box(page.locator('.page-canvas'));
+  const spot = { x: canvas.x + canvas.width * 0.7, y: canvas.y + canvas.height * 0.8 };
+  await page.getByRole('button', { name: 'Move to…' }).click();
+  await page.mouse.click(spot.x, spot.y);
+  await idle(page);
+  const moved = await box(word(page, /^Balloon: CLICK/));
+  expect(Math.hypot(moved.x + moved.width / 2 - spot.x, moved.y + moved.height / 2 - spot.y)).toBeLessThan(4);
+  await page.getByRole('button', { name: 'Point tail at…' }).click();
+  await page.mouse.click(spot.x - 120, spot.y - 160);
+  await idle(page);
+  const tail = await box(word(page, /^Tail of/));
+  expect(Math.hypot(tail.x + 12 - spot.x + 120, tail.y + 12 - spot.y + 160)).toBeLessThan(4);
+  await page.getByRole('spinbutton', { name: 'Across' }).fill('30');
+  await page.keyboard.press('Tab');
+  await idle(page);
+  const across = await box(word(page, /^Balloon: CLICK/));
+  expect(Math.abs(across.x + across.width / 2 - canvas.x - canvas.width * 0.3)).toBeLessThan(4);
+  const pictures = new Set();
+  for (const shape of ['Speech', 'Thought', 'Shout', 'Whisper']) {
+    await page.getByRole('combobox', { name: 'Shape' }).selectOption({ label: shape });
+    await idle(page);
+    pictures.add((await inked(page)).count);
+  }
+  expect(pictures.size).toBe(4);
+  await page.getByRole('button', { name: 'Remove tail' }).click();
+  await expect(word(page, /^Tail of/)).toHaveCount(0);
+  await page.getByRole('button', { name: 'Remove word' }).click();
+  await expect(word(page, /: /)).toHaveCount(0);
+});
+
+test('text items remain after Shuffle and on alternatives, and are in the PNG file at the same place', async ({
+  page,
+}) => {
+  await openBoard(page);
+  await makePageSmall(page);
+  // In a gray style no photo contains the yellow of the caption.
+  await tab(page, 'Styles');
+  await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: 'Noir', exact: true }).click();
+  await page.getByRole('button', { name: 'Lock style' }).click();
+  await write(page, 'caption', 'ONCE UPON A TIME');
+  // By default a caption has the colours of the style.
+  await page.getByLabel('Fill', { exact: true }).fill('#fff6d6');
+  await idle(page);
+  await press(page, 'Shuffle');
+  await expect(word(page, 'Caption: ONCE UPON A TIME')).toBeVisible();
+  const at = await inked(page);
+  expect(at.count).toBeGreaterThan(200);
+  const png = PNG.sync.read((await download(page)).bytes);
+  // The yellow of the caption is at the same place as in the preview.
+  /** @type {number[][]} */
+  const pixels = [];
+  for (let i = 0; i < png.width * png.height; i += 1) {
+    const [r, g, b] = [png.data[i * 4], png.data[i * 4 + 1], png.data[i * 4 + 2]];
+    if (r === 0xff && g === 0xf6 && b === 0xd6)
+      pixels.push([(i % png.width) / png.width, Math.floor(i / png.width) / png.height]);
+  }
+  expect(pixels.length).toBeGreaterThan(2000 * (600 / 2480) ** 2);
+  const mean = (/** @type {number} */ k) => pixels.reduce((sum, place) => sum + place[k], 0) / pixels.length;
+  expect(Math.hypot(mean(0) - at.x, mean(1) - at.y)).toBeLessThan(0.03);
+  await page.getByRole('button', { name: 'Alternative 2', exact: true }).click();
+  await idle(page);
+  await expect(word(page, 'Caption: ONCE UPON A TIME')).toBeVisible();
+});
+
+test('a script becomes balloons in one undo step, and a text item is resized, rotated and curved', async ({ page }) => {
+  await openBoard(page);
+  await tab(page, 'Words');
+  await page
+    .getByRole('textbox', { name: 'Script or dialogue' })
+    .fill('ANNA: Where are we?\nBEN (thinks): Что это? Πού; 你好\n\nSFX: Splash');
+  await page.getByRole('button', { name: 'Put into balloons' }).click();
+  await expect(word(page, /: /)).toHaveCount(3);
+  await idle(page);
+  const effect = word(page, 'Sound effect: SPLASH');
+  await effect.click();
+  const bar = page.getByRole('toolbar', { name: 'Lettering tools' });
+  const [before, above] = [await box(effect), await box(bar)];
+  expect(above.y + above.height <= before.y || above.y >= before.y + before.height).toBe(true);
+  const dragHandle = async (/** @type {string} */ name, /** @type {number} */ x, /** @type {number} */ y) => {
+    const handle = await box(page.getByRole('button', { name, exact: true }));
+    await drag(page, [handle.x + 12, handle.y + 12], [handle.x + 12 + x, handle.y + 12 + y]);
+  };
+  await dragHandle('Resize word', 40, 20);
+  expect((await box(effect)).width).toBeGreaterThan(before.width * 1.1);
+  await dragHandle('Turn word', 60, 30);
+  const angle = page.getByRole('spinbutton', { name: 'Angle' });
+  expect(Number(await angle.inputValue())).toBeGreaterThan(0);
+  await bar.getByRole('button', { name: 'Arch up' }).click();
+  await expect(page.getByRole('spinbutton', { name: 'Arc', exact: true })).toHaveValue('60');
+  await accessible(page);
+  for (let i = 0; i < 4; i += 1) await press(page, 'Undo');
+  await expect(word(page, /: /)).toHaveCount(0);
+});
+
+/** @param {string} name @param {string} text */
+const textFile = (name, text) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
+
+test('subtitles of a video become balloons on its frames, and a malformed file is reported with the line', async ({
+  page,
+}) => {
+  await openStart(page);
+  const film = { name: 'album.mp4', mimeType: 'video/mp4', buffer: await readFile(VIDEO) };
+  const cues = Array.from({ length: 6 }, (_, i) => `${i + 1}\n00:00:0${i},050 --> 00:00:0${i},950\nSecond ${i}\n`);
+  await add(page, [film, textFile('album.srt', cues.join('\n'))]);
+  await expect(word(page, /^Balloon: Second \d/).first()).toBeVisible({ timeout: 60_000 });
+  await idle(page);
+  const placed = (
+    /** @type {ReturnType<import('../../../../www/testing.ts').Page['locator']>} */ things,
+    /** @type {string} */ about,
+  ) =>
+    things.evaluateAll(
+      (list, attribute) =>
+        list.map((one) => {
+          const { x, y, width, height } = one.getBoundingClientRect();
+          return { text: one.getAttribute(attribute) ?? '', x, y, right: x + width, bottom: y + height };
+        }),
+      about,
+    );
+  const said = await placed(word(page, /^Balloon: Second \d/), 'aria-label');
+  const panels = await placed(
+    page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel \d/ }),
+    'aria-description',
+  );
+  expect(said.length).toBeGreaterThan(1);
+  const span = (/** @type {number[]} */ [a, b, c, d]) => Math.max(0, Math.min(b, d) - Math.max(a, c));
+  for (const balloon of said) {
+    const shared = panels.map(
+      (panel) =>
+        span([panel.x, panel.right, balloon.x, balloon.right]) *
+        span([panel.y, panel.bottom, balloon.y, balloon.bottom]),
+    );
+    const middle = Number(/\d/.exec(balloon.text)?.[0]) + 0.5;
+    const off = panels.map(({ text }) => Math.abs(Number(/\d+:([\d.]+)/.exec(text)?.[1]) - middle));
+    // A subtitle is put on the nearest frame. A frame takes three, so it may be on the next one.
+    const [nearest, after = nearest] = [...off].sort((one, other) => one - other);
+    expect(off[shared.indexOf(Math.max(...shared))], balloon.text).toBeLessThanOrEqual(after);
+  }
+  await drop(page, [textFile('bad.srt', '1\n00:00:01 to 00:00:02\nHi')]);
+  await expect(page.getByRole('alert')).toContainText('bad.srt: line 1');
+});
+
+test('characters that no font contains are reported', async ({ page }) => {
+  await openBoard(page);
+  await write(page, 'balloon', 'GO \u{e123}');
+  const note = page.getByRole('note').filter({ hasText: 'in no font' });
+  await expect(note).toContainText('U+E123');
+  expect((await inked(page)).count).toBeGreaterThan(100);
+});
+
+test('vertical text is higher than wide, and Undo restores horizontal text', async ({ page }) => {
+  await openBoard(page);
+  await write(page, 'balloon', '夜の灯台を見ただろうか');
+  const lines = await box(word(page, /^Balloon: 夜/));
+  const columns = page.getByRole('checkbox', { name: 'In columns, from the top down' });
+  await page.getByRole('toolbar', { name: 'Lettering tools' }).getByRole('button', { name: 'In columns' }).click();
+  await idle(page);
+  await expect(columns).toBeChecked();
+  const high = await box(word(page, /^Balloon: 夜/));
+  expect(high.height).toBeGreaterThan(high.width + 4);
+  expect(lines.height).toBeLessThan(high.height);
+  await accessible(page);
+  await press(page, 'Undo');
+  await expect(columns).not.toBeChecked();
+  const again = await box(word(page, /^Balloon: 夜/));
+  expect(Math.abs(again.width - lines.width)).toBeLessThan(1);
+});
+
+test('a balloon is joined to the previous balloon and separated again, each as one undo step', async ({ page }) => {
+  await openBoard(page);
+  const panel = page.getByRole('group', { name: /^Panel 1 of/ });
+  const choose = async () => {
+    if (!/selected/.test((await panel.getAttribute('aria-description')) ?? ''))
+      await panel.click({ position: { x: 20, y: 20 } });
+    await expect(panel).toHaveAttribute('aria-description', /selected/);
+  };
+  await choose();
+  await write(page, 'balloon', 'FIRST');
+  // The first balloon has no previous balloon.
+  const join = page.getByRole('checkbox', { name: 'Join to the balloon before' });
+  await expect(join).toHaveCount(0);
+  await choose();
+  await write(page, 'balloon', 'SECOND');
+  const tails = word(page, /^Tail of/);
+  await expect(join).not.toBeChecked();
+  await expect(tails).toHaveCount(1);
+  await join.check();
+  await idle(page);
+  // The second balloon has no tail and touches the first.
+  await expect(tails).toHaveCount(0);
+  const [first, second] = [await box(word(page, /: FIRST/)), await box(word(page, /: SECOND/))];
+  const across = Math.max(second.x - first.x - first.width, first.x - second.x - second.width, 0);
+  const down = Math.max(second.y - first.y - first.height, first.y - second.y - second.height, 0);
+  expect(Math.hypot(across, down)).toBeLessThan(12);
+  await press(page, 'Undo');
+  await expect(join).not.toBeChecked();
+  await press(page, 'Redo');
+  await expect(join).toBeChecked();
+  await join.uncheck();
+  await idle(page);
+  await expect(tails).toHaveCount(1);
+  await expect(join).not.toBeChecked();
 });

@@ -1,12 +1,30 @@
 // @ts-check
-import { contents, expect, idle, openBoard, picture, test } from '../support.js';
+/** The alternatives below the page, the space that the page has, and the tools next to it. */
 
-/** @param {import('../../../../www/testing.ts').Page} page */
+import {
+  contents,
+  expect,
+  idle,
+  openBoard,
+  openNewBoard,
+  picture,
+  press,
+  sharedBoardTest as test,
+} from '../support.js';
+
+/** @typedef {import('../support.js').Page} Page */
+
+// A window of this width shows the number of versions in words.
+test.use({ viewport: { width: 1366, height: 768 } });
+
+/** @param {Page} page */
 const drawn = (page) => page.getByRole('region', { name: 'Alternatives' }).locator('canvas[data-drawn=true]');
+const alternative = (/** @type {Page} */ page, /** @type {number} */ n) =>
+  page.getByRole('button', { name: `Alternative ${n}`, exact: true });
 
-test('at least fourteen pages are in view on a large screen, more as one scrolls', async ({ page }) => {
-  await page.setViewportSize({ width: 1920, height: 1080 });
+test('a large screen shows at least 14 alternatives, and scrolling adds more', async ({ page }) => {
   await openBoard(page);
+  await page.setViewportSize({ width: 1920, height: 1080 });
   await expect.poll(() => drawn(page).count()).toBeGreaterThanOrEqual(14);
   const inView = await drawn(page).evaluateAll(
     (list) =>
@@ -18,47 +36,97 @@ test('at least fourteen pages are in view on a large screen, more as one scrolls
   expect(inView).toBeGreaterThanOrEqual(14);
   const region = page.getByRole('region', { name: 'Alternatives' });
   const before = await region.getByRole('button').count();
-  for (let i = 0; i < 3; i += 1) {
-    await region.getByRole('list').evaluate((list) => list.scrollTo({ left: list.scrollWidth }));
-    await page.waitForTimeout(150);
-  }
-  await expect.poll(() => region.getByRole('button').count()).toBeGreaterThan(before);
+  await expect
+    .poll(async () => {
+      await region.getByRole('list').evaluate((list) => list.scrollTo({ left: list.scrollWidth }));
+      return region.getByRole('button').count();
+    })
+    .toBeGreaterThan(before);
 });
 
-test('a click makes an alternative the page, and the stream stays', async ({ page }) => {
+test('a click makes an alternative the page, and the other alternatives remain', async ({ page }) => {
   await openBoard(page);
   await expect.poll(() => drawn(page).count()).toBeGreaterThan(3);
   const before = await picture(page);
-  const third = page.getByRole('button', { name: 'Alternative 3', exact: true });
+  const third = alternative(page, 3);
   const thumbnail = await third.locator('canvas').elementHandle();
   await third.click();
   await idle(page);
   expect(await picture(page)).not.toBe(before);
   await expect(third).toHaveAttribute('aria-current', 'true');
   expect(await thumbnail?.evaluate((canvas) => canvas.isConnected)).toBe(true);
-  await page.getByRole('button', { name: 'Undo' }).click();
-  await idle(page);
+  await press(page, 'Undo');
   expect(await picture(page)).toBe(before);
 });
 
-test('alternatives respect the locks', async ({ page }) => {
+test('Enter makes an alternative the page', async ({ page }) => {
+  await openBoard(page);
+  await expect.poll(() => drawn(page).count()).toBeGreaterThan(3);
+  const before = await picture(page);
+  await alternative(page, 2).focus();
+  await page.keyboard.press('Enter');
+  await idle(page);
+  expect(await picture(page)).not.toBe(before);
+});
+
+test('alternatives keep a locked style', async ({ page }) => {
   await openBoard(page);
   const { style } = await contents(page);
   await page.getByRole('button', { name: 'Lock style' }).click();
   await expect.poll(() => drawn(page).count()).toBeGreaterThan(3);
   for (const number of [1, 2, 3]) {
-    await page.getByRole('button', { name: `Alternative ${number}`, exact: true }).click();
+    await alternative(page, number).click();
     await idle(page);
     expect((await contents(page)).style).toBe(style);
   }
 });
 
-test('Enter chooses, too', async ({ page }) => {
-  await openBoard(page);
-  await expect.poll(() => drawn(page).count()).toBeGreaterThan(3);
-  const before = await picture(page);
-  await page.getByRole('button', { name: 'Alternative 2', exact: true }).focus();
-  await page.keyboard.press('Enter');
+test('a large view of an alternative has its names, and the page stays', async ({ page }) => {
+  await openNewBoard(page);
+  const version = page.getByRole('button', { name: /^Pages shown/ });
+  await expect(version).toHaveText('Version 1 of 1');
+  await alternative(page, 2).hover();
+  await expect(page.locator('.glimpse [data-drawn=true]')).toBeVisible();
+  await expect(page.locator('.glimpse-name')).toHaveText(/.+ · .+/);
+  await expect(version).toHaveText('Version 1 of 1');
+});
+
+test('Shuffle works in full screen, and Escape ends full screen', async ({ page }) => {
+  await openNewBoard(page);
+  await page.getByRole('button', { name: 'Full screen' }).click();
+  await expect(page.getByRole('button', { name: 'Export' })).toBeHidden();
+  await page.keyboard.press('Space');
   await idle(page);
-  expect(await picture(page)).not.toBe(before);
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('button', { name: /^Pages shown/ })).toHaveText('Version 2 of 2');
+});
+
+test('the tools of a panel stand next to the page, at the height of the panel, with their names', async ({ page }) => {
+  await openBoard(page);
+  const canvas = await page.locator('.page-canvas').boundingBox();
+  for (const n of [1, 3]) {
+    await page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) }).click();
+    const tools = page.getByRole('toolbar', { name: 'Tools for the photo of the panel' });
+    const box = await tools.boundingBox();
+    expect(box?.x).toBeGreaterThan((canvas?.x ?? 0) + (canvas?.width ?? 0));
+    await expect(tools.getByRole('button', { name: 'Swap photo' })).toHaveText('Swap');
+  }
+  await page.getByRole('button', { name: 'Star this photo' }).click();
+  await expect(
+    page.getByRole('region', { name: 'Photos' }).getByRole('button', { name: /^Star /, pressed: true }),
+  ).toHaveCount(1);
+});
+
+test('the alternatives fold to make space for the page, also after a reload', async ({ page }) => {
+  await openBoard(page);
+  const height = async () => (await page.locator('.page-canvas').boundingBox())?.height ?? 0;
+  const before = await height();
+  await expect(page.getByRole('heading', { name: 'More ideas' })).toBeVisible();
+  await page.getByRole('button', { name: 'Fold More ideas' }).click();
+  await expect(page.getByRole('button', { name: /^Alternative \d/ })).toHaveCount(0);
+  await expect.poll(height).toBeGreaterThan(before + 50);
+  await page.reload();
+  await idle(page);
+  await page.getByRole('button', { name: 'Unfold More ideas' }).click();
+  await expect(alternative(page, 1)).toBeVisible();
 });

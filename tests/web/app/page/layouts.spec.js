@@ -1,6 +1,22 @@
 // @ts-check
-import { readFile } from 'node:fs/promises';
-import { choose, contents, drop, expect, idle, openBoard, picture, PNG, press, tab, test } from '../support.js';
+/** Layouts: families, page sizes, layouts of the user, layout files and cuts. */
+
+import { download, saved } from '../export-hands.js';
+import {
+  choose,
+  contents,
+  drop,
+  expect,
+  idle,
+  makePageSmall,
+  openBoard,
+  openNewBoard,
+  picture,
+  PNG,
+  press,
+  tab,
+  sharedBoardTest as test,
+} from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 
@@ -10,36 +26,26 @@ const cut = (/** @type {Page} */ page, /** @type {number} */ n = 1) =>
   page.getByRole('slider', { name: new RegExp(`^Cut ${n} of`) });
 
 /**
- * The layout as a file.
+ * Returns the layout file that `Save layout` saves.
  * @param {Page} page
  * @returns {Promise<{ name: string, bytes: Buffer, layout: any }>}
  */
 async function savedLayout(page) {
   await tab(page, 'Layouts');
-  const [download] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Save layout' }).click(),
-  ]);
-  const bytes = await readFile(await download.path());
-  return { name: download.suggestedFilename(), bytes, layout: JSON.parse(bytes.toString()) };
+  const { name, bytes } = await saved(page, () => page.getByRole('button', { name: 'Save layout' }).click());
+  return { name, bytes, layout: JSON.parse(bytes.toString()) };
 }
 
-/** @param {Page} page @returns {Promise<PNG>} */
-async function exported(page) {
-  const [download] = await Promise.all([
-    page.waitForEvent('download', { timeout: 60_000 }),
-    page.getByRole('button', { name: 'Download PNG' }).click(),
-  ]);
-  return PNG.sync.read(await readFile(await download.path()));
-}
+/** @param {Page} page */
+const exported = async (page) => PNG.sync.read((await download(page)).bytes);
 
-/** A paper that is in no photo. */
+/** A paper colour that no photo contains. */
 const PAPER = '#ff00fe';
 
 /**
- * The rows of a picture that are that paper from side to side, as parts of its height: where gutters run across.
+ * Finds the horizontal gutters of a page.
  * @param {PNG} png
- * @returns {number[]} the middles of the runs
+ * @returns {number[]} the middles of the gutters, as fractions of the height
  */
 function gutters({ data, width, height }) {
   const paper = (/** @type {number} */ y) => {
@@ -63,7 +69,7 @@ function gutters({ data, width, height }) {
   return found;
 }
 
-test('a family is chosen, and gutter and page size change the page', async ({ page }) => {
+test('the list shows the layouts of a family, and those that suit the page size', async ({ page }) => {
   await openBoard(page);
   await tab(page, 'Layouts');
   const family = page.getByRole('combobox', { name: 'Family' });
@@ -80,7 +86,7 @@ test('a family is chosen, and gutter and page size change the page', async ({ pa
   await page.getByRole('slider', { name: 'Gutter' }).fill('4');
   await idle(page);
   expect(await picture(page)).not.toBe(before);
-  // What is too thin on a tall page is not offered there.
+  // A tall page has other layouts, because some panels would be too narrow.
   await tab(page, 'Layouts');
   await family.selectOption('');
   const all = await layouts(page).getByRole('option').count();
@@ -93,7 +99,7 @@ test('a family is chosen, and gutter and page size change the page', async ({ pa
   expect(tall).not.toBe(all);
 });
 
-test('a size of one’s own is typed in millimetres, and a wrong one is said', async ({ page }) => {
+test('a custom page size is entered in millimetres, and a wrong value is reported', async ({ page }) => {
   await openBoard(page);
   await tab(page, 'Page');
   const settings = page.getByRole('region', { name: 'Page settings' });
@@ -115,7 +121,7 @@ test('a size of one’s own is typed in millimetres, and a wrong one is said', a
   expect([png.width, png.height]).toEqual([874, 620]);
 });
 
-test('a surprise becomes the page’s layout, is saved, kept, and loaded in another session', async ({ page }) => {
+test('a surprise layout is saved to a file and to My layouts, and loaded again', async ({ page }) => {
   await openBoard(page);
   await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('4');
@@ -135,19 +141,19 @@ test('a surprise becomes the page’s layout, is saved, kept, and loaded in anot
   expect((await contents(page)).layout).toBe(layout.name);
   await press(page, 'Remove from My layouts');
   await expect(mine).toHaveCount(0);
-  // Another day: the file is all there is.
-  await page.evaluate(() => localStorage.clear());
-  await openBoard(page);
+  // Without stored data, only the file has the layout.
+  await openNewBoard(page);
   await page.getByLabel('Layout file').setInputFiles({ name, mimeType: 'application/json', buffer: bytes });
   await idle(page);
   expect((await contents(page)).layout).toBe(layout.name);
   expect((await savedLayout(page)).layout).toEqual(layout);
-  await openBoard(page);
+  await page.reload();
+  await idle(page);
   await tab(page, 'Layouts');
   await expect(mine.getByRole('option', { name: layout.name })).toBeVisible();
 });
 
-test('a bad layout file is an alert with file, path and reason', async ({ page }) => {
+test('an invalid layout file is reported with its name, the place and the reason', async ({ page }) => {
   await openBoard(page);
   const before = await contents(page);
   const bad = {
@@ -171,8 +177,9 @@ test('a bad layout file is an alert with file, path and reason', async ({ page }
   expect(await contents(page)).toEqual(before);
 });
 
-test('a cut is dragged by mouse and moved by keyboard, and the file shows it', async ({ page }) => {
+test('a cut is moved by mouse and keyboard, and the PNG file shows it', async ({ page }) => {
   await openBoard(page);
+  await makePageSmall(page);
   await choose(page, 'grid', 'Three thirds');
   await tab(page, 'Page');
   await page.getByLabel('Paper colour').fill(PAPER);
@@ -190,7 +197,7 @@ test('a cut is dragged by mouse and moved by keyboard, and the file shows it', a
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2 + by / 2);
-  // Live: the handle is under the hand before it is let go.
+  // The handle moves during the drag.
   expect(await value()).toBeGreaterThan(start);
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2 + by, { steps: 4 });
   await page.mouse.up();
@@ -200,7 +207,7 @@ test('a cut is dragged by mouse and moved by keyboard, and the file shows it', a
   const second = gutters(await exported(page));
   expect(second[0] - first[0]).toBeGreaterThan(0.05);
   expect(second[0] - first[0]).toBeLessThan(0.1);
-  // One drag is one step.
+  // One drag is one undo step.
   await press(page, 'Undo');
   expect(await value()).toBe(start);
   await press(page, 'Redo');

@@ -1,8 +1,10 @@
 // @ts-check
-/** Storyboards of several pages: an album spread over them, pages added, turned, moved, removed. */
+/** Comics of several pages: an album spread over pages; pages added, opened, moved and removed. */
 
 import { photosOfPages, strip, thumb, thumbs } from '../book-hands.js';
+import { touch, way } from '../touch-hands.js';
 import {
+  SAMPLES,
   accessible,
   colours,
   contents,
@@ -13,27 +15,19 @@ import {
   pixelsOf,
   press,
   tab,
-  test,
+  sharedBoardTest as test,
 } from '../support.js';
 
 /** @typedef {import('../support.js').Page} Page */
 
 /** @param {Page} page */
 async function spreadSamples(page) {
-  await page.goto('./');
-  await page.getByRole('button', { name: 'Try the sample album' }).click();
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
-  await idle(page);
+  await openBoard(page, SAMPLES);
   await press(page, 'Spread album over pages');
 }
 
-test('the sample album is spread over pages: each photo once, one style, and undo brings the page back', async ({
-  page,
-}) => {
-  await page.goto('./');
-  await page.getByRole('button', { name: 'Try the sample album' }).click();
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
-  await idle(page);
+test('the sample album is spread over pages with each photo once, and Undo restores the page', async ({ page }) => {
+  await openBoard(page, SAMPLES);
   const before = await picture(page);
   await expect(thumbs(page)).toHaveCount(0);
   await press(page, 'Spread album over pages');
@@ -48,9 +42,7 @@ test('the sample album is spread over pages: each photo once, one style, and und
   expect(await picture(page)).toBe(before);
 });
 
-test('a page is added from photos that are on no other, in the same style, and a reload keeps all', async ({
-  page,
-}) => {
+test('a new page has unused photos in the same style, and remains after a reload', async ({ page }) => {
   await openBoard(page);
   await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('3');
@@ -74,7 +66,7 @@ test('a page is added from photos that are on no other, in the same style, and a
   expect(await contents(page)).toEqual(first);
 });
 
-test('pages are moved by buttons, by keys and by dragging, and removed', async ({ page }) => {
+test('pages are moved by buttons, keys and drags, and removed', async ({ page }) => {
   await openBoard(page);
   await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('2');
@@ -116,7 +108,7 @@ test('pages are moved by buttons, by keys and by dragging, and removed', async (
   expect(await thumbs(page).count()).toBe(count);
 });
 
-test('Page Up and Page Down turn the pages, and each has versions of its own', async ({ page }) => {
+test('Page Up and Page Down change the page, and each page has its own versions', async ({ page }) => {
   await spreadSamples(page);
   const first = await picture(page);
   await page.keyboard.press('PageDown');
@@ -134,7 +126,7 @@ test('Page Up and Page Down turn the pages, and each has versions of its own', a
   await expect(page.getByRole('button', { name: 'Previous page' })).toBeDisabled();
 });
 
-test('a style goes on all pages, the size of the page is of all, and a removed photo leaves all', async ({ page }) => {
+test('a style is applied to all pages, and the page size and a removed photo affect all pages', async ({ page }) => {
   await spreadSamples(page);
   await press(page, 'Shuffle style');
   const { style } = await contents(page);
@@ -162,7 +154,7 @@ test('a style goes on all pages, the size of the page is of all, and a removed p
   expect((await photosOfPages(page)).flat()).not.toContain(coffee);
 });
 
-test('the pages are drawn small, and nothing about them is hard to reach', async ({ page }) => {
+test('the page strip shows a thumbnail of each page, and axe finds nothing', async ({ page }) => {
   await openBoard(page);
   await accessible(page);
   await tab(page, 'Layouts');
@@ -185,4 +177,35 @@ test('the pages are drawn small, and nothing about them is hard to reach', async
     );
   for (const address of drawn) expect(colours(pixelsOf(address))).toBeGreaterThan(1);
   expect(new Set(drawn).size).toBe(3);
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 360, height: 740 }, hasTouch: true });
+
+  test('pages are added, opened, moved and removed', async ({ page }) => {
+    await openBoard(page);
+    await press(page, 'Add page');
+    await expect(thumbs(page)).toHaveCount(2);
+    await page.getByRole('button', { name: 'Page tools' }).click();
+    await accessible(page);
+    await press(page, 'Move page earlier');
+    await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
+    const first = await picture(page);
+    await thumb(page, 2).tap();
+    await idle(page);
+    expect(await picture(page)).not.toBe(first);
+    await press(page, 'Remove page');
+    await expect(thumbs(page)).toHaveCount(0);
+  });
+
+  test('a long press on a thumbnail starts a drag of the page', async ({ page }) => {
+    await openBoard(page);
+    for (let i = 0; i < 2; i += 1) await press(page, 'Add page');
+    const [from, to] = [await thumb(page, 3).boundingBox(), await thumb(page, 1).boundingBox()];
+    if (!from || !to) throw new Error('no pages');
+    const steps = way([from.x + from.width / 2, from.y + 20], [to.x + 4, to.y + 20]);
+    await touch(page, [steps], () => expect(strip(page).locator('[data-carried="true"]')).toHaveCount(1));
+    await idle(page);
+    await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
+  });
 });

@@ -1,9 +1,22 @@
 // @ts-check
-import { accessible, choose, contents, expect, idle, openBoard, picture, press, tab, test } from '../support.js';
+/** Panels: split, joined, merged into one photo across several panels, selected by mouse, keyboard and touch. */
 
-test('a panel is split into rows and columns and taken away', async ({ page }) => {
-  await openBoard(page);
-  await choose(page, 'grid', 'Four');
+import { four } from '../panel-hands.js';
+import {
+  accessible,
+  choose,
+  contents,
+  expect,
+  idle,
+  openBoard,
+  picture,
+  press,
+  tab,
+  sharedBoardTest as test,
+} from '../support.js';
+
+test('a panel is split into rows and columns and removed', async ({ page }) => {
+  await four(page);
   await tab(page, 'Layouts');
   await page.getByRole('button', { name: 'Edit layout' }).click();
   const panels = page.getByRole('group', { name: /^Panel \d+ of/ });
@@ -23,9 +36,8 @@ test('a panel is split into rows and columns and taken away', async ({ page }) =
   }
 });
 
-test('panels are merged and split by mouse', async ({ page }) => {
-  await openBoard(page);
-  await choose(page, 'grid', 'Four');
+test('one photo is put across panels and split again by mouse', async ({ page }) => {
+  await four(page);
   const panels = page.getByRole('group', { name: /^Panel \d of/ });
   const merge = page.getByRole('button', { name: 'One photo across panels', exact: true });
   await expect(merge).toBeDisabled();
@@ -50,9 +62,8 @@ test('panels are merged and split by mouse', async ({ page }) => {
   expect(await picture(page)).toBe(apart);
 });
 
-test('panels become one panel, which shows the first of their photos', async ({ page }) => {
-  await openBoard(page);
-  await choose(page, 'grid', 'Four');
+test('joined panels show the first of their photos', async ({ page }) => {
+  await four(page);
   const panels = page.getByRole('group', { name: /^Panel \d of/ });
   const join = page.getByRole('button', { name: 'Join panels', exact: true });
   await expect(join).toBeDisabled();
@@ -76,9 +87,8 @@ test('panels become one panel, which shows the first of their photos', async ({ 
   expect(plain((await contents(page)).photos)).toEqual(plain(photos));
 });
 
-test('panels are merged by keyboard', async ({ page }) => {
-  await openBoard(page);
-  await choose(page, 'grid', 'Four');
+test('one photo is put across panels by keyboard', async ({ page }) => {
+  await four(page);
   await page.getByRole('group', { name: 'Panel 1 of 4' }).focus();
   await page.keyboard.press('Shift+Enter');
   await page.keyboard.press('ArrowRight');
@@ -91,36 +101,14 @@ test('panels are merged by keyboard', async ({ page }) => {
   expect(photos[0]).toBe(photos[1]);
   await page.keyboard.press('Escape');
   await expect(page.getByText('panels selected')).toHaveCount(0);
-  // A shuffle leaves at most one merge.
+  // Shuffle keeps at most one photo across panels.
   await press(page, 'Shuffle');
 });
 
-test('panels are chosen and merged by touch', async ({ browser, baseURL }) => {
-  const context = await browser.newContext({
-    viewport: { width: 360, height: 740 },
-    hasTouch: true,
-    isMobile: true,
-    baseURL,
-  });
-  const page = await context.newPage();
-  await openBoard(page);
-  await page.getByRole('button', { name: 'Layouts', exact: true }).click();
-  await choose(page, 'grid', 'Four');
-  await page.getByRole('button', { name: 'Close' }).click();
-  const panels = page.getByRole('group', { name: /^Panel \d of/ });
-  await panels.nth(0).tap();
-  await page.getByRole('button', { name: 'Select panels' }).tap();
-  await panels.nth(1).tap();
-  await page.getByRole('button', { name: 'One photo across panels', exact: true }).tap();
-  await idle(page);
-  const photos = await panels.evaluateAll((list) => list.map((panel) => panel.getAttribute('aria-description')));
-  expect(photos[0]).toBe(photos[1]);
-  await accessible(page);
-  await context.close();
-});
-
 for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
-  test(`axe finds nothing while panels are chosen and cuts are moved, in ${colorScheme}`, async ({ page }) => {
+  test(`axe finds nothing while panels are selected and cuts are edited, in ${colorScheme} colours`, async ({
+    page,
+  }) => {
     await page.emulateMedia({ colorScheme });
     await openBoard(page);
     await tab(page, 'Layouts');
@@ -133,3 +121,23 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
     await accessible(page);
   });
 }
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+
+  test('panels are selected, and one photo is put across them, by touch', async ({ page }) => {
+    await openBoard(page);
+    await page.getByRole('button', { name: 'Layouts', exact: true }).click();
+    await choose(page, 'grid', 'Four');
+    await page.getByRole('button', { name: 'Close' }).click();
+    const panels = page.getByRole('group', { name: /^Panel \d of/ });
+    await panels.nth(0).tap();
+    await page.getByRole('button', { name: 'Select panels' }).tap();
+    await panels.nth(1).tap();
+    await page.getByRole('button', { name: 'One photo across panels', exact: true }).tap();
+    await idle(page);
+    const photos = await panels.evaluateAll((list) => list.map((panel) => panel.getAttribute('aria-description')));
+    expect(photos[0]).toBe(photos[1]);
+    await accessible(page);
+  });
+});

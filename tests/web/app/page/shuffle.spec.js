@@ -1,7 +1,19 @@
 // @ts-check
-import { contents, expect, idle, openBoard, picture, press, tab, test } from '../support.js';
+/** Shuffle, locks, lists of layouts and styles, versions, undo and page settings. */
 
-test('shuffle shows another page, again and again', async ({ page }) => {
+import {
+  contents,
+  expect,
+  idle,
+  openBoard,
+  openNewBoard,
+  picture,
+  press,
+  tab,
+  sharedBoardTest as test,
+} from '../support.js';
+
+test('Shuffle shows a new page each time', async ({ page }) => {
   await openBoard(page);
   const seen = new Set([await picture(page)]);
   for (let i = 0; i < 6; i += 1) {
@@ -11,7 +23,7 @@ test('shuffle shows another page, again and again', async ({ page }) => {
   expect(seen.size).toBe(7);
 });
 
-test('each part is shuffled alone', async ({ page }) => {
+test('Shuffle style, layout and photos each change only their part', async ({ page }) => {
   await openBoard(page);
   const before = await contents(page);
   await press(page, 'Shuffle style');
@@ -28,13 +40,13 @@ test('each part is shuffled alone', async ({ page }) => {
   expect(photos.photos).not.toEqual(layout.photos);
 });
 
-/** Panels that share one image count as one. @param {any} part of what the page is made of */
+/** Counts adjacent panels that share a photo once. @param {any} part of the contents of the page */
 function imagesOf(part) {
   return Array.isArray(part) ? part.filter((photo, i) => photo !== part[i - 1]) : part;
 }
 
 for (const part of /** @type {const} */ (['layout', 'style', 'photos'])) {
-  test(`a locked ${part} holds while the rest is shuffled`, async ({ page }) => {
+  test(`Shuffle does not change a locked ${part}`, async ({ page }) => {
     await openBoard(page);
     const before = await contents(page);
     await page.getByRole('button', { name: `Lock ${part}` }).click();
@@ -50,7 +62,7 @@ for (const part of /** @type {const} */ (['layout', 'style', 'photos'])) {
   });
 }
 
-test('a layout and a style are chosen from their lists', async ({ page }) => {
+test('a click in the lists applies a layout and a style', async ({ page }) => {
   await openBoard(page);
   for (const list of /** @type {const} */ (['Layouts', 'Styles'])) {
     await tab(page, list);
@@ -65,7 +77,9 @@ test('a layout and a style are chosen from their lists', async ({ page }) => {
   }
 });
 
-test('layouts are filtered by family and number of panels, and shuffling keeps the number', async ({ page }) => {
+test('layouts are filtered by family and number of panels, and Shuffle does not change the number', async ({
+  page,
+}) => {
   await openBoard(page);
   await tab(page, 'Layouts');
   const box = page.getByRole('listbox', { name: 'Layouts' });
@@ -82,8 +96,8 @@ test('layouts are filtered by family and number of panels, and shuffling keeps t
   expect(await box.getByRole('option').count()).toBeLessThan(four);
 });
 
-test('previous and next walk through the pages shown', async ({ page }) => {
-  await openBoard(page);
+test('Previous page and Next page step through the versions', async ({ page }) => {
+  await openNewBoard(page);
   const pages = [await picture(page)];
   for (let i = 0; i < 3; i += 1) {
     await press(page, 'Shuffle');
@@ -97,7 +111,7 @@ test('previous and next walk through the pages shown', async ({ page }) => {
   await expect(page.getByRole('button', { name: 'Previous page' })).toBeDisabled();
   await press(page, 'Next page');
   expect(await picture(page)).toBe(pages[1]);
-  // A new page goes to the end: none of the others is lost.
+  // A new page is added at the end, so no version is lost.
   await press(page, 'Shuffle');
   await press(page, 'Previous page');
   expect(await picture(page)).toBe(pages[3]);
@@ -124,7 +138,7 @@ test('undo and redo step through every edit', async ({ page }) => {
   await expect(page.getByRole('button', { name: 'Lock style' })).toHaveAttribute('aria-pressed', 'false');
 });
 
-test('page settings are live, and a drag is one undo step', async ({ page }) => {
+test('page settings redraw the page at once, and a drag is one undo step', async ({ page }) => {
   await openBoard(page);
   await tab(page, 'Page');
   const settings = page.getByRole('region', { name: 'Page settings' });
@@ -157,16 +171,16 @@ test('another page size changes the shape of the page', async ({ page }) => {
   expect(Math.abs((box?.width ?? 0) / (box?.height ?? 1) - 1)).toBeLessThan(0.02);
 });
 
-test('the picture is drawn anew when the window changes its size', async ({ page }) => {
+test('the page is redrawn when the window changes its size', async ({ page }) => {
   await openBoard(page);
+  const before = await page.locator('.page-canvas').getAttribute('width');
   await page.setViewportSize({ width: 1600, height: 1000 });
-  await page.waitForTimeout(100);
-  await idle(page);
-  const [drawn, shown] = await page
-    .locator('.page-canvas')
-    .evaluate((canvas) => [
-      /** @type {HTMLCanvasElement} */ (canvas).width,
-      canvas.clientWidth * Math.min(2, devicePixelRatio),
-    ]);
-  expect(Math.abs(drawn - shown)).toBeLessThanOrEqual(1);
+  await expect(page.locator('.page-canvas')).not.toHaveAttribute('width', String(before));
+  const difference = () =>
+    page
+      .locator('.page-canvas')
+      .evaluate((canvas) =>
+        Math.abs(/** @type {HTMLCanvasElement} */ (canvas).width - canvas.clientWidth * Math.min(2, devicePixelRatio)),
+      );
+  await expect.poll(difference).toBeLessThanOrEqual(1);
 });

@@ -1,16 +1,13 @@
 // @ts-check
-/** Look-alikes as stacks, how alike is too alike, and the order of the photos. */
+/** Stacks of look-alikes, the threshold for look-alikes, the order of the photos, and starred photos. */
 
-import { SIX, add, expect, idle, photos, press, test } from '../support.js';
+import { add, expect, idle, openBoard, photos, press, sharedBoardTest as test } from '../support.js';
 
 /** @param {import('../support.js').Page} page */
 async function openWithCopies(page) {
-  const some = await photos(...SIX);
-  const cat = some.find(({ name }) => name === 'cat.jpg') ?? some[0];
-  await page.goto('./');
-  // One after the other: of copies that come together the one that is read first, and so shown first, stands for all.
-  await add(page, some);
-  await idle(page);
+  await openBoard(page);
+  const [cat] = await photos('cat.jpg');
+  // The copies come later, because the first photo that was read represents the stack.
   await add(
     page,
     ['cat2.jpg', 'cat3.jpg'].map((name) => ({ ...cat, name })),
@@ -18,7 +15,7 @@ async function openWithCopies(page) {
   await idle(page);
 }
 
-test('a stack opens, another of it is taken, several are kept, and each can be undone', async ({ page }) => {
+test('a stack opens, another or several of its photos are used, and Undo restores the first', async ({ page }) => {
   await openWithCopies(page);
   const tray = page.getByRole('region', { name: 'Photos' });
   const use = (/** @type {string} */ name) => tray.getByRole('checkbox', { name: `Use ${name}`, exact: true });
@@ -44,9 +41,7 @@ test('a stack opens, another of it is taken, several are kept, and each can be u
   await expect(stack).toHaveCount(0);
 });
 
-test('by keyboard: a stack is opened and closed, look-alikes are set aside less, the order changes', async ({
-  page,
-}) => {
+test('keyboard: a stack is opened and closed, the threshold and the order change', async ({ page }) => {
   await openWithCopies(page);
   const opener = page.getByRole('button', { name: 'Show the 3 photos like cat.jpg' });
   await opener.focus();
@@ -63,7 +58,7 @@ test('by keyboard: a stack is opened and closed, look-alikes are set aside less,
   await page.keyboard.press('Home');
   await idle(page);
   await expect(slider).toHaveAttribute('aria-valuetext', /nearly identical/);
-  // The copies are the same to the last pixel.
+  // The copies have the same pixels.
   await expect(page.getByText('6 of 8 kept')).toBeVisible();
   const order = page.getByRole('combobox', { name: 'Order' });
   await order.selectOption('By file name');
@@ -72,15 +67,13 @@ test('by keyboard: a stack is opened and closed, look-alikes are set aside less,
   await expect(order).toHaveValue('time');
 });
 
-test('a starred photo is the large one, at once and in every shuffle, until the star is taken away', async ({
+test('a starred photo gets the largest panel, at once and after Shuffle, until the star is removed', async ({
   page,
 }) => {
-  await page.goto('./');
-  await add(page, await photos(...SIX));
-  await idle(page);
+  await openBoard(page);
   const tray = page.getByRole('region', { name: 'Photos' });
   const star = tray.getByRole('button', { name: 'Star cat.jpg' });
-  /** The photos of the panels that have the most of the page. */
+  /** The photos of the largest panels. */
   const largest = () =>
     page.evaluate(() => {
       const area = (/** @type {Element} */ one) =>

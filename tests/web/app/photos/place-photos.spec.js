@@ -1,16 +1,15 @@
 // @ts-check
-/** Photos on the table under the pointer: a click chooses and places, the tick alone leaves out, and each says where it is. */
+/** Photos of the tray: a click chooses and places a photo, its check box leaves it out. */
 
-import { expect, idle, openBoard, test } from '../support.js';
+import { panel } from '../panel-hands.js';
+import { expect, idle, openBoard, sharedBoardTest as test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 
-const panel = (/** @type {Page} */ page, /** @type {number} */ n) =>
-  page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) });
 const photo = (/** @type {Page} */ page, /** @type {string} */ name) =>
   page.getByRole('region', { name: 'Photos' }).getByRole('button', { name: `Choose ${name}` });
 
-test('a click on a photo puts it into the chosen panel, and says where it is', async ({ page }) => {
+test('a click on a photo puts it into the selected panel, and its description names the panel', async ({ page }) => {
   await openBoard(page);
   await panel(page, 2).click();
   await photo(page, 'temple.jpg').click();
@@ -20,7 +19,7 @@ test('a click on a photo puts it into the chosen panel, and says where it is', a
   await expect(page.getByRole('checkbox', { name: 'Use temple.jpg' })).toBeChecked();
 });
 
-test('without a chosen panel the photo goes to the one that is clicked next, or nowhere with Escape', async ({
+test('without a selected panel, a chosen photo goes to the next panel that is clicked, unless Escape cancels', async ({
   page,
 }) => {
   await openBoard(page);
@@ -36,7 +35,7 @@ test('without a chosen panel the photo goes to the one that is clicked next, or 
   await expect(panel(page, 1)).toHaveAccessibleDescription(/crab/);
 });
 
-test('the tick leaves a photo out, tells it as one’s own doing, and offers to undo', async ({ page }) => {
+test('the check box leaves a photo out, gives the reason, and offers Undo', async ({ page }) => {
   await openBoard(page);
   const tick = page.getByRole('checkbox', { name: 'Use bee.jpg' });
   await tick.click();
@@ -48,7 +47,7 @@ test('the tick leaves a photo out, tells it as one’s own doing, and offers to 
   await expect(tick).toBeChecked();
 });
 
-test('Space shuffles after a lock was pressed by the pointer, and presses it where keys brought the focus', async ({
+test('Space shuffles after a click on a lock, and changes the lock if the keyboard moved the focus there', async ({
   page,
 }) => {
   await openBoard(page);

@@ -1,18 +1,20 @@
 // @ts-check
-import { readFile } from 'node:fs/promises';
-import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from '../designer-hands.js';
-import { drop, expect, idle, openBoard, picture, tab, test } from '../support.js';
+/** Styles as files and links, and deleted styles. */
 
-test('a style goes out as a file and a link, and comes back by both', async ({ page, context }) => {
+import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from '../designer-hands.js';
+import { saved } from '../export-hands.js';
+import { drop, expect, idle, openBoard, picture, tab, sharedBoardTest as test } from '../support.js';
+
+test('a style is exported as a file and a link, and imported from both', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await openDesigner(page);
   await addBlock(page, 'Halftone');
   await addBlock(page, 'XDoG', 'Foreground layer');
   await page.getByLabel('Style name').fill('Dots & lines');
   await page.getByLabel('Ink colour').fill('#203050');
-  const [download] = await Promise.all([page.waitForEvent('download'), button(page, 'Export style').click()]);
-  expect(download.suggestedFilename()).toBe('dots-lines.json');
-  const file = JSON.parse(String(await readFile(await download.path())));
+  const exported = await saved(page, () => button(page, 'Export style').click());
+  expect(exported.name).toBe('dots-lines.json');
+  const file = JSON.parse(String(exported.bytes));
   expect(file).toMatchObject({
     name: 'Dots & lines',
     background: [{ block: 'halftone' }],
@@ -25,7 +27,6 @@ test('a style goes out as a file and a link, and comes back by both', async ({ p
   const made = await preview(page);
 
   const other = await context.newPage();
-  await other.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
   await other.goto(link);
   await expect(other.getByText('Dots & lines is in My styles. Add photos to see it.')).toBeVisible();
   expect(new URL(other.url()).hash).toBe('');
@@ -45,7 +46,7 @@ test('a style goes out as a file and a link, and comes back by both', async ({ p
   await expect(page.getByRole('alert')).toContainText(/wrong\.json.*background\[1\] \(posterize\), levels/);
 });
 
-test('a style file dropped on the window is opened, and a style deleted comes back', async ({ page }) => {
+test('a dropped style file opens in the designer, and Undo restores a deleted style', async ({ page }) => {
   await openBoard(page, FOUR);
   const style = {
     id: 'dropped',
@@ -64,7 +65,7 @@ test('a style file dropped on the window is opened, and a style deleted comes ba
   const styles = page.getByRole('listbox', { name: 'Styles' });
   await expect(styles.getByRole('option', { name: 'Dropped' })).toHaveAttribute('aria-selected', 'true');
   await page.getByRole('button', { name: 'Designer', exact: true }).click();
-  // The page is in this style, so it follows.
+  // The page has this style, so it is redrawn.
   const before = await picture(page);
   await cards(page).nth(1).getByRole('slider', { name: 'Levels' }).fill('6');
   await idle(page);

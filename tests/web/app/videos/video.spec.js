@@ -1,6 +1,18 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { add, contents, expect, idle, photos, press, test } from '../support.js';
+import { download } from '../export-hands.js';
+import {
+  add,
+  contents,
+  expect,
+  idle,
+  makePageSmall,
+  openBoard,
+  openStart,
+  photos,
+  press,
+  sharedBoardTest as test,
+} from '../support.js';
 
 /** @typedef {import('../support.js').Page} Page */
 
@@ -14,7 +26,7 @@ async function video(name, mimeType) {
 /** @param {Page} page */
 const frames = (page) => page.getByRole('checkbox', { name: /^Use album/ });
 
-/** Seconds into the film, of the frames in the tray in their order. @param {Page} page */
+/** The times of the frames in the tray, in seconds, in their order. @param {Page} page */
 async function times(page) {
   const names = await frames(page).evaluateAll((boxes) => boxes.map((box) => box.getAttribute('aria-label') ?? ''));
   return names.map((name) => {
@@ -27,12 +39,9 @@ for (const [name, type] of [
   ['album.mp4', 'video/mp4'],
   ['album.webm', 'video/webm'],
 ]) {
-  test(`the frames of ${name} become a page`, async ({ page }) => {
-    await page.goto('./');
-    await add(page, [await video(name, type)]);
-    await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
-    await idle(page);
-    // Six shots of a second each, and as many frames as any film has at least.
+  test(`the frames of ${name} become a comic page`, async ({ page }) => {
+    await openBoard(page, [name], [await video(name, type)]);
+    // The video has six shots of one second. The minimum is eight frames.
     await expect(frames(page)).toHaveCount(8);
     const seconds = await times(page);
     expect(new Set(seconds.map(Math.floor)).size).toBe(6);
@@ -44,8 +53,8 @@ for (const [name, type] of [
   });
 }
 
-test('a film lies on the table beside photos, and its frames are judged apart', async ({ page }) => {
-  await page.goto('./');
+test('a video is used together with photos, and its frames are compared only with each other', async ({ page }) => {
+  await openStart(page);
   await add(page, [await video('album.mp4', 'video/mp4'), ...(await photos('pagoda.jpg'))]);
   await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
   await idle(page);
@@ -53,16 +62,15 @@ test('a film lies on the table beside photos, and its frames are judged apart', 
   const used = await frames(page).evaluateAll(
     (boxes) => boxes.filter((box) => /** @type {HTMLInputElement} */ (box).checked).length,
   );
-  // Six shots of a second each.
+  // The video has six shots of one second.
   expect(used).toBeGreaterThanOrEqual(6);
   expect(used).toBeLessThanOrEqual(8);
 });
 
-test('other frames are taken of a stretch of the film, and one undo brings the old ones back', async ({ page }) => {
-  await page.goto('./');
-  await add(page, [await video('album.mp4', 'video/mp4')]);
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
-  await idle(page);
+test('other frames are extracted from a part of the video, and one undo step restores the first ones', async ({
+  page,
+}) => {
+  await openBoard(page, ['album.mp4'], [await video('album.mp4', 'video/mp4')]);
   await page.getByText('8 frames').click();
   await page.getByRole('slider', { name: 'Start' }).fill('2');
   await page.getByRole('slider', { name: 'End' }).fill('4');
@@ -75,20 +83,14 @@ test('other frames are taken of a stretch of the film, and one undo brings the o
   await expect(frames(page)).toHaveCount(8);
 });
 
-test('a film that was recorded on its side stands upright', async ({ page }) => {
-  await page.goto('./');
-  await add(page, [await video('turned.mov', 'video/quicktime')]);
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
-  await idle(page);
-  const [download] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Download PNG' }).click(),
-  ]);
-  expect(await download.path()).toBeTruthy();
+test('a video that was recorded on its side is shown upright', async ({ page }) => {
+  await openBoard(page, ['turned.mov'], [await video('turned.mov', 'video/quicktime')]);
+  await makePageSmall(page);
+  expect((await download(page)).path).toBeTruthy();
 });
 
-test('a file that is no film is named with the reason', async ({ page }) => {
-  await page.goto('./');
+test('a file that is not a video is reported with the reason', async ({ page }) => {
+  await openStart(page);
   await add(page, [
     { name: 'broken.mp4', mimeType: 'video/mp4', buffer: Buffer.from('this is not a film') },
     ...(await photos('bee.jpg', 'cat.jpg')),
@@ -98,11 +100,10 @@ test('a file that is no film is named with the reason', async ({ page }) => {
   await expect(page.getByRole('checkbox', { name: /^Use broken/ })).toHaveCount(0);
 });
 
-test('a panel’s frame is exchanged for a later one by the tool and by the keys, each one step', async ({ page }) => {
-  await page.goto('./');
-  await add(page, [await video('album.mp4', 'video/mp4')]);
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
-  await idle(page);
+test('the frame of a panel is replaced by a later or earlier one, by button and by key, as one undo step', async ({
+  page,
+}) => {
+  await openBoard(page, ['album.mp4'], [await video('album.mp4', 'video/mp4')]);
   const shown = async () => (await contents(page)).photos.map((name) => name?.replace(', selected', ''));
   const before = { times: await times(page), photos: await shown() };
   const panel = page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel 1 of/ });
