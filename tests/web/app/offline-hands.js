@@ -1,5 +1,5 @@
 // @ts-check
-/** What the tests of the page without a connection share. */
+/** Steps of the tests without a connection. */
 
 import { test as plain } from '../../../www/testing.ts';
 import { expect } from './support.js';
@@ -10,8 +10,8 @@ import { remove, startHost } from './site-host.js';
 /** @typedef {Awaited<ReturnType<typeof startHost>>} Host */
 
 /**
- * A host of its own for each test, whose workers are allowed. A request to another origin fails the test, but not a
- * request that finds no host.
+ * A test with its own host, and with service workers. A request to another origin fails the test. A request without an
+ * answer does not.
  * @type {import('../../../www/testing.ts').TestWith<{ host: Host, folders: string[] }>} `folders` are removed afterwards
  */
 export const test = plain.extend(
@@ -49,7 +49,7 @@ export const test = plain.extend(
   }),
 );
 
-/** Until the site is kept, the extras too. @param {Page} page */
+/** Waits until the files of the app are cached. @param {Page} page */
 export async function kept(page) {
   await expect
     .poll(() =>
@@ -67,23 +67,23 @@ export async function kept(page) {
     .toBe(true);
 }
 
-/** Until the module of the detectors and their nets are kept, some time after their first use. @param {Page} page */
+/** Waits until the module and the models of the detectors are cached, some time after their first use. @param {Page} page */
 export async function netsKept(page) {
   const kept = () =>
     page.evaluate(async () => (await (await caches.open('inkpanel-nets')).keys()).map(({ url }) => url).join(' '));
-  // The nets that come after them, of beauty and of figures, may be kept by then or not.
+  // The models of aesthetics and subjects may be cached by then or not.
   for (const name of [/\/nets-\w+\.wasm/, /\/faces-/, /\/objects-/])
     await expect.poll(kept, { timeout: 30_000 }).toMatch(name);
 }
 
-/** The builds that the browser keeps. @param {Page} page */
+/** The number of cached builds. @param {Page} page */
 export const builds = (page) =>
   page.evaluate(async () => (await caches.keys()).filter((name) => name.startsWith('inkpanel /')).length);
 
-/** Which build a page is of. @param {Page} page */
+/** The name of the build of a tab. @param {Page} page */
 export const buildOf = (page) => page.evaluate(() => document.documentElement.dataset.build ?? 'first');
 
-/** Has the browser look for a new version now. @param {Page} page */
+/** Lets the browser check for a new version. @param {Page} page */
 export async function lookForUpdate(page) {
   await page.evaluate(async () => {
     await (await navigator.serviceWorker.getRegistration())?.update().catch(() => {});

@@ -1,5 +1,5 @@
 // @ts-check
-/** Projects as files: what the page makes of the one that is open, with a bit of everything in it. */
+/** Project files that the app saves, with all kinds of content. */
 
 import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
@@ -11,7 +11,7 @@ import { PNG, expect } from './support.js';
 /** @typedef {import('./support.js').Page} Page */
 /** A document and the files of its photos. @typedef {{ document: any, photos: { name: string, blob: Blob }[] }} Parts */
 
-/** Three small photos: the files shall be many, not large. */
+/** Three small photos. */
 export const SMALL = ['one', 'two', 'three'].map((name, i) => {
   const png = new PNG({ width: 96, height: 64 });
   for (let at = 0; at < png.data.length; at += 4)
@@ -19,7 +19,9 @@ export const SMALL = ['one', 'two', 'three'].map((name, i) => {
   return { name: `${name}.png`, mimeType: 'image/png', buffer: PNG.sync.write(png) };
 });
 
-export const saved = (/** @type {Page} */ page) => expect(page.locator('.save-state')).toHaveText('Saved');
+/** Waits until the app shows that all work is saved. @param {Page} page */
+export const expectSaved = (page) => expect(page.locator('.save-state')).toHaveText('Saved', { timeout: 120_000 });
+export { expectSaved as saved };
 
 const STYLE = {
   id: 'mine',
@@ -34,7 +36,7 @@ const STYLE = {
 };
 const LAYOUTS = new URL('../../../layouts/', import.meta.url);
 
-/** The files that the page makes of what is open, with more in them. @param {Page} page @returns {Promise<{ project: Parts, page: Parts }>} */
+/** Saves the open project as a project file and as a PNG file, and adds content to both. @param {Page} page @returns {Promise<{ project: Parts, page: Parts }>} */
 export async function goodFiles(page) {
   await page.getByRole('button', { name: 'Projects' }).click();
   const waiting = page.waitForEvent('download');
@@ -59,7 +61,7 @@ export async function goodFiles(page) {
   return { project: { document: enriched(project), photos }, page: { document: enriched(drawn), photos: packed } };
 }
 
-/** Words, own styles, a draft, a crop: places to be spoilt. @param {any} document */
+/** Adds text items, a custom style, a draft and a crop, which tests can damage. @param {any} document */
 function enriched(document) {
   const { present } = document.history;
   present.name = 'Hostile';

@@ -159,7 +159,8 @@ export const testsOn = (open) =>
         await context.clearPermissions();
         await page.unrouteAll({ behavior: 'ignoreErrors' });
         await page.setViewportSize(viewport);
-        await page.emulateMedia({ colorScheme: null, reducedMotion: null });
+        const reducedMotion = contextOptions?.reducedMotion ?? 'no-preference';
+        await page.emulateMedia({ colorScheme: colorScheme ?? 'light', reducedMotion });
         expect(faultsOf(page)).toEqual([]);
       },
       context: async (

@@ -1,7 +1,9 @@
 // @ts-check
 /** Gestures of fingers on a touch screen. */
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+import { expect, idle } from './support.js';
+
+/** @typedef {import('./support.js').Page} Page */
 /** @typedef {[number, number]} Point */
 
 /**
@@ -26,4 +28,47 @@ export function way(from, to, steps = 8) {
     from[0] + ((to[0] - from[0]) * i) / steps,
     from[1] + ((to[1] - from[1]) * i) / steps,
   ]);
+}
+
+/** Returns the controls that a finger of 44 pixels would miss. @param {Page} page @returns {Promise<string[]>} */
+const missed = (page) =>
+  page.evaluate(() => {
+    const wrong = [];
+    for (const element of document.querySelectorAll('button, select, summary, textarea, input, [role=slider]')) {
+      if (!element.checkVisibility({ visibilityProperty: true, opacityProperty: true })) continue;
+      const box = element.getBoundingClientRect();
+      const [x, y] = [box.left + box.width / 2, box.top + box.height / 2];
+      // Controls outside of a scrolled area, and texts for screen readers.
+      const hit = document.elementFromPoint(x, y);
+      if (box.width < 2 || !hit || !(element.contains(hit) || hit.contains(element))) continue;
+      // A control that is cut by scrolling.
+      const cut = element.closest('.sheet-body')?.getBoundingClientRect();
+      if (cut && (box.bottom > cut.bottom || box.top < cut.top)) continue;
+      // A label is part of its check box.
+      const target = element.closest('label') ?? element;
+      const owns = (/** @type {number} */ dx, /** @type {number} */ dy) => {
+        const [px, py] = [x + dx, y + dy];
+        if (px < 0 || py < 0 || px >= innerWidth || py >= innerHeight) return true;
+        const there = document.elementFromPoint(px, py);
+        return there !== null && (target.contains(there) || there.contains(target));
+      };
+      if (![owns(-20, 0), owns(20, 0), owns(0, -20), owns(0, 20)].every(Boolean))
+        wrong.push(`${element.getAttribute('aria-label') ?? element.textContent} ${box.width}x${box.height}`);
+    }
+    return wrong;
+  });
+
+/** Checks that no control of the board, its drawers and its panels is too small for a finger. @param {Page} page */
+export async function expectTouchTargets(page) {
+  // Drawers are animated.
+  const check = (/** @type {string} */ place) => expect.poll(() => missed(page), place).toEqual([]);
+  await check('board');
+  for (const name of ['Photos', 'Styles', 'Layouts', 'Words', 'Page settings']) {
+    await page.getByRole('button', { name, exact: true }).tap();
+    await idle(page);
+    await check(name);
+    await page.getByRole('button', { name: 'Close', exact: true }).tap();
+  }
+  await page.getByRole('group', { name: /^Panel 2 of/ }).tap();
+  await check('panel');
 }

@@ -1,22 +1,28 @@
 // @ts-check
-import { test as plain } from '../../../../www/testing.ts';
-import { SIX, add, colours, expect, idle, photos, picture, pixelsOf, press } from '../support.js';
+/** Workers that crash, and an engine that cannot be loaded. */
 
-// Not the watched test of `support.js`: here errors in workers are the point.
+import { SIX, add, colours, expect, faultTest as test, idle, photos, picture, pixelsOf, press } from '../support.js';
 
-/** @param {import('../../../../www/testing.ts').Page} page */
+/** Throws an error in each worker, and waits until it was thrown. @param {import('../support.js').Page} page */
 const crashWorkers = (page) =>
   Promise.all(
     page.workers().map((worker) =>
-      worker.evaluate(() => {
-        setTimeout(() => {
-          throw new Error('a fault made by the test');
-        });
-      }),
+      worker
+        .evaluate(
+          () =>
+            new Promise((resolve) => {
+              setTimeout(() => {
+                setTimeout(resolve);
+                throw new Error('an error of the test');
+              });
+            }),
+        )
+        // The app may have terminated the worker.
+        .catch(() => {}),
     ),
   );
 
-plain('workers that die in the middle are replaced, and the page is finished', async ({ page }) => {
+test('workers that crash during a job are replaced, and the page is finished', async ({ page }) => {
   await page.goto('./');
   await add(page, await photos(...SIX));
   await crashWorkers(page);
@@ -26,18 +32,17 @@ plain('workers that die in the middle are replaced, and the page is finished', a
   for (const name of SIX) await expect(page.getByRole('checkbox', { name: `Use ${name}` })).toBeAttached();
 });
 
-plain('workers that die at rest are replaced when they are needed', async ({ page }) => {
+test('workers that crash without a job are replaced when they are needed', async ({ page }) => {
   await page.goto('./');
   await add(page, await photos(...SIX));
   await idle(page);
   await crashWorkers(page);
-  await page.waitForTimeout(200);
   const before = await picture(page);
   await press(page, 'Shuffle');
   expect(await picture(page)).not.toBe(before);
 });
 
-plain('a program that cannot be loaded says so', async ({ page }) => {
+test('an engine that cannot be loaded is reported', async ({ page }) => {
   await page.route('**/*.wasm', (route) => route.abort());
   await page.goto('./');
   await expect(page.getByRole('alert')).toContainText('Inkpanel could not start');

@@ -1,19 +1,15 @@
 // @ts-check
-/** Parts of the program that are loaded when they are asked for, and do not come. */
+/** Modules that are loaded when they are needed, and whose loading fails. */
 
 import { fileURLToPath } from 'node:url';
-import { test as plain } from '../../../../www/testing.ts';
 import { FOUR } from '../designer-hands.js';
 import { openExport, saved } from '../export-hands.js';
-import { expect, idle, openBoard } from '../support.js';
+import { expect, faultTest as test, idle, openBoard } from '../support.js';
 import { openWords, word, write } from '../word-hands.js';
 
 const LETTERS = /letters-[^/]*\.bin$/;
 
-// What the page loads and does not get, the browser tells on its console.
-plain.beforeEach(({ page }) => page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off')));
-
-plain('words whose letters do not come, or come broken, are not there, and a new try has them', async ({ page }) => {
+test('text cannot be added while its fonts are missing or damaged, and can be added afterwards', async ({ page }) => {
   await openBoard(page);
   await openWords(page);
   const add = page.getByRole('button', { name: 'Add caption', exact: true });
@@ -29,7 +25,7 @@ plain('words whose letters do not come, or come broken, are not there, and a new
   await expect(page.getByRole('alert')).toHaveText('');
 });
 
-plain('a file asks for its own module alone, and one that did not get it can be made again', async ({ page }) => {
+test('a file format loads only its own module, and can be saved after the loading failed', async ({ page }) => {
   /** @type {string[]} */
   const asked = [];
   page.on('request', (request) => asked.push(new URL(request.url()).pathname));
@@ -60,7 +56,7 @@ plain('a file asks for its own module alone, and one that did not get it can be 
   await idle(page);
 });
 
-plain('a style from a picture whose search did not come is looked for at a new try', async ({ page }) => {
+test('the search of a style from a picture can be repeated after its module failed to load', async ({ page }) => {
   await openBoard(page, FOUR);
   const modules = /inkpanel_bg-[^/]*\.wasm$/;
   await page.route(modules, (route) => route.abort());

@@ -1,5 +1,5 @@
 // @ts-check
-/** Thumbnails that are seen larger by a finger that stays on them. */
+/** A long press on a thumbnail shows it large. */
 import { FOUR } from '../designer-hands.js';
 import { expect, openBoard, test } from '../support.js';
 
@@ -7,11 +7,11 @@ import { expect, openBoard, test } from '../support.js';
 
 test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-/** A finger that is put down, and lifted later. @param {Page} page @param {ReturnType<Page['locator']>} element */
+/** Puts a finger on an element, to be lifted later. @param {Page} page @param {ReturnType<Page['locator']>} element */
 async function finger(page, element) {
   await element.scrollIntoViewIfNeeded();
   const box = await element.boundingBox();
-  if (!box) throw new Error('it is not shown');
+  if (!box) throw new Error('the element is not visible');
   const client = await page.context().newCDPSession(page);
   const at = { x: box.x + box.width / 2, y: box.y + Math.min(box.height, 60) / 2 };
   await client.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [at] });
@@ -25,7 +25,7 @@ async function finger(page, element) {
 
 const seen = (/** @type {Page} */ page) => page.locator('.glimpse [data-drawn=true]');
 
-test('a finger that stays on a style shows the page in it, and chooses nothing', async ({ page }) => {
+test('a long press on a style shows the page in this style, and applies nothing', async ({ page }) => {
   await openBoard(page, FOUR);
   await page.getByRole('button', { name: 'Styles', exact: true }).tap();
   const styles = page.getByRole('listbox', { name: 'Styles' });
@@ -39,13 +39,12 @@ test('a finger that stays on a style shows the page in it, and chooses nothing',
   expect(Number(larger?.height)).toBeGreaterThan(1.4 * held.box.height);
   await held.lift();
   await expect(seen(page)).toHaveCount(0);
-  await page.waitForTimeout(100);
   await expect(chosen).toHaveAccessibleName(before);
   await styles.getByRole('option', { name, exact: true }).tap();
   await expect(chosen).toHaveAccessibleName(name);
 });
 
-test('a finger that stays on a tile of the explorer shows it large, and opens nothing', async ({ page }) => {
+test('a long press on a style of the explorer shows it large, and opens nothing', async ({ page }) => {
   await openBoard(page, FOUR);
   await page.getByRole('button', { name: 'Styles', exact: true }).tap();
   await page.getByRole('button', { name: 'Explorer', exact: true }).tap();
@@ -61,10 +60,11 @@ test('a finger that stays on a tile of the explorer shows it large, and opens no
   await held.lift();
   await expect(seen(page)).toHaveCount(0);
   await expect(page.getByRole('dialog')).toHaveCount(0);
-  // A finger that moves on scrolls.
+  // A swipe scrolls, even if the finger stays on the screen after it.
+  await page.clock.install();
   const moving = await finger(page, picture);
   await moving.moveBy(-40);
-  await page.waitForTimeout(600);
+  await page.clock.runFor(2_000);
   await expect(seen(page)).toHaveCount(0);
   await moving.lift();
   await picture.tap();

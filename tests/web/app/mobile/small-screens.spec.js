@@ -1,17 +1,19 @@
 // @ts-check
-/** What was covered, cut off or out of sight on small screens, by what a person does there. */
+/** Small screens: no control is covered, cut off, too small for a finger or outside of the window. */
 
 import { covered } from '../../covered.js';
-import { SIX, expect, idle, openBoard, test } from '../support.js';
 import { drawn, region } from '../designer-hands.js';
+import { panel } from '../panel-hands.js';
+import { SIX, drop, expect, idle, openBoard, sharedBoardTest as test } from '../support.js';
+import { expectTouchTargets } from '../touch-hands.js';
 
-/** @typedef {import('../../../../www/testing.ts').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
-const SIDEWAYS = { width: 844, height: 390 };
-const UPRIGHT = { width: 390, height: 844 };
+const LANDSCAPE = { width: 844, height: 390 };
+const PORTRAIT = { width: 390, height: 844 };
 const TABLET = { width: 820, height: 1180 };
 
-/** More than a page holds. */
+/** More photos than fit on a page. */
 const ALBUM = [
   ...SIX,
   ...['dahlia.jpg', 'horses.jpg', 'palace.jpg', 'pika.jpg', 'raccoon.jpg', 'stream.jpg', 'wine.jpg'],
@@ -20,22 +22,22 @@ const ALBUM = [
 const button = (/** @type {Page} */ page, /** @type {string} */ name) =>
   page.getByRole('button', { name, exact: true });
 
-/** Whether a point in its middle belongs to it. @param {ReturnType<Page['locator']>} element */
-const free = (element) =>
+/** Whether nothing covers the middle of an element. @param {ReturnType<Page['locator']>} element */
+const isFree = (element) =>
   element.evaluate((node) => {
     const { left, top, width, height } = node.getBoundingClientRect();
     const over = document.elementFromPoint(left + width / 2, top + height / 2);
     return over !== null && node.contains(over);
   });
 
-/** Whether all of it is in the window. @param {ReturnType<Page['locator']>} element */
-const inSight = (element) =>
+/** Whether an element is completely inside of the window. @param {ReturnType<Page['locator']>} element */
+const isInside = (element) =>
   element.evaluate((node) => {
     const { left, top, right, bottom } = node.getBoundingClientRect();
     return left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight;
   });
 
-/** Leaves a photo out, which is told with a way back. @param {Page} page */
+/** Leaves a photo out, which shows a message with a button to undo. @param {Page} page */
 async function leaveOut(page) {
   await button(page, 'Photos').tap();
   await page.getByRole('checkbox', { name: 'Use bee.jpg' }).tap();
@@ -43,158 +45,185 @@ async function leaveOut(page) {
   await expect(page.getByText('bee.jpg is left out')).toBeVisible();
 }
 
-for (const viewport of [UPRIGHT, TABLET, SIDEWAYS]) {
-  test.describe(`${viewport.width} by ${viewport.height}`, () => {
+/** Checks that the alert of an unreadable file covers no control. @param {Page} page */
+async function expectFreeAlert(page) {
+  await drop(page, [{ name: 'broken.jpg', mimeType: 'image/jpeg', buffer: Buffer.from('no picture') }]);
+  await expect(page.getByRole('alert').getByText('broken.jpg')).toBeVisible();
+  expect(await page.evaluate(covered)).toEqual([]);
+}
+
+/** Opens the designer and adds a block with sliders. @param {Page} page */
+async function openSliders(page) {
+  await button(page, 'Styles').tap();
+  await button(page, 'Designer').tap();
+  await button(page, 'Add block').tap();
+  await page.getByRole('searchbox', { name: 'Search blocks' }).fill('xdog');
+  await page.getByRole('region', { name: 'Blocks to add' }).getByRole('listitem').getByRole('button').first().tap();
+  await drawn(page);
+  const sliders = region(page).locator('.parameter').getByRole('slider');
+  expect([await isInside(sliders.nth(0)), await isInside(sliders.nth(1))]).toEqual([true, true]);
+}
+
+for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
+  test.describe(`${viewport.width} x ${viewport.height} pixels`, () => {
     test.use({ viewport, hasTouch: true, isMobile: true });
 
-    test('the drawer of photos leaves its buttons and the bar to the finger', async ({ page }) => {
-      await openBoard(page);
+    test('the drawer of photos covers neither its buttons nor the bar', async ({ page }) => {
+      await openBoard(page, ALBUM);
       await button(page, 'Photos').tap();
       await expect(button(page, 'Close')).toBeVisible();
-      await expect.poll(() => free(button(page, 'Add photos'))).toBe(true);
-      expect(await free(button(page, 'Close'))).toBe(true);
-      expect(await free(button(page, 'Photos'))).toBe(true);
+      await expect.poll(() => isFree(button(page, 'Add photos'))).toBe(true);
+      expect(await isFree(button(page, 'Close'))).toBe(true);
+      expect(await isFree(button(page, 'Photos'))).toBe(true);
       expect(await page.evaluate(covered)).toEqual([]);
     });
 
-    test('a note covers no tool of a panel, and none of the pages', async ({ page }) => {
+    test('the tools of a panel show their names', async ({ page }) => {
       await openBoard(page, ALBUM);
-      await page.getByRole('group', { name: /^Panel 2 of/ }).tap();
+      await panel(page, 2).tap();
+      for (const name of ['Zoom in', 'Swap', 'Star'])
+        expect([name, await isInside(page.locator('.rail').getByText(name, { exact: true }))]).toEqual([name, true]);
+    });
+
+    test('a message covers no tool of a panel or of the pages', async ({ page }) => {
+      await openBoard(page, ALBUM);
+      await panel(page, 2).tap();
       await leaveOut(page);
       await button(page, 'Close').tap();
-      await page.getByRole('group', { name: /^Panel 2 of/ }).tap();
+      await panel(page, 2).tap();
       await expect(button(page, 'Lock panel')).toBeVisible();
       expect(await page.evaluate(covered)).toEqual([]);
       await page.keyboard.press('Escape');
       await button(page, 'Spread album over pages').tap();
       await idle(page);
-      await expect(page.getByRole('button', { name: 'Take it back' })).toBeVisible();
+      await expect(button(page, 'Take it back')).toBeVisible();
       expect(await page.evaluate(covered)).toEqual([]);
       await button(page, 'Page tools').tap();
       for (const name of ['Move page earlier', 'Move page later', 'Remove page']) {
-        expect([name, await inSight(button(page, name))]).toEqual([name, true]);
-        expect([name, await free(button(page, name))]).toEqual([name, true]);
+        expect([name, await isInside(button(page, name))]).toEqual([name, true]);
+        expect([name, await isFree(button(page, name))]).toEqual([name, true]);
       }
     });
 
-    test('tools for the photo of a panel have their names', async ({ page }) => {
-      await openBoard(page);
-      await page.getByRole('group', { name: /^Panel 2 of/ }).tap();
-      for (const name of ['Zoom in', 'Swap', 'Star'])
-        expect([name, await inSight(page.locator('.rail').getByText(name, { exact: true }))]).toEqual([name, true]);
-    });
+    if (viewport === PORTRAIT) {
+      test('a message with Undo disappears after another undo, as does the request to choose a panel', async ({
+        page,
+      }) => {
+        await openBoard(page, ALBUM);
+        await leaveOut(page);
+        await page.getByRole('button', { name: 'Choose cat.jpg' }).tap();
+        await expect(page.getByText('Choose the panel for this photo')).toBeVisible();
+        await page.locator('.top-bar').getByRole('button', { name: 'Undo' }).tap();
+        await idle(page);
+        await expect(page.getByText('bee.jpg is left out')).toHaveCount(0);
+        await expect(page.getByText('Choose the panel for this photo')).toHaveCount(0);
+        await expect(page.getByRole('checkbox', { name: 'Use bee.jpg' })).toBeChecked();
+      });
+
+      test('a message disappears when a workspace opens', async ({ page }) => {
+        await openBoard(page, ALBUM);
+        await button(page, 'Spread album over pages').tap();
+        await expect(button(page, 'Take it back')).toBeVisible();
+        await button(page, 'Projects').tap();
+        await expect(page.getByRole('region', { name: 'Projects' })).toBeVisible();
+        expect(await button(page, 'Take it back').count()).toBe(0);
+      });
+
+      test('the page settings show the help', async ({ page }) => {
+        await openBoard(page, ALBUM);
+        await button(page, 'Page settings').tap();
+        await expect.poll(() => isInside(button(page, 'Help and keyboard shortcuts'))).toBe(true);
+        await expect.poll(() => isFree(button(page, 'Help and keyboard shortcuts'))).toBe(true);
+        await button(page, 'Help and keyboard shortcuts').tap();
+        await expect(page.getByRole('dialog').getByRole('searchbox')).toBeVisible();
+      });
+
+      test('the designer shows two sliders below the preview', async ({ page }) => {
+        await openBoard(page, ALBUM);
+        await openSliders(page);
+        const [save, use] = [await button(page, 'Save style').boundingBox(), await button(page, 'Use').boundingBox()];
+        expect(use?.y).toBe(save?.y);
+      });
+    }
+
+    if (viewport === LANDSCAPE) {
+      test('the designer shows the preview, two sliders and the back button', async ({ page }) => {
+        await openBoard(page, ALBUM);
+        await openSliders(page);
+        const preview = await region(page).locator('.comparison-styled').first().boundingBox();
+        expect(Math.min(preview?.height ?? 0, preview?.width ?? 0)).toBeGreaterThan(150);
+        expect(await isInside(region(page).locator('.comparison-styled').first())).toBe(true);
+        expect(await page.evaluate(covered)).toEqual([]);
+        expect(await isInside(button(page, 'Use'))).toBe(true);
+        await button(page, 'Back to the page').tap();
+        await expect(page.locator('.page-canvas')).toBeVisible();
+      });
+
+      test('the explorer shows its bar in one line and two rows of styles', async ({ page }) => {
+        await openBoard(page, ALBUM);
+        await button(page, 'Styles').tap();
+        await button(page, 'Explorer').tap();
+        await button(page, 'Generate').tap();
+        await expect(page.locator('.wall-item').nth(12)).toBeAttached();
+        const head = await page.locator('.workspace-head').boundingBox();
+        expect(head?.height).toBeLessThanOrEqual(60);
+        // The filters scroll with the styles.
+        await page
+          .locator('.wall-item')
+          .first()
+          .evaluate((item) => item.scrollIntoView({ block: 'start' }));
+        const tops = await page
+          .locator('.wall-item')
+          .evaluateAll((items) => items.map((item) => item.getBoundingClientRect().bottom));
+        expect(new Set(tops.filter((bottom) => bottom <= 390)).size).toBeGreaterThanOrEqual(2);
+        await button(page, 'Back to the page').tap();
+        await expect(page.locator('.page-canvas')).toBeVisible();
+      });
+
+      test('the export dialog shows the page and the save button', async ({ page }) => {
+        await openBoard(page, ALBUM);
+        await button(page, 'Export').tap();
+        const dialog = page.getByRole('dialog');
+        await expect(dialog.locator('canvas[data-drawn=true]')).toBeVisible();
+        expect(await isInside(dialog.locator('canvas'))).toBe(true);
+        expect(await isInside(dialog.getByRole('button', { name: 'Save the file' }))).toBe(true);
+      });
+
+      test('the page has two thirds of the height, also next to an open drawer', async ({ page }) => {
+        await openBoard(page, ALBUM);
+        const size = async () => (await page.locator('.page-canvas').boundingBox()) ?? { width: 0, height: 0 };
+        for (const name of ['', 'Photos', 'Styles', 'Layouts', 'Words']) {
+          if (name) await button(page, name).tap();
+          await idle(page);
+          const { width, height } = await size();
+          expect([name, width >= 200, height >= (LANDSCAPE.height * 2) / 3]).toEqual([name, true, true]);
+          if (name) await button(page, 'Close').tap();
+        }
+      });
+
+      test('no control is too small for a finger, and an alert covers none', async ({ page }) => {
+        await openBoard(page, ALBUM);
+        await expectTouchTargets(page);
+        await expectFreeAlert(page);
+      });
+    }
   });
 }
 
-test.describe('a note with an Undo', () => {
-  test.use({ viewport: UPRIGHT, hasTouch: true, isMobile: true });
+test.describe('on a narrow phone', () => {
+  test.use({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
 
-  test('goes when it would undo something else, and so does the search for a panel', async ({ page }) => {
+  test('no control is too small for a finger, and an alert covers none', async ({ page }) => {
     await openBoard(page);
-    await leaveOut(page);
-    await page.getByRole('button', { name: 'Choose cat.jpg' }).tap();
-    await expect(page.getByText('Choose the panel for this photo')).toBeVisible();
-    await page.locator('.top-bar').getByRole('button', { name: 'Undo' }).tap();
-    await idle(page);
-    await expect(page.getByText('bee.jpg is left out')).toHaveCount(0);
-    await expect(page.getByText('Choose the panel for this photo')).toHaveCount(0);
-    await expect(page.getByRole('checkbox', { name: 'Use bee.jpg' })).toBeChecked();
-  });
-
-  test('stays behind when a workspace opens over the page', async ({ page }) => {
-    await openBoard(page, ALBUM);
-    await button(page, 'Spread album over pages').tap();
-    await expect(page.getByRole('button', { name: 'Take it back' })).toBeVisible();
-    await button(page, 'Projects').tap();
-    // By itself it goes later.
-    await expect(page.getByRole('button', { name: 'Take it back' })).toHaveCount(0, { timeout: 3_000 });
+    await expectTouchTargets(page);
+    await expectFreeAlert(page);
   });
 });
 
-test.describe('held sideways', () => {
-  test.use({ viewport: SIDEWAYS, hasTouch: true, isMobile: true });
-
-  test('the designer shows the preview, two sliders and the way back at once', async ({ page }) => {
-    await openBoard(page);
-    await button(page, 'Styles').tap();
-    await button(page, 'Designer').tap();
-    await button(page, 'Add block').tap();
-    await page.getByRole('searchbox', { name: 'Search blocks' }).fill('xdog');
-    await page.getByRole('region', { name: 'Blocks to add' }).getByRole('listitem').getByRole('button').first().tap();
-    await drawn(page);
-    const sliders = region(page).locator('.parameter').getByRole('slider');
-    expect([await inSight(sliders.nth(0)), await inSight(sliders.nth(1))]).toEqual([true, true]);
-    const preview = await region(page).locator('.comparison-styled').first().boundingBox();
-    expect(Math.min(preview?.height ?? 0, preview?.width ?? 0)).toBeGreaterThan(150);
-    expect(await inSight(region(page).locator('.comparison-styled').first())).toBe(true);
-    expect(await page.evaluate(covered)).toEqual([]);
-    expect(await inSight(button(page, 'Use'))).toBe(true);
-    await button(page, 'Back to the page').tap();
-    await expect(page.locator('.page-canvas')).toBeVisible();
-  });
-
-  test('the explorer has its bar in one line, and two rows of styles', async ({ page }) => {
-    await openBoard(page);
-    await button(page, 'Styles').tap();
-    await button(page, 'Explorer').tap();
-    await button(page, 'Generate').tap();
-    await expect(page.locator('.wall-item').nth(12)).toBeAttached();
-    const head = await page.locator('.workspace-head').boundingBox();
-    expect(head?.height).toBeLessThanOrEqual(60);
-    // The filters scroll away with the wall.
-    await page
-      .locator('.wall-item')
-      .first()
-      .evaluate((item) => item.scrollIntoView({ block: 'start' }));
-    const tops = await page
-      .locator('.wall-item')
-      .evaluateAll((items) => items.map((item) => item.getBoundingClientRect().bottom));
-    expect(new Set(tops.filter((bottom) => bottom <= 390)).size).toBeGreaterThanOrEqual(2);
-    await button(page, 'Back to the page').tap();
-    await expect(page.locator('.page-canvas')).toBeVisible();
-  });
-
-  test('the export shows the page and the button that saves it', async ({ page }) => {
-    await openBoard(page);
-    await button(page, 'Export').tap();
-    const dialog = page.getByRole('dialog');
-    await expect(dialog.locator('canvas[data-drawn=true]')).toBeVisible();
-    expect(await inSight(dialog.locator('canvas'))).toBe(true);
-    expect(await inSight(dialog.getByRole('button', { name: 'Save the file' }))).toBe(true);
-  });
-});
-
-test.describe('a phone held upright', () => {
-  test.use({ viewport: UPRIGHT, hasTouch: true, isMobile: true });
-
-  test('has the help in sight where its settings are', async ({ page }) => {
-    await openBoard(page);
-    await button(page, 'Page settings').tap();
-    await expect.poll(() => inSight(button(page, 'Help and keyboard shortcuts'))).toBe(true);
-    await expect.poll(() => free(button(page, 'Help and keyboard shortcuts'))).toBe(true);
-    await button(page, 'Help and keyboard shortcuts').tap();
-    await expect(page.getByRole('dialog').getByRole('searchbox')).toBeVisible();
-  });
-
-  test('shows two sliders of the designer below its preview', async ({ page }) => {
-    await openBoard(page);
-    await button(page, 'Styles').tap();
-    await button(page, 'Designer').tap();
-    await button(page, 'Add block').tap();
-    await page.getByRole('searchbox', { name: 'Search blocks' }).fill('xdog');
-    await page.getByRole('region', { name: 'Blocks to add' }).getByRole('listitem').getByRole('button').first().tap();
-    await drawn(page);
-    const sliders = region(page).locator('.parameter').getByRole('slider');
-    expect([await inSight(sliders.nth(0)), await inSight(sliders.nth(1))]).toEqual([true, true]);
-    const [save, use] = [await button(page, 'Save style').boundingBox(), await button(page, 'Use').boundingBox()];
-    expect(use?.y).toBe(save?.y);
-  });
-});
-
-test.describe('a laptop', () => {
+test.describe('on a laptop', () => {
   test.use({ viewport: { width: 1366, height: 768 } });
 
-  test('tells how many photos are used in full, and leaves the tools for cuts free of notes', async ({ page }) => {
+  test('the number of used photos is shown in full, and messages and alerts cover no control', async ({ page }) => {
     await openBoard(page, ALBUM);
     await page.getByRole('checkbox', { name: 'Use bee.jpg' }).click({ force: true });
     await idle(page);
@@ -204,11 +233,13 @@ test.describe('a laptop', () => {
     await page.getByRole('tab', { name: 'Layouts' }).click();
     await button(page, 'Edit layout').click();
     await expect(page.getByText('bee.jpg is left out')).toBeVisible();
-    expect(await free(button(page, 'Done'))).toBe(true);
+    expect(await isFree(button(page, 'Done'))).toBe(true);
+    await button(page, 'Done').click();
+    await expectFreeAlert(page);
   });
 
-  test('names its projects in full', async ({ page }) => {
-    await openBoard(page);
+  test('the list of projects shows the full name of a project', async ({ page }) => {
+    await openBoard(page, ALBUM);
     await page.getByRole('textbox', { name: 'Project name' }).fill('Summer in the mountains with all of us');
     await page.keyboard.press('Enter');
     await button(page, 'Projects').click();

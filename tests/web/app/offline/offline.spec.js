@@ -1,5 +1,5 @@
 // @ts-check
-/** The page without a connection, after one visit. */
+/** The app without a connection, after one visit. */
 
 import { readFile } from 'node:fs/promises';
 import { PNG } from '../../../../www/testing.ts';
@@ -9,7 +9,7 @@ import { write } from '../word-hands.js';
 
 const WEBP = new URL('../../../oracles/data/files/webp-lossy.webp', import.meta.url);
 
-test('after one visit the page works without its host: album, words, PNG', async ({ page, host }) => {
+test('after one visit the app works without its host: sample album, text and PNG file', async ({ page, host }) => {
   await page.goto(host.address);
   await kept(page);
   await host.stop();
@@ -24,7 +24,7 @@ test('after one visit the page works without its host: album, words, PNG', async
   const png = PNG.sync.read(await readFile(await (await download).path()));
   expect([png.width, png.height]).toEqual([2480, 3508]);
   expect(colours(png)).toBeGreaterThan(2);
-  // What decodes WebP has not been asked for until now.
+  // The WebP decoder was not loaded before.
   const webp = { name: 'still.webp', mimeType: 'image/webp', buffer: await readFile(WEBP) };
   await add(page, [webp, ...(await photos('cat.jpg'))]);
   await idle(page);
@@ -36,7 +36,7 @@ test('after one visit the page works without its host: album, words, PNG', async
 test.describe('in German', () => {
   test.use({ locale: 'de-AT' });
 
-  test('the language is there without the host, and so are the others', async ({ page, host }) => {
+  test('all languages work without the host', async ({ page, host }) => {
     await page.goto(host.address);
     await kept(page);
     await host.stop();
@@ -49,7 +49,7 @@ test.describe('in German', () => {
   });
 });
 
-test('nothing is fetched a second time while the first page is being made', async ({ page, host }) => {
+test('no file is requested twice while the first page is made', async ({ page, host }) => {
   await page.goto(host.address);
   await add(page, await photos(...SIX));
   await idle(page);
@@ -57,18 +57,16 @@ test('nothing is fetched a second time while the first page is being made', asyn
   expect(host.asked).not.toContain('service-worker.js');
   await kept(page);
   expect(host.asked).toContain('service-worker.js');
-  // A page that comes from what is kept asks its host for nothing but whether there is a new version.
+  // The cached app requests only the file that announces a new version.
   host.asked.length = 0;
   await page.reload();
   await idle(page);
   expect(host.asked.filter((path) => path !== 'service-worker.js')).toEqual([]);
 });
 
-test('faces are found without a connection once they were found with one, and looked for when it is back', async ({
-  page,
-  context,
-  host,
-}) => {
+test('faces are detected without a connection after the first detection, and later when the connection is back', {
+  tag: '@ci',
+}, async ({ page, context, host }) => {
   await page.goto(host.address);
   await kept(page);
   await page.evaluate(() => {
@@ -96,11 +94,11 @@ test('faces are found without a connection once they were found with one, and lo
   await host.start();
 });
 
-test('photos shared by another program become a page', async ({ page, host, context }) => {
+test('photos shared by another app become a comic page', async ({ page, host, context }) => {
   await page.goto(host.address);
   await kept(page);
   await page.close();
-  // The browser posts them from nowhere, as this page does.
+  // The browser posts them without an origin, as this page does.
   const other = await context.newPage();
   await other.setContent(
     `<form method="post" enctype="multipart/form-data" action="${host.address}share"><input type="file" name="files" multiple></form>`,
@@ -116,7 +114,7 @@ test('photos shared by another program become a page', async ({ page, host, cont
     .toBe(0);
 });
 
-test('the manifest is valid, and its icons are what it says', async ({ page, host, context }) => {
+test('the manifest is valid, and its icons have the declared sizes', async ({ page, host, context }) => {
   await page.goto(host.address);
   const session = await context.newCDPSession(page);
   const { errors, url } = await session.send('Page.getAppManifest');
@@ -136,7 +134,7 @@ test('the manifest is valid, and its icons are what it says', async ({ page, hos
   expect(installabilityErrors.map(({ errorId }) => errorId).filter((id) => id !== 'in-incognito')).toEqual([]);
 });
 
-test('the page is installed by a button that is there when the browser offers it', async ({ page, host }) => {
+test('a button installs the app when the browser offers it', async ({ page, host }) => {
   await page.goto(host.address);
   const button = page.getByRole('button', { name: 'Install', exact: true });
   await expect(page.getByRole('button', { name: 'Try the sample album' })).toBeVisible();

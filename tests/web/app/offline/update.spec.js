@@ -1,5 +1,5 @@
 // @ts-check
-/** Another build on the host, while pages of the one before are open. */
+/** A new build on the host, while tabs with the previous build are open. */
 
 import { readdir, unlink } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -8,12 +8,9 @@ import { anotherBuild } from '../site-host.js';
 import { SIX, accessible, add, contents, expect, idle, photos } from '../support.js';
 import { word, write } from '../word-hands.js';
 
-test('a new version is taken when the person says so; a page of the old one goes on with its own files', async ({
-  page,
-  host,
-  folders,
-  context,
-}) => {
+test('a new version is used after Reload, and a tab with the old version continues with its own files', {
+  tag: '@ci',
+}, async ({ page, host, folders, context }) => {
   await page.goto(host.address);
   await add(page, await photos(...SIX.slice(0, 3)));
   await idle(page);
@@ -30,7 +27,7 @@ test('a new version is taken when the person says so; a page of the old one goes
   await expect(offer(page)).toBeVisible();
   await expect(offer(old)).toBeVisible();
   await accessible(page);
-  // Nothing changes by itself, nor by loading the page again.
+  // Neither time nor a reload changes the version.
   await old.reload();
   expect([await buildOf(page), await buildOf(old)]).toEqual(['first', 'first']);
   await expect(offer(old)).toBeVisible();
@@ -38,13 +35,13 @@ test('a new version is taken when the person says so; a page of the old one goes
   await page.waitForFunction(() => document.documentElement.dataset.build === 'second');
   await idle(page);
   expect(await contents(page)).toEqual(before);
-  // The module of words is asked for now, and no longer on the host.
+  // The module of the lettering is loaded now. The host does not have it any more.
   await write(old, 'balloon', 'STILL HERE');
   await expect(word(old, 'Balloon: STILL HERE')).toBeVisible();
   expect(await buildOf(old)).toBe('first');
   await expect(old.getByRole('alert')).toHaveText('');
   await write(page, 'balloon', 'NEW');
-  // When the last page of the old version is closed its files are thrown away.
+  // When the last tab with the old version is closed, its files are deleted.
   expect(await builds(page)).toBe(2);
   await old.close();
   await page.reload();
@@ -56,7 +53,7 @@ test('a new version is taken when the person says so; a page of the old one goes
   await host.start();
 });
 
-test('a version that cannot be had whole leaves the one before as it is', async ({ page, host, folders }) => {
+test('an incomplete version does not replace the previous one', { tag: '@ci' }, async ({ page, host, folders }) => {
   await page.goto(host.address);
   await kept(page);
   folders.push(await anotherBuild('broken'));
@@ -79,7 +76,11 @@ test('a version that cannot be had whole leaves the one before as it is', async 
   await host.start();
 });
 
-test('a host that has the new list and the old page yet is waited for', async ({ page, host, folders }) => {
+test('a host with the new file list and the old page is tried again', { tag: '@ci' }, async ({
+  page,
+  host,
+  folders,
+}) => {
   await page.goto(host.address);
   await kept(page);
   const second = await anotherBuild('second');

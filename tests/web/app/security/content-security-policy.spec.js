@@ -1,5 +1,5 @@
 // @ts-check
-/** The page's Content-Security-Policy: it forbids other hosts, and nothing that the page does. */
+/** The Content-Security-Policy: it blocks other hosts, and nothing that the app does. */
 
 import { readFile } from 'node:fs/promises';
 import { addBlock, drawn } from '../designer-hands.js';
@@ -11,7 +11,7 @@ import { write } from '../word-hands.js';
 const FILM = new URL('../../../videos/album.mp4', import.meta.url);
 const film = async () => ({ name: 'album.mp4', mimeType: 'video/mp4', buffer: await readFile(FILM) });
 
-/** Notes what the policy forbids, from the first script on. @param {Page} page */
+/** Collects violations of the policy, from the first script on. @param {Page} page */
 async function watchPolicy(page) {
   /** @type {string[]} */
   const violations = [];
@@ -24,8 +24,7 @@ async function watchPolicy(page) {
   return violations;
 }
 
-// Requests to other hosts and messages on the console fail these tests anyway.
-detectingTest('nothing that the page does is forbidden', async ({ page }) => {
+detectingTest('the policy blocks nothing that the app does', async ({ page }) => {
   const violations = await watchPolicy(page);
   await page.goto('./');
   await page.getByRole('button', { name: 'Try the sample album' }).click();
@@ -55,7 +54,7 @@ detectingTest('nothing that the page does is forbidden', async ({ page }) => {
   expect(violations).toEqual([]);
 });
 
-test('a film is read by the element too, where there is no other decoder', async ({ page }) => {
+test('without a video decoder, a video is read by the video element', async ({ page }) => {
   const violations = await watchPolicy(page);
   await page.route('**/video-worker-*.js', async (route) => {
     const response = await route.fetch();
@@ -69,7 +68,7 @@ test('a film is read by the element too, where there is no other decoder', async
   expect(violations).toEqual([]);
 });
 
-test('other hosts cannot be asked for anything', async ({ context }) => {
+test('the policy blocks all requests to other hosts', async ({ context }) => {
   /** @type {string[]} */
   const asked = [];
   await context.route('https://elsewhere.test/**', (route) => {
@@ -99,12 +98,12 @@ test('other hosts cannot be asked for anything', async ({ context }) => {
     form.submit();
     const inline = Object.assign(document.createElement('script'), { textContent: 'window.ran = true' });
     document.head.append(inline);
-    // Later, as what a test evaluates is itself let through.
+    // Later, because the policy allows code that a test evaluates.
     setTimeout(() => {
       try {
         (0, eval)('window.ran = true');
       } catch {
-        // Forbidden, as it should be.
+        // The policy blocks it.
       }
     });
   });

@@ -1,20 +1,19 @@
 // @ts-check
-/** The page in frames of other pages, and the headers that a host may send. */
+/** The app in frames of other sites, and the headers of the host. */
 
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
 import { headersOfAll } from '../../../../www/host-headers.js';
-import { test as plain } from '../../../../www/testing.ts';
 import { savedAs } from '../export-hands.js';
 import { kept } from '../offline-hands.js';
 import { startHost } from '../site-host.js';
-import { accessible, add, expect, idle, photos, press, test } from '../support.js';
+import { accessible, add, expect, faultTest, idle, photos, press, test } from '../support.js';
 import { write } from '../word-hands.js';
 
 const HEADERS = headersOfAll(await readFile(new URL('../../../../www/public/_headers', import.meta.url), 'utf8'));
 const REFUSED = 'Another site shows Inkpanel inside its own page.';
 
-/** A page of another origin with a frame. @param {string} inside @param {string} [attributes] of the frame */
+/** Starts another site with a frame. @param {string} inside @param {string} [attributes] of the frame */
 async function otherSite(inside, attributes = '') {
   const server = createServer((_, response) =>
     response
@@ -33,8 +32,9 @@ async function otherSite(inside, attributes = '') {
   };
 }
 
-plain(
-  'in a page of another origin nothing of the program begins, and a link leads out',
+faultTest(
+  'in a frame of another site the app does not start, and shows a link',
+  { tag: '@ci' },
   async ({ page, context, baseURL }) => {
     const asked = /** @type {string[]} */ ([]);
     context.on('request', (request) => asked.push(request.url()));
@@ -43,7 +43,7 @@ plain(
     const frame = page.frameLocator('iframe');
     await expect(frame.getByText(REFUSED)).toBeVisible();
     await accessible(page);
-    // Neither files nor buttons, no worker, nothing stored, and the module was never asked for.
+    // No controls, no worker, no stored data, and no request for the module.
     await expect(frame.locator('input, button')).toHaveCount(0);
     const inner = /** @type {ReturnType<import('../support.js').Page['frames']>[number]} */ (
       page.frames().find((other) => other.url().startsWith(String(baseURL)))
@@ -67,12 +67,13 @@ plain(
   },
 );
 
-plain(
-  'in a frame without an origin, and in a frame of its own in another site, it refuses too',
+faultTest(
+  'the app does not start in a sandboxed frame, and in a nested frame of another site',
+  { tag: '@ci' },
   async ({ page, baseURL }) => {
     const boxed = await otherSite(String(baseURL), 'sandbox="allow-scripts"');
     await page.goto(boxed.address);
-    // Its scripts are of another origin then and do not even load; what counts is that nothing works.
+    // Its scripts have another origin there, and are not loaded.
     await expect(page.frameLocator('iframe').locator('input, button')).toHaveCount(0);
     boxed.close();
     await page.route(`${baseURL}inner.html`, (route) =>
@@ -88,7 +89,7 @@ plain(
   },
 );
 
-test('in a page of the same origin it works', async ({ page, baseURL }) => {
+test('the app works in a frame of the same origin', { tag: '@ci' }, async ({ page, baseURL }) => {
   await page.route(`${baseURL}frame.html`, (route) =>
     route.fulfill({
       contentType: 'text/html',
@@ -102,11 +103,12 @@ test('in a page of the same origin it works', async ({ page, baseURL }) => {
   await expect(frame.getByRole('group', { name: 'Panel 1 of 2' })).toBeVisible();
 });
 
-plain.describe('with the headers', () => {
-  plain.use({ serviceWorkers: 'allow' });
+faultTest.describe('with the headers', () => {
+  faultTest.use({ serviceWorkers: 'allow' });
 
-  plain(
-    'browsers load the page in no other site, and all that it does is allowed, without a connection too',
+  faultTest(
+    'browsers block the app in frames of other sites, and all its functions work, also without a connection',
+    { tag: '@ci' },
     async ({ page, context }) => {
       const host = await startHost({ headers: HEADERS });
       const wrong = /** @type {string[]} */ ([]);
@@ -114,7 +116,6 @@ plain.describe('with the headers', () => {
         if (message.type() === 'error') wrong.push(message.text());
       });
       context.on('weberror', (error) => wrong.push(error.error().message));
-      await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
       await page.goto(host.address);
       await add(page, await photos('cat.jpg', 'bee.jpg'));
       await idle(page);

@@ -1,22 +1,19 @@
 // @ts-check
-/** Projects that are dropped together, and photos with them. */
+/** Projects and photos that are dropped together. */
 
-import { readFile } from 'node:fs/promises';
+import { saved } from '../export-hands.js';
 import { SIX, accessible, add, drop, expect, idle, openBoard, photos, test } from '../support.js';
 
 /** @typedef {import('../support.js').Page} Page */
 
-/** The project on the page as a file. @param {Page} page @param {string} name */
-async function saved(page, name) {
+/** Names the open project and saves it as a file. @param {Page} page @param {string} name */
+async function savedProject(page, name) {
   await page.getByLabel('Project name').fill(name);
   await page.keyboard.press('Enter');
   await page.getByRole('button', { name: 'Projects', exact: true }).click();
-  const [download] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Save project' }).click(),
-  ]);
+  const file = await saved(page, () => page.getByRole('button', { name: 'Save project' }).click());
   await page.getByRole('button', { name: 'Back to the page' }).click();
-  return { name: download.suggestedFilename(), mimeType: '', buffer: await readFile(await download.path()) };
+  return { name: file.name, mimeType: '', buffer: file.bytes };
 }
 
 /** @param {Page} page */
@@ -25,32 +22,32 @@ const inTray = (page) =>
     .getByRole('checkbox', { name: /^Use / })
     .evaluateAll((boxes) => boxes.map((box) => box.getAttribute('aria-label')?.replace('Use ', '')));
 
-test('two projects and a photo that are dropped together are all there', async ({ page, browser, baseURL }) => {
+test('two projects and a photo that are dropped together are all opened', async ({ page, browser, baseURL }) => {
   await openBoard(page, SIX.slice(0, 2));
-  const alpha = await saved(page, 'Alpha');
+  const alpha = await savedProject(page, 'Alpha');
   await add(page, await photos(SIX[2]));
   await idle(page);
-  const beta = await saved(page, 'Beta');
+  const beta = await savedProject(page, 'Beta');
   const other = await (
     await browser.newContext({ baseURL, serviceWorkers: 'block', viewport: { width: 1280, height: 800 } })
   ).newPage();
   await other.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
   await openBoard(other, SIX.slice(4, 5));
   await drop(other, [beta, ...(await photos(SIX[5])), alpha]);
-  const told = other.getByRole('status');
-  await expect(told).toContainText(
+  const status = other.getByRole('status');
+  await expect(status).toContainText(
     '2 projects were opened, each on its own. Beta is on the page; Alpha is in Projects.',
   );
-  await expect(told).toContainText('The photo that came along was added to Beta.');
+  await expect(status).toContainText('The photo that came along was added to Beta.');
   await idle(other);
   await expect(other.getByLabel('Project name')).toHaveValue('Beta');
   await expect.poll(() => inTray(other)).toEqual([...SIX.slice(0, 3), SIX[5]]);
   await accessible(other);
-  await told.getByRole('button', { name: 'Open Alpha' }).click();
+  await status.getByRole('button', { name: 'Open Alpha' }).click();
   await expect(other.getByLabel('Project name')).toHaveValue('Alpha');
   await expect.poll(() => inTray(other)).toEqual(SIX.slice(0, 2));
   await other.getByRole('button', { name: 'Projects', exact: true }).click();
-  // What was there before is called after its days.
+  // The project from before is named after its date.
   for (const name of [/^Open Alpha$/, /^Open Beta$/, /^Open .*\d{4}$/])
     await expect(other.getByRole('button', { name })).toBeVisible();
   await other.context().close();

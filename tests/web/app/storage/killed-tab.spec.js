@@ -1,5 +1,5 @@
 // @ts-check
-/** A tab that the system kills at once, as phones do: all of the work is there when the page is opened again. */
+/** A tab that the system kills: all work remains when the app is opened again. */
 
 import { contents, expect, idle, openBoard, press, test } from '../support.js';
 import { openWords, word, write } from '../word-hands.js';
@@ -10,7 +10,7 @@ import { openWords, word, write } from '../word-hands.js';
 async function kill(page) {
   const gone = new Promise((resolve) => page.once('crash', resolve));
   const client = await page.context().newCDPSession(page);
-  // It never answers.
+  // A crashed page does not answer.
   void client.send('Page.crash').catch(() => {});
   await gone;
 }
@@ -24,8 +24,7 @@ async function openedAgain(page) {
   return again;
 }
 
-test('nothing is lost when the tab is killed, the last step before it included', async ({ page }) => {
-  await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
+test('all work remains after the tab is killed, including the last step', async ({ page }) => {
   await openBoard(page);
   await press(page, 'Shuffle');
   await write(page, 'balloon', 'Still here');
@@ -33,7 +32,7 @@ test('nothing is lost when the tab is killed, the last step before it included',
   await expect(page.locator('.save-state')).toHaveText('Saved');
   await press(page, 'Shuffle layout');
   const before = await contents(page);
-  // The state of that step is not written out yet.
+  // The state of the last step is not stored yet.
   await kill(page);
 
   const again = await openedAgain(page);
@@ -47,8 +46,7 @@ test('nothing is lost when the tab is killed, the last step before it included',
   expect((await contents(again)).layout).not.toBe(before.layout);
 });
 
-test('photos that came a moment before the tab was killed are there, or are asked for by name', async ({ page }) => {
-  await page.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
+test('photos that were added right before the tab was killed remain, or are requested by name', async ({ page }) => {
   await openBoard(page, ['bee.jpg', 'cat.jpg', 'crab.jpg']);
   await kill(page);
   const again = await openedAgain(page);

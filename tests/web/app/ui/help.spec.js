@@ -1,16 +1,16 @@
 // @ts-check
-/** The help: found by a word, read by everyone. */
+/** The help: search, keyboard and accessibility. */
 
-import { accessible, expect, idle, openBoard, test } from '../support.js';
+import { accessible, expect, idle, openBoard, openStart, sharedBoardTest as test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 /** @param {Page} page */
 const help = (page) => page.getByRole('dialog', { name: 'Help and keyboard shortcuts' });
 
-/** @param {Page} page */
+/** Opens the help of the start screen. @param {Page} page */
 async function open(page) {
-  await page.goto('./');
+  await openStart(page);
   await idle(page);
   await page.getByRole('button', { name: 'Help and keyboard shortcuts' }).click();
   return { dialog: help(page), search: help(page).getByRole('searchbox', { name: 'Search help' }) };
@@ -20,7 +20,9 @@ for (const [width, colorScheme] of /** @type {const} */ ([
   [1280, 'light'],
   [360, 'dark'],
 ])) {
-  test(`topics and keys are found by a word, ${width} pixels wide and ${colorScheme}`, async ({ page }) => {
+  test(`topics and shortcuts are found by a word, ${width} pixels wide, in ${colorScheme} colours`, async ({
+    page,
+  }) => {
     await page.setViewportSize({ width, height: 740 });
     await page.emulateMedia({ colorScheme });
     const { dialog, search } = await open(page);
@@ -43,18 +45,15 @@ for (const [width, colorScheme] of /** @type {const} */ ([
     await dialog.getByRole('button', { name: 'Show all topics' }).click();
     expect(await dialog.locator('summary').count()).toBeGreaterThan(15);
     expect(await dialog.evaluate((element) => element.scrollWidth - element.clientWidth)).toBe(0);
+    // Escape closes the help, also from a field with text, and returns the focus.
+    await search.fill('page');
+    await search.press('Escape');
+    await expect(dialog).toHaveCount(0);
+    await expect(page.getByRole('button', { name: 'Help and keyboard shortcuts' })).toBeFocused();
   });
 }
 
-test('Escape leaves the help, from a field with words in it too, and the focus goes back', async ({ page }) => {
-  const { dialog, search } = await open(page);
-  await search.fill('page');
-  await search.press('Escape');
-  await expect(dialog).toHaveCount(0);
-  await expect(page.getByRole('button', { name: 'Help and keyboard shortcuts' })).toBeFocused();
-});
-
-test('in the help a key shuffles nothing', async ({ page }) => {
+test('shortcuts do nothing in the help', async ({ page }) => {
   await openBoard(page, ['cat.jpg']);
   await page.keyboard.press('?');
   await page.keyboard.type('s l p');
@@ -67,7 +66,7 @@ test('in the help a key shuffles nothing', async ({ page }) => {
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
 
-  test('the help is among the settings of the page, and calls up no keyboard', async ({ page }) => {
+  test('the help is in the page settings, and does not open the keyboard of the phone', async ({ page }) => {
     await openBoard(page, ['cat.jpg']);
     await page.getByRole('button', { name: 'Page settings' }).tap();
     await page.getByRole('button', { name: 'Help and keyboard shortcuts' }).tap();

@@ -1,5 +1,5 @@
 // @ts-check
-/** Three hints at first use: where they stand, when they go, and that they come no second time. */
+/** The three hints of the first use: their place, and when they appear and disappear. */
 
 import { covered } from '../../covered.js';
 import { accessible, choose, expect, idle, openBoard, press, test } from '../support.js';
@@ -9,8 +9,8 @@ import { accessible, choose, expect, idle, openBoard, press, test } from '../sup
 /** @param {Page} page @param {string} text */
 const hint = (page, text) => page.locator('.hint[data-placed=true]').filter({ hasText: text });
 
-/** What it lies over, and what it does not lie within. @param {Page} page */
-const wrong = async (page) => {
+/** The controls that the hint covers, and whether it is inside of the window. @param {Page} page */
+const place = async (page) => {
   const box = await page.locator('.hint').boundingBox();
   const { width, height } = /** @type {{ width: number, height: number }} */ (page.viewportSize());
   const inside = box && box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height;
@@ -36,22 +36,22 @@ for (const viewport of [
   test.describe(`${viewport.width} by ${viewport.height}`, () => {
     test.use({ viewport, hasTouch: touch, isMobile: touch });
 
-    test('each comes once, covers nothing, and goes when it was followed', async ({ page }) => {
+    test('each hint appears once, covers no control, and disappears after its action', async ({ page }) => {
       await openBoard(page);
       await expect(hint(page, 'Shuffle until you like it')).toBeVisible();
       await expect(page.locator('[aria-live=polite]').filter({ hasText: 'Shuffle until' })).toBeAttached();
       expect(await page.evaluate(() => document.activeElement?.closest('.hint'))).toBe(null);
-      expect(await wrong(page)).toEqual(RIGHT);
+      expect(await place(page)).toEqual(RIGHT);
       await accessible(page);
       await press(page, 'Shuffle');
       await expect(page.locator('.hint')).toHaveCount(0);
 
-      // Of a layout by chance: nothing lies over the last panel.
+      // Nothing covers the last panel of a random layout.
       const panel = page.getByRole('group', { name: /^Panel \d+ of/ }).last();
       if (touch) await panel.tap();
       else await panel.hover();
       await expect(hint(page, 'Drag to move the picture')).toBeVisible();
-      expect(await wrong(page)).toEqual(RIGHT);
+      expect(await place(page)).toEqual(RIGHT);
       if (touch) await page.getByRole('button', { name: 'Zoom in' }).tap();
       else await page.mouse.wheel(0, -200);
       await idle(page);
@@ -60,14 +60,14 @@ for (const viewport of [
       await page.keyboard.press('Escape');
       await press(page, 'Shuffle');
       await expect(hint(page, 'Lock what you want to keep')).toBeVisible();
-      expect(await wrong(page)).toEqual(RIGHT);
+      expect(await place(page)).toEqual(RIGHT);
       await page.getByRole('button', { name: 'Lock style' }).click();
       await expect(page.locator('.hint')).toHaveCount(0);
     });
   });
 }
 
-test('a panel that leaves no room beside it has its hint over its foot', async ({ page }) => {
+test('the hint of a panel of full width is at the bottom of the panel', async ({ page }) => {
   await openBoard(page);
   await page.getByRole('button', { name: 'Close the hint' }).click();
   await choose(page, 'inset', 'Two insets');
@@ -75,10 +75,10 @@ test('a panel that leaves no room beside it has its hint over its foot', async (
   await idle(page);
   await page.getByRole('group', { name: /^Panel 1 of/ }).click({ position: { x: 20, y: 150 } });
   await expect(hint(page, 'Drag to move the picture')).toBeVisible();
-  expect(await wrong(page)).toEqual(RIGHT);
+  expect(await place(page)).toEqual(RIGHT);
 });
 
-test('one that was closed never comes again, until one asks in the help', async ({ page }) => {
+test('a closed hint does not appear again, until the help shows the hints again', async ({ page }) => {
   await openBoard(page, ['cat.jpg']);
   await page.getByRole('button', { name: 'Close the hint' }).click();
   await expect(page.locator('.hint')).toHaveCount(0);

@@ -1,8 +1,16 @@
 // @ts-check
-/** Language and theme: one menu, what it chooses, and when. */
+/** The menu of language and theme. */
 
 import { covered } from '../../covered.js';
-import { accessible, expect, idle, openBoard, test } from '../support.js';
+import {
+  accessible,
+  expect,
+  idle,
+  openBoard,
+  openStart,
+  test as plainTest,
+  sharedBoardTest as test,
+} from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 
@@ -19,9 +27,9 @@ async function choose(page, name) {
   await menu(page).getByRole('radio', { name, exact: true }).check();
 }
 
-test('the theme is that of the system, as it changes, until one is chosen, which is kept', async ({ page }) => {
+test('the theme follows the system until the user chooses one, also after a reload', async ({ page }) => {
+  await openStart(page);
   await page.emulateMedia({ colorScheme: 'light' });
-  await page.goto('./');
   await idle(page);
   expect(await background(page)).toBe(LIGHT);
   await page.emulateMedia({ colorScheme: 'dark' });
@@ -42,7 +50,7 @@ for (const [chosen, system, colour] of /** @type {const} */ ([
   ['dark', 'light', DARK],
   ['light', 'dark', LIGHT],
 ])) {
-  test(`a page that is chosen to be ${chosen} is so before its program has come`, async ({ page }) => {
+  plainTest(`the ${chosen} theme applies before the scripts of the app are loaded`, async ({ page }) => {
     await page.emulateMedia({ colorScheme: system });
     await page.addInitScript((theme) => localStorage.setItem('inkpanel.theme', theme), chosen);
     await page.route('**/assets/*.js', () => {});
@@ -55,7 +63,7 @@ for (const [chosen, system, colour] of /** @type {const} */ ([
   });
 }
 
-test('the theme is chosen where nothing can be kept', async ({ page }) => {
+plainTest('the theme can be changed without storage', async ({ page }) => {
   await page.addInitScript(() => {
     for (const name of /** @type {const} */ (['getItem', 'setItem', 'removeItem']))
       Storage.prototype[name] = () => {
@@ -68,8 +76,8 @@ test('the theme is chosen where nothing can be kept', async ({ page }) => {
   expect(await background(page)).toBe(DARK);
 });
 
-test('the menu is opened and left by keys, and by a press beside it', async ({ page }) => {
-  await openBoard(page, ['cat.jpg']);
+test('keyboard: the menu is opened and left, and a click next to it closes it', async ({ page }) => {
+  await openBoard(page);
   const button = page.getByRole('button', { name: 'Language and theme' });
   await button.focus();
   await page.keyboard.press('Enter');
@@ -85,20 +93,22 @@ test('the menu is opened and left by keys, and by a press beside it', async ({ p
   await button.click();
   await page.mouse.click(400, 400);
   await expect(menu(page)).toHaveCount(0);
+  await choose(page, 'As the system');
 });
 
-test('on a small screen the choices are among the settings of the page', async ({ page }) => {
+test('on a small screen, language and theme are in the page settings', async ({ page }) => {
+  await openBoard(page);
   await page.setViewportSize({ width: 360, height: 740 });
-  await openBoard(page, ['cat.jpg']);
   await page.getByRole('button', { name: 'Page settings' }).click();
   await page.getByRole('radio', { name: 'Dark' }).check();
   expect(await background(page)).toBe(DARK);
   await expect(page.getByRole('combobox', { name: 'Language' })).toBeVisible();
+  await page.getByRole('radio', { name: 'As the system' }).check();
 });
 
-test('on the start of a small screen the menu is within it', async ({ page }) => {
+test('the menu fits on the start screen of a small screen', async ({ page }) => {
   await page.setViewportSize({ width: 320, height: 640 });
-  await page.goto('./');
+  await openStart(page);
   await idle(page);
   await page.getByRole('button', { name: 'Language and theme' }).click();
   await menu(page).getByRole('combobox', { name: 'Language' }).scrollIntoViewIfNeeded();

@@ -1,9 +1,9 @@
 // @ts-check
-/** The tabs beside the page: by keys, their lists, and what is seen of a choice before it is made. */
+/** The tabs next to the page: keyboard, lists, and the preview of a style. */
 
-import { contents, expect, idle, openBoard, picture, tab, test } from '../support.js';
+import { contents, expect, idle, openBoard, picture, tab, sharedBoardTest as test } from '../support.js';
 
-test('tabs are one tab stop that arrows walk, and what is sought in one stays', async ({ page }) => {
+test('arrows, Home and End change the tab, and a search text remains', async ({ page }) => {
   await openBoard(page);
   const list = page.getByRole('tablist', { name: 'Page tools' });
   await expect(list.getByRole('tab')).toHaveText(['Styles', 'Layouts', 'Words', 'Page']);
@@ -25,9 +25,44 @@ test('tabs are one tab stop that arrows walk, and what is sought in one stays', 
     await expect(page.getByRole('tabpanel', { name })).toBeVisible();
   }
   expect(await names.count()).toBe(found);
+  await page.getByRole('searchbox', { name: 'Search styles' }).fill('');
 });
 
-test('styles are found by kind, and the one that was chosen is the first after a reload', async ({ page }) => {
+test('layouts show their number of panels', async ({ page }) => {
+  await openBoard(page);
+  await tab(page, 'Layouts');
+  await page.getByRole('combobox', { name: 'Family' }).selectOption('grid');
+  const four = page.getByRole('listbox', { name: 'Layouts' }).getByRole('option', { name: 'Four', exact: true });
+  await expect(four).toHaveAccessibleDescription('4 panels');
+  await expect(four.getByText('4 panels')).toBeVisible();
+});
+
+test('pointing at a style shows the page in this style, and Escape closes the preview', async ({ page }) => {
+  await openBoard(page);
+  const before = await picture(page);
+  await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: 'Hard Boiled' }).hover();
+  const seen = page.locator('.glimpse [data-drawn=true]');
+  await expect(seen).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(seen).toHaveCount(0);
+  expect(await picture(page)).toBe(before);
+});
+
+test('a text item that is selected on the page opens its tab', async ({ page }) => {
+  await openBoard(page);
+  await tab(page, 'Words');
+  await page.getByRole('button', { name: 'Add caption' }).click();
+  await expect(page.getByRole('textbox', { name: /^Text of/ })).toBeFocused();
+  await page.keyboard.type('MORNING');
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Escape');
+  await idle(page);
+  await tab(page, 'Page');
+  await page.locator('.words').getByRole('button', { name: 'Caption: MORNING' }).click();
+  await expect(page.getByRole('tab', { name: 'Words', selected: true })).toBeVisible();
+});
+
+test('styles are filtered by kind, and the last applied style is first after a reload', async ({ page }) => {
   await openBoard(page);
   const box = page.getByRole('listbox', { name: 'Styles' });
   const kinds = page.getByRole('group', { name: 'Kinds of styles' });
@@ -41,38 +76,4 @@ test('styles are found by kind, and the one that was chosen is the first after a
   await idle(page);
   await expect(box.getByRole('group').first()).toHaveAccessibleName('Recent');
   await expect(box.getByRole('option', { name: 'Moonlight' })).toHaveCount(1);
-});
-
-test('layouts tell how many panels they have', async ({ page }) => {
-  await openBoard(page);
-  await tab(page, 'Layouts');
-  await page.getByRole('combobox', { name: 'Family' }).selectOption('grid');
-  const four = page.getByRole('listbox', { name: 'Layouts' }).getByRole('option', { name: 'Four', exact: true });
-  await expect(four).toHaveAccessibleDescription('4 panels');
-  await expect(four.getByText('4 panels')).toBeVisible();
-});
-
-test('the whole page in a style is seen while one points at it, and Escape puts it away', async ({ page }) => {
-  await openBoard(page);
-  const before = await picture(page);
-  await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: 'Hard Boiled' }).hover();
-  const seen = page.locator('.glimpse [data-drawn=true]');
-  await expect(seen).toBeVisible();
-  await page.keyboard.press('Escape');
-  await expect(seen).toHaveCount(0);
-  expect(await picture(page)).toBe(before);
-});
-
-test('a word that is chosen on the page brings its fields', async ({ page }) => {
-  await openBoard(page);
-  await tab(page, 'Words');
-  await page.getByRole('button', { name: 'Add caption' }).click();
-  await expect(page.getByRole('textbox', { name: /^Text of/ })).toBeFocused();
-  await page.keyboard.type('MORNING');
-  await page.keyboard.press('Enter');
-  await page.keyboard.press('Escape');
-  await idle(page);
-  await tab(page, 'Page');
-  await page.locator('.words').getByRole('button', { name: 'Caption: MORNING' }).click();
-  await expect(page.getByRole('tab', { name: 'Words', selected: true })).toBeVisible();
 });

@@ -1,9 +1,9 @@
 // @ts-check
-/** The sounds of a film, as words on its frames. */
+/** Sounds of a video, as sound effects on its frames. */
 
 import { readFile } from 'node:fs/promises';
 import { word } from '../word-hands.js';
-import { accessible, add, expect, idle, press, tab, test } from '../support.js';
+import { accessible, expect, idle, openBoard, press, tab, test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 
@@ -11,25 +11,22 @@ const VIDEOS = new URL('../../../videos/', import.meta.url);
 /** Three claps, in seconds. */
 const CLAPS = [1.5, 3.2, 4.6];
 
-/** A film on the table, and the words beside the page. @param {Page} page @param {string} name */
+/** Opens a video and the tab of the text items. @param {Page} page @param {string} name */
 async function open(page, name) {
-  await page.goto('./');
-  await add(page, [{ name, mimeType: 'video/webm', buffer: await readFile(new URL(name, VIDEOS)) }]);
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
-  await idle(page);
+  await openBoard(page, [name], [{ name, mimeType: 'video/webm', buffer: await readFile(new URL(name, VIDEOS)) }]);
   await tab(page, 'Words');
 }
 
 /** @param {Page} page */
 const list = (page) => page.getByRole('list', { name: 'Sounds of sounds.webm' });
 
-/** Seconds of the sounds that are proposed. @param {Page} page */
+/** The times of the proposed sounds, in seconds. @param {Page} page */
 async function times(page) {
-  const told = await list(page).getByRole('listitem').locator('.sound-time').allInnerTexts();
-  return told.map((text) => Number(text.split(':')[1]));
+  const texts = await list(page).getByRole('listitem').locator('.sound-time').allInnerTexts();
+  return texts.map((text) => Number(text.split(':')[1]));
 }
 
-test('claps of a film are proposed, a click puts one on its frame, and one undo takes it away', async ({ page }) => {
+test('claps in a video are proposed, one is put on its frame, and one undo step removes it', async ({ page }) => {
   await open(page, 'sounds.webm');
   await page.getByRole('button', { name: 'Sounds of the film', exact: true }).click();
   await expect(list(page)).toBeVisible();
@@ -51,7 +48,7 @@ test('claps of a film are proposed, a click puts one on its frame, and one undo 
   await expect(clap).toHaveAttribute('aria-pressed', 'true');
   await expect(clap).toBeFocused();
   await expect(first.getByText('on the page')).toBeVisible();
-  // What is there does not come twice, by no other word either.
+  // A sound is not added twice, also not with another text.
   await first.getByRole('button').nth(1).focus();
   await page.keyboard.press('Enter');
   await expect(page.locator('.words').getByRole('button', { name: /^Sound effect/ })).toHaveCount(1);
@@ -63,15 +60,15 @@ test('claps of a film are proposed, a click puts one on its frame, and one undo 
   await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeDisabled();
 });
 
-test('a film without sound says so', async ({ page }) => {
+test('a video without sound is reported', async ({ page }) => {
   await open(page, 'album.webm');
   await page.getByRole('button', { name: 'Sounds of the film', exact: true }).click();
   await expect(page.getByRole('status').filter({ hasText: 'This film has no sound.' })).toBeVisible();
   await accessible(page);
 });
 
-test('a film that is being heard can be left alone, and heard after all', async ({ page }) => {
-  // The browser decodes for as long as the test holds it.
+test('the search for sounds can be cancelled and repeated', async ({ page }) => {
+  // The browser decodes after the test allows it.
   await page.addInitScript(() => {
     const decode = OfflineAudioContext.prototype.decodeAudioData;
     const go = new Promise((resolve) => Object.assign(globalThis, { go: resolve }));

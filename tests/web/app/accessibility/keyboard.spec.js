@@ -1,16 +1,26 @@
 // @ts-check
-/** The whole job by keyboard alone, with the focus watched at every step: it is somewhere, and it is seen. */
+/** Every task by keyboard, with a visible focus at each step, and the shortcuts. */
 
-import { readFile } from 'node:fs/promises';
+import { saved } from '../export-hands.js';
 import { four } from '../panel-hands.js';
-import { expect, idle, openBoard, picture, PNG, tab, test } from '../support.js';
+import {
+  contents,
+  expect,
+  idle,
+  openBoard,
+  openStart,
+  picture,
+  PNG,
+  tab,
+  sharedBoardTest as test,
+} from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 
-// What fades in on focus is there at once.
+// Elements that fade in on focus are visible at once.
 test.use({ contextOptions: { reducedMotion: 'reduce' } });
 
-/** What has the focus, and whether a person sees it: by its own outline, or by one drawn for it. @param {Page} page */
+/** Returns the focused element, and whether its focus is visible by its outline or by a separate one. @param {Page} page */
 function focus(page) {
   return page.evaluate(() => {
     const element = /** @type {HTMLElement} */ (document.activeElement);
@@ -37,7 +47,7 @@ function focus(page) {
 }
 
 /**
- * Presses Tab until it is there. Each stop on the way must be seen.
+ * Presses Tab until an element has the focus. Each focus on the way must be visible.
  * @param {Page} page
  * @param {string | RegExp} name
  * @param {{ back?: boolean }} [how]
@@ -47,12 +57,12 @@ async function tabTo(page, name, { back = false } = {}) {
   for (let i = 0; i < 160; i += 1) {
     await page.keyboard.press(back ? 'Shift+Tab' : 'Tab');
     const stop = await focus(page);
-    // Past the last stop lies the browser's own bar.
+    // After the last element, the browser has the focus.
     if (stop.tag === 'BODY') continue;
-    expect(stop.seen, `the focus on ${stop.tag} “${stop.name}” is seen`).toBe(true);
+    expect(stop.seen, `the focus on ${stop.tag} “${stop.name}” is visible`).toBe(true);
     if (is(stop.name)) return;
   }
-  throw new Error(`Tab never came to ${name}`);
+  throw new Error(`Tab did not reach ${name}`);
 }
 
 /** @param {Page} page @param {string | RegExp} name */
@@ -63,27 +73,33 @@ async function expectFocus(page, name) {
 }
 
 /** @param {Page} page */
-const expectSomewhere = (page) =>
-  expect.poll(async () => (await focus(page)).tag, 'the focus is somewhere').not.toBe('BODY');
+const expectAnyFocus = (page) =>
+  expect.poll(async () => (await focus(page)).tag, 'an element has the focus').not.toBe('BODY');
 
-test('from the start to a page, shuffled and locked', async ({ page }) => {
-  await page.goto('./');
+test('the sample album is opened, shuffled, undone and locked', async ({ page }) => {
+  await openStart(page);
   await idle(page);
   await tabTo(page, 'Try the sample album');
   await page.keyboard.press('Enter');
   await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
   await idle(page);
-  await expectSomewhere(page);
-  const before = await picture(page);
+  await expectAnyFocus(page);
+  const first = await picture(page);
   await page.keyboard.press('Space');
   await idle(page);
-  expect((await picture(page)) === before).toBe(false);
+  expect(await picture(page)).not.toBe(first);
+  await page.keyboard.press('Control+z');
+  await idle(page);
+  expect(await picture(page)).toBe(first);
+  await page.keyboard.press('Shift+Control+Z');
+  await idle(page);
+  expect(await picture(page)).not.toBe(first);
   await tabTo(page, 'Lock style');
   await page.keyboard.press('Enter');
   await expect(page.getByRole('button', { name: 'Lock style' })).toHaveAttribute('aria-pressed', 'true');
 });
 
-test('a layout and a style are chosen', async ({ page }) => {
+test('a layout and a style are applied', async ({ page }) => {
   await openBoard(page);
   await tabTo(page, 'Styles');
   await page.keyboard.press('ArrowRight');
@@ -105,7 +121,7 @@ test('a layout and a style are chosen', async ({ page }) => {
   expect((await focus(page)).seen).toBe(true);
 });
 
-test('a photo is moved, enlarged and exchanged', async ({ page }) => {
+test('a photo is moved, enlarged and swapped', async ({ page }) => {
   await four(page);
   await page.getByRole('group', { name: 'Panel 1 of 4' }).focus();
   await page.keyboard.press('ArrowRight');
@@ -130,13 +146,13 @@ test('a photo is moved, enlarged and exchanged', async ({ page }) => {
   expect(await shown()).toEqual([photos[0], photos[3], photos[2], photos[1]]);
 });
 
-test('a cut is moved by its tools', async ({ page }) => {
+test('a cut is moved by its buttons', async ({ page }) => {
   await four(page);
   await page.getByRole('combobox', { name: 'Family' }).focus();
   await tabTo(page, 'Edit layout', { back: true });
   await page.keyboard.press('Enter');
   await tabTo(page, /^Cut 1 of/, { back: true });
-  // The tools move the cut that had the focus last: on the way to them, the last one.
+  // The buttons move the cut that had the focus last.
   const cuts = page.getByRole('slider', { name: /^Cut \d of/ });
   const places = () => cuts.evaluateAll((all) => all.map((cut) => cut.getAttribute('aria-valuetext')));
   const before = await places();
@@ -147,10 +163,10 @@ test('a cut is moved by its tools', async ({ page }) => {
   await tabTo(page, 'Done');
   await page.keyboard.press('Enter');
   await expect(cuts).toHaveCount(0);
-  await expectSomewhere(page);
+  await expectAnyFocus(page);
 });
 
-test('a slider of the designer is moved, and the focus comes back to what opened it', async ({ page }) => {
+test('a slider of the designer is moved, and the focus returns to the button of the designer', async ({ page }) => {
   await openBoard(page);
   await tabTo(page, 'Designer');
   await page.keyboard.press('Enter');
@@ -168,7 +184,7 @@ test('a slider of the designer is moved, and the focus comes back to what opened
   await expectFocus(page, 'Designer');
 });
 
-test('a word is written, moved and taken away', async ({ page }) => {
+test('a text item is added, moved and removed', async ({ page }) => {
   await openBoard(page);
   await tabTo(page, 'Styles');
   await page.keyboard.press('ArrowRight');
@@ -183,10 +199,10 @@ test('a word is written, moved and taken away', async ({ page }) => {
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Delete');
   await expect(page.getByRole('button', { name: 'Balloon: By keys' })).toHaveCount(0);
-  await expectSomewhere(page);
+  await expectAnyFocus(page);
 });
 
-test('a photo is taken away, and the focus goes to the next', async ({ page }) => {
+test('a photo is removed, and the focus moves to the next', async ({ page }) => {
   await openBoard(page);
   await tabTo(page, /^Remove .*jpg$/);
   const gone = (await focus(page)).name;
@@ -196,22 +212,88 @@ test('a photo is taken away, and the focus goes to the next', async ({ page }) =
   expect((await focus(page)).name).not.toBe(gone);
 });
 
-test('the export is opened and left, and the file saved', async ({ page }) => {
+test('the export dialog is opened and left, and Ctrl+S saves the page in print size', async ({ page }) => {
   await openBoard(page);
   await tabTo(page, 'Export');
   await page.keyboard.press('Enter');
   await expect(page.getByRole('dialog')).toBeVisible();
   await page.keyboard.press('Escape');
   await expectFocus(page, 'Export');
-  // The browser hides a dialog first and tells of it after; keys that come between are for nobody.
+  // The browser hides the dialog before its close event. Keys are ignored until then.
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
-  const waiting = page.waitForEvent('download', { timeout: 60_000 });
-  await page.keyboard.press('Control+s');
-  expect(PNG.sync.read(await readFile(await (await waiting).path())).width).toBe(2480);
+  const file = await saved(page, () => page.keyboard.press('Control+s'));
+  const png = PNG.sync.read(file.bytes);
+  expect([png.width, png.height]).toEqual([2480, 3508]);
 });
 
-test('letters alone can be switched off as shortcuts, and stay so', async ({ page }) => {
-  await page.goto('./');
+test('L, S and P shuffle the layout, the style and the photos', async ({ page }) => {
+  await openBoard(page);
+  for (const [key, part] of /** @type {const} */ ([
+    ['l', 'layout'],
+    ['s', 'style'],
+    ['p', 'photos'],
+  ])) {
+    const before = await contents(page);
+    await page.keyboard.press(key);
+    await idle(page);
+    expect((await contents(page))[part]).not.toEqual(before[part]);
+  }
+});
+
+test('arrows move the focus between panels, which are one tab stop', async ({ page }) => {
+  await openBoard(page);
+  await tab(page, 'Layouts');
+  const option = page.getByRole('listbox', { name: 'Layouts' }).getByRole('option');
+  await option.first().click();
+  await page.getByRole('combobox', { name: 'Panels' }).selectOption('6');
+  await idle(page);
+  const panels = page.getByRole('group', { name: /^Panel \d of \d$/ });
+  expect(
+    await panels.evaluateAll(
+      (list) => list.filter((panel) => /** @type {HTMLElement} */ (panel).tabIndex === 0).length,
+    ),
+  ).toBe(1);
+  await panels.first().focus();
+  /** @type {Set<string | null | undefined>} */
+  const seen = new Set();
+  for (const key of ['ArrowDown', 'ArrowRight', 'ArrowDown', 'ArrowRight', 'ArrowUp', 'ArrowLeft', 'ArrowUp']) {
+    seen.add(await page.evaluate(() => document.activeElement?.getAttribute('aria-label')));
+    await page.keyboard.press(key);
+  }
+  expect(seen.size).toBeGreaterThanOrEqual(3);
+  for (const name of seen) expect(name).toMatch(/^Panel \d of 6$/);
+});
+
+test('arrows, Home and End move the focus in a list, and Enter applies a style', async ({ page }) => {
+  await openBoard(page);
+  await tab(page, 'Styles');
+  const box = page.getByRole('listbox', { name: 'Styles' });
+  await box.getByRole('option', { selected: true }).focus();
+  await page.keyboard.press('Home');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Enter');
+  await idle(page);
+  await expect(box.getByRole('option').nth(1)).toHaveAttribute('aria-selected', 'true');
+  await page.keyboard.press('End');
+  await page.keyboard.press('Enter');
+  await idle(page);
+  await expect(box.getByRole('option').last()).toHaveAttribute('aria-selected', 'true');
+});
+
+test('? opens the list of shortcuts, and Escape closes it', async ({ page }) => {
+  await openBoard(page);
+  await page.keyboard.press('?');
+  const dialog = page.getByRole('dialog', { name: 'Keyboard shortcuts' });
+  await expect(dialog).toBeVisible();
+  const before = await picture(page);
+  await page.keyboard.press('Space');
+  expect(await picture(page)).toBe(before);
+  await page.keyboard.press('Escape');
+  await expect(dialog).toBeHidden();
+});
+
+test('shortcuts of single letters can be switched off, also after a reload', async ({ page }) => {
+  await openStart(page);
   await idle(page);
   await page.getByRole('button', { name: 'Keyboard shortcuts' }).click();
   await page.getByRole('checkbox', { name: 'Single letters are shortcuts' }).uncheck();
