@@ -1,9 +1,9 @@
 // @ts-check
 /** Folders that are dropped: with entries that cannot be read, and with files that systems and programs store next to photos. */
 
-import { drop, expect, idle, openBoard, photos, test } from './support.js';
+import { drop, expect, idle, openBoard, photos, test } from '../support.js';
 
-/** @typedef {import('./support.js').Page} Page */
+/** @typedef {import('../support.js').Page} Page */
 
 /** @param {Page} page */
 const inTray = (page) =>
@@ -107,7 +107,7 @@ test('a link that is dropped does not make the browser leave the app, and can be
 }) => {
   await openBoard(page, ['bee.jpg']);
   /** Whether the app keeps the browser from what it does with a link. */
-  const prevented = (/** @type {import('../../../www/testing.ts').Locator} */ target) =>
+  const prevented = (/** @type {import('../../../../www/testing.ts').Locator} */ target) =>
     target.evaluate((element) =>
       ['dragover', 'drop'].map((type) => {
         const dataTransfer = new DataTransfer();
