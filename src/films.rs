@@ -26,7 +26,9 @@ const MOST_LOOKS: f64 = 20_000.0;
 pub(crate) fn shots(film: &Path, count: Option<usize>) -> Result<Value, Complaint> {
     let about = About::of(film)?;
     let seen = look_at(film, &about)?;
-    let shots = seen.shots(about.end(&seen));
+    // The header of a truncated film still says how long it was.
+    let end = seen.times().last().copied().unwrap_or_default() + 1.0 / about.rate;
+    let shots = seen.shots(end);
     let chosen = stills::choose(&seen, &shots, &Wish { count, ..Wish::default() });
     Ok(shots.iter().enumerate().map(|(i, shot)| told(i, shot, &chosen, &about)).collect())
 }
@@ -57,7 +59,6 @@ struct About {
     frame_rate: f64,
     /// Frames a second that are looked at.
     rate: f64,
-    duration: f64,
     /// The timecode of its first picture.
     timecode: Option<StartTimecode>,
 }
@@ -92,14 +93,7 @@ impl About {
         let across = (width as usize).min(ACROSS) / 2 * 2;
         let down = (height as usize * across / width as usize).max(2) / 2 * 2;
         let rate = if duration * rate > MOST_LOOKS { MOST_LOOKS / duration } else { rate };
-        Ok(Self { width: across.max(2), height: down, frame_rate, rate, duration, timecode })
-    }
-
-    /// Seconds at which the pictures end. A film that breaks off has fewer of them than it says.
-    fn end(&self, seen: &Film) -> f64 {
-        let last = seen.times().last().copied().unwrap_or_default();
-        let end = last + 1.0 / self.rate;
-        if self.duration > 0.0 { end.min(self.duration.max(last)) } else { end }
+        Ok(Self { width: across.max(2), height: down, frame_rate, rate, timecode })
     }
 }
 

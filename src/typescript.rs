@@ -607,7 +607,7 @@ fn written() -> String {
         ProjectFile { history: editor.history().clone(), photos: vec![], videos: vec![], dropped: vec![] }
             .write();
     let whole: Value = serde_json::from_str(&whole).unwrap();
-    let file = ProjectFile::parse(&json!({ "format": "inkpanel", "version": 1, "history": whole["history"], "photos": [{ "id": "p", "name": "P", "path": "p.jpg", "type": "image/jpeg", "credit": "me", "video": "v", "time": 2, "measured": true, "subjects": [{ "label": "face", "score": 1, "x": 0, "y": 0, "width": 1, "height": 1 }], "rank": 1, "like": { "hash": "", "fingerprint": "0123456789abcdef", "width": 4, "height": 3 } }], "videos": [{ "key": "v", "name": "V", "path": "v.mp4", "type": "video/mp4", "ids": ["p"], "duration": 5, "start": 1, "end": 2, "timecode": { "frame": 1078920, "fps": 30, "drop": true } }] }).to_string()).unwrap().write();
+    let file = ProjectFile::parse(&json!({ "format": "inkpanel", "version": 1, "history": whole["history"], "photos": [{ "id": "p", "name": "P", "path": "p.jpg", "type": "image/jpeg", "credit": "me", "video": "v", "time": 2, "measured": true, "subjects": [{ "label": "face", "score": 1, "x": 0, "y": 0, "width": 1, "height": 1 }], "rank": 1, "like": { "hash": "", "fingerprint": "0123456789abcdef", "width": 4, "height": 3 } }], "videos": [{ "key": "v", "name": "V", "path": "v.mp4", "type": "video/mp4", "ids": ["p"], "duration": 5, "start": 1, "end": 2, "timecode": { "frame": 1_078_920, "fps": 30, "drop": true } }] }).to_string()).unwrap().write();
     let on = |layout: &str| json!({ "layout": layout, "page": settings }).to_string();
     let layouts = catalogue::layouts();
     let layouts: Vec<_> = layouts

