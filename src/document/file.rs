@@ -6,8 +6,8 @@
 use super::history::{History, keep};
 use super::kept::Interner;
 use super::limits::{
-    LONGEST_ID, LONGEST_NAME, LONGEST_PATH, LONGEST_SIDE, MOST_LAYOUTS, MOST_PHOTOS, MOST_SHEETS,
-    MOST_STYLES, MOST_SUBJECTS, MOST_VIDEOS, MOST_WAITING, PROJECT,
+    ARCHIVE_ENTRIES, LONGEST_ID, LONGEST_NAME, LONGEST_PATH, LONGEST_SIDE, MOST_LAYOUTS, MOST_PHOTOS,
+    MOST_SHEETS, MOST_STYLES, MOST_SUBJECTS, MOST_VIDEOS, MOST_WAITING, PROJECT,
 };
 use super::project::{self, Draft, List, Parts, Sheet, TrayItem};
 use super::shots::Board;
@@ -148,45 +148,34 @@ impl ProjectFile {
                 "" => wrong.at("history"),
                 _ => wrong,
             })?;
-        let photos =
-            items(fields.required("photos")?, MOST_PHOTOS).and_then(|photos| each(photos, &FilePhoto::read));
+        let photos = items(fields.required("photos")?, ARCHIVE_ENTRIES)
+            .and_then(|photos| each(photos, &FilePhoto::read));
         let photos = photos.map_err(|wrong| wrong.at("photos"))?;
         let videos = fields.nullable("videos").each("videos", MOST_VIDEOS, &FileVideo::read)?;
-        let (mut ids, mut paths) = (HashSet::new(), HashSet::new());
-        let mut add = |i: usize, list: &str, field: &str, id: &str, path: &str| {
-            for (field, taken) in
-                [(field, !ids.insert(id.to_owned())), ("path", !paths.insert(path.to_owned()))]
-            {
-                if taken {
-                    return Err(Wrong::new("is that of another file").at(field).in_list(i).at(list));
-                }
-            }
-            Ok(())
-        };
-        for (i, photo) in photos.iter().enumerate() {
-            add(i, "photos", "id", &photo.id, &photo.path)?;
-        }
-        for (i, video) in videos.iter().enumerate() {
-            add(i, "videos", "key", &video.key, &video.path)?;
-        }
+        let mut paths = HashSet::new();
+        let files = photos.iter().map(|photo| [photo.id.as_str(), photo.path.as_str()]);
+        distinct(files, "id", &mut paths).map_err(|wrong| wrong.at("photos"))?;
+        let files = videos.iter().map(|video| [video.key.as_str(), video.path.as_str()]);
+        distinct(files, "key", &mut paths).map_err(|wrong| wrong.at("videos"))?;
         parts.dropped.append(&mut dropped);
         Ok(Self { history, photos, videos, dropped: parts.dropped })
     }
 
-    /// Gives each photo and video an id that no other has: `prefix` and a number. The same file may be opened twice, or be
-    /// made by hand; a photo that the pages show and nobody tells of gets one, too.
+    /// Gives each photo a new id, `prefix` and a number, and each video a new key, `prefix`, `v` and a number. The same file
+    /// may be opened twice. Photos that the pages show but the file does not list get new ids, too.
     #[must_use]
     pub fn renamed(mut self, prefix: &str) -> Self {
-        let mut names = Names { prefix, known: HashMap::new() };
+        let mut names = Names { prefix: prefix.to_owned(), known: HashMap::new() };
+        let mut keys = Names { prefix: format!("{prefix}v"), known: HashMap::new() };
         for photo in &mut self.photos {
             photo.id = names.of(&photo.id);
         }
         for video in &mut self.videos {
-            video.key = names.of(&video.key);
+            video.key = keys.of(&video.key);
             video.ids = video.ids.iter().map(|id| names.of(id)).collect();
         }
         for photo in &mut self.photos {
-            photo.video = photo.video.as_ref().map(|key| names.of(key));
+            photo.video = photo.video.as_ref().map(|key| keys.of(key));
         }
         let present = Arc::make_mut(&mut self.history.present);
         if let Some(page) = &mut present.page {
@@ -244,13 +233,34 @@ impl ProjectFile {
     }
 }
 
+/// Checks that the names in a list of files differ, and that no file shares its path with another or with one of `paths`.
+/// Keys of videos and ids of photos are separate: the key of a video is usually the id of its first frame.
+///
+/// # Errors
+/// The first name or path that repeats, with its place in the list.
+fn distinct<'f>(
+    files: impl Iterator<Item = [&'f str; 2]>,
+    field: &str,
+    paths: &mut HashSet<&'f str>,
+) -> Read<()> {
+    let mut names = HashSet::new();
+    for (i, [name, path]) in files.enumerate() {
+        for (field, fresh) in [(field, names.insert(name)), ("path", paths.insert(path))] {
+            if !fresh {
+                return Err(Wrong::new("is that of another file").at(field).in_list(i));
+            }
+        }
+    }
+    Ok(())
+}
+
 /// Fresh names in the order in which they are asked for.
-struct Names<'p> {
-    prefix: &'p str,
+struct Names {
+    prefix: String,
     known: HashMap<String, usize>,
 }
 
-impl Names<'_> {
+impl Names {
     #[inline(never)]
     fn of(&mut self, id: &str) -> String {
         let next = self.known.len();

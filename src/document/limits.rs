@@ -15,8 +15,8 @@ pub const PROJECT: Bounds = Bounds { bytes: 32 << 20, values: 2_000_000, text: T
 pub const HISTORY: Bounds = Bounds { bytes: 128 << 20, values: 8_000_000, text: TEXT };
 /// Bytes of the text in a page PNG, which tells all pages of its storyboard.
 pub const PAGE_TEXT: usize = PROJECT.bytes;
-/// Files in a project file, far more than there are photos in a project.
-pub const ARCHIVE_ENTRIES: usize = 10_000;
+/// Files in a project file. Pages that were shown before may need more photos than a project has at a time.
+pub const ARCHIVE_ENTRIES: usize = 20_000;
 /// Bytes to which one file in a project file may unpack: it is held whole, and once more where it is decoded.
 pub const ENTRY: u64 = 128 << 20;
 /// Chunks of a PNG file: one of more was not made to be looked at.
@@ -43,8 +43,8 @@ pub const MOST_LOVED: usize = 10_000;
 pub const MOST_WANTED: u64 = 100;
 /// Words that wait for photos that no page shows: those of a film.
 pub const MOST_WAITING: usize = 2_000;
-/// Videos of a project.
-pub const MOST_VIDEOS: usize = 1_000;
+/// Videos in a project file: each has at least one frame, which is a photo.
+pub const MOST_VIDEOS: usize = ARCHIVE_ENTRIES;
 /// What is found in one photo.
 pub const MOST_SUBJECTS: usize = 1_000;
 /// Families that a draft belongs to.

@@ -3,6 +3,7 @@
 
 use inkpanel::document::edit::{Edit, How, Part, Shelf};
 use inkpanel::document::editor::Editor;
+use inkpanel::document::file::ProjectFile;
 use inkpanel::document::history::History;
 use inkpanel::document::planning::{Planning, Seeds};
 use inkpanel::document::project::{Draft, Focus, List, Order, Project, Sheet, Styling};
@@ -455,11 +456,22 @@ fn walk(editor: &Editor, start: &Project) {
     assert_eq!(back.history().future, editor.history().future);
 }
 
-/// Saved and loaded it is the same.
+/// Saved and loaded it is the same, and so is the project file of the present state.
 fn saved(editor: &Editor) {
     let (loaded, dropped) = kept::parse(&kept::write(editor.history(), &Vec::new())).unwrap();
     assert!(dropped.is_empty(), "{dropped:?}");
     assert_eq!(loaded, *editor.history());
+    let photos =
+        PHOTOS.map(|id| json!({ "id": id, "name": id, "path": format!("photos/{id}"), "video": "a" }));
+    let videos = json!([{ "key": "a", "name": "a.mp4", "path": "videos/a.mp4", "ids": PHOTOS }]);
+    let empty = json!({
+        "format": "inkpanel", "version": 1, "history": { "present": {} }, "photos": photos, "videos": videos,
+    });
+    let mut file = ProjectFile::parse(&empty.to_string()).unwrap();
+    file.history = History { past: Vec::new(), future: Vec::new(), ..editor.history().clone() };
+    let opened = ProjectFile::parse(&file.write()).unwrap();
+    assert!(opened.dropped.is_empty(), "{:?}", opened.dropped);
+    assert_eq!(opened.history, file.history);
 }
 
 /// Runs random sequences on all cores.

@@ -13,6 +13,7 @@ use inkpanel::page::words::Word;
 use inkpanel::page::{Scene, shuffle};
 use proptest::prelude::*;
 use serde_json::{Value, json};
+use std::collections::HashSet;
 use std::time::{Duration, Instant};
 
 /// As much of a PNG file as a board asks for.
@@ -394,7 +395,11 @@ fn what_has_no_end_is_refused_at_once() {
         ),
         ("photo", with("/photos/0/name", &json!(huge)), "photos[0].name: is a text of more than 512 KB"),
         ("photos on one path", with("/photos", &json!(one_path)), "photos[1].path: is that of another file"),
-        ("too many photos", with("/photos", &json!(photos(5_001))), "photos: has 5001 entries, at most 5000"),
+        (
+            "too many photos",
+            with("/photos", &json!(photos(20_001))),
+            "photos: has 20001 entries, at most 20000",
+        ),
         (
             "nested",
             whole().to_string().replace("\"Trip\"", &nested),
@@ -445,6 +450,122 @@ fn fresh_ids_are_given_to_photos_alone() {
     assert_eq!((page.layout.as_str(), present.tray[0].id.as_str()), (Some("grid-4"), "q0"));
     let shown = project.history.shown.iter().flat_map(|shown| &shown.page.panels).chain(&page.panels);
     assert!(shown.filter_map(|panel| panel.photo.as_ref()).chain(&page.order).all(|id| id.starts_with('q')));
+}
+
+/// A video as the app stores it: its key is the id of its first frame at the time when it was added.
+fn video(key: &str, number: usize, ids: &[&str]) -> Value {
+    json!({
+        "key": key, "name": "a.mp4", "path": format!("videos/{number:03}-a.mp4"), "type": "video/mp4", "ids": ids,
+        "duration": 4.5, "start": 0, "end": 4.5,
+    })
+}
+
+/// Marks photos as frames of a video.
+fn frames_of(value: &mut Value, key: &str, ids: &[&str]) {
+    for photo in value["photos"].as_array_mut().unwrap() {
+        if ids.iter().any(|id| photo["id"] == *id) {
+            photo["video"] = json!(key);
+            photo["time"] = json!(0.5);
+            photo["shot"] = json!(1);
+        }
+    }
+}
+
+/// Projects in the shape in which the app saves them, one for each kind.
+fn kinds() -> Vec<(&'static str, Value)> {
+    let of = |videos: &[(&str, &[&str])]| {
+        let mut value = whole();
+        let list = videos.iter().enumerate().map(|(i, (key, ids))| video(key, i + 7, ids));
+        value["videos"] = list.collect();
+        for (key, ids) in videos {
+            frames_of(&mut value, key, ids);
+        }
+        value
+    };
+    let mut bare = whole();
+    bare["videos"] = json!([]);
+    let mut waiting = of(&[("p0", &["p0", "p1"])]);
+    waiting["history"]["present"]["waiting"] =
+        json!([{ "kind": "balloon", "text": "Hi", "photo": "p1", "panel": 0, "cue": "a.mp4 1" }]);
+    let mut gif = of(&[("p2", &["p2", "p3"])]);
+    gif["videos"][0]["type"] = json!("image/gif");
+    gif["videos"][0]["duration"] = Value::Null;
+    let mut removed = of(&[("p0", &["p0", "p1"])]);
+    removed["photos"].as_array_mut().unwrap().remove(0);
+    removed["videos"][0]["ids"] = json!(["p1"]);
+    let mut gone = of(&[("p0", &["p0", "p1"])]);
+    gone["videos"] = json!([]);
+    vec![
+        ("photos, several pages, masks, styles, layouts, a storyboard", bare),
+        ("a video", of(&[("p0", &["p0", "p1", "p2"])])),
+        ("two videos", of(&[("p0", &["p0", "p1"]), ("p3", &["p3", "p4"])])),
+        ("a video that was sampled again", of(&[("p0", &["p0", "p1"]), ("p2", &["p2", "p3"])])),
+        ("a video whose key is the id of a photo that is not its frame", of(&[("p5", &["p1", "p2"])])),
+        ("a video without its first frame", removed),
+        ("frames without their video", gone),
+        ("an animated GIF", gif),
+        ("unplaced text of a video", waiting),
+    ]
+}
+
+/// The frames of each video by name, and the video of each photo as a position in the list.
+fn links(project: &ProjectFile) -> (Vec<Vec<Option<usize>>>, Vec<Option<usize>>) {
+    let photo = |id: &String| project.photos.iter().position(|photo| photo.id == *id);
+    let frames = project.videos.iter().map(|video| video.ids.iter().map(photo).collect());
+    let video = |key: &String| project.videos.iter().position(|video| video.key == *key);
+    (frames.collect(), project.photos.iter().map(|photo| photo.video.as_ref().and_then(video)).collect())
+}
+
+#[test]
+fn every_kind_of_saved_project_opens_as_it_was() {
+    for (kind, value) in kinds() {
+        let project = read(&value).unwrap_or_else(|(_, message)| panic!("{kind}: {message}"));
+        assert_eq!(project.dropped, Vec::<String>::new(), "{kind}");
+        let text = project.write();
+        let again = ProjectFile::parse(&text).unwrap();
+        assert_eq!(again.write(), text, "{kind}");
+        assert_eq!(again.history, project.history, "{kind}");
+        // Opened in the app, where all ids are new.
+        let renamed = project.clone().renamed("new-");
+        let opened = ProjectFile::parse(&renamed.write()).unwrap_or_else(|error| panic!("{kind}: {error}"));
+        assert_eq!(links(&opened), links(&project), "{kind}");
+        assert_eq!(opened.photos.len(), project.photos.len(), "{kind}");
+        let keys: HashSet<&String> = opened.videos.iter().map(|video| &video.key).collect();
+        assert!(opened.photos.iter().all(|photo| !keys.contains(&photo.id)), "{kind}");
+        let photo = |file: &ProjectFile| {
+            let of = |id: &str| file.photos.iter().position(|photo| photo.id == id);
+            let pages = file.history.present.sheets();
+            let shown = pages.iter().flat_map(|sheet| &sheet.page.panels);
+            let shown: Vec<_> = shown.map(|panel| panel.photo.as_deref().and_then(of)).collect();
+            let waiting = file.history.present.waiting.iter();
+            (shown, waiting.map(|word| of(word["photo"].as_str().unwrap())).collect::<Vec<_>>())
+        };
+        assert_eq!(photo(&opened), photo(&project), "{kind}");
+        usable(&opened);
+    }
+}
+
+#[test]
+fn a_file_may_have_more_photos_than_the_tray_and_as_many_videos() {
+    let mut value = whole();
+    let count = 6_000;
+    value["photos"] = json!(photos(count));
+    value["videos"] = (0..count).map(|i| video(&format!("p{i}"), i, &[&format!("p{i}")])).collect();
+    let project = read(&value).unwrap();
+    assert_eq!((project.photos.len(), project.videos.len()), (count, count));
+}
+
+#[test]
+fn two_files_have_neither_one_name_nor_one_path() {
+    let mut value = whole();
+    value["videos"] = json!([video("p0", 7, &["p0"]), video("p0", 8, &["p1"])]);
+    assert_eq!(read(&value).unwrap_err().1, "videos[1].key: is that of another file");
+    value["videos"] = json!([video("p0", 7, &["p0"]), video("p1", 7, &["p1"])]);
+    assert_eq!(read(&value).unwrap_err().1, "videos[1].path: is that of another file");
+    value["videos"][0]["path"] = json!("photos/003.jpg");
+    assert_eq!(read(&value).unwrap_err().1, "videos[0].path: is that of another file");
+    value["photos"][2]["id"] = json!("p1");
+    assert_eq!(read(&value).unwrap_err().1, "photos[2].id: is that of another file");
 }
 
 /// The states of the whole project, with tables as the page makes them.

@@ -161,6 +161,26 @@ fn what_is_in_a_project_is_what_was_made() {
     assert_eq!(saved.project().photos.len(), 5);
 }
 
+#[test]
+fn a_project_with_a_video_is_drawn_and_its_shots_are_listed() {
+    let project = read("version-1/film.inkpanel").project().clone();
+    // The app makes the key of a video from the id of its first frame.
+    let video = &project.videos[0];
+    assert_eq!((project.videos.len(), video.ids.len(), &video.key), (1, 8, &video.ids[0]));
+    assert!(project.photos.iter().all(|photo| photo.video.as_ref() == Some(&video.key)));
+    let folder = tempfile::tempdir().unwrap();
+    let made = |name: &str, more: &[&str]| {
+        let output = folder.path().join(name);
+        let done = render(&[more, &[&path("version-1/film.inkpanel")]].concat(), &output);
+        assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+        fs::read(output).unwrap()
+    };
+    let shots = String::from_utf8(made("shots.csv", &[])).unwrap();
+    assert_eq!(shots.matches(",album.mp4,").count(), project.shots().len(), "{shots}");
+    assert!(String::from_utf8(made("shots.edl", &[])).unwrap().contains("album.mp4"));
+    assert!(made("board.pdf", &["--board", "4"]).starts_with(b"%PDF"));
+}
+
 /// Drawing this is refused with that sentence, and leaves no file.
 fn refused(name: &str, bytes: &[u8], more: &[&str], sentence: &str) {
     let folder = tempfile::tempdir().unwrap();

@@ -10,8 +10,8 @@ const MB = 2 ** 20;
 
 /** Of project files, and of the archive in a page PNG. */
 export const ARCHIVE = Object.freeze({
-  /** Files in it, far more than there are photos in a project. */
-  entries: 10_000,
+  /** Files in it. Pages that were shown before may need more photos than a project has at a time. */
+  entries: 20_000,
   /** Bytes of a name; ours have 80. */
   name: KB,
   /** Bytes of the list of files. */

@@ -18,11 +18,17 @@ export type Snapshot = {
 /** @param drawn states to go back to */
 export function snapshotOf(store: Store, drawn: readonly Project[] = []): Snapshot {
   const history = store.history.peek();
+  const needed = factsOf(store, { ...history, past: [...history.past, ...drawn] });
+  return { place: store.place.peek(), history, drawn, ...needed };
+}
+
+/** Returns the facts of all photos of a history, and the videos that any of the photos is a frame of. */
+export function factsOf(store: Store, history: History): Pick<Snapshot, 'facts' | 'videos'> {
   const album = store.album.peek();
-  const facts = [...photosOf({ ...history, past: [...history.past, ...drawn] })].flatMap((id) => album.get(id) ?? []);
+  const facts = [...photosOf(history)].flatMap((id) => album.get(id) ?? []);
   const needed = new Set(facts.map(({ id }) => id));
   const videos = [...store.videos.peek().values()].filter(({ ids }) => ids.some((id) => needed.has(id)));
-  return { place: store.place.peek(), history, drawn, facts, videos };
+  return { facts, videos };
 }
 
 /** @returns the photos of all times */

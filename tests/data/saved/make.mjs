@@ -1,10 +1,10 @@
 // @ts-check
 /** Projects and pages as people make and save them, by the gestures of the browser tests: README.md says how it is run. */
 
-import { mkdir, writeFile } from 'node:fs/promises';
+import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { openExport, saved } from '../../web/app/export-hands.js';
 import { panel } from '../../web/app/panel-hands.js';
-import { choose, drop, idle, openBoard, press, test } from '../../web/app/support.js';
+import { add, choose, drop, idle, openBoard, press, test } from '../../web/app/support.js';
 import { write } from '../../web/app/word-hands.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
@@ -94,4 +94,16 @@ test('a storyboard of several pages', async ({ page }) => {
   await page.getByRole('button', { name: 'Projects', exact: true }).click();
   const { bytes } = await saved(page, () => page.getByRole('button', { name: 'Save project' }).click());
   await keep('storyboard.inkpanel', bytes);
+});
+
+test('a film', async ({ page }) => {
+  const buffer = await readFile(new URL('../../videos/album.mp4', import.meta.url));
+  await page.goto('./');
+  await add(page, [{ name: 'album.mp4', mimeType: 'video/mp4', buffer }]);
+  await idle(page);
+  await page.getByLabel('Project name').fill('Film');
+  await page.keyboard.press('Enter');
+  await page.getByRole('button', { name: 'Projects', exact: true }).click();
+  const { bytes } = await saved(page, () => page.getByRole('button', { name: 'Save project' }).click());
+  await keep('film.inkpanel', bytes);
 });

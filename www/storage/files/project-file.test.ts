@@ -1,7 +1,9 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { photosOn } from '../../engine/sheets.ts';
 import { save as saveFile } from '../../ui/files.ts';
 import { archiveOf, readArchive } from '../../engine/archive.ts';
 import { documentOf, fakeBrowser } from '../testing.ts';
+import type { Fact } from '../../document/album.ts';
 
 vi.mock('../../ui/files.ts', () => ({ save: vi.fn() }));
 
@@ -64,6 +66,18 @@ describe('a project file', () => {
     expect([tab.keeping.status.value, reasons()]).toEqual(['saved', []]);
     await tab.keeping.refresh();
     expect(tab.keeping.list.value.length).toBe(2);
+  });
+
+  it('has no photos that only the undo history needs', async () => {
+    await tab.add(...'defghijkl'.split('').map((name) => `${name}.jpg`));
+    const { shown } = tab.store.history.value;
+    const onPages = photosOn(shown.map(({ page }) => page));
+    const unseen = tab.store.facts.value.find(({ id }) => !onPages.has(id)) as Fact;
+    tab.reading.remove(unseen.id);
+    await tab.keeping.files.save();
+    const [blob] = vi.mocked(saveFile).mock.lastCall as [Blob, string];
+    const names = [...(await readArchive(blob)).keys()].join();
+    expect([names.includes(unseen.name), names.includes('c.jpg')]).toEqual([false, true]);
   });
 
   it('may be opened twice, and each stays itself', async () => {

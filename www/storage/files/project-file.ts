@@ -13,7 +13,7 @@ import { save as saveFile } from '../../ui/files.ts';
 import { archiveOf, readArchive } from '../../engine/archive.ts';
 import { strippedOf } from '../../photos/identity.ts';
 import { projectJson, readProjectJson } from './project-json.ts';
-import { photosOf, snapshotOf } from '../snapshot.ts';
+import { factsOf, photosOf } from '../snapshot.ts';
 import { damaged } from '../../engine/protocol.ts';
 import type { Messages } from '../../ui/messages.ts';
 import type { Fact, Video } from '../../document/album.ts';
@@ -77,7 +77,9 @@ export function createProjectFiles({
   }
 
   async function packed(work: Work) {
-    const { history, facts, videos } = snapshotOf(store);
+    // A file has no undo history, so it needs no photos that only the undo history shows.
+    const history = { ...store.history.peek(), past: [], future: [] };
+    const { facts, videos } = factsOf(store, history);
     const read = facts.filter(({ id }) => engine.photos.has(id));
     const blobs: Map<string, Blob> = new Map();
     for (const { id } of read) blobs.set(id, engine.photos.get(id).file);

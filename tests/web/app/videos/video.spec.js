@@ -1,15 +1,18 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { download } from '../export-hands.js';
+import { download, saved } from '../export-hands.js';
 import {
   add,
   contents,
+  different,
+  drop,
   expect,
   idle,
   makePageSmall,
   openBoard,
   openStart,
   photos,
+  picture,
   press,
   sharedBoardTest as test,
 } from '../support.js';
@@ -123,4 +126,24 @@ test('the frame of a panel is replaced by a later or earlier one, by button and 
   await expect.poll(async () => (await changed()).length).toBe(1);
   await press(page, 'Undo');
   expect(await times(page)).toEqual(before.times);
+});
+
+test('a project with a video opens from its file as the same page', async ({ page }) => {
+  await openBoard(page, ['album.mp4'], [await video('album.mp4', 'video/mp4')]);
+  const before = { ...(await contents(page)), times: await times(page) };
+  const drawn = await picture(page);
+  await page.getByLabel('Project name').fill('Video');
+  await page.keyboard.press('Enter');
+  await page.getByRole('button', { name: 'Projects', exact: true }).click();
+  const { name, bytes } = await saved(page, () => page.getByRole('button', { name: 'Save project' }).click());
+  await page.getByRole('button', { name: 'New project' }).click();
+  await expect(frames(page)).toHaveCount(0);
+  await drop(page, [{ name, mimeType: '', buffer: bytes }]);
+  await expect(frames(page)).toHaveCount(8);
+  await idle(page);
+  await expect(page.getByRole('alert')).toHaveText('');
+  expect({ ...(await contents(page)), times: await times(page) }).toEqual(before);
+  expect(different(await picture(page), drawn)).toBe(0);
+  // The file contains the video, so other frames can be taken from it.
+  await expect(page.getByText('8 frames')).toBeVisible();
 });
