@@ -1,8 +1,8 @@
 //! All that a person can do to a project, as plain data, and the pure function that does it to a state.
 
 use super::limits::{
-    GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_LAYOUTS, MOST_LOVED, MOST_PHOTOS, MOST_SHEETS, MOST_STYLES,
-    MOST_WAITING, MOST_WANTED,
+    GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_ADDED, MOST_LAYOUTS, MOST_LOVED, MOST_PHOTOS, MOST_SHEETS,
+    MOST_STYLES, MOST_WAITING, MOST_WANTED,
 };
 use super::project::{self, Draft, Focus, List, Order, Project, Sheet, Styling, TrayItem};
 use super::shots::{self, Board, Shot};
@@ -599,7 +599,7 @@ impl Edit {
                 }
                 Self::SetSheets { sheets, at }
             }
-            "add-words" => Self::AddWords { words: fields.each("words", MOST_WAITING, &fresh_word)? },
+            "add-words" => Self::AddWords { words: fields.each("words", MOST_ADDED, &fresh_word)? },
             "drop-waiting" => {
                 let number = |number| whole_of(&number, 0, MOST_WAITING as u64).map(|number| number as usize);
                 Self::DropWaiting { words: fields.each("words", MOST_WAITING, &number)? }

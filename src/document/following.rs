@@ -125,7 +125,7 @@ fn alike(a: &Value, b: &Value) -> bool {
 
 impl Project {
     /// With words that are new: each on the page and the panel that it names by `sheet` and `panel`, else where its `photo`
-    /// is. One that was made of the same `cue` before does not come again. None where there is nothing new.
+    /// is. Words that no page shows or has room for are unplaced. One that was made of the same `cue` before does not come again. None where there is nothing new.
     pub(super) fn with_words(&self, words: &[Value]) -> Option<Self> {
         let mut known: HashSet<String> = HashSet::new();
         let mut number = 0;
@@ -167,8 +167,7 @@ impl Project {
                     tie(&mut word, &sheets[at].page.panels);
                     pages[at].push(word);
                 }
-                None if word["photo"].is_string() => away.push(Arc::new(word)),
-                None => {}
+                None => away.push(Arc::new(word)),
             }
         }
         if away.is_empty() && pages.iter().all(Vec::is_empty) {
@@ -176,11 +175,22 @@ impl Project {
         }
         let mut next = self.clone();
         next.each_numbered_page(&mut |place, page| {
-            let own = pages.get_mut(place).map(std::mem::take).filter(|own| !own.is_empty())?;
+            let mut own = pages.get_mut(place).map(std::mem::take).filter(|own| !own.is_empty())?;
             let mut page = Document::clone(page);
             let room = MOST_WORDS.saturating_sub(page.words.len());
-            page.words.extend(own.into_iter().take(room));
+            away.extend(own.drain(room.min(own.len())..).map(Arc::new));
+            page.words.append(&mut own);
             Some(Arc::new(page))
+        });
+        // Text without a photo is unplaced until a person places it; beyond the limit it is left out.
+        let mut room = MOST_WAITING.saturating_sub(next.waiting.len());
+        away.retain(|word| {
+            if word["photo"].is_string() {
+                return true;
+            }
+            let fits = room > 0;
+            room = room.saturating_sub(1);
+            fits
         });
         let waiting = next.waiting.iter().cloned().chain(away).collect();
         let seen = places(&next);

@@ -41,8 +41,10 @@ pub const MOST_LAYOUTS: usize = 1_000;
 pub const MOST_LOVED: usize = 10_000;
 /// Panels that a person may want.
 pub const MOST_WANTED: u64 = 100;
-/// Words that wait for photos that no page shows: those of a film.
+/// Unplaced text items of a project: text of photos that no page shows, and text that no panel has room for.
 pub const MOST_WAITING: usize = 2_000;
+/// Text items that one edit adds.
+pub const MOST_ADDED: usize = 20_000;
 /// Videos in a project file: each has at least one frame, which is a photo.
 pub const MOST_VIDEOS: usize = ARCHIVE_ENTRIES;
 /// What is found in one photo.

@@ -1,5 +1,6 @@
 //! Scripts as people write them: `NAME: what she says`, a line each, an empty line between panels.
 
+use super::limits::MOST_WAITING;
 use super::speech::{self, Manner, Said, Taking, laid, named};
 use super::subtitles::{lines, trimmed};
 use crate::json::Writer;
@@ -7,6 +8,9 @@ use serde_json::{Value, json};
 
 /// Most characters of a script: a book of comics has fewer.
 pub const MOST_SCRIPT: usize = 200_000;
+
+/// Maximum number of text items that a script puts on one panel.
+pub const MOST_OF_PANEL: usize = 6;
 
 /// Names that stand for the narrator, without accents being looked at, in the languages of the page.
 const NARRATORS: [&str; 14] = [
@@ -122,23 +126,43 @@ fn is_heading(line: &str) -> bool {
         && rest.chars().filter(|letter| letter.is_alphabetic()).count() <= 10
 }
 
-/// Words for the paragraphs of a script laid over so many panels in order, in JSON: `{words, lines}`, of each word its
-/// `place` among the panels, and how many lines were read.
+/// Lays the paragraphs of a script over panels in order. Returns JSON, `{words, unplaced, lines}`: the text items, the number
+/// of text items that no panel has room for, and the number of lines that were read. See [`placed`].
 #[must_use]
 pub fn told(text: &str, panels: usize, taking: Taking) -> String {
     let text = text.char_indices().nth(MOST_SCRIPT).map_or(text, |(end, _)| &text[..end]);
     let groups = read(text);
-    let words = placed(&groups, panels, taking);
+    let placed = placed(&groups, (panels, MOST_OF_PANEL), taking);
     let mut out = Writer::default();
     out.open(b'{');
-    out.key("words").list(&words, &|out, word| out.value(word));
+    placed.write(&mut out);
     out.key("lines").whole(groups.iter().map(Vec::len).sum::<usize>() as u64);
     out.close(b'}');
     out.finish()
 }
 
-/// The words of groups of speech, each with its `place`. A single paragraph is laid out line by line.
-pub(super) fn placed(groups: &[Vec<Said>], panels: usize, taking: Taking) -> Vec<Value> {
+/// Text items laid over panels.
+#[derive(Debug, Default)]
+pub(super) struct Placed {
+    /// Text items in order, each with its `place` among the panels. Those without a place are unplaced, at most
+    /// [`MOST_WAITING`] of them.
+    pub(super) words: Vec<Value>,
+    /// Number of text items without a place, including those that are not in `words`.
+    pub(super) unplaced: usize,
+}
+
+impl Placed {
+    /// Writes the fields `words` and `unplaced`.
+    pub(super) fn write(&self, out: &mut Writer) {
+        out.key("words").list(&self.words, &|out, word| out.value(word));
+        out.key("unplaced").whole(self.unplaced as u64);
+    }
+}
+
+/// Lays groups of speech over `panels` in order, with at most `most` text items on each panel. All panels share the groups
+/// evenly. A panel takes its groups until one does not fit; only a group that is larger than the panel is split.
+/// A single group is laid out line by line.
+pub(super) fn placed(groups: &[Vec<Said>], (panels, most): (usize, usize), taking: Taking) -> Placed {
     // What has a name for a sound is meant to be heard.
     let taking = |said: &Said| Taking { sounds: taking.sounds || said.speaker.is_some(), ..taking };
     let alone: Vec<&[Said]> = match groups {
@@ -150,14 +174,30 @@ pub(super) fn placed(groups: &[Vec<Said>], panels: usize, taking: Taking) -> Vec
         .map(|group| group.iter().flat_map(|said| speech::words(said, taking(said))).collect())
         .filter(|words: &Vec<Value>| !words.is_empty())
         .collect();
+    let mut all = Placed::default();
+    if panels == 0 {
+        return all;
+    }
     let places = laid(groups.len(), panels);
-    let at = |(words, place): (Vec<Value>, usize)| {
-        words.into_iter().map(move |mut word| {
-            word["place"] = json!(place);
-            word
-        })
-    };
-    if panels == 0 { Vec::new() } else { groups.into_iter().zip(places).flat_map(at).collect() }
+    let mut room = vec![most; panels];
+    for (words, place) in groups.into_iter().zip(places) {
+        if words.len() > room[place] && room[place] < most {
+            room[place] = 0;
+        }
+        for mut word in words {
+            if room[place] > 0 {
+                room[place] -= 1;
+                word["place"] = json!(place);
+            } else {
+                all.unplaced += 1;
+                if all.unplaced > MOST_WAITING {
+                    continue;
+                }
+            }
+            all.words.push(word);
+        }
+    }
+    all
 }
 
 #[cfg(test)]
@@ -204,12 +244,67 @@ mod tests {
         assert!(words("A: One", 0).is_empty() && words(" \n\n", 3).is_empty());
     }
 
+    #[test]
+    fn a_panel_takes_no_more_than_it_holds_and_the_rest_is_unplaced() {
+        let script = |lines: usize| vec!["Line"; lines].join("\n\n");
+        let read =
+            |lines, panels| -> Value { serde_json::from_str(&told(&script(lines), panels, TAKING)).unwrap() };
+        let count = |read: &Value, place: Option<u64>| {
+            read["words"].as_array().unwrap().iter().filter(|word| word["place"].as_u64() == place).count()
+        };
+        let film = read(1332, 4);
+        assert!((0..4).all(|place| count(&film, Some(place)) == MOST_OF_PANEL));
+        assert_eq!(count(&film, None), 1332 - 4 * MOST_OF_PANEL);
+        assert_eq!(film["unplaced"], 1332 - 4 * MOST_OF_PANEL);
+        let long = read(5000, 2);
+        assert_eq!((count(&long, None), &long["unplaced"]), (MOST_WAITING, &json!(5000 - 2 * MOST_OF_PANEL)));
+        assert_eq!(read(12, 2)["unplaced"], 0);
+        // Lines of one group stay together where they fit.
+        let said = |text: &str| Said { text: text.into(), ..Said::default() };
+        let groups = [vec![said("a"), said("b")], vec![said("c"), said("d")], vec![said("e")]];
+        let placed = placed(&groups, (1, 3), TAKING);
+        let texts: Vec<_> =
+            placed.words.iter().filter(|word| word["place"] == 0).map(|word| &word["text"]).collect();
+        assert_eq!((json!(texts), placed.unplaced), (json!(["a", "b"]), 3));
+    }
+
     proptest! {
+        #[test]
+        fn cues_are_spread_over_all_panels_in_order_up_to_a_limit(
+            count in 1_usize..=5000,
+            panels in 1_usize..=12,
+            most in 1_usize..=MOST_OF_PANEL,
+        ) {
+            let cue = |i: usize| vec![Said { text: i.to_string(), ..Said::default() }];
+            let groups: Vec<_> = (0..count).map(cue).collect();
+            let Placed { words, unplaced } = placed(&groups, (panels, most), TAKING);
+            let number = |word: &Value| word["text"].as_str().unwrap().parse::<usize>().unwrap();
+            prop_assert!(words.is_sorted_by_key(number));
+            let shown: Vec<usize> =
+                words.iter().filter_map(|word| word["place"].as_u64()).map(|place| place as usize).collect();
+            prop_assert!(shown.is_sorted());
+            let waiting = words.len() - shown.len();
+            prop_assert_eq!(waiting, unplaced.min(MOST_WAITING));
+            prop_assert_eq!(shown.len() + waiting + (unplaced - waiting), count);
+            let mut counts = vec![0; panels];
+            for place in shown {
+                counts[place] += 1;
+            }
+            prop_assert!(counts.iter().all(|&count| count <= most));
+            if count <= panels * most {
+                prop_assert_eq!(unplaced, 0);
+                let (least, greatest) = (counts.iter().min().unwrap(), counts.iter().max().unwrap());
+                prop_assert!(greatest - least <= 1, "{counts:?}");
+            } else {
+                prop_assert!(counts.iter().all(|&count| count >= 1), "{counts:?}");
+            }
+        }
+
         #[test]
         fn any_text_is_a_script(text in "[\\PC\n:()]{0,200}", panels in 0_usize..9) {
             let told: Value = serde_json::from_str(&told(&text, panels, TAKING)).unwrap();
             for word in told["words"].as_array().unwrap() {
-                prop_assert!(word["place"].as_u64().unwrap() < panels as u64);
+                prop_assert!(word["place"].as_u64().is_none_or(|place| place < panels as u64));
                 prop_assert!(!word["text"].as_str().unwrap().is_empty());
             }
         }

@@ -1,7 +1,7 @@
 //! Subtitles as `SubRip` (.srt) and `WebVTT` (.vtt) files have them, and the frames that they go to. Each letter is looked at a
 //! bounded number of times, whatever the text is.
 
-use super::script;
+use super::script::{self, Placed};
 use super::speech::{self, Said, Taking};
 use crate::json::Writer;
 use crate::order::sort_by;
@@ -268,23 +268,23 @@ pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<Value>, u
     (made, homeless)
 }
 
-/// What a file of subtitles says at the times of some frames, in JSON: `{words, cues, homeless, left, cut, skipped, flaws, guessed}`, the
-/// words and how many subtitles were read, found no frame, were left out, cut and skipped; or what is wrong with it,
-/// `{flaw: {kind, line, text}}`. Where there are no frames, they are laid over so many panels in order, of each word its
-/// `place` among them.
+/// What a file of subtitles says at the times of some frames, in JSON: `{words, unplaced, cues, homeless, left, cut, skipped, flaws, guessed}`,
+/// the words and how many subtitles were read, found no frame, were left out, cut and skipped; or what is wrong with it,
+/// `{flaw: {kind, line, text}}`. Without frames, the words are laid over panels in order; see [`script::placed`].
 #[must_use]
 pub fn told(bytes: &[u8], vtt: bool, frames: &[Frame], panels: usize, taking: Taking) -> String {
     let mut out = Writer::default();
     out.open(b'{');
     match Subtitles::read(bytes, vtt) {
         Ok(Subtitles { cues, left, cut, flaws, skipped, guessed }) => {
-            let (words, homeless) = if frames.is_empty() {
+            let (placed, homeless) = if frames.is_empty() {
                 let groups: Vec<Vec<Said>> = cues.iter().map(|cue| cue.said.clone()).collect();
-                (script::placed(&groups, panels, taking), 0)
+                (script::placed(&groups, (panels, MOST_OF_FRAME), taking), 0)
             } else {
-                matched(&cues, frames, taking)
+                let (words, homeless) = matched(&cues, frames, taking);
+                (Placed { words, unplaced: 0 }, homeless)
             };
-            out.key("words").list(&words, &|out, word| out.value(word));
+            placed.write(&mut out);
             let counts = [
                 ("cues", cues.len()),
                 ("homeless", homeless),

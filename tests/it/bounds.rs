@@ -33,6 +33,7 @@ fn bounds() -> String {
         ("Columns of one's own.", "columns", limits::MOST_COLUMNS),
         ("Frames of a shot.", "shotFrames", limits::MOST_SHOT_FRAMES as usize),
         ("Characters of a script.", "script", script::MOST_SCRIPT),
+        ("Text items that one edit adds.", "added", limits::MOST_ADDED),
     ];
     let head = "/**\n * What a project holds at most. Written out of `src/document/limits.rs` by `cargo xtask bless`, not by hand: the core reads\n * no project beyond it, so none is made here.\n */\n\nexport const MOST = Object.freeze({\n";
     let lines = most.map(|(what, name, value)| format!("  /** {what} */\n  {name}: {},\n", grouped(value)));

@@ -968,6 +968,24 @@ fn two_pages() -> (Vec<PhotoMeta>, Editor) {
 }
 
 #[test]
+fn words_that_no_page_has_room_for_are_unplaced_and_saved() {
+    let (_, mut editor) = two_pages();
+    let sheet = editor.project().sheets()[0].sheet;
+    let on_panel = |i| json!({ "kind": "balloon", "text": format!("{i}"), "panel": 0, "sheet": sheet });
+    let loose = |i| json!({ "kind": "balloon", "text": format!("loose {i}") });
+    let over = 50;
+    let words = (0..limits::MOST_WORDS + over).map(on_panel).chain((0..limits::MOST_WAITING).map(loose));
+    assert!(editor.apply(&Edit::AddWords { words: words.collect() }, &How::default()));
+    let project = editor.project();
+    assert_eq!(project.sheets()[0].page.words.len(), limits::MOST_WORDS);
+    let waiting: Vec<&str> = project.waiting.iter().map(|word| word["text"].as_str().unwrap()).collect();
+    assert_eq!(waiting.len(), limits::MOST_WAITING);
+    let on_page = waiting.iter().filter(|text| !text.starts_with("loose")).count();
+    assert_eq!(on_page, over);
+    saved(&editor);
+}
+
+#[test]
 fn a_page_that_wants_more_photos_than_are_free_for_it_takes_from_all() {
     let (photos, editor) = two_pages();
     let planning = Planning::new(editor.project(), &photos);

@@ -38,6 +38,8 @@ export const MOST = Object.freeze({
   shotFrames: 2_592_000,
   /** Characters of a script. */
   script: 200_000,
+  /** Text items that one edit adds. */
+  added: 20_000,
 });
 
 /** What a page may be: pixels of a side, pixels in all, dots an inch. */

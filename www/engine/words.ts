@@ -18,6 +18,8 @@ import type { BitmapPatch, PixelPatch, Wording } from './protocol.ts';
 
 /** A word out of speech: the number of its frame, or of its place among panels; `joins` goes on with the one before. */
 export type Spoken = Word & { frame?: number; place?: number; joins?: boolean };
+/** Speech laid over panels: text without a `place` is unplaced, and `unplaced` counts all of it, even what is not listed. */
+type LaidSpeech = { words: Spoken[]; unplaced: number };
 /** What becomes of speech and of sounds: effects, or nothing. */
 export type Taking = { kind: 'caption' | 'balloon'; sounds: boolean };
 /** What is wrong with a file of subtitles; lines are counted from 1. */
@@ -30,8 +32,7 @@ export type SubtitleFlaw =
  * skipped; of the first of these what is wrong. `guessed`: the letters were taken for those of Windows.
  */
 export type ReadSubtitles =
-  | {
-      words: Spoken[];
+  | (LaidSpeech & {
       cues: number;
       homeless: number;
       left: number;
@@ -39,7 +40,7 @@ export type ReadSubtitles =
       skipped: number;
       flaws: SubtitleFlaw[];
       guessed: boolean;
-    }
+    })
   | { flaw: SubtitleFlaw };
 /** What of a photo words are placed around. */
 export type KnownPhoto = Pick<PhotoMeta, 'subjects' | 'mask'>;
@@ -169,7 +170,7 @@ async function open() {
       return JSON.parse(subtitles(bytes, vtt, places, panels, kind, sounds));
     },
     /** @returns a script laid over panels in order, and how many lines it has; null for what is no text */
-    script: (bytes: Uint8Array, panels: number, { kind, sounds }: Taking): { words: Spoken[]; lines: number } | null =>
+    script: (bytes: Uint8Array, panels: number, { kind, sounds }: Taking): (LaidSpeech & { lines: number }) | null =>
       JSON.parse(script(bytes, panels, kind, sounds)),
   };
 }

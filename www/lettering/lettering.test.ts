@@ -125,6 +125,31 @@ describe('words', () => {
     expect([lettering.words.value.length, lettering.waiting.value.length]).toEqual([0, 0]);
   });
 
+  test('another page takes no more unplaced text of its photos than it holds', async () => {
+    await lettering.ready();
+    const page = store.page.value as PageDocument;
+    const photo = page.panels[0].photo as string;
+    const said = (_: unknown, i: number) => ({ kind: 'balloon', text: `${i}`, photo, panel: 0, auto: true }) as const;
+    expect(lettering.lay(Array.from({ length: 250 }, said))).toEqual({ shown: 200, waiting: 50 });
+    expect(lettering.on({ ...page, words: [] }).words).toHaveLength(200);
+  });
+
+  test('text without a photo is unplaced, the first of it up to a limit, until it is put on a page', async () => {
+    await lettering.ready();
+    const said = (_: unknown, i: number) => ({ kind: 'balloon', text: `${i}`, auto: true }) as const;
+    expect(lettering.lay(Array.from({ length: 2_100 }, said))).toEqual({ shown: 0, waiting: 2_000 });
+    expect([lettering.waiting.value[0].text, lettering.waiting.value.at(-1)?.text]).toEqual(['0', '1999']);
+    expect(lettering.lay([said(null, 7)])).toEqual({ shown: 0, waiting: 0 });
+    pages.shuffle('all');
+    expect([lettering.words.value.length, lettering.waiting.value.length]).toEqual([0, 2_000]);
+    const page = store.page.value as PageDocument;
+    expect(lettering.on(page).words).toEqual([]);
+    lettering.take(0);
+    const photo = store.page.value?.panels[0].photo;
+    expect(lettering.words.value).toEqual([expect.objectContaining({ text: '0', panel: 0, photo })]);
+    expect(lettering.waiting.value.length).toBe(1_999);
+  });
+
   test('one is made wider and turned, each drag one step', async () => {
     await lettering.add('effect');
     const steps = past();

@@ -138,9 +138,9 @@ export function createLettering({
   }
 
   /**
-   * Lays words over all pages in one step: one whose photo no page shows waits for it, and what is there already does not come
-   * again.
-   * @returns how many more words there are on pages, and waiting
+   * Lays words over all pages in one step. Words that no page shows or has room for are unplaced, and words that are there
+   * already are not added again.
+   * @returns how many more words there are on pages and in the list of unplaced text
    */
   function lay(fresh: readonly AddedWord[]): { shown: number; waiting: number } {
     const count = () => ({
@@ -149,13 +149,10 @@ export function createLettering({
     });
     const before = count();
     // The language of a film is not that of the page: its words part nowhere.
-    const laid = fresh.map((word): AddedWord => ({ craft: 2, ...word, text: bounded(word.text) }));
+    const laid = fresh.slice(0, MOST.added).map((word): AddedWord => ({ craft: 2, ...word, text: bounded(word.text) }));
     store.change({ type: 'add-words', words: laid });
     const after = count();
-    const added = { shown: after.shown - before.shown, waiting: after.waiting - before.waiting };
-    const lost = laid.length - added.shown - added.waiting;
-    if (lost > 0 && after.shown >= MOST.words) messages.alert(strings.wordsFull(MOST.words));
-    return added;
+    return { shown: after.shown - before.shown, waiting: after.waiting - before.waiting };
   }
 
   /** A word that waits comes onto the page, and belongs to the photo of the panel that is chosen, or of the first. */

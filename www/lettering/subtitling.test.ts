@@ -3,7 +3,7 @@ import { expect, test, vi } from 'vitest';
 import { createSubtitling, speechAmong } from './subtitling.ts';
 import type { ReadSubtitles, Spoken } from '../engine/words.ts';
 
-const NONE = { cues: 1, homeless: 0, left: 0, cut: 0, skipped: 0, flaws: [], guessed: false };
+const NONE = { unplaced: 0, cues: 1, homeless: 0, left: 0, cut: 0, skipped: 0, flaws: [], guessed: false };
 
 /** @param told what is read of a file, by its text */
 function app(told: (text: string) => ReadSubtitles, { film = true } = {}) {
@@ -16,7 +16,7 @@ function app(told: (text: string) => ReadSubtitles, { film = true } = {}) {
   const subtitles = vi.fn((bytes: Uint8Array) => told(decoded(bytes)));
   const script = vi.fn((bytes: Uint8Array) => {
     const words: Spoken[] = decoded(bytes) ? [{ kind: 'balloon', text: decoded(bytes), auto: true, place: 3 }] : [];
-    return { words, lines: words.length };
+    return { words, unplaced: 0, lines: words.length };
   });
   const subtitling = createSubtitling({
     store: {
@@ -88,6 +88,40 @@ test('a script is laid over panels, and one that says nothing is refused with a 
   expect(note).toHaveBeenCalledWith(expect.stringMatching(/^1 word was put/));
   expect(await put('')).toBe(false);
   expect(alert).toHaveBeenCalledWith(expect.stringMatching(/nothing to say/));
+});
+
+test('text that no panel has room for is unplaced, and its number is reported', async () => {
+  const place = (places: (number | undefined)[]) =>
+    places.map(
+      (place, i): Spoken => ({ kind: 'balloon', text: `${i}`, auto: true, ...(place !== undefined && { place }) }),
+    );
+  const words = place([0, 3, undefined, undefined]);
+  const cases: [{ unplaced: number; waiting: number }, RegExp, 'note' | 'alert'][] = [
+    [
+      { unplaced: 2, waiting: 2 },
+      /^2 of 4 lines were placed; 2 did not fit\. 2 are in the list of unplaced text\.$/,
+      'note',
+    ],
+    [
+      { unplaced: 9, waiting: 1 },
+      /^2 of 11 lines were placed; 9 did not fit\. 1 is in .+ text\. 8 were left out\.$/,
+      'alert',
+    ],
+  ];
+  for (const [{ unplaced, waiting }, sentence, way] of cases) {
+    const { open, lay, note, alert } = app(() => ({ ...NONE, words, unplaced }), { film: false });
+    lay.mockReturnValue({ shown: 2, waiting });
+    await open([new File(['x'], 'a.srt')]);
+    const word = (text: string) => ({ kind: 'balloon', text, auto: true });
+    expect(lay.mock.calls[0][0]).toEqual([
+      { ...word('0'), sheet: 5, panel: 0 },
+      { ...word('1'), sheet: 4, panel: 2 },
+      word('2'),
+      word('3'),
+    ]);
+    expect((way === 'note' ? note : alert).mock.calls).toEqual([[expect.stringMatching(sentence)]]);
+    expect((way === 'note' ? alert : note).mock.calls).toEqual([]);
+  }
 });
 
 test('what is wrong is said, with its line; single subtitles that are wrong are named', async () => {

@@ -1,6 +1,7 @@
 /**
  * Speech onto pages: subtitles go to the frames of their film, on whatever page these are, and wait with those that no page
- * shows; scripts, and subtitles without a film, are laid over the panels of all pages in order. Each is one step of the undo.
+ * shows; scripts, and subtitles without a film, are spread over the panels of all pages in order, each with as much as it
+ * holds. The rest is unplaced text. Each is one step of the undo.
  * Files that come with a video wait until its frames are read.
  */
 
@@ -94,8 +95,7 @@ export function createSubtitling({
     const told = letters.script(bytes, panels.length, { kind: kind.peek(), sounds: sounds.peek() });
     if (!told) throw new Error(strings.subtitleErrors.binary);
     if (told.words.length === 0) throw new Error(strings.scriptEmpty);
-    const { shown } = lettering.lay(told.words.map((word) => onPanel(word, panels)));
-    messages.note(strings.scriptLaid(shown));
+    spread(told, panels);
     return true;
   }
 
@@ -108,18 +108,30 @@ export function createSubtitling({
     const taking = { kind: kind.peek(), sounds: sounds.peek() };
     const told = letters.subtitles(bytes, /\.vtt$/i.test(name), frames, panels.length, taking);
     if ('flaw' in told) throw new Error(sentence(told.flaw));
-    const { words, cues, homeless, left, cut, skipped, flaws } = told;
+    const { words, cues, homeless, left, cut, skipped, flaws, unplaced } = told;
     const tell = (what: string) => messages.alert(strings.fileFailed(name, what));
     if (left > 0) tell(strings.subtitlesLeft(left, cues));
     if (cut > 0) tell(strings.subtitlesCut(cut));
     if (skipped > 0) tell(strings.subtitlesSkipped(skipped, flaws.map(sentence)));
     if (told.guessed) messages.note(strings.fileFailed(name, strings.subtitlesGuessed));
     if (words.length === 0) throw new Error(strings.subtitlesNoMatch);
-    const added = lettering.lay(
-      words.map((word) => (word.frame === undefined ? onPanel(word, panels) : onFrame(word, frames[word.frame]))),
-    );
+    if (frames.length === 0) {
+      spread({ words, unplaced }, panels);
+      return;
+    }
+    const added = lettering.lay(words.map((word) => onFrame(word, frames[word.frame as number])));
     if (added.shown + added.waiting === 0) messages.note(strings.fileFailed(name, strings.subtitlesThere));
     else messages.note(strings.subtitlesLaid(added.shown, added.waiting, homeless));
+  }
+
+  /** Lays speech over panels, and reports how much of it did not fit. */
+  function spread({ words, unplaced }: { words: readonly Spoken[]; unplaced: number }, panels: readonly Place[]) {
+    const { shown, waiting } = lettering.lay(words.map((word) => onPanel(word, panels)));
+    const total = words.filter(({ place }) => place !== undefined).length + unplaced;
+    const left = total - shown - waiting;
+    if (shown === total) messages.note(strings.scriptLaid(shown));
+    else if (left === 0) messages.note(strings.speechSpread(shown, total, waiting, left));
+    else messages.alert(strings.speechSpread(shown, total, waiting, left));
   }
 
   /**
@@ -154,8 +166,9 @@ export function createSubtitling({
   }
 }
 
-function onPanel({ frame: _, place = 0, ...word }: Spoken, panels: readonly Place[]): AddedWord {
-  return { ...word, ...panels[place] };
+/** Returns a word on its panel, or an unplaced word. */
+function onPanel({ frame: _, place, ...word }: Spoken, panels: readonly Place[]): AddedWord {
+  return place === undefined ? word : { ...word, ...panels[place] };
 }
 
 /** A film is known by its name: its key is another each time that a project is opened. */

@@ -5,6 +5,7 @@
 
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
+import { MOST } from '../document/limits.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
@@ -109,10 +110,14 @@ export function createWordPlanning({
     return { ...page, words: all.map((word, i) => (stays(i) ? word : placed[i])) };
   }
 
-  /** Another page with the words of this one whose photos it shows, and those that wait for photos of it. */
+  /**
+   * Another page with the words of this one whose photos it shows, and the unplaced text of its photos, up to the limit of a
+   * page. Text without a photo stays unplaced.
+   */
   function on(page: PageDocument): PageDocument {
     const { waiting = [] } = store.project.peek();
-    const own = [...words.peek(), ...waiting].flatMap((word) => carried(word, page));
+    const unplaced = waiting.filter(({ photo }) => photo);
+    const own = [...words.peek(), ...unplaced].flatMap((word) => carried(word, page)).slice(0, MOST.words);
     return !page.words?.length && own.length === 0 ? page : settled({ ...page, words: own });
   }
 

@@ -39,6 +39,14 @@ export const speechStrings = {
   soundsAsEffects: 'Geräusche als Soundwörter',
   scriptLaid: (n: number) =>
     n === 1 ? '1 Text wurde auf die Seiten gesetzt.' : `${n} Texte wurden auf die Seiten gesetzt.`,
+  speechSpread: (shown: number, total: number, unplaced: number, left: number) =>
+    [
+      `${shown} von ${total} Zeilen wurden gesetzt; ${total - shown} passten nicht.`,
+      ...(unplaced > 0
+        ? [`${unplaced} ${unplaced === 1 ? 'steht' : 'stehen'} in der Liste nicht platzierter Texte.`]
+        : []),
+      ...(left > 0 ? [`${left} ${left === 1 ? 'wurde' : 'wurden'} ausgelassen.`] : []),
+    ].join(' '),
   scriptNoPage: 'Es gibt noch keine Seite. Füge erst Fotos hinzu.',
   scriptEmpty: 'Es wird nichts darin gesagt.',
   scriptOffered: (names: string) => `${names} könnte ein Skript sein. Der Text wurde nicht auf die Seiten gesetzt.`,
@@ -57,8 +65,9 @@ export const speechStrings = {
   subtitlesSkipped: (n: number, why: readonly string[]) =>
     `${n === 1 ? 'Ein Untertitel wurde' : `${n} Untertitel wurden`} übersprungen: ${why.join(' ')}`,
   subtitlesGuessed: 'Sie ist nicht in UTF-8 und wurde deshalb als westeuropäischer Text (Windows-1252) gelesen.',
-  wordsWaiting: (n: number) => (n === 1 ? '1 Text wartet auf sein Foto' : `${n} Texte warten auf ihre Fotos`),
-  wordsWaitingWhy: 'Sie kommen zurück, wenn eine Seite ihre Fotos wieder zeigt.',
+  wordsWaiting: (n: number) => (n === 1 ? '1 nicht platzierter Text' : `${n} nicht platzierte Texte`),
+  wordsWaitingWhy:
+    'Ein Text kommt zurück, wenn eine Seite sein Foto wieder zeigt. Ein Text ohne Foto bleibt hier, bis du ihn auf eine Seite setzt.',
   putWaiting: (text: string) => `Auf diese Seite setzen: ${text}`,
   dropWaiting: (text: string) => `Verwerfen: ${text}`,
   dropAllWaiting: 'Alle verwerfen',

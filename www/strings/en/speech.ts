@@ -38,6 +38,12 @@ export const speechStrings = {
   putScript: 'Put into balloons',
   soundsAsEffects: 'Sounds as effects',
   scriptLaid: (n: number) => (n === 1 ? '1 word was put on the pages.' : `${n} words were put on the pages.`),
+  speechSpread: (shown: number, total: number, unplaced: number, left: number) =>
+    [
+      `${shown} of ${total} lines were placed; ${total - shown} did not fit.`,
+      ...(unplaced > 0 ? [`${unplaced} ${unplaced === 1 ? 'is' : 'are'} in the list of unplaced text.`] : []),
+      ...(left > 0 ? [`${left} ${left === 1 ? 'was' : 'were'} left out.`] : []),
+    ].join(' '),
   scriptNoPage: 'there is no page yet. Add photos first.',
   scriptEmpty: 'there is nothing to say in it.',
   scriptOffered: (names: string) => `${names} may be a script. It was not put on the pages.`,
@@ -52,8 +58,9 @@ export const speechStrings = {
   subtitlesSkipped: (n: number, why: readonly string[]) =>
     `${n === 1 ? 'a subtitle was skipped' : `${n} subtitles were skipped`}: ${why.join(' ')}`,
   subtitlesGuessed: 'it is not in UTF-8, so it was read as Western European text (Windows-1252).',
-  wordsWaiting: (n: number) => (n === 1 ? '1 word waits for its photo' : `${n} words wait for their photos`),
-  wordsWaitingWhy: 'They come back when a page shows their photos again.',
+  wordsWaiting: (n: number) => (n === 1 ? '1 unplaced text' : `${n} unplaced texts`),
+  wordsWaitingWhy:
+    'Text returns when a page shows its photo again. Text without a photo stays here until you put it on a page.',
   putWaiting: (text: string) => `Put on this page: ${text}`,
   dropWaiting: (text: string) => `Discard: ${text}`,
   dropAllWaiting: 'Discard all',

@@ -38,6 +38,12 @@ export const speechStrings = {
   putScript: 'Poner en bocadillos',
   soundsAsEffects: 'Sonidos como efectos',
   scriptLaid: (n: number) => (n === 1 ? 'Se puso 1 texto en las páginas.' : `Se pusieron ${n} textos en las páginas.`),
+  speechSpread: (shown: number, total: number, unplaced: number, left: number) =>
+    [
+      `Se colocaron ${shown} de ${total} líneas; ${total - shown} no cabían.`,
+      ...(unplaced > 0 ? [`${unplaced} ${unplaced === 1 ? 'está' : 'están'} en la lista de textos sin colocar.`] : []),
+      ...(left > 0 ? [left === 1 ? 'Se omitió 1.' : `Se omitieron ${left}.`] : []),
+    ].join(' '),
   scriptNoPage: 'todavía no hay página. Añade primero fotos.',
   scriptEmpty: 'no dice nada.',
   scriptOffered: (names: string) => `${names} puede ser un guion. No se puso en las páginas.`,
@@ -56,8 +62,9 @@ export const speechStrings = {
   subtitlesSkipped: (n: number, why: readonly string[]) =>
     `${n === 1 ? 'se omitió un subtítulo' : `se omitieron ${n} subtítulos`}: ${why.join(' ')}`,
   subtitlesGuessed: 'no está en UTF-8, así que se leyó como texto de Europa occidental (Windows-1252).',
-  wordsWaiting: (n: number) => (n === 1 ? '1 texto espera su foto' : `${n} textos esperan sus fotos`),
-  wordsWaitingWhy: 'Vuelven cuando una página muestra de nuevo sus fotos.',
+  wordsWaiting: (n: number) => (n === 1 ? '1 texto sin colocar' : `${n} textos sin colocar`),
+  wordsWaitingWhy:
+    'Un texto vuelve cuando una página muestra otra vez su foto. Un texto sin foto se queda aquí hasta que lo pongas en una página.',
   putWaiting: (text: string) => `Poner en esta página: ${text}`,
   dropWaiting: (text: string) => `Descartar: ${text}`,
   dropAllWaiting: 'Descartar todos',

@@ -38,6 +38,12 @@ export const speechStrings = {
   putScript: 'Mettre en bulles',
   soundsAsEffects: 'Sons en effets',
   scriptLaid: (n: number) => (n < 2 ? `${n} texte a été mis sur les pages.` : `${n} textes ont été mis sur les pages.`),
+  speechSpread: (shown: number, total: number, unplaced: number, left: number) =>
+    [
+      `${shown} lignes sur ${total} ont été placées ; ${total - shown} n’ont pas trouvé de place.`,
+      ...(unplaced > 0 ? [`${unplaced} ${unplaced === 1 ? 'est' : 'sont'} dans la liste des textes non placés.`] : []),
+      ...(left > 0 ? [left === 1 ? '1 a été laissée de côté.' : `${left} ont été laissées de côté.`] : []),
+    ].join(' '),
   scriptNoPage: 'il n’y a pas encore de page. Ajoutez d’abord des photos.',
   scriptEmpty: 'rien n’y est dit.',
   scriptOffered: (names: string) => `${names} est peut-être un script. Il n’a pas été mis sur les pages.`,
@@ -56,8 +62,9 @@ export const speechStrings = {
   subtitlesSkipped: (n: number, why: readonly string[]) =>
     `${n < 2 ? 'un sous-titre a été ignoré' : `${n} sous-titres ont été ignorés`} : ${why.join(' ')}`,
   subtitlesGuessed: 'il n’est pas en UTF-8, il a donc été lu comme texte d’Europe occidentale (Windows-1252).',
-  wordsWaiting: (n: number) => (n < 2 ? `${n} texte attend sa photo` : `${n} textes attendent leurs photos`),
-  wordsWaitingWhy: 'Ils reviennent quand une page montre de nouveau leurs photos.',
+  wordsWaiting: (n: number) => (n < 2 ? `${n} texte non placé` : `${n} textes non placés`),
+  wordsWaitingWhy:
+    'Un texte revient quand une page montre à nouveau sa photo. Un texte sans photo reste ici jusqu’à ce que vous le placiez sur une page.',
   putWaiting: (text: string) => `Mettre sur cette page : ${text}`,
   dropWaiting: (text: string) => `Écarter : ${text}`,
   dropAllWaiting: 'Tout écarter',

@@ -38,6 +38,12 @@ export const speechStrings = {
   putScript: 'フキダシに入れる',
   soundsAsEffects: '音を効果音にする',
   scriptLaid: (n: number) => `${n}件の文字をページに入れました。`,
+  speechSpread: (shown: number, total: number, unplaced: number, left: number) =>
+    [
+      `${total}行のうち${shown}行を配置しました。${total - shown}行は入りませんでした。`,
+      ...(unplaced > 0 ? [`${unplaced}行は未配置の文字の一覧にあります。`] : []),
+      ...(left > 0 ? [`${left}行は除きました。`] : []),
+    ].join(''),
   scriptNoPage: 'まだページがありません。先に写真を追加してください。',
   scriptEmpty: 'せりふがありません。',
   scriptOffered: (names: string) => `${names}は台本かもしれません。ページには入れていません。`,
@@ -51,8 +57,8 @@ export const speechStrings = {
   subtitlesThere: '字幕はすべて入っています。',
   subtitlesSkipped: (n: number, why: readonly string[]) => `${n}件の字幕を飛ばしました：${why.join('')}`,
   subtitlesGuessed: 'UTF-8ではないため、西ヨーロッパの文字（Windows-1252）として読み込みました。',
-  wordsWaiting: (n: number) => `写真を待っている文字：${n}件`,
-  wordsWaitingWhy: '写真がまたページに出ると戻ります。',
+  wordsWaiting: (n: number) => `未配置の文字：${n}件`,
+  wordsWaitingWhy: '写真がまたページに出ると戻ります。写真のない文字は、ページに入れるまでここに残ります。',
   putWaiting: (text: string) => `このページに入れる：${text}`,
   dropWaiting: (text: string) => `捨てる：${text}`,
   dropAllWaiting: 'すべて捨てる',

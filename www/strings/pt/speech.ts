@@ -38,6 +38,14 @@ export const speechStrings = {
   putScript: 'Pôr em balões',
   soundsAsEffects: 'Sons como efeitos',
   scriptLaid: (n: number) => (n === 1 ? '1 texto foi posto nas páginas.' : `${n} textos foram postos nas páginas.`),
+  speechSpread: (shown: number, total: number, unplaced: number, left: number) =>
+    [
+      `${shown} de ${total} linhas foram colocadas; ${total - shown} não couberam.`,
+      ...(unplaced > 0
+        ? [`${unplaced} ${unplaced === 1 ? 'está' : 'estão'} na lista de textos não posicionados.`]
+        : []),
+      ...(left > 0 ? [left === 1 ? '1 ficou de fora.' : `${left} ficaram de fora.`] : []),
+    ].join(' '),
   scriptNoPage: 'ainda não há página. Adicione fotos primeiro.',
   scriptEmpty: 'nada é dito nele.',
   scriptOffered: (names: string) => `${names} pode ser um roteiro. Não foi posto nas páginas.`,
@@ -54,8 +62,9 @@ export const speechStrings = {
   subtitlesSkipped: (n: number, why: readonly string[]) =>
     `${n === 1 ? 'uma legenda foi pulada' : `${n} legendas foram puladas`}: ${why.join(' ')}`,
   subtitlesGuessed: 'não está em UTF-8, por isso foi lido como texto da Europa Ocidental (Windows-1252).',
-  wordsWaiting: (n: number) => (n === 1 ? '1 texto espera sua foto' : `${n} textos esperam suas fotos`),
-  wordsWaitingWhy: 'Eles voltam quando uma página mostra suas fotos de novo.',
+  wordsWaiting: (n: number) => (n === 1 ? '1 texto não posicionado' : `${n} textos não posicionados`),
+  wordsWaitingWhy:
+    'Um texto volta quando uma página mostra de novo a sua foto. Um texto sem foto fica aqui até você colocá-lo em uma página.',
   putWaiting: (text: string) => `Pôr nesta página: ${text}`,
   dropWaiting: (text: string) => `Descartar: ${text}`,
   dropAllWaiting: 'Descartar todos',

@@ -6,6 +6,7 @@ import { download } from '../export-hands.js';
 import { drag } from '../panel-hands.js';
 import {
   PNG,
+  SIX,
   accessible,
   add,
   drop,
@@ -217,6 +218,25 @@ test('a script becomes balloons in one undo step, and a text item is resized, ro
 
 /** @param {string} name @param {string} text */
 const textFile = (name, text) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
+
+test('subtitles of a whole film are spread over the panels of photos, and the rest is unplaced', async ({ page }) => {
+  await openBoard(page, SIX.slice(0, 4));
+  const time = (/** @type {number} */ second) => new Date(second * 1000).toISOString().slice(11, 19);
+  const cues = Array.from({ length: 1332 }, (_, i) => `${time(i * 4)},000 --> ${time(i * 4 + 2)},000\nLine ${i}\n`);
+  await drop(page, [textFile('film.srt', cues.join('\n'))]);
+  const message = page.getByRole('status');
+  await expect(message).toContainText(/^\D*(\d+) of 1332 lines were placed; \d+ did not fit/);
+  await idle(page);
+  const panels = page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel \d/ });
+  const most = 3 * (await panels.count());
+  await expect(word(page, /^Balloon: Line/)).toHaveCount(most);
+  await expect(word(page, 'Balloon: Line 0')).toBeVisible();
+  await expect(word(page, 'Balloon: Line 333')).toBeVisible();
+  await tab(page, 'Words');
+  await expect(page.getByText(`${1332 - most} unplaced texts`)).toBeVisible();
+  await press(page, 'Undo');
+  await expect(word(page, /^Balloon: Line/)).toHaveCount(0);
+});
 
 test('subtitles of a video become balloons on its frames, and a malformed file is reported with the line', async ({
   page,
