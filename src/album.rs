@@ -1,6 +1,7 @@
 //! Where photos of the command line come from: files, folders as albums, and standard input.
 
 use crate::{Complaint, name};
+use inkpanel::json::unmarked;
 use std::cmp::Ordering;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -43,6 +44,13 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
         Ok(bytes)
     };
     INPUT.get_or_init(input).clone()
+}
+
+/// Reads a file of JSON or TOML, or standard input. A byte order mark, which editors on Windows write, is removed.
+pub(crate) fn text(path: &Path) -> Result<String, Complaint> {
+    let text = String::from_utf8(read(path)?)
+        .map_err(|_| "is no JSON or TOML, as it is not UTF-8 text".to_owned())?;
+    Ok(unmarked(&text).to_owned())
 }
 
 /// The files that are meant: of a folder its pictures and those of the folders in it, in the order in which people count.

@@ -1,6 +1,6 @@
 //! Settings of `render` in a file: each stands for the option of its name, and what the command line says goes before it.
 
-use crate::Complaint;
+use crate::{Complaint, album};
 use clap::{Command, CommandFactory};
 use serde_json::{Map, Value};
 use std::ffi::OsString;
@@ -54,7 +54,7 @@ fn read(file: &Path) -> Result<Map<String, Value>, Complaint> {
     if about.len() > MOST {
         return Err(format!("is larger than {MOST} bytes"));
     }
-    let text = std::fs::read_to_string(file).map_err(|error| error.to_string())?;
+    let text = album::text(file)?;
     let is_json = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
     let value: Value = if is_json {
         serde_json::from_str(&text).map_err(|error| format!("is no JSON: {error}"))?
@@ -122,7 +122,7 @@ fn is_said(arguments: &[OsString], option: &str, short: Option<char>) -> bool {
 }
 
 fn located(file: &str, folder: &Path) -> PathBuf {
-    if file == crate::album::STANDARD { PathBuf::from(file) } else { folder.join(file) }
+    if file == album::STANDARD { PathBuf::from(file) } else { folder.join(file) }
 }
 
 /// A text or a number, or several.

@@ -82,11 +82,11 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
 }
 
 fn read(file: &Path) -> Result<Vec<Document>, Complaint> {
-    let bytes = crate::album::read(file)?;
-    if bytes.len() as u64 > MOST {
+    let text = crate::album::text(file)?;
+    if text.len() as u64 > MOST {
         return Err(format!("is larger than {} MB", MOST >> 20));
     }
-    let value: Value = serde_json::from_slice(&bytes).map_err(|error| format!("is no JSON: {error}"))?;
+    let value: Value = serde_json::from_str(&text).map_err(|error| format!("is no JSON: {error}"))?;
     let values = match value {
         Value::Array(values) => values,
         value => vec![value],

@@ -29,7 +29,7 @@ pub(crate) fn add_words(
     fonts: &GivenFonts,
 ) -> Result<(), Complaint> {
     let complain = |reason: String| format!("{}: {reason}", file.display());
-    let json = std::fs::read_to_string(file).map_err(|error| complain(error.to_string()))?;
+    let json = album::text(file).map_err(complain)?;
     let words: Vec<Value> = serde_json::from_str(&json).map_err(|error| complain(error.to_string()))?;
     let known = |id: &str| {
         let photo = photos.iter().find(|(_, photo)| photo.meta.id == id);

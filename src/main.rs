@@ -827,7 +827,7 @@ fn read_style(id_or_file: &str) -> Result<Style, Complaint> {
     if !Path::new(id_or_file).is_file() {
         return style::catalogue::find(id_or_file).cloned().map_err(|error| error.to_string());
     }
-    let json = std::fs::read_to_string(id_or_file).map_err(|error| format!("{id_or_file}: {error}"))?;
+    let json = album::text(Path::new(id_or_file)).map_err(|error| format!("{id_or_file}: {error}"))?;
     Style::parse(id_or_file, &json).map_err(|error| error.to_string())
 }
 
@@ -839,7 +839,7 @@ fn layout_value(id_or_file: &str) -> Result<Value, Complaint> {
     if !Path::new(id_or_file).is_file() {
         return Ok(Value::String(id_or_file.to_owned()));
     }
-    let json = std::fs::read_to_string(id_or_file).map_err(|error| format!("{id_or_file}: {error}"))?;
+    let json = album::text(Path::new(id_or_file)).map_err(|error| format!("{id_or_file}: {error}"))?;
     Template::parse(id_or_file, &json).map_err(|error| error.to_string())?;
     serde_json::from_str(&json).map_err(|error| format!("{id_or_file}: {error}"))
 }

@@ -1,6 +1,6 @@
 //! Plans of the command line: pages made, told as JSON, read back and judged.
 
-use crate::album::is_standard;
+use crate::album::{self, is_standard};
 use crate::destination::Output;
 use crate::{Complaint, drawing, import_all, name, telling};
 use inkpanel::framing::{Crop, PhotoMeta};
@@ -119,7 +119,7 @@ pub(crate) fn score(
     models: Option<&Path>,
 ) -> Result<(), Complaint> {
     let complain = |reason: String| format!("{}: {reason}", file.display());
-    let text = std::fs::read_to_string(file).map_err(|error| complain(error.to_string()))?;
+    let text = album::text(file).map_err(complain)?;
     let plan: Value =
         serde_json::from_str(&text).map_err(|error| complain(format!("is no JSON: {error}")))?;
     let pages = plan["pages"].as_array().ok_or_else(|| complain("has no list of \"pages\"".into()))?;

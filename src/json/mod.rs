@@ -23,6 +23,12 @@ use crate::error::Error;
 use serde::Deserialize;
 use std::fmt;
 
+/// Returns a text without its byte order mark, if it has one.
+#[must_use]
+pub fn unmarked(text: &str) -> &str {
+    text.strip_prefix('\u{feff}').unwrap_or(text)
+}
+
 /// What the page itself has written, as `serde` reads it.
 ///
 /// # Errors

@@ -1,6 +1,6 @@
 //! Text parsed within bounds: its length, the number of its values, the length of each text in it.
 
-use super::{Read, Wrong};
+use super::{Read, Wrong, unmarked};
 use serde::de::{DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
@@ -18,7 +18,7 @@ pub struct Bounds {
     pub text: usize,
 }
 
-/// Parses text within bounds. Half a character (a lone surrogate, as cutting a text leaves it) is read as U+FFFD.
+/// Parses text within bounds, with or without a byte order mark. Half a character (a lone surrogate, as cutting a text leaves it) is read as U+FFFD.
 ///
 /// # Errors
 /// For what is no JSON, and beyond the bounds, with the place.
@@ -26,7 +26,7 @@ pub fn parse(json: &str, bounds: Bounds) -> Read<Value> {
     if json.len() > bounds.bytes {
         return Err(Wrong::beyond(&format!("is longer than {} MB", bounds.bytes >> 20)));
     }
-    let json = whole_characters(json);
+    let json = whole_characters(unmarked(json));
     let budget =
         Budget { bounds, left: Cell::new(bounds.values), path: RefCell::default(), over: Cell::new(false) };
     let mut deserializer = serde_json::Deserializer::from_str(&json);

@@ -414,6 +414,56 @@ fn a_project_and_a_page_with_its_project_open_again_as_they_were() {
 }
 
 #[test]
+fn a_byte_order_mark_is_no_part_of_a_file() {
+    let folder = album();
+    let path = folder.path();
+    let files = [
+        ("words.json", r#"[{ "kind": "caption", "text": "Later" }]"#.to_owned()),
+        (
+            "style.json",
+            r#"{ "id": "mine", "background": [{ "block": "posterize", "levels": 5 }] }"#.to_owned(),
+        ),
+        (
+            "layout.json",
+            r#"{ "id": "mine", "name": "Mine", "family": "custom", "aspect": 0.7, "tree": { "rows": ["panel", "panel"] } }"#
+                .to_owned(),
+        ),
+        (
+            "settings.json",
+            r#"{ "seed": 5, "words": "words.json", "style": "style.json", "layout": "layout.json" }"#
+                .to_owned(),
+        ),
+        (
+            "settings.toml",
+            "seed = 5\nwords = \"words.json\"\nstyle = \"style.json\"\nlayout = \"layout.json\"\n".to_owned(),
+        ),
+    ];
+    let pages = |mark: &str| {
+        for (name, text) in &files {
+            fs::write(path.join(name), format!("{mark}{text}")).unwrap();
+        }
+        let page = |settings: &str| {
+            let more = ["--config", settings, "-o", "page.png", "--save-document", "page.json", "album"];
+            let small = ["render", "--no-detect", "--page-size", "200x280"];
+            let done = inkpanel(path, &[&small[..], &more].concat());
+            assert!(done.status.success(), "{settings}: {}", text(&done.stderr));
+            fs::read(path.join("page.png")).unwrap()
+        };
+        let drawn = ["settings.json", "settings.toml"].map(page);
+        let document = fs::read_to_string(path.join("page.json")).unwrap();
+        fs::write(path.join("page.json"), format!("{mark}{document}")).unwrap();
+        let again = inkpanel(path, &["render", "--document", "page.json", "-o", "again.png", "album"]);
+        assert!(again.status.success(), "{}", text(&again.stderr));
+        let plan = render(path, &["--json", "album"]);
+        fs::write(path.join("plan.json"), format!("{mark}{}", text(&plan.stdout))).unwrap();
+        let score = inkpanel(path, &["score", "--no-detect", "plan.json"]);
+        assert!(score.status.success(), "{}", text(&score.stderr));
+        (drawn, fs::read(path.join("again.png")).unwrap(), score.stdout)
+    };
+    assert!(pages("\u{feff}") == pages(""));
+}
+
+#[test]
 fn families_of_layouts_and_styles_are_kept_to() {
     let folder = folder();
     for seed in ["1", "2", "3"] {
