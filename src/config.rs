@@ -3,14 +3,13 @@
 use crate::{Complaint, album};
 use clap::{Command, CommandFactory};
 use serde_json::{Map, Value};
+use std::any::TypeId;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 /// Bytes of a file of settings.
 const MOST: u64 = 1 << 20;
-/// Settings that name files, which are looked for from the folder of the file of settings.
-const FILES: [&str; 6] = ["output", "words", "star", "models", "document", "save-document"];
-/// Those that may name a file or something else.
+/// Settings that may name a file or something else.
 const PERHAPS_FILES: [&str; 2] = ["layout", "style"];
 
 /// The arguments with those of the file that `--config` names put before them, and the photos that the file names.
@@ -97,9 +96,11 @@ fn options(
             }
             continue;
         }
+        // Files are looked for from the folder of the file of settings.
+        let names_files = known.get_value_parser().type_id() == TypeId::of::<PathBuf>();
         for text in texts(&value, &key)? {
-            let is_file = FILES.contains(&name.as_str())
-                || (PERHAPS_FILES.contains(&name.as_str()) && folder.join(&text).is_file());
+            let is_file =
+                names_files || (PERHAPS_FILES.contains(&name.as_str()) && folder.join(&text).is_file());
             let value = if is_file { located(&text, folder).into_os_string() } else { text.into() };
             // A number below 0 would else be taken for an option.
             let mut whole = OsString::from(format!("{option}="));
@@ -158,6 +159,27 @@ mod tests {
         let settings = json!({ "seed": 7, "merge": true, "no_detect": false, "star": ["a.jpg", "b.jpg"], "files": "c.jpg" });
         let expected = ["--merge", "--seed=7", "--star=album/a.jpg", "--star=album/b.jpg", "album/c.jpg"];
         assert_eq!(made(settings, &[]).unwrap(), expected);
+    }
+
+    #[test]
+    fn every_option_that_takes_a_file_is_beside_the_settings() {
+        let command = crate::Cli::command();
+        let render = command.find_subcommand("render").unwrap();
+        let takes_file = |name: &str| {
+            let option = render.get_arguments().find(|argument| argument.get_long() == Some(name)).unwrap();
+            let names = option.get_value_names().unwrap_or_default();
+            names.iter().any(|name| ["FILE", "DIR", "OUTPUT"].contains(&name.as_str()))
+        };
+        let mut files = Vec::new();
+        let options = render.get_arguments().filter(|option| option.get_action().takes_values());
+        for name in options.filter_map(clap::Arg::get_long).filter(|name| *name != "config") {
+            let made = made(json!({ name: "x" }), &[]).unwrap();
+            assert_eq!(made == [format!("--{name}=album/x")], takes_file(name), "{name}");
+            files.extend(takes_file(name).then_some(name));
+        }
+        for name in ["font", "output", "words", "star", "models", "document", "save-document"] {
+            assert!(files.contains(&name), "{name}");
+        }
     }
 
     #[test]

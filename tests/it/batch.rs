@@ -464,6 +464,21 @@ fn a_byte_order_mark_is_no_part_of_a_file() {
 }
 
 #[test]
+fn a_font_in_a_file_of_settings_is_beside_it() {
+    let folder = album();
+    let font = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/fonts/arabic.ttf");
+    let settings = folder.path().join("settings");
+    fs::create_dir(&settings).unwrap();
+    fs::copy(font, settings.join("arabic.ttf")).unwrap();
+    fs::write(settings.join("words.json"), r#"[{ "kind": "balloon", "text": "مرحبا" }]"#).unwrap();
+    let toml = "font = [\"arabic.ttf\"]\nwords = \"words.json\"\n";
+    fs::write(settings.join("page.toml"), toml).unwrap();
+    let done = render(folder.path(), &["--config", "settings/page.toml", "-o", "page.png", "album"]);
+    let said = text(&done.stderr);
+    assert!(done.status.success() && !said.contains("no font"), "{said}");
+}
+
+#[test]
 fn families_of_layouts_and_styles_are_kept_to() {
     let folder = folder();
     for seed in ["1", "2", "3"] {
