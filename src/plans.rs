@@ -274,12 +274,13 @@ pub(crate) fn draw_all(
     Ok(files)
 }
 
-/// Where a file's name has a number's place, `%d` or `%02d`: its bytes, and the digits that the number has at least.
+/// Finds the first number's place in the name of a file, `%d` or `%02d`. Returns its bytes, and the minimum number of digits.
 fn number_place(text: &str) -> Option<(Range<usize>, usize)> {
-    let from = text.find('%')?;
-    let digits: String = text[from + 1..].chars().take_while(char::is_ascii_digit).take(2).collect();
-    let to = from + 1 + digits.len();
-    text[to..].starts_with('d').then(|| (from..to + 1, digits.parse().unwrap_or(0).min(9)))
+    text.match_indices('%').find_map(|(from, _)| {
+        let digits: String = text[from + 1..].chars().take_while(char::is_ascii_digit).take(2).collect();
+        let to = from + 1 + digits.len();
+        text[to..].starts_with('d').then(|| (from..to + 1, digits.parse().unwrap_or(0).min(9)))
+    })
 }
 
 /// Whether a name asks for one file a page.

@@ -479,6 +479,14 @@ fn a_font_in_a_file_of_settings_is_beside_it() {
 }
 
 #[test]
+fn a_percent_sign_may_stand_before_the_place_of_the_number() {
+    let folder = album();
+    let done = render(folder.path(), &["--pages", "2", "-o", "100% page-%02d.png", "album"]);
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    assert!(["100% page-01.png", "100% page-02.png"].iter().all(|name| folder.path().join(name).is_file()));
+}
+
+#[test]
 fn families_of_layouts_and_styles_are_kept_to() {
     let folder = folder();
     for seed in ["1", "2", "3"] {
