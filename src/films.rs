@@ -1,7 +1,8 @@
 //! The shots of a film, for the command line. There is no decoder of films here: that of `ffmpeg` is used where it is
 //! installed, by two of its programs and over a pipe.
 
-use std::io::Read;
+use std::ffi::OsString;
+use std::io::{self, Read};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -11,12 +12,16 @@ use inkpanel::select::shots::{Film, Shot};
 use inkpanel::select::stills::{self, Still, Wish};
 use serde_json::{Value, json};
 
-use crate::Complaint;
+use crate::{Complaint, telling};
 
 /// Frames are asked for in this width at most, in pixels.
 const ACROSS: usize = 640;
 /// A film of more frames is looked at less often.
 const MOST_LOOKS: f64 = 20_000.0;
+/// Seconds by which the frames of a complete video may end before the duration in its header.
+const SLACK: f64 = 0.5;
+/// Maximum length of the messages of ffmpeg that are read, in bytes.
+const MOST_MESSAGES: u64 = 1 << 16;
 
 /// The shots of a film, each with its seconds and those of the frames that stand for it, `count` of them, or as many as suit
 /// it.
@@ -25,9 +30,13 @@ const MOST_LOOKS: f64 = 20_000.0;
 /// A sentence: without ffmpeg, and for a file that it does not read.
 pub(crate) fn shots(film: &Path, count: Option<usize>) -> Result<Value, Complaint> {
     let about = About::of(film)?;
-    let seen = look_at(film, &about)?;
+    let (seen, is_damaged) = look_at(film, &about)?;
     // The header of a truncated film still says how long it was.
     let end = seen.times().last().copied().unwrap_or_default() + 1.0 / about.rate;
+    if let Some(whole) = about.film.filter(|whole| is_damaged && end < whole - SLACK) {
+        let why = format!("the video is truncated: its frames end at {end:.2} s of {whole:.2} s");
+        telling::note(Some(&film.display().to_string()), &why);
+    }
     let shots = seen.shots(end);
     let chosen = stills::choose(&seen, &shots, &Wish { count, ..Wish::default() });
     Ok(shots.iter().enumerate().map(|(i, shot)| told(i, shot, &chosen, &about)).collect())
@@ -61,26 +70,44 @@ struct About {
     rate: f64,
     /// The timecode of its first picture.
     timecode: Option<StartTimecode>,
+    /// Duration of its video stream by its header, in seconds; `None` if the header does not say.
+    film: Option<f64>,
+}
+
+/// The argument that names a file. Without the protocol ffmpeg takes a colon for a protocol, and a dash for an option.
+fn named(film: &Path) -> OsString {
+    let mut name = OsString::from("file:");
+    name.push(film);
+    name
+}
+
+/// The last message of ffmpeg, which says why it stopped, without the name of the file.
+fn reason(messages: &[u8], film: &Path) -> String {
+    let text = String::from_utf8_lossy(messages);
+    let line = text.lines().last().unwrap_or_default();
+    line.replace(&format!("file:{}: ", film.display()), "").trim().to_owned()
 }
 
 impl About {
     fn of(film: &Path) -> Result<Self, Complaint> {
         let mut probe = Command::new("ffprobe");
         probe.args(["-v", "error", "-select_streams", "V:0", "-of", "json", "-show_entries"]);
-        probe
-            .arg("stream=width,height,avg_frame_rate:stream_tags=timecode:format=duration")
-            .arg(film)
-            .stdin(Stdio::null());
-        let answer = probe.output().map_err(|_| "films need ffmpeg, which is not installed".to_owned())?;
+        probe.arg("stream=width,height,avg_frame_rate,duration:stream_tags=timecode:format=duration");
+        probe.arg(named(film)).stdin(Stdio::null());
+        let answer = probe.output().map_err(|_| "videos need ffmpeg, which is not installed".to_owned())?;
         let name = film.display();
         let told: Value = serde_json::from_slice(&answer.stdout).unwrap_or_default();
         let stream = &told["streams"][0];
         let size = |field: &str| stream[field].as_u64().filter(|&size| size > 0 && size <= 16_384);
         let (Some(width), Some(height)) = (size("width"), size("height")) else {
-            let why = String::from_utf8_lossy(&answer.stderr).lines().next().unwrap_or_default().to_owned();
-            return Err(format!("{name}: it is no film that ffmpeg reads {why}").trim_end().to_owned());
+            let why = reason(&answer.stderr, film);
+            let why = if why.is_empty() { "it has no pictures" } else { &why };
+            return Err(format!("{name}: ffmpeg cannot read this video: {why}"));
         };
-        let duration = told["format"]["duration"].as_str().and_then(|text| text.parse().ok()).unwrap_or(0.0);
+        let seconds = |part: &Value| part["duration"].as_str().and_then(|text| text.parse::<f64>().ok());
+        let whole = seconds(&told["format"]);
+        let film = seconds(stream).or(whole);
+        let duration = whole.unwrap_or(0.0);
         let rate = stream["avg_frame_rate"].as_str().and_then(|rate| {
             let (frames, seconds) = rate.split_once('/')?;
             Some(frames.parse::<f64>().ok()? / seconds.parse::<f64>().ok()?)
@@ -93,21 +120,31 @@ impl About {
         let across = (width as usize).min(ACROSS) / 2 * 2;
         let down = (height as usize * across / width as usize).max(2) / 2 * 2;
         let rate = if duration * rate > MOST_LOOKS { MOST_LOOKS / duration } else { rate };
-        Ok(Self { width: across.max(2), height: down, frame_rate, rate, timecode })
+        Ok(Self { width: across.max(2), height: down, frame_rate, rate, film, timecode })
     }
 }
 
-fn look_at(film: &Path, about: &About) -> Result<Film, Complaint> {
+/// Looks at the frames of a film. Returns also whether ffmpeg complained of the file.
+fn look_at(film: &Path, about: &About) -> Result<(Film, bool), Complaint> {
     let mut ffmpeg = Command::new("ffmpeg");
-    ffmpeg.args(["-v", "error", "-nostdin", "-noautorotate", "-i"]).arg(film).args(["-map", "0:V:0", "-vf"]);
-    // A film begins with its first picture, whatever the time of that in the file.
+    ffmpeg.args(["-v", "error", "-nostdin", "-noautorotate", "-i"]).arg(named(film));
+    ffmpeg.args(["-map", "0:V:0", "-vf"]);
+    // A video starts at its first picture, whatever the time of that picture in the file.
     let (rate, width, height) = (about.rate, about.width, about.height);
     ffmpeg.arg(format!("setpts=PTS-STARTPTS,fps={rate},scale={width}:{height}"));
-    ffmpeg.args(["-pix_fmt", "yuv420p", "-f", "rawvideo", "-"]).stdin(Stdio::null()).stdout(Stdio::piped());
-    let failed = |error: std::io::Error| format!("ffmpeg: {error}");
+    ffmpeg.args(["-pix_fmt", "yuv420p", "-f", "rawvideo", "-"]);
+    ffmpeg.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let failed = |error: io::Error| format!("ffmpeg: {error}");
     let mut running = ffmpeg.spawn().map_err(failed)?;
     let mut out = running.stdout.take().ok_or("ffmpeg gives no answer")?;
-    let (width, height) = (about.width, about.height);
+    let mut said = running.stderr.take().ok_or("ffmpeg gives no answer")?;
+    // Both pipes are read at once: ffmpeg stops while one of them is full.
+    let messages = std::thread::spawn(move || {
+        let mut messages = Vec::new();
+        let _ = said.by_ref().take(MOST_MESSAGES).read_to_end(&mut messages);
+        let _ = io::copy(&mut said, &mut io::sink());
+        messages
+    });
     let mut frame = vec![0; width * height * 3 / 2];
     let mut seen = Film::new();
     let mut number = 0;
@@ -118,12 +155,13 @@ fn look_at(film: &Path, about: &About) -> Result<Film, Complaint> {
         );
         number += 1;
     }
-    // A film that breaks off gives what it has.
+    drop(out);
     running.wait().map_err(failed)?;
+    let messages = messages.join().unwrap_or_default();
     if number == 0 {
-        return Err(format!("{}: ffmpeg reads no frame of it", film.display()));
+        return Err(format!("{}: ffmpeg decodes no frame: {}", film.display(), reason(&messages, film)));
     }
-    Ok(seen)
+    Ok((seen, !messages.is_empty()))
 }
 
 /// Looks at a frame in I420.

@@ -413,6 +413,81 @@ fn a_project_and_a_page_with_its_project_open_again_as_they_were() {
     assert!(text(&wrong.stderr).contains("only a PNG carries its project"));
 }
 
+/// Whether ffmpeg is there, which decodes films. Tests of films are skipped without it.
+fn has_ffmpeg() -> bool {
+    let found = ["ffmpeg", "ffprobe"].iter().all(|program| Command::new(program).output().is_ok());
+    if !found {
+        eprintln!("\n*** SKIPPED: films were not looked at. ffmpeg is needed for it. ***\n");
+    }
+    found
+}
+
+/// Six shots of one second each.
+fn film() -> Vec<u8> {
+    fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/videos/album.mp4")).unwrap()
+}
+
+#[test]
+fn a_film_has_shots_whatever_it_is_called() {
+    if !has_ffmpeg() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let shots = |name: &str| inkpanel(folder.path(), &["shots", "--json", "--", name]);
+    let named = |name: &str| {
+        fs::write(folder.path().join(name), film()).unwrap();
+        let done = shots(name);
+        assert_eq!((done.status.code(), text(&done.stderr)), (Some(0), String::new()), "{name}");
+        serde_json::from_slice::<serde_json::Value>(&done.stdout).unwrap()
+    };
+    let plain = named("film.mp4");
+    assert_eq!((plain.as_array().unwrap().len(), &plain[5]["end"]), (6, &serde_json::json!(6.0)));
+    for name in ["clip:1.mp4", "-dash.mp4", "file:a.mp4", "%03d.mp4", "Größe 12\u{30b3}.mp4"] {
+        assert_eq!(named(name), plain, "{name}");
+    }
+    fs::write(folder.path().join("no:film.mp4"), "this is no film").unwrap();
+    for (name, why) in [("no:film.mp4", "Invalid data"), ("none.mp4", "No such file")] {
+        let done = shots(name);
+        let said = text(&done.stderr);
+        assert_eq!((done.status.code(), said.lines().count()), (Some(1), 1), "{said}");
+        assert!(said.contains(&format!("{name}: ffmpeg cannot read this video: ")), "{said}");
+        assert!(said.contains(why) && !said.contains("file:"), "{said}");
+    }
+}
+
+#[test]
+fn a_truncated_film_ends_with_its_last_frame_and_is_named() {
+    if !has_ffmpeg() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let film = film();
+    fs::write(folder.path().join("cut.mp4"), &film[..film.len() / 2]).unwrap();
+    let done = inkpanel(folder.path(), &["shots", "--json", "cut.mp4"]);
+    let said = text(&done.stderr);
+    assert_eq!(done.status.code(), Some(0), "{said}");
+    let shots: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let shots = shots.as_array().unwrap();
+    let end = shots.last().unwrap()["end"].as_f64().unwrap();
+    // The frames are counted by ffprobe.
+    let mut ffprobe = Command::new("ffprobe");
+    ffprobe.args([
+        "-v",
+        "quiet",
+        "-count_frames",
+        "-show_entries",
+        "stream=nb_read_frames",
+        "-of",
+        "csv=p=0",
+    ]);
+    let counted = ffprobe.arg("cut.mp4").current_dir(folder.path()).output().unwrap();
+    let frames: f64 = text(&counted.stdout).trim().parse().unwrap();
+    assert!(end < 4.5 && (end - frames / 12.0).abs() < 0.13, "{end} s, {frames} frames");
+    let expected =
+        format!("inkpanel: cut.mp4: the video is truncated: its frames end at {end:.2} s of 6.00 s\n");
+    assert_eq!(said, expected);
+}
+
 #[test]
 fn a_byte_order_mark_is_no_part_of_a_file() {
     let folder = album();
