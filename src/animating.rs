@@ -6,6 +6,7 @@ mod pages;
 mod reel;
 mod shots;
 
+use crate::destination::print_lines;
 use crate::{Complaint, album, drawing, reopening, telling};
 use drawn::Drawn;
 use inkpanel::document::saved::Saved;
@@ -110,8 +111,8 @@ fn film(
 fn tell(plan: &Animatic, (of, told): (&str, Value), asked: &Animate) -> Result<(), Complaint> {
     let pattern = asked.output.join("frame-%05d.png").display().to_string();
     if !asked.json {
-        println!("{pattern}  {} frames, {} a second", plan.frames, (plan.rate * 1000.0).round() / 1000.0);
-        return Ok(());
+        let rate = (plan.rate * 1000.0).round() / 1000.0;
+        return print_lines([format!("{pattern}  {} frames, {rate} a second", plan.frames)]);
     }
     crate::print(&json!({
         "frames": plan.frames, "fps": plan.fps, "rate": plan.rate, "width": plan.size[0], "height": plan.size[1],

@@ -1,4 +1,5 @@
-//! Where results of the command line go: files that are there whole or not at all, and standard output.
+//! Where results of the command line go: files that are there whole or not at all, and standard output. Printing macros
+//! panic when their pipe is closed, so the command line prints by the functions here and in `telling`.
 
 use crate::Complaint;
 use crate::album::is_standard;
@@ -54,12 +55,7 @@ impl Output {
 /// A sentence with the name; then nothing of it is left, and a file that was there is as it was.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
     if is_standard(path) {
-        let mut out = std::io::stdout().lock();
-        return match out.write_all(bytes).and_then(|()| out.flush()) {
-            // A reader that has gone away is no failure.
-            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(format!("standard output: {error}")),
-            _ => Ok(()),
-        };
+        return print(bytes);
     }
     let complain = |error: std::io::Error| format!("{}: {error}", path.display());
     // What is linked stays a link; what is no file, such as a pipe, cannot be put in place of.
@@ -75,6 +71,27 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
         let _ = fs::remove_file(&fresh);
     }
     placed.map_err(complain)
+}
+
+/// Writes to standard output. A closed pipe is not an error: the reader has all that it wants.
+///
+/// # Errors
+/// A sentence for any other failure.
+pub(crate) fn print(bytes: &[u8]) -> Result<(), Complaint> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(format!("standard output: {error}")),
+        _ => Ok(()),
+    }
+}
+
+/// Prints lines to standard output, as [`print`] does.
+///
+/// # Errors
+/// Those of [`print`].
+pub(crate) fn print_lines(lines: impl IntoIterator<Item = String>) -> Result<(), Complaint> {
+    let text: String = lines.into_iter().map(|line| line + "\n").collect();
+    print(text.as_bytes())
 }
 
 /// A name in the same folder that no other run has.

@@ -7,7 +7,7 @@ use inkpanel::page::import::Imported;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
-use crate::Complaint;
+use crate::{Complaint, telling};
 
 /// Reads the nets from `folder`, or from where they usually are.
 pub(crate) fn load(folder: Option<&Path>) -> Result<Detectors, Complaint> {
@@ -58,7 +58,7 @@ fn find() -> Option<PathBuf> {
 pub(crate) fn run(detectors: &Detectors, photos: &[(PathBuf, Imported)]) -> Vec<Vec<Detection>> {
     let found = photos.par_iter().map(|(path, photo)| {
         detectors.detect(&photo.work).unwrap_or_else(|error| {
-            eprintln!("inkpanel: {}: {error}", path.display());
+            telling::note(Some(&path.display().to_string()), &error.to_string());
             Vec::new()
         })
     });

@@ -1,6 +1,5 @@
 //! Styles from a picture, for the command line.
 
-use std::io::Write;
 use std::path::Path;
 
 use inkpanel::style::imitate::{self, Ask, Search, Seen};
@@ -8,7 +7,7 @@ use inkpanel::style::{Context, Style};
 use rayon::prelude::*;
 use serde_json::Value;
 
-use crate::{Complaint, decode_file_fit};
+use crate::{Complaint, decode_file_fit, telling};
 
 /// Long side of what is measured: more shows no more of a screen.
 const SIDE: usize = 1600;
@@ -22,9 +21,7 @@ pub(crate) fn imitate(picture: &Path, photo: &Path, seed: u32, anyway: bool) -> 
     let photo = decode_file_fit(photo, SIDE)?;
     let mut search = Search::new(look, seed);
     loop {
-        eprint!("\rlooking for styles: {:3.0} %", search.progress(0) * 100.0);
-        // Standard error that is gone is no reason to stop.
-        let _ = std::io::stderr().flush();
+        telling::print(&format!("\rlooking for styles: {:3.0} %", search.progress(0) * 100.0));
         let asks = search.ask();
         if asks.is_empty() {
             break;
@@ -34,6 +31,6 @@ pub(crate) fn imitate(picture: &Path, photo: &Path, seed: u32, anyway: bool) -> 
         let attempt = |ask: &Ask| imitate::attempt(&seen, &ask.style, &mut Context::default()).ok();
         search.tell(asks.par_iter().map(attempt).collect());
     }
-    eprintln!();
+    telling::print("\n");
     Ok(search.proposals().iter().map(Style::to_value).collect())
 }

@@ -8,7 +8,7 @@ use inkpanel::style::{Context, Style, aesthetic, procedural, stylize};
 use rayon::prelude::*;
 use serde_json::Value;
 
-use crate::{Complaint, decode_file_fit, detectors};
+use crate::{Complaint, decode_file_fit, detectors, telling};
 
 /// Long side of the picture that is scored.
 const SIDE: usize = 256;
@@ -35,7 +35,7 @@ fn judge(models: Option<&Path>) -> Option<Aesthetics> {
     match detectors::load_aesthetics(models) {
         Ok(net) => Some(net),
         Err(complaint) => {
-            eprintln!("inkpanel: {complaint}; the light score is given");
+            telling::note(None, &format!("{complaint}; the light score is given"));
             None
         }
     }

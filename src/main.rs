@@ -3,6 +3,8 @@
 //! Progress and complaints go to standard error, results to standard output. Exit codes: 0 done, 1 bad input,
 //! 2 wrong usage (from the argument parser).
 
+#![deny(clippy::print_stdout, clippy::print_stderr, reason = "a closed pipe makes them panic")]
+
 mod album;
 mod animating;
 mod boards;
@@ -49,7 +51,7 @@ use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use album::told;
-use destination::Output;
+use destination::{Output, print_lines};
 use drawing::Kind;
 use paper::Paper;
 
@@ -682,14 +684,12 @@ fn select_photos(files: &[PathBuf], as_json: bool, threshold: u32) -> Result<(),
         })
         .collect();
     if as_json {
-        println!("{}", Value::Array(rows));
-    } else {
-        for ((path, _), verdict) in photos.iter().zip(&verdicts) {
-            let mark = if verdict.kept { "keep" } else { "skip" };
-            println!("{mark}  {}  {}", path.display(), verdict.why);
-        }
+        return print(&Value::Array(rows));
     }
-    Ok(())
+    print_lines(photos.iter().zip(&verdicts).map(|((path, _), verdict)| {
+        let mark = if verdict.kept { "keep" } else { "skip" };
+        format!("{mark}  {}  {}", path.display(), verdict.why)
+    }))
 }
 
 fn detect_photos(files: &[PathBuf], as_json: bool, models: Option<&Path>) -> Result<(), Complaint> {
@@ -703,15 +703,13 @@ fn detect_photos(files: &[PathBuf], as_json: bool, models: Option<&Path>) -> Res
         json!({ "file": path.display().to_string(), "boxes": detectors::boxes(photo, found) })
     });
     if as_json {
-        println!("{}", Value::Array(rows.collect()));
-        return Ok(());
+        return print(&Value::Array(rows.collect()));
     }
-    for ((path, _), found) in photos.iter().zip(&found) {
+    print_lines(photos.iter().zip(&found).map(|((path, _), found)| {
         let words: Vec<String> =
             found.iter().map(|d| format!("{} {:.0} %", d.label, d.score * 100.0)).collect();
-        println!("{}  {}", path.display(), words.join(", "));
-    }
-    Ok(())
+        format!("{}  {}", path.display(), words.join(", "))
+    }))
 }
 
 /// Tells framing what is in the photos; without the nets it goes by contrast, which is said once.
@@ -737,42 +735,32 @@ fn shots_of(film: &Path, frames: Option<u32>, as_json: bool) -> Result<(), Compl
     if as_json {
         return print(&shots);
     }
-    for shot in shots.as_array().into_iter().flatten() {
+    print_lines(shots.as_array().into_iter().flatten().map(|shot| {
         let frames: Vec<String> =
             shot["frames"].as_array().into_iter().flatten().map(Value::to_string).collect();
-        let told =
-            format!("{}\t{}\t{}\t", shot["start"], shot["end"], shot["kind"].as_str().unwrap_or_default());
-        println!("{}\t{told}{}", shot["shot"], frames.join(" "));
-    }
-    Ok(())
+        let kind = shot["kind"].as_str().unwrap_or_default();
+        format!("{}\t{}\t{}\t{kind}\t{}", shot["shot"], shot["start"], shot["end"], frames.join(" "))
+    }))
 }
 
-/// Prints JSON; a reader that has gone away is no failure.
+/// Prints JSON.
 fn print(value: &Value) -> Result<(), Complaint> {
     list(value, true)
 }
 
-/// Prints a catalogue; a reader that has gone away is no failure.
+/// Prints a catalogue.
 fn list(catalogue: &impl serde::Serialize, as_json: bool) -> Result<(), Complaint> {
     // As text first: a value of JSON would make other numbers of those of layouts than the page is told.
     let text = serde_json::to_string(catalogue).map_err(|error| error.to_string())?;
-    let catalogue: Value = serde_json::from_str(&text).map_err(|error| error.to_string())?;
-    let mut out = std::io::stdout().lock();
-    let print = |out: &mut dyn std::io::Write| -> std::io::Result<()> {
-        if as_json {
-            return writeln!(out, "{text}");
-        }
-        for item in catalogue.as_array().into_iter().flatten() {
-            let field = |key: &str| item[key].as_str().unwrap_or_default();
-            let label = if field("name").is_empty() { field("label") } else { field("name") };
-            writeln!(out, "{:<24}{label}", field("id"))?;
-        }
-        Ok(())
-    };
-    match print(&mut out) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.to_string()),
-        _ => Ok(()),
+    if as_json {
+        return print_lines([text]);
     }
+    let catalogue: Value = serde_json::from_str(&text).map_err(|error| error.to_string())?;
+    print_lines(catalogue.as_array().into_iter().flatten().map(|item| {
+        let field = |key: &str| item[key].as_str().unwrap_or_default();
+        let label = if field("name").is_empty() { field("label") } else { field("name") };
+        format!("{:<24}{label}", field("id"))
+    }))
 }
 
 /// Reads files side by side; names those that cannot be read and goes on without them.

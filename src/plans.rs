@@ -1,7 +1,7 @@
 //! Plans of the command line: pages made, told as JSON, read back and judged.
 
 use crate::album::{self, is_standard};
-use crate::destination::Output;
+use crate::destination::{Output, print_lines};
 use crate::{Complaint, drawing, import_all, name, telling};
 use inkpanel::framing::{Crop, PhotoMeta};
 use inkpanel::layout::{self, Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
@@ -136,7 +136,7 @@ pub(crate) fn score(
         crate::add_subjects(&mut photos, models);
     }
     let metas: Vec<PhotoMeta> = photos.iter().map(|(_, photo)| photo.meta.clone()).collect();
-    let mut told = Vec::new();
+    let (mut told, mut lines) = (Vec::new(), Vec::new());
     for (number, page) in pages.iter().enumerate() {
         let at = |reason: String| complain(format!("page {}: {reason}", number + 1));
         let known =
@@ -149,13 +149,13 @@ pub(crate) fn score(
         } else {
             let terms: Vec<String> =
                 score.terms().iter().map(|(term, value)| format!("{term} {value:.2}")).collect();
-            println!("page {}  {:.2}  {}", number + 1, score.total(), terms.join(", "));
+            lines.push(format!("page {}  {:.2}  {}", number + 1, score.total(), terms.join(", ")));
         }
     }
     if as_json {
-        println!("{}", json!({ "pages": told }));
+        return crate::print(&json!({ "pages": told }));
     }
-    Ok(())
+    print_lines(lines)
 }
 
 fn located(photo: &Path, plan: &Path) -> PathBuf {

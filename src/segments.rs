@@ -14,6 +14,7 @@ use inkpanel::style::Style;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
+use crate::destination::print_lines;
 use crate::{Complaint, album, detectors, telling};
 
 /// Writes a mask for each photo into `folder`, which is made where it is not there.
@@ -45,12 +46,11 @@ pub(crate) fn segment(
     if as_json {
         return crate::print(&Value::Array(rows));
     }
-    for row in &rows {
-        let text = |key: &str| row[key].as_str().unwrap_or_default().to_owned();
-        let share = |key: &str| row[key].as_f64().unwrap_or_default() * 100.0;
-        println!("{}  {:.0} % of {}", text("mask"), share("coverage"), text("file"));
-    }
-    Ok(())
+    print_lines(rows.iter().map(|row| {
+        let text = |key: &str| row[key].as_str().unwrap_or_default();
+        let share = row["coverage"].as_f64().unwrap_or_default() * 100.0;
+        format!("{}  {share:.0} % of {}", text("mask"), text("file"))
+    }))
 }
 
 /// Tells of each photo which part of it is its subject; where that fails, it is told and the photo has none.

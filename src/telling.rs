@@ -1,6 +1,7 @@
 //! What the command line says while it works, on standard error: sentences for people, or a line of JSON for each step.
 
 use serde_json::{Value, json};
+use std::io::Write;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 static AS_JSON: AtomicBool = AtomicBool::new(false);
@@ -30,10 +31,16 @@ pub(crate) fn notes() -> usize {
 /// A step of long work is done; people are told of it where it has a sentence.
 pub(crate) fn step(event: &Value, sentence: Option<String>) {
     if AS_JSON.load(Ordering::Relaxed) {
-        eprintln!("{event}");
+        print(&format!("{event}\n"));
     } else if let Some(sentence) = sentence {
-        eprintln!("inkpanel: {sentence}");
+        print(&format!("inkpanel: {sentence}\n"));
     }
+}
+
+/// Prints text to standard error. The work goes on if standard error is closed.
+pub(crate) fn print(text: &str) {
+    let mut out = std::io::stderr().lock();
+    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
 }
 
 /// The end of work that failed.

@@ -427,6 +427,77 @@ fn film() -> Vec<u8> {
     fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/videos/album.mp4")).unwrap()
 }
 
+/// Runs it with a pipe that is closed already, as standard output or as standard error.
+fn closed(folder: &Path, arguments: &[&str], is_error: bool) -> Output {
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_inkpanel"));
+    command.args(arguments).current_dir(folder).stdout(Stdio::piped()).stderr(Stdio::piped());
+    if is_error {
+        command.stderr(writer)
+    } else {
+        command.stdout(writer)
+    };
+    command.spawn().unwrap().wait_with_output().unwrap()
+}
+
+#[test]
+fn no_command_panics_when_its_output_is_closed() {
+    let folder = album();
+    let path = folder.path();
+    let plan = render(path, &["--json", "--panels", "2", "album"]);
+    fs::write(path.join("plan.json"), plan.stdout).unwrap();
+    fs::write(path.join("broken.jpg"), "no photo").unwrap();
+    let small = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/files/jpeg-444.jpg");
+    fs::copy(small, path.join("small.jpg")).unwrap();
+    fs::write(path.join("film.mp4"), film()).unwrap();
+    let saved = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/saved/version-1/storyboard.inkpanel");
+    fs::copy(saved, path.join("Trip.inkpanel")).unwrap();
+    let bee = "album/bee.jpg";
+    let animate = ["animate", "Trip.inkpanel", "-o", "frames", "--size", "160x90", "--seconds", "0.25"];
+    let commands: Vec<Vec<&str>> = vec![
+        vec!["--help"],
+        vec!["--version"],
+        [&["render"][..], &SMALL, &["-o", "page.png", "album", "broken.jpg"]].concat(),
+        [&["render"][..], &SMALL, &["-o", "-", "album"]].concat(),
+        [&["render"][..], &SMALL, &["--json", "album"]].concat(),
+        [&["render"][..], &SMALL, &["--progress", "json", "-o", "page.png", "album"]].concat(),
+        vec!["render", "-o", "nothing.png", "missing.jpg"],
+        vec!["score", "--no-detect", "plan.json"],
+        vec!["score", "--no-detect", "--json", "plan.json"],
+        vec!["stylize", "--style", "noir", bee, "-o", "-"],
+        vec!["select", "album", "broken.jpg"],
+        vec!["select", "--json", "album"],
+        vec!["detect", bee],
+        vec!["detect", "--json", bee],
+        vec!["segment", bee, "-o", "masks"],
+        vec!["segment", "--json", bee, "-o", "masks"],
+        vec!["generate", "--count", "2"],
+        vec!["generate", "--count", "1", "small.jpg"],
+        vec!["imitate", "--anyway", "small.jpg", "small.jpg"],
+        vec!["shots", "film.mp4"],
+        vec!["shots", "--json", "film.mp4"],
+        animate.to_vec(),
+        [&animate[..], &["--json", "--skip-existing"]].concat(),
+        vec!["blocks"],
+        vec!["blocks", "--json"],
+        vec!["layouts"],
+        vec!["styles"],
+    ];
+    for command in commands {
+        for is_error in [false, true] {
+            let done = closed(path, &command, is_error);
+            let said = text(&[done.stdout, done.stderr].concat());
+            assert!(
+                done.status.code().is_some_and(|code| code <= 2),
+                "{command:?}: {:?}: {said}",
+                done.status
+            );
+            assert!(!said.contains("panicked"), "{command:?}: {said}");
+        }
+    }
+}
+
 #[test]
 fn a_film_has_shots_whatever_it_is_called() {
     if !has_ffmpeg() {
