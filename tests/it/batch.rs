@@ -7,7 +7,7 @@ mod made;
 use std::fs;
 use std::io::Write;
 use std::path::Path;
-use std::process::{Output, Stdio};
+use std::process::{Command, Output, Stdio};
 
 use inkpanel::document::saved::Saved;
 use inkpanel::raster::decode::{Limits, decode};
@@ -413,25 +413,16 @@ fn a_project_and_a_page_with_its_project_open_again_as_they_were() {
     assert!(text(&wrong.stderr).contains("only a PNG carries its project"));
 }
 
-/// Whether ffmpeg is there, which decodes films. Tests of films are skipped without it.
-fn has_ffmpeg() -> bool {
-    let found = ["ffmpeg", "ffprobe"].iter().all(|program| Command::new(program).output().is_ok());
-    if !found {
-        eprintln!("\n*** SKIPPED: films were not looked at. ffmpeg is needed for it. ***\n");
-    }
-    found
-}
-
 /// Six shots of one second each.
 fn film() -> Vec<u8> {
-    fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/videos/album.mp4")).unwrap()
+    fs::read(crate::root("tests/videos/album.mp4")).unwrap()
 }
 
 /// Runs it with a pipe that is closed already, as standard output or as standard error.
 fn closed(folder: &Path, arguments: &[&str], is_error: bool) -> Output {
     let (reader, writer) = std::io::pipe().unwrap();
     drop(reader);
-    let mut command = Command::new(env!("CARGO_BIN_EXE_inkpanel"));
+    let mut command = crate::inkpanel();
     command.args(arguments).current_dir(folder).stdout(Stdio::piped()).stderr(Stdio::piped());
     if is_error {
         command.stderr(writer)
@@ -448,10 +439,10 @@ fn no_command_panics_when_its_output_is_closed() {
     let plan = render(path, &["--json", "--panels", "2", "album"]);
     fs::write(path.join("plan.json"), plan.stdout).unwrap();
     fs::write(path.join("broken.jpg"), "no photo").unwrap();
-    let small = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/files/jpeg-444.jpg");
+    let small = crate::root("tests/oracles/data/files/jpeg-444.jpg");
     fs::copy(small, path.join("small.jpg")).unwrap();
     fs::write(path.join("film.mp4"), film()).unwrap();
-    let saved = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/saved/version-1/storyboard.inkpanel");
+    let saved = crate::root("tests/data/saved/version-1/storyboard.inkpanel");
     fs::copy(saved, path.join("Trip.inkpanel")).unwrap();
     let bee = "album/bee.jpg";
     let animate = ["animate", "Trip.inkpanel", "-o", "frames", "--size", "160x90", "--seconds", "0.25"];
@@ -500,9 +491,6 @@ fn no_command_panics_when_its_output_is_closed() {
 
 #[test]
 fn a_film_has_shots_whatever_it_is_called() {
-    if !has_ffmpeg() {
-        return;
-    }
     let folder = tempfile::tempdir().unwrap();
     let shots = |name: &str| inkpanel(folder.path(), &["shots", "--json", "--", name]);
     let named = |name: &str| {
@@ -528,9 +516,6 @@ fn a_film_has_shots_whatever_it_is_called() {
 
 #[test]
 fn a_truncated_film_ends_with_its_last_frame_and_is_named() {
-    if !has_ffmpeg() {
-        return;
-    }
     let folder = tempfile::tempdir().unwrap();
     let film = film();
     fs::write(folder.path().join("cut.mp4"), &film[..film.len() / 2]).unwrap();
@@ -612,7 +597,7 @@ fn a_byte_order_mark_is_no_part_of_a_file() {
 #[test]
 fn a_font_in_a_file_of_settings_is_beside_it() {
     let folder = album();
-    let font = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/oracles/data/fonts/arabic.ttf");
+    let font = crate::root("tests/oracles/data/fonts/arabic.ttf");
     let settings = folder.path().join("settings");
     fs::create_dir(&settings).unwrap();
     fs::copy(font, settings.join("arabic.ttf")).unwrap();

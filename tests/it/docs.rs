@@ -105,8 +105,8 @@ fn commands_of_documents_run() {
     let guides = |file: &&PathBuf| file.starts_with("docs") || file.as_path() == Path::new("README.md");
     let documents = documents();
     let results: Vec<_> = std::thread::scope(|scope| {
-        let run = |file| scope.spawn(move || run(file));
-        let started: Vec<_> = documents.iter().filter(guides).map(run).collect();
+        let started = documents.iter().filter(guides).map(|file| scope.spawn(move || run(file)));
+        let started: Vec<_> = started.collect();
         started.into_iter().map(|run| run.join().unwrap()).collect()
     });
     let count: usize = results.iter().map(|(count, _)| count).sum();
@@ -123,7 +123,7 @@ fn examples_of_documents_exist() {
         for name in text.split("--example ").skip(1).filter_map(|rest| rest.split([' ', '`', '\n']).next()) {
             let found = ["", "/main.rs", ".rs"]
                 .iter()
-                .any(|end| crate::root(&format!("examples/{name}{end}")).is_file());
+                .any(|end| crate::root(format!("examples/{name}{end}")).is_file());
             if !found {
                 missing.push(format!("{}: {name}", document.display()));
             }

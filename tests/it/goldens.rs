@@ -31,7 +31,7 @@ const HEAD_AND_WING: Region = Region { x: 170.0, y: 50.0, width: 480.0, height: 
 const SCALE: f32 = 0.5;
 
 fn photo(name: &str) -> Vec<u8> {
-    fs::read(crate::root(&format!("tests/photos/{name}.jpg"))).unwrap()
+    fs::read(crate::root(format!("tests/photos/{name}.jpg"))).unwrap()
 }
 
 /// A style of no file: whoever tunes a designed style need not look at pages.

@@ -164,7 +164,7 @@ fn pictures_without_a_look_are_told() {
     }
     // Whole pages, the paper and the panels with what is drawn in them.
     for name in ["comic", "gouache", "noir", "screenprint"] {
-        let page = crate::root(&format!("docs/pages/{name}.png"));
+        let page = crate::root(format!("docs/pages/{name}.png"));
         let page = decode_fit(&fs::read(page).unwrap(), &Limits::default(), 4000).unwrap().image;
         assert!(code(&page).is_ok(), "{name}");
     }

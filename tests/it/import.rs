@@ -181,7 +181,7 @@ fn a_reduced_file_is_seen_as_libjpeg_sees_it() {
 #[test]
 fn a_reduced_photo_is_the_whole_one_made_smaller() {
     for name in ["04-dandelions", "11-giraffe"] {
-        let bytes = fs::read(crate::root(&format!("www/public/samples/{name}.jpg"))).unwrap();
+        let bytes = fs::read(crate::root(format!("www/public/samples/{name}.jpg"))).unwrap();
         for longest in [700, 333, 100] {
             let [reduced, whole] =
                 [decode_reduced, decode_fit].map(|way| way(&bytes, &Limits::default(), longest));

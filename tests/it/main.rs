@@ -56,7 +56,7 @@ fn trials(few: u64, all: u64) -> u64 {
 }
 
 /// Returns the absolute path of a file of the repository.
-fn root(path: &str) -> std::path::PathBuf {
+fn root(path: impl AsRef<std::path::Path>) -> std::path::PathBuf {
     std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 

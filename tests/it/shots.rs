@@ -7,7 +7,7 @@ use inkpanel::output::shots::{Film, Kind, ListedShot, ShotList};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Rates of boards, each with the name of its files.
 const RATES: [(&str, u32, Pace); 6] = [
