@@ -48,8 +48,8 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
 
 /// Reads a file of JSON or TOML, or standard input. A byte order mark, which editors on Windows write, is removed.
 pub(crate) fn text(path: &Path) -> Result<String, Complaint> {
-    let text = String::from_utf8(read(path)?)
-        .map_err(|_| "is no JSON or TOML, as it is not UTF-8 text".to_owned())?;
+    let text =
+        String::from_utf8(read(path)?).map_err(|_| "is not JSON or TOML: it is not UTF-8 text".to_owned())?;
     Ok(unmarked(&text).to_owned())
 }
 

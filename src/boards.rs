@@ -1,6 +1,6 @@
 //! Boards of saved projects on the command line: their shots as lists, and as sheets of frames.
 
-use crate::{Complaint, survived};
+use crate::{Complaint, survived, telling};
 use inkpanel::document::saved::Saved;
 use inkpanel::document::shots::{ASPECTS, logo_file};
 use inkpanel::framing::Subject;
@@ -26,8 +26,10 @@ pub(crate) const LOGO: &str = "board/logo";
 /// A sentence for one that cannot be read.
 pub(crate) fn logo(saved: &Saved) -> Result<Option<Image>, Complaint> {
     let Some(file) = logo_file(&saved.project().history.present.board.logo) else { return Ok(None) };
-    let decoded = survived(|| decode(&file, &Limits::default()));
-    decoded.map(|decoded| Some(decoded.image)).map_err(|reason| format!("the logo of the board: {reason}"))
+    let decoded = survived(|| decode(&file, &Limits::default()))
+        .map_err(|reason| format!("the logo of the board: {reason}"))?;
+    telling::damage("the logo of the board", decoded.damage);
+    Ok(Some(decoded.image))
 }
 
 /// The sheets of a project's board, in the style of its page. `title`: what it is called where it has no name; `found`: what is

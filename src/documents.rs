@@ -65,6 +65,10 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
     let masks = Masks::default();
     let means = how.printing.means(&full, &fonts, &masks);
     drawing::tell_missing(&pages, &fonts)?;
+    if how.strict {
+        // Damage is reported before anything is written; errors come back when the photo is drawn.
+        paths.values().for_each(|path| drop(decode_file(path)));
+    }
     check_strict(how)?;
     let printed: drawing::Printed<'_> = (&how.printing, &|_| &[]);
     if let drawing::Kind::Comic(kind) = drawing::Kind::of(&output.named)? {

@@ -782,7 +782,10 @@ fn import_all(files: &[PathBuf]) -> Vec<(PathBuf, Imported)> {
     let mut photos = Vec::new();
     for (path, photo) in files.iter().zip(read) {
         match photo {
-            Ok(photo) => photos.push((path.clone(), photo)),
+            Ok(photo) => {
+                telling::damage(&told(path), photo.damage);
+                photos.push((path.clone(), photo));
+            }
             Err(complaint) => telling::note(Some(&told(path)), &format!("{complaint}; left out")),
         }
     }
@@ -806,9 +809,9 @@ fn decode_file(path: &Path) -> Result<Image, Complaint> {
 fn decode_file_fit(path: &Path, longest: usize) -> Result<Image, Complaint> {
     let complain = |reason: String| format!("{}: {reason}", told(path));
     let bytes = album::read(path).map_err(complain)?;
-    survived(|| decode_fit(&bytes, &Limits::default(), longest))
-        .map(|decoded| decoded.image)
-        .map_err(complain)
+    let decoded = survived(|| decode_fit(&bytes, &Limits::default(), longest)).map_err(complain)?;
+    telling::damage(&told(path), decoded.damage);
+    Ok(decoded.image)
 }
 
 fn read_style(id_or_file: &str) -> Result<Style, Complaint> {

@@ -4,7 +4,7 @@ use crate::album::{self, told};
 use crate::destination::Output;
 use crate::drawing::{self, Kind};
 use crate::segments::Masks;
-use crate::{Complaint, How, boards, plans, reading, survived};
+use crate::{Complaint, How, boards, check_strict, plans, reading, survived, telling};
 use inkpanel::document::file::FilePhoto;
 use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
@@ -89,6 +89,11 @@ fn drawn(
     let masks = masks(&saved);
     let means = printing.means(&photos, &fonts, &masks);
     drawing::tell_missing(&wanted, &fonts)?;
+    if how.strict {
+        // Damage is reported before anything is written; errors come back when the photo is drawn.
+        files.keys().for_each(|id| drop(photos(id)));
+    }
+    check_strict(how)?;
     match kind {
         Kind::Comic(comic) => {
             let named = saved.project().history.present.name.trim();
@@ -154,8 +159,10 @@ pub(crate) fn photo(
 ) -> Result<Option<Image>, Complaint> {
     let Some(bytes) = files.get(id) else { return Ok(None) };
     let name = saved.photo(id).map_or(id, |photo| &photo.name);
-    let decoded = survived(|| decode(bytes, &Limits::default()));
-    decoded.map(|decoded| Some(decoded.image)).map_err(|reason| format!("the photo {name}: {reason}"))
+    let decoded = survived(|| decode(bytes, &Limits::default()))
+        .map_err(|reason| format!("the photo {name}: {reason}"))?;
+    telling::damage(name, decoded.damage);
+    Ok(Some(decoded.image))
 }
 
 /// The files of the photos that pages show, by their ids; `is_photo`: whether a picture is one.

@@ -1,12 +1,17 @@
 //! What the command line says while it works, on standard error: sentences for people, or a line of JSON for each step.
 
+use inkpanel::raster::decode::Damage;
 use serde_json::{Value, json};
+use std::collections::HashSet;
 use std::io::Write;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 static AS_JSON: AtomicBool = AtomicBool::new(false);
 /// How often something was not as it was asked for.
 static NOTES: AtomicUsize = AtomicUsize::new(0);
+/// Names of the files whose damage was reported.
+static DAMAGED: LazyLock<Mutex<HashSet<String>>> = LazyLock::new(Mutex::default);
 
 /// From now on each line is JSON.
 pub(crate) fn as_json() {
@@ -21,6 +26,15 @@ pub(crate) fn note(file: Option<&str>, why: &str) {
         Some(file) => format!("{file}: {why}"),
         None => why.to_owned(),
     });
+}
+
+/// Reports the damage of a photo that is read nevertheless: once, however often it is decoded.
+pub(crate) fn damage(file: &str, damage: Option<Damage>) {
+    if let Some(damage) = damage
+        && DAMAGED.lock().unwrap_or_else(PoisonError::into_inner).insert(file.to_owned())
+    {
+        note(Some(file), &damage.to_string());
+    }
 }
 
 /// How many notes there were.

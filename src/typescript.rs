@@ -41,6 +41,7 @@ use crate::page::pdf::{Imposition, Options};
 use crate::page::request::{Avoid, Families, Keep, Mode, Request, Taste};
 use crate::page::words::layout::WordBox;
 use crate::page::{Document, catalogue, layouts, request, shuffle};
+use crate::raster::decode::Damage;
 use crate::style::Style;
 use crate::style::blocks::Channels;
 use crate::style::file::Step;
@@ -431,6 +432,7 @@ fn types() -> String {
         MeasuresEntry,
         ImportEntry<'static>,
         PixelSize,
+        Damage,
         Detection,
         FirstLook,
         hearing::Event,

@@ -17,8 +17,16 @@ pub enum Error {
     Damaged {
         /// Name of the format, as people know it.
         format: &'static str,
-        /// What the decoder said.
+        /// The message of the decoder.
         reason: String,
+    },
+    /// Less than half of the picture can be decoded.
+    #[error("only {percent} % of this {format} can be decoded; the file is damaged or incomplete")]
+    MostlyDamaged {
+        /// Common name of the format.
+        format: &'static str,
+        /// Share of the picture that can be decoded.
+        percent: u8,
     },
     /// A sound file of a kind that we do not read.
     #[error("this kind of {format} file cannot be read: {reason}")]
@@ -158,7 +166,7 @@ impl Error {
         match self {
             Self::UnknownFormat => "unknown-format",
             Self::RareColours => "rare-colours",
-            Self::Damaged { .. } => "damaged",
+            Self::Damaged { .. } | Self::MostlyDamaged { .. } => "damaged",
             Self::Unsupported { .. } => "unsupported",
             Self::TooLarge { .. } => "too-large",
             Self::BufferSize { .. } => "buffer-size",

@@ -5,7 +5,7 @@ use super::drawn::Drawn;
 use super::reel::Step;
 use crate::boards::{self, STYLE, ShotPhoto};
 use crate::segments::Masks;
-use crate::{Complaint, read_style, reopening, survived};
+use crate::{Complaint, read_style, reopening, survived, telling};
 use inkpanel::Error;
 use inkpanel::document::saved::Saved;
 use inkpanel::native;
@@ -72,6 +72,7 @@ impl Shots {
         let ShotPhoto { id, name, file } = &self.photos[clip];
         let photo = survived(|| decode(file, &Limits::default()))
             .map_err(|reason| format!("the photo {name}: {reason}"))?;
+        telling::damage(name, photo.damage);
         let subject = self.masks.asked_by(&*document.style().map_err(told)?, id, &photo.image);
         let photos = HashMap::from([(id.clone(), native::Photo { image: photo.image, subject })]);
         let sheet = native::sheet(&document, &photos, &GivenFonts::default()).map_err(told)?;

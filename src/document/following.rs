@@ -182,7 +182,7 @@ impl Project {
             page.words.append(&mut own);
             Some(Arc::new(page))
         });
-        // Text without a photo is unplaced until a person places it; beyond the limit it is left out.
+        // Text without a photo stays unplaced until the user places it. Text beyond the limit is left out.
         let mut room = MOST_WAITING.saturating_sub(next.waiting.len());
         away.retain(|word| {
             if word["photo"].is_string() {

@@ -46,7 +46,7 @@ impl Album {
     #[must_use]
     pub fn read_skipping_broken(photos: Vec<Photo>) -> Self {
         let (mut album, broken) = Self::read_side_by_side(photos);
-        album.notes = broken.into_iter().map(|failure| format!("{failure}; left out")).collect();
+        album.notes.extend(broken.into_iter().map(|failure| format!("{failure}; left out")));
         album
     }
 
@@ -59,11 +59,14 @@ impl Album {
                 Err(failure) => broken.push(failure),
             }
         }
-        let (fonts, notes) = (GivenFonts::default(), Vec::new());
+        let damage = |(place, photo): &(usize, Imported)| {
+            Some(format!("{}: {}", photos[*place].name(), photo.damage?))
+        };
+        let (fonts, notes) = (GivenFonts::default(), read.iter().filter_map(damage).collect());
         (Self { photos: photos.into(), read, fonts, notes }, broken)
     }
 
-    /// What is not as one would expect, in sentences: photos that were left out, and why.
+    /// What is not as one would expect, in sentences: photos that are damaged or left out, and why.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.notes

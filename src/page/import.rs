@@ -6,7 +6,7 @@ use super::png;
 use crate::error::Result;
 use crate::framing::{self, EnergyMap, PhotoMeta};
 use crate::raster::Image;
-use crate::raster::decode::{Limits, decode_reduced};
+use crate::raster::decode::{Damage, Limits, decode_reduced};
 use crate::raster::orient::turned_clockwise;
 use crate::raster::resize::{Region, fit, resample_image};
 use crate::select::{Measures, measure};
@@ -27,6 +27,8 @@ pub struct Imported {
     pub measures: Measures,
     /// Name of the file's format.
     pub format: &'static str,
+    /// The damage of the file, if any.
+    pub damage: Option<Damage>,
     /// The photo at [`WORK_SIDE`] or less.
     pub work: Image,
     /// The photo at [`SMALL_SIDE`] or less.
@@ -41,6 +43,8 @@ pub struct ImportEntry<'a> {
     pub meta: &'a PhotoMeta,
     /// Name of the file's format.
     pub format: &'static str,
+    /// The damage of the file, if any.
+    pub damage: Option<Damage>,
     /// What selection compares.
     pub measures: MeasuresEntry,
     /// Size of the photo at [`WORK_SIDE`] or less.
@@ -67,6 +71,7 @@ impl Imported {
         ImportEntry {
             meta: &self.meta,
             format: self.format,
+            damage: self.damage,
             measures: (&self.measures).into(),
             work: size(&self.work),
             small: size(&self.small),
@@ -81,7 +86,7 @@ impl Imported {
 pub fn import(id: &str, bytes: &[u8], limits: &Limits) -> Result<Imported> {
     let decoded = decode_reduced(bytes, limits, WORK_SIDE)?;
     let facts = Facts { size: (decoded.width, decoded.height), format: decoded.format, taken: decoded.taken };
-    Ok(described(id, decoded.image, facts))
+    Ok(Imported { damage: decoded.damage, ..described(id, decoded.image, facts) })
 }
 
 /// Reduces and measures pixels that come from no file, upright and in sRGB.
@@ -168,7 +173,7 @@ fn described(id: &str, work: Image, facts: Facts) -> Imported {
         starred: false,
         spoken: false,
     };
-    Imported { meta, measures, format: facts.format, work, small }
+    Imported { meta, measures, format: facts.format, damage: None, work, small }
 }
 
 fn reduced(image: &Image, longest: usize) -> Image {

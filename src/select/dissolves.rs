@@ -34,11 +34,11 @@ const MIN_LOSS: f64 = 0.7;
 /// A dissolve, by the numbers of its frames.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Dissolve {
-    /// The last frame of the first scene alone.
+    /// The last frame that shows only the first scene.
     pub before: usize,
     /// The first frame that shows more of the second scene than of the first.
     pub middle: usize,
-    /// The first frame of the second scene alone.
+    /// The first frame that shows only the second scene.
     pub after: usize,
 }
 
@@ -188,7 +188,7 @@ mod tests {
             assert!((30..=42).contains(&at(dissolve.middle)), "every {every}: {dissolve:?}");
             assert!((44..=54).contains(&at(dissolve.after)), "every {every}: {dissolve:?}");
         }
-        // Key frames of a long film say nothing about what is between them.
+        // Key frames of a long film do not show the frames between them.
         assert!(found(dissolving(24, 0).step_by(12), 1.0).is_empty());
     }
 

@@ -4,7 +4,7 @@
 //! by far more than those about them do, so that a moving camera is none. Frames that stand far apart, such as key frames of a
 //! long film, have nothing about them: there a cut is where the picture and its tones are other ones.
 //!
-//! A dissolve separates two shots in its middle ([`dissolves`]). Frames that show both scenes stand for neither of them.
+//! A dissolve separates two shots in its middle ([`dissolves`]). Frames that show both scenes represent neither of them.
 
 use super::dissolves::{self, Dissolve};
 use super::look::Look;
@@ -112,7 +112,7 @@ impl Film {
             range.clone().filter(|&i| !self.looks[i].flat && !self.is_fading(i, &range)).collect();
         let clean = |i: &usize| !dissolves.iter().any(|dissolve| dissolve.mixes(*i));
         let seen: Vec<usize> = shown.iter().copied().filter(clean).collect();
-        // A shot of nothing but mixtures still has a frame.
+        // A shot that contains only mixtures still has a frame.
         let seen = if seen.is_empty() { shown } else { seen };
         let titles = seen.iter().filter(|&&i| self.looks[i].title).count();
         Shot { start, end, title: 2 * titles > seen.len(), usable: seen }
@@ -279,7 +279,7 @@ pub(super) mod tests {
         }
     }
 
-    /// Two seconds of a weak scene, so many frames of a dissolve, and two seconds of a strong one.
+    /// Two seconds of a weak scene, a dissolve of N frames, and two seconds of a strong scene.
     pub(in crate::select) fn dissolving(length: usize, speed: usize) -> impl Iterator<Item = Look> {
         (0..48 + length).map(move |i| {
             let share = (i as f32 - 23.0) / (length as f32 + 1.0);

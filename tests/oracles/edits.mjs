@@ -22,7 +22,7 @@ const styles = (ids) => ids.map((id) => ({ id, name: id, tags: [], background: [
 const settings = (gutter) => ({ ...DEFAULT_SETTINGS, gutter });
 let fresh = 0;
 
-// What is done to one photo is told as what is done to several since then.
+// An edit of one photo is written as an edit of several photos since then.
 const today = ({ type, id, use, ...rest }) => {
   if (type === 'remove-photo') return { type: 'remove-photos', ids: [id], ...rest };
   if (type === 'use-photo') return { type: 'use-photos', uses: { [id]: use }, ...rest };

@@ -195,7 +195,7 @@ def main(program, folder):
     for name, (path, cuts, banned) in make(Path(folder)).items():
         shots = shots_of(program, path)
         found = [shot['start'] for shot in shots[1:]]
-        # A fade's middle is told anywhere in the dark, that of a dissolve where both scenes are seen.
+        # The middle of a fade may be anywhere in the dark. The middle of a dissolve shows both scenes.
         tolerance = 0.6 if name in ('faded', 'dissolved') else 3 / RATE
         line = [f'{name:8} {len(found)} cuts']
         for kind, true in (('reference', reference(path)), ('made', cuts)):

@@ -53,7 +53,7 @@ def read(path):
             "media": getattr(media, "name", "") or clip.name,
         }
         if path.suffix == ".edl":
-            # The reader leaves out the reel of what has none.
+            # The reader omits the reel of a clip without one.
             shot["source"] = clip.metadata["cmx_3600"].get("reel", "AX")
         else:
             shot["available"] = [frames(media.available_range.start_time), frames(media.available_range.duration)]

@@ -30,7 +30,7 @@ const file = (path: string, error?: Error) => ({
     error ? reject(error) : resolve(new File(['x'], path.split('/').at(-1) as string)),
 });
 
-/** @param reads what each call of the reader returns, or the error it fails with */
+/** @param reads the result of each call of the reader, or its error */
 const folder = (path: string, ...reads: (object[] | Error)[]) => ({
   isFile: false,
   isDirectory: true,

@@ -80,7 +80,7 @@ export function createDroppedFiles({
 
   async function takeIn(given: readonly File[]) {
     const wanted = given.filter((file) => !isSidecar(file.name, foldersOf(file)));
-    // A sidecar file that comes alone is reported like any other file that is not a photo.
+    // A single sidecar file is reported like any other file that is not a photo.
     const files = wanted.length > 0 ? wanted : given;
     const plans = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
     const projects = files.filter(isProjectFile);

@@ -28,7 +28,7 @@ export type Album = ReadonlyMap<string, Fact>;
 
 /**
  * A video whose frames are photos: `ids`, taken between `start` and `end`. Seconds from its first picture; `duration` and
- * `end` are null until the file was opened. `timecode`: that of its first picture.
+ * `end` are null until the file was opened. `timecode`: the timecode of its first picture.
  */
 export type Video = {
   key: string;

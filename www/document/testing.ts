@@ -78,8 +78,11 @@ export function fakePlanner() {
   return planner;
 }
 
-/** @param odd files that cannot be read or that look like another */
-export function fakeApp(odd: Record<string, 'bad' | 'twin'> = {}, hooks: Parameters<typeof createPages>[1] = {}) {
+/** @param odd files that cannot be read, that are damaged or that look like another */
+export function fakeApp(
+  odd: Record<string, 'bad' | 'damaged' | 'coarse' | 'twin'> = {},
+  hooks: Parameters<typeof createPages>[1] = {},
+) {
   const store = createStore();
   const planner = fakePlanner();
   store.planner.value = planner as any;
@@ -94,7 +97,9 @@ export function fakeApp(odd: Record<string, 'bad' | 'twin'> = {}, hooks: Paramet
       await Promise.resolve();
       if (odd[name] === 'bad') throw Object.assign(new Error('not a photo'), { code: 'unsupported-format' });
       imported.add(id);
-      return { ...unreadMeta(id), measures: { twin: odd[name] === 'twin' ? 1 : 0 } };
+      const damage =
+        { damaged: { missing: 0.124, coarse: 0 }, coarse: { missing: 0, coarse: 0.001 } }[odd[name] as string] ?? null;
+      return { ...unreadMeta(id), damage, measures: { twin: odd[name] === 'twin' ? 1 : 0 } };
     },
     forgetPhoto: () => {},
   } as any;

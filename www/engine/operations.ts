@@ -67,9 +67,9 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
     return { entry, told };
   }
 
-  async function kept({ meta, format, measures, work, small }: ImportEntry, among: Lru): Promise<Imported> {
+  async function kept({ meta, format, damage, measures, work, small }: ImportEntry, among: Lru): Promise<Imported> {
     return {
-      meta: { ...meta, format, measures },
+      meta: { ...meta, format, damage, measures },
       work: await keep(`${meta.id}/work`, work, among),
       small: await keep(`${meta.id}/small`, small, among),
     };

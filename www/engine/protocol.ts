@@ -180,7 +180,7 @@ export type Explored = {
 
 /** The answer to `import`: what is known of a photo, and its two reduced copies. */
 export type Imported = {
-  meta: PhotoMeta & Pick<ImportEntry, 'format' | 'measures'>;
+  meta: PhotoMeta & Pick<ImportEntry, 'format' | 'damage' | 'measures'>;
   work: PhotoHandle;
   small: PhotoHandle;
 };

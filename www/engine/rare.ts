@@ -5,13 +5,19 @@
 
 import { moduleBytes } from './module-bytes.ts';
 import { onceMore } from './once-more.ts';
+import type { Damage } from './types.ts';
 
 const MODULE = new URL('../pkg-decoders/inkpanel_bg.wasm', import.meta.url);
 
 type Decoders = typeof import('../pkg-decoders/inkpanel.js');
 
-/** A photo as a file that the core reads; `taken` where the photo says so. */
-export type Converted = { file: Uint8Array<ArrayBuffer>; format: string; taken: string | null };
+/** A photo as a file that the core reads; `taken` where the photo says so; `damage` of a damaged file. */
+export type Converted = {
+  file: Uint8Array<ArrayBuffer>;
+  format: string;
+  taken: string | null;
+  damage: Damage | null;
+};
 
 /** What a RIFF file says at its ninth byte. */
 const WEBP = [0x57, 0x45, 0x42, 0x50];
@@ -34,8 +40,9 @@ export function rareKind(bytes: Uint8Array): 'GIF' | 'TIFF' | 'WebP' | null {
 export async function converted(bytes: Uint8Array<ArrayBuffer>): Promise<Converted> {
   const photo = new (await decoders()).Converted(bytes);
   try {
-    const { format, taken = null } = photo;
-    return { file: photo.take() as Uint8Array<ArrayBuffer>, format, taken };
+    const { format, taken = null, missing, coarse } = photo;
+    const damage = missing > 0 || coarse > 0 ? { missing, coarse } : null;
+    return { file: photo.take() as Uint8Array<ArrayBuffer>, format, taken, damage };
   } finally {
     photo.free();
   }

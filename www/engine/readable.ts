@@ -3,9 +3,10 @@
 import { asBmp, foreignKind } from './foreign.ts';
 import { converted, rareKind } from './rare.ts';
 import { takenOf } from './taken.ts';
+import type { Damage } from './types.ts';
 
 /** What the file that the core reads no longer says of the photo; nothing where it is the photo's own. */
-type Told = { format?: string; taken?: string | null };
+type Told = { format?: string; taken?: string | null; damage?: Damage | null };
 
 /**
  * @param bytes of a file
@@ -25,6 +26,6 @@ export async function reading<T>(
       if ((error as { code?: string }).code !== 'rare-colours') throw error;
     }
   }
-  const { file, format, taken } = await converted(bytes);
-  return { value: read(file), told: { format, taken } };
+  const { file, ...told } = await converted(bytes);
+  return { value: read(file), told };
 }

@@ -1397,6 +1397,8 @@ export type ImportEntry = {
   meta: PhotoMeta,
   /** Name of the file's format. */
   format: string,
+  /** What could not be decoded of a damaged file. */
+  damage: Damage | null,
   /** What selection compares. */
   measures: Measures,
   /** Size of the photo at `WORK_SIDE` or less. */
@@ -1411,6 +1413,14 @@ export type PixelSize = {
   width: number,
   /** Down. */
   height: number,
+};
+
+/** Damage of a file that was decoded nevertheless. */
+export type Damage = {
+  /** Share of the picture that is missing and drawn grey, from 0 to 1. */
+  missing: number,
+  /** Share of the picture that lacks detail, from 0 to 1. */
+  coarse: number,
 };
 
 /** Something that was found in a photo. Its box lies inside the photo. */

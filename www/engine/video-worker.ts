@@ -172,7 +172,7 @@ async function trackOf(input: Input) {
   return input.getPrimaryVideoTrack();
 }
 
-/** @param clock by which the page hears of the times of frames, which are asked for in seconds of the file */
+/** @param clock converts seconds of the file to seconds from the first picture, which the page uses */
 function createSender(track: InputVideoTrack, clock: FilmClock) {
   const sink = new VideoSampleSink(track);
   // A slow film may show one frame at two of the times.

@@ -14,6 +14,7 @@ import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Imported } from '../engine/protocol.ts';
+import type { Damage } from '../engine/types.ts';
 
 export type Intake = ReturnType<typeof createIntake>;
 
@@ -36,7 +37,7 @@ export function createIntake({
   store: Store;
   pages: Pick<Pages, 'refine'>;
   engine: Pick<Engine, 'importPhoto'>;
-  messages: Pick<Messages, 'fileFailed'>;
+  messages: Pick<Messages, 'alert' | 'fileFailed'>;
   prefix?: string;
 }) {
   let lastId = 0;
@@ -128,15 +129,22 @@ export function createIntake({
     batch(() => all.forEach((tell) => tell()));
   }
 
-  function arrived(id: string, meta: Imported['meta'], more?: Partial<Fact>) {
+  function arrived(id: string, { damage, ...meta }: Imported['meta'], more?: Partial<Fact>) {
     const fact = store.album.peek().get(id);
     // A frame of a film that nobody wants any more.
     if (!fact) return;
+    // The person knows of a photo that is read again.
+    if (damage && !fact.meta) reportDamage(fact.name, damage);
     store.know({ ...fact, ...knownOf(fact, meta), ...more });
     if (isShown(id) && !store.sketch.peek()) pages.refine();
   }
 
-  function knownOf({ meta: before, absent }: Fact, meta: Imported['meta']): Partial<Fact> {
+  function reportDamage(name: string, { missing, coarse }: Damage) {
+    const share = strings.percent(Math.max(0.01, missing || coarse));
+    messages.alert(missing > 0 ? strings.photoDamaged(name, share) : strings.photoCoarse(name, share));
+  }
+
+  function knownOf({ meta: before, absent }: Fact, meta: Omit<Imported['meta'], 'damage'>): Partial<Fact> {
     if (absent) {
       const { width, height, subjects, measured } = absent;
       // The photo itself turned up, or else it is the frame that keeps its place, and is compared with none.

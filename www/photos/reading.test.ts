@@ -38,6 +38,21 @@ describe('the first photos', () => {
     expect(app.store.tray.value.length).toBe(2);
   });
 
+  test('that are damaged are named with the share that is missing, once', async () => {
+    const app = fakeApp({ 'a.jpg': 'damaged', 'b.jpg': 'coarse' });
+    await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg'));
+    const told = [
+      'a.jpg: 12% of the picture is damaged and drawn grey.',
+      'b.jpg: 1% of the picture lacks detail, because the file is damaged or incomplete.',
+    ];
+    expect(alerts(app)).toEqual(told);
+    expect(app.store.facts.value.every(({ meta }) => meta && !('damage' in meta))).toBe(true);
+    const [file] = app.files('a.jpg');
+    app.messages.list.value.forEach(({ id }) => app.messages.close(id));
+    await app.reading.resume([{ id: 'p1', file }]);
+    expect(alerts(app)).toEqual([]);
+  });
+
   test('that are all bad leave nothing but the word of it', async () => {
     const app = fakeApp({ 'a.txt': 'bad', 'b.txt': 'bad' });
     await app.reading.addFiles(app.files('a.txt', 'b.txt'));

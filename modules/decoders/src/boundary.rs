@@ -6,7 +6,7 @@
 
 use inkpanel::raster::Image;
 use inkpanel::raster::animation;
-use inkpanel::raster::decode::{Limits, decode};
+use inkpanel::raster::decode::{Damage, Decoded, Limits, decode};
 use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
@@ -23,6 +23,7 @@ fn start() {
 pub struct Converted {
     format: &'static str,
     taken: Option<String>,
+    damage: Option<Damage>,
     file: Vec<u8>,
 }
 
@@ -32,7 +33,8 @@ impl Converted {
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> std::result::Result<Converted, JsValue> {
         let photo = decode(bytes, &Limits::default()).map_err(thrown)?;
-        Ok(Self { format: photo.format, taken: photo.taken, file: bmp(&photo.image) })
+        let Decoded { image, format, taken, damage, .. } = photo;
+        Ok(Self { format, taken, damage, file: bmp(&image) })
     }
 
     /// Name of its format.
@@ -47,6 +49,20 @@ impl Converted {
     #[must_use]
     pub fn taken(&self) -> Option<String> {
         self.taken.clone()
+    }
+
+    /// Share of the picture that is missing and drawn grey, from 0 to 1.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn missing(&self) -> f64 {
+        self.damage.map_or(0.0, |damage| damage.missing)
+    }
+
+    /// Share of the picture that lacks detail, from 0 to 1.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn coarse(&self) -> f64 {
+        self.damage.map_or(0.0, |damage| damage.coarse)
     }
 
     /// The BMP file, which is given away.

@@ -1,9 +1,12 @@
 //! Bytes of a file to pixels, with limits and EXIF orientation.
 //!
-//! The format is told by the content, never by the name. Everything that the header announces is checked
-//! before memory is taken for it; a file that is cut short is an error, not a picture with a grey foot.
+//! The format is told by the content, never by the name. Everything that the header announces is checked before memory is taken for
+//! it. The readable part of a damaged JPEG or PNG file is decoded, and the damage is reported. Other damaged files are an error.
 
+use std::fmt::{self, Display, Formatter};
 use std::io::Cursor;
+
+use serde::Serialize;
 
 use ::image::codecs::bmp::BmpDecoder;
 #[cfg(feature = "rare")]
@@ -51,6 +54,44 @@ impl Limits {
     }
 }
 
+/// Damage of a file that was decoded nevertheless.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct Damage {
+    /// Share of the picture that is missing and drawn grey, from 0 to 1.
+    pub missing: f64,
+    /// Share of the picture that lacks detail, from 0 to 1.
+    pub coarse: f64,
+}
+
+impl Damage {
+    /// Maximum share of a picture that may be missing.
+    const MAX_MISSING: f64 = 0.5;
+
+    /// Returns `None` for a picture without damage, and an error for one that is mostly missing.
+    pub(super) fn checked(self, format: &'static str) -> Result<Option<Self>> {
+        if self.missing > Self::MAX_MISSING {
+            return Err(Error::MostlyDamaged { format, percent: ((1.0 - self.missing) * 100.0) as u8 });
+        }
+        Ok((self.missing > 0.0 || self.coarse > 0.0).then_some(self))
+    }
+}
+
+/// Describes the damage: `12 % of the picture is damaged and drawn grey`.
+impl Display for Damage {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        let (share, what) = if self.missing > 0.0 {
+            (self.missing, "is damaged and drawn grey")
+        } else {
+            (self.coarse, "lacks detail, because the file is damaged or incomplete")
+        };
+        match (share * 100.0).round() {
+            0.0 => write!(out, "less than 1 % of the picture {what}"),
+            percent => write!(out, "{percent} % of the picture {what}"),
+        }
+    }
+}
+
 /// A decoded photo.
 #[derive(Clone, Debug)]
 pub struct Decoded {
@@ -66,12 +107,14 @@ pub struct Decoded {
     pub taken: Option<String>,
     /// EXIF's 1..=8, already applied.
     pub orientation: u8,
+    /// The damage of the file, if any.
+    pub damage: Option<Damage>,
 }
 
 /// Decodes a file at its full size; of an animation the first frame.
 ///
 /// # Errors
-/// `unknown-format`, `unsupported`, `damaged` (also: cut short), `too-large`.
+/// `unknown-format`, `unsupported`, `damaged` if less than half of the picture can be decoded, `too-large`.
 pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded> {
     decode_fit(bytes, limits, usize::MAX)
 }
@@ -84,8 +127,9 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded> {
 pub fn decode_fit(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decoded> {
     let (format, name) = known_format(bytes)?;
     let (pixels, exif) = read(bytes, format, name, limits)?;
-    let (width, height) = pixels.size;
-    finished(pixels.image(resize::fit(width, height, longest))?, (width, height), &exif, name)
+    let ((width, height), damage) = (pixels.size, pixels.damage);
+    let image = pixels.image(resize::fit(width, height, longest))?;
+    Ok(Decoded { damage, ..finished(image, (width, height), &exif, name)? })
 }
 
 /// The same, but a JPEG file that is twice as large or more is decoded at a part of its size: in two thirds of the time, a quarter
@@ -116,7 +160,7 @@ fn finished(image: Image, size: (usize, usize), exif: &Exif, name: &'static str)
     let (width, height) = if swaps_sides(exif.orientation) { (size.1, size.0) } else { size };
     let (width, height) = (width as u32, height as u32);
     let taken = exif.taken.clone();
-    Ok(Decoded { image, width, height, format: name, taken, orientation: exif.orientation })
+    Ok(Decoded { image, width, height, format: name, taken, orientation: exif.orientation, damage: None })
 }
 
 fn known_format(bytes: &[u8]) -> Result<(ImageFormat, &'static str)> {
@@ -141,13 +185,14 @@ fn read(bytes: &[u8], format: ImageFormat, name: &'static str, limits: &Limits) 
     match format {
         ImageFormat::Jpeg => {
             let markers = check_jpeg(bytes, name, limits)?;
-            let mut decoder = jpeg::Decoder::new(bytes, &markers, name)?;
+            let (image, damage) = jpeg::readable(bytes, &markers, name, limits)?;
+            let mut decoder = jpeg::Decoder::new(image, name)?;
             let (size, channels) = (decoder.size(), decoder.channels());
             check_size(size.0 as u32, size.1 as u32, name, limits)?;
             check_memory(size, channels.count() as u64, limits)?;
             let exif = markers.exif.map(exif::read).unwrap_or_default();
             let (samples, profile) = (decoder.samples()?, markers.profile());
-            Ok((Pixels { size, samples, channels, profile }, exif))
+            Ok((Pixels { size, samples, channels, profile, damage }, exif))
         }
         #[cfg(feature = "rare")]
         ImageFormat::WebP | ImageFormat::Tiff | ImageFormat::Gif => read_rare(bytes, format, name, limits),
@@ -248,8 +293,8 @@ fn check_jpeg<'a>(bytes: &'a [u8], name: &'static str, limits: &Limits) -> Resul
     if let Some((width, height)) = markers.size {
         check_size(width, height, name, limits)?;
     }
-    if !markers.complete {
-        return Err(Error::damaged(name, "its end is missing"));
+    if let Some(reason) = markers.unsupported() {
+        return Err(Error::Unsupported { format: name, reason: reason.to_owned() });
     }
     if !markers.plausible(bytes.len()) {
         return Err(Error::damaged(name, "it is too short for the size that it announces"));

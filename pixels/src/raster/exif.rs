@@ -14,11 +14,13 @@ const EXIF_DIRECTORY: u16 = 0x8769;
 const DATE_TIME_ORIGINAL: u16 = 0x9003;
 const DATE_TIME_DIGITIZED: u16 = 0x9004;
 
+/// Types of fields: whole numbers of one, two and four bytes, and signed ones.
+const BYTE: u16 = 1;
 #[cfg(feature = "rare")]
-/// Types of fields: whole numbers of two and of four bytes.
 pub(super) const SHORT: u16 = 3;
-#[cfg(feature = "rare")]
 pub(super) const LONG: u16 = 4;
+const SBYTE: u16 = 6;
+const SLONG: u16 = 9;
 
 /// What the record says.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -52,7 +54,7 @@ pub(super) fn profile(file: &[u8]) -> Option<Vec<u8>> {
 fn parse(record: &[u8]) -> Option<Exif> {
     let tiff = Tiff::of(record)?;
     let main = tiff.directory()?;
-    let orientation = tiff.find(main, ORIENTATION).and_then(|field| tiff.u16(field + 8));
+    let orientation = tiff.find(main, ORIENTATION).and_then(|field| tiff.integer(field));
     let taken = tiff.find(main, EXIF_DIRECTORY).and_then(|field| tiff.u32(field + 8)).and_then(|directory| {
         let date = |tag| tiff.find(directory, tag).and_then(|field| tiff.date(field));
         date(DATE_TIME_ORIGINAL).or_else(|| date(DATE_TIME_DIGITIZED))
@@ -123,12 +125,20 @@ impl<'a> Tiff<'a> {
         self.fields(directory).find(|&field| self.u16(field) == Some(tag))
     }
 
+    /// The first whole number of a field. An unknown type counts as two bytes.
+    fn integer(&self, field: u32) -> Option<u32> {
+        match self.u16(field + 2)? {
+            BYTE | SBYTE => self.record.get(field as usize + 8).map(|&byte| byte.into()),
+            LONG | SLONG => self.u32(field + 8),
+            _ => self.u16(field + 8).map(u32::from),
+        }
+    }
+
     #[cfg(feature = "rare")]
     /// The one whole number of a field.
     pub(super) fn number(&self, field: u32) -> Option<u32> {
         match (self.u16(field + 2)?, self.u32(field + 4)?) {
-            (SHORT, 1) => self.u16(field + 8).map(u32::from),
-            (LONG, 1) => self.u32(field + 8),
+            (SHORT | LONG, 1) => self.integer(field),
             _ => None,
         }
     }

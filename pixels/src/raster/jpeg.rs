@@ -1,13 +1,16 @@
-//! What a JPEG file says before its pixels: size, EXIF record, profile, and whether it is whole.
+//! What a JPEG file says before its pixels: size, EXIF record, profile, and whether it is damaged.
 //!
-//! The decoder paints the missing part of a file that was cut short in grey and says nothing, so the end is
-//! looked for here. Source: ITU-T T.81, annex B. The pixels are `zune-jpeg`'s.
+//! `zune-jpeg` decodes the pixels. It draws damaged parts grey or wrong without an error, so the coded data are checked first, and
+//! damaged files are rewritten ([`rescue`]). Source: ITU-T T.81, annex B.
 
+mod header;
 mod huffman;
 mod reduced;
+mod rescue;
+mod sound;
 
 use super::Plane;
-use super::decode::MOST_PROFILE;
+use super::decode::{Damage, Limits, MOST_PROFILE, check_memory};
 use super::resize::{self, Region};
 use super::samples::{Channels, rgb_of_ycc};
 use crate::error::{Error, Result};
@@ -30,16 +33,14 @@ pub(super) struct Decoder {
 }
 
 impl Decoder {
-    /// Reads the headers; `name` is that of the format, for messages. The decoder would keep all records of the file,
-    /// so it gets a copy without them.
-    pub(super) fn new(bytes: &[u8], markers: &Markers, name: &'static str) -> Result<Self> {
+    /// Reads the headers of a file without records; `name` is that of the format, for messages.
+    pub(super) fn new(image: Vec<u8>, name: &'static str) -> Result<Self> {
         // Files with small faults are drawn by every other program, too; the sides are checked by the caller.
         let options = DecoderOptions::default()
             .set_strict_mode(false)
             .set_max_width(usize::MAX)
             .set_max_height(usize::MAX);
-        let mut decoder =
-            JpegDecoder::new_with_options(ZCursor::new(markers.without_records(bytes)), options);
+        let mut decoder = JpegDecoder::new_with_options(ZCursor::new(image), options);
         decoder.decode_headers().map_err(|error| explained(error, name))?;
         let colors = decoder.input_colorspace();
         let (channels, out) = match colors {
@@ -96,6 +97,35 @@ pub(super) fn reduced(bytes: &[u8], longest: usize) -> Option<Vec<Plane>> {
     planes.collect()
 }
 
+/// The file without records, as the decoder takes it, and the damage that is left out of it.
+///
+/// # Errors
+/// `damaged` if less than half of the picture can be decoded, `too-large` if there is no memory to repair it.
+pub(super) fn readable(
+    bytes: &[u8],
+    markers: &Markers<'_>,
+    name: &'static str,
+    limits: &Limits,
+) -> Result<(Vec<u8>, Option<Damage>)> {
+    if markers.complete && sound::is_sound(bytes) {
+        return Ok((markers.without_records(bytes), None));
+    }
+    let size = markers.size.map_or((0, 0), |(width, height)| (width as usize, height as usize));
+    // Two bytes for each coefficient, and the file.
+    let room = check_memory(size, 3 * u64::from(markers.components), limits);
+    let rescued = match room {
+        Err(error) if markers.frame != PROGRESSIVE => return Err(error),
+        Err(_) => None,
+        Ok(()) => rescue::rescued(bytes),
+    };
+    match rescued {
+        Some((file, damage)) => Ok((file, damage.checked(name)?)),
+        // Of an unusual kind, which the decoder may know.
+        None if markers.complete => Ok((markers.without_records(bytes), None)),
+        None => Err(Error::damaged(name, "its end is missing")),
+    }
+}
+
 fn explained(error: DecodeErrors, format: &'static str) -> Error {
     match error {
         DecodeErrors::Unsupported(reason) => Error::Unsupported { format, reason: format!("{reason:?}") },
@@ -108,6 +138,10 @@ fn explained(error: DecodeErrors, format: &'static str) -> Error {
 pub(super) struct Markers<'a> {
     /// Width and height as announced.
     pub(super) size: Option<(u32, u32)>,
+    /// Marker of the frame: the kind of file; 0 without a frame.
+    frame: u8,
+    /// Bits of a sample.
+    precision: u8,
     /// Number of colour components.
     pub(super) components: u8,
     /// The EXIF record, without its mark.
@@ -120,8 +154,12 @@ pub(super) struct Markers<'a> {
     parts: Vec<&'a [u8]>,
 }
 
+const HUFFMAN_TABLES: u8 = 0xC4;
 const END_OF_IMAGE: u8 = 0xD9;
+const PROGRESSIVE: u8 = 0xC2;
 const START_OF_SCAN: u8 = 0xDA;
+const QUANTIZATION_TABLES: u8 = 0xDB;
+const RESTART_INTERVAL: u8 = 0xDD;
 const APP0: u8 = 0xE0;
 const APP1: u8 = 0xE1;
 const APP2: u8 = 0xE2;
@@ -136,7 +174,9 @@ impl<'a> Markers<'a> {
     /// Walks through the segments, and through the coded data between them.
     pub(super) fn of(bytes: &'a [u8]) -> Self {
         let (end, parts) = (bytes.len(), Vec::new());
-        let mut markers = Self { size: None, components: 0, exif: None, complete: false, end, parts };
+        let (frame, precision, components) = (0, 0, 0);
+        let mut markers =
+            Self { size: None, frame, precision, components, exif: None, complete: false, end, parts };
         let mut at = 2;
         while let Some((marker, after)) = next_marker(bytes, at) {
             if marker == END_OF_IMAGE {
@@ -153,10 +193,14 @@ impl<'a> Markers<'a> {
                 }
                 // Start of frame: C0..CF but for DHT, JPG and DAC.
                 0xC0..=0xCF if !matches!(marker, 0xC4 | 0xC8 | 0xCC) => {
-                    if let Some(&[_, h1, h0, w1, w0, components]) = payload.first_chunk() {
+                    // Damaged data may look like another frame.
+                    if markers.size.is_none()
+                        && let Some(&[precision, h1, h0, w1, w0, components]) = payload.first_chunk()
+                    {
                         let size = [[w1, w0], [h1, h0]].map(|side| u32::from(u16::from_be_bytes(side)));
-                        markers.size = markers.size.or(Some((size[0], size[1])));
-                        markers.components = components;
+                        markers.size = Some((size[0], size[1]));
+                        (markers.frame, markers.precision, markers.components) =
+                            (marker, precision, components);
                     }
                 }
                 _ => {}
@@ -202,6 +246,17 @@ impl<'a> Markers<'a> {
         image
     }
 
+    /// Why no decoder here reads the kind of file; none for a kind that is read.
+    pub(super) fn unsupported(&self) -> Option<&'static str> {
+        match (self.frame, self.precision) {
+            (0xC9..=0xCF, _) => Some("it uses arithmetic coding"),
+            (0xC3, _) => Some("it is lossless"),
+            (0xC5..=0xC7, _) => Some("it is hierarchical"),
+            (0xC0..=0xC2, 12) => Some("it has 12 bits per sample"),
+            _ => None,
+        }
+    }
+
     /// True when coded data of `length` bytes can hold the announced pixels: a block of 64 takes a bit at least.
     pub(super) fn plausible(&self, length: usize) -> bool {
         let (width, height) = self.size.unwrap_or((0, 0));
@@ -213,13 +268,21 @@ impl<'a> Markers<'a> {
 /// and with them the coded data.
 fn next_marker(bytes: &[u8], mut at: usize) -> Option<(u8, usize)> {
     loop {
-        at += bytes.get(at..)?.iter().position(|&byte| byte == 0xFF)?;
+        at += first_mark(bytes.get(at..)?)?;
         match *bytes.get(at + 1)? {
             0xFF => at += 1,
             0x00 | 0x01 | 0xD0..=0xD8 => at += 2,
             marker => return Some((marker, at + 2)),
         }
     }
+}
+
+/// The position of the first 0xFF. Most of a file is passed over by pieces, which is faster.
+fn first_mark(bytes: &[u8]) -> Option<usize> {
+    const PIECE: usize = 64;
+    let piece = bytes.chunks(PIECE).position(|piece| piece.contains(&0xFF))?;
+    let start = piece * PIECE;
+    Some(start + bytes[start..].iter().position(|&byte| byte == 0xFF)?)
 }
 
 #[cfg(test)]
@@ -242,8 +305,7 @@ mod tests {
             "what follows the end is left out"
         );
         assert_eq!(Markers::of(&image).without_records(&image), image);
-        let pixels =
-            |bytes: &[u8]| Decoder::new(bytes, &Markers::of(bytes), "JPEG").unwrap().samples().unwrap();
+        let pixels = |bytes: &[u8]| Decoder::new(bytes.to_vec(), "JPEG").unwrap().samples().unwrap();
         assert_eq!(pixels(&image), pixels(file));
         // Adobe's marker is no record: it says that these are four inks.
         let inks = include_bytes!("../../../tests/oracles/data/files/jpeg-ycck.jpg");

@@ -1,14 +1,16 @@
 //! PNG: the pixels as the `png` crate unpacks them, the records as they stand in the file.
 //!
-//! That crate inflates a colour profile whole before anyone asks for it, so it is told to pass over all that is not
+//! If a file is damaged, the rows before the damage are decoded. That crate inflates a colour profile whole before anyone asks for it, so it is told to pass over all that is not
 //! pixels, and what matters is found here. Source: PNG, third edition, sections 5 and 11.
 
 use std::io::Cursor;
 
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
-use png::{BitDepth, Decoder, DecodingError, Transformations};
+use png::{
+    BitDepth, ColorType, Decoder, DecodingError, InterlaceInfo, Transformations, splat_interlaced_row,
+};
 
-use super::decode::{Limits, MOST_PROFILE, check_memory, out_of_memory};
+use super::decode::{Damage, Limits, MOST_PROFILE, check_memory, out_of_memory};
 use super::exif::{self, Exif};
 use super::samples::{self, Alpha, Channels, Pixels};
 use crate::error::{Error, Result};
@@ -18,10 +20,7 @@ const MOST_COLLECTED: usize = 8 << 20;
 
 /// Reads a file; of an animation the picture that programs without animation show.
 pub(super) fn read(file: &[u8], name: &'static str, limits: &Limits) -> Result<(Pixels, Exif)> {
-    let mut decoder = Decoder::new_with_limits(Cursor::new(file), png::Limits { bytes: MOST_COLLECTED });
-    decoder.set_ignore_text_chunk(true);
-    decoder.set_ignore_iccp_chunk(true);
-    decoder.set_transformations(Transformations::EXPAND);
+    let mut decoder = decoder(file);
     let failed = |error| explained(error, name);
     let (width, height) = decoder.read_header_info().map_err(failed)?.size();
     limits.check(width, height, name)?;
@@ -32,7 +31,25 @@ pub(super) fn read(file: &[u8], name: &'static str, limits: &Limits) -> Result<(
     check_memory(size, (color.samples() * bytes) as u64, limits)?;
     let length = reader.output_buffer_size().ok_or_else(|| out_of_memory(size, limits))?;
     let mut samples = vec![0; length];
-    reader.next_frame(&mut samples).map_err(failed)?;
+    let damage = match reader.next_frame(&mut samples) {
+        Err(DecodingError::IoError(_) | DecodingError::Format(_)) => {
+            let mut rows = |decoder: Decoder<Cursor<&[u8]>>| {
+                grey(&mut samples, color, bytes);
+                read_rows(decoder, &mut samples, size.1, color.samples() * bytes)
+            };
+            match rows(self::decoder(before_damage(file))) {
+                Ok(damage) if damage.checked(name).is_ok() => damage.checked(name)?,
+                // A file of few chunks: their checksums do not locate the damage.
+                _ => {
+                    let mut unchecked = self::decoder(file);
+                    unchecked.ignore_checksums(true);
+                    let Damage { missing, coarse } = rows(unchecked).map_err(failed)?;
+                    Damage { missing: missing.max(1.0 / f64::from(height)), coarse }.checked(name)?
+                }
+            }
+        }
+        whole => whole.map(|_| None).map_err(failed)?,
+    };
     if depth == BitDepth::Sixteen {
         samples =
             samples.as_chunks().0.iter().map(|&two| samples::of_16_bits(u16::from_be_bytes(two))).collect();
@@ -41,7 +58,73 @@ pub(super) fn read(file: &[u8], name: &'static str, limits: &Limits) -> Result<(
     let channels = if color.samples() < 3 { Channels::Grey } else { Channels::Rgb };
     let Records { profile, exif } = records(file);
     let pixels = Pixels::flattened(size, samples, channels, alpha).with_profile(profile);
-    Ok((pixels, exif))
+    Ok((Pixels { damage, ..pixels }, exif))
+}
+
+fn decoder(file: &[u8]) -> Decoder<Cursor<&[u8]>> {
+    let mut decoder = Decoder::new_with_limits(Cursor::new(file), png::Limits { bytes: MOST_COLLECTED });
+    decoder.set_ignore_text_chunk(true);
+    decoder.set_ignore_iccp_chunk(true);
+    decoder.set_transformations(Transformations::EXPAND);
+    decoder
+}
+
+/// Makes all pixels grey and opaque.
+fn grey(samples: &mut [u8], color: ColorType, bytes: usize) {
+    samples.fill(128);
+    if matches!(color, ColorType::GrayscaleAlpha | ColorType::Rgba) {
+        for pixel in samples.chunks_mut(color.samples() * bytes) {
+            let alpha = pixel.len() - bytes;
+            pixel[alpha..].fill(255);
+        }
+    }
+}
+
+/// Decodes the rows of a file up to its first damage. It has `height` rows, and its pixels take `bytes` each.
+fn read_rows(
+    decoder: Decoder<Cursor<&[u8]>>,
+    samples: &mut [u8],
+    height: usize,
+    bytes: usize,
+) -> std::result::Result<Damage, DecodingError> {
+    let mut reader = decoder.read_info()?;
+    let stride = samples.len() / height;
+    let (mut read, mut covered) = (0, 0);
+    while let Ok(Some(row)) = reader.next_interlaced_row() {
+        read += row.data().len();
+        match row.interlace() {
+            InterlaceInfo::Null(_) => {
+                samples[covered * stride..][..stride].copy_from_slice(row.data());
+                covered += 1;
+            }
+            InterlaceInfo::Adam7(pass) => {
+                splat_interlaced_row(samples, stride, row.data(), pass, 8 * bytes as u8);
+                // A row of the first pass covers eight rows.
+                covered = (covered + 8).min(height);
+            }
+        }
+    }
+    let [covered, read] = [covered as f64 / height as f64, read as f64 / samples.len() as f64];
+    Ok(Damage { missing: 1.0 - covered, coarse: covered - read })
+}
+
+/// A file up to its first chunk of pixels with a wrong checksum.
+fn before_damage(file: &[u8]) -> &[u8] {
+    let mut rest = file.get(8..).unwrap_or_default();
+    while let Some((kind, body, after)) = chunk(rest) {
+        let sum = &rest[8 + body.len()..][..4];
+        if kind == b"IDAT" && sum != checksum(&rest[4..8 + body.len()]).to_be_bytes() {
+            return &file[..file.len() - rest.len()];
+        }
+        rest = after;
+    }
+    file
+}
+
+/// The checksum of a chunk, CRC-32. It is computed for damaged files only.
+fn checksum(bytes: &[u8]) -> u32 {
+    let step = |crc: u32, _| if crc & 1 == 1 { crc >> 1 ^ 0xEDB8_8320 } else { crc >> 1 };
+    !bytes.iter().fold(!0, |crc, &byte| (0..8).fold(crc ^ u32::from(byte), step))
 }
 
 /// What a file says besides its pixels.

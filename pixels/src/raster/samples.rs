@@ -3,6 +3,7 @@
 
 use ::image::ColorType;
 
+use super::decode::Damage;
 use super::resize::{self, Region};
 use super::{Image, Plane, icc};
 use crate::error::Result;
@@ -15,6 +16,8 @@ pub(super) struct Pixels {
     pub(super) channels: Channels,
     /// The file's ICC profile.
     pub(super) profile: Option<Vec<u8>>,
+    /// The damage of the file, if any.
+    pub(super) damage: Option<Damage>,
 }
 
 /// What the samples of a pixel are.
@@ -62,7 +65,7 @@ impl Pixels {
             (Channels::Rgb, _) => on_paper::<3, 4>(samples, alpha, 255),
             (Channels::Cmyk, _) => on_paper::<4, 5>(samples, alpha, 0),
         };
-        Self { size, samples, channels, profile: None }
+        Self { size, samples, channels, profile: None, damage: None }
     }
 
     /// The same with the file's profile.

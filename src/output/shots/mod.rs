@@ -66,7 +66,7 @@ pub struct ListedShot {
     pub film: Option<Film>,
 }
 
-/// Frames by which the end of a source may be missed because its length was rounded to milliseconds.
+/// Tolerance in frames at the end of a source, because its length was rounded to milliseconds.
 const ROUNDED: f64 = 0.1;
 
 /// A place in a film.
@@ -74,7 +74,7 @@ const ROUNDED: f64 = 0.1;
 #[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(optional_fields))]
 pub struct Film {
-    /// Identifies the film: others may have the same name. Without a key, films of one name are one film.
+    /// Identifies the video, because others may have the same name. Without keys, videos with one name are one video.
     pub key: String,
     /// The name of its file.
     pub name: String,
@@ -154,7 +154,7 @@ impl ShotList {
         Rate { base: if self.fps == 0 { 24 } else { self.fps }, pace: self.pace }
     }
 
-    /// The shots with their places: in their source, and behind each other.
+    /// The shots with their positions in their source and in the list.
     fn cuts(&self) -> Vec<Cut<'_>> {
         let rate = self.rate();
         let mut sources = Sources::default();
@@ -174,7 +174,7 @@ impl ShotList {
 struct Sources<'a> {
     /// The first shot of each film.
     films: HashMap<&'a str, Source>,
-    /// How many files have a name.
+    /// Number of files with a name.
     names: HashMap<&'a str, u64>,
 }
 
@@ -231,17 +231,17 @@ impl<'a> Sources<'a> {
 struct Cut<'a> {
     shot: &'a ListedShot,
     source: Source,
-    /// Where it begins in its source; 0 for a picture of its own.
+    /// Start in its source; 0 for a photo.
     start: u64,
-    /// How long it is on the board.
+    /// Length on the board.
     wanted: u64,
-    /// How long it is: not longer than the rest of its source.
+    /// Length, limited by the rest of its source.
     frames: u64,
-    /// How long its source is, if that is known.
+    /// Length of its source, if known.
     length: Option<u64>,
     /// The timecode of the first frame of its source, in frames since midnight.
     origin: u64,
-    /// How the timecode of its source is counted.
+    /// Rate and drop-frame flag of the timecode of its source.
     counting: Rate,
     /// Where it begins among the others.
     at: u64,
@@ -253,8 +253,8 @@ impl Cut<'_> {
         self.shot.film.as_ref().map_or(&self.shot.name, |film| &film.name)
     }
 
-    /// Where its file is looked for beside the list. Of files with the same name only the first can be there, and each of the
-    /// others is looked for in a folder with its number.
+    /// Path of its file relative to the list. If several files have one name, the first is next to the list, and each of the
+    /// others is in a folder with its number.
     fn url(&self) -> String {
         let name = encoded(self.file());
         match self.source.namesake {

@@ -1,5 +1,5 @@
 // @ts-check
-/** What a new user does first: open the page, try the sample album, download the page. */
+/** The first steps of a new user: open the app, try the sample album, download the page. */
 
 import { readFile } from 'node:fs/promises';
 import { PNG, expect, test } from '../../../www/testing.ts';

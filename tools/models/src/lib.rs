@@ -27,7 +27,7 @@ pub use package::{Package, Registry};
 struct Model {
     /// Name of the file in `www/models`.
     file: &'static str,
-    /// SHA-256 of what the conversion must give.
+    /// Expected SHA-256 of the result.
     sha256: &'static str,
     package: Package<'static>,
     /// From the unpacked package to ONNX.

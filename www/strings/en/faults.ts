@@ -31,6 +31,9 @@ export const faultStrings = {
     'film-codec': (what: string) =>
       `its pictures are ${what}, which this browser cannot decode. Convert it to MP4 with H.264 video, with HandBrake or ffmpeg for example.`,
   } as Record<string, (what: string) => string>,
+  photoDamaged: (name: string, share: string) => `${name}: ${share} of the picture is damaged and drawn grey.`,
+  photoCoarse: (name: string, share: string) =>
+    `${name}: ${share} of the picture lacks detail, because the file is damaged or incomplete.`,
   filmReaches: (name: string, till: string, whole: string) =>
     `${name} is broken off: only to ${till} of ${whole}. The frames are from there.`,
   noUsablePhoto:

@@ -48,6 +48,9 @@ export const faultStrings = {
     'film-codec': (what: string) =>
       `sus imágenes son ${what}, que este navegador no descodifica. Conviértela a MP4 con vídeo H.264, por ejemplo con HandBrake o ffmpeg.`,
   } as Record<string, (what: string) => string>,
+  photoDamaged: (name: string, share: string) => `${name}: el ${share} de la imagen está dañado y se dibuja en gris.`,
+  photoCoarse: (name: string, share: string) =>
+    `${name}: al ${share} de la imagen le falta detalle, porque el archivo está dañado o incompleto.`,
   filmReaches: (name: string, till: string, whole: string) =>
     `${name} está cortado: solo hasta ${till} de ${whole}. Los fotogramas son de esa parte.`,
   noUsablePhoto:

@@ -49,6 +49,9 @@ export const faultStrings = {
     'film-codec': (what: string) =>
       `ses images sont en ${what}, que ce navigateur ne décode pas. Convertissez-le en MP4 avec une vidéo H.264, avec HandBrake ou ffmpeg par exemple.`,
   } as Record<string, (what: string) => string>,
+  photoDamaged: (name: string, share: string) => `${name} : ${share} de l’image sont endommagés et dessinés en gris.`,
+  photoCoarse: (name: string, share: string) =>
+    `${name} : ${share} de l’image manquent de détails, car le fichier est endommagé ou incomplet.`,
   filmReaches: (name: string, till: string, whole: string) =>
     `${name} est interrompu : seulement jusqu’à ${till} sur ${whole}. Les images viennent de cette partie.`,
   noUsablePhoto:

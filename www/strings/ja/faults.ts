@@ -49,6 +49,9 @@ export const faultStrings = {
     'film-codec': (what: string) =>
       `映像が${what}で、このブラウザーではデコードできません。HandBrakeやffmpegなどで、H.264のMP4に変換してください。`,
   } as Record<string, (what: string) => string>,
+  photoDamaged: (name: string, share: string) => `${name}：画像の${share}が壊れているため、灰色で描きます。`,
+  photoCoarse: (name: string, share: string) =>
+    `${name}：ファイルが壊れているか不完全なため、画像の${share}で細部が欠けています。`,
   filmReaches: (name: string, till: string, whole: string) =>
     `${name}は途切れています：${whole}のうち${till}までだけです。フレームはそこまでのものです。`,
   noUsablePhoto:

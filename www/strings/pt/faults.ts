@@ -48,6 +48,10 @@ export const faultStrings = {
     'film-codec': (what: string) =>
       `as imagens são ${what}, que este navegador não decodifica. Converta-o para MP4 com vídeo H.264, por exemplo com HandBrake ou ffmpeg.`,
   } as Record<string, (what: string) => string>,
+  photoDamaged: (name: string, share: string) =>
+    `${name}: ${share} da imagem estão danificados e são desenhados em cinza.`,
+  photoCoarse: (name: string, share: string) =>
+    `${name}: ${share} da imagem estão sem detalhes, porque o arquivo está danificado ou incompleto.`,
   filmReaches: (name: string, till: string, whole: string) =>
     `${name} está interrompido: só até ${till} de ${whole}. As imagens são dessa parte.`,
   noUsablePhoto:

@@ -1,5 +1,8 @@
 //! The coded data of a scan: its bits, and the Huffman codes in them. Source: ITU-T T.81, annexes C and F.2.2.
 
+/// The symbol of sixteen zeros. The block continues after it.
+pub(super) const ZEROS: u8 = 0xF0;
+
 /// How many bits one look into a table tells about.
 const LOOK: u32 = 10;
 
@@ -44,7 +47,39 @@ impl Table {
     }
 }
 
-/// What a table tells of a code, and of the `rest` bits `behind` it.
+/// Number of bits that index [`Steps`].
+const STEP: u32 = 12;
+
+/// A table to skip coefficients without their values, indexed by the next bits. An entry covers all complete symbols in these bits.
+/// From the lowest bit on it has the number of bits (5), the number of coefficients (7), and the end of the block (1). An entry
+/// without a complete symbol is 0.
+pub(super) struct Steps([u16; 1 << STEP]);
+
+impl Steps {
+    /// Creates the table from the Huffman table of the AC coefficients.
+    pub(super) fn new(table: &Table) -> Self {
+        let steps = |bits: usize| {
+            let (mut taken, mut passed) = (0, 0);
+            loop {
+                let found = table.short[(bits << taken & ((1 << STEP) - 1)) >> (STEP - LOOK)];
+                let (length, symbol) = ((found & 0xFF) as u32, (found >> 8 & 0xFF) as u16);
+                let length = if found >> 16 == 0 { length + u32::from(symbol & 15) } else { length };
+                if found == 0 || taken + length > STEP || passed > 63 {
+                    return passed << 5 | taken as u16;
+                }
+                taken += length;
+                match symbol {
+                    0xF0 => passed += 16,
+                    _ if symbol & 15 == 0 => return 1 << 12 | passed << 5 | taken as u16,
+                    _ => passed += (symbol >> 4) + 1,
+                }
+            }
+        };
+        Self(std::array::from_fn(steps))
+    }
+}
+
+/// The entry of a table for a code, and the `rest` bits `behind` it.
 fn known(symbol: u8, length: u32, behind: u32, rest: u32) -> i32 {
     let size = u32::from(symbol & 15);
     let (number, taken) = if (1..=rest).contains(&size) {
@@ -63,6 +98,7 @@ fn signed(bits: u32, size: u32) -> i32 {
 }
 
 /// The bits of a scan, up to its next marker.
+#[derive(Clone)]
 pub(super) struct Bits<'a> {
     data: &'a [u8],
     at: usize,
@@ -81,17 +117,22 @@ impl<'a> Bits<'a> {
     /// Fetches as many bits as a symbol and its number may have together: 31.
     #[inline]
     fn fetch(&mut self) {
-        if self.count >= 31 {
-            return;
+        if self.count < 31 {
+            self.fill();
         }
-        if let Some(&four) = self.data.get(self.at..).and_then(<[u8]>::first_chunk) {
-            let word = u32::from_be_bytes(four);
-            // Whether one of the bytes is 0xFF, behind which there may be a marker.
-            let may_end = (!word).wrapping_sub(0x0101_0101) & word & 0x8080_8080 != 0;
-            if !may_end && self.count >= 0 {
-                self.ahead |= u64::from(word) << (32 - self.count);
-                self.count += 32;
-                self.at += 4;
+    }
+
+    /// Fetches 49 bits or more, if there are as many before the next marker.
+    #[inline]
+    fn fill(&mut self) {
+        if let Some(&eight) = self.data.get(self.at..).and_then(<[u8]>::first_chunk) {
+            let word = u64::from_be_bytes(eight);
+            // Whether one of the bytes is 0xFF, which may start a marker.
+            let may_end = (!word).wrapping_sub(0x0101_0101_0101_0101) & word & 0x8080_8080_8080_8080 != 0;
+            if !may_end && (0..56).contains(&self.count) {
+                self.ahead |= word >> self.count;
+                self.at += (63 - self.count as usize) / 8;
+                self.count |= 56;
                 return;
             }
         }
@@ -138,6 +179,38 @@ impl<'a> Bits<'a> {
         Some((symbol, signed(bits, size)))
     }
 
+    /// Skips the AC coefficients of a block. Returns `None` for an unknown code or too many coefficients.
+    #[inline]
+    pub(super) fn pass(&mut self, table: &Table, steps: &Steps) -> Option<()> {
+        let mut k = 1;
+        'block: while k < 64 {
+            self.fill();
+            // As many looks as there are bits for.
+            for _ in 0..4 {
+                let step = steps.0[(self.ahead >> (64 - STEP)) as usize];
+                let passed = usize::from(step >> 5 & 127);
+                if step == 0 || k + passed > 63 {
+                    // A long symbol, or the last one: the next block follows without an end.
+                    let (symbol, number) = self.next(table)?;
+                    k += usize::from(symbol >> 4) + 1;
+                    if number == 0 && symbol != ZEROS {
+                        return Some(());
+                    }
+                    if number != 0 && k > 64 {
+                        return None;
+                    }
+                    continue 'block;
+                }
+                self.skip((step & 31).into());
+                k += passed;
+                if step >> 12 != 0 {
+                    return Some(());
+                }
+            }
+        }
+        Some(())
+    }
+
     #[cold]
     fn long(&mut self, table: &Table) -> Option<u8> {
         let code = (self.ahead >> 48) as u32;
@@ -151,6 +224,48 @@ impl<'a> Bits<'a> {
     #[inline]
     pub(super) fn sufficed(&self) -> bool {
         self.count >= 0
+    }
+
+    /// Whether nothing is left before the end of the data.
+    pub(super) fn is_at_end(&self) -> bool {
+        self.filling_to() == Some(self.data.len())
+    }
+
+    /// The position of the next marker, or of the end, if only filling lies before it: bits of the last byte, and bytes that are alike.
+    pub(super) fn filling_to(&self) -> Option<usize> {
+        let count = usize::try_from(self.count).ok()?;
+        let rest = self.data.get(self.at..)?;
+        let marker = rest.windows(2).position(|pair| pair[0] == 0xFF && !matches!(pair[1], 0 | 0xFF));
+        let end = marker.unwrap_or(rest.len());
+        let ahead = (self.ahead << (count % 8)).to_be_bytes();
+        let mut bytes = ahead[..count / 8].iter().chain(&rest[..end]);
+        bytes.next().is_none_or(|first| bytes.all(|byte| byte == first)).then_some(self.at + end)
+    }
+
+    /// The next bits as a number, at most 16.
+    #[inline]
+    pub(super) fn take(&mut self, count: u8) -> u32 {
+        self.fetch();
+        let bits = (self.ahead >> 48) as u32 >> (16 - u32::from(count));
+        self.skip(count.into());
+        bits
+    }
+
+    /// Number of bits up to the end of the data, if there are few; otherwise any larger number.
+    pub(super) fn left(&mut self) -> i32 {
+        self.fetch();
+        if self.at < self.data.len() { i32::MAX } else { self.count }
+    }
+
+    /// Continues after bits that cannot be read. Returns false at the end of the data.
+    pub(super) fn skip_fault(&mut self) -> bool {
+        if self.count > 0 {
+            self.skip(1);
+        } else {
+            // After a marker that does not belong here.
+            *self = Self { at: self.at + 2, ..Self::new(self.data) };
+        }
+        self.at < self.data.len()
     }
 
     /// Goes on behind the restart marker of a number; none where another one stands there, or data before it.

@@ -106,7 +106,7 @@ test('a link that is dropped does not make the browser leave the app, and can be
   page,
 }) => {
   await openBoard(page, ['bee.jpg']);
-  /** Whether the app keeps the browser from what it does with a link. */
+  /** Whether the app prevents the default action of the browser. */
   const prevented = (/** @type {import('../../../../www/testing.ts').Locator} */ target) =>
     target.evaluate((element) =>
       ['dragover', 'drop'].map((type) => {
