@@ -375,7 +375,7 @@ fn a_page_goes_out_as_data_and_comes_in_as_the_same_page() {
         (vec!["--document", "two.json", "-o", "x.png"], "is neither beside it nor among the photos given"),
         (vec!["--document", "two.json", "-o", "x.png", "--style", "noir", "album"], "it is planned already"),
         (vec!["--document", "gone.json", "-o", "x.png"], "gone.json: "),
-        (vec!["--document", "album/bee.jpg", "-o", "x.png"], "is no JSON"),
+        (vec!["--document", "album/bee.jpg", "-o", "x.png"], "is not JSON"),
     ] {
         let done = inkpanel(folder.path(), &[&["render"][..], &arguments].concat());
         assert_eq!(done.status.code(), Some(1), "{arguments:?}");

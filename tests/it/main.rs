@@ -17,6 +17,7 @@ mod breaking;
 mod catalogue;
 mod comics;
 mod composing;
+mod damaged_photos;
 mod designed_styles;
 mod detect;
 mod docs;

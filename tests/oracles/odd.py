@@ -36,7 +36,17 @@ LARGE = np.asarray(Image.fromarray(RGB).resize((105, 70), Image.Resampling.BICUB
 
 # Why Inkpanel sees otherwise what Pillow opens. A file that stands here and agrees fails the test, as does the contrary.
 CLEAR = "The area outside the first frame is transparent, like in browsers. Pillow fills it with the first palette colour."
-CUT = "Truncated JPEG files are rejected. Pillow draws a gray area instead (LOAD_TRUNCATED_IMAGES)."
+CUT = "Files of which less than half can be decoded are rejected. Pillow draws a gray area instead (LOAD_TRUNCATED_IMAGES)."
+DAMAGED = """
+## Damaged files
+
+A damaged JPEG or PNG file is decoded as far as possible.
+Decoding continues at the next restart marker, or after the Huffman codes synchronise.
+The command line and the app report the share of the picture that is missing and drawn grey, or that lacks detail.
+`--strict` refuses such a file.
+A file is always refused if less than half of it can be decoded.
+A missing end marker (EOI or IEND) is not damage if all pixels are there.
+"""
 SCANS = "Scans are missing. Inkpanel draws the blocks unchanged; libjpeg smooths them."
 PLANES = "Pillow reads uncompressed planar 16-bit samples as bytes, each column twice. Compressed files agree."
 REASONS = {
@@ -52,7 +62,6 @@ REASONS = {
     "jpeg-patched.jpg": "Data is missing, but the end marker is present. The result is random in every decoder.",
     "jpeg-progressive-1-scans.jpg": SCANS,
     "jpeg-progressive-3-scans.jpg": SCANS,
-    "jpeg-progressive-cut.jpg": CUT,
     "tiff-bigtiff.tif": "BigTIFF is not supported. It is for files larger than 4 GB.",
     "tiff-bits-12.tif": "12-bit samples are not supported. Scientific cameras write them.",
     "tiff-fax3.tif": "Group 4 is the only supported fax compression. Group 3 is for scanned letters.",
@@ -463,7 +472,7 @@ The script makes {count} small files with rare variants of JPEG, PNG, WebP, GIF,
 They cover bit depths, planes, tiles, predictors, alpha modes, palettes, inks, frames outside the screen and missing scans.
 Pillow {version} opens {open} of them.
 Inkpanel gives the same pixels for {same}, at 45 dB or more.
-`tests/odd_files.rs` checks this and fails for any other difference.
+`tests/it/odd_files.rs` checks this and fails for any other difference.
 
 | File | Reason |
 |---|---|
@@ -498,7 +507,7 @@ def main():
     import PIL
     about = TABLE.format(count=len(index), version=PIL.__version__, open=len(opened), same=len(opened) - len(REASONS))
     rows = "".join(f"| `{name}` | {reason} |\n" for name, reason in sorted(REASONS.items()))
-    (HERE.parent.parent / "docs/reference/decoding.md").write_text(about + rows)
+    (HERE.parent.parent / "docs/reference/decoding.md").write_text(about + rows + DAMAGED)
 
 
 main()

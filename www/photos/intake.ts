@@ -5,6 +5,7 @@
 import { batch } from '@preact/signals';
 import { CROWD, Priority } from '../engine/queue.ts';
 import { freshId } from '../document/fresh-id.ts';
+import { strings } from '../strings/strings.ts';
 import { reportFailure } from '../ui/importing.ts';
 import { looksLike } from './identity.ts';
 import { emptyFrames } from './placeholder.ts';

@@ -141,7 +141,11 @@ impl Header {
         let mut indices = Vec::new();
         for &[id, tables] in parts.as_chunks::<2>().0 {
             let index = self.components.iter().position(|component| component.id == id)?;
-            self.components[index].tables = (usize::from(tables >> 4), usize::from(tables & 15));
+            let (first, others) = (usize::from(tables >> 4), usize::from(tables & 15));
+            if first >= self.firsts.len() || others >= self.others.len() {
+                return None;
+            }
+            self.components[index].tables = (first, others);
             indices.push(index);
         }
         (!indices.is_empty()).then_some((indices, parameters.first_chunk()?))

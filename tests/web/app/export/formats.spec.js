@@ -112,7 +112,7 @@ test('the estimated file size is close to the size of the file', async ({ page }
   for (const format of ['png', 'jpeg']) {
     await dialog.getByRole('combobox', { name: 'Format' }).selectOption(format);
     const estimate = dialog.locator('.file-size[aria-busy=false]');
-    await expect(estimate).toHaveText(/^about [\d.]+ [KM]B$/);
+    await expect(estimate).toHaveText(/^about [\d.]+ [kKM]B$/);
     const [, amount, unit] = /** @type {RegExpMatchArray} */ ((await estimate.innerText()).match(/([\d.]+) ([KM])B/));
     const about = Number(amount) * (unit === 'M' ? 1e6 : 1e3);
     const { bytes } = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
@@ -188,7 +188,7 @@ plainTest('a browser without a WebP encoder saves a lossless WebP file', async (
   await expect(quality).toBeVisible();
   await dialog.getByRole('combobox', { name: 'Format' }).selectOption('webp');
   await expect(quality).toHaveCount(0);
-  await expect(dialog.locator('.file-size[aria-busy=false]')).toHaveText(/^about [\d.]+ [KM]B$/);
+  await expect(dialog.locator('.file-size[aria-busy=false]')).toHaveText(/^about [\d.]+ [kKM]B$/);
 });
 
 plainTest('a file that takes long is shared by a second click', async ({ page }) => {
