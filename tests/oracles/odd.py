@@ -36,7 +36,7 @@ LARGE = np.asarray(Image.fromarray(RGB).resize((105, 70), Image.Resampling.BICUB
 
 # Why Inkpanel sees otherwise what Pillow opens. A file that stands here and agrees fails the test, as does the contrary.
 CLEAR = "The area outside the first frame is transparent, like in browsers. Pillow fills it with the first palette colour."
-CUT = "Files of which less than half can be decoded are rejected. Pillow draws a gray area instead (LOAD_TRUNCATED_IMAGES)."
+CUT = "Inkpanel rejects a file if less than half of it can be decoded. Pillow draws a gray area instead (LOAD_TRUNCATED_IMAGES)."
 DAMAGED = """
 ## Damaged files
 
