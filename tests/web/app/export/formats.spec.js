@@ -113,7 +113,7 @@ test('the estimated file size is close to the size of the file', async ({ page }
     await dialog.getByRole('combobox', { name: 'Format' }).selectOption(format);
     const estimate = dialog.locator('.file-size[aria-busy=false]');
     await expect(estimate).toHaveText(/^about [\d.]+ [kKM]B$/);
-    const [, amount, unit] = /** @type {RegExpMatchArray} */ ((await estimate.innerText()).match(/([\d.]+) ([KM])B/));
+    const [, amount, unit] = /** @type {RegExpMatchArray} */ ((await estimate.innerText()).match(/([\d.]+) ([kKM])B/));
     const about = Number(amount) * (unit === 'M' ? 1e6 : 1e3);
     const { bytes } = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
     expect(about / bytes.length, format).toBeGreaterThan(0.65);
