@@ -28,6 +28,10 @@ const MAX_SKIPPED: usize = 4;
 const MAX_STEP: f32 = 8.0;
 /// Minimum decrease of such differences when blocks move to their right place.
 const MIN_GAIN: f32 = 2.0;
+/// Minimum number of units in a row for which such differences are compared.
+const MIN_ROW: usize = 12;
+/// Maximum number of units that are missing between others, as a share of those units. Truncated files lack more.
+const MAX_GAP: f64 = 0.125;
 
 /// How much of a block was read.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -96,6 +100,10 @@ pub(super) fn rescued(bytes: &[u8]) -> Option<(Vec<u8>, Damage)> {
         if picture.header.read(marker, body).is_none() {
             break;
         }
+    }
+    // The decoder draws sequential files with fewer blocks of brightness than of colour wrong.
+    if picture.header.most_blocks() != Some(picture.header.components.first()?.blocks) {
+        return None;
     }
     let damage = picture.damage(is_closed)?;
     Some((picture.written(&segments, &frame), damage))
@@ -332,6 +340,10 @@ impl Picture {
         let start = || State::new(Bits::new(piece.data));
         let count = self.units_to_end(scan, &mut start()).unwrap_or(front.len());
         self.lost += count.saturating_sub(front.len()) * scan.layout.blocks(0).count();
+        let gap = (end - front.start).saturating_sub(count) as f64;
+        if row < MIN_ROW || gap > MAX_GAP * count as f64 {
+            return [front, end..end];
+        }
         let steps: Vec<_> = front.clone().map(|unit| self.steps(scan, unit)).collect();
         let mean =
             |part: usize| steps.iter().map(|steps| steps[part]).sum::<f32>() / steps.len() as f32 + 1.0;
@@ -486,5 +498,29 @@ impl Picture {
         }
         let share = |count: usize| count.min(all) as f64 / all as f64;
         (all > 0).then(|| Damage { missing: share(missing.max(self.lost)), coarse: share(coarse) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_end_marker_after_a_truncated_file_does_not_change_its_damage() {
+        let truncated = include_bytes!("../../../../tests/oracles/data/odd/jpeg-cut.jpg");
+        let closed = include_bytes!("../../../../tests/oracles/data/odd/jpeg-patched.jpg");
+        assert_eq!(rescued(truncated).unwrap().1, rescued(closed).unwrap().1);
+    }
+
+    #[test]
+    fn a_file_with_fewer_blocks_of_brightness_than_of_colour_is_left_to_the_decoder() {
+        let mut file = include_bytes!("../../../../tests/oracles/data/files/jpeg-progressive.jpg").to_vec();
+        assert!(rescued(&file).is_some());
+        let frame = file.windows(2).position(|pair| pair == [0xFF, 0xC2]).unwrap();
+        // The blocks of the three components.
+        for (at, blocks) in [(11, 0x11), (14, 0x22), (17, 0x22)] {
+            file[frame + at] = blocks;
+        }
+        assert!(rescued(&file).is_none());
     }
 }
