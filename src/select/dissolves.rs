@@ -65,7 +65,7 @@ pub(super) fn find(times: &[f64], looks: &[Look]) -> Vec<Dissolve> {
             best.push([first, last]);
         }
     }
-    best.sort_unstable();
+    crate::order::sort_by_key(&mut best, |pair| *pair);
     best.into_iter().map(|[first, last]| frames.dissolve(first, last)).collect()
 }
 

@@ -132,7 +132,7 @@ impl Film {
         // No cut falls into a dissolve but its own, in the middle.
         cuts.retain(|&cut| !dissolves.iter().any(|dissolve| dissolve.before < cut && cut <= dissolve.after));
         cuts.extend(dissolves.iter().map(|dissolve| dissolve.middle));
-        cuts.sort_unstable();
+        crate::order::sort_by_key(&mut cuts, |cut| *cut);
         cuts
     }
 
