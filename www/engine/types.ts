@@ -144,7 +144,7 @@ export type ListedShot = {
 
 /** A place in a film. */
 export type Film = {
-  /** Identifies the film: others may have the same name. Without a key, films of one name are one film. */
+  /** Identifies the video, because others may have the same name. Without keys, videos with one name are one video. */
   key: string,
   /** The name of its file. */
   name: string,
@@ -1397,7 +1397,7 @@ export type ImportEntry = {
   meta: PhotoMeta,
   /** Name of the file's format. */
   format: string,
-  /** What could not be decoded of a damaged file. */
+  /** The damage of the file, if any. */
   damage: Damage | null,
   /** What selection compares. */
   measures: Measures,
