@@ -295,11 +295,11 @@ export async function personIn({ driver, downloads }, address) {
     async begin(files = SIX, /** @type {{ detects?: boolean }} */ how = {}) {
       await this.open(how);
       await choose(files);
-      await one('region', 'Storyboard page');
+      await one('region', 'Comic page');
       await idle();
     },
 
-    /** Opens a tab beside the page. @param {'Styles' | 'Layouts' | 'Words' | 'Page'} name */
+    /** Opens a tab beside the page. @param {'Styles' | 'Layouts' | 'Text' | 'Page'} name */
     tab: (name) => click('tab', name),
 
     /** A page of that size, whatever the browser has around it. @param {{ width: number, height: number }} wanted */
@@ -392,7 +392,7 @@ export async function personIn({ driver, downloads }, address) {
 
     /** A balloon with these words. @param {string} text */
     async say(text) {
-      await click('tab', 'Words');
+      await click('tab', 'Text');
       await click('button', 'Add balloon');
       await this.write(/^Text of/, text);
       await one('button', new RegExp(`^Balloon: ${text}`));

@@ -48,7 +48,7 @@ test('a page is made, shuffled, changed by hand, and there again after a reload'
 
 test('a slider of the designer changes a style, and the explorer invents some', async ({ person }) => {
   await person.begin();
-  await person.click('button', 'Designer');
+  await person.click('button', 'Style designer');
   const drawn = async () => {
     const preview = await person.one('region', 'Preview');
     await expect.poll(() => preview.getAttribute('aria-busy')).toBe('false');
@@ -64,7 +64,7 @@ test('a slider of the designer changes a style, and the explorer invents some', 
   await person.idle();
 
   // Its first wall comes by itself.
-  await person.click('button', 'Explorer');
+  await person.click('button', 'Explore styles');
   await expect
     .poll(async () => (await person.all('listitem', undefined, ['region', 'Style explorer'])).length)
     .toBeGreaterThan(5);

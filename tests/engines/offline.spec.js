@@ -24,7 +24,7 @@ plain('after one visit the page works without its host', async ({}, info) => {
     await host.stop();
     await person.driver.get(host.address);
     await person.choose(SIX);
-    await person.one('region', 'Storyboard page');
+    await person.one('region', 'Comic page');
     await person.idle();
     await person.press('Shuffle');
     expect((await person.savedAs('png')).bytes.length).toBeGreaterThan(20_000);

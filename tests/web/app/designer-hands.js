@@ -27,7 +27,7 @@ export async function names(page, layer) {
 /** @param {Page} page */
 export async function openDesigner(page) {
   await openBoard(page, FOUR);
-  await page.getByRole('button', { name: 'Designer', exact: true }).click();
+  await page.getByRole('button', { name: 'Style designer', exact: true }).click();
   await drawn(page);
 }
 
@@ -59,7 +59,7 @@ export async function preview(page) {
 /** Opens the explorer with four photos and generates styles from a fixed seed. @param {Page} page */
 export async function invent(page) {
   await openBoard(page, FOUR);
-  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
   const seed = page.getByRole('spinbutton', { name: 'Seed' });
   await seed.fill('4');
   await seed.press('Enter');

@@ -12,7 +12,7 @@ test('a block is for the background alone, and one undo has it everywhere again'
   await add(page, await photos('macaw.jpg', 'camera.jpg', 'dahlia.jpg'));
   await expect(page.locator('body')).toHaveAttribute('data-masked', 'true', MASKED);
   await idle(page);
-  await page.getByRole('button', { name: 'Designer', exact: true }).click();
+  await page.getByRole('button', { name: 'Style designer', exact: true }).click();
   // One in colour: another of them is gray by itself, and chance has a say in which is shown.
   await region(page).getByRole('button', { name: 'Preview macaw.jpg' }).click();
   await drawn(page);

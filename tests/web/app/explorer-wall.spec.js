@@ -15,7 +15,7 @@ const large = (page) => page.getByRole('dialog', { name: /^Large view of/ });
 /** @param {Page} page */
 async function opened(page) {
   await openBoard(page, FOUR);
-  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
 }
 
 /** Until nothing is invented any more. @param {Page} page */
@@ -87,7 +87,7 @@ test('a first wall comes by itself, and can be stopped', async ({ page }) => {
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
   const before = await order(page);
   await page.getByRole('button', { name: 'Back to the page' }).click();
-  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
   await expect(wall(page)).toHaveCount(before.length);
   expect(await order(page)).toEqual(before);
 });
@@ -109,7 +109,7 @@ test('no two tiles look the same, after two rounds and two breedings, and none m
   ]) {
     for (const n of [a, b]) {
       await wall(page).nth(n).hover();
-      await wall(page).nth(n).getByRole('button', { name: 'Breed' }).click();
+      await wall(page).nth(n).getByRole('button', { name: 'Combine' }).click();
     }
     await whole(page);
   }

@@ -58,9 +58,9 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   await deed(page, 1, 'Favourite');
   await look.selectOption('favourites');
   await expect(wall(page)).toHaveCount(2);
-  await deed(page, 0, 'Breed');
-  await expect(region(page)).toContainText(`Choose another style to breed with ${first}`);
-  await deed(page, 1, 'Breed');
+  await deed(page, 0, 'Combine');
+  await expect(region(page)).toContainText(`Choose another style to combine with ${first}`);
+  await deed(page, 1, 'Combine');
   await expect(region(page)).toContainText(`children of ${first} and ${second}`);
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
   // Beside the second parent, and marked, though the wall shows favourites only.
@@ -80,7 +80,7 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
 
   await page.keyboard.press('Escape');
   const before = await picture(page);
-  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
   await deed(page, 0, 'Use');
   await idle(page);
   await expect(region(page)).toHaveCount(0);
@@ -100,14 +100,14 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
 
   await page.reload();
   await idle(page);
-  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
   await look.selectOption('favourites');
   await expect(wall(page)).toHaveCount(2);
 });
 
 test('the wall is walked, favoured, bred and used by keyboard alone', async ({ page }) => {
   await openBoard(page, FOUR);
-  await page.getByRole('button', { name: 'Explorer', exact: true }).focus();
+  await page.getByRole('button', { name: 'Explore styles', exact: true }).focus();
   await page.keyboard.press('Enter');
   await page.getByRole('button', { name: 'Generate' }).focus();
   await page.keyboard.press('Enter');
@@ -123,7 +123,7 @@ test('the wall is walked, favoured, bred and used by keyboard alone', async ({ p
     await page.keyboard.press('Tab');
     await page.keyboard.press('Tab');
     await page.keyboard.press('Tab');
-    await expect(wall(page).nth(n).getByRole('button', { name: 'Breed' })).toBeFocused();
+    await expect(wall(page).nth(n).getByRole('button', { name: 'Combine' })).toBeFocused();
     await page.keyboard.press('Enter');
   }
   await expect.poll(() => wall(page).count()).toBeGreaterThan(count);
@@ -168,7 +168,7 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
     await page.emulateMedia({ colorScheme });
     await explore(page);
     await page.getByRole('button', { name: 'Stop' }).click();
-    await deed(page, 0, 'Breed');
+    await deed(page, 0, 'Combine');
     await accessible(page);
   });
 }

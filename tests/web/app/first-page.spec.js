@@ -40,7 +40,7 @@ detectingTest('offers what is found after it was looked at, and never takes it b
   await page.goto('./');
   await add(page, await photos(...MORE));
   await page.waitForFunction(() => document.body.dataset.drawn === 'true');
-  const offer = page.getByRole('button', { name: 'Better crops found' });
+  const offer = page.getByRole('button', { name: 'Improve crops' });
   const before = await picture(page);
   await page.waitForFunction(() => document.body.dataset.detected === 'true', undefined, { timeout: 60_000 });
   if (await offer.isVisible()) {

@@ -94,7 +94,7 @@ test('whatever the database holds the page starts and lists its projects', async
       await page.goto('./');
       await idle(page);
       const start = page.getByRole('button', { name: 'Choose photos or a video' });
-      const board = page.getByRole('region', { name: 'Storyboard page' });
+      const board = page.getByRole('region', { name: 'Comic page' });
       await expect(start.or(board)).toBeVisible();
       if (await board.isVisible()) await saved(page);
       await page.getByRole('button', { name: 'Projects' }).click();
@@ -145,7 +145,7 @@ test('a project that cannot be shown is saved as a file, and another is opened',
   await expect(projects.getByRole('button', { name: 'Open Trip' })).toBeVisible();
   await page.getByRole('button', { name: 'Back to the page' }).click();
   await page.getByRole('button', { name: 'Try the sample album' }).click();
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
   await saved(page);
   // It is opened in vain, and what is on the page stays.

@@ -15,7 +15,7 @@ const masked = (page) => expect(page.locator('body')).toHaveAttribute('data-mask
 
 /** Chooses panel after panel until one lets its figure out. @param {Page} page */
 async function breakOne(page) {
-  const button = page.getByRole('button', { name: 'Break the frame' });
+  const button = page.getByRole('button', { name: 'Break out of panel' });
   const panels = page.getByRole('group', { name: /^Panel \d+ of/ });
   for (let i = 0; i < (await panels.count()); i += 1) {
     await panels.nth(i).click();
@@ -129,7 +129,7 @@ test('without the net the tool says what is missing', async ({ page }) => {
   await openBoard(page, ['macaw.jpg', 'camera.jpg', 'dahlia.jpg']);
   await expect(page.locator('body')).toHaveAttribute('data-masked', 'true', MASKED);
   await page.getByRole('group', { name: /^Panel 1 of/ }).click();
-  const button = page.getByRole('button', { name: 'Break the frame' });
+  const button = page.getByRole('button', { name: 'Break out of panel' });
   await expect(button).toBeDisabled();
   await expect(button).toHaveAttribute('title', /[^.]: the net that finds figures is not part of this site/);
 });

@@ -79,7 +79,7 @@ const SCREENS = {
     await page.getByRole('combobox', { name: 'Family' }).selectOption('slanted');
   },
   words: async (page) => {
-    await drawer(page, 'Words');
+    await drawer(page, 'Text');
     await openWords(page);
     await button(page, 'Add balloon').click();
     await expect(page.getByRole('textbox', { name: /^Text of/ })).toBeFocused();
@@ -92,35 +92,35 @@ const SCREENS = {
     await unfold(page, 'Description of the page');
   },
   designer: async (page) => {
-    await work(page, 'Designer');
+    await work(page, 'Style designer');
     await drawn(page);
   },
   'blocks of the designer': async (page) => {
-    await work(page, 'Designer');
+    await work(page, 'Style designer');
     await button(page, 'Add block').click();
     await drawn(page);
   },
   'the page in the designer': async (page) => {
-    await work(page, 'Designer');
+    await work(page, 'Style designer');
     await button(page, 'Page').click();
     await drawn(page);
   },
   'comparison in the designer': async (page) => {
-    await work(page, 'Designer');
+    await work(page, 'Style designer');
     await button(page, 'Compare with original').click();
     await drawn(page);
   },
   'an empty explorer': async (page) => {
-    await work(page, 'Explorer');
+    await work(page, 'Explore styles');
     await invented(page);
     await button(page, 'Clear').click();
   },
   explorer: async (page) => {
-    await work(page, 'Explorer');
+    await work(page, 'Explore styles');
     await invented(page);
   },
   'a style seen large': async (page) => {
-    await work(page, 'Explorer');
+    await work(page, 'Explore styles');
     await invented(page);
     await page.locator('.wall-item').nth(2).click();
     await expect(page.locator('.enlarged-picture[aria-busy=false]')).toBeVisible();
@@ -170,7 +170,7 @@ export async function openFour(page) {
   else {
     await page.goto('./');
     await add(page, await photos('bee.jpg', 'cat.jpg', 'gateway.jpg', 'macaw.jpg'));
-    await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+    await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
     await idle(page);
     await button(page, 'Layouts').click();
     await choose(page, 'grid', 'Four');

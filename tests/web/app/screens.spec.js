@@ -47,7 +47,7 @@ test('axe finds nothing on a video and its stretch, nor while it is read', async
       buffer: await readFile(new URL('../../videos/album.mp4', import.meta.url)),
     },
   ]);
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await accessible(page);
   await idle(page);
   await page.locator('.video summary').click();

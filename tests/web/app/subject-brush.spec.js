@@ -119,7 +119,7 @@ test('a subject that is painted is drawn apart, undone stroke by stroke, and the
 
 test('a figure steps out of its panel by the mask that was painted, and follows each correction', async ({ page }) => {
   await four(page, 'macaw.jpg', 'camera.jpg', 'dahlia.jpg', 'pika.jpg');
-  const breaks = page.getByRole('button', { name: 'Break the frame' });
+  const breaks = page.getByRole('button', { name: 'Break out of panel' });
   await panel(page, 1).click();
   await expect(breaks).toBeDisabled();
   /** Until one lets its figure out: by its shape a panel may have no room. */
@@ -296,7 +296,7 @@ detectingTest('the search for figures is stopped and goes on when asked', async 
   await expect(page.locator('body')).toHaveAttribute('data-masked', 'true');
   release();
   await panel(page, 1).click();
-  const breaks = page.getByRole('button', { name: 'Break the frame' });
+  const breaks = page.getByRole('button', { name: 'Break out of panel' });
   await expect(breaks).toHaveAttribute('title', /the search for figures was stopped/);
   // A photo that comes now does not begin it anew.
   await add(page, await photos('dahlia.jpg'));

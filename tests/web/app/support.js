@@ -289,7 +289,7 @@ export async function openNewBoard(page, names = SIX, files) {
   await openStart(page);
   if (names === SAMPLES) await page.getByRole('button', { name: 'Try the sample album' }).click();
   else await add(page, files ?? (await photos(...names)));
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
   const board = BOARDS.get(page);
   if (board) Object.assign(board, { names: names.join(), start: await stateOf(page), picture: await picture(page) });
@@ -374,7 +374,7 @@ export async function press(page, name) {
 /**
  * Opens a tab beside the page; on a small screen, where there are none, nothing.
  * @param {Page} page
- * @param {'Styles' | 'Layouts' | 'Words' | 'Page'} name
+ * @param {'Styles' | 'Layouts' | 'Text' | 'Page'} name
  */
 export async function tab(page, name) {
   const found = page.getByRole('tab', { name, exact: true });
@@ -419,7 +419,7 @@ export async function contents(page) {
       .getByRole('listbox', { name, includeHidden: true })
       .getByRole('option', { selected: true, includeHidden: true })
       .getAttribute('aria-label');
-  const panels = page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel \d/ });
+  const panels = page.getByRole('region', { name: 'Comic page' }).getByRole('group', { name: /^Panel \d/ });
   return {
     layout: await chosen('Layouts'),
     style: await chosen('Styles'),

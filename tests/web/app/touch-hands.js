@@ -63,7 +63,7 @@ export async function expectTouchTargets(page) {
   // Drawers are animated.
   const check = (/** @type {string} */ place) => expect.poll(() => missed(page), place).toEqual([]);
   await check('board');
-  for (const name of ['Photos', 'Styles', 'Layouts', 'Words', 'Page settings']) {
+  for (const name of ['Photos', 'Styles', 'Layouts', 'Text', 'Page settings']) {
     await page.getByRole('button', { name, exact: true }).tap();
     await idle(page);
     await check(name);

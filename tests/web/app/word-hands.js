@@ -10,8 +10,8 @@ export const word = (/** @type {Page} */ page, /** @type {string | RegExp} */ na
 
 /** Opens the tab of the text items on a large screen. @param {Page} page */
 export async function openWords(page) {
-  const tools = page.getByRole('region', { name: 'Words', exact: true });
-  await tab(page, 'Words');
+  const tools = page.getByRole('region', { name: 'Text', exact: true });
+  await tab(page, 'Text');
   await expect(tools).toBeVisible();
 }
 

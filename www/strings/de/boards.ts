@@ -2,7 +2,7 @@
 
 export const boardsStrings = {
   boards: {
-    seen: 'Wie das Album gezeigt wird',
+    seen: 'Ansicht',
     comic: 'Comic',
     board: 'Storyboard',
     sheets: 'Storyboard-Blätter',

@@ -55,7 +55,7 @@ export const storageStrings = {
     `${photos === 1 ? '1 Foto' : `${photos} Fotos`}${when && `, ${when}`}`,
   noProjects: 'Was du machst, wird hier von selbst gespeichert.',
   projectDeleted: (name: string) => `${name} wurde gelöscht.`,
-  bringBack: 'Zurückholen',
+  bringBack: 'Wiederherstellen',
   projectNotOpened: (why: string) => `Das Projekt ließ sich nicht öffnen: ${why}`,
   projectFileNotOpened: (name: string, why: string) => `${name} ließ sich nicht öffnen: ${why}`,
   projectNotSaved: (why: string) => `Das Projekt ließ sich nicht als Datei speichern: ${why}`,

@@ -1,7 +1,7 @@
 type Kind = 'caption' | 'balloon' | 'effect';
 
 export const wordStrings = {
-  words: 'Worte',
+  words: 'Text',
   addWord: { caption: 'Textkasten hinzufügen', balloon: 'Sprechblase hinzufügen', effect: 'Soundwort hinzufügen' },
   wordShort: { caption: 'Textkasten', balloon: 'Sprechblase', effect: 'Soundwort' },
   /** What a new word says. */

@@ -1,7 +1,7 @@
 /** Words of the board: the page, the shuffling, the bars. */
 
 export const boardStrings = {
-  page: 'Storyboard page',
+  page: 'Comic page',
   panel: (n: number, of: number) => `Panel ${n} of ${of}`,
   shuffle: 'Shuffle',
   fullScreen: 'Full screen',
@@ -9,15 +9,15 @@ export const boardStrings = {
   enlargePage: 'Enlarge page',
   shrinkPage: 'Shrink page',
   versionAt: (n: number, of: number) => `Version ${n} of ${of}`,
-  betterCrops: 'Better crops found',
+  betterCrops: 'Improve crops',
   betterCropsWhy: 'Faces and objects were found since: show them whole',
   shufflePart: { layout: 'Shuffle layout', style: 'Shuffle style', photos: 'Shuffle photos' },
   lockPart: { layout: 'Lock layout', style: 'Lock style', photos: 'Lock photos' },
   part: { layout: 'Layout', style: 'Style', photos: 'Photos' },
   undo: 'Undo',
   redo: 'Redo',
-  previous: 'Previous page',
-  next: 'Next page',
+  previous: 'Previous version',
+  next: 'Next version',
   download: 'Download PNG',
   export: 'Export',
   languageAndTheme: 'Language and theme',

@@ -2,10 +2,10 @@
 
 export const boardsStrings = {
   boards: {
-    seen: 'How the album is seen',
+    seen: 'View',
     comic: 'Comic',
-    board: 'Board',
-    sheets: 'Board sheets',
+    board: 'Storyboard',
+    sheets: 'Storyboard sheets',
     shots: 'Shots',
     picture: 'Picture',
     order: 'Order',

@@ -1,8 +1,8 @@
 /** The words of the designer and the explorer. */
 
 export const designerStrings = {
-  designer: 'Designer',
-  explorer: 'Explorer',
+  designer: 'Style designer',
+  explorer: 'Explore styles',
   backToPage: 'Back to the page',
   styleDesigner: 'Style designer',
   untitledStyle: 'Untitled style',
@@ -110,7 +110,7 @@ export const designerStrings = {
   stop: 'Stop',
   sortByScore: 'Sort by score',
   favourite: 'Favourite',
-  breed: 'Breed',
+  breed: 'Combine',
   moreLikeThis: 'More like this',
   editInDesigner: 'Edit in designer',
   clearWall: 'Clear',
@@ -136,7 +136,7 @@ export const designerStrings = {
   inventing: (done: number, total: number) => `Inventing styles, ${done} of ${total}`,
   explorerEmpty: 'Styles that nobody has seen, on your own photo. Press Generate.',
   explorerNone: 'No style of this kind yet.',
-  breedWith: (name: string) => `Choose another style to breed with ${name}`,
+  breedWith: (name: string) => `Choose another style to combine with ${name}`,
   bredFrom: (a: string, b: string) => (a === b ? `Like ${a}` : `Child of ${a} and ${b}`),
   litterOf: (a: string, b: string) => (a === b ? `Outlined: more like ${a}` : `Outlined: children of ${a} and ${b}`),
   explorerFailed: (why: string) => `Styles could not be drawn: ${why}`,

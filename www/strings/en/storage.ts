@@ -57,7 +57,7 @@ export const storageStrings = {
     `${photos === 1 ? '1 photo' : `${photos} photos`}${when && `, ${when}`}`,
   noProjects: 'What you make is saved here by itself.',
   projectDeleted: (name: string) => `${name} was deleted.`,
-  bringBack: 'Bring it back',
+  bringBack: 'Restore',
   projectNotOpened: (why: string) => `The project could not be opened: ${why}`,
   projectFileNotOpened: (name: string, why: string) => `${name} could not be opened: ${why}`,
   projectNotSaved: (why: string) => `The project could not be saved as a file: ${why}`,

@@ -3,7 +3,7 @@
 export type Kind = 'caption' | 'balloon' | 'effect';
 
 export const wordStrings = {
-  words: 'Words',
+  words: 'Text',
   addWord: { caption: 'Add caption', balloon: 'Add balloon', effect: 'Add sound effect' },
   wordShort: { caption: 'Caption', balloon: 'Balloon', effect: 'Sound' },
   /** What a new word says. */

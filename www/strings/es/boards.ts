@@ -2,7 +2,7 @@
 
 export const boardsStrings = {
   boards: {
-    seen: 'Cómo se ve el álbum',
+    seen: 'Vista',
     comic: 'Cómic',
     board: 'Storyboard',
     sheets: 'Hojas del storyboard',

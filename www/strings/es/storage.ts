@@ -55,7 +55,7 @@ export const storageStrings = {
     `${photos === 1 ? '1 foto' : `${photos} fotos`}${when && `, ${when}`}`,
   noProjects: 'Lo que hagas se guarda aquí por sí solo.',
   projectDeleted: (name: string) => `${name} se ha borrado.`,
-  bringBack: 'Recuperarlo',
+  bringBack: 'Restaurar',
   projectNotOpened: (why: string) => `No se pudo abrir el proyecto: ${why}`,
   projectFileNotOpened: (name: string, why: string) => `No se pudo abrir ${name}: ${why}`,
   projectNotSaved: (why: string) => `No se pudo guardar el proyecto como archivo: ${why}`,

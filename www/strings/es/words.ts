@@ -1,7 +1,7 @@
 type Kind = 'caption' | 'balloon' | 'effect';
 
 export const wordStrings = {
-  words: 'Palabras',
+  words: 'Texto',
   addWord: { caption: 'Añadir cartela', balloon: 'Añadir bocadillo', effect: 'Añadir onomatopeya' },
   wordShort: { caption: 'Cartela', balloon: 'Bocadillo', effect: 'Sonido' },
   /** What a new word says. */

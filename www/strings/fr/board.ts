@@ -1,5 +1,5 @@
 export const boardStrings = {
-  page: 'Planche',
+  page: 'Page de BD',
   panel: (n: number, of: number) => `Case ${n} sur ${of}`,
   shuffle: 'Mélanger',
   fullScreen: 'Plein écran',
@@ -7,7 +7,7 @@ export const boardStrings = {
   enlargePage: 'Agrandir la page',
   shrinkPage: 'Réduire la page',
   versionAt: (n: number, of: number) => `Version ${n} sur ${of}`,
-  betterCrops: 'Meilleurs cadrages trouvés',
+  betterCrops: 'Améliorer les cadrages',
   betterCropsWhy: 'Des visages et des objets ont été trouvés depuis : les montrer en entier',
   shufflePart: { layout: 'Mélanger le gabarit', style: 'Mélanger le style', photos: 'Mélanger les photos' },
   lockPart: {
@@ -18,8 +18,8 @@ export const boardStrings = {
   part: { layout: 'Gabarit', style: 'Style', photos: 'Photos' },
   undo: 'Annuler',
   redo: 'Rétablir',
-  previous: 'Page précédente',
-  next: 'Page suivante',
+  previous: 'Version précédente',
+  next: 'Version suivante',
   download: 'Télécharger le PNG',
   export: 'Exporter',
   languageAndTheme: 'Langue et thème',

@@ -2,7 +2,7 @@
 
 export const boardsStrings = {
   boards: {
-    seen: 'Comment l’album est montré',
+    seen: 'Affichage',
     comic: 'BD',
     board: 'Storyboard',
     sheets: 'Feuilles du storyboard',

@@ -55,7 +55,7 @@ export const storageStrings = {
     `${photos < 2 ? `${photos} photo` : `${photos} photos`}${when && `, ${when}`}`,
   noProjects: 'Ce que vous faites s’enregistre ici tout seul.',
   projectDeleted: (name: string) => `${name} a été supprimé.`,
-  bringBack: 'Le récupérer',
+  bringBack: 'Restaurer',
   projectNotOpened: (why: string) => `Le projet n’a pas pu être ouvert : ${why}`,
   projectFileNotOpened: (name: string, why: string) => `${name} n’a pas pu être ouvert : ${why}`,
   projectNotSaved: (why: string) => `Le projet n’a pas pu être enregistré dans un fichier : ${why}`,

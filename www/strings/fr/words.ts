@@ -1,7 +1,7 @@
 type Kind = 'caption' | 'balloon' | 'effect';
 
 export const wordStrings = {
-  words: 'Textes',
+  words: 'Texte',
   addWord: { caption: 'Ajouter un cartouche', balloon: 'Ajouter une bulle', effect: 'Ajouter une onomatopée' },
   wordShort: { caption: 'Cartouche', balloon: 'Bulle', effect: 'Bruit' },
   /** What a new word says. */

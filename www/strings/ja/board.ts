@@ -1,5 +1,5 @@
 export const boardStrings = {
-  page: '絵コンテのページ',
+  page: 'コミックのページ',
   panel: (n: number, of: number) => `コマ${n}（全${of}コマ）`,
   shuffle: 'シャッフル',
   fullScreen: '全画面表示',
@@ -7,7 +7,7 @@ export const boardStrings = {
   enlargePage: 'ページを拡大',
   shrinkPage: 'ページを縮小',
   versionAt: (n: number, of: number) => `バージョン${n}／${of}`,
-  betterCrops: 'よりよい切り抜きがあります',
+  betterCrops: '切り抜きを改善',
   betterCropsWhy: '顔と物が見つかりました。欠けないように切り抜き直します',
   shufflePart: {
     layout: 'レイアウトをシャッフル',
@@ -18,8 +18,8 @@ export const boardStrings = {
   part: { layout: 'レイアウト', style: 'スタイル', photos: '写真' },
   undo: '元に戻す',
   redo: 'やり直す',
-  previous: '前のページ',
-  next: '次のページ',
+  previous: '前のバージョン',
+  next: '次のバージョン',
   download: 'PNGをダウンロード',
   export: '書き出す',
   languageAndTheme: '言語とテーマ',

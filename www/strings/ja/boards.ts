@@ -2,7 +2,7 @@
 
 export const boardsStrings = {
   boards: {
-    seen: 'アルバムの見せ方',
+    seen: '表示',
     comic: 'コミック',
     board: '絵コンテ',
     sheets: '絵コンテの用紙',

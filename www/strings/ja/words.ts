@@ -1,7 +1,7 @@
 type Kind = 'caption' | 'balloon' | 'effect';
 
 export const wordStrings = {
-  words: '文字',
+  words: 'テキスト',
   addWord: { caption: 'キャプションを追加', balloon: 'フキダシを追加', effect: '効果音を追加' },
   wordShort: { caption: 'キャプション', balloon: 'フキダシ', effect: '効果音' },
   // The fonts on the page have no kana: a sample in Japanese would begin as a row of boxes.

@@ -2,7 +2,7 @@
 
 export const boardsStrings = {
   boards: {
-    seen: 'Como o álbum é visto',
+    seen: 'Exibição',
     comic: 'Quadrinhos',
     board: 'Storyboard',
     sheets: 'Folhas do storyboard',

@@ -55,7 +55,7 @@ export const storageStrings = {
     `${photos < 2 ? `${photos} foto` : `${photos} fotos`}${when && `, ${when}`}`,
   noProjects: 'O que você faz é salvo aqui sozinho.',
   projectDeleted: (name: string) => `${name} foi excluído.`,
-  bringBack: 'Trazer de volta',
+  bringBack: 'Restaurar',
   projectNotOpened: (why: string) => `Não foi possível abrir o projeto: ${why}`,
   projectFileNotOpened: (name: string, why: string) => `Não foi possível abrir ${name}: ${why}`,
   projectNotSaved: (why: string) => `Não foi possível salvar o projeto como arquivo: ${why}`,

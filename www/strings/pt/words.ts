@@ -1,7 +1,7 @@
 type Kind = 'caption' | 'balloon' | 'effect';
 
 export const wordStrings = {
-  words: 'Textos',
+  words: 'Texto',
   addWord: { caption: 'Adicionar caixa de texto', balloon: 'Adicionar balão', effect: 'Adicionar onomatopeia' },
   wordShort: { caption: 'Caixa', balloon: 'Balão', effect: 'Som' },
   /** What a new word says. */

@@ -81,7 +81,7 @@ test('the sample album is opened, shuffled, undone and locked', async ({ page })
   await idle(page);
   await tabTo(page, 'Try the sample album');
   await page.keyboard.press('Enter');
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
   await expectAnyFocus(page);
   const first = await picture(page);
@@ -168,7 +168,7 @@ test('a cut is moved by its buttons', async ({ page }) => {
 
 test('a slider of the designer is moved, and the focus returns to the button of the designer', async ({ page }) => {
   await openBoard(page);
-  await tabTo(page, 'Designer');
+  await tabTo(page, 'Style designer');
   await page.keyboard.press('Enter');
   await expectFocus(page, 'Style designer');
   await tabTo(page, 'Add block');
@@ -181,7 +181,7 @@ test('a slider of the designer is moved, and the focus returns to the button of 
   await page.keyboard.press('ArrowRight');
   expect(await value()).not.toBe(before);
   await page.keyboard.press('Escape');
-  await expectFocus(page, 'Designer');
+  await expectFocus(page, 'Style designer');
 });
 
 test('a text item is added, moved and removed', async ({ page }) => {
@@ -189,7 +189,7 @@ test('a text item is added, moved and removed', async ({ page }) => {
   await tabTo(page, 'Styles');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('ArrowRight');
-  await expectFocus(page, 'Words');
+  await expectFocus(page, 'Text');
   await tabTo(page, 'Add balloon');
   await page.keyboard.press('Enter');
   await expectFocus(page, /^Text of/);

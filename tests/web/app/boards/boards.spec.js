@@ -24,7 +24,7 @@ const run = promisify(execFile);
 
 /** @param {Page} page */
 async function openShots(page) {
-  await page.getByRole('button', { name: 'Board', exact: true }).click();
+  await page.getByRole('button', { name: 'Storyboard', exact: true }).click();
   const shots = page.getByRole('region', { name: 'Shots' });
   await expect(shots.getByRole('textbox', { name: 'Action, shot 1' })).toBeVisible();
   return shots;
@@ -32,7 +32,7 @@ async function openShots(page) {
 
 /** @param {Page} page */
 async function drawn(page) {
-  const sheets = page.getByRole('region', { name: 'Board sheets' });
+  const sheets = page.getByRole('region', { name: 'Storyboard sheets' });
   await expect(sheets.getByRole('list')).toHaveAttribute('aria-busy', 'false');
   await sheets.getByRole('img').first().scrollIntoViewIfNeeded();
   await expect(sheets.locator('canvas[data-drawn=true]').first()).toBeVisible();
@@ -44,9 +44,9 @@ test('keyboard: photos are added, fields are typed, and the board and the shot l
   const chooser = page.waitForEvent('filechooser');
   await page.getByRole('button', { name: 'Choose photos or a video' }).press('Enter');
   await (await chooser).setFiles(await photos(...SIX));
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
-  await page.getByRole('button', { name: 'Board', exact: true }).press('Enter');
+  await page.getByRole('button', { name: 'Storyboard', exact: true }).press('Enter');
 
   const shots = page.getByRole('region', { name: 'Shots' });
   await shots.getByRole('textbox', { name: 'Scene, shot 1' }).focus();
@@ -97,7 +97,7 @@ test('keyboard: photos are added, fields are typed, and the board and the shot l
   await page.getByRole('button', { name: 'Comic', exact: true }).press('Enter');
   await page.getByRole('button', { name: 'Shuffle', exact: true }).press('Enter');
   await idle(page);
-  await page.getByRole('button', { name: 'Board', exact: true }).press('Enter');
+  await page.getByRole('button', { name: 'Storyboard', exact: true }).press('Enter');
   await expect(shots.getByRole('textbox', { name: 'Action, shot 1A' })).toHaveValue('The cat watches.');
 });
 
@@ -107,9 +107,9 @@ test('keyboard: a video becomes a board and an animatic', async ({ page }) => {
   await page.getByRole('button', { name: 'Choose photos or a video' }).press('Enter');
   const buffer = await readFile(new URL('../../../videos/album.mp4', import.meta.url));
   await (await chooser).setFiles([{ name: 'album.mp4', mimeType: 'video/mp4', buffer }]);
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
-  await page.getByRole('button', { name: 'Board', exact: true }).press('Enter');
+  await page.getByRole('button', { name: 'Storyboard', exact: true }).press('Enter');
   const shots = page.getByRole('region', { name: 'Shots' });
   const actions = shots.getByRole('textbox', { name: /^Action, shot/ });
   await expect(actions.nth(1)).toBeVisible();
@@ -261,7 +261,7 @@ function picture(name, { width, height }, rgba) {
  * @returns the colour in the middle of a square logo on the first sheet
  */
 function logoColour(page) {
-  const canvas = page.getByRole('region', { name: 'Board sheets' }).locator('canvas').first();
+  const canvas = page.getByRole('region', { name: 'Storyboard sheets' }).locator('canvas').first();
   return canvas.evaluate((element) => {
     const shown = /** @type {HTMLCanvasElement} */ (element);
     const context = new OffscreenCanvas(shown.width, shown.height).getContext('2d');

@@ -110,7 +110,7 @@ test('a block that needs gray adds To GrayScale, and an error offers to add it',
 
 test('keyboard: a style is built, saved, and edited after a reload', async ({ page }) => {
   await openBoard(page, FOUR);
-  await page.getByRole('button', { name: 'Designer', exact: true }).focus();
+  await page.getByRole('button', { name: 'Style designer', exact: true }).focus();
   await page.keyboard.press('Enter');
   await drawn(page);
   for (const block of ['posterization', 'saturation']) {

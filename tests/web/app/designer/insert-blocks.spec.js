@@ -135,7 +135,7 @@ test('a block is inserted before another in a small window', async ({ page }) =>
   await openBoard(page, FOUR);
   await page.setViewportSize({ width: 390, height: 844 });
   await page.getByRole('button', { name: 'Styles', exact: true }).click();
-  await page.getByRole('button', { name: 'Designer', exact: true }).click();
+  await page.getByRole('button', { name: 'Style designer', exact: true }).click();
   await drawn(page);
   for (const name of ['Gaussian', 'Posterization']) await addBlock(page, name);
   await cards(page)

@@ -78,7 +78,7 @@ for (const [kind, container, codec] of [
   });
 
 test('an animatic of a board at 23.976 frames per second has this rate', { tag: '@ci' }, async ({ page }) => {
-  await page.getByRole('button', { name: 'Board', exact: true }).click();
+  await page.getByRole('button', { name: 'Storyboard', exact: true }).click();
   await page.getByRole('combobox', { name: 'Frames a second' }).selectOption('23.976');
   await page.getByRole('button', { name: 'Animatic', exact: true }).click();
   const dialog = page.getByRole('dialog', { name: 'Export the page' });
@@ -130,7 +130,7 @@ test('keyboard: an animatic plays, stops, and moves to a position', async ({ pag
 });
 
 test('an animatic opened from the board has its lengths, and its export can be cancelled', async ({ page }) => {
-  await page.getByRole('button', { name: 'Board', exact: true }).click();
+  await page.getByRole('button', { name: 'Storyboard', exact: true }).click();
   const shots = page.getByRole('region', { name: 'Shots' });
   await shots.getByRole('textbox', { name: 'Length, shot 1' }).fill('90');
   await page.keyboard.press('Enter');

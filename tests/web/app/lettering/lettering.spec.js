@@ -109,7 +109,7 @@ test('keyboard: a balloon is edited, moved and removed, and its tail is moved', 
 test('a long text does not push the fields of its text item out of the panel', async ({ page }) => {
   await openBoard(page);
   await write(page, 'balloon', 'a very long line that nobody would ever say at once but in a comic '.repeat(6));
-  const side = await box(page.getByRole('region', { name: 'Words', exact: true }));
+  const side = await box(page.getByRole('region', { name: 'Text', exact: true }));
   for (const name of ['Across', 'Down', 'Width', 'Letter size']) {
     const field = page.getByRole('spinbutton', { name, exact: true });
     await field.scrollIntoViewIfNeeded();
@@ -181,14 +181,14 @@ test('text items remain after Shuffle and on alternatives, and are in the PNG fi
   expect(pixels.length).toBeGreaterThan(2000 * (600 / 2480) ** 2);
   const mean = (/** @type {number} */ k) => pixels.reduce((sum, place) => sum + place[k], 0) / pixels.length;
   expect(Math.hypot(mean(0) - at.x, mean(1) - at.y)).toBeLessThan(0.03);
-  await page.getByRole('button', { name: 'Alternative 2', exact: true }).click();
+  await page.getByRole('button', { name: 'Suggestion 2', exact: true }).click();
   await idle(page);
   await expect(word(page, 'Caption: ONCE UPON A TIME')).toBeVisible();
 });
 
 test('a script becomes balloons in one undo step, and a text item is resized, rotated and curved', async ({ page }) => {
   await openBoard(page);
-  await tab(page, 'Words');
+  await tab(page, 'Text');
   await page
     .getByRole('textbox', { name: 'Script or dialogue' })
     .fill('ANNA: Where are we?\nBEN (thinks): Что это? Πού; 你好\n\nSFX: Splash');
@@ -227,12 +227,12 @@ test('subtitles of a whole film are spread over the panels of photos, and the re
   const message = page.getByRole('status');
   await expect(message).toContainText(/^\D*(\d+) of 1332 lines were placed; \d+ did not fit/);
   await idle(page);
-  const panels = page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel \d/ });
+  const panels = page.getByRole('region', { name: 'Comic page' }).getByRole('group', { name: /^Panel \d/ });
   const most = 3 * (await panels.count());
   await expect(word(page, /^Balloon: Line/)).toHaveCount(most);
   await expect(word(page, 'Balloon: Line 0')).toBeVisible();
   await expect(word(page, 'Balloon: Line 333')).toBeVisible();
-  await tab(page, 'Words');
+  await tab(page, 'Text');
   await expect(page.getByText(`${1332 - most} unplaced texts`)).toBeVisible();
   await press(page, 'Undo');
   await expect(word(page, /^Balloon: Line/)).toHaveCount(0);
@@ -261,7 +261,7 @@ test('subtitles of a video become balloons on its frames, and a malformed file i
     );
   const said = await placed(word(page, /^Balloon: Second \d/), 'aria-label');
   const panels = await placed(
-    page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel \d/ }),
+    page.getByRole('region', { name: 'Comic page' }).getByRole('group', { name: /^Panel \d/ }),
     'aria-description',
   );
   expect(said.length).toBeGreaterThan(1);

@@ -13,7 +13,7 @@ const field = (page) => page.getByRole('textbox', { name: /^Text of/ });
 
 /** @param {Page} page */
 async function addBalloon(page) {
-  await page.getByRole('button', { name: 'Words', exact: true }).tap();
+  await page.getByRole('button', { name: 'Text', exact: true }).tap();
   await page.getByRole('button', { name: 'Add balloon', exact: true }).tap();
   await expect(field(page)).toBeFocused();
 }
@@ -104,7 +104,7 @@ test.describe('on a phone', () => {
 
   test('the outline of a selected text item has the size of its text', async ({ page }) => {
     await openBoard(page);
-    await page.getByRole('button', { name: 'Words', exact: true }).tap();
+    await page.getByRole('button', { name: 'Text', exact: true }).tap();
     await page.getByRole('button', { name: 'Add caption', exact: true }).tap();
     await expect(field(page)).toBeFocused();
     await page.keyboard.type('Soon');
@@ -127,7 +127,7 @@ test.describe('on a narrow phone', () => {
 
   test('a balloon is added and selected by touch, and axe finds nothing', async ({ page }) => {
     await openBoard(page);
-    await page.getByRole('button', { name: 'Words', exact: true }).click();
+    await page.getByRole('button', { name: 'Text', exact: true }).click();
     await accessible(page);
     await page.getByRole('button', { name: 'Add balloon' }).click();
     await expect(page.getByRole('textbox', { name: /^Text of/ })).toBeFocused();

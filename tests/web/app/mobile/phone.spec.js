@@ -150,7 +150,7 @@ test('a photo is put into a panel, and Shuffle does not change the locked panel'
   expect(names[other]).toContain(String(after[0]));
   expect(after.slice(1)).toEqual(before.slice(1));
   await page.getByRole('button', { name: 'Close' }).tap();
-  await page.getByRole('button', { name: 'Lock panel' }).tap();
+  await page.getByRole('button', { name: 'Lock', exact: true }).tap();
   await page.getByRole('button', { name: 'Shuffle', exact: true }).tap();
   await idle(page);
   expect((await photos(page))[0]).toBe(after[0]);

@@ -55,7 +55,7 @@ async function expectFreeAlert(page) {
 /** Opens the designer and adds a block with sliders. @param {Page} page */
 async function openSliders(page) {
   await button(page, 'Styles').tap();
-  await button(page, 'Designer').tap();
+  await button(page, 'Style designer').tap();
   await button(page, 'Add block').tap();
   await page.getByRole('searchbox', { name: 'Search blocks' }).fill('xdog');
   await page.getByRole('region', { name: 'Blocks to add' }).getByRole('listitem').getByRole('button').first().tap();
@@ -91,12 +91,12 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
       await leaveOut(page);
       await button(page, 'Close').tap();
       await panel(page, 2).tap();
-      await expect(button(page, 'Lock panel')).toBeVisible();
+      await expect(button(page, 'Lock')).toBeVisible();
       expect(await page.evaluate(covered)).toEqual([]);
       await page.keyboard.press('Escape');
       await button(page, 'Spread album over pages').tap();
       await idle(page);
-      await expect(button(page, 'Take it back')).toBeVisible();
+      await expect(button(page, 'Restore pages')).toBeVisible();
       expect(await page.evaluate(covered)).toEqual([]);
       await button(page, 'Page tools').tap();
       for (const name of ['Move page earlier', 'Move page later', 'Remove page']) {
@@ -123,10 +123,10 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
       test('a message disappears when a workspace opens', async ({ page }) => {
         await openBoard(page, ALBUM);
         await button(page, 'Spread album over pages').tap();
-        await expect(button(page, 'Take it back')).toBeVisible();
+        await expect(button(page, 'Restore pages')).toBeVisible();
         await button(page, 'Projects').tap();
         await expect(page.getByRole('region', { name: 'Projects' })).toBeVisible();
-        expect(await button(page, 'Take it back').count()).toBe(0);
+        expect(await button(page, 'Restore pages').count()).toBe(0);
       });
 
       test('the page settings show the help', async ({ page }) => {
@@ -162,7 +162,7 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
       test('the explorer shows its bar in one line and two rows of styles', async ({ page }) => {
         await openBoard(page, ALBUM);
         await button(page, 'Styles').tap();
-        await button(page, 'Explorer').tap();
+        await button(page, 'Explore styles').tap();
         await button(page, 'Generate').tap();
         await expect(page.locator('.wall-item').nth(12)).toBeAttached();
         const head = await page.locator('.workspace-head').boundingBox();
@@ -192,7 +192,7 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
       test('the page has two thirds of the height, also next to an open drawer', async ({ page }) => {
         await openBoard(page, ALBUM);
         const size = async () => (await page.locator('.page-canvas').boundingBox()) ?? { width: 0, height: 0 };
-        for (const name of ['', 'Photos', 'Styles', 'Layouts', 'Words']) {
+        for (const name of ['', 'Photos', 'Styles', 'Layouts', 'Text']) {
           if (name) await button(page, name).tap();
           await idle(page);
           const { width, height } = await size();

@@ -15,7 +15,7 @@ test('after one visit the app works without its host: sample album, text and PNG
   await host.stop();
   await page.reload();
   await page.getByRole('button', { name: 'Try the sample album' }).click();
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
   await press(page, 'Shuffle');
   await write(page, 'balloon', 'OFFLINE');

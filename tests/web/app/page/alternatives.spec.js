@@ -18,9 +18,9 @@ import {
 test.use({ viewport: { width: 1366, height: 768 } });
 
 /** @param {Page} page */
-const drawn = (page) => page.getByRole('region', { name: 'Alternatives' }).locator('canvas[data-drawn=true]');
+const drawn = (page) => page.getByRole('region', { name: 'Suggestions' }).locator('canvas[data-drawn=true]');
 const alternative = (/** @type {Page} */ page, /** @type {number} */ n) =>
-  page.getByRole('button', { name: `Alternative ${n}`, exact: true });
+  page.getByRole('button', { name: `Suggestion ${n}`, exact: true });
 
 test('a large screen shows at least 14 alternatives, and scrolling adds more', async ({ page }) => {
   await openBoard(page);
@@ -34,7 +34,7 @@ test('a large screen shows at least 14 alternatives, and scrolling adds more', a
       }).length,
   );
   expect(inView).toBeGreaterThanOrEqual(14);
-  const region = page.getByRole('region', { name: 'Alternatives' });
+  const region = page.getByRole('region', { name: 'Suggestions' });
   const before = await region.getByRole('button').count();
   await expect
     .poll(async () => {
@@ -111,7 +111,7 @@ test('the tools of a panel stand next to the page, at the height of the panel, w
     expect(box?.x).toBeGreaterThan((canvas?.x ?? 0) + (canvas?.width ?? 0));
     await expect(tools.getByRole('button', { name: 'Swap photo' })).toHaveText('Swap');
   }
-  await page.getByRole('button', { name: 'Star this photo' }).click();
+  await page.getByRole('button', { name: 'Star', exact: true }).click();
   await expect(
     page.getByRole('region', { name: 'Photos' }).getByRole('button', { name: /^Star /, pressed: true }),
   ).toHaveCount(1);
@@ -121,12 +121,12 @@ test('the alternatives fold to make space for the page, also after a reload', as
   await openBoard(page);
   const height = async () => (await page.locator('.page-canvas').boundingBox())?.height ?? 0;
   const before = await height();
-  await expect(page.getByRole('heading', { name: 'More ideas' })).toBeVisible();
-  await page.getByRole('button', { name: 'Fold More ideas' }).click();
-  await expect(page.getByRole('button', { name: /^Alternative \d/ })).toHaveCount(0);
+  await expect(page.getByRole('heading', { name: 'Suggestions' })).toBeVisible();
+  await page.getByRole('button', { name: 'Hide suggestions' }).click();
+  await expect(page.getByRole('button', { name: /^Suggestion \d/ })).toHaveCount(0);
   await expect.poll(height).toBeGreaterThan(before + 50);
   await page.reload();
   await idle(page);
-  await page.getByRole('button', { name: 'Unfold More ideas' }).click();
+  await page.getByRole('button', { name: 'Show suggestions' }).click();
   await expect(alternative(page, 1)).toBeVisible();
 });

@@ -104,7 +104,7 @@ test('pages are moved by buttons, keys and drags, and removed', async ({ page })
   await press(page, 'Undo');
   await expect(thumbs(page)).toHaveCount(count);
   await press(page, 'Remove page');
-  await press(page, 'Bring it back');
+  await press(page, 'Restore');
   expect(await thumbs(page).count()).toBe(count);
 });
 
@@ -121,9 +121,9 @@ test('Page Up and Page Down change the page, and each page has its own versions'
   await idle(page);
   expect(await picture(page)).toBe(first);
   await page.keyboard.press('PageDown');
-  await press(page, 'Previous page');
+  await press(page, 'Previous version');
   expect(await picture(page)).toBe(second);
-  await expect(page.getByRole('button', { name: 'Previous page' })).toBeDisabled();
+  await expect(page.getByRole('button', { name: 'Previous version' })).toBeDisabled();
 });
 
 test('a style is applied to all pages, and the page size and a removed photo affect all pages', async ({ page }) => {

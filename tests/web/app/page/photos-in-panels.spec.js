@@ -132,7 +132,7 @@ test('Shuffle does not change the photo and crop of a locked panel', async ({ pa
   await four(page);
   await panel(page, 2).click();
   await page.getByRole('button', { name: 'Zoom in' }).click();
-  await page.getByRole('button', { name: 'Lock panel' }).click();
+  await page.getByRole('button', { name: 'Lock', exact: true }).click();
   await idle(page);
   await expect(page.getByRole('button', { name: 'Zoom in' })).toBeDisabled();
   await page.keyboard.press('Escape');

@@ -96,24 +96,24 @@ test('layouts are filtered by family and number of panels, and Shuffle does not 
   expect(await box.getByRole('option').count()).toBeLessThan(four);
 });
 
-test('Previous page and Next page step through the versions', async ({ page }) => {
+test('Previous version and Next version step through the versions', async ({ page }) => {
   await openNewBoard(page);
   const pages = [await picture(page)];
   for (let i = 0; i < 3; i += 1) {
     await press(page, 'Shuffle');
     pages.push(await picture(page));
   }
-  await expect(page.getByRole('button', { name: 'Next page' })).toBeDisabled();
+  await expect(page.getByRole('button', { name: 'Next version' })).toBeDisabled();
   for (const expected of [2, 1, 0]) {
-    await press(page, 'Previous page');
+    await press(page, 'Previous version');
     expect(await picture(page)).toBe(pages[expected]);
   }
-  await expect(page.getByRole('button', { name: 'Previous page' })).toBeDisabled();
-  await press(page, 'Next page');
+  await expect(page.getByRole('button', { name: 'Previous version' })).toBeDisabled();
+  await press(page, 'Next version');
   expect(await picture(page)).toBe(pages[1]);
   // A new page is added at the end, so no version is lost.
   await press(page, 'Shuffle');
-  await press(page, 'Previous page');
+  await press(page, 'Previous version');
   expect(await picture(page)).toBe(pages[3]);
 });
 

@@ -30,7 +30,7 @@ test('the start screen explains what to do, opens the file dialog, and opens the
   expect((await chooser).isMultiple()).toBe(true);
 
   await page.getByRole('button', { name: 'Try the sample album' }).click();
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
   const tray = page.getByRole('region', { name: 'Photos' }).getByRole('checkbox');
   await expect(tray).not.toHaveCount(0);

@@ -67,7 +67,7 @@ const text = (/** @type {string} */ name, /** @type {string} */ content) => ({
 test('an entry that cannot be read is named, and the other photos of the folder come', async ({ page }) => {
   await page.goto('./');
   await dropFolder(page, await photos('bee.jpg', 'cat.jpg'), ['gone.jpg']);
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
   expect(await inTray(page)).toEqual(['bee.jpg', 'cat.jpg']);
   await expect(page.getByRole('alert')).toContainText('trip/gone.jpg: the browser cannot read it.');
@@ -87,7 +87,7 @@ test('files of systems, sidecar files and a readme of a folder are no photos and
     text('readme.txt', 'Album: Summer in Lisbon\nCamera: Nikon D70\n'),
     ...(await photos('bee.jpg', 'cat.jpg')),
   ]);
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
   expect(await inTray(page)).toEqual(['bee.jpg', 'cat.jpg']);
   await expect(page.getByRole('alert')).toHaveText('');
@@ -116,6 +116,6 @@ test('a link that is dropped does not make the browser leave the app, and can be
       }),
     );
   expect(await prevented(page.locator('body'))).toEqual([true, true]);
-  expect(await prevented(page.getByRole('region', { name: 'Storyboard page' }))).toEqual([true, true]);
+  expect(await prevented(page.getByRole('region', { name: 'Comic page' }))).toEqual([true, true]);
   expect(await prevented(page.getByLabel('Project name'))).toEqual([false, false]);
 });

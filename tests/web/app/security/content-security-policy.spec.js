@@ -28,17 +28,17 @@ detectingTest('the policy blocks nothing that the app does', async ({ page }) =>
   const violations = await watchPolicy(page);
   await page.goto('./');
   await page.getByRole('button', { name: 'Try the sample album' }).click();
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
   await add(page, [await film()]);
   await idle(page);
   await press(page, 'Shuffle');
   await press(page, 'Show subjects');
   await write(page, 'balloon', 'HELLO');
-  await page.getByRole('button', { name: 'Designer', exact: true }).click();
+  await page.getByRole('button', { name: 'Style designer', exact: true }).click();
   await drawn(page);
   await addBlock(page, 'Sobel');
-  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
   await page
     .getByRole('region', { name: 'Style explorer' })
     .getByRole('button', { name: 'Generate', exact: true })
@@ -62,7 +62,7 @@ test('without a video decoder, a video is read by the video element', async ({ p
   });
   await page.goto('./');
   await add(page, [await film()]);
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
   await expect(page.getByRole('checkbox', { name: /^Use album/ })).toHaveCount(24);
   expect(violations).toEqual([]);

@@ -99,7 +99,7 @@ test('the app works in a frame of the same origin', { tag: '@ci' }, async ({ pag
   await page.goto('./frame.html');
   const frame = page.frameLocator('iframe');
   await frame.getByLabel('Photos or video').setInputFiles(await photos('cat.jpg', 'bee.jpg'));
-  await expect(frame.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(frame.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await expect(frame.getByRole('group', { name: 'Panel 1 of 2' })).toBeVisible();
 });
 

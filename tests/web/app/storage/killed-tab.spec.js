@@ -19,7 +19,7 @@ async function kill(page) {
 async function openedAgain(page) {
   const again = await page.context().newPage();
   await again.goto(page.url());
-  await expect(again.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(again.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(again);
   return again;
 }

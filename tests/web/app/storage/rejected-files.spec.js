@@ -202,7 +202,7 @@ test('a page holds 200 text items, and a message reports the limit', async ({ pa
   await drop(page, [asFile(await soundProject(good.project))]);
   await expect(page.getByLabel('Project name')).toHaveValue('Hostile');
   await idle(page);
-  await tab(page, 'Words');
+  await tab(page, 'Text');
   await page.getByRole('button', { name: 'Add caption' }).click();
   await expect(page.getByRole('alert').getByText('A page holds 200 words.')).toBeVisible();
   await expectSaved(page);

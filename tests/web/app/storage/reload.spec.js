@@ -10,8 +10,7 @@ import { expectSaved } from '../project-hands.js';
 /** @typedef {import('../support.js').Page} Page */
 
 /** @param {Page} page */
-const panels = (page) =>
-  page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel \d/ });
+const panels = (page) => page.getByRole('region', { name: 'Comic page' }).getByRole('group', { name: /^Panel \d/ });
 
 test('the page, the project name, favourites and the undo history remain after a reload', async ({ page }) => {
   await openBoard(page);
@@ -125,7 +124,7 @@ test('projects are created, opened, deleted and restored', async ({ page }) => {
   const region = page.getByRole('region', { name: 'Projects' });
   await region.getByRole('button', { name: 'Delete One' }).click();
   await expect(region.getByRole('button', { name: 'Open One' })).toBeHidden();
-  await page.getByRole('button', { name: 'Bring it back' }).click();
+  await page.getByRole('button', { name: 'Restore' }).click();
   await region.getByRole('button', { name: 'Open One' }).click();
   await idle(page);
   await expect(page.getByLabel('Project name')).toHaveValue('One');

@@ -64,7 +64,7 @@ test('a dropped style file opens in the designer, and Undo restores a deleted st
   await tab(page, 'Styles');
   const styles = page.getByRole('listbox', { name: 'Styles' });
   await expect(styles.getByRole('option', { name: 'Dropped' })).toHaveAttribute('aria-selected', 'true');
-  await page.getByRole('button', { name: 'Designer', exact: true }).click();
+  await page.getByRole('button', { name: 'Style designer', exact: true }).click();
   // The page has this style, so it is redrawn.
   const before = await picture(page);
   await cards(page).nth(1).getByRole('slider', { name: 'Levels' }).fill('6');

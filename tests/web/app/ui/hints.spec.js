@@ -83,7 +83,7 @@ test('a closed hint does not appear again, until the help shows the hints again'
   await page.getByRole('button', { name: 'Close the hint' }).click();
   await expect(page.locator('.hint')).toHaveCount(0);
   await page.reload();
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
   await press(page, 'Shuffle');
   await press(page, 'Shuffle');

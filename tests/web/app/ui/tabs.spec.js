@@ -6,7 +6,7 @@ import { contents, expect, idle, openBoard, picture, tab, sharedBoardTest as tes
 test('arrows, Home and End change the tab, and a search text remains', async ({ page }) => {
   await openBoard(page);
   const list = page.getByRole('tablist', { name: 'Page tools' });
-  await expect(list.getByRole('tab')).toHaveText(['Styles', 'Layouts', 'Words', 'Page']);
+  await expect(list.getByRole('tab')).toHaveText(['Styles', 'Layouts', 'Text', 'Page']);
   await page.getByRole('searchbox', { name: 'Search styles' }).fill('noir');
   const names = page.getByRole('listbox', { name: 'Styles' }).getByRole('option');
   await expect(names.first()).toHaveAccessibleName(/noir/i);
@@ -50,7 +50,7 @@ test('pointing at a style shows the page in this style, and Escape closes the pr
 
 test('a text item that is selected on the page opens its tab', async ({ page }) => {
   await openBoard(page);
-  await tab(page, 'Words');
+  await tab(page, 'Text');
   await page.getByRole('button', { name: 'Add caption' }).click();
   await expect(page.getByRole('textbox', { name: /^Text of/ })).toBeFocused();
   await page.keyboard.type('MORNING');
@@ -59,7 +59,7 @@ test('a text item that is selected on the page opens its tab', async ({ page }) 
   await idle(page);
   await tab(page, 'Page');
   await page.locator('.words').getByRole('button', { name: 'Caption: MORNING' }).click();
-  await expect(page.getByRole('tab', { name: 'Words', selected: true })).toBeVisible();
+  await expect(page.getByRole('tab', { name: 'Text', selected: true })).toBeVisible();
 });
 
 test('styles are filtered by kind, and the last applied style is first after a reload', async ({ page }) => {

@@ -14,7 +14,7 @@ const CLAPS = [1.5, 3.2, 4.6];
 /** Opens a video and the tab of the text items. @param {Page} page @param {string} name */
 async function open(page, name) {
   await openBoard(page, [name], [{ name, mimeType: 'video/webm', buffer: await readFile(new URL(name, VIDEOS)) }]);
-  await tab(page, 'Words');
+  await tab(page, 'Text');
 }
 
 /** @param {Page} page */

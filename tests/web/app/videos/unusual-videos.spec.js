@@ -57,7 +57,7 @@ test('truncated and unusual videos have their frames, and the content of a file 
     await video('half.mp4'),
     { ...bee, name: 'bee.mp4', mimeType: 'video/mp4' },
   ]);
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await expect(alert.getByText(/only to 0:0[01]\.\d of 0:03/)).toBeVisible();
   await idle(page);
   const frames = (/** @type {RegExp} */ name) => page.getByRole('checkbox', { name });

@@ -59,7 +59,7 @@ for (const [name, type] of [
 test('a video is used together with photos, and its frames are compared only with each other', async ({ page }) => {
   await openStart(page);
   await add(page, [await video('album.mp4', 'video/mp4'), ...(await photos('pagoda.jpg'))]);
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
   await expect(page.getByRole('checkbox', { name: 'Use pagoda.jpg' })).toBeChecked();
   const used = await frames(page).evaluateAll(
@@ -109,7 +109,7 @@ test('the frame of a panel is replaced by a later or earlier one, by button and 
   await openBoard(page, ['album.mp4'], [await video('album.mp4', 'video/mp4')]);
   const shown = async () => (await contents(page)).photos.map((name) => name?.replace(', selected', ''));
   const before = { times: await times(page), photos: await shown() };
-  const panel = page.getByRole('region', { name: 'Storyboard page' }).getByRole('group', { name: /^Panel 1 of/ });
+  const panel = page.getByRole('region', { name: 'Comic page' }).getByRole('group', { name: /^Panel 1 of/ });
   await panel.click();
   const changed = async () => (await times(page)).filter((time) => !before.times.includes(time));
   await page.getByRole('button', { name: 'Later frame' }).click();
