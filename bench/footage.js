@@ -14,7 +14,7 @@ const [SHOTS, SECONDS] = [120, 5];
  * @param {string} album folder of photos
  * @param {string} folder where films are kept
  * @param {number} minutes
- * @returns {string} path of an MP4 file, 854 x 480, 24 frames a second, H.264 and a tone
+ * @returns {string} path of an MP4 file, 854 x 480, 24 frames per second, H.264 and a tone
  */
 export function makeFilm(album, folder, minutes) {
   mkdirSync(folder, { recursive: true });

@@ -24,10 +24,10 @@ const DIALOG_MS = 4000;
  */
 export async function making(browser, address, photos, pictures) {
   const page = await opened(browser, address, photos);
-  await page.getByRole('button', { name: 'Designer', exact: true }).click();
+  await page.getByRole('button', { name: 'Style designer', exact: true }).click();
   // The same photo every time, whatever the page shows.
   await page.getByRole('group', { name: 'Preview on' }).getByRole('button', { name: 'Photo' }).click();
-  await page.getByRole('group', { name: 'Photo of the preview' }).getByRole('button').first().click();
+  await page.getByRole('group', { name: 'Preview photo' }).getByRole('button').first().click();
   for (const block of CHAIN) {
     await page.getByRole('button', { name: 'Add block' }).click();
     await page.getByRole('searchbox').fill(block);
@@ -36,7 +36,7 @@ export async function making(browser, address, photos, pictures) {
   const slider = page.getByRole('list', { name: 'Background layer' }).getByRole('slider').first();
   await slider.evaluate(drag, 1000);
   const dragged = await slider.evaluate(drag, DRAG_MS);
-  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
   const generate = page.getByRole('button', { name: 'Generate' });
   await generate.evaluate(round);
   const styles = await generate.evaluate(round);
@@ -61,7 +61,7 @@ async function search(browser, address, photos, picture, dialog) {
   const region = page.getByRole('region', { name: 'Style from a picture' });
   await region.evaluate(watch);
   await page.waitForTimeout(dialog);
-  await region.getByLabel('Picture whose style is wanted').setInputFiles(picture);
+  await region.getByLabel('Picture with the style that you want').setInputFiles(picture);
   await page.waitForFunction(() => 'ended' in document.body.dataset, undefined, { timeout: 120_000 });
   const { begun, ended } = await page.evaluate(() => ({ ...document.body.dataset }));
   await page.close();

@@ -143,7 +143,7 @@ test('the pictures of animations lie on the table', async ({ person }) => {
 
 test('shots and pages become films of a kind that the browser makes', async ({ person }) => {
   await person.begin(SIX.slice(0, 2));
-  const ways = /** @type {const} */ ({ animatic: 'Seconds a shot', motion: 'Seconds a panel' });
+  const ways = /** @type {const} */ ({ animatic: 'Seconds per shot', motion: 'Seconds per panel' });
   for (const [way, length] of Object.entries(ways)) {
     await person.openExport();
     await person.select('Format', way);

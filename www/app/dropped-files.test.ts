@@ -64,7 +64,7 @@ describe('project files that are dropped together', () => {
     expect([tab.store.project.value.name, tab.names()]).toEqual(['Two', ['b.jpg', 'c.jpg']]);
     expect(projects(tab)).toEqual(['', 'One', 'Two']);
     const told = tab.messages.list.value.find(({ kind }) => kind === 'offer');
-    expect(told?.text).toBe('2 projects were opened, each on its own. Two is on the page; One is in Projects.');
+    expect(told?.text).toBe('2 projects were opened separately. Two is on the page; One is in Projects.');
     expect(told?.way?.label).toBe('Open One');
     told?.way?.run();
     await vi.waitFor(() => expect([tab.store.project.value.name, tab.names()]).toEqual(['One', ['a.jpg']]));
@@ -76,7 +76,7 @@ describe('project files that are dropped together', () => {
     const drops = dropsOn(tab);
     await drops.take([one.file, two.file, three.file]);
     const told = tab.messages.list.value.find(({ kind }) => kind === 'offer');
-    expect(told?.text).toBe('3 projects were opened, each on its own. Two is on the page; 2 more are in Projects.');
+    expect(told?.text).toBe('3 projects were opened separately. Two is on the page; 2 more are in Projects.');
     told?.way?.run();
     expect(drops.showProjects).toHaveBeenCalledOnce();
   });
@@ -130,8 +130,8 @@ describe('project files that are dropped together', () => {
     await dropsOn(tab).take([...tab.files('x.jpg', 'a.jpg', 'b.jpg', 'c.jpg'), ...pages]);
     expect([tab.store.project.value.name, tab.names().sort()]).toEqual(['Two', ['b.jpg', 'c.jpg', 'x.jpg']]);
     const told = tab.messages.list.value.find(({ kind }) => kind === 'offer');
-    expect(told?.text).toBe('2 projects were opened, each on its own. Two is on the page; One is in Projects.');
-    expect(texts(tab)).toContain('The photo that came along was added to Two.');
+    expect(told?.text).toBe('2 projects were opened separately. Two is on the page; One is in Projects.');
+    expect(texts(tab)).toContain('The photo from the same drop was added to Two.');
     told?.way?.run();
     await vi.waitFor(() => expect([tab.store.project.value.name, inPanels(tab)]).toEqual(['One', ['a.jpg']]));
   });
@@ -144,7 +144,7 @@ describe('photos with a project file', () => {
     await tab.add('mine.jpg');
     await dropsOn(tab).take([...tab.files('x.jpg', 'y.jpg'), file]);
     expect([tab.store.project.value.name, tab.names()]).toEqual(['One', ['a.jpg', 'x.jpg', 'y.jpg']]);
-    expect(texts(tab)).toContain('The 2 photos that came along were added to One.');
+    expect(texts(tab)).toContain('The 2 photos from the same drop were added to One.');
   });
 
   it('that cannot be read are not said to have joined it', async () => {
@@ -178,7 +178,7 @@ it('several files that are chosen as projects are all opened; a picture among th
   await tab.keeping.refresh();
   expect([tab.store.project.value.name, projects(tab)]).toEqual(['Two', ['One', 'Two']]);
   await vi.waitFor(() =>
-    expect(texts(tab)).toContain('plain.png could not be opened: it is a picture without project data.'),
+    expect(texts(tab)).toContain('plain.png could not be opened: it is an image without project data.'),
   );
 });
 
@@ -240,7 +240,7 @@ describe('JSON files', () => {
     await drops.take([takeout, json('list.json', [1]), json('null.json', null)]);
     await vi.waitFor(() => expect(tab.messages.failures.value).toHaveLength(3));
     expect(new Set(tab.messages.failures.value.map(({ why }) => why))).toEqual(
-      new Set(['it is neither a layout nor a style of Inkpanel.']),
+      new Set(['it is not an Inkpanel layout or style.']),
     );
     expect(namesIn(drops.layouts)).toEqual([]);
   });
@@ -261,7 +261,7 @@ describe('a text', () => {
     await drops.take([readme(), new File(['1'], 'a.srt'), ...tab.files('a.jpg')]);
     expect([namesIn(drops.speech), tab.names()]).toEqual([['a.srt'], ['a.jpg']]);
     const offer = tab.messages.list.value.find(({ kind }) => kind === 'offer');
-    expect(offer?.text).toBe('readme.txt may be a script. It was not put on the pages.');
+    expect(offer?.text).toBe('readme.txt may be a script. It was not added to the pages.');
     offer?.way?.run();
     expect(namesIn(drops.speech)).toEqual(['a.srt', 'readme.txt']);
   });

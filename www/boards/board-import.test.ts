@@ -90,8 +90,8 @@ test('every lost line is counted, and the first dozen are named', async () => {
   await take('some.csv', 'Picture,Action,Duration\na.jpg,A,soon\na.jpg,B,\nz.jpg,C,\n');
   expect(messages.alert.mock.calls).toEqual([
     [
-      'some.csv: 1 shot was filled in. 2 lines found no shot: “3: a.jpg B” and “4: z.jpg C”. ' +
-        '1 cell was left out or shortened: “2, Duration: soon”.',
+      'some.csv: 1 shot was filled in. 2 lines did not match any shot: “3: a.jpg B” and “4: z.jpg C”. ' +
+        '1 cell was skipped or shortened: “2, Duration: soon”.',
     ],
   ]);
   messages.alert.mockClear();
@@ -107,7 +107,7 @@ test('a file without anything for the shots, one that is no text and one that is
   await take('photo.csv', Uint8Array.of(0xff, 0xd8, 0xff, 0xe0, 0, 0x10));
   await take('large.csv', new Uint8Array(5_000_001));
   expect(messages.alert.mock.calls).toEqual([
-    ['Nothing in other.csv fits the shots. 1 line found no shot: “2: z.jpg C”.'],
+    ['Nothing in other.csv matches the shots. 1 line did not match any shot: “2: z.jpg C”.'],
   ]);
   expect(messages.fileFailed.mock.calls.map(([name, why]) => [name, why])).toEqual([
     ['photo.csv', expect.stringMatching(/not a text file/)],

@@ -155,6 +155,6 @@ test('what goes wrong is said with the photo at fault, and what is cancelled is 
   await download.start(page(1));
   expect(messages.list.value).toEqual([]);
   await download.saveAs({ pages: [page(1)], format: 'pdf' });
-  expect(messages.list.value.map(({ text }) => text)).toEqual(['The file could not be made: cat.jpg: it is broken']);
+  expect(messages.list.value.map(({ text }) => text)).toEqual(['The file could not be created: cat.jpg: it is broken']);
   expect(saved).toEqual([]);
 });

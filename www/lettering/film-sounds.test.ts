@@ -52,7 +52,7 @@ test('what is taken is an effect of its photo, known by its film and its time', 
   const cue = 'film.mp4 sound 1.500';
   const effect = { kind: 'effect', text: 'CRACK!', photo: 'a', panel: 0, auto: true, cue, angle: -8 };
   expect(lay).toHaveBeenCalledWith([effect]);
-  expect(note).toHaveBeenCalledWith('CRACK! was put on the page.');
+  expect(note).toHaveBeenCalledWith('CRACK! was added to the page.');
   sheets.value = [{ ...sheets.value[0], words: [effect] }];
   expect(proposals(VIDEO, [sound(1.5)]).near[0].taken).toBe('CRACK!');
 });
@@ -68,7 +68,7 @@ test('a note of music stands upright', async () => {
 test('a film is heard once at a time, says what is wrong in words, and can be stopped', async () => {
   const failing = app(vi.fn(() => Promise.reject(Object.assign(new Error('x'), { code: 'sound-none' }))));
   await failing.hear(VIDEO);
-  expect(failing.of(VIDEO)).toEqual({ why: 'This film has no sound.' });
+  expect(failing.of(VIDEO)).toEqual({ why: 'This video has no sound.' });
   const stopping = app(
     vi.fn(
       (_file: File, { signal: stop, onStage }: any) =>

@@ -39,6 +39,6 @@ it('writes a page as one text, words and empty panels too', () => {
   ];
   const words = [{ kind: 'balloon', text: 'Look\n out!' }];
   expect(describePage(page(panels, { words }), album({ a: [box('person'), box('apple')], b: [] }), 'Noir')).toBe(
-    'A storyboard page of 3 panels in the style Noir. Panel 1: a person and an apple. Panel 2: a photo. Panel 3: empty. Balloon: “Look out!”.',
+    'A comic page of 3 panels in the style Noir. Panel 1: a person and an apple. Panel 2: a photo. Panel 3: empty. Balloon: “Look out!”.',
   );
 });

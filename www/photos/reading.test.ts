@@ -42,8 +42,8 @@ describe('the first photos', () => {
     const app = fakeApp({ 'a.jpg': 'damaged', 'b.jpg': 'coarse' });
     await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg'));
     const told = [
-      'a.jpg: 12% of the picture is damaged and drawn grey.',
-      'b.jpg: 1% of the picture lacks detail, because the file is damaged or incomplete.',
+      'a.jpg: 12% of the photo is damaged and shown in grey.',
+      'b.jpg: 1% of the photo lacks detail, because the file is damaged or incomplete.',
     ];
     expect(alerts(app)).toEqual(told);
     expect(app.store.facts.value.every(({ meta }) => meta && !('damage' in meta))).toBe(true);

@@ -186,9 +186,9 @@ describe('photos that the database lost', () => {
     expect(panels?.every((id) => id === null || tab.photos.has(id))).toBe(true);
     expect(alerts(tab).map(({ text, way, more }) => [text, way?.label, more?.label])).toEqual([
       [
-        '2 of 6 photos are not in this browser: b.jpg, e.jpg. Choose or drop them: each goes back to its place.',
+        '2 of 6 photos are not in this browser: b.jpg, e.jpg. Choose or drop them to restore them.',
         'Choose photos',
-        'Go on without',
+        'Continue without',
       ],
     ]);
     await tab.keeping.flush();
@@ -307,10 +307,10 @@ describe('photos that the database lost', () => {
     await tab.keeping.flush();
     expect([tab.keeping.status.value, tab.asks(), await counts()]).toEqual(['missing', true, [1, 1, 2, 1]]);
     const said = () => alerts(tab).map(({ text, way, more }) => [text, way?.label, more?.label]);
-    const text = 'b.jpg is not saved: its file can no longer be read. All else is saved.';
+    const text = 'b.jpg is not saved: its file can no longer be read. Everything else is saved.';
     expect(said()).toEqual([[text, 'Save again', 'Choose photos']]);
     alerts(tab)[0].way?.run();
-    await vi.waitFor(() => expect(said()).toEqual([[text, 'Choose photos', 'Go on without']]));
+    await vi.waitFor(() => expect(said()).toEqual([[text, 'Choose photos', 'Continue without']]));
     // It is there again.
     refused = false;
     tab.photos.add(id, { name: 'b.jpg', file, work, small });
@@ -470,7 +470,7 @@ describe('hundreds of photos', () => {
     void tab.reading.addFiles(files);
     await vi.waitFor(() => expect(tab.keeping.status.value).toBe('missing'));
     expect((await counts())[3]).toBe(2);
-    expect(alerts(tab)[0].text).toBe('b.jpg is not saved: its file can no longer be read. All else is saved.');
+    expect(alerts(tab)[0].text).toBe('b.jpg is not saved: its file can no longer be read. Everything else is saved.');
   });
 
   it('that were chosen before the page could take them are asked for, too', async () => {
@@ -495,7 +495,7 @@ describe('hundreds of photos', () => {
     await vi.waitFor(() => expect(before.store.tray.value.length).toBe(2));
     const after = await later.tab({ session: before.session });
     expect(alerts(after).map(({ text, way }) => [text, way?.label])).toEqual([
-      ['The page closed before a.jpg, b.jpg were saved. Choose them again.', 'Choose photos'],
+      ['The app closed before a.jpg, b.jpg were saved. Choose them again.', 'Choose photos'],
     ]);
   });
 });

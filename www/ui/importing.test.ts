@@ -28,7 +28,7 @@ test('whatever an importer throws is reported with the name of the file and a re
     'it is empty.',
     'reading it failed with an internal error: undefined is not a function',
     expect.stringMatching(/^it is not a text file/),
-    expect.stringMatching(/^it is a film in AVI/),
+    expect.stringMatching(/^Inkpanel cannot read this video format \(AVI\)/),
     expect.stringMatching(/^the file was moved/),
     'reading it failed with an internal error: a string',
     'reading it failed with an internal error: [object Null]',

@@ -18,7 +18,7 @@ test('a block is for the background alone, and one undo has it everywhere again'
   await drawn(page);
   await addBlock(page, 'Grayscale');
   const everywhere = await preview(page);
-  const where = cards(page).first().getByRole('combobox', { name: 'Where', exact: true });
+  const where = cards(page).first().getByRole('combobox', { name: 'Area', exact: true });
   await expect(where).toHaveValue('');
   await where.selectOption('Background');
   await expect.poll(async () => (await preview(page)) !== everywhere).toBe(true);
@@ -34,7 +34,7 @@ test('a block is for the background alone, and one undo has it everywhere again'
   // The lines of a layer, by the keyboard.
   await addBlock(page, 'XDoG', 'Foreground layer');
   const lines = await preview(page);
-  const layer = region(page).getByRole('combobox', { name: 'Where the lines are' });
+  const layer = region(page).getByRole('combobox', { name: 'Area of the lines' });
   await layer.focus();
   await page.keyboard.press('ArrowDown');
   await expect(layer).toHaveValue('subject');

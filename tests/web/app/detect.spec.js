@@ -49,6 +49,6 @@ test('photos are looked at once the page is there, and what is found can be seen
 test('without the nets the page is made all the same, and says so once', async ({ page }) => {
   await page.route('**/*.onnx', (route) => route.fulfill({ contentType: 'text/html', body: 'not here' }));
   await openBoard(page, SOME);
-  await expect(page.getByText('Faces cannot be found here')).toHaveCount(1);
+  await expect(page.getByText('Face detection is not available here')).toHaveCount(1);
   await press(page, 'Shuffle');
 });

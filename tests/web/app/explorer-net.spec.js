@@ -59,13 +59,13 @@ test('the net scores the styles in the background, which stay in their places un
   expect(await order(page)).toEqual(before);
   const net = await scores(page);
   expect(net).not.toEqual(light);
-  await expect(region(page)).toContainText('The order stays until you sort again.');
+  await expect(region(page)).toContainText('Sort again to update the order.');
   await sort.click();
   const sorted = await scores(page);
   expect(sorted).toEqual([...net].sort((a, b) => b - a));
   expect(new Set(sorted).size).toBeGreaterThan(5);
   expect(sorted.every((score) => score >= 0 && score <= 100)).toBe(true);
-  await expect(region(page)).not.toContainText('The order stays until you sort again.');
+  await expect(region(page)).not.toContainText('Sort again to update the order.');
 });
 
 test('scoring can be stopped, and goes on when styles are sorted again', async ({ page }) => {

@@ -115,7 +115,7 @@ test('no two tiles look the same, after two rounds and two breedings, and none m
   }
   // What is said over the wall pushes nothing down.
   expect(await wall(page).first().boundingBox()).toEqual(box);
-  expect(await wall(page).filter({ hasText: 'Child of' }).count()).toBeGreaterThan(5);
+  expect(await wall(page).filter({ hasText: 'Combines' }).count()).toBeGreaterThan(5);
   // 7 in the core, whose small copies are made a little otherwise.
   expect(await leastDistance(page)).toBeGreaterThan(6);
 });
@@ -169,7 +169,7 @@ test('the wall is put on another photo, each style in its place', async ({ page 
   await opened(page);
   await whole(page);
   const [before, first] = [await order(page), await tile(page, 0)];
-  const photos = region(page).getByRole('group', { name: 'Photo of the wall' });
+  const photos = region(page).getByRole('group', { name: 'Photo of the gallery' });
   await expect(photos.getByRole('button')).toHaveCount(FOUR.length);
   const other = photos.locator('button:not([aria-current])').first();
   await other.click();

@@ -41,7 +41,7 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   const sorted = await scores(page);
   expect(sorted).toEqual([...sorted].sort((a, b) => b - a));
   expect(sorted.every((score) => Number.isInteger(score) && score >= 0 && score <= 100)).toBe(true);
-  const look = page.getByRole('combobox', { name: 'Kind of look' });
+  const look = page.getByRole('combobox', { name: 'Look' });
   let parts = 0;
   for (const kind of ['line', 'flat', 'gray', 'wild']) {
     await look.selectOption(kind);
@@ -61,10 +61,10 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   await deed(page, 0, 'Combine');
   await expect(region(page)).toContainText(`Choose another style to combine with ${first}`);
   await deed(page, 1, 'Combine');
-  await expect(region(page)).toContainText(`children of ${first} and ${second}`);
+  await expect(region(page)).toContainText(`combinations of ${first} and ${second}`);
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
   // Beside the second parent, and marked, though the wall shows favourites only.
-  const children = wall(page).filter({ hasText: `Child of ${first} and ${second}` });
+  const children = wall(page).filter({ hasText: `Combines ${first} and ${second}` });
   const litter = await children.count();
   expect(litter).toBeGreaterThan(0);
   await expect(wall(page)).toHaveCount(2 + litter);
@@ -73,7 +73,7 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
   const bred = await wall(page).count();
   expect(bred).toBe(count + litter);
-  for (let n = 2; n < 2 + litter; n += 1) await expect(wall(page).nth(n)).toContainText(`Child of ${first}`);
+  for (let n = 2; n < 2 + litter; n += 1) await expect(wall(page).nth(n)).toContainText(`Combines ${first}`);
   await deed(page, 2, 'More like this');
   await expect.poll(() => wall(page).count()).toBeGreaterThan(bred);
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
@@ -139,7 +139,7 @@ test('a shuffle keeps the layer that is locked, and mixes invented styles in', a
   await openBoard(page, FOUR);
   await tab(page, 'Styles');
   await page.getByRole('button', { name: 'How Shuffle chooses styles' }).click();
-  await page.getByRole('slider', { name: 'Invented styles' }).fill('1');
+  await page.getByRole('slider', { name: 'Generated styles' }).fill('1');
   const unlisted = page
     .getByRole('listbox', { name: 'Styles' })
     .getByRole('group', { name: 'This page' })
@@ -150,7 +150,7 @@ test('a shuffle keeps the layer that is locked, and mixes invented styles in', a
     await press(page, 'Shuffle style');
     await expect(unlisted).toHaveCount(1, { timeout: 10 });
   }).toPass({ intervals: [5_000] });
-  await page.getByRole('slider', { name: 'Invented styles' }).fill('0');
+  await page.getByRole('slider', { name: 'Generated styles' }).fill('0');
   await page.getByRole('button', { name: 'Lock colours' }).click();
   await press(page, 'Shuffle style');
   expect((await contents(page)).style).toContain(' + ');

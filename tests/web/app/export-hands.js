@@ -41,6 +41,6 @@ export async function savedAs(page, format, { quality, half = true } = {}) {
   const dialog = await openExport(page);
   if (half) await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
   await dialog.getByRole('combobox', { name: 'Format' }).selectOption(format);
-  if (quality !== undefined) await dialog.getByRole('slider', { name: 'Picture quality' }).fill(String(quality));
+  if (quality !== undefined) await dialog.getByRole('slider', { name: 'Image quality' }).fill(String(quality));
   return saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
 }

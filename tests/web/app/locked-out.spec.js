@@ -111,11 +111,11 @@ test('a project that cannot be shown goes back to the last state that was drawn'
       await spoil(page, 'states', change);
       await page.goto('./');
       await idle(page);
-      const why = what === 'a thousand words' ? 'it holds more than a project can' : 'part of it is damaged';
+      const why = what === 'a thousand words' ? 'it exceeds the limits of a project' : 'part of it is damaged';
       await expect(broken(page)).toContainText(`Trip cannot be shown: ${why}.`);
       if (what === 'a merge of nothing') await accessible(page);
-      await broken(page).getByRole('button', { name: 'Back to the last good state' }).click();
-      await expect(page.getByRole('status').getByText('Trip is back as it was when it was last drawn.')).toBeVisible();
+      await broken(page).getByRole('button', { name: 'Restore the last good version' }).click();
+      await expect(page.getByRole('status').getByText('The last good version of Trip was restored.')).toBeVisible();
       await idle(page);
       expect(await contents(page)).toEqual(shown);
       await saved(page);

@@ -89,14 +89,14 @@ test('an effect stands behind the figure of its panel, on the page and in the fi
   test.setTimeout(240_000);
   await openBoard(page, ['macaw.jpg']);
   await write(page, 'sound effect', 'KRAAAK');
-  const behind = page.getByLabel('Behind the figure', { exact: true });
+  const behind = page.getByLabel('Behind the subject', { exact: true });
   // Nobody knows yet where the figure is.
   await masked(page);
   await expect(behind).not.toBeChecked();
   for (const [label, value] of [
     ['Width', '90'],
-    ['Across', '50'],
-    ['Down', '38'],
+    ['X', '50'],
+    ['Y', '38'],
   ]) {
     await page.getByLabel(label, { exact: true }).fill(value);
     await page.getByLabel(label, { exact: true }).blur();
@@ -131,5 +131,5 @@ test('without the net the tool says what is missing', async ({ page }) => {
   await page.getByRole('group', { name: /^Panel 1 of/ }).click();
   const button = page.getByRole('button', { name: 'Break out of panel' });
   await expect(button).toBeDisabled();
-  await expect(button).toHaveAttribute('title', /[^.]: the net that finds figures is not part of this site/);
+  await expect(button).toHaveAttribute('title', /[^.]: this site was built without subject detection/);
 });

@@ -58,7 +58,7 @@ const SCREENS = {
   },
   photos: async (page) => {
     await photoDrawer(page);
-    await unfold(page, 'Choice of photos');
+    await unfold(page, 'Photo selection');
     await button(page, 'Show subjects').click();
   },
   'a stack': async (page) => {
@@ -68,7 +68,7 @@ const SCREENS = {
     );
     await idle(page);
     await photoDrawer(page);
-    await page.getByRole('button', { name: /^Show the 2 photos like/ }).click();
+    await page.getByRole('button', { name: /^Show the 2 photos similar to/ }).click();
   },
   'styles and how they are chosen': async (page) => {
     await drawer(page, 'Styles');

@@ -89,7 +89,7 @@ test('a subject that is painted is drawn apart, undone stroke by stroke, and the
   ]);
   expect(await covered(page)).toBeGreaterThan(first);
   // Painted away.
-  await dialog(page).getByRole('button', { name: 'Take away' }).click();
+  await dialog(page).getByRole('button', { name: 'Remove' }).click();
   await stroke(page, [[0.5, 0.8]]);
   await dialog(page).getByRole('button', { name: 'Undo' }).click();
   await dialog(page).getByRole('button', { name: 'Redo' }).click();
@@ -112,7 +112,7 @@ test('a subject that is painted is drawn apart, undone stroke by stroke, and the
   await expect.poll(async () => different(after, await picture(page)), { timeout: 20_000 }).toBe(0);
   await openBrush(page);
   expect(await covered(page)).toBe(whole);
-  await dialog(page).getByRole('button', { name: 'Use the found subject' }).click();
+  await dialog(page).getByRole('button', { name: 'Use detected subject' }).click();
   await dialog(page).getByRole('button', { name: 'Done' }).click();
   await expect.poll(async () => different(before, await picture(page))).toBe(0);
 });
@@ -175,7 +175,7 @@ test('by keys alone the brush is moved, paints, and takes back what it did', asy
   await page.keyboard.press('-');
   expect(await covered(page)).toBeLessThan(grown);
   await page.keyboard.press('d');
-  await expect(dialog(page).getByRole('button', { name: 'Take away' })).toHaveAttribute('aria-pressed', 'true');
+  await expect(dialog(page).getByRole('button', { name: 'Remove' })).toHaveAttribute('aria-pressed', 'true');
   await page.keyboard.press('Space');
   await page.keyboard.press('c');
   await page.keyboard.press('ArrowUp');
@@ -185,7 +185,7 @@ test('by keys alone the brush is moved, paints, and takes back what it did', asy
   await page.keyboard.press('Escape');
   await expect(dialog(page)).toBeHidden();
   // What was painted is at hand for a while.
-  await page.getByRole('button', { name: 'Keep them' }).click();
+  await page.getByRole('button', { name: 'Restore changes' }).click();
   await pick.focus();
   if ((await pick.getAttribute('aria-pressed')) === 'false') await page.keyboard.press('Enter');
   await open.focus();
@@ -242,7 +242,7 @@ test('a balloon that is added goes elsewhere where a body was painted into its p
   const place = async () => {
     await write(page, 'balloon', 'HELLO THERE');
     const { x, y, width, height } = await box(balloon);
-    await page.getByRole('button', { name: 'Remove word' }).click();
+    await page.getByRole('button', { name: 'Remove text' }).click();
     await expect(balloon).toBeHidden();
     return { x: x + width / 2, y: y + height / 2, width, height };
   };
@@ -264,7 +264,7 @@ test('a balloon that is added goes elsewhere where a body was painted into its p
   expect(away).toBeGreaterThan(0.3);
   // Without the body it goes where it went.
   await openBrush(page);
-  await dialog(page).getByRole('button', { name: 'Use the found subject' }).click();
+  await dialog(page).getByRole('button', { name: 'Use detected subject' }).click();
   await dialog(page).getByRole('button', { name: 'Done' }).click();
   await idle(page);
   const third = await place();
@@ -288,16 +288,16 @@ detectingTest('the search for figures is stopped and goes on when asked', async 
   await add(page, await photos('macaw.jpg', 'camera.jpg'));
   await idle(page);
   await choose(page, 'grid', 'Four');
-  const stop = page.getByRole('button', { name: 'Stop looking for figures' });
+  const stop = page.getByRole('button', { name: 'Stop subject detection' });
   await stop.click({ timeout: 120_000 });
-  const goOn = page.getByRole('button', { name: 'Go on looking for figures' });
+  const goOn = page.getByRole('button', { name: 'Resume subject detection' });
   await expect(goOn).toBeVisible();
   await expect(stop).toBeHidden();
   await expect(page.locator('body')).toHaveAttribute('data-masked', 'true');
   release();
   await panel(page, 1).click();
   const breaks = page.getByRole('button', { name: 'Break out of panel' });
-  await expect(breaks).toHaveAttribute('title', /the search for figures was stopped/);
+  await expect(breaks).toHaveAttribute('title', /subject detection was stopped/);
   // A photo that comes now does not begin it anew.
   await add(page, await photos('dahlia.jpg'));
   await idle(page);

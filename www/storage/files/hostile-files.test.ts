@@ -255,7 +255,7 @@ describe('a file of which nothing comes', () => {
     await pass(6_000);
     await opened;
     expect(said()).toEqual([
-      'x.inkpanel could not be opened: nothing of it could be read for a minute. Check the disk that it is on, and try again.',
+      'x.inkpanel could not be opened: reading the file timed out after a minute. Check the drive and try again.',
     ]);
     expect([state(), tab.keeping.files.progress.value]).toEqual([before, null]);
     tab.engine.importPhoto = importPhoto;

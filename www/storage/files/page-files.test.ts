@@ -144,7 +144,7 @@ describe('a page that carries its project', () => {
     });
     await dropped(tab, file);
     expect(alerts(tab).map(({ text }) => text)).toEqual([
-      expect.stringMatching(/^new\.png could not be opened: it was made by a newer Inkpanel/),
+      expect.stringMatching(/^new\.png could not be opened: it was saved by a newer version of Inkpanel/),
     ]);
     alerts(tab)[0].way?.run();
     await vi.waitFor(() => expect(tab.names()).toContain('new.png'));

@@ -28,14 +28,16 @@ export const boardsStrings = {
     help: 'Eingabe geht zur nächsten Einstellung, Tab zum nächsten Feld, Escape verwirft das Getippte. Alt mit den Pfeiltasten verschiebt eine Einstellung. Längen sind Sekunden (2), Sekunden und Bilder (2:12) oder Bilder (36f). Zellen einer Tabelle lassen sich einfügen.',
     dragHelp: 'Ziehen, um sie woanders einzureihen.',
     copy: 'Liste kopieren',
-    copied: 'Die Liste liegt in der Zwischenablage, für eine Tabelle.',
+    copied: 'Die Liste wurde kopiert. Du kannst sie in eine Tabelle einfügen.',
     newColumn: 'Neue Spalte',
     addColumn: 'Spalte hinzufügen',
     removeColumn: (name: string) => `Spalte ${name} entfernen`,
     noLength: (text: string) =>
       `„${text}“ ist keine Länge: Schreib Sekunden (2), Sekunden und Bilder (2:12) oder Bilder (36f).`,
     pasteLost: (count: number) =>
-      count === 1 ? '1 eingefügte Zelle fand keinen Platz.' : `${count} eingefügte Zellen fanden keinen Platz.`,
+      count === 1
+        ? '1 eingefügte Zelle lag außerhalb der Tabelle und wurde ignoriert.'
+        : `${count} eingefügte Zellen lagen außerhalb der Tabelle und wurden ignoriert.`,
     filmBoard: 'Film-Storyboard',
     perSheet: 'Bilder je Blatt',
     aspect: 'Seitenverhältnis',
@@ -61,16 +63,18 @@ export const boardsStrings = {
       count === 1 ? `${name}: 1 Einstellung wurde ausgefüllt.` : `${name}: ${count} Einstellungen wurden ausgefüllt.`,
     quoted: (text: string) => `„${text}“`,
     left: (count: number, lines: string) =>
-      count === 1 ? `1 Zeile fand keine Einstellung: ${lines}.` : `${count} Zeilen fanden keine Einstellung: ${lines}.`,
+      count === 1
+        ? `1 Zeile passt zu keiner Einstellung: ${lines}.`
+        : `${count} Zeilen passen zu keiner Einstellung: ${lines}.`,
     cellsLeft: (count: number, cells: string) =>
       count === 1
         ? `1 Zelle wurde ausgelassen oder gekürzt: ${cells}.`
         : `${count} Zellen wurden ausgelassen oder gekürzt: ${cells}.`,
     columnsLeft: (columns: string) => `Für diese Spalten ist im Storyboard kein Platz: ${columns}.`,
     noSheets: (why: string) => `Das Storyboard konnte nicht angelegt werden: ${why}`,
-    missing: 'Der Teil des Programms, der Storyboards zeigt, konnte nicht geladen werden. Versuch es noch einmal.',
+    missing: 'Das Storyboard konnte nicht geladen werden. Prüfe die Verbindung und versuche es noch einmal.',
     sheet: (n: number, of: number) => `Blatt ${n} von ${of}`,
     listSaved: 'Die Liste der Einstellungen wurde gespeichert.',
-    listHelp: 'Alle Einstellungen des Albums mit dem, was dazu geschrieben ist, in der Reihenfolge des Storyboards.',
+    listHelp: 'Alle Einstellungen des Albums mit ihren Angaben, in der Reihenfolge des Storyboards.',
   },
 };

@@ -92,7 +92,7 @@ export const describingStrings = {
     `${panels === 1 ? 'Ein Panel' : `${panels} Panels`}, Layout ${layout}, Stil ${style}`,
   panelHolds: (n: number, what: string) => `Panel ${n}: ${what}.`,
   pageAs: (panels: number, style: string) =>
-    `Eine Storyboard-Seite mit ${panels === 1 ? 'einem Panel' : `${panels} Panels`} im Stil ${style}.`,
+    `Eine Comicseite mit ${panels === 1 ? 'einem Panel' : `${panels} Panels`} im Stil ${style}.`,
   wordSays: (kind: string, text: string) => `${kind}: „${text}“.`,
   somePhoto: 'ein Foto',
   emptyPanel: 'leer',
@@ -101,11 +101,11 @@ export const describingStrings = {
   description: 'Beschreibung der Seite',
   copyDescription: 'Beschreibung kopieren',
   descriptionHelp: 'Für alle, die sie nicht sehen können, wo immer du die Seite zeigst.',
-  descriptionCopied: 'Die Beschreibung ist in der Zwischenablage.',
-  descriptionNotCopied: (text: string) => `Die Zwischenablage geht hier nicht. Die Beschreibung ist: ${text}`,
+  descriptionCopied: 'Die Beschreibung wurde kopiert.',
+  descriptionNotCopied: (text: string) => `Die Zwischenablage ist hier nicht verfügbar. Die Beschreibung ist: ${text}`,
 
   language: 'Sprache',
-  languageHelp: 'Die Seite wird in dieser Sprache neu geladen. Vorher wird deine Arbeit gespeichert.',
+  languageHelp: 'Die App wird in dieser Sprache neu geladen. Vorher wird deine Arbeit gespeichert.',
   languageLater: (name: string) =>
-    `${name} gilt ab dem nächsten Besuch: Deine Arbeit ist nicht gespeichert, daher wurde die Seite nicht neu geladen.`,
+    `${name} gilt ab dem nächsten Besuch: Deine Arbeit ist nicht gespeichert, daher wurde die App nicht neu geladen.`,
 };

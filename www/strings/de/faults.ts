@@ -11,11 +11,10 @@ export const faultStrings = {
     'animatic-long': 'eine GIF-Datei fasst höchstens eine Minute. MP4 oder WebM wählen, oder kürzere Einstellungen.',
     'animatic-sound': 'dieser Browser kodiert für solche Dateien keinen Ton. WebM wählen oder den Ton weglassen.',
     'sound-unread': 'der Browser kann den Ton nicht lesen. In MP3 oder WAV umwandeln.',
-    'film-cut':
-      'Er bricht vor dem Verzeichnis seiner Bilder ab, daher ist nichts davon lesbar. Kopiere ihn noch einmal.',
-    'film-empty': 'Er enthält kein Bild.',
-    'films-missing': 'Was Filme liest, konnte nicht geladen werden. Versuche es mit Verbindung noch einmal.',
-    'worker-lost': 'Beim Lesen brach das Programm zweimal ab, daher wurde sie ausgelassen.',
+    'film-cut': 'Die Datei ist unvollständig (ihr Index fehlt). Kopiere sie noch einmal von der Quelle.',
+    'film-empty': 'Das Video enthält keine Bilder.',
+    'films-missing': 'Der Videoleser konnte nicht geladen werden. Prüfe die Verbindung und versuche es noch einmal.',
+    'worker-lost': 'Inkpanel ist beim Lesen zweimal abgestürzt, daher wurde die Datei ausgelassen.',
     'unreadable-file': 'Die Datei wurde verschoben, geändert oder gelöscht, nachdem du sie gewählt hast.',
     'not-text': 'Das ist keine Textdatei, oder ihre Kodierung ist unbekannt. Speichere sie als UTF-8.',
     'unreadable-entry':
@@ -39,8 +38,9 @@ export const faultStrings = {
     'video-worker': 'Der Leser des Videos ist ausgefallen.',
     'words-missing': 'Die Schriften konnten nicht geladen werden.',
     'files-missing':
-      'Was solche Dateien schreibt, konnte nicht geladen werden. Versuche es noch einmal oder speichere ein PNG.',
-    'decoders-missing': 'Was diese Fotos liest, konnte nicht geladen werden. Versuche es mit Verbindung noch einmal.',
+      'Der Export solcher Dateien konnte nicht geladen werden. Versuche es noch einmal oder speichere ein PNG.',
+    'decoders-missing':
+      'Der Decoder für diese Fotos konnte nicht geladen werden. Prüfe die Verbindung und versuche es noch einmal.',
     'core-missing': 'Das Programm konnte nicht geladen werden.',
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>
@@ -48,16 +48,16 @@ export const faultStrings = {
   /** The same where the reason is what the file is. */
   reasonsOf: {
     'film-container': (what: string) =>
-      `Das ist ein Film in ${what}, der hier nicht gelesen werden kann. Wandle ihn in MP4 mit H.264-Video um, zum Beispiel mit HandBrake oder ffmpeg.`,
+      `Inkpanel kann dieses Videoformat nicht lesen (${what}). Wandle es in MP4 mit H.264-Video um, zum Beispiel mit HandBrake oder ffmpeg.`,
     'film-codec': (what: string) =>
-      `Seine Bilder sind ${what}, was dieser Browser nicht dekodiert. Wandle ihn in MP4 mit H.264-Video um, zum Beispiel mit HandBrake oder ffmpeg.`,
+      `Dieser Browser kann ${what}-Video nicht dekodieren. Wandle es in MP4 mit H.264-Video um, zum Beispiel mit HandBrake oder ffmpeg.`,
   } as Record<string, (what: string) => string>,
   photoDamaged: (name: string, share: string) =>
     `${name}: ${share} des Bildes sind beschädigt und werden grau gezeichnet.`,
   photoCoarse: (name: string, share: string) =>
     `${name}: In ${share} des Bildes fehlen Einzelheiten, weil die Datei beschädigt oder unvollständig ist.`,
   filmReaches: (name: string, till: string, whole: string) =>
-    `${name} bricht ab: nur bis ${till} von ${whole}. Die Einzelbilder sind von dort.`,
+    `${name} ist unvollständig: Es endet bei ${till} von ${whole}. Alle Einzelbilder sind aus diesem Teil.`,
   noUsablePhoto:
     'Keine dieser Dateien ließ sich verwenden. Wähle Fotos in JPEG, PNG, WebP, AVIF, GIF, BMP oder TIFF, oder ein Video.',
   noSamples: 'Das Beispielalbum konnte nicht geladen werden. Prüfe die Verbindung und versuche es noch einmal.',

@@ -3,11 +3,12 @@
 export const fileStrings = {
   cargoFile: 'In der Datei',
   cargoFileHelp: {
-    project: 'Lass die Datei hier fallen, um daran weiterzuarbeiten. Sie findet ihre Fotos auf diesem Gerät.',
-    photos: 'Öffnet sich auf jedem Gerät, samt Fotos. Wer die Datei hat, hat auch sie.',
-    none: 'Nur die Seiten, sonst nichts.',
+    project: 'Lass die Datei hier fallen, um sie weiter zu bearbeiten. Sie findet ihre Fotos auf diesem Gerät.',
+    photos:
+      'Enthält deine Originalfotos und öffnet sich daher auf jedem Gerät. Alle, die die Datei haben, können sie sehen.',
+    none: 'Nur die Seiten.',
   },
-  packingPhotos: (percent: string) => `Die Fotos kommen hinein, ${percent}`,
+  packingPhotos: (percent: string) => `Die Fotos werden zur Datei hinzugefügt, ${percent}`,
   photosTooLarge: 'Zusammen sind die Fotos zu groß für ein PNG. Speichere stattdessen das Projekt als Datei.',
   savingProject: (done: number, total: number) => `Speichert das Projekt, ${Math.floor(done)} von ${total} Dateien`,
   damagedInArchive: (archive: string) => `Sie ist in ${archive} beschädigt.`,

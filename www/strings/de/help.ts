@@ -34,17 +34,17 @@ export const helpStrings = {
     shuffle: 'Misch, bis es dir gefällt. Jede Seite, die du gesehen hast, lässt sich zurückholen.',
     crop: 'Zieh, um das Bild zu verschieben, und dreh das Mausrad, um zu zoomen.',
     cropTouch: 'Zieh, um das Bild zu verschieben, und zoome mit zwei Fingern.',
-    lock: 'Fixiere, was bleiben soll. Der Rest ändert sich weiter.',
+    lock: 'Fixiere, was dir gefällt. Mischen ändert nur den Rest.',
   },
   closeHint: 'Tipp schließen',
   topics: {
     adding: {
-      title: 'Fotos und Filme hinzufügen',
-      text: `Lege Fotos oder Filme irgendwo auf dem Fenster ab, füge sie aus der Zwischenablage ein oder drücke „${photos.addPhotos}“. Willst du dich erst umsehen, nimm „${startStrings.trySamples}“. Weitere kannst du jederzeit hinzufügen.`,
+      title: 'Fotos und Videos hinzufügen',
+      text: `Lege Fotos oder Videos irgendwo auf dem Fenster ab, füge sie aus der Zwischenablage ein oder drücke „${photos.addPhotos}“. Willst du dich erst umsehen, nimm „${startStrings.trySamples}“. Weitere kannst du jederzeit hinzufügen.`,
     },
     films: {
-      title: 'Einzelbilder eines Films',
-      text: `Aus einem Film nimmt Inkpanel einige Einzelbilder, die dann Fotos wie alle anderen sind. Drücke in der Liste der Fotos auf seinen Namen, um Anfang, Ende und Anzahl zu wählen; „${photos.takeFrames}“ übernimmt sie. Ein Panel mit einem Einzelbild kann auf ein früheres oder späteres wechseln. „${sounds.hear}“ unter „${side.sideTab.words}“ schlägt Soundwörter für das vor, was bei den Einzelbildern auf deinen Seiten zu hören ist.`,
+      title: 'Einzelbilder eines Videos',
+      text: `Aus einem Video nimmt Inkpanel einige Einzelbilder, die dann Fotos wie alle anderen sind. Drücke in der Liste der Fotos auf seinen Namen, um Anfang, Ende und Anzahl zu wählen; „${photos.takeFrames}“ übernimmt sie. Ein Panel mit einem Einzelbild kann auf ein früheres oder späteres wechseln. „${sounds.hear}“ unter „${side.sideTab.words}“ schlägt Soundwörter für das vor, was bei den Einzelbildern auf deinen Seiten zu hören ist.`,
     },
     shuffle: {
       title: 'Mischen',
@@ -59,12 +59,12 @@ export const helpStrings = {
       text: `„${board.undo}“ und „${board.redo}“ gehen durch alles, was du getan hast. „${board.previous}“ und „${board.next}“ gehen durch die Seiten, die du gesehen hast; die Zahl dazwischen zeigt sie alle. Das Herz merkt eine Seite als Lieblingsseite vor.`,
     },
     ideas: {
-      title: 'Weitere Ideen',
+      title: 'Vorschläge',
       text: `Der Streifen unter der Seite, „${side.moreIdeas}“, zeigt andere Seiten aus denselben Fotos. Ein Klick übernimmt eine davon. Zeig auf eine, um sie groß zu sehen.`,
     },
     layouts: {
       title: 'Layouts',
-      text: `Wähle ein Layout nach Familie und Zahl der Panels; „${side.surprise}“ erfindet eines. Mit „${side.editLayout}“ ziehst und neigst du die Schnitte zwischen den Panels und teilst oder entfernst Panels. „${side.saveLayout}“ speichert es als Datei und legt es unter „${side.myLayouts}“ ab.`,
+      text: `Wähle ein Layout nach Familie und Zahl der Panels; „${side.surprise}“ erfindet eines. Mit „${side.editLayout}“ ziehst und neigst du die Trennlinien zwischen den Panels und teilst oder entfernst Panels. „${side.saveLayout}“ speichert es als Datei und legt es unter „${side.myLayouts}“ ab.`,
     },
     joining: {
       title: 'Panels zusammenlegen und ein Foto über mehrere Panels',
@@ -72,7 +72,7 @@ export const helpStrings = {
     },
     crop: {
       title: 'Ein Bild verschieben und zoomen',
-      text: `Zieh das Bild in seinem Panel, um es zu verschieben; mit dem Mausrad oder zwei Fingern zoomst du. Tippe bei Berührung das Panel zuerst an. Ein Doppelklick passt ein, worum es im Bild geht. „${panels.resetCrop}“ führt zu dem zurück, was die Seite wählen würde.`,
+      text: `Zieh das Bild in seinem Panel, um es zu verschieben; mit dem Mausrad oder zwei Fingern zoomst du. Tippe bei Berührung das Panel zuerst an. Ein Doppelklick passt ein, worum es im Bild geht. „${panels.resetCrop}“ stellt den automatischen Ausschnitt wieder her.`,
     },
     exchange: {
       title: 'Fotos tauschen',
@@ -80,7 +80,7 @@ export const helpStrings = {
     },
     subject: {
       title: 'Berichtigen, was das Motiv ist',
-      text: `„${panels.breakFrame}“, Stile nur für Motiv oder Hintergrund und Wörter, die Körper frei lassen, richten sich nach dem, was in einem Foto gefunden wurde. Wo das falsch ist, öffnet es „${brush.correct}“ bei den Werkzeugen eines Panels oder der Pinsel an einem angeklickten Foto der Liste: Mal dazu, was zum Motiv gehört, nimm weg, was nicht dazugehört, oder wähl ein anderes Motiv. „${brush.found}“ kehrt zum Gefundenen zurück.`,
+      text: `„${panels.breakFrame}“, Stile nur für Motiv oder Hintergrund und Text, der Körper frei lässt, richten sich nach dem erkannten Motiv. Ist es falsch, öffnet es „${brush.correct}“ bei den Werkzeugen eines Panels oder der Pinsel an einem angeklickten Foto der Liste: Mal dazu, was zum Motiv gehört, nimm weg, was nicht dazugehört, oder wähl ein anderes Motiv. „${brush.found}“ kehrt zum erkannten Motiv zurück.`,
     },
     styles: {
       title: 'Stile',
@@ -99,12 +99,12 @@ export const helpStrings = {
       text: `„${imitation.styleFromPicture}“ überträgt das Aussehen einer Comicseite, eines Drucks oder eines Gemäldes auf deine Fotos. Wähle das Bild dort oder lege es mit gedrückter Alt-Taste irgendwo ab. Nach wenigen Sekunden siehst du drei bis sechs Stile auf deinem eigenen Foto; nimm einen, speichere ihn oder verändere ihn im Designer.`,
     },
     words: {
-      title: 'Textkästen, Sprechblasen und Soundworte',
-      text: `Unter „${side.sideTab.words}“ fügst du einen Textkasten, eine Sprechblase oder ein Soundwort hinzu; es kommt dorthin, wo es kein Gesicht verdeckt, wenn Platz ist. Zieh es, oder schreib nach einem Doppelklick hinein; mit dem Finger tippst du es noch einmal an. Auch Filme bringen Worte mit: „${words.addSubtitles}“ liest eine Untertiteldatei.`,
+      title: 'Textkästen, Sprechblasen und Soundwörter',
+      text: `Unter „${side.sideTab.words}“ fügst du einen Textkasten, eine Sprechblase oder ein Soundwort hinzu; es kommt dorthin, wo es kein Gesicht verdeckt, wenn Platz ist. Zieh es, oder schreib nach einem Doppelklick hinein; mit dem Finger tippst du es noch einmal an. Auch Videos bringen Text mit: „${words.addSubtitles}“ liest eine Untertiteldatei.`,
     },
     alike: {
-      title: 'Ähnliche Fotos, und was zur Seite gelegt ist',
-      text: `Von Fotos, die sich ähnlich sehen, wird das schärfste verwendet; die anderen werden zur Seite gelegt, unscharfe auch. Sie liegen unter „${photos.setAside}“: Hake eines an, um es zu verwenden. Wie ähnlich sie sein müssen, sagst du unter „${photos.choice}“.`,
+      title: 'Ähnliche und ausgeschlossene Fotos',
+      text: `Von Fotos, die sich ähnlich sehen, wird das schärfste verwendet; die anderen werden ausgeschlossen, unscharfe auch. Sie stehen unter „${photos.setAside}“: Hake eines an, um es zu verwenden. Wie ähnlich sie sein müssen, sagst du unter „${photos.choice}“.`,
     },
     pages: {
       title: 'Mehrere Seiten',
@@ -128,7 +128,7 @@ export const helpStrings = {
     },
     comics: {
       title: 'Comics zum Lesen: HTML, EPUB, CBZ',
-      text: `„${board.export}“ macht auch Comics. „HTML-Comic“ ist eine Datei, die alle in einem Browser öffnen können: Mit Tippen, Wischen oder den Pfeiltasten geht es von Panel zu Panel, dazu gibt es ganze Seiten und alles als Text. EPUB ist für Lese-Apps, CBZ für Comic-Leseprogramme. In allen ist jedes Panel in seiner Reihenfolge bekannt, mit seinen Worten und, soweit es gefunden wurde, mit dem, was es zeigt; so lassen sie sich vorlesen.`,
+      text: `„${board.export}“ macht auch Comics. „HTML-Comic“ ist eine Datei, die alle in einem Browser öffnen können: Mit Tippen, Wischen oder den Pfeiltasten geht es von Panel zu Panel, dazu gibt es ganze Seiten und alles als Text. EPUB ist für Lese-Apps, CBZ für Comic-Leseprogramme. In allen ist jedes Panel in seiner Reihenfolge bekannt, mit seinem Text und, soweit es gefunden wurde, mit dem, was es zeigt; so lassen sie sich vorlesen.`,
     },
     privacy: {
       title: 'Offline und privat',

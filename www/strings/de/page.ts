@@ -31,11 +31,11 @@ export const pageStrings = {
     custom: 'Eigenes',
   },
 
-  customSize: { width: 'Breite', height: 'Höhe', dpi: 'dpi', unit: 'Einheit' },
+  customSize: { width: 'Breite', height: 'Höhe', dpi: 'Auflösung (dpi)', unit: 'Einheit' },
   units: { px: 'px', mm: 'mm', in: 'Zoll' },
   wrongSize: {
     side: 'Eine Seite muss zwischen 64 und 14.000 Pixeln lang sein.',
     pixels: 'Die Seite darf höchstens 72 Millionen Pixel haben.',
-    dpi: 'Die Punkte je Zoll müssen zwischen 36 und 1200 liegen.',
+    dpi: 'Die Auflösung muss zwischen 36 und 1200 dpi liegen.',
   },
 };

@@ -8,18 +8,18 @@ export const photoStrings = {
   onPageAndPanel: (page: number, panel: number) => `${page} · ${panel}`,
   onPanelLong: (page: number | null, panel: number) =>
     page === null ? `in Panel ${panel}` : `auf Seite ${page}, Panel ${panel}`,
-  youLeftOut: 'Von dir ausgelassen',
-  leftOut: (name: string) => `${name} ist ausgelassen.`,
+  youLeftOut: 'Von dir ausgeschlossen',
+  leftOut: (name: string) => `${name} wurde ausgeschlossen.`,
   starPhoto: (name: string) => `${name} hervorheben`,
   starLong: 'Groß zeigen, hier und bei jedem Mischen',
   removePhoto: (name: string) => `${name} entfernen`,
   photoMissing: 'Fehlt',
   addPhotos: 'Fotos hinzufügen',
-  kept: 'Auf dem Tisch',
-  setAside: 'Zur Seite gelegt',
+  kept: 'In Gebrauch',
+  setAside: 'Ausgeschlossen',
   setAsideWhy: 'Ähnliche und unscharfe Fotos. Hake eines an, um es zu verwenden.',
   choice: 'Auswahl der Fotos',
-  alike: 'Ähnliche zur Seite legen',
+  alike: 'Ähnliche Fotos ausschließen',
   alikeValue: (bits: number) =>
     bits < 7
       ? `${bits}, fast gleich`
@@ -28,7 +28,7 @@ export const photoStrings = {
         : bits < 14
           ? `${bits}, sehr ähnlich`
           : `${bits}, etwas ähnlich`,
-  alikeKept: (kept: number, all: number) => `${kept} von ${all} bleiben`,
+  alikeKept: (kept: number, all: number) => `${kept} von ${all} in Gebrauch`,
   order: 'Reihenfolge',
   orders: { time: 'Aufnahmezeit', name: 'Dateiname' },
   stackWhy: 'Sie sehen sich ähnlich. Das angehakte wird verwendet; hake mehr an oder nimm ein anderes.',
@@ -47,14 +47,14 @@ export const photoStrings = {
   videoFrames: (count: number) => (count === 1 ? '1 Einzelbild' : `${count} Einzelbilder`),
   trimStart: 'Anfang',
   trimEnd: 'Ende',
-  frames: 'Einzelbilder aus dem Film',
-  lookingThrough: (name: string, percent: string) => `${name} wird durchgesehen, ${percent}`,
+  frames: 'Einzelbilder aus dem Video',
+  lookingThrough: (name: string, percent: string) => `${name} wird analysiert, ${percent}`,
   takeFrames: 'Diese Einzelbilder nehmen',
 
   showSubjects: 'Gefundenes zeigen',
-  finding: (done: number, total: number) => `Suche nach Gesichtern und Objekten: ${done} von ${total} Fotos`,
-  masking: (done: number, total: number) => `Figuren werden gesucht: ${done} von ${total} Fotos`,
-  stopMasking: 'Suche nach Figuren anhalten',
-  goOnMasking: 'Weiter nach Figuren suchen',
-  noDetector: 'Gesichter lassen sich hier nicht finden. Daher werden Fotos nach Kontrast zugeschnitten.',
+  finding: (done: number, total: number) => `Gesichter und Objekte werden erkannt: ${done} von ${total} Fotos`,
+  masking: (done: number, total: number) => `Motive werden erkannt: ${done} von ${total} Fotos`,
+  stopMasking: 'Motiverkennung anhalten',
+  goOnMasking: 'Motiverkennung fortsetzen',
+  noDetector: 'Die Gesichtserkennung ist hier nicht verfügbar. Daher werden Fotos nach Kontrast zugeschnitten.',
 };

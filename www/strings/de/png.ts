@@ -9,9 +9,10 @@ export const pngStrings = {
   cargo: 'Im PNG',
   cargoKind: { project: 'Mit Projektdaten', photos: 'Mit Fotos', none: 'Ohne Projektdaten' },
   cargoHelp: {
-    project: 'Lass das PNG hier fallen, um daran weiterzuarbeiten. Es findet seine Fotos auf diesem Gerät.',
-    photos: 'Öffnet sich auf jedem Gerät, samt Fotos. Wer die Datei hat, hat auch sie.',
-    none: 'Nur das Bild, sonst nichts.',
+    project: 'Lass das PNG hier fallen, um es weiter zu bearbeiten. Es findet seine Fotos auf diesem Gerät.',
+    photos:
+      'Enthält deine Originalfotos und öffnet sich daher auf jedem Gerät. Alle, die die Datei haben, können sie sehen.',
+    none: 'Nur das Bild.',
   },
   cargoClean: 'Ort, Datum und Kamera deiner Fotos sind nie darin.',
   photosUnclean: (n: number) =>

@@ -9,7 +9,7 @@ export const printStrings = {
       screen: 'Bildschirme',
     },
     showSafe: 'Sicheren Bereich zeigen',
-    safeHelp: 'Gesichter und Worte innerhalb der Linie werden nie abgeschnitten. Sie steht in keiner Datei.',
+    safeHelp: 'Alles innerhalb dieser Linie wird nicht abgeschnitten. Die Linie wird nicht exportiert.',
     bleed: 'Beschnitt',
     bleeds: {
       none: 'Keiner',
@@ -18,14 +18,14 @@ export const printStrings = {
       inch: '1/8 Zoll',
     },
     bleedHelp:
-      'Bilder am Rand reichen darüber hinaus, damit beim Schneiden kein Weiß bleibt. Mit Rand steht dort die Papierfarbe.',
+      'Panels am Seitenrand reichen in den Anschnitt, damit nach dem Schneiden kein weißer Rand bleibt. Mit Seitenrand hat der Anschnitt die Papierfarbe.',
     marks: 'Schnittmarken',
     sheets: 'Bogen',
     impositions: {
-      none: 'Je eine Seite',
+      none: 'Eine Seite je Blatt',
       booklet: 'Heft zum Falten und Klammern',
       zine: 'Mini-Zine, acht Seiten aus einem Blatt',
-      twoUp: 'Zwei Seiten zum Auseinanderschneiden',
+      twoUp: 'Zwei Seiten je Blatt, zum Auseinanderschneiden',
       spreads: 'Doppelseiten',
     },
     booklet: 'Beidseitig drucken, an der kurzen Kante gewendet. Einmal falten und durch den Falz klammern.',
@@ -41,8 +41,8 @@ export const printStrings = {
       letter: 'Letter',
       tabloid: 'Tabloid',
     },
-    plates: 'Platten für Riso oder Siebdruck',
-    platesHelp: 'Für jede Farbe eine graue PDF-Datei, zusammen in einer ZIP.',
+    plates: 'Sonderfarben-Auszüge (Riso, Siebdruck)',
+    platesHelp: 'Eine graue PDF-Datei je Druckfarbe, zusammen in einem ZIP.',
     inks: {
       red: 'Rot',
       blue: 'Blau',
@@ -63,13 +63,13 @@ export const printStrings = {
     coarsePanel: (n: number, dpi: number) => `Bild ${n}: ${dpi} dpi`,
     coarseOn: (page: number, n: number, dpi: number) => `Seite ${page}, Bild ${n}: ${dpi} dpi`,
     coarseMore: (n: number) => `und ${n} weitere`,
-    enlarge: 'Gut vergrößern',
+    enlarge: 'Fotos mit niedriger Auflösung hochskalieren',
     enlargeHelp: (n: number) =>
       n === 1
-        ? 'Das Foto dieses Bildes wird mit schärferen Kanten vergrößert. Einzelheiten, die es nicht hat, kommen nicht dazu.'
-        : `Die Fotos dieser ${n} Bilder werden mit schärferen Kanten vergrößert. Einzelheiten, die sie nicht haben, kommen nicht dazu.`,
+        ? 'Das Foto dieses Panels wird mit schärferen Kanten hochskaliert. Dabei kommen keine Einzelheiten dazu.'
+        : `Die Fotos dieser ${n} Panels werden mit schärferen Kanten hochskaliert. Dabei kommen keine Einzelheiten dazu.`,
     coarseMark: (dpi: number) => `${dpi} dpi`,
     coarseHelp: 'Zeige das Foto kleiner oder weniger beschnitten, oder nimm ein größeres.',
-    coarseHide: 'Markierungen ausblenden',
+    coarseHide: 'Auflösungswarnungen ausblenden',
   },
 };

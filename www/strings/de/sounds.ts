@@ -1,23 +1,24 @@
 export const soundStrings = {
   filmSounds: {
-    hear: 'Klänge des Films',
-    of: (name: string) => `Klänge von ${name}`,
+    hear: 'Klänge im Video',
+    of: (name: string) => `Klänge in ${name}`,
     decoding: 'Der Ton wird gelesen …',
-    hearing: 'Es wird gelauscht …',
-    stop: 'Nicht weiter lauschen',
+    hearing: 'Der Ton wird analysiert …',
+    stop: 'Analyse anhalten',
     near: (n: number) =>
       n === 1 ? '1 Klang bei einem Einzelbild auf einer Seite.' : `${n} Klänge bei Einzelbildern auf Seiten.`,
-    far: (n: number) => (n === 1 ? '1 weiterer Klang ist bei keinem.' : `${n} weitere Klänge sind bei keinem.`),
+    far: (n: number) =>
+      n === 1 ? '1 weiterer Klang ist bei keinem Einzelbild.' : `${n} weitere Klänge sind bei keinem Einzelbild.`,
     none: 'Bei keinem Einzelbild auf einer Seite ist ein Klang.',
-    silent: 'Im Ton sticht nichts hervor.',
+    silent: 'Es wurden keine deutlichen Klänge erkannt.',
     put: (text: string, time: string) => `${text} auf die Seite setzen, ${time}`,
     there: 'auf der Seite',
     taken: (text: string) => `${text} steht jetzt auf der Seite.`,
-    failed: (why: string) => `Sein Ton konnte nicht gelesen werden: ${why}`,
-    mute: 'Dieser Film hat keinen Ton.',
-    long: (minutes: string) => `Er ist länger als ${minutes} Minuten, mehr als sich hören lässt.`,
-    large: (size: string) => `Er ist größer als ${size}, mehr als sich hören lässt.`,
-    undecodable: 'Dieser Browser kann seinen Ton nicht lesen.',
+    failed: (why: string) => `Der Ton konnte nicht gelesen werden: ${why}`,
+    mute: 'Dieses Video hat keinen Ton.',
+    long: (minutes: string) => `Das Video ist länger als ${minutes} Minuten, die Grenze für die Tonanalyse.`,
+    large: (size: string) => `Das Video ist größer als ${size}, die Grenze für die Tonanalyse.`,
+    undecodable: 'Dieser Browser kann den Ton nicht dekodieren.',
   },
   /** What a sound is written as. */
   soundWords: {

@@ -6,8 +6,7 @@ export const startStrings = {
   trySamples: 'Beispielalbum ausprobieren',
   privacy: 'Nichts verlässt dieses Gerät.',
   dropHere: 'Loslassen, um deine Fotos hinzuzufügen',
-  framed:
-    'Eine andere Website zeigt Inkpanel in ihrer eigenen Seite. Dort läuft es nicht, damit niemand dich drücken lässt, was du nicht siehst.',
-  openInTab: 'Inkpanel in einem eigenen Tab öffnen',
-  starting: 'Die Tusche wird angerührt',
+  framed: 'Zum Schutz vor Clickjacking läuft Inkpanel nicht innerhalb anderer Websites.',
+  openInTab: 'Inkpanel in einem neuen Tab öffnen',
+  starting: 'Inkpanel wird gestartet',
 };

@@ -2,7 +2,7 @@ import { some } from './png.ts';
 
 const TROUBLE: Record<string, string> = {
   full: 'der Speicher dieses Browsers ist voll',
-  refused: 'dieser Browser bewahrt hier nichts für Seiten auf',
+  refused: 'dieser Browser blockiert hier den Speicher für Websites',
 };
 
 export const storageStrings = {
@@ -17,9 +17,9 @@ export const storageStrings = {
     failed: 'Nicht gespeichert',
   },
   savingCount: (done: number, total: number) => `Speichert ${done} von ${total}`,
-  saveHelp: 'Deine Arbeit wird in diesem Browser aufbewahrt, auf diesem Gerät',
+  saveHelp: 'Deine Arbeit wird in diesem Browser gespeichert, auf diesem Gerät',
   notSaved: (why: string, message: string) =>
-    `Deine Arbeit ist nicht gespeichert: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Alles ist noch da, solange diese Seite offen ist.`,
+    `Deine Arbeit ist nicht gespeichert: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Sie geht verloren, wenn du diesen Tab schließt.`,
   photosUnreadable: (names: readonly string[]) =>
     `${some(names)}: nicht gespeichert, die ${names.length === 1 ? 'Datei ist' : 'Dateien sind'} nicht mehr lesbar. Alles andere ist gespeichert.`,
   photosNotHere: (names: readonly string[], of: number) => {
@@ -30,11 +30,11 @@ export const storageStrings = {
   filmsNotHere: (names: readonly string[]) =>
     `${some(names)}: nicht mehr in diesem Browser, die Einzelbilder schon. Um andere zu nehmen, füge das Video noch einmal hinzu.`,
   photosNeverSaved: (names: readonly string[]) =>
-    `Die Seite wurde geschlossen, bevor ${some(names)} gespeichert ${names.length === 1 ? 'war' : 'waren'}. Wähle ${names.length === 1 ? 'die Datei' : 'die Dateien'} noch einmal.`,
+    `Die App wurde geschlossen, bevor ${some(names)} gespeichert ${names.length === 1 ? 'war' : 'waren'}. Wähle ${names.length === 1 ? 'die Datei' : 'die Dateien'} noch einmal.`,
   saveAgain: 'Noch einmal speichern',
   goOnWithout: 'Ohne sie weiter',
   saveToFile: 'In Datei speichern',
-  conflict: 'Ein anderer Tab hat dieses Projekt geändert, daher geht es hier als Kopie weiter.',
+  conflict: 'Ein anderer Tab hat dieses Projekt geändert. Dieser Tab macht mit einer Kopie weiter.',
 
   // Projects
   projects: 'Projekte',
@@ -53,22 +53,22 @@ export const storageStrings = {
   openNow: 'Gerade offen',
   projectAbout: (photos: number, when: string) =>
     `${photos === 1 ? '1 Foto' : `${photos} Fotos`}${when && `, ${when}`}`,
-  noProjects: 'Was du machst, wird hier von selbst gespeichert.',
+  noProjects: 'Deine Arbeit wird hier automatisch gespeichert.',
   projectDeleted: (name: string) => `${name} wurde gelöscht.`,
   bringBack: 'Wiederherstellen',
   projectNotOpened: (why: string) => `Das Projekt ließ sich nicht öffnen: ${why}`,
   projectFileNotOpened: (name: string, why: string) => `${name} ließ sich nicht öffnen: ${why}`,
   projectNotSaved: (why: string) => `Das Projekt ließ sich nicht als Datei speichern: ${why}`,
   projectReasons: {
-    'damaged-project': 'Es ist beschädigt oder kein Projekt von Inkpanel. Was auf der Seite ist, blieb unberührt.',
-    'too-large-project':
-      'Es enthält mehr, als ein Projekt fasst, oder wird beim Entpacken größer. Was auf der Seite ist, blieb unberührt.',
+    'damaged-project': 'Es ist beschädigt oder kein Projekt von Inkpanel. Deine Seite wurde nicht geändert.',
+    'too-large-project': 'Es überschreitet die Grenzen eines Projekts. Deine Seite wurde nicht geändert.',
     'silent-project':
-      'Eine Minute lang ließ sich nichts davon lesen. Prüfe das Laufwerk, auf dem es liegt, und versuche es noch einmal.',
-    'newer-project': 'Es stammt von einem neueren Inkpanel. Lade diese Seite neu, um das neueste zu bekommen.',
-    'not-saved': 'Was auf der Seite ist, ist nicht gespeichert. Speichere es erst in eine Datei (Projekt speichern).',
+      'Das Lesen der Datei wurde nach einer Minute abgebrochen. Prüfe das Laufwerk und versuche es noch einmal.',
+    'newer-project':
+      'Es wurde mit einer neueren Version von Inkpanel gespeichert. Lade diesen Tab neu, um zu aktualisieren.',
+    'not-saved': 'Deine Arbeit ist nicht gespeichert. Speichere sie erst in eine Datei (Projekt speichern).',
     'missing-project': 'Es wurde gelöscht.',
-    'no-storage': 'Dieser Browser bewahrt hier nichts für Seiten auf.',
+    'no-storage': 'Dieser Browser blockiert hier den Speicher für Websites.',
     'too-large': 'Die Datei würde größer als 4 GB.',
   } as Record<string, string>,
   projectsOpened: (others: readonly string[], shown: string) =>
@@ -80,27 +80,28 @@ export const storageStrings = {
   projectBroken: (name: string, why: string) => `${name} lässt sich nicht zeigen: ${why}.`,
   brokenReasons: {
     'damaged-project': 'ein Teil ist beschädigt',
-    'too-large-project': 'es enthält mehr, als ein Projekt fasst',
-    'newer-project': 'es stammt von einem neueren Inkpanel. Lade diese Seite neu, um das neueste zu bekommen',
+    'too-large-project': 'es überschreitet die Grenzen eines Projekts',
+    'newer-project':
+      'es wurde mit einer neueren Version von Inkpanel gespeichert. Lade diesen Tab neu, um zu aktualisieren',
   } as Record<string, string>,
   brokenOtherwise: 'ein Teil lässt sich nicht zeichnen',
-  brokenKept: 'Es bleibt, wie es ist, mit seinen Fotos.',
+  brokenKept: 'Das Projekt und seine Fotos sind unverändert.',
   partsLeftOut: (name: string, n: number) =>
     `${name} ist offen, ohne ${n === 1 ? 'einen Teil, der sich nicht lesen ließ' : `${n} Teile, die sich nicht lesen ließen`}.`,
   openAnother: 'Anderes öffnen',
   saveAsFile: 'Als Datei speichern',
-  goBack: 'Zurück zum letzten guten Stand',
-  noGoodState: 'Es gibt keinen Stand mehr, zu dem es zurückginge.',
-  wentBack: (name: string) => `${name} ist wieder so, wie es zuletzt gezeichnet wurde.`,
+  goBack: 'Letzte gute Version wiederherstellen',
+  noGoodState: 'Es gibt keine frühere Version zum Wiederherstellen.',
+  wentBack: (name: string) => `Die letzte gute Version von ${name} wurde wiederhergestellt.`,
   openingProject: (name: string) => `${name} wird geöffnet`,
   openingLast: 'Dein Projekt wird geöffnet',
   openElsewhere: (name: string) => `${name} ist in einem anderen Tab offen.`,
-  opensWhenFree: 'Es öffnet sich hier, sobald jener Tab geschlossen ist.',
+  opensWhenFree: 'Es öffnet sich hier, wenn du den anderen Tab schließt.',
   openCopy: 'Kopie öffnen',
 
   // Pages shown
-  pagesShown: 'Gezeigte Seiten',
-  pagesShownAt: (n: number, of: number) => `Gezeigte Seiten, ${n}/${of}`,
+  pagesShown: 'Seitenverlauf',
+  pagesShownAt: (n: number, of: number) => `Seitenverlauf, ${n}/${of}`,
   pageNumber: (n: number) => `Seite ${n}`,
   pageFrom: (n: number) => `von Seite ${n}`,
   favouritePage: 'Lieblingsseite',

@@ -1,7 +1,7 @@
-/** Plain names of the blocks, with the field's term behind. What they do and their parameters the core says itself. */
+/** Plain names of the blocks, with the technical term in brackets. The core has the help texts and the parameters. */
 export const blocks: Record<string, [string]> = {
-  to_gray: ['No colour (To GrayScale)'],
-  to_color: ['Colours back (To Color)'],
+  to_gray: ['Grayscale (To GrayScale)'],
+  to_color: ['Restore colour (To Color)'],
   posterize: ['Few colours (Posterization)'],
   luma_posterize: ['Few tones (Luma Posterization)'],
   soft_threshold: ['Ink and paper (Soft Threshold)'],
@@ -23,6 +23,6 @@ export const blocks: Record<string, [string]> = {
   size: ['Coarse or fine (Size)'],
   pattern: ['Hatching (Pattern Filling)'],
   halftone: ['Print dots (Halftone)'],
-  equalize: ['Full tones (Linear Histogram Equalization)'],
-  dynamic_range: ['Least contrast (Histogram Minimum Dynamic Range)'],
+  equalize: ['Auto levels (Linear Histogram Equalization)'],
+  dynamic_range: ['Minimum contrast (Histogram Minimum Dynamic Range)'],
 };

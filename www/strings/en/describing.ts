@@ -1,8 +1,8 @@
-/** Words that describe what is on the page to who does not see it, and the page's language. */
+/** Descriptions of the page for screen readers, and the language of the app. */
 
 import type { Counted, Seen } from '../compose.ts';
 
-/** Many of what takes more than an s. */
+/** Irregular plurals of detected things. */
 const MANY: Record<string, string> = {
   person: 'people',
   bus: 'buses',
@@ -20,7 +20,7 @@ const MANY: Record<string, string> = {
   toothbrush: 'toothbrushes',
   scissors: 'pairs of scissors',
 };
-/** One of what takes more than an article. */
+/** Irregular singulars of detected things. */
 const ONE: Record<string, string> = {
   skis: 'a pair of skis',
   scissors: 'a pair of scissors',
@@ -41,22 +41,22 @@ export const describingStrings = {
   pageHolds: (panels: number, layout: string, style: string) =>
     `${panels === 1 ? 'One panel' : `${panels} panels`}, layout ${layout}, style ${style}`,
   panelHolds: (n: number, what: string) => `Panel ${n}: ${what}.`,
-  /** The beginning of a text that stands for the page elsewhere. */
+  /** First sentence of the alternative text of an exported page. */
   pageAs: (panels: number, style: string) =>
-    `A storyboard page of ${panels === 1 ? 'one panel' : `${panels} panels`} in the style ${style}.`,
+    `A comic page of ${panels === 1 ? 'one panel' : `${panels} panels`} in the style ${style}.`,
   wordSays: (kind: string, text: string) => `${kind}: “${text}”.`,
   somePhoto: 'a photo',
   emptyPanel: 'empty',
-  ownLayout: 'of your own',
-  ownStyle: 'of your own',
+  ownLayout: 'custom',
+  ownStyle: 'custom',
   description: 'Description of the page',
   copyDescription: 'Copy description',
-  descriptionHelp: 'For those who cannot see it, wherever you show the page.',
-  descriptionCopied: 'The description is in the clipboard.',
-  descriptionNotCopied: (text: string) => `The clipboard cannot be used here. The description is: ${text}`,
+  descriptionHelp: 'For people who cannot see the page, wherever you publish it.',
+  descriptionCopied: 'The description was copied to the clipboard.',
+  descriptionNotCopied: (text: string) => `The clipboard is not available here. The description is: ${text}`,
 
   language: 'Language',
-  languageHelp: 'The page loads again in that language. Your work is saved first.',
+  languageHelp: 'The app reloads in that language. Your work is saved first.',
   languageLater: (name: string) =>
-    `${name} is for the next visit: your work is not saved, so the page was not loaded again.`,
+    `${name} applies from your next visit. The app did not reload, because your work is not saved.`,
 };

@@ -2,38 +2,38 @@
 
 export const imitationStrings = {
   styleFromPicture: 'Style from a picture',
-  styleFromPictureHelp: 'Takes the look of a picture, a comic page, a print or a painting, over to your photos',
+  styleFromPictureHelp: 'Applies the look of a comic page, a print or a painting to your photos',
   imitationAbout:
-    'Choose a picture whose look you want: a comic page, a print, a drawing, a painting. Styles that give your own photo this look are searched for in a few seconds. The picture stays on this device.',
-  imitationDrop: 'You can also drop a picture anywhere with Alt held.',
+    'Choose a picture with the look that you want: a comic page, a print, a drawing or a painting. Within a few seconds, Inkpanel finds styles that give your photo this look. The picture stays on this device.',
+  imitationDrop: 'You can also hold Alt and drop a picture anywhere.',
   imitationChoose: 'Choose a picture',
   imitationOther: 'Another picture',
-  imitationFile: 'Picture whose style is wanted',
+  imitationFile: 'Picture with the style that you want',
   imitationAgain: 'Search again',
   imitationAnyway: 'Search anyway',
   imitating: 'Searching for styles…',
   imitationProposals: 'Styles found',
-  imitationPhotos: 'Photo to try them on',
-  imitationNone: 'No style came near this picture. Try another one.',
-  imitationNeedsPhotos: 'Choose photos first: the style of a picture is tried on one of them.',
-  dropForStyle: 'Drop here, or with Alt held, to take over the style of a picture',
+  imitationPhotos: 'Photo for the preview',
+  imitationNone: 'No style is close to this picture. Try another one.',
+  imitationNeedsPhotos: 'Choose photos first: Inkpanel shows the styles on one of them.',
+  dropForStyle: 'Drop here, or anywhere with Alt, to copy the style of a picture',
   imitationFound: (n: number) =>
     n === 1
-      ? '1 style found. It is yours when you use, edit or save it.'
-      : `${n} styles found. One is yours when you use, edit or save it.`,
+      ? '1 style found. Use, edit or save it to keep it.'
+      : `${n} styles found. Use, edit or save one to keep it.`,
   imitationName: (picture: string, place: number) => `Like ${picture} ${place}`,
   imitationPictureOf: (name: string) => `The picture ${name}`,
   /** Why nothing was found, by error code. */
   imitationReasons: {
-    'small-picture': 'This picture is too small to read a style from: each side needs 64 pixels.',
-    'blank-picture': 'This picture is blank: there is no style in it.',
+    'small-picture': 'This picture is too small. Each side needs at least 64 pixels.',
+    'blank-picture': 'This picture is blank, so it has no style.',
     'plain-photo':
-      'This looks like a plain photo: there are no lines, inks or paints to take over. Choose a drawing, a print or a painting.',
-    'imitation-missing': 'What finds styles in pictures could not be loaded. Try again with a connection.',
-    'worker-lost': 'Reading this picture stopped the program. Try another one.',
+      'This looks like a plain photo without lines, inks or paint. Choose a drawing, a print or a painting.',
+    'imitation-missing': 'The style search could not be loaded. Check your connection and try again.',
+    'worker-lost': 'Inkpanel crashed while reading this picture. Try another one.',
     'unreadable-file': 'The file was moved, changed or deleted since you chose it.',
-    'unknown-format': 'This is no picture that can be read. Choose a JPEG, PNG, WebP, AVIF, GIF, BMP or TIFF file.',
-    damaged: 'The file of this picture is damaged or cut short.',
+    'unknown-format': 'This is not a readable image. Choose a JPEG, PNG, WebP, AVIF, GIF, BMP or TIFF file.',
+    damaged: 'The file of this picture is damaged or truncated.',
     'too-large': 'This picture is too large.',
   } as Record<string, string>,
 };

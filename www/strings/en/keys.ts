@@ -1,18 +1,18 @@
 /** Keys, and the list of them. */
 
 export const keyStrings = {
-  letterKeys: 'Single letters are shortcuts',
-  // As the keyboard calls them; what is called alike everywhere is not here.
+  letterKeys: 'Single-letter shortcuts',
+  // Labels of the keys. Keys with the same label in every language are missing.
   keyNames: { Ctrl: 'Ctrl', Space: 'Space', Shift: 'Shift', Enter: 'Enter', PageUp: 'Page Up', PageDown: 'Page Down' },
-  // What the list says of keys that are no action with a name of its own.
+  // Descriptions of keys that belong to no named action.
   keyAbout: {
     walk: 'Move between panels',
-    turn: 'Go between the pages of the storyboard',
+    turn: 'Move between pages',
     frame: 'Move a panel’s photo with the arrows',
-    scrub: 'Earlier or later frame of a video, with Shift by a second',
+    scrub: 'Earlier or later frame of a video; with Shift, by one second',
     zoom: 'Zoom a panel’s photo, reset it',
     choose: 'Select a panel',
-    slant: 'Slant a cut of the layout',
+    slant: 'Slant a divider of the layout',
     list: 'This list',
   },
 };

@@ -1,4 +1,4 @@
-/** The core and the data files are English by themselves; only blocks have plainer names here. */
+/** The core and the data files are in English. Only blocks have plainer names here. */
 
 import { blocks } from './blocks.ts';
 import type { Names } from '../names.ts';

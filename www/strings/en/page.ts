@@ -33,11 +33,11 @@ export const pageStrings = {
     custom: 'Custom',
   },
 
-  customSize: { width: 'Width', height: 'Height', dpi: 'Dots an inch', unit: 'Unit' },
+  customSize: { width: 'Width', height: 'Height', dpi: 'Resolution (DPI)', unit: 'Unit' },
   units: { px: 'pixels', mm: 'mm', in: 'inches' },
   wrongSize: {
     side: 'A side must be from 64 to 14,000 pixels.',
     pixels: 'The page must have at most 72 million pixels.',
-    dpi: 'Dots an inch must be from 36 to 1200.',
+    dpi: 'The resolution must be from 36 to 1200 DPI.',
   },
 };

@@ -1,4 +1,4 @@
-/** Words of pages that carry their project, and of what files say beside their pixels. */
+/** Strings of files with an embedded project, and of photo metadata. */
 
 const photos = (n: number) => (n === 1 ? '1 photo' : `${n} photos`);
 
@@ -12,21 +12,21 @@ export const pngStrings = {
   cargo: 'Inside the PNG',
   cargoKind: { project: 'With project data', photos: 'With photos', none: 'Without project data' },
   cargoHelp: {
-    project: 'Drop the PNG here to work on it again. It finds its photos on this device.',
-    photos: 'Opens on any device, photos and all. Whoever has the file has them.',
-    none: 'The picture and nothing else.',
+    project: 'Drop the PNG here to edit it again. It finds its photos on this device.',
+    photos: 'Includes your original photos, so it opens on any device. Anyone with the file can see them.',
+    none: 'Only the image.',
   },
-  cargoClean: 'Place, date and camera of your photos are never in it.',
+  cargoClean: 'The file never contains the place, date or camera of your photos.',
   photosUnclean: (n: number) =>
-    `${photos(n)} in it may still say where and when: Inkpanel cannot take that out of files of that kind.`,
+    `${photos(n)} in it may still contain place and date, because Inkpanel cannot clean this file format.`,
 
-  noProjectInside: 'it is a picture without project data.',
-  pageOpened: (name: string) => `${name} is open again, as a project of its own.`,
+  noProjectInside: 'it is an image without project data.',
+  pageOpened: (name: string) => `${name} was opened as a separate project.`,
   photosMissing: (name: string, n: number, of: number) =>
-    `${name} is open, but ${n === of ? (of === 1 ? 'its photo is' : `its ${of} photos are`) : `${n} of its ${of} photos ${n === 1 ? 'is' : 'are'}`} not on this device. Choose or drop ${n === 1 ? 'it' : 'them'}: each goes back to its place.`,
-  photosBack: (n: number) => `${photos(n)} ${n === 1 ? 'is' : 'are'} back in place.`,
+    `${name} is open, but ${n === of ? (of === 1 ? 'its photo is' : `its ${of} photos are`) : `${n} of its ${of} photos ${n === 1 ? 'is' : 'are'}`} not on this device. Choose or drop ${n === 1 ? 'it' : 'them'} to restore ${n === 1 ? 'it' : 'them'}.`,
+  photosBack: (n: number) => `${photos(n)} ${n === 1 ? 'was' : 'were'} restored.`,
   photosStillMissing: (n: number) =>
-    `${photos(n)} of this page ${n === 1 ? 'is' : 'are'} still missing. Choose or drop ${n === 1 ? 'it' : 'them'}: each goes back to its place.`,
+    `${photos(n)} of this page ${n === 1 ? 'is' : 'are'} still missing. Choose or drop ${n === 1 ? 'it' : 'them'} to restore ${n === 1 ? 'it' : 'them'}.`,
   absentPhoto: (n: number) => `Missing photo ${n}`,
   choosePhotos: 'Choose photos',
   useAsPhoto: 'Use as a photo',
@@ -35,5 +35,5 @@ export const pngStrings = {
   projectSaved: (unclean: readonly string[]) =>
     unclean.length === 0
       ? 'The project was saved as a file, with your photos at full size, but without their place, date and camera.'
-      : `The project was saved as a file, with your photos at full size. ${some(unclean)} may still say where and when: Inkpanel cannot take that out of files of that kind.`,
+      : `The project was saved as a file, with your photos at full size. ${some(unclean)} may still contain place and date, because Inkpanel cannot clean this file format.`,
 };

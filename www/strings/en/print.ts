@@ -1,4 +1,4 @@
-/** Words of what is printed: sheets, bleed, plates, and the check before it. */
+/** Strings of print: sheets, bleed, spot-colour separations, and the resolution check. */
 
 export const printStrings = {
   print: {
@@ -9,7 +9,7 @@ export const printStrings = {
       screen: 'Screens',
     },
     showSafe: 'Show safe area',
-    safeHelp: 'Faces and words inside of the line are never cut off. It is in no file.',
+    safeHelp: 'Anything inside this line is safe from trimming. The line is not exported.',
     bleed: 'Bleed',
     bleeds: {
       none: 'None',
@@ -18,31 +18,31 @@ export const printStrings = {
       inch: '1/8 in',
     },
     bleedHelp:
-      'Panels at the edge go on beyond it, so that no white shows where the page is cut. With a margin there is paper colour there.',
-    marks: 'Cut marks',
+      'Panels at the page edge extend into the bleed, so that no white edge shows after trimming. With a margin, the bleed has the paper colour.',
+    marks: 'Crop marks',
     sheets: 'Sheets',
     impositions: {
-      none: 'One page each',
+      none: 'One page per sheet',
       booklet: 'Booklet to fold and staple',
       zine: 'Mini-zine, eight pages from one sheet',
-      twoUp: 'Two pages to cut apart',
-      spreads: 'Spreads of two pages',
+      twoUp: 'Two pages per sheet, to cut apart',
+      spreads: 'Two-page spreads',
     },
     booklet: 'Print on both sides, flipped on the short edge. Fold once and staple through the fold.',
-    zine: 'Print on one side. Fold in eighths, cut the middle along the fold, push together.',
+    zine: 'Print on one side. Fold into eighths, cut the middle along the fold, push together.',
     twoUp: 'Print, then cut between the pages.',
-    spreads: 'The first page alone, then two and two as an open book shows them.',
+    spreads: 'A single first page, then pairs of facing pages as in an open book.',
     blanks: (n: number) => `${n === 1 ? 'One page stays' : `${n} pages stay`} empty.`,
     paperSize: 'Paper',
     papers: {
-      none: 'As large as the pages',
+      none: 'Same size as the pages',
       a4: 'A4',
       a3: 'A3',
       letter: 'Letter',
       tabloid: 'Tabloid',
     },
-    plates: 'Plates for riso or screen print',
-    platesHelp: 'A gray PDF file for each ink, together in a ZIP.',
+    plates: 'Spot-colour separations (riso, screen print)',
+    platesHelp: 'One gray PDF file per ink, together in a ZIP.',
     inks: {
       red: 'red',
       blue: 'blue',
@@ -63,13 +63,13 @@ export const printStrings = {
     coarsePanel: (n: number, dpi: number) => `Panel ${n}: ${dpi} dpi`,
     coarseOn: (page: number, n: number, dpi: number) => `Page ${page}, panel ${n}: ${dpi} dpi`,
     coarseMore: (n: number) => `and ${n} more`,
-    enlarge: 'Enlarge well',
+    enlarge: 'Upscale low-resolution photos',
     enlargeHelp: (n: number) =>
       n === 1
-        ? 'The photo of this panel is enlarged with sharper edges. It gains no detail that it does not have.'
-        : `The photos of these ${n} panels are enlarged with sharper edges. They gain no detail that they do not have.`,
+        ? 'The photo of this panel is upscaled with sharper edges. Upscaling adds no detail.'
+        : `The photos of these ${n} panels are upscaled with sharper edges. Upscaling adds no detail.`,
     coarseMark: (dpi: number) => `${dpi} dpi`,
-    coarseHelp: 'Show the photo smaller or with less cropped off, or take a larger one.',
-    coarseHide: 'Hide the marks',
+    coarseHelp: 'Show the photo smaller, crop less, or use a larger photo.',
+    coarseHide: 'Hide resolution warnings',
   },
 };

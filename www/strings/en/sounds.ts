@@ -1,26 +1,26 @@
-/** Words of the sounds of a film, and how sounds are written. */
+/** Strings of sound detection in videos, and the lettering of sounds. */
 
 export const soundStrings = {
   filmSounds: {
-    hear: 'Sounds of the film',
-    of: (name: string) => `Sounds of ${name}`,
-    decoding: 'Reading its sound…',
-    hearing: 'Listening…',
-    stop: 'Stop listening',
+    hear: 'Sounds in the video',
+    of: (name: string) => `Sounds in ${name}`,
+    decoding: 'Reading the sound…',
+    hearing: 'Analysing the sound…',
+    stop: 'Stop analysis',
     near: (n: number) => (n === 1 ? '1 sound near a frame on a page.' : `${n} sounds near frames on pages.`),
-    far: (n: number) => (n === 1 ? '1 more sound is near none.' : `${n} more sounds are near none.`),
-    none: 'There is no sound near a frame on a page.',
-    silent: 'Nothing stands out in its sound.',
-    put: (text: string, time: string) => `Put ${text} on the page, ${time}`,
+    far: (n: number) => (n === 1 ? '1 more sound is not near a frame.' : `${n} more sounds are not near a frame.`),
+    none: 'No sound is near a frame on a page.',
+    silent: 'No distinct sounds were detected.',
+    put: (text: string, time: string) => `Add ${text} to the page, ${time}`,
     there: 'on the page',
-    taken: (text: string) => `${text} was put on the page.`,
-    failed: (why: string) => `Its sound could not be read: ${why}`,
-    mute: 'This film has no sound.',
-    long: (minutes: string) => `It is longer than ${minutes} minutes, which is more than can be heard.`,
-    large: (size: string) => `It is larger than ${size}, which is more than can be heard.`,
-    undecodable: 'This browser cannot read its sound.',
+    taken: (text: string) => `${text} was added to the page.`,
+    failed: (why: string) => `The sound could not be read: ${why}`,
+    mute: 'This video has no sound.',
+    long: (minutes: string) => `The video is longer than ${minutes} minutes, the limit for sound analysis.`,
+    large: (size: string) => `The video is larger than ${size}, the limit for sound analysis.`,
+    undecodable: 'This browser cannot decode the sound.',
   },
-  /** What a sound is written as. */
+  /** Lettering of each sound. */
   soundWords: {
     bang: 'BANG!',
     boom: 'BOOM!',

@@ -8,8 +8,7 @@ export const startStrings = {
   trySamples: 'Try the sample album',
   privacy: 'Nothing leaves this device.',
   dropHere: 'Drop to add your photos',
-  framed:
-    'Another site shows Inkpanel inside its own page. There it does not work, so that nobody can make you press what you do not see.',
-  openInTab: 'Open Inkpanel in a tab of its own',
-  starting: 'Getting the ink ready',
+  framed: 'Inkpanel does not run inside other websites, to protect you from clickjacking.',
+  openInTab: 'Open Inkpanel in a new tab',
+  starting: 'Starting Inkpanel',
 };

@@ -1,4 +1,4 @@
-/** The words about words. */
+/** Strings of text items. */
 
 export type Kind = 'caption' | 'balloon' | 'effect';
 
@@ -6,40 +6,40 @@ export const wordStrings = {
   words: 'Text',
   addWord: { caption: 'Add caption', balloon: 'Add balloon', effect: 'Add sound effect' },
   wordShort: { caption: 'Caption', balloon: 'Balloon', effect: 'Sound' },
-  /** What a new word says. */
+  /** Text of a new item. */
   wordSample: { caption: 'Meanwhile…', balloon: 'Hello!', effect: 'BAM!' },
   wordKind: { caption: 'Caption', balloon: 'Balloon', effect: 'Sound effect' },
   word: (kind: Kind, text: string) => `${wordStrings.wordKind[kind]}: ${text}`,
-  wordKeys: 'Enter edits the text, arrows move it, Delete removes it',
+  wordKeys: 'Enter edits the text, arrow keys move it, Delete removes it',
   wordText: (name: string) => `Text of ${name}`,
   wordTail: (name: string) => `Tail of ${name}`,
-  tailKeys: 'Arrows move where it points',
-  wordList: 'Words on the page',
-  noWords: 'No words yet.',
+  tailKeys: 'Arrow keys move the tip of the tail',
+  wordList: 'Text on the page',
+  noWords: 'No text yet.',
   shape: 'Shape',
   shapes: { oval: 'Speech', thought: 'Thought', shout: 'Shout', whisper: 'Whisper', radio: 'Radio' },
   editWord: 'Edit text',
   moveWord: 'Move to…',
   pointTail: 'Point tail at…',
   removeTail: 'Remove tail',
-  placeWord: 'Place by itself',
-  removeWord: 'Remove word',
-  wordX: 'Across',
-  wordY: 'Down',
+  placeWord: 'Place automatically',
+  removeWord: 'Remove text',
+  wordX: 'X',
+  wordY: 'Y',
   wordWidth: 'Width',
-  wordSize: 'Letter size',
-  wordAuto: 'fitted',
+  wordSize: 'Text size',
+  wordAuto: 'automatic',
   wordAngle: 'Angle',
   wordArc: 'Arc',
-  wordColor: 'Letters',
+  wordColor: 'Colour',
   wordFill: 'Fill',
   wordFont: 'Font',
   fonts: { 'comic-neue': 'Comic Neue', 'comic-neue-bold': 'Comic Neue Bold', bangers: 'Bangers' },
-  wordCut: 'The text is too long for the page: its end is missing.',
-  wordModes: { move: 'Click where it goes', tail: 'Click what it points at' },
+  wordCut: 'The text did not fit and was cut off.',
+  wordModes: { move: 'Click the new position', tail: 'Click the target of the tail' },
   wordRemoved: (name: string) => `${name} was removed.`,
-  wordsFull: (most: number) => `A page holds ${most} words. Remove some before you add more.`,
-  wordsFailed: (why: string) => `The words could not be drawn: ${why}`,
+  wordsFull: (most: number) => `A page can have at most ${most} text items. Remove some before you add more.`,
+  wordsFailed: (why: string) => `The text could not be drawn: ${why}`,
 
   // Subtitles
   addSubtitles: 'Add subtitles',
@@ -47,19 +47,17 @@ export const wordStrings = {
   subtitlesAs: 'As',
   subtitlesKinds: { caption: 'Captions', balloon: 'Balloons' },
   subtitlesNoFrames: 'there is no page yet. Add photos or the video first.',
-  subtitlesNoMatch: 'nothing in it is said near the times of the frames.',
-  subtitlesLeft: (n: number, of: number) => `${of} subtitles were read; ${n} more are too many and were left out.`,
+  subtitlesNoMatch: 'no subtitle is close to the time of a frame.',
+  subtitlesLeft: (n: number, of: number) => `${of} subtitles were read; ${n} more exceed the limit and were skipped.`,
   subtitlesCut: (n: number) =>
-    n === 1
-      ? 'a subtitle is too long, so its end was left out.'
-      : `${n} subtitles are too long, so their ends were left out.`,
+    n === 1 ? 'a subtitle is too long and was truncated.' : `${n} subtitles are too long and were truncated.`,
   subtitleErrors: {
-    empty: 'there are no subtitles in it.',
-    binary: 'it is no text that can be read.',
+    empty: 'it contains no subtitles.',
+    binary: 'it is not a readable text file.',
     large: 'it is larger than 5 MB.',
     time: (line: number, text: string) => `line ${line}: “${text}” is not a time like 00:01:02,500 --> 00:01:04,000.`,
     order: (line: number) => `line ${line}: the subtitle ends before it starts.`,
     header: 'it does not begin with WEBVTT.',
-    stray: (line: number, text: string) => `line ${line}: a time was expected, not “${text}”.`,
+    stray: (line: number, text: string) => `line ${line}: expected a time, not “${text}”.`,
   },
 };

@@ -39,14 +39,16 @@ export const boardsStrings = {
     help: 'Intro pasa al plano siguiente, Tab al campo siguiente y Escape descarta lo escrito. Alt con las flechas mueve un plano. Las duraciones son segundos (2), segundos y fotogramas (2:12) o fotogramas (36f). Se pueden pegar celdas de una hoja de cálculo.',
     dragHelp: 'Arrastra para moverlo.',
     copy: 'Copiar la lista',
-    copied: 'La lista está en el portapapeles, para una hoja de cálculo.',
+    copied: 'La lista se ha copiado. Puedes pegarla en una hoja de cálculo.',
     newColumn: 'Columna nueva',
     addColumn: 'Añadir columna',
     removeColumn: (name: string) => `Quitar la columna ${name}`,
     noLength: (text: string) =>
       `«${text}» no es una duración: escribe segundos (2), segundos y fotogramas (2:12) o fotogramas (36f).`,
     pasteLost: (count: number) =>
-      count === 1 ? '1 celda pegada no encontró sitio.' : `${count} celdas pegadas no encontraron sitio.`,
+      count === 1
+        ? '1 celda pegada quedaba fuera de la tabla y se ignoró.'
+        : `${count} celdas pegadas quedaban fuera de la tabla y se ignoraron.`,
     filmBoard: 'Storyboard de cine',
     perSheet: 'Viñetas por hoja',
     aspect: 'Proporción',
@@ -72,16 +74,18 @@ export const boardsStrings = {
       count === 1 ? `${name}: se rellenó 1 plano.` : `${name}: se rellenaron ${count} planos.`,
     quoted: (text: string) => `«${text}»`,
     left: (count: number, lines: string) =>
-      count === 1 ? `1 línea no encontró plano: ${lines}.` : `${count} líneas no encontraron plano: ${lines}.`,
+      count === 1
+        ? `1 línea no corresponde a ningún plano: ${lines}.`
+        : `${count} líneas no corresponden a ningún plano: ${lines}.`,
     cellsLeft: (count: number, cells: string) =>
       count === 1
         ? `1 celda se omitió o se acortó: ${cells}.`
         : `${count} celdas se omitieron o se acortaron: ${cells}.`,
     columnsLeft: (columns: string) => `En el storyboard no caben estas columnas: ${columns}.`,
     noSheets: (why: string) => `No se pudo componer el storyboard: ${why}`,
-    missing: 'No se pudo cargar la parte del programa que muestra storyboards. Inténtalo de nuevo.',
+    missing: 'No se pudo cargar el storyboard. Comprueba la conexión e inténtalo de nuevo.',
     sheet: (n: number, of: number) => `Hoja ${n} de ${of}`,
     listSaved: 'La lista de planos se guardó.',
-    listHelp: 'Todos los planos del álbum con lo que se dice de ellos, en el orden del storyboard.',
+    listHelp: 'Todos los planos del álbum con sus datos, en el orden del storyboard.',
   },
 };

@@ -101,7 +101,7 @@ export const describingStrings = {
   description: 'Descripción de la página',
   copyDescription: 'Copiar descripción',
   descriptionHelp: 'Para quien no puede verla, dondequiera que muestres la página.',
-  descriptionCopied: 'La descripción está en el portapapeles.',
+  descriptionCopied: 'La descripción se ha copiado.',
   descriptionNotCopied: (text: string) => `Aquí no se puede usar el portapapeles. La descripción es: ${text}`,
 
   language: 'Idioma',

@@ -10,10 +10,10 @@ export const faultStrings = {
     'animatic-long': 'un archivo GIF dura un minuto como mucho. Elige MP4 o WebM, o planos más cortos.',
     'animatic-sound': 'este navegador no codifica sonido para ese archivo. Elige WebM o quita el sonido.',
     'sound-unread': 'el navegador no puede leer el sonido. Conviértelo a MP3 o WAV.',
-    'film-cut': 'se corta antes de la lista de sus fotogramas, así que no se puede leer nada. Cópialo de nuevo.',
-    'film-empty': 'no tiene ningún fotograma.',
-    'films-missing': 'no se pudo cargar lo que lee películas. Inténtalo otra vez con conexión.',
-    'worker-lost': 'al leerlo se detuvo el programa dos veces, así que se ha dejado fuera.',
+    'film-cut': 'el archivo está incompleto (falta su índice). Cópialo otra vez desde el original.',
+    'film-empty': 'el vídeo no tiene fotogramas.',
+    'films-missing': 'no se pudo cargar el lector de vídeo. Comprueba la conexión e inténtalo de nuevo.',
+    'worker-lost': 'Inkpanel falló dos veces al leerlo, así que se omitió.',
     'unreadable-file': 'el archivo se movió, cambió o borró después de elegirlo.',
     'not-text': 'no es un archivo de texto, o su codificación es desconocida. Guárdalo como UTF-8.',
     'unreadable-entry': 'el navegador no puede leerlo. Quizá solo está en la nube o es un enlace roto.',
@@ -44,15 +44,15 @@ export const faultStrings = {
   /** The same where the reason is what the file is. */
   reasonsOf: {
     'film-container': (what: string) =>
-      `es una película en ${what}, que aquí no se puede leer. Conviértela a MP4 con vídeo H.264, por ejemplo con HandBrake o ffmpeg.`,
+      `Inkpanel no puede leer este formato de vídeo (${what}). Conviértelo a MP4 con vídeo H.264, por ejemplo con HandBrake o ffmpeg.`,
     'film-codec': (what: string) =>
-      `sus imágenes son ${what}, que este navegador no descodifica. Conviértela a MP4 con vídeo H.264, por ejemplo con HandBrake o ffmpeg.`,
+      `este navegador no puede descodificar vídeo ${what}. Conviértelo a MP4 con vídeo H.264, por ejemplo con HandBrake o ffmpeg.`,
   } as Record<string, (what: string) => string>,
   photoDamaged: (name: string, share: string) => `${name}: el ${share} de la imagen está dañado y se dibuja en gris.`,
   photoCoarse: (name: string, share: string) =>
     `${name}: al ${share} de la imagen le falta detalle, porque el archivo está dañado o incompleto.`,
   filmReaches: (name: string, till: string, whole: string) =>
-    `${name} está cortado: solo hasta ${till} de ${whole}. Los fotogramas son de esa parte.`,
+    `${name} está incompleto: termina en ${till} de ${whole}. Todos los fotogramas son de esa parte.`,
   noUsablePhoto:
     'No se pudo usar ninguno de estos archivos. Elige fotos JPEG, PNG, WebP, AVIF, GIF, BMP o TIFF, o un vídeo.',
   noSamples: 'No se pudo cargar el álbum de muestra. Comprueba la conexión e inténtalo otra vez.',

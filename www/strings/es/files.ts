@@ -3,9 +3,10 @@
 export const fileStrings = {
   cargoFile: 'Dentro del archivo',
   cargoFileHelp: {
-    project: 'Suelta el archivo aquí para seguir trabajando en él. Encuentra sus fotos en este dispositivo.',
-    photos: 'Se abre en cualquier dispositivo, con las fotos. Quien tiene el archivo las tiene.',
-    none: 'Las páginas y nada más.',
+    project: 'Suelta el archivo aquí para editarlo de nuevo. Encuentra sus fotos en este dispositivo.',
+    photos:
+      'Incluye tus fotos originales, así que se abre en cualquier dispositivo. Cualquiera que tenga el archivo puede verlas.',
+    none: 'Solo las páginas.',
   },
   packingPhotos: (percent: string) => `Añadiendo las fotos, ${percent}`,
   photosTooLarge: 'juntas, las fotos son demasiado grandes para un PNG. Guarda mejor el proyecto como archivo.',

@@ -33,17 +33,17 @@ export const helpStrings = {
     shuffle: 'Baraja hasta que te guste. Puedes recuperar cualquier página que hayas visto.',
     crop: 'Arrastra para mover la imagen y gira la rueda para acercarla.',
     cropTouch: 'Arrastra para mover la imagen y pellizca para acercarla.',
-    lock: 'Fija lo que quieras conservar. Lo demás seguirá cambiando.',
+    lock: 'Fija lo que te guste. Barajar cambia solo lo demás.',
   },
   closeHint: 'Cerrar el consejo',
   topics: {
     adding: {
-      title: 'Añadir fotos y películas',
-      text: `Suelta fotos o películas en cualquier parte de la ventana, pégalas o pulsa «${photos.addPhotos}». Para echar un vistazo primero, usa «${startStrings.trySamples}». Puedes añadir más en cualquier momento.`,
+      title: 'Añadir fotos y vídeos',
+      text: `Suelta fotos o vídeos en cualquier parte de la ventana, pégalos o pulsa «${photos.addPhotos}». Para echar un vistazo primero, usa «${startStrings.trySamples}». Puedes añadir más en cualquier momento.`,
     },
     films: {
-      title: 'Fotogramas de una película',
-      text: `De una película Inkpanel toma algunos fotogramas, que son fotos como las demás. Pulsa su nombre en la lista de fotos para decir dónde empieza y acaba y cuántos fotogramas quieres; «${photos.takeFrames}» los toma. Una viñeta con un fotograma puede pasar a otro anterior o posterior. «${sounds.hear}», en «${side.sideTab.words}», propone onomatopeyas para lo que se oye cerca de los fotogramas de tus páginas.`,
+      title: 'Fotogramas de un vídeo',
+      text: `Inkpanel extrae fotogramas de un vídeo, que son fotos como las demás. Pulsa su nombre en la lista de fotos para decir dónde empieza y acaba y cuántos fotogramas quieres; «${photos.takeFrames}» los toma. Una viñeta con un fotograma puede pasar a otro anterior o posterior. «${sounds.hear}», en «${side.sideTab.words}», propone onomatopeyas para lo que se oye cerca de los fotogramas de tus páginas.`,
     },
     shuffle: {
       title: 'Barajar',
@@ -58,12 +58,12 @@ export const helpStrings = {
       text: `«${board.undo}» y «${board.redo}» recorren todo lo que has hecho. «${board.previous}» y «${board.next}» recorren las páginas que has visto, y el número entre ellas las muestra todas. El corazón marca una página como favorita.`,
     },
     ideas: {
-      title: 'Más ideas',
+      title: 'Sugerencias',
       text: `La tira bajo la página, «${side.moreIdeas}», muestra otras páginas con las mismas fotos. Un clic toma una de ellas. Señala una para verla grande.`,
     },
     layouts: {
       title: 'Plantillas',
-      text: `Elige una plantilla por su familia y su número de viñetas; «${side.surprise}» inventa una. Con «${side.editLayout}» arrastras e inclinas los cortes entre las viñetas, y divides o quitas viñetas. «${side.saveLayout}» la guarda como archivo y la pone en «${side.myLayouts}».`,
+      text: `Elige una plantilla por su familia y su número de viñetas; «${side.surprise}» inventa una. Con «${side.editLayout}» arrastras e inclinas las divisiones entre las viñetas, y divides o quitas viñetas. «${side.saveLayout}» la guarda como archivo y la pone en «${side.myLayouts}».`,
     },
     joining: {
       title: 'Fundir viñetas, y una foto en varias viñetas',
@@ -71,7 +71,7 @@ export const helpStrings = {
     },
     crop: {
       title: 'Mover y acercar una imagen',
-      text: `Arrastra la imagen dentro de su viñeta para moverla, y gira la rueda o pellizca para acercarla. Con el dedo, toca antes la viñeta. Un doble clic ajusta la imagen a su motivo. «${panels.resetCrop}» vuelve a lo que elegiría la página.`,
+      text: `Arrastra la imagen dentro de su viñeta para moverla, y gira la rueda o pellizca para acercarla. Con el dedo, toca antes la viñeta. Un doble clic ajusta la imagen a su motivo. «${panels.resetCrop}» restablece el encuadre automático.`,
     },
     exchange: {
       title: 'Intercambiar fotos',
@@ -79,7 +79,7 @@ export const helpStrings = {
     },
     subject: {
       title: 'Corregir cuál es el motivo',
-      text: `«${panels.breakFrame}», los estilos solo para el motivo o el fondo y las palabras que no tapan cuerpos siguen lo que se detectó en la foto. Si no es correcto, lo abre «${brush.correct}», entre las herramientas de una viñeta, o el pincel de una foto de la lista que hayas pulsado: pinta lo que pertenece al motivo, quita lo que no, o elige otro motivo. «${brush.found}» vuelve a lo detectado.`,
+      text: `«${panels.breakFrame}», los estilos solo para el motivo o el fondo y el texto que no tapa cuerpos siguen lo que se detectó en la foto. Si no es correcto, lo abre «${brush.correct}», entre las herramientas de una viñeta, o el pincel de una foto de la lista que hayas pulsado: pinta lo que pertenece al motivo, quita lo que no, o elige otro motivo. «${brush.found}» vuelve a lo detectado.`,
     },
     styles: {
       title: 'Estilos',
@@ -99,11 +99,11 @@ export const helpStrings = {
     },
     words: {
       title: 'Cartelas, bocadillos y onomatopeyas',
-      text: `En «${side.sideTab.words}» añades una cartela, un bocadillo o una onomatopeya; se pone donde no tape ninguna cara, si hay sitio. Arrástrala, o escribe en ella con un doble clic; con el dedo, tócala otra vez. Las películas también traen palabras: «${words.addSubtitles}» lee un archivo de subtítulos.`,
+      text: `En «${side.sideTab.words}» añades una cartela, un bocadillo o una onomatopeya; se pone donde no tape ninguna cara, si hay sitio. Arrástrala, o escribe en ella con un doble clic; con el dedo, tócala otra vez. Los vídeos también traen texto: «${words.addSubtitles}» lee un archivo de subtítulos.`,
     },
     alike: {
-      title: 'Fotos parecidas y fotos apartadas',
-      text: `De las fotos que se parecen se usa la más nítida y las demás se apartan, igual que las desenfocadas. Están en «${photos.setAside}»: marca una para usarla. Cuánto deben parecerse lo dices en «${photos.choice}».`,
+      title: 'Fotos parecidas y excluidas',
+      text: `De las fotos que se parecen se usa la más nítida y las demás se excluyen, igual que las desenfocadas. Están en «${photos.setAside}»: marca una para usarla. Cuánto deben parecerse lo dices en «${photos.choice}».`,
     },
     pages: {
       title: 'Varias páginas',

@@ -1,5 +1,5 @@
 export const keyStrings = {
-  letterKeys: 'Las letras sueltas son atajos',
+  letterKeys: 'Atajos de una letra',
   // As the keyboard calls them; what is called alike everywhere is not here.
   keyNames: { Ctrl: 'Ctrl', Space: 'Espacio', Shift: 'Mayús', Enter: 'Intro', PageUp: 'Re Pág', PageDown: 'Av Pág' },
   // What the list says of keys that are no action with a name of its own.
@@ -10,7 +10,7 @@ export const keyStrings = {
     scrub: 'Fotograma anterior o posterior de un vídeo; con Mayús, un segundo',
     zoom: 'Ampliar o reducir la foto de una viñeta, o restablecerla',
     choose: 'Seleccionar una viñeta',
-    slant: 'Inclinar un corte de la plantilla',
+    slant: 'Inclinar una división de la plantilla',
     list: 'Esta lista',
   },
 };

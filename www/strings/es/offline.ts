@@ -1,12 +1,12 @@
 export const offlineStrings = {
   newVersion: 'Hay una versión nueva.',
   reload: 'Recargar',
-  notReloaded: 'La página no se ha cargado otra vez, porque tu trabajo no está guardado.',
+  notReloaded: 'La aplicación no se ha recargado, porque tu trabajo no está guardado.',
   install: 'Instalar',
   installHelp: 'Abre Inkpanel en su propia ventana, también sin conexión',
   sharedLost:
-    'Lo compartido no ha llegado: quizá el almacenamiento de este navegador esté lleno. Añade las fotos aquí.',
+    'Los archivos compartidos no han llegado. Quizá el almacenamiento de este navegador esté lleno. Añade las fotos aquí.',
   launchFailed: (name: string) => `No se pudo abrir ${name}. Añádelo aquí.`,
   noDetectorOffline:
-    'Sin conexión aún no se pueden buscar caras, así que las fotos se recortan por contraste hasta que la haya.',
+    'La detección de caras debe descargarse una vez. Hasta que tengas conexión, las fotos se recortan por contraste.',
 };

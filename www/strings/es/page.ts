@@ -31,11 +31,11 @@ export const pageStrings = {
     custom: 'A medida',
   },
 
-  customSize: { width: 'Ancho', height: 'Alto', dpi: 'ppp', unit: 'Unidad' },
+  customSize: { width: 'Ancho', height: 'Alto', dpi: 'Resolución (ppp)', unit: 'Unidad' },
   units: { px: 'px', mm: 'mm', in: 'pulg.' },
   wrongSize: {
     side: 'Un lado debe tener de 64 a 14 000 píxeles.',
     pixels: 'La página debe tener 72 millones de píxeles como mucho.',
-    dpi: 'Los puntos por pulgada deben ir de 36 a 1200.',
+    dpi: 'La resolución debe ser de 36 a 1200 ppp.',
   },
 };

@@ -9,9 +9,10 @@ export const pngStrings = {
   cargo: 'Dentro del PNG',
   cargoKind: { project: 'Con datos del proyecto', photos: 'Con las fotos', none: 'Sin datos del proyecto' },
   cargoHelp: {
-    project: 'Suelta aquí el PNG para seguir trabajando en él. Encuentra sus fotos en este dispositivo.',
-    photos: 'Se abre en cualquier dispositivo, con las fotos. Quien tiene el archivo las tiene.',
-    none: 'La imagen y nada más.',
+    project: 'Suelta aquí el PNG para editarlo de nuevo. Encuentra sus fotos en este dispositivo.',
+    photos:
+      'Incluye tus fotos originales, así que se abre en cualquier dispositivo. Cualquiera que tenga el archivo puede verlas.',
+    none: 'Solo la imagen.',
   },
   cargoClean: 'El lugar, la fecha y la cámara de tus fotos nunca van dentro.',
   photosUnclean: (n: number) =>

@@ -9,7 +9,7 @@ export const printStrings = {
       screen: 'Pantallas',
     },
     showSafe: 'Mostrar área segura',
-    safeHelp: 'Las caras y palabras dentro de la línea nunca se cortan. No está en ningún archivo.',
+    safeHelp: 'Lo que está dentro de esta línea no se corta. La línea no se exporta.',
     bleed: 'Sangrado',
     bleeds: {
       none: 'Ninguno',
@@ -18,14 +18,14 @@ export const printStrings = {
       inch: '1/8 pulg.',
     },
     bleedHelp:
-      'Las viñetas del borde siguen más allá, para que no quede blanco al cortar. Con margen hay allí color de papel.',
+      'Las viñetas del borde se extienden hasta el sangrado, para que no quede un borde blanco al cortar. Con margen, el sangrado tiene el color del papel.',
     marks: 'Marcas de corte',
     sheets: 'Pliegos',
     impositions: {
-      none: 'Una página cada uno',
+      none: 'Una página por hoja',
       booklet: 'Cuadernillo para doblar y grapar',
       zine: 'Minifanzine, ocho páginas de una hoja',
-      twoUp: 'Dos páginas para separar',
+      twoUp: 'Dos páginas por hoja, para separar',
       spreads: 'Dobles páginas',
     },
     booklet: 'Imprime a doble cara, girando por el borde corto. Dobla una vez y grapa por el pliegue.',
@@ -41,7 +41,7 @@ export const printStrings = {
       letter: 'Carta',
       tabloid: 'Tabloide',
     },
-    plates: 'Planchas para riso o serigrafía',
+    plates: 'Separaciones de tintas planas (riso, serigrafía)',
     platesHelp: 'Un PDF gris por cada tinta, juntos en un ZIP.',
     inks: {
       red: 'rojo',
@@ -63,13 +63,13 @@ export const printStrings = {
     coarsePanel: (n: number, dpi: number) => `Viñeta ${n}: ${dpi} ppp`,
     coarseOn: (page: number, n: number, dpi: number) => `Página ${page}, viñeta ${n}: ${dpi} ppp`,
     coarseMore: (n: number) => `y ${n} más`,
-    enlarge: 'Ampliar bien',
+    enlarge: 'Ampliar fotos de baja resolución',
     enlargeHelp: (n: number) =>
       n === 1
-        ? 'La foto de esta viñeta se amplía con bordes más nítidos. No gana detalles que no tenga.'
-        : `Las fotos de estas ${n} viñetas se amplían con bordes más nítidos. No ganan detalles que no tengan.`,
+        ? 'La foto de esta viñeta se amplía con bordes más nítidos. La ampliación no añade detalle.'
+        : `Las fotos de estas ${n} viñetas se amplían con bordes más nítidos. La ampliación no añade detalle.`,
     coarseMark: (dpi: number) => `${dpi} ppp`,
     coarseHelp: 'Muestra la foto más pequeña o menos recortada, o usa una más grande.',
-    coarseHide: 'Ocultar las marcas',
+    coarseHide: 'Ocultar los avisos de resolución',
   },
 };

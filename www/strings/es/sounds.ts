@@ -1,24 +1,26 @@
 export const soundStrings = {
   filmSounds: {
-    hear: 'Sonidos de la película',
+    hear: 'Sonidos del vídeo',
     of: (name: string) => `Sonidos de ${name}`,
-    decoding: 'Se lee su sonido…',
-    hearing: 'Se escucha…',
-    stop: 'Dejar de escuchar',
+    decoding: 'Leyendo el sonido…',
+    hearing: 'Analizando el sonido…',
+    stop: 'Detener el análisis',
     near: (n: number) =>
       n === 1 ? '1 sonido cerca de un fotograma de una página.' : `${n} sonidos cerca de fotogramas de las páginas.`,
     far: (n: number) =>
-      n === 1 ? '1 sonido más no está cerca de ninguno.' : `${n} sonidos más no están cerca de ninguno.`,
+      n === 1
+        ? '1 sonido más no está cerca de ningún fotograma.'
+        : `${n} sonidos más no están cerca de ningún fotograma.`,
     none: 'No hay ningún sonido cerca de un fotograma de una página.',
-    silent: 'Nada destaca en su sonido.',
+    silent: 'No se detectaron sonidos destacados.',
     put: (text: string, time: string) => `Poner ${text} en la página, ${time}`,
     there: 'en la página',
     taken: (text: string) => `${text} está ahora en la página.`,
-    failed: (why: string) => `No se pudo leer su sonido: ${why}`,
-    mute: 'Esta película no tiene sonido.',
-    long: (minutes: string) => `Dura más de ${minutes} minutos, más de lo que se puede escuchar.`,
-    large: (size: string) => `Pesa más de ${size}, más de lo que se puede escuchar.`,
-    undecodable: 'Este navegador no puede leer su sonido.',
+    failed: (why: string) => `No se pudo leer el sonido: ${why}`,
+    mute: 'Este vídeo no tiene sonido.',
+    long: (minutes: string) => `El vídeo dura más de ${minutes} minutos, el límite del análisis de sonido.`,
+    large: (size: string) => `El vídeo pesa más de ${size}, el límite del análisis de sonido.`,
+    undecodable: 'Este navegador no puede descodificar el sonido.',
   },
   /** What a sound is written as. */
   soundWords: {

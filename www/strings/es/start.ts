@@ -6,8 +6,7 @@ export const startStrings = {
   trySamples: 'Probar el álbum de muestra',
   privacy: 'Nada sale de este dispositivo.',
   dropHere: 'Suelta para añadir tus fotos',
-  framed:
-    'Otro sitio muestra Inkpanel dentro de su propia página. Ahí no funciona, para que nadie te haga pulsar lo que no ves.',
-  openInTab: 'Abrir Inkpanel en una pestaña propia',
-  starting: 'Preparando la tinta',
+  framed: 'Inkpanel no funciona dentro de otros sitios web, para protegerte del clickjacking.',
+  openInTab: 'Abrir Inkpanel en una pestaña nueva',
+  starting: 'Iniciando Inkpanel',
 };

@@ -2,7 +2,7 @@ import { some } from './png.ts';
 
 const TROUBLE: Record<string, string> = {
   full: 'el almacenamiento de este navegador está lleno',
-  refused: 'este navegador no guarda nada de las páginas de aquí',
+  refused: 'este navegador bloquea aquí el almacenamiento de sitios',
 };
 
 export const storageStrings = {
@@ -19,7 +19,7 @@ export const storageStrings = {
   savingCount: (done: number, total: number) => `Guardando ${done} de ${total}`,
   saveHelp: 'El trabajo se guarda en este navegador, en este dispositivo',
   notSaved: (why: string, message: string) =>
-    `Tu trabajo no está guardado: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Todo sigue aquí mientras esta página esté abierta.`,
+    `Tu trabajo no está guardado: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Se perderá si cierras esta pestaña.`,
   photosUnreadable: (names: readonly string[]) =>
     `${some(names)}: ${names.length === 1 ? 'sin guardar, su archivo ya no se puede leer' : 'sin guardar, sus archivos ya no se pueden leer'}. Todo lo demás está guardado.`,
   photosNotHere: (names: readonly string[], of: number) => {
@@ -28,13 +28,13 @@ export const storageStrings = {
     return `${which} no ${one ? 'está' : 'están'} en este navegador: ${some(names)}. ${one ? 'Elígela o suéltala' : 'Elígelas o suéltalas'} aquí: cada una vuelve a su sitio.`;
   },
   filmsNotHere: (names: readonly string[]) =>
-    `${some(names)}: ya no ${names.length === 1 ? 'está' : 'están'} en este navegador. Sus fotogramas sí; para tomar otros, añade la película otra vez.`,
+    `${some(names)}: ya no ${names.length === 1 ? 'está' : 'están'} en este navegador, pero sus fotogramas sí. Para usar otros, añade el vídeo otra vez.`,
   photosNeverSaved: (names: readonly string[]) =>
-    `La página se cerró antes de guardar ${some(names)}. ${names.length === 1 ? 'Elígela' : 'Elígelas'} otra vez.`,
+    `La aplicación se cerró antes de guardar ${some(names)}. ${names.length === 1 ? 'Elígela' : 'Elígelas'} otra vez.`,
   saveAgain: 'Guardar otra vez',
   goOnWithout: 'Seguir sin eso',
   saveToFile: 'Guardar en un archivo',
-  conflict: 'Otra pestaña cambió este proyecto, así que este sigue como una copia.',
+  conflict: 'Otra pestaña cambió este proyecto. Esta pestaña sigue con una copia.',
 
   // Projects
   projects: 'Proyectos',
@@ -53,22 +53,20 @@ export const storageStrings = {
   openNow: 'Abierto ahora',
   projectAbout: (photos: number, when: string) =>
     `${photos === 1 ? '1 foto' : `${photos} fotos`}${when && `, ${when}`}`,
-  noProjects: 'Lo que hagas se guarda aquí por sí solo.',
+  noProjects: 'Tu trabajo se guarda aquí automáticamente.',
   projectDeleted: (name: string) => `${name} se ha borrado.`,
   bringBack: 'Restaurar',
   projectNotOpened: (why: string) => `No se pudo abrir el proyecto: ${why}`,
   projectFileNotOpened: (name: string, why: string) => `No se pudo abrir ${name}: ${why}`,
   projectNotSaved: (why: string) => `No se pudo guardar el proyecto como archivo: ${why}`,
   projectReasons: {
-    'damaged-project': 'está dañado o no es un proyecto de Inkpanel. Lo que hay en la página no se ha tocado.',
-    'too-large-project':
-      'contiene más de lo que cabe en un proyecto, o se descomprime en más. Lo que hay en la página no se ha tocado.',
-    'silent-project':
-      'no se pudo leer nada de él durante un minuto. Comprueba el disco en el que está e inténtalo otra vez.',
-    'newer-project': 'se hizo con un Inkpanel más nuevo. Carga otra vez esta página para tener el último.',
-    'not-saved': 'lo que hay en la página no está guardado. Guárdalo primero en un archivo (Guardar proyecto).',
+    'damaged-project': 'está dañado o no es un proyecto de Inkpanel. Tu página no ha cambiado.',
+    'too-large-project': 'supera los límites de un proyecto. Tu página no ha cambiado.',
+    'silent-project': 'la lectura del archivo se interrumpió tras un minuto. Comprueba el disco e inténtalo otra vez.',
+    'newer-project': 'se guardó con una versión más nueva de Inkpanel. Recarga esta pestaña para actualizar.',
+    'not-saved': 'tu trabajo no está guardado. Guárdalo primero en un archivo (Guardar proyecto).',
     'missing-project': 'se borró.',
-    'no-storage': 'este navegador no guarda nada de las páginas de aquí.',
+    'no-storage': 'este navegador bloquea aquí el almacenamiento de sitios.',
     'too-large': 'el archivo pasaría de 4 GB.',
   } as Record<string, string>,
   projectsOpened: (others: readonly string[], shown: string) =>
@@ -80,27 +78,27 @@ export const storageStrings = {
   projectBroken: (name: string, why: string) => `No se puede mostrar ${name}: ${why}.`,
   brokenReasons: {
     'damaged-project': 'una parte está dañada',
-    'too-large-project': 'contiene más de lo que cabe en un proyecto',
-    'newer-project': 'se hizo con un Inkpanel más nuevo. Carga otra vez esta página para tener el último',
+    'too-large-project': 'supera los límites de un proyecto',
+    'newer-project': 'se guardó con una versión más nueva de Inkpanel. Recarga esta pestaña para actualizar',
   } as Record<string, string>,
   brokenOtherwise: 'una parte no se puede dibujar',
-  brokenKept: 'Se conserva tal como está, con sus fotos.',
+  brokenKept: 'El proyecto y sus fotos no han cambiado.',
   partsLeftOut: (name: string, n: number) =>
     `${name} está abierto sin ${n === 1 ? 'una parte que no se pudo leer' : `${n} partes que no se pudieron leer`}.`,
   openAnother: 'Abrir otro',
   saveAsFile: 'Guardar como archivo',
-  goBack: 'Volver al último estado bueno',
-  noGoodState: 'No queda ningún estado al que volver.',
-  wentBack: (name: string) => `${name} vuelve a estar como cuando se dibujó por última vez.`,
+  goBack: 'Restaurar la última versión correcta',
+  noGoodState: 'No hay ninguna versión anterior que restaurar.',
+  wentBack: (name: string) => `Se ha restaurado la última versión correcta de ${name}.`,
   openingProject: (name: string) => `Abriendo ${name}`,
   openingLast: 'Abriendo tu proyecto',
   openElsewhere: (name: string) => `${name} está abierto en otra pestaña.`,
-  opensWhenFree: 'Se abre aquí cuando se cierre esa pestaña.',
+  opensWhenFree: 'Se abre aquí cuando cierres la otra pestaña.',
   openCopy: 'Abrir una copia',
 
   // Pages shown
-  pagesShown: 'Páginas mostradas',
-  pagesShownAt: (n: number, of: number) => `Páginas mostradas, ${n}/${of}`,
+  pagesShown: 'Historial de la página',
+  pagesShownAt: (n: number, of: number) => `Historial de la página, ${n}/${of}`,
   pageNumber: (n: number) => `Página ${n}`,
   pageFrom: (n: number) => `de la página ${n}`,
   favouritePage: 'Página favorita',

@@ -8,7 +8,7 @@ export const boardStrings = {
   shrinkPage: 'Réduire la page',
   versionAt: (n: number, of: number) => `Version ${n} sur ${of}`,
   betterCrops: 'Améliorer les cadrages',
-  betterCropsWhy: 'Des visages et des objets ont été trouvés depuis : les montrer en entier',
+  betterCropsWhy: 'Des visages et des objets ont été détectés : cadrer les photos pour les montrer en entier',
   shufflePart: { layout: 'Mélanger le gabarit', style: 'Mélanger le style', photos: 'Mélanger les photos' },
   lockPart: {
     layout: 'Verrouiller le gabarit',
@@ -24,7 +24,7 @@ export const boardStrings = {
   export: 'Exporter',
   languageAndTheme: 'Langue et thème',
   theme: 'Thème',
-  themes: { light: 'Clair', dark: 'Sombre', system: 'Comme le système' },
+  themes: { light: 'Clair', dark: 'Sombre', system: 'Système' },
   keys: 'Raccourcis clavier',
   close: 'Fermer',
   cancel: 'Annuler',

@@ -28,7 +28,7 @@ export const boardsStrings = {
     help: 'Entrée passe au plan suivant, Tab au champ suivant, Échap abandonne la saisie. Alt avec les flèches déplace un plan. Les durées sont en secondes (2), en secondes et images (2:12) ou en images (36f). On peut coller les cellules d’un tableur.',
     dragHelp: 'Faites glisser pour le déplacer.',
     copy: 'Copier la liste',
-    copied: 'La liste est dans le presse-papiers, pour un tableur.',
+    copied: 'La liste a été copiée. Vous pouvez la coller dans un tableur.',
     newColumn: 'Nouvelle colonne',
     addColumn: 'Ajouter la colonne',
     removeColumn: (name: string) => `Retirer la colonne ${name}`,
@@ -36,8 +36,8 @@ export const boardsStrings = {
       `« ${text} » n’est pas une durée : écrivez des secondes (2), des secondes et images (2:12) ou des images (36f).`,
     pasteLost: (count: number) =>
       count === 1
-        ? '1 cellule collée n’a pas trouvé de place.'
-        : `${count} cellules collées n’ont pas trouvé de place.`,
+        ? '1 cellule collée dépassait du tableau et a été ignorée.'
+        : `${count} cellules collées dépassaient du tableau et ont été ignorées.`,
     filmBoard: 'Storyboard de film',
     perSheet: 'Vignettes par feuille',
     aspect: 'Format',
@@ -64,17 +64,17 @@ export const boardsStrings = {
     quoted: (text: string) => `« ${text} »`,
     left: (count: number, lines: string) =>
       count === 1
-        ? `1 ligne n’a pas trouvé de plan : ${lines}.`
-        : `${count} lignes n’ont pas trouvé de plan : ${lines}.`,
+        ? `1 ligne ne correspond à aucun plan : ${lines}.`
+        : `${count} lignes ne correspondent à aucun plan : ${lines}.`,
     cellsLeft: (count: number, cells: string) =>
       count === 1
         ? `1 cellule a été omise ou raccourcie : ${cells}.`
         : `${count} cellules ont été omises ou raccourcies : ${cells}.`,
     columnsLeft: (columns: string) => `Le storyboard n’a pas de place pour ces colonnes : ${columns}.`,
     noSheets: (why: string) => `Le storyboard n’a pas pu être composé : ${why}`,
-    missing: 'La partie du programme qui montre les storyboards n’a pas pu être chargée. Réessayez.',
+    missing: 'Le storyboard n’a pas pu être chargé. Vérifiez la connexion et réessayez.',
     sheet: (n: number, of: number) => `Feuille ${n} sur ${of}`,
     listSaved: 'La liste des plans a été enregistrée.',
-    listHelp: 'Tous les plans de l’album avec ce qui en est dit, dans l’ordre du storyboard.',
+    listHelp: 'Tous les plans de l’album avec leurs données, dans l’ordre du storyboard.',
   },
 };

@@ -101,11 +101,11 @@ export const describingStrings = {
   description: 'Description de la page',
   copyDescription: 'Copier la description',
   descriptionHelp: 'Pour qui ne peut pas la voir, partout où vous montrez la page.',
-  descriptionCopied: 'La description est dans le presse-papiers.',
+  descriptionCopied: 'La description a été copiée.',
   descriptionNotCopied: (text: string) => `Le presse-papiers ne peut pas servir ici. Voici la description : ${text}`,
 
   language: 'Langue',
-  languageHelp: 'La page se recharge dans cette langue. Votre travail est enregistré avant.',
+  languageHelp: 'L’application se recharge dans cette langue. Votre travail est d’abord enregistré.',
   languageLater: (name: string) =>
     `${name} sera pour la prochaine visite : votre travail n’est pas enregistré, la page n’a donc pas été rechargée.`,
 };

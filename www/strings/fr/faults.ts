@@ -11,10 +11,10 @@ export const faultStrings = {
     'animatic-long': 'un fichier GIF dure une minute au plus. Choisissez MP4 ou WebM, ou des plans plus courts.',
     'animatic-sound': 'ce navigateur n’encode pas de son pour ce fichier. Choisissez WebM, ou retirez le son.',
     'sound-unread': 'le navigateur ne peut pas lire le son. Convertissez-le en MP3 ou WAV.',
-    'film-cut': 'il s’arrête avant la liste de ses images, rien n’en est donc lisible. Copiez-le à nouveau.',
-    'film-empty': 'il ne contient aucune image.',
-    'films-missing': 'ce qui lit les films n’a pas pu être chargé. Réessayez avec une connexion.',
-    'worker-lost': 'sa lecture a arrêté le programme deux fois, il a donc été laissé de côté.',
+    'film-cut': 'le fichier est incomplet (son index manque). Copiez-le de nouveau depuis la source.',
+    'film-empty': 'la vidéo n’a aucune image.',
+    'films-missing': 'le lecteur de vidéos n’a pas pu être chargé. Vérifiez la connexion et réessayez.',
+    'worker-lost': 'Inkpanel a planté deux fois en le lisant, il a donc été ignoré.',
     'unreadable-file': 'le fichier a été déplacé, modifié ou supprimé depuis que vous l’avez choisi.',
     'not-text': 'ce n’est pas un fichier texte, ou son encodage est inconnu. Enregistrez-le en UTF-8.',
     'unreadable-entry': 'le navigateur ne peut pas le lire. Il n’est peut-être qu’en ligne, ou le lien est rompu.',
@@ -45,15 +45,15 @@ export const faultStrings = {
   /** The same where the reason is what the file is. */
   reasonsOf: {
     'film-container': (what: string) =>
-      `c’est un film en ${what}, qui ne peut pas être lu ici. Convertissez-le en MP4 avec une vidéo H.264, avec HandBrake ou ffmpeg par exemple.`,
+      `Inkpanel ne peut pas lire ce format vidéo (${what}). Convertissez-le en MP4 avec une vidéo H.264, avec HandBrake ou ffmpeg par exemple.`,
     'film-codec': (what: string) =>
-      `ses images sont en ${what}, que ce navigateur ne décode pas. Convertissez-le en MP4 avec une vidéo H.264, avec HandBrake ou ffmpeg par exemple.`,
+      `ce navigateur ne peut pas décoder la vidéo ${what}. Convertissez-la en MP4 avec une vidéo H.264, avec HandBrake ou ffmpeg par exemple.`,
   } as Record<string, (what: string) => string>,
   photoDamaged: (name: string, share: string) => `${name} : ${share} de l’image sont endommagés et dessinés en gris.`,
   photoCoarse: (name: string, share: string) =>
     `${name} : ${share} de l’image manquent de détails, car le fichier est endommagé ou incomplet.`,
   filmReaches: (name: string, till: string, whole: string) =>
-    `${name} est interrompu : seulement jusqu’à ${till} sur ${whole}. Les images viennent de cette partie.`,
+    `${name} est incomplète : elle s’arrête à ${till} sur ${whole}. Toutes les images viennent de cette partie.`,
   noUsablePhoto:
     'Aucun de ces fichiers n’a pu servir. Choisissez des photos JPEG, PNG, WebP, AVIF, GIF, BMP ou TIFF, ou une vidéo.',
   noSamples: 'L’album d’exemple n’a pas pu être chargé. Vérifiez la connexion et réessayez.',

@@ -3,9 +3,9 @@
 export const fileStrings = {
   cargoFile: 'Dans le fichier',
   cargoFileHelp: {
-    project: 'Déposez le fichier ici pour y travailler de nouveau. Il retrouve ses photos sur cet appareil.',
-    photos: 'S’ouvre sur n’importe quel appareil, photos comprises. Qui a le fichier les a.',
-    none: 'Les pages et rien d’autre.',
+    project: 'Déposez le fichier ici pour le modifier de nouveau. Il retrouve ses photos sur cet appareil.',
+    photos: 'Contient vos photos d’origine, et s’ouvre donc sur tout appareil. Quiconque a le fichier peut les voir.',
+    none: 'Seulement les pages.',
   },
   packingPhotos: (percent: string) => `Ajout des photos, ${percent}`,
   photosTooLarge: 'ensemble, les photos sont trop lourdes pour un PNG. Enregistrez plutôt le projet dans un fichier.',

@@ -33,17 +33,17 @@ export const helpStrings = {
     shuffle: 'Mélangez jusqu’à ce que la page vous plaise. Chaque page déjà vue peut revenir.',
     crop: 'Faites glisser l’image pour la déplacer, tournez la molette pour zoomer.',
     cropTouch: 'Faites glisser l’image pour la déplacer, pincez pour zoomer.',
-    lock: 'Verrouillez ce que vous voulez garder. Le reste continuera à changer.',
+    lock: 'Verrouillez ce qui vous plaît. Mélanger ne change que le reste.',
   },
   closeHint: 'Fermer le conseil',
   topics: {
     adding: {
-      title: 'Ajouter des photos et des films',
-      text: `Déposez des photos ou des films n’importe où sur la fenêtre, collez-les, ou appuyez sur « ${photos.addPhotos} ». Pour jeter d’abord un coup d’œil, prenez « ${startStrings.trySamples} ». Vous pouvez en ajouter à tout moment.`,
+      title: 'Ajouter des photos et des vidéos',
+      text: `Déposez des photos ou des vidéos n’importe où sur la fenêtre, collez-les, ou appuyez sur « ${photos.addPhotos} ». Pour jeter d’abord un coup d’œil, prenez « ${startStrings.trySamples} ». Vous pouvez en ajouter à tout moment.`,
     },
     films: {
-      title: 'Images d’un film',
-      text: `D’un film, Inkpanel prend quelques images, qui sont alors des photos comme les autres. Appuyez sur son nom dans la liste des photos pour dire où il commence et finit et combien d’images vous voulez ; « ${photos.takeFrames} » les prend. Une case qui montre une image du film peut passer à une image précédente ou suivante. « ${sounds.hear} », dans « ${side.sideTab.words} », propose des onomatopées pour ce que l’on entend près des images de vos pages.`,
+      title: 'Images d’une vidéo',
+      text: `Inkpanel extrait des images d’une vidéo, qui sont alors des photos comme les autres. Appuyez sur son nom dans la liste des photos pour dire où elle commence et finit et combien d’images vous voulez ; « ${photos.takeFrames} » les utilise. Une case qui montre une image de la vidéo peut passer à une image précédente ou suivante. « ${sounds.hear} », dans « ${side.sideTab.words} », propose des onomatopées pour ce que l’on entend près des images de vos pages.`,
     },
     shuffle: {
       title: 'Mélanger',
@@ -58,12 +58,12 @@ export const helpStrings = {
       text: `« ${board.undo} » et « ${board.redo} » parcourent tout ce que vous avez fait. « ${board.previous} » et « ${board.next} » parcourent les pages que vous avez vues ; le nombre entre les deux les montre toutes. Le cœur marque une page comme favorite.`,
     },
     ideas: {
-      title: 'Autres idées',
+      title: 'Suggestions',
       text: `La bande sous la page, « ${side.moreIdeas} », montre d’autres pages faites des mêmes photos. Un clic en prend une. Pointez-en une pour la voir en grand.`,
     },
     layouts: {
       title: 'Gabarits',
-      text: `Choisissez un gabarit par sa famille et son nombre de cases ; « ${side.surprise} » en invente un. Avec « ${side.editLayout} », vous faites glisser et inclinez les coupes entre les cases, et vous divisez ou retirez des cases. « ${side.saveLayout} » l’enregistre dans un fichier et le met dans « ${side.myLayouts} ».`,
+      text: `Choisissez un gabarit par sa famille et son nombre de cases ; « ${side.surprise} » en invente un. Avec « ${side.editLayout} », vous faites glisser et inclinez les séparations entre les cases, et vous divisez ou retirez des cases. « ${side.saveLayout} » l’enregistre dans un fichier et le met dans « ${side.myLayouts} ».`,
     },
     joining: {
       title: 'Fusionner des cases, et une photo sur plusieurs cases',
@@ -75,11 +75,11 @@ export const helpStrings = {
     },
     exchange: {
       title: 'Échanger des photos',
-      text: `Faites glisser une image hors de sa case sur une autre, et les deux changent de place ; « ${panels.swapPhoto} » fait de même par des clics. Cliquez sur une photo de la liste, puis sur une case, et la photo y va. Décochez une photo de la liste pour la laisser de côté.`,
+      text: `Faites glisser une image hors de sa case sur une autre, et les deux changent de place ; « ${panels.swapPhoto} » fait de même par des clics. Cliquez sur une photo de la liste, puis sur une case, et la photo y va. Décochez une photo de la liste pour l’exclure.`,
     },
     subject: {
       title: 'Corriger ce qu’est le sujet',
-      text: `« ${panels.breakFrame} », les styles pour le sujet ou le fond seul et les mots qui évitent les corps suivent ce qui a été trouvé dans une photo. Si c’est faux, « ${brush.correct} » parmi les outils d’une case l’ouvre, ou le pinceau sur une photo de la liste que vous avez choisie : peignez ce qui appartient au sujet, enlevez ce qui n’en fait pas partie, ou choisissez un autre sujet. « ${brush.found} » revient à ce qui a été trouvé.`,
+      text: `« ${panels.breakFrame} », les styles pour le sujet ou le fond seul et le texte qui évite les corps suivent le sujet détecté dans une photo. Si c’est faux, « ${brush.correct} » parmi les outils d’une case l’ouvre, ou le pinceau sur une photo de la liste que vous avez choisie : peignez ce qui appartient au sujet, enlevez ce qui n’en fait pas partie, ou choisissez un autre sujet. « ${brush.found} » revient au sujet détecté.`,
     },
     styles: {
       title: 'Styles',
@@ -99,11 +99,11 @@ export const helpStrings = {
     },
     words: {
       title: 'Cartouches, bulles et onomatopées',
-      text: `Dans « ${side.sideTab.words} », vous ajoutez un cartouche, une bulle ou une onomatopée ; le texte se place là où il ne cache aucun visage, s’il y a de la place. Faites-le glisser, ou écrivez dedans après un double clic ou, au doigt, en le touchant encore une fois. Les films apportent aussi des textes : « ${words.addSubtitles} » lit un fichier de sous-titres.`,
+      text: `Dans « ${side.sideTab.words} », vous ajoutez un cartouche, une bulle ou une onomatopée ; le texte se place là où il ne cache aucun visage, s’il y a de la place. Faites-le glisser, ou écrivez dedans après un double clic ou, au doigt, en le touchant encore une fois. Les vidéos apportent aussi des textes : « ${words.addSubtitles} » lit un fichier de sous-titres.`,
     },
     alike: {
-      title: 'Photos semblables et photos mises de côté',
-      text: `Parmi les photos qui se ressemblent, la plus nette est utilisée et les autres sont mises de côté, comme les photos floues. Elles sont sous « ${photos.setAside} » : cochez-en une pour l’utiliser. À quel point elles doivent se ressembler, vous le dites sous « ${photos.choice} ».`,
+      title: 'Photos semblables et photos exclues',
+      text: `Parmi les photos qui se ressemblent, la plus nette est utilisée et les autres sont exclues, comme les photos floues. Elles sont sous « ${photos.setAside} » : cochez-en une pour l’utiliser. À quel point elles doivent se ressembler, vous le dites sous « ${photos.choice} ».`,
     },
     pages: {
       title: 'Plusieurs pages',

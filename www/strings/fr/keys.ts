@@ -1,5 +1,5 @@
 export const keyStrings = {
-  letterKeys: 'Les lettres seules sont des raccourcis',
+  letterKeys: 'Raccourcis d’une lettre',
   // As the keyboard calls them; what is called alike everywhere is not here.
   keyNames: {
     Ctrl: 'Ctrl',
@@ -17,7 +17,7 @@ export const keyStrings = {
     scrub: 'Image précédente ou suivante d’une vidéo ; avec Maj, une seconde',
     zoom: 'Agrandir ou réduire la photo d’une case, la réinitialiser',
     choose: 'Sélectionner une case',
-    slant: 'Incliner une coupe du gabarit',
+    slant: 'Incliner une séparation du gabarit',
     list: 'Cette liste',
   },
 };

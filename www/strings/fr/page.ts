@@ -31,11 +31,11 @@ export const pageStrings = {
     custom: 'Sur mesure',
   },
 
-  customSize: { width: 'Largeur', height: 'Hauteur', dpi: 'ppp', unit: 'Unité' },
+  customSize: { width: 'Largeur', height: 'Hauteur', dpi: 'Résolution (ppp)', unit: 'Unité' },
   units: { px: 'px', mm: 'mm', in: 'po' },
   wrongSize: {
     side: 'Un côté doit mesurer de 64 à 14 000 pixels.',
     pixels: 'La page doit avoir 72 millions de pixels au plus.',
-    dpi: 'Les points par pouce doivent aller de 36 à 1200.',
+    dpi: 'La résolution doit aller de 36 à 1200 ppp.',
   },
 };

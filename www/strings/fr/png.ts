@@ -13,9 +13,9 @@ export const pngStrings = {
     none: 'Sans données du projet',
   },
   cargoHelp: {
-    project: 'Déposez le PNG ici pour le retravailler. Il retrouve ses photos sur cet appareil.',
-    photos: 'S’ouvre sur tout appareil, photos comprises. Qui a le fichier les a.',
-    none: 'L’image et rien d’autre.',
+    project: 'Déposez le PNG ici pour le modifier de nouveau. Il retrouve ses photos sur cet appareil.',
+    photos: 'Contient vos photos d’origine, et s’ouvre donc sur tout appareil. Quiconque a le fichier peut les voir.',
+    none: 'Seulement l’image.',
   },
   cargoClean: 'Le lieu, la date et l’appareil de vos photos n’y sont jamais.',
   photosUnclean: (n: number) =>

@@ -9,7 +9,7 @@ export const printStrings = {
       screen: 'Écrans',
     },
     showSafe: 'Montrer la zone sûre',
-    safeHelp: 'Visages et mots à l’intérieur de la ligne ne sont jamais coupés. Elle n’est dans aucun fichier.',
+    safeHelp: 'Rien n’est coupé à l’intérieur de cette ligne. La ligne n’est pas exportée.',
     bleed: 'Fond perdu',
     bleeds: {
       none: 'Aucun',
@@ -18,14 +18,14 @@ export const printStrings = {
       inch: '1/8 po',
     },
     bleedHelp:
-      'Les cases du bord se prolongent au-delà, pour qu’aucun blanc n’apparaisse à la coupe. Avec une marge, c’est la couleur du papier.',
+      'Les cases du bord s’étendent dans le fond perdu, pour qu’aucun bord blanc n’apparaisse à la coupe. Avec une marge, le fond perdu a la couleur du papier.',
     marks: 'Traits de coupe',
     sheets: 'Feuilles',
     impositions: {
-      none: 'Une page chacune',
+      none: 'Une page par feuille',
       booklet: 'Livret à plier et agrafer',
       zine: 'Mini-zine, huit pages d’une feuille',
-      twoUp: 'Deux pages à découper',
+      twoUp: 'Deux pages par feuille, à découper',
       spreads: 'Doubles pages',
     },
     booklet: 'Imprimez recto verso, retourné sur le petit côté. Pliez une fois et agrafez dans le pli.',
@@ -41,7 +41,7 @@ export const printStrings = {
       letter: 'Letter',
       tabloid: 'Tabloïd',
     },
-    plates: 'Plaques pour riso ou sérigraphie',
+    plates: 'Séparations en tons directs (riso, sérigraphie)',
     platesHelp: 'Un PDF gris par encre, réunis dans un ZIP.',
     inks: {
       red: 'rouge',
@@ -63,13 +63,13 @@ export const printStrings = {
     coarsePanel: (n: number, dpi: number) => `Case ${n} : ${dpi} ppp`,
     coarseOn: (page: number, n: number, dpi: number) => `Page ${page}, case ${n} : ${dpi} ppp`,
     coarseMore: (n: number) => `et ${n} de plus`,
-    enlarge: 'Bien agrandir',
+    enlarge: 'Agrandir les photos de basse résolution',
     enlargeHelp: (n: number) =>
       n === 1
-        ? 'La photo de cette case est agrandie avec des contours plus nets. Elle ne gagne aucun détail qu’elle n’a pas.'
-        : `Les photos de ces ${n} cases sont agrandies avec des contours plus nets. Elles ne gagnent aucun détail qu’elles n’ont pas.`,
+        ? 'La photo de cette case est agrandie avec des contours plus nets. L’agrandissement n’ajoute aucun détail.'
+        : `Les photos de ces ${n} cases sont agrandies avec des contours plus nets. L’agrandissement n’ajoute aucun détail.`,
     coarseMark: (dpi: number) => `${dpi} ppp`,
     coarseHelp: 'Montrez la photo plus petite ou moins rognée, ou prenez-en une plus grande.',
-    coarseHide: 'Masquer les repères',
+    coarseHide: 'Masquer les alertes de résolution',
   },
 };

@@ -1,22 +1,23 @@
 export const soundStrings = {
   filmSounds: {
-    hear: 'Sons du film',
+    hear: 'Sons de la vidéo',
     of: (name: string) => `Sons de ${name}`,
     decoding: 'Lecture du son…',
-    hearing: 'Écoute en cours…',
-    stop: 'Arrêter l’écoute',
+    hearing: 'Analyse du son…',
+    stop: 'Arrêter l’analyse',
     near: (n: number) => (n < 2 ? `${n} son près d’une image sur une page.` : `${n} sons près d’images sur des pages.`),
-    far: (n: number) => (n < 2 ? `${n} autre son n’est près d’aucune.` : `${n} autres sons ne sont près d’aucune.`),
+    far: (n: number) =>
+      n < 2 ? `${n} autre son n’est près d’aucune image.` : `${n} autres sons ne sont près d’aucune image.`,
     none: 'Il n’y a aucun son près d’une image sur une page.',
-    silent: 'Rien ne ressort de sa bande-son.',
+    silent: 'Aucun son distinct n’a été détecté.',
     put: (text: string, time: string) => `Mettre ${text} sur la page, ${time}`,
     there: 'sur la page',
     taken: (text: string) => `${text} est maintenant sur la page.`,
-    failed: (why: string) => `Sa bande-son n’a pas pu être lue : ${why}`,
-    mute: 'Ce film n’a pas de son.',
-    long: (minutes: string) => `Il dure plus de ${minutes} minutes, plus que ce qui peut être écouté.`,
-    large: (size: string) => `Il pèse plus de ${size}, plus que ce qui peut être écouté.`,
-    undecodable: 'Ce navigateur ne peut pas lire sa bande-son.',
+    failed: (why: string) => `Le son n’a pas pu être lu : ${why}`,
+    mute: 'Cette vidéo n’a pas de son.',
+    long: (minutes: string) => `La vidéo dure plus de ${minutes} minutes, la limite de l’analyse du son.`,
+    large: (size: string) => `La vidéo pèse plus de ${size}, la limite de l’analyse du son.`,
+    undecodable: 'Ce navigateur ne peut pas décoder le son.',
   },
   /** What a sound is written as. */
   soundWords: {

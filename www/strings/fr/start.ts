@@ -6,8 +6,7 @@ export const startStrings = {
   trySamples: 'Essayer l’album d’exemple',
   privacy: 'Rien ne quitte cet appareil.',
   dropHere: 'Relâchez pour ajouter vos photos',
-  framed:
-    'Un autre site montre Inkpanel dans sa propre page. Il n’y fonctionne pas, pour que personne ne vous fasse appuyer sur ce que vous ne voyez pas.',
-  openInTab: 'Ouvrir Inkpanel dans son propre onglet',
-  starting: 'Préparation de l’encre',
+  framed: 'Inkpanel ne fonctionne pas dans d’autres sites, pour vous protéger du détournement de clic.',
+  openInTab: 'Ouvrir Inkpanel dans un nouvel onglet',
+  starting: 'Démarrage d’Inkpanel',
 };

@@ -2,7 +2,7 @@ import { some } from './png.ts';
 
 const TROUBLE: Record<string, string> = {
   full: 'le stockage de ce navigateur est plein',
-  refused: 'ce navigateur ne garde rien pour les pages d’ici',
+  refused: 'ce navigateur bloque ici le stockage des sites',
 };
 
 export const storageStrings = {
@@ -17,9 +17,9 @@ export const storageStrings = {
     failed: 'Non enregistré',
   },
   savingCount: (done: number, total: number) => `Enregistrement ${done}/${total}`,
-  saveHelp: 'Le travail est gardé dans ce navigateur, sur cet appareil',
+  saveHelp: 'Votre travail est enregistré dans ce navigateur, sur cet appareil',
   notSaved: (why: string, message: string) =>
-    `Votre travail n’est pas enregistré : ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Tout est encore là tant que cette page est ouverte.`,
+    `Votre travail n’est pas enregistré : ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Il sera perdu si vous fermez cet onglet.`,
   photosUnreadable: (names: readonly string[]) =>
     `${some(names)} : non enregistré, ${names.length === 1 ? 'le fichier n’est plus lisible' : 'les fichiers ne sont plus lisibles'}. Tout le reste est enregistré.`,
   photosNotHere: (names: readonly string[], of: number) => {
@@ -30,11 +30,11 @@ export const storageStrings = {
   filmsNotHere: (names: readonly string[]) =>
     `${some(names)} : plus dans ce navigateur, mais les images prises y sont. Pour en prendre d’autres, ajoutez de nouveau la vidéo.`,
   photosNeverSaved: (names: readonly string[]) =>
-    `La page s’est fermée avant l’enregistrement de ${some(names)}. ${names.length === 1 ? 'Choisissez-la' : 'Choisissez-les'} de nouveau.`,
+    `L’application s’est fermée avant l’enregistrement de ${some(names)}. ${names.length === 1 ? 'Choisissez-la' : 'Choisissez-les'} de nouveau.`,
   saveAgain: 'Enregistrer à nouveau',
   goOnWithout: 'Continuer sans',
   saveToFile: 'Enregistrer dans un fichier',
-  conflict: 'Un autre onglet a modifié ce projet ; celui-ci continue comme copie.',
+  conflict: 'Un autre onglet a modifié ce projet. Cet onglet continue avec une copie.',
 
   // Projects
   projects: 'Projets',
@@ -53,23 +53,21 @@ export const storageStrings = {
   openNow: 'Ouvert maintenant',
   projectAbout: (photos: number, when: string) =>
     `${photos < 2 ? `${photos} photo` : `${photos} photos`}${when && `, ${when}`}`,
-  noProjects: 'Ce que vous faites s’enregistre ici tout seul.',
+  noProjects: 'Votre travail s’enregistre ici automatiquement.',
   projectDeleted: (name: string) => `${name} a été supprimé.`,
   bringBack: 'Restaurer',
   projectNotOpened: (why: string) => `Le projet n’a pas pu être ouvert : ${why}`,
   projectFileNotOpened: (name: string, why: string) => `${name} n’a pas pu être ouvert : ${why}`,
   projectNotSaved: (why: string) => `Le projet n’a pas pu être enregistré dans un fichier : ${why}`,
   projectReasons: {
-    'damaged-project': 'il est abîmé, ou n’est pas un projet d’Inkpanel. Ce qui est sur la page n’a pas été touché.',
-    'too-large-project':
-      'il contient plus que ce que tient un projet, ou se décompresse en plus. Ce qui est sur la page n’a pas été touché.',
-    'silent-project':
-      'rien n’a pu en être lu pendant une minute. Vérifiez le disque sur lequel il se trouve et réessayez.',
-    'newer-project': 'il vient d’un Inkpanel plus récent. Rechargez cette page pour avoir le dernier.',
-    'not-saved':
-      'ce qui est sur la page n’est pas enregistré. Enregistrez-le d’abord dans un fichier (Enregistrer le projet).',
+    'damaged-project': 'il est endommagé, ou n’est pas un projet d’Inkpanel. Votre page n’a pas changé.',
+    'too-large-project': 'il dépasse les limites d’un projet. Votre page n’a pas changé.',
+    'silent-project': 'la lecture du fichier a été interrompue après une minute. Vérifiez le disque et réessayez.',
+    'newer-project':
+      'il a été enregistré avec une version plus récente d’Inkpanel. Rechargez cet onglet pour mettre à jour.',
+    'not-saved': 'votre travail n’est pas enregistré. Enregistrez-le d’abord dans un fichier (Enregistrer le projet).',
     'missing-project': 'il a été supprimé.',
-    'no-storage': 'ce navigateur ne garde rien pour les pages d’ici.',
+    'no-storage': 'ce navigateur bloque ici le stockage des sites.',
     'too-large': 'le fichier dépasserait 4 Go.',
   } as Record<string, string>,
   projectsOpened: (others: readonly string[], shown: string) =>
@@ -81,27 +79,28 @@ export const storageStrings = {
   projectBroken: (name: string, why: string) => `${name} ne peut pas être montré : ${why}.`,
   brokenReasons: {
     'damaged-project': 'une partie est abîmée',
-    'too-large-project': 'il contient plus que ce que tient un projet',
-    'newer-project': 'il vient d’un Inkpanel plus récent. Rechargez cette page pour avoir le dernier',
+    'too-large-project': 'il dépasse les limites d’un projet',
+    'newer-project':
+      'il a été enregistré avec une version plus récente d’Inkpanel. Rechargez cet onglet pour mettre à jour',
   } as Record<string, string>,
   brokenOtherwise: 'une partie ne peut pas être dessinée',
-  brokenKept: 'Il est gardé tel quel, avec ses photos.',
+  brokenKept: 'Le projet et ses photos sont inchangés.',
   partsLeftOut: (name: string, n: number) =>
     `${name} est ouvert sans ${n === 1 ? 'une partie qui n’a pas pu être lue' : `${n} parties qui n’ont pas pu être lues`}.`,
   openAnother: 'En ouvrir un autre',
   saveAsFile: 'Enregistrer en fichier',
-  goBack: 'Revenir au dernier bon état',
-  noGoodState: 'Il ne reste aucun état auquel revenir.',
-  wentBack: (name: string) => `${name} est de nouveau comme il a été dessiné la dernière fois.`,
+  goBack: 'Rétablir la dernière bonne version',
+  noGoodState: 'Il n’y a pas de version antérieure à rétablir.',
+  wentBack: (name: string) => `La dernière bonne version de ${name} a été rétablie.`,
   openingProject: (name: string) => `Ouverture de ${name}`,
   openingLast: 'Ouverture de votre projet',
   openElsewhere: (name: string) => `${name} est ouvert dans un autre onglet.`,
-  opensWhenFree: 'Il s’ouvrira ici quand cet onglet sera fermé.',
+  opensWhenFree: 'Il s’ouvre ici quand vous fermez l’autre onglet.',
   openCopy: 'Ouvrir une copie',
 
   // Pages shown
-  pagesShown: 'Pages montrées',
-  pagesShownAt: (n: number, of: number) => `Pages montrées, ${n}/${of}`,
+  pagesShown: 'Historique de la page',
+  pagesShownAt: (n: number, of: number) => `Historique de la page, ${n}/${of}`,
   pageNumber: (n: number) => `Page ${n}`,
   pageFrom: (n: number) => `de la page ${n}`,
   favouritePage: 'Page favorite',

@@ -24,7 +24,7 @@ export const boardStrings = {
   export: '書き出す',
   languageAndTheme: '言語とテーマ',
   theme: 'テーマ',
-  themes: { light: 'ライト', dark: 'ダーク', system: 'システムに合わせる' },
+  themes: { light: 'ライト', dark: 'ダーク', system: 'システム' },
   keys: 'キーボードショートカット',
   close: '閉じる',
   cancel: 'キャンセル',

@@ -21,16 +21,13 @@ export const boardsStrings = {
     help: 'Enter で次のショット、Tab で次の欄へ進み、Escape で入力を取り消します。Alt と矢印キーでショットを動かします。長さは秒（2）、秒とフレーム（2:12）、フレーム（36f）で書きます。表計算のセルを貼り付けられます。',
     dragHelp: 'ドラッグすると順番を変えられます。',
     copy: '一覧をコピー',
-    copied: '一覧を表計算用にクリップボードへ入れました。',
+    copied: '一覧をコピーしました。表計算に貼り付けられます。',
     newColumn: '新しい列',
     addColumn: '列を追加',
     removeColumn: (name: string) => `列「${name}」を削除`,
     noLength: (text: string) =>
       `「${text}」は長さではありません。秒（2）、秒とフレーム（2:12）、フレーム（36f）で書いてください。`,
-    pasteLost: (count: number) =>
-      count === 1
-        ? '貼り付けたセル 1 個の置き場所がありませんでした。'
-        : `貼り付けたセル ${count} 個の置き場所がありませんでした。`,
+    pasteLost: (count: number) => `表の外にある貼り付けセル ${count} 個を無視しました。`,
     filmBoard: '映画の絵コンテ',
     perSheet: '1 枚のコマ数',
     aspect: '縦横比',
@@ -61,7 +58,7 @@ export const boardsStrings = {
       count === 1 ? `セル 1 個を省くか短くしました：${cells}。` : `セル ${count} 個を省くか短くしました：${cells}。`,
     columnsLeft: (columns: string) => `絵コンテに入らない列があります：${columns}。`,
     noSheets: (why: string) => `絵コンテを作れませんでした：${why}`,
-    missing: '絵コンテを表示する部分を読み込めませんでした。もう一度試してください。',
+    missing: '絵コンテを読み込めませんでした。接続を確認してもう一度お試しください。',
     sheet: (n: number, of: number) => `${of} 枚中 ${n} 枚目`,
     listSaved: 'ショットの一覧を保存しました。',
     listHelp: 'アルバムのすべてのショットと書き込みを、絵コンテの順番で。',

@@ -10,10 +10,10 @@ export const faultStrings = {
     'animatic-long': 'GIF ファイルは 1 分までです。MP4 か WebM を選ぶか、ショットを短くしてください。',
     'animatic-sound': 'このブラウザーはその形式に音を入れられません。WebM を選ぶか、音を外してください。',
     'sound-unread': 'ブラウザーが音を読めません。MP3 か WAV に変換してください。',
-    'film-cut': 'フレームの一覧の前で途切れているため、何も読めません。もう一度コピーしてください。',
+    'film-cut': 'ファイルが不完全です（索引がありません）。元のファイルからもう一度コピーしてください。',
     'film-empty': 'フレームがありません。',
-    'films-missing': '動画を読むプログラムを読み込めませんでした。接続してもう一度お試しください。',
-    'worker-lost': '読み込み中にプログラムが2回止まったため、除外しました。',
+    'films-missing': '動画の読み込み機能を取得できませんでした。接続を確認してもう一度お試しください。',
+    'worker-lost': '読み込み中にInkpanelが2回クラッシュしたため、除外しました。',
     'unreadable-file': '選んだあとでファイルが移動、変更、または削除されました。',
     'not-text': 'テキストファイルではないか、文字コードが不明です。UTF-8で保存してください。',
     'unreadable-entry': 'ブラウザーで読み込めません。オンラインにしかないか、リンクが切れている可能性があります。',
@@ -45,7 +45,7 @@ export const faultStrings = {
   /** The same where the reason is what the file is. */
   reasonsOf: {
     'film-container': (what: string) =>
-      `${what}の動画で、ここでは読めません。HandBrakeやffmpegなどで、H.264のMP4に変換してください。`,
+      `Inkpanelはこの動画形式（${what}）を読み込めません。HandBrakeやffmpegなどで、H.264のMP4に変換してください。`,
     'film-codec': (what: string) =>
       `映像が${what}で、このブラウザーではデコードできません。HandBrakeやffmpegなどで、H.264のMP4に変換してください。`,
   } as Record<string, (what: string) => string>,
@@ -53,7 +53,7 @@ export const faultStrings = {
   photoCoarse: (name: string, share: string) =>
     `${name}：ファイルが壊れているか不完全なため、画像の${share}で細部が欠けています。`,
   filmReaches: (name: string, till: string, whole: string) =>
-    `${name}は途切れています：${whole}のうち${till}までだけです。フレームはそこまでのものです。`,
+    `${name}は不完全で、${whole}のうち${till}で終わっています。フレームはすべてこの部分から取られています。`,
   noUsablePhoto:
     '使えるファイルがありませんでした。JPEG、PNG、WebP、AVIF、GIF、BMP、TIFFの写真、または動画を選んでください。',
   noSamples: 'サンプルアルバムを読み込めませんでした。接続を確認してもう一度お試しください。',

@@ -13,7 +13,7 @@ export const imitationStrings = {
   imitationAnyway: 'それでも探す',
   imitating: 'スタイルを探しています…',
   imitationProposals: '見つかったスタイル',
-  imitationPhotos: '試す写真',
+  imitationPhotos: 'プレビューの写真',
   imitationNone: 'この絵に近いスタイルは見つかりませんでした。別の絵で試してください。',
   imitationNeedsPhotos: '先に写真を選んでください。絵のスタイルはその写真で試します。',
   dropForStyle: 'ここに、またはAltキーを押しながらドロップすると、絵のスタイルを取り込みます',
@@ -25,12 +25,11 @@ export const imitationStrings = {
   imitationPictureOf: (name: string) => `絵 ${name}`,
   /** Why nothing was found, by error code. */
   imitationReasons: {
-    'small-picture': 'この絵は小さすぎてスタイルを読み取れません。各辺に64ピクセルが必要です。',
+    'small-picture': 'この絵は小さすぎます。各辺に64ピクセル以上が必要です。',
     'blank-picture': 'この絵は空白で、スタイルがありません。',
     'plain-photo': 'これは普通の写真のようで、移せる線やインク、絵の具がありません。線画、版画、絵画を選んでください。',
-    'imitation-missing':
-      '画像からスタイルを見つけるためのプログラムを取得できませんでした。接続を確認してもう一度お試しください。',
-    'worker-lost': 'この絵を読み込むとプログラムが止まりました。別の絵で試してください。',
+    'imitation-missing': 'スタイルの検索機能を読み込めませんでした。接続を確認してもう一度お試しください。',
+    'worker-lost': 'この絵の読み込み中にInkpanelがクラッシュしました。別の絵で試してください。',
     'unreadable-file': '選んだ後にファイルが移動、変更、または削除されました。',
     'unknown-format': '読み込める画像ではありません。JPEG、PNG、WebP、AVIF、GIF、BMP、TIFFのファイルを選んでください。',
     damaged: 'この絵のファイルは壊れているか、途中で切れています。',

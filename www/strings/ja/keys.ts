@@ -17,7 +17,7 @@ export const keyStrings = {
     scrub: '動画の前後のフレーム（Shiftキーで1秒ずつ）',
     zoom: 'コマの写真を拡大・縮小、リセット',
     choose: 'コマを選択する',
-    slant: 'レイアウトの切れ目を傾ける',
+    slant: 'レイアウトの境界線を傾ける',
     list: 'この一覧',
   },
 };

@@ -7,5 +7,5 @@ export const offlineStrings = {
   sharedLost:
     '共有されたものが届きませんでした。ブラウザーの保存領域がいっぱいかもしれません。写真をここに追加してください。',
   launchFailed: (name: string) => `${name}を開けませんでした。ここに追加してください。`,
-  noDetectorOffline: '接続がないため、まだ顔を見つけられません。つながるまでは、コントラストで切り抜きます。',
+  noDetectorOffline: '顔の検出は一度ダウンロードが必要です。オンラインになるまでは、コントラストで切り抜きます。',
 };

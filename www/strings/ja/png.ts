@@ -7,9 +7,9 @@ export const pngStrings = {
   cargo: 'PNGに含めるもの',
   cargoKind: { project: 'プロジェクトのデータ', photos: '写真も', none: '画像だけ' },
   cargoHelp: {
-    project: 'このPNGをここにドロップすると続きから作業できます。写真はこの端末から探します。',
-    photos: '写真も含めて、どの端末でも開けます。ファイルを持つ人は写真も手にします。',
-    none: '画像のほかには何も入りません。',
+    project: 'このPNGをここにドロップすると、また編集できます。写真はこの端末から探します。',
+    photos: '元の写真が入っているので、どの端末でも開けます。ファイルを持つ人は写真を見られます。',
+    none: '画像だけです。',
   },
   cargoClean: '写真の場所、日時、カメラの情報は決して入りません。',
   photosUnclean: (n: number) =>

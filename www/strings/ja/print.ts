@@ -9,7 +9,7 @@ export const printStrings = {
       screen: '画面',
     },
     showSafe: '安全領域を表示',
-    safeHelp: '線の内側の顔や文字は切り落とされません。線はどのファイルにも入りません。',
+    safeHelp: 'この線の内側は断裁で切り落とされません。線は書き出されません。',
     bleed: '塗り足し',
     bleeds: {
       none: 'なし',
@@ -24,7 +24,7 @@ export const printStrings = {
       none: '1枚に1ページ',
       booklet: '折って綴じる冊子',
       zine: 'ミニZINE（1枚から8ページ）',
-      twoUp: '切り分ける2ページ',
+      twoUp: '1枚に2ページ（切り分け）',
       spreads: '見開き',
     },
     booklet: '短辺とじで両面印刷し、一度折って折り目を綴じます。',
@@ -40,7 +40,7 @@ export const printStrings = {
       letter: 'レター',
       tabloid: 'タブロイド',
     },
-    plates: 'リソグラフ・シルクスクリーン用の版',
+    plates: '特色分版（リソグラフ・シルクスクリーン）',
     platesHelp: 'インクごとにグレーのPDFを作り、ZIPにまとめます。',
     inks: {
       red: '赤',
@@ -62,13 +62,13 @@ export const printStrings = {
     coarsePanel: (n: number, dpi: number) => `コマ${n}:${dpi} dpi`,
     coarseOn: (page: number, n: number, dpi: number) => `${page}ページ、コマ${n}:${dpi} dpi`,
     coarseMore: (n: number) => `ほか${n}個`,
-    enlarge: 'きれいに拡大',
+    enlarge: '低解像度の写真を拡大',
     enlargeHelp: (n: number) =>
       n === 1
         ? 'このコマの写真は輪郭を保って拡大されます。元の写真にない細部は増えません。'
         : `これらの${n}コマの写真は輪郭を保って拡大されます。元の写真にない細部は増えません。`,
     coarseMark: (dpi: number) => `${dpi} dpi`,
     coarseHelp: '写真を小さく見せるか、切り抜きを広げるか、大きな写真を使ってください。',
-    coarseHide: '印を隠す',
+    coarseHide: '解像度の警告を隠す',
   },
 };

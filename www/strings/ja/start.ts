@@ -6,8 +6,7 @@ export const startStrings = {
   trySamples: 'サンプルアルバムを試す',
   privacy: '何もこの端末の外に出ません。',
   dropHere: 'ドロップして写真を追加',
-  framed:
-    '別のサイトが、自分のページの中にInkpanelを表示しています。見えないものを押させられないように、そこでは動きません。',
-  openInTab: 'Inkpanelを専用のタブで開く',
-  starting: 'インクを準備しています',
+  framed: 'クリックジャッキングを防ぐため、Inkpanelはほかのサイトの中では動作しません。',
+  openInTab: 'Inkpanelを新しいタブで開く',
+  starting: 'Inkpanelを起動しています',
 };

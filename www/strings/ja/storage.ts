@@ -2,7 +2,7 @@ import { some } from './png.ts';
 
 const TROUBLE: Record<string, string> = {
   full: 'ブラウザーの保存領域がいっぱいです',
-  refused: 'このブラウザーはここでは何も保存しません',
+  refused: 'このブラウザーはここでサイトの保存領域をブロックしています',
 };
 
 export const storageStrings = {
@@ -19,7 +19,7 @@ export const storageStrings = {
   savingCount: (done: number, total: number) => `保存中：${done}／${total}`,
   saveHelp: '作業はこの端末の、このブラウザーに保存されます',
   notSaved: (why: string, message: string) =>
-    `作業が保存されていません：${TROUBLE[why] ?? message.replace(/\.$/, '')}。このページを開いている間は、すべてそのまま残っています。`,
+    `作業が保存されていません：${TROUBLE[why] ?? message.replace(/\.$/, '')}。このタブを閉じると失われます。`,
   photosUnreadable: (names: readonly string[]) =>
     `${some(names)}：ファイルを読めなくなったため、保存されていません。ほかはすべて保存されています。`,
   photosNotHere: (names: readonly string[], of: number) =>
@@ -27,11 +27,11 @@ export const storageStrings = {
   filmsNotHere: (names: readonly string[]) =>
     `${some(names)}：このブラウザーに動画はもうありませんが、取り出したフレームは残っています。ほかのフレームを使うには、動画をもう一度追加してください。`,
   photosNeverSaved: (names: readonly string[]) =>
-    `${some(names)}を保存する前にページが閉じられました。もう一度選んでください。`,
+    `${some(names)}を保存する前にアプリが閉じられました。もう一度選んでください。`,
   saveAgain: 'もう一度保存',
   goOnWithout: 'このまま続ける',
   saveToFile: 'ファイルに保存',
-  conflict: '別のタブでこのプロジェクトが変更されたため、ここではコピーとして続けます。',
+  conflict: '別のタブでこのプロジェクトが変更されました。このタブではコピーで続けます。',
 
   // Projects
   projects: 'プロジェクト',
@@ -57,12 +57,12 @@ export const storageStrings = {
   projectNotSaved: (why: string) => `プロジェクトをファイルに保存できませんでした：${why}`,
   projectReasons: {
     'damaged-project': '壊れているか、Inkpanelのプロジェクトではありません。ページの内容は変わっていません。',
-    'too-large-project': 'プロジェクトに入る量を超えています。ページの内容は変わっていません。',
-    'silent-project': '1分間何も読み込めませんでした。ディスクを確認して、もう一度お試しください。',
-    'newer-project': '新しいInkpanelで作られています。このページを再読み込みすると最新版になります。',
+    'too-large-project': 'プロジェクトの上限を超えています。ページの内容は変わっていません。',
+    'silent-project': 'ファイルの読み込みが1分でタイムアウトしました。ドライブを確認して、もう一度お試しください。',
+    'newer-project': '新しいバージョンのInkpanelで保存されています。このタブを再読み込みして更新してください。',
     'not-saved': 'ページの内容が保存されていません。先にファイルに保存してください（プロジェクトを保存）。',
     'missing-project': '削除されています。',
-    'no-storage': 'このブラウザーはここでは何も保存しません。',
+    'no-storage': 'このブラウザーはここでサイトの保存領域をブロックしています。',
     'too-large': 'ファイルが4 GBを超えます。',
   } as Record<string, string>,
   projectsOpened: (others: readonly string[], shown: string) =>
@@ -71,17 +71,17 @@ export const storageStrings = {
   projectBroken: (name: string, why: string) => `${name}を表示できません：${why}。`,
   brokenReasons: {
     'damaged-project': '一部が壊れています',
-    'too-large-project': 'プロジェクトに入る量を超えています',
-    'newer-project': '新しいInkpanelで作られています。このページを再読み込みすると最新版になります',
+    'too-large-project': 'プロジェクトの上限を超えています',
+    'newer-project': '新しいバージョンのInkpanelで保存されています。このタブを再読み込みして更新してください',
   } as Record<string, string>,
   brokenOtherwise: '一部を描けません',
-  brokenKept: '写真も含めて、そのまま残してあります。',
+  brokenKept: 'プロジェクトと写真は変わっていません。',
   partsLeftOut: (name: string, n: number) => `読めなかった${n}か所を除いて、${name}を開きました。`,
   openAnother: '別のものを開く',
   saveAsFile: 'ファイルとして保存',
-  goBack: '最後の正常な状態に戻す',
-  noGoodState: '戻せる状態が残っていません。',
-  wentBack: (name: string) => `${name}を、最後に描けたときの状態に戻しました。`,
+  goBack: '最後の正常なバージョンに戻す',
+  noGoodState: '戻せる以前のバージョンはありません。',
+  wentBack: (name: string) => `${name}の最後の正常なバージョンを復元しました。`,
   openingProject: (name: string) => `${name}を開いています`,
   openingLast: 'プロジェクトを開いています',
   openElsewhere: (name: string) => `${name}は別のタブで開かれています。`,
@@ -89,8 +89,8 @@ export const storageStrings = {
   openCopy: 'コピーを開く',
 
   // Pages shown
-  pagesShown: '表示したページ',
-  pagesShownAt: (n: number, of: number) => `表示したページ、${n}/${of}`,
+  pagesShown: 'ページの履歴',
+  pagesShownAt: (n: number, of: number) => `ページの履歴、${n}/${of}`,
   pageNumber: (n: number) => `ページ${n}`,
   pageFrom: (n: number) => `ページ${n}から`,
   favouritePage: 'お気に入りのページ',

@@ -21,14 +21,16 @@ export const boardsStrings = {
     help: 'Enter vai ao próximo plano, Tab ao próximo campo, Escape desiste do que foi digitado. Alt com as setas move um plano. As durações são segundos (2), segundos e quadros (2:12) ou quadros (36f). Células de uma planilha podem ser coladas.',
     dragHelp: 'Arraste para mudar de lugar.',
     copy: 'Copiar a lista',
-    copied: 'A lista está na área de transferência, para uma planilha.',
+    copied: 'A lista foi copiada. Você pode colá-la em uma planilha.',
     newColumn: 'Nova coluna',
     addColumn: 'Adicionar coluna',
     removeColumn: (name: string) => `Remover a coluna ${name}`,
     noLength: (text: string) =>
       `“${text}” não é uma duração: escreva segundos (2), segundos e quadros (2:12) ou quadros (36f).`,
     pasteLost: (count: number) =>
-      count === 1 ? '1 célula colada não achou lugar.' : `${count} células coladas não acharam lugar.`,
+      count === 1
+        ? '1 célula colada ficou fora da tabela e foi ignorada.'
+        : `${count} células coladas ficaram fora da tabela e foram ignoradas.`,
     filmBoard: 'Storyboard de filme',
     perSheet: 'Quadros por folha',
     aspect: 'Proporção',
@@ -54,16 +56,18 @@ export const boardsStrings = {
       count === 1 ? `${name}: 1 plano foi preenchido.` : `${name}: ${count} planos foram preenchidos.`,
     quoted: (text: string) => `“${text}”`,
     left: (count: number, lines: string) =>
-      count === 1 ? `1 linha não achou plano: ${lines}.` : `${count} linhas não acharam plano: ${lines}.`,
+      count === 1
+        ? `1 linha não corresponde a nenhum plano: ${lines}.`
+        : `${count} linhas não correspondem a nenhum plano: ${lines}.`,
     cellsLeft: (count: number, cells: string) =>
       count === 1
         ? `1 célula foi omitida ou encurtada: ${cells}.`
         : `${count} células foram omitidas ou encurtadas: ${cells}.`,
     columnsLeft: (columns: string) => `O storyboard não tem lugar para estas colunas: ${columns}.`,
     noSheets: (why: string) => `O storyboard não pôde ser montado: ${why}`,
-    missing: 'A parte do programa que mostra storyboards não pôde ser carregada. Tente de novo.',
+    missing: 'Não foi possível carregar o storyboard. Verifique a conexão e tente de novo.',
     sheet: (n: number, of: number) => `Folha ${n} de ${of}`,
     listSaved: 'A lista de planos foi salva.',
-    listHelp: 'Todos os planos do álbum com o que é dito deles, na ordem do storyboard.',
+    listHelp: 'Todos os planos do álbum com seus dados, na ordem do storyboard.',
   },
 };

@@ -107,11 +107,11 @@ export const describingStrings = {
   description: 'Descrição da página',
   copyDescription: 'Copiar descrição',
   descriptionHelp: 'Para quem não pode vê-la, onde quer que você mostre a página.',
-  descriptionCopied: 'A descrição está na área de transferência.',
+  descriptionCopied: 'A descrição foi copiada.',
   descriptionNotCopied: (text: string) => `A área de transferência não pode ser usada aqui. A descrição é: ${text}`,
 
   language: 'Idioma',
-  languageHelp: 'A página é recarregada nesse idioma. Antes, seu trabalho é salvo.',
+  languageHelp: 'O aplicativo recarrega nesse idioma. Seu trabalho é salvo antes.',
   languageLater: (name: string) =>
     `${name} fica para a próxima visita: seu trabalho não está salvo, então a página não foi recarregada.`,
 };

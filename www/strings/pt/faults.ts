@@ -10,10 +10,10 @@ export const faultStrings = {
     'animatic-long': 'um arquivo GIF dura no máximo um minuto. Escolha MP4 ou WebM, ou planos mais curtos.',
     'animatic-sound': 'este navegador não codifica som para esse arquivo. Escolha WebM ou retire o som.',
     'sound-unread': 'o navegador não consegue ler o som. Converta para MP3 ou WAV.',
-    'film-cut': 'termina antes da lista de suas imagens, então nada dele pode ser lido. Copie-o de novo.',
-    'film-empty': 'não há nenhuma imagem nele.',
-    'films-missing': 'não foi possível carregar o que lê filmes. Tente de novo com conexão.',
-    'worker-lost': 'a leitura dele parou o programa duas vezes, então ficou de fora.',
+    'film-cut': 'o arquivo está incompleto (falta o índice). Copie-o de novo da origem.',
+    'film-empty': 'o vídeo não tem imagens.',
+    'films-missing': 'não foi possível carregar o leitor de vídeo. Verifique a conexão e tente de novo.',
+    'worker-lost': 'o Inkpanel falhou duas vezes ao lê-lo, por isso ele foi pulado.',
     'unreadable-file': 'o arquivo foi movido, alterado ou apagado depois que você o escolheu.',
     'not-text': 'não é um arquivo de texto, ou a codificação é desconhecida. Salve-o como UTF-8.',
     'unreadable-entry': 'o navegador não consegue lê-lo. Talvez esteja só na nuvem ou seja um link quebrado.',
@@ -44,16 +44,16 @@ export const faultStrings = {
   /** The same where the reason is what the file is. */
   reasonsOf: {
     'film-container': (what: string) =>
-      `é um filme em ${what}, que não pode ser lido aqui. Converta-o para MP4 com vídeo H.264, por exemplo com HandBrake ou ffmpeg.`,
+      `o Inkpanel não consegue ler este formato de vídeo (${what}). Converta-o para MP4 com vídeo H.264, por exemplo com HandBrake ou ffmpeg.`,
     'film-codec': (what: string) =>
-      `as imagens são ${what}, que este navegador não decodifica. Converta-o para MP4 com vídeo H.264, por exemplo com HandBrake ou ffmpeg.`,
+      `este navegador não consegue decodificar vídeo ${what}. Converta-o para MP4 com vídeo H.264, por exemplo com HandBrake ou ffmpeg.`,
   } as Record<string, (what: string) => string>,
   photoDamaged: (name: string, share: string) =>
     `${name}: ${share} da imagem estão danificados e são desenhados em cinza.`,
   photoCoarse: (name: string, share: string) =>
     `${name}: ${share} da imagem estão sem detalhes, porque o arquivo está danificado ou incompleto.`,
   filmReaches: (name: string, till: string, whole: string) =>
-    `${name} está interrompido: só até ${till} de ${whole}. As imagens são dessa parte.`,
+    `${name} está incompleto: termina em ${till} de ${whole}. Todas as imagens são dessa parte.`,
   noUsablePhoto:
     'Nenhum destes arquivos pôde ser usado. Escolha fotos JPEG, PNG, WebP, AVIF, GIF, BMP ou TIFF, ou um vídeo.',
   noSamples: 'Não foi possível carregar o álbum de exemplo. Verifique a conexão e tente de novo.',

@@ -3,9 +3,10 @@
 export const fileStrings = {
   cargoFile: 'Dentro do arquivo',
   cargoFileHelp: {
-    project: 'Solte o arquivo aqui para continuar o trabalho. Ele encontra as fotos neste dispositivo.',
-    photos: 'Abre em qualquer dispositivo, com as fotos. Quem tem o arquivo tem as fotos.',
-    none: 'As páginas e nada mais.',
+    project: 'Solte o arquivo aqui para editá-lo de novo. Ele acha suas fotos neste aparelho.',
+    photos:
+      'Inclui suas fotos originais e por isso abre em qualquer aparelho. Qualquer pessoa com o arquivo pode vê-las.',
+    none: 'Só as páginas.',
   },
   packingPhotos: (percent: string) => `Adicionando as fotos, ${percent}`,
   photosTooLarge: 'juntas, as fotos são grandes demais para um PNG. Salve o projeto como arquivo.',

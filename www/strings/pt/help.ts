@@ -33,17 +33,17 @@ export const helpStrings = {
     shuffle: 'Embaralhe até gostar. Qualquer página que você já viu pode voltar.',
     crop: 'Arraste para mover a imagem e gire a roda do mouse para ampliar.',
     cropTouch: 'Arraste para mover a imagem e use dois dedos para ampliar.',
-    lock: 'Trave o que você quer manter. O resto continua mudando.',
+    lock: 'Trave o que você gostar. Embaralhar muda só o resto.',
   },
   closeHint: 'Fechar a dica',
   topics: {
     adding: {
-      title: 'Adicionar fotos e filmes',
-      text: `Solte fotos ou filmes em qualquer lugar da janela, cole-os ou aperte “${photos.addPhotos}”. Para dar uma olhada antes, use “${startStrings.trySamples}”. Você pode adicionar mais a qualquer momento.`,
+      title: 'Adicionar fotos e vídeos',
+      text: `Solte fotos ou vídeos em qualquer lugar da janela, cole-os ou aperte “${photos.addPhotos}”. Para dar uma olhada antes, use “${startStrings.trySamples}”. Você pode adicionar mais a qualquer momento.`,
     },
     films: {
-      title: 'Imagens de um filme',
-      text: `De um filme, o Inkpanel tira algumas imagens, que passam a ser fotos como as outras. Aperte o nome dele na lista de fotos para dizer onde começa e termina e quantas imagens você quer; “${photos.takeFrames}” as tira. Um quadro que mostra uma imagem do filme pode ir para uma anterior ou seguinte. “${sounds.hear}”, em “${side.sideTab.words}”, propõe onomatopeias para o que se ouve perto das imagens das suas páginas.`,
+      title: 'Imagens de um vídeo',
+      text: `De um vídeo, o Inkpanel tira algumas imagens, que passam a ser fotos como as outras. Aperte o nome dele na lista de fotos para dizer onde começa e termina e quantas imagens você quer; “${photos.takeFrames}” as tira. Um quadro que mostra uma imagem do vídeo pode ir para uma anterior ou seguinte. “${sounds.hear}”, em “${side.sideTab.words}”, propõe onomatopeias para o que se ouve perto das imagens das suas páginas.`,
     },
     shuffle: {
       title: 'Embaralhar',
@@ -58,12 +58,12 @@ export const helpStrings = {
       text: `“${board.undo}” e “${board.redo}” percorrem tudo o que você fez. “${board.previous}” e “${board.next}” percorrem as páginas que você viu, e o número entre elas mostra todas. O coração marca uma página como favorita.`,
     },
     ideas: {
-      title: 'Mais ideias',
+      title: 'Sugestões',
       text: `A tira abaixo da página, “${side.moreIdeas}”, mostra outras páginas com as mesmas fotos. Um clique usa uma delas. Aponte para uma para vê-la grande.`,
     },
     layouts: {
       title: 'Layouts',
-      text: `Escolha um layout pela família e pelo número de quadros; “${side.surprise}” inventa um. Com “${side.editLayout}”, você arrasta e inclina os cortes entre os quadros e divide ou remove quadros. “${side.saveLayout}” o salva em um arquivo e o põe em “${side.myLayouts}”.`,
+      text: `Escolha um layout pela família e pelo número de quadros; “${side.surprise}” inventa um. Com “${side.editLayout}”, você arrasta e inclina as divisórias entre os quadros e divide ou remove quadros. “${side.saveLayout}” o salva em um arquivo e o põe em “${side.myLayouts}”.`,
     },
     joining: {
       title: 'Fundir quadros, e uma foto em vários quadros',
@@ -71,7 +71,7 @@ export const helpStrings = {
     },
     crop: {
       title: 'Mover e ampliar uma imagem',
-      text: `Arraste a imagem dentro do quadro para movê-la, e gire a roda do mouse ou use dois dedos para ampliar. Com o dedo, toque antes no quadro. Um clique duplo ajusta a imagem ao assunto. “${panels.resetCrop}” volta ao que a página escolheria.`,
+      text: `Arraste a imagem dentro do quadro para movê-la, e gire a roda do mouse ou use dois dedos para ampliar. Com o dedo, toque antes no quadro. Um clique duplo ajusta a imagem ao assunto. “${panels.resetCrop}” restaura o enquadramento automático.`,
     },
     exchange: {
       title: 'Trocar fotos',
@@ -79,7 +79,7 @@ export const helpStrings = {
     },
     subject: {
       title: 'Corrigir qual é o assunto',
-      text: `“${panels.breakFrame}”, os estilos só para o assunto ou o fundo e as palavras que evitam corpos seguem o que foi encontrado na foto. Onde isso está errado, “${brush.correct}”, entre as ferramentas de um quadro, abre a foto, ou o pincel em uma foto da lista em que você clicou: pinte o que pertence ao assunto, retire o que não pertence, ou escolha outro assunto. “${brush.found}” volta ao que foi encontrado.`,
+      text: `“${panels.breakFrame}”, os estilos só para o assunto ou o fundo e o texto que evita corpos usam o assunto detectado. Se ele está errado, “${brush.correct}”, entre as ferramentas de um quadro, abre a foto, ou o pincel em uma foto da lista em que você clicou: pinte o que pertence ao assunto, retire o que não pertence, ou escolha outro assunto. “${brush.found}” volta ao assunto detectado.`,
     },
     styles: {
       title: 'Estilos',
@@ -99,11 +99,11 @@ export const helpStrings = {
     },
     words: {
       title: 'Caixas de texto, balões e onomatopeias',
-      text: `Em “${side.sideTab.words}”, você adiciona uma caixa de texto, um balão ou uma onomatopeia; o texto fica onde não esconde nenhum rosto, se houver espaço. Arraste-o, ou escreva nele com um clique duplo; com o dedo, toque nele mais uma vez. Filmes também trazem textos: “${words.addSubtitles}” lê um arquivo de legendas.`,
+      text: `Em “${side.sideTab.words}”, você adiciona uma caixa de texto, um balão ou uma onomatopeia; o texto fica onde não esconde nenhum rosto, se houver espaço. Arraste-o, ou escreva nele com um clique duplo; com o dedo, toque nele mais uma vez. Vídeos também trazem textos: “${words.addSubtitles}” lê um arquivo de legendas.`,
     },
     alike: {
-      title: 'Fotos parecidas e fotos deixadas de lado',
-      text: `Entre fotos que se parecem, a mais nítida é usada e as outras são deixadas de lado, assim como as desfocadas. Elas estão em “${photos.setAside}”: marque uma para usá-la. Quanto elas precisam se parecer, você diz em “${photos.choice}”.`,
+      title: 'Fotos parecidas e excluídas',
+      text: `Entre fotos que se parecem, a mais nítida é usada e as outras são excluídas, assim como as desfocadas. Elas estão em “${photos.setAside}”: marque uma para usá-la. Quanto elas precisam se parecer, você diz em “${photos.choice}”.`,
     },
     pages: {
       title: 'Várias páginas',

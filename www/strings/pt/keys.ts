@@ -1,5 +1,5 @@
 export const keyStrings = {
-  letterKeys: 'Letras sozinhas são atalhos',
+  letterKeys: 'Atalhos de uma letra',
   // As the keyboard calls them; what is called alike everywhere is not here.
   keyNames: { Ctrl: 'Ctrl', Space: 'Espaço', Shift: 'Shift', Enter: 'Enter', PageUp: 'Page Up', PageDown: 'Page Down' },
   // What the list says of keys that are no action with a name of its own.
@@ -10,7 +10,7 @@ export const keyStrings = {
     scrub: 'Imagem anterior ou seguinte de um vídeo; com Shift, um segundo',
     zoom: 'Ampliar ou reduzir a foto de um quadro, ou redefini-la',
     choose: 'Selecionar um quadro',
-    slant: 'Inclinar um corte do layout',
+    slant: 'Inclinar uma divisória do layout',
     list: 'Esta lista',
   },
 };

@@ -31,11 +31,11 @@ export const pageStrings = {
     custom: 'Sob medida',
   },
 
-  customSize: { width: 'Largura', height: 'Altura', dpi: 'dpi', unit: 'Unidade' },
+  customSize: { width: 'Largura', height: 'Altura', dpi: 'Resolução (dpi)', unit: 'Unidade' },
   units: { px: 'px', mm: 'mm', in: 'pol.' },
   wrongSize: {
     side: 'Um lado deve ter de 64 a 14.000 pixels.',
     pixels: 'A página deve ter no máximo 72 milhões de pixels.',
-    dpi: 'Os pontos por polegada devem ir de 36 a 1200.',
+    dpi: 'A resolução deve ser de 36 a 1200 dpi.',
   },
 };

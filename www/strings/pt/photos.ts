@@ -7,18 +7,18 @@ export const photoStrings = {
   onPageAndPanel: (page: number, panel: number) => `${page} · ${panel}`,
   onPanelLong: (page: number | null, panel: number) =>
     page === null ? `no quadro ${panel}` : `na página ${page}, quadro ${panel}`,
-  youLeftOut: 'Você deixou de fora',
-  leftOut: (name: string) => `${name} ficou de fora.`,
+  youLeftOut: 'Você excluiu',
+  leftOut: (name: string) => `${name} foi excluída.`,
   starPhoto: (name: string) => `Destacar ${name}`,
   starLong: 'Mostrar grande, aqui e sempre que embaralhar',
   removePhoto: (name: string) => `Remover ${name}`,
   photoMissing: 'Faltando',
   addPhotos: 'Adicionar fotos',
-  kept: 'Na mesa',
-  setAside: 'Deixadas de lado',
+  kept: 'Em uso',
+  setAside: 'Excluídas',
   setAsideWhy: 'Parecidas e desfocadas. Marque uma para usá-la.',
   choice: 'Escolha das fotos',
-  alike: 'Deixar de lado as parecidas',
+  alike: 'Excluir as parecidas',
   alikeValue: (bits: number) =>
     bits < 7
       ? `${bits}, quase idênticas`
@@ -27,7 +27,7 @@ export const photoStrings = {
         : bits < 14
           ? `${bits}, muito parecidas`
           : `${bits}, um pouco parecidas`,
-  alikeKept: (kept: number, all: number) => (kept < 2 ? `Fica ${kept} de ${all}` : `Ficam ${kept} de ${all}`),
+  alikeKept: (kept: number, all: number) => `${kept} de ${all} em uso`,
   order: 'Ordem',
   orders: { time: 'Data da foto', name: 'Nome do arquivo' },
   stackWhy: 'Elas se parecem. A marcada é usada; marque mais ou use outra.',
@@ -46,14 +46,14 @@ export const photoStrings = {
   videoFrames: (count: number) => (count < 2 ? `${count} imagem` : `${count} imagens`),
   trimStart: 'Início',
   trimEnd: 'Fim',
-  frames: 'Imagens do filme',
-  lookingThrough: (name: string, percent: string) => `Percorrendo ${name}, ${percent}`,
-  takeFrames: 'Tirar estas imagens',
+  frames: 'Imagens do vídeo',
+  lookingThrough: (name: string, percent: string) => `Analisando ${name}, ${percent}`,
+  takeFrames: 'Usar estas imagens',
 
   showSubjects: 'Mostrar o que foi encontrado',
-  finding: (done: number, total: number) => `Procurando rostos e objetos: ${done} de ${total} fotos`,
-  masking: (done: number, total: number) => `Procurando figuras: ${done} de ${total} fotos`,
-  stopMasking: 'Parar de procurar figuras',
-  goOnMasking: 'Continuar procurando figuras',
-  noDetector: 'Não dá para encontrar rostos aqui, então as fotos são enquadradas pelo contraste.',
+  finding: (done: number, total: number) => `Detectando rostos e objetos: ${done} de ${total} fotos`,
+  masking: (done: number, total: number) => `Detectando assuntos: ${done} de ${total} fotos`,
+  stopMasking: 'Parar a detecção de assuntos',
+  goOnMasking: 'Retomar a detecção de assuntos',
+  noDetector: 'A detecção de rostos não está disponível aqui, então as fotos são enquadradas pelo contraste.',
 };

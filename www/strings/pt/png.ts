@@ -9,9 +9,10 @@ export const pngStrings = {
   cargo: 'Dentro do PNG',
   cargoKind: { project: 'Com dados do projeto', photos: 'Com as fotos', none: 'Sem dados do projeto' },
   cargoHelp: {
-    project: 'Solte o PNG aqui para continuar trabalhando nele. Ele acha suas fotos neste aparelho.',
-    photos: 'Abre em qualquer aparelho, com as fotos. Quem tem o arquivo tem as fotos.',
-    none: 'A imagem e mais nada.',
+    project: 'Solte o PNG aqui para editá-lo de novo. Ele acha suas fotos neste aparelho.',
+    photos:
+      'Inclui suas fotos originais e por isso abre em qualquer aparelho. Qualquer pessoa com o arquivo pode vê-las.',
+    none: 'Só a imagem.',
   },
   cargoClean: 'O lugar, a data e a câmera das suas fotos nunca vão dentro.',
   photosUnclean: (n: number) =>

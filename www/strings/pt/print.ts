@@ -9,7 +9,7 @@ export const printStrings = {
       screen: 'Telas',
     },
     showSafe: 'Mostrar área segura',
-    safeHelp: 'Rostos e palavras dentro da linha nunca são cortados. Ela não está em nenhum arquivo.',
+    safeHelp: 'Nada é cortado dentro desta linha. A linha não é exportada.',
     bleed: 'Sangria',
     bleeds: {
       none: 'Nenhuma',
@@ -18,14 +18,14 @@ export const printStrings = {
       inch: '1/8 pol.',
     },
     bleedHelp:
-      'Os quadros da borda continuam além dela, para que não apareça branco no corte. Com margem, há ali a cor do papel.',
+      'Os quadros da borda se estendem até a sangria, para que não apareça borda branca no corte. Com margem, a sangria tem a cor do papel.',
     marks: 'Marcas de corte',
     sheets: 'Folhas',
     impositions: {
-      none: 'Uma página cada',
+      none: 'Uma página por folha',
       booklet: 'Livreto para dobrar e grampear',
       zine: 'Minizine, oito páginas de uma folha',
-      twoUp: 'Duas páginas para separar',
+      twoUp: 'Duas páginas por folha, para separar',
       spreads: 'Páginas duplas',
     },
     booklet: 'Imprima frente e verso, virando pela borda curta. Dobre uma vez e grampeie na dobra.',
@@ -41,7 +41,7 @@ export const printStrings = {
       letter: 'Carta',
       tabloid: 'Tabloide',
     },
-    plates: 'Chapas para riso ou serigrafia',
+    plates: 'Separações de cores especiais (riso, serigrafia)',
     platesHelp: 'Um PDF cinza para cada tinta, juntos em um ZIP.',
     inks: {
       red: 'vermelho',
@@ -63,13 +63,13 @@ export const printStrings = {
     coarsePanel: (n: number, dpi: number) => `Quadro ${n}: ${dpi} dpi`,
     coarseOn: (page: number, n: number, dpi: number) => `Página ${page}, quadro ${n}: ${dpi} dpi`,
     coarseMore: (n: number) => `e mais ${n}`,
-    enlarge: 'Ampliar bem',
+    enlarge: 'Ampliar fotos de baixa resolução',
     enlargeHelp: (n: number) =>
       n === 1
-        ? 'A foto deste quadro é ampliada com contornos mais nítidos. Não ganha detalhes que não tem.'
-        : `As fotos destes ${n} quadros são ampliadas com contornos mais nítidos. Não ganham detalhes que não têm.`,
+        ? 'A foto deste quadro é ampliada com contornos mais nítidos. A ampliação não acrescenta detalhes.'
+        : `As fotos destes ${n} quadros são ampliadas com contornos mais nítidos. A ampliação não acrescenta detalhes.`,
     coarseMark: (dpi: number) => `${dpi} dpi`,
     coarseHelp: 'Mostre a foto menor ou menos cortada, ou use uma maior.',
-    coarseHide: 'Esconder as marcas',
+    coarseHide: 'Esconder os avisos de resolução',
   },
 };

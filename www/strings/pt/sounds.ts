@@ -1,24 +1,24 @@
 export const soundStrings = {
   filmSounds: {
-    hear: 'Sons do filme',
+    hear: 'Sons do vídeo',
     of: (name: string) => `Sons de ${name}`,
     decoding: 'Lendo o som…',
-    hearing: 'Escutando…',
-    stop: 'Parar de escutar',
+    hearing: 'Analisando o som…',
+    stop: 'Parar a análise',
     near: (n: number) =>
       n < 2 ? `${n} som perto de uma imagem em uma página.` : `${n} sons perto de imagens nas páginas.`,
     far: (n: number) =>
-      n < 2 ? `Mais ${n} som não está perto de nenhuma.` : `Mais ${n} sons não estão perto de nenhuma.`,
+      n < 2 ? `Mais ${n} som não está perto de nenhuma imagem.` : `Mais ${n} sons não estão perto de nenhuma imagem.`,
     none: 'Não há nenhum som perto de uma imagem em uma página.',
-    silent: 'Nada se destaca no som dele.',
+    silent: 'Nenhum som distinto foi detectado.',
     put: (text: string, time: string) => `Pôr ${text} na página, ${time}`,
     there: 'na página',
     taken: (text: string) => `${text} agora está na página.`,
-    failed: (why: string) => `Não foi possível ler o som dele: ${why}`,
-    mute: 'Este filme não tem som.',
-    long: (minutes: string) => `Ele dura mais de ${minutes} minutos, mais do que dá para escutar.`,
-    large: (size: string) => `Ele tem mais de ${size}, mais do que dá para escutar.`,
-    undecodable: 'Este navegador não consegue ler o som dele.',
+    failed: (why: string) => `Não foi possível ler o som: ${why}`,
+    mute: 'Este vídeo não tem som.',
+    long: (minutes: string) => `O vídeo dura mais de ${minutes} minutos, o limite da análise de som.`,
+    large: (size: string) => `O vídeo tem mais de ${size}, o limite da análise de som.`,
+    undecodable: 'Este navegador não consegue decodificar o som.',
   },
   /** What a sound is written as. */
   soundWords: {

@@ -6,8 +6,7 @@ export const startStrings = {
   trySamples: 'Testar o álbum de exemplo',
   privacy: 'Nada sai deste aparelho.',
   dropHere: 'Solte para adicionar suas fotos',
-  framed:
-    'Outro site mostra o Inkpanel dentro da própria página. Lá ele não funciona, para que ninguém faça você apertar o que não vê.',
-  openInTab: 'Abrir o Inkpanel em uma aba própria',
-  starting: 'Preparando o nanquim',
+  framed: 'O Inkpanel não funciona dentro de outros sites, para proteger você de clickjacking.',
+  openInTab: 'Abrir o Inkpanel em uma nova aba',
+  starting: 'Iniciando o Inkpanel',
 };

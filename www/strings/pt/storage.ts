@@ -2,7 +2,7 @@ import { some } from './png.ts';
 
 const TROUBLE: Record<string, string> = {
   full: 'o armazenamento deste navegador está cheio',
-  refused: 'este navegador não guarda nada para as páginas daqui',
+  refused: 'este navegador bloqueia aqui o armazenamento de sites',
 };
 
 export const storageStrings = {
@@ -17,9 +17,9 @@ export const storageStrings = {
     failed: 'Não salvo',
   },
   savingCount: (done: number, total: number) => `Salvando ${done} de ${total}`,
-  saveHelp: 'O trabalho fica guardado neste navegador, neste aparelho',
+  saveHelp: 'Seu trabalho é salvo neste navegador, neste aparelho',
   notSaved: (why: string, message: string) =>
-    `Seu trabalho não está salvo: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Tudo continua aqui enquanto esta página estiver aberta.`,
+    `Seu trabalho não está salvo: ${TROUBLE[why] ?? message.replace(/\.$/, '')}. Ele será perdido se você fechar esta aba.`,
   photosUnreadable: (names: readonly string[]) =>
     `${some(names)}: não salvo, ${names.length === 1 ? 'o arquivo não pode mais ser lido' : 'os arquivos não podem mais ser lidos'}. Todo o resto está salvo.`,
   photosNotHere: (names: readonly string[], of: number) => {
@@ -30,11 +30,11 @@ export const storageStrings = {
   filmsNotHere: (names: readonly string[]) =>
     `${some(names)}: não ${names.length === 1 ? 'está' : 'estão'} mais neste navegador, mas as imagens tiradas estão. Para tirar outras, adicione o vídeo de novo.`,
   photosNeverSaved: (names: readonly string[]) =>
-    `A página foi fechada antes de salvar ${some(names)}. ${names.length === 1 ? 'Escolha-a' : 'Escolha-as'} de novo.`,
+    `O aplicativo foi fechado antes de salvar ${some(names)}. ${names.length === 1 ? 'Escolha-a' : 'Escolha-as'} de novo.`,
   saveAgain: 'Salvar de novo',
   goOnWithout: 'Continuar sem isso',
   saveToFile: 'Salvar em um arquivo',
-  conflict: 'Outra aba alterou este projeto, então este continua como uma cópia.',
+  conflict: 'Outra aba alterou este projeto. Esta aba continua com uma cópia.',
 
   // Projects
   projects: 'Projetos',
@@ -53,21 +53,20 @@ export const storageStrings = {
   openNow: 'Aberto agora',
   projectAbout: (photos: number, when: string) =>
     `${photos < 2 ? `${photos} foto` : `${photos} fotos`}${when && `, ${when}`}`,
-  noProjects: 'O que você faz é salvo aqui sozinho.',
+  noProjects: 'Seu trabalho é salvo aqui automaticamente.',
   projectDeleted: (name: string) => `${name} foi excluído.`,
   bringBack: 'Restaurar',
   projectNotOpened: (why: string) => `Não foi possível abrir o projeto: ${why}`,
   projectFileNotOpened: (name: string, why: string) => `Não foi possível abrir ${name}: ${why}`,
   projectNotSaved: (why: string) => `Não foi possível salvar o projeto como arquivo: ${why}`,
   projectReasons: {
-    'damaged-project': 'está danificado ou não é um projeto do Inkpanel. O que está na página não foi tocado.',
-    'too-large-project':
-      'contém mais do que cabe em um projeto, ou aumenta demais ao descompactar. O que está na página não foi tocado.',
-    'silent-project': 'nada dele pôde ser lido por um minuto. Verifique o disco em que ele está e tente de novo.',
-    'newer-project': 'foi feito por um Inkpanel mais novo. Recarregue esta página para ter o mais novo.',
-    'not-saved': 'o que está na página não está salvo. Salve antes em um arquivo (Salvar projeto).',
+    'damaged-project': 'está danificado ou não é um projeto do Inkpanel. Sua página não mudou.',
+    'too-large-project': 'ultrapassa os limites de um projeto. Sua página não mudou.',
+    'silent-project': 'a leitura do arquivo foi interrompida depois de um minuto. Verifique o disco e tente de novo.',
+    'newer-project': 'foi salvo com uma versão mais nova do Inkpanel. Recarregue esta aba para atualizar.',
+    'not-saved': 'seu trabalho não está salvo. Salve antes em um arquivo (Salvar projeto).',
     'missing-project': 'foi excluído.',
-    'no-storage': 'este navegador não guarda nada para as páginas daqui.',
+    'no-storage': 'este navegador bloqueia aqui o armazenamento de sites.',
     'too-large': 'o arquivo passaria de 4 GB.',
   } as Record<string, string>,
   projectsOpened: (others: readonly string[], shown: string) =>
@@ -79,27 +78,27 @@ export const storageStrings = {
   projectBroken: (name: string, why: string) => `${name} não pode ser mostrado: ${why}.`,
   brokenReasons: {
     'damaged-project': 'uma parte está danificada',
-    'too-large-project': 'contém mais do que cabe em um projeto',
-    'newer-project': 'foi feito por um Inkpanel mais novo. Recarregue esta página para ter o mais novo',
+    'too-large-project': 'ultrapassa os limites de um projeto',
+    'newer-project': 'foi salvo com uma versão mais nova do Inkpanel. Recarregue esta aba para atualizar',
   } as Record<string, string>,
   brokenOtherwise: 'uma parte não pode ser desenhada',
-  brokenKept: 'Ele fica guardado como está, com as fotos.',
+  brokenKept: 'O projeto e suas fotos não mudaram.',
   partsLeftOut: (name: string, n: number) =>
     `${name} está aberto sem ${n === 1 ? 'uma parte que não pôde ser lida' : `${n} partes que não puderam ser lidas`}.`,
   openAnother: 'Abrir outro',
   saveAsFile: 'Salvar como arquivo',
-  goBack: 'Voltar ao último estado bom',
-  noGoodState: 'Não resta nenhum estado para o qual voltar.',
-  wentBack: (name: string) => `${name} voltou a ser como foi desenhado pela última vez.`,
+  goBack: 'Restaurar a última versão boa',
+  noGoodState: 'Não há versão anterior para restaurar.',
+  wentBack: (name: string) => `A última versão boa de ${name} foi restaurada.`,
   openingProject: (name: string) => `Abrindo ${name}`,
   openingLast: 'Abrindo seu projeto',
   openElsewhere: (name: string) => `${name} está aberto em outra aba.`,
-  opensWhenFree: 'Ele abre aqui quando aquela aba for fechada.',
+  opensWhenFree: 'Ele abre aqui quando você fechar a outra aba.',
   openCopy: 'Abrir uma cópia',
 
   // Pages shown
-  pagesShown: 'Páginas mostradas',
-  pagesShownAt: (n: number, of: number) => `Páginas mostradas, ${n}/${of}`,
+  pagesShown: 'Histórico da página',
+  pagesShownAt: (n: number, of: number) => `Histórico da página, ${n}/${of}`,
   pageNumber: (n: number) => `Página ${n}`,
   pageFrom: (n: number) => `da página ${n}`,
   favouritePage: 'Página favorita',

@@ -156,7 +156,7 @@ test('a cut is moved by its buttons', async ({ page }) => {
   const cuts = page.getByRole('slider', { name: /^Cut \d of/ });
   const places = () => cuts.evaluateAll((all) => all.map((cut) => cut.getAttribute('aria-valuetext')));
   const before = await places();
-  await tabTo(page, 'Move cut forth');
+  await tabTo(page, 'Move divider right or down');
   await page.keyboard.press('Enter');
   await idle(page);
   await expect.poll(places).not.toEqual(before);
@@ -296,7 +296,7 @@ test('shortcuts of single letters can be switched off, also after a reload', asy
   await openStart(page);
   await idle(page);
   await page.getByRole('button', { name: 'Keyboard shortcuts' }).click();
-  await page.getByRole('checkbox', { name: 'Single letters are shortcuts' }).uncheck();
+  await page.getByRole('checkbox', { name: 'Single-letter shortcuts' }).uncheck();
   await page.keyboard.press('Escape');
   await page.reload();
   await idle(page);

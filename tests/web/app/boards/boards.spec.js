@@ -78,7 +78,7 @@ test('keyboard: photos are added, fields are typed, and the board and the shot l
   await expect(shots).toContainText('0:11:12');
 
   const ways = page.getByRole('combobox', { name: 'Save as' });
-  const board = await saved(page, () => page.getByRole('button', { name: 'Save board' }).press('Enter'));
+  const board = await saved(page, () => page.getByRole('button', { name: 'Save storyboard' }).press('Enter'));
   expect(board.name).toMatch(/\.pdf$/);
   const text = (await run('pdftotext', ['-raw', board.path, '-'])).stdout.replace(/\s+/g, ' ');
   for (const said of ['She opens the door.', 'Dialogue: Is anybody there?', '1A', 'Page 1 of 1'])
@@ -87,7 +87,7 @@ test('keyboard: photos are added, fields are typed, and the board and the shot l
   await keyboard.press('ArrowDown');
   await keyboard.press('ArrowDown');
   await expect(ways).toHaveValue('csv');
-  const list = await saved(page, () => page.getByRole('button', { name: 'Save board' }).press('Enter'));
+  const list = await saved(page, () => page.getByRole('button', { name: 'Save storyboard' }).press('Enter'));
   const lines = (await readFile(list.path, 'utf8')).split('\r\n');
   expect(lines[0]).toBe('\ufeffScene,Shot,Picture,Film,Time code,Duration,Frames,Action,Dialogue,Notes');
   expect(lines[1]).toMatch(/^1,1,[^,]+\.jpg,,,00:00:01:12,36,She opens the door\.,,$/);
@@ -118,12 +118,12 @@ test('keyboard: a video becomes a board and an animatic', async ({ page }) => {
   await page.keyboard.type('It begins.');
   await page.keyboard.press('Enter');
   await expect(actions.nth(1)).toBeFocused();
-  const board = await saved(page, () => page.getByRole('button', { name: 'Save board' }).press('Enter'));
+  const board = await saved(page, () => page.getByRole('button', { name: 'Save storyboard' }).press('Enter'));
   const { stdout } = await run('pdftotext', ['-raw', board.path, '-']);
   expect(stdout).toContain('It begins.');
   await page.getByRole('button', { name: 'Animatic', exact: true }).press('Enter');
   const dialog = page.getByRole('dialog');
-  await dialog.getByRole('slider', { name: 'Seconds a shot' }).focus();
+  await dialog.getByRole('slider', { name: 'Seconds per shot' }).focus();
   await page.keyboard.press('Home');
   await dialog.getByRole('combobox', { name: 'Size' }).focus();
   await page.keyboard.press('ArrowDown');
@@ -152,7 +152,7 @@ test('spreadsheet cells are pasted, shots are moved, and a custom column is adde
   });
   await expect(cell('Notes, shot 3')).toHaveValue('dawn');
   await expect(cell('Lens, shot 2')).toHaveValue('35');
-  await expect(page.getByRole('alert')).toContainText('1 pasted cell found no place.');
+  await expect(page.getByRole('alert')).toContainText('1 pasted cell was outside the table and was ignored.');
   // A move changes the numbers. The fields stay with their photo.
   await cell('Notes, shot 3').press('Alt+ArrowUp');
   await expect(cell('Notes, shot 2')).toHaveValue('dawn');
@@ -204,7 +204,7 @@ test('a screenplay fills scenes, action and dialogue as one undo step, and lines
   const cell = (/** @type {string} */ name) => shots.getByRole('textbox', { name, exact: true });
   await expect(cell('Scene, shot 6')).toHaveValue('INT. CORRIDOR - NIGHT');
   await expect(cell('Dialogue, shot 1')).toHaveValue('ANNA: Is anybody there?');
-  await expect(page.getByRole('alert').filter({ hasText: '1 line found no shot: “Action number 6.”' })).toBeVisible();
+  await expect(page.getByRole('alert').filter({ hasText: '1 line did not match any shot: “Action number 6.”' })).toBeVisible();
   await page.getByRole('button', { name: 'Undo', exact: true }).click();
   await expect(cell('Scene, shot 6')).toHaveValue('');
   await expect(cell('Dialogue, shot 1')).toHaveValue('');
@@ -224,7 +224,7 @@ test('tables and screenplays of other programs are read as they are meant', asyn
   await expect(cell('Length, shot 101')).toHaveValue('0:02:12');
   await expect(cell('Shot, shot 102')).toHaveValue('102');
   await expect(shots.getByRole('textbox', { name: /^sep=/ })).toHaveCount(0);
-  await expect(page.getByRole('alert').filter({ hasText: 'liste.csv: it is not in UTF-8' })).toBeVisible();
+  await expect(page.getByRole('alert').filter({ hasText: 'liste.csv: it is not UTF-8' })).toBeVisible();
   await take('song.fountain', 'SINGER\n~These are the songs\n~That I sing.\n\nShe bows. [[low]]\n');
   await expect(cell('Dialogue, shot 101')).toHaveValue('SINGER: These are the songs That I sing.');
   await expect(cell('Action, shot 102')).toHaveValue('She bows.');
@@ -237,11 +237,11 @@ test('the sheets have the chosen layout and number of frames', async ({ page }) 
   await openShots(page);
   const sheets = await drawn(page);
   await expect(sheets.getByRole('img', { name: 'Sheet 1 of 1' })).toBeVisible();
-  await sheets.getByRole('combobox', { name: 'Frames a sheet' }).selectOption('4');
+  await sheets.getByRole('combobox', { name: 'Frames per sheet' }).selectOption('4');
   await expect(sheets.getByRole('img', { name: 'Sheet 2 of 2' })).toBeAttached();
-  await sheets.getByRole('button', { name: 'Film board' }).click();
+  await sheets.getByRole('button', { name: 'Film storyboard' }).click();
   await expect(sheets.getByRole('img', { name: 'Sheet 1 of 1' })).toBeVisible();
-  await expect(sheets.getByRole('combobox', { name: 'Frames a sheet' })).toHaveValue('6');
+  await expect(sheets.getByRole('combobox', { name: 'Frames per sheet' })).toHaveValue('6');
 });
 
 /**
@@ -283,7 +283,7 @@ test('a logo is in the head of each sheet, can be undone, and is stored and save
   await openBoard(page);
   await openShots(page);
   const sheets = await drawn(page);
-  const save = () => saved(page, () => page.getByRole('button', { name: 'Save board' }).click());
+  const save = () => saved(page, () => page.getByRole('button', { name: 'Save storyboard' }).click());
   const before = await imagesIn((await save()).path);
   const group = sheets.getByRole('group', { name: 'Logo' });
   const file = group.locator('input[type=file]');
@@ -384,14 +384,14 @@ test('a drop-frame rate changes lengths and lists, as one undo step', async ({ p
   await length.fill('1:00:02');
   await length.press('Enter');
   await expect(length).toHaveValue('1:00:02');
-  const rate = page.getByRole('combobox', { name: 'Frames a second' });
+  const rate = page.getByRole('combobox', { name: 'Frames per second' });
   const names = await rate.getByRole('option').allTextContents();
   expect(names).toEqual(['23.976', '24', '25', '29.97 NDF', '29.97 DF', '30']);
   await rate.selectOption('29.97 DF');
   // 1:00:02 at 24 is 1803 frames at 30. Drop-frame timecode starts each minute at frame 2.
   await expect(length).toHaveValue('1:00;05');
   await page.getByRole('combobox', { name: 'Save as' }).selectOption('edl');
-  const list = await saved(page, () => page.getByRole('button', { name: 'Save board' }).click());
+  const list = await saved(page, () => page.getByRole('button', { name: 'Save storyboard' }).click());
   const text = await readFile(list.path, 'utf8');
   expect(text).toContain('FCM: DROP FRAME');
   expect(text).toContain('00:00:00;00 00:01:00;05 01:00:00;00 01:01:00;05');

@@ -104,7 +104,7 @@ test('a block that needs gray adds To GrayScale, and an error offers to add it',
   await expect(cards(page).first()).toContainText('Needs gray');
   await button(page, 'Use').click();
   await expect(page.getByRole('alert')).toContainText(/background\[0\] \(pattern\): needs gray/);
-  await page.getByRole('button', { name: 'Put To GrayScale before it' }).click();
+  await page.getByRole('button', { name: 'Add To GrayScale before it' }).click();
   expect(await preview(page)).toBe(drawnGray);
 });
 
@@ -180,7 +180,7 @@ test('the preview compares with the original, and shows four photos or another p
   const first = await preview(page);
   // The first photo depends on the random page.
   await region(page)
-    .getByRole('group', { name: 'Photo of the preview' })
+    .getByRole('group', { name: 'Preview photo' })
     .locator('button:not([aria-current])')
     .last()
     .click();

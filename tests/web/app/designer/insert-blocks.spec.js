@@ -37,7 +37,7 @@ test('a block is dragged from the palette to any place of a layer', async ({ pag
   await expect.poll(() => names(page)).toEqual(['Gaussian Smoothing', 'Posterization', 'Saturation']);
 
   // Into the empty layer, and after the last card.
-  await block(page, 'XDoG').dragTo(region(page).getByText('Nothing yet: no lines.'));
+  await block(page, 'XDoG').dragTo(region(page).getByText('No blocks: no lines.'));
   await expect.poll(() => names(page, 'Foreground layer')).toEqual(['XDoG']);
   await block(page, 'Soft Threshold').dragTo(cards(page, 'Foreground layer').first().locator('.parameter').last());
   await expect.poll(() => names(page, 'Foreground layer')).toEqual(['XDoG', 'Soft Threshold']);
@@ -65,7 +65,7 @@ test('keyboard: a block is inserted before another', async ({ page }) => {
     .getByRole('button', { name: 'Insert a block before 2. Few colours (Posterization)' })
     .focus();
   await page.keyboard.press('Enter');
-  await expect(palette(page)).toContainText('Goes before 2. Few colours (Posterization)');
+  await expect(palette(page)).toContainText('Is inserted before 2. Few colours (Posterization)');
   await accessible(page);
   await page.keyboard.type('blur');
   await page.keyboard.press('Enter');
@@ -80,7 +80,7 @@ test('keyboard: a block is inserted before another', async ({ page }) => {
     .getByRole('button', { name: /^Insert a block before 1/ })
     .focus();
   await page.keyboard.press('Enter');
-  await page.getByRole('button', { name: 'To the end instead' }).click();
+  await page.getByRole('button', { name: 'Add at the end instead' }).click();
   await block(page, 'Brightness').click();
   expect(await names(page)).toEqual([
     'Gaussian Smoothing',

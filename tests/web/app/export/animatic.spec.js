@@ -15,8 +15,8 @@ async function openAnimatic(page) {
   const dialog = await openExport(page);
   await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: 'Animatic' });
   await expect(dialog.getByRole('group', { name: 'Animatic' })).toBeVisible();
-  await dialog.getByRole('slider', { name: 'Seconds a shot' }).fill('0.5');
-  await expect(dialog.getByText('3 shots, 0:01 at 24 frames a second')).toBeVisible();
+  await dialog.getByRole('slider', { name: 'Seconds per shot' }).fill('0.5');
+  await expect(dialog.getByText('3 shots, 0:01 at 24 frames per second')).toBeVisible();
   return dialog;
 }
 
@@ -57,8 +57,8 @@ for (const [kind, container, codec] of [
     const dialog = await openAnimatic(page);
     await dialog.getByRole('combobox', { name: 'File' }).selectOption(kind);
     await dialog.getByRole('combobox', { name: 'Size' }).selectOption('720p');
-    await dialog.getByRole('combobox', { name: 'From shot to shot' }).selectOption({ label: 'Dissolves' });
-    await dialog.getByLabel('Sound under it').setInputFiles(tone());
+    await dialog.getByRole('combobox', { name: 'Transition' }).selectOption({ label: 'Dissolves' });
+    await dialog.getByLabel('Soundtrack').setInputFiles(tone());
     await expect(dialog.getByText('tone.wav', { exact: true })).toBeVisible();
     const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
     expect(file.name).toMatch(new RegExp(`\\.${kind}$`));
@@ -79,11 +79,11 @@ for (const [kind, container, codec] of [
 
 test('an animatic of a board at 23.976 frames per second has this rate', { tag: '@ci' }, async ({ page }) => {
   await page.getByRole('button', { name: 'Storyboard', exact: true }).click();
-  await page.getByRole('combobox', { name: 'Frames a second' }).selectOption('23.976');
+  await page.getByRole('combobox', { name: 'Frames per second' }).selectOption('23.976');
   await page.getByRole('button', { name: 'Animatic', exact: true }).click();
   const dialog = page.getByRole('dialog', { name: 'Export the page' });
-  await dialog.getByRole('slider', { name: 'Seconds a shot' }).fill('0.5');
-  await expect(dialog.getByText('3 shots, 0:01 at 23.976 frames a second')).toBeVisible();
+  await dialog.getByRole('slider', { name: 'Seconds per shot' }).fill('0.5');
+  await expect(dialog.getByText('3 shots, 0:01 at 23.976 frames per second')).toBeVisible();
   const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
   const probe = await probed(file.path);
   expect(probe.complaints).toBe('');
@@ -93,8 +93,8 @@ test('an animatic of a board at 23.976 frames per second has this rate', { tag: 
 test('an animatic is saved as GIF, with the same duration, smaller and without sound', async ({ page }) => {
   const dialog = await openAnimatic(page);
   await dialog.getByRole('combobox', { name: 'File' }).selectOption('gif');
-  await expect(dialog.getByText('3 shots, 0:01 at 12 frames a second')).toBeVisible();
-  await expect(dialog.getByRole('button', { name: 'Sound under it' })).toBeDisabled();
+  await expect(dialog.getByText('3 shots, 0:01 at 12 frames per second')).toBeVisible();
+  await expect(dialog.getByRole('button', { name: 'Soundtrack' })).toBeDisabled();
   await dialog.getByRole('checkbox', { name: 'Camera moves' }).uncheck();
   const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
   const probe = await probed(file.path);
@@ -136,11 +136,11 @@ test('an animatic opened from the board has its lengths, and its export can be c
   await page.keyboard.press('Enter');
   await page.getByRole('button', { name: 'Animatic', exact: true }).click();
   const dialog = page.getByRole('dialog');
-  await expect(dialog.getByText('3 shots, 1:34 at 24 frames a second')).toBeVisible();
+  await expect(dialog.getByText('3 shots, 1:34 at 24 frames per second')).toBeVisible();
   await accessible(page);
   // A GIF file is limited to a minute.
   await dialog.getByRole('combobox', { name: 'File' }).selectOption('gif');
-  await expect(dialog.getByText('a GIF file is for up to a minute')).toBeVisible();
+  await expect(dialog.getByText('a GIF file can be at most one minute long')).toBeVisible();
   await expect(dialog.getByRole('button', { name: 'Save the file' })).toBeDisabled();
   await dialog.getByRole('combobox', { name: 'File' }).selectOption('mp4');
   await dialog.getByRole('button', { name: 'Save the file' }).click();
@@ -152,7 +152,7 @@ test('an animatic opened from the board has its lengths, and its export can be c
 
 test('an unreadable sound file is reported', async ({ page }) => {
   const dialog = await openAnimatic(page);
-  await dialog.getByLabel('Sound under it').setInputFiles({
+  await dialog.getByLabel('Soundtrack').setInputFiles({
     name: 'noise.mp3',
     mimeType: 'audio/mpeg',
     buffer: Buffer.from('no sound'),

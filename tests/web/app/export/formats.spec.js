@@ -183,7 +183,7 @@ plainTest('a browser without a WebP encoder saves a lossless WebP file', async (
   expect(bytes.length).toBeLessThan(png.bytes.length * 1.5);
   expect(await pixelsOf(page, bytes, 'image/webp')).toEqual(await pixelsOf(page, png.bytes, 'image/png'));
   const dialog = await openExport(page);
-  const quality = dialog.getByRole('slider', { name: 'Picture quality' });
+  const quality = dialog.getByRole('slider', { name: 'Image quality' });
   await dialog.getByRole('combobox', { name: 'Format' }).selectOption('jpeg');
   await expect(quality).toBeVisible();
   await dialog.getByRole('combobox', { name: 'Format' }).selectOption('webp');

@@ -41,9 +41,9 @@ async function styled(page) {
 /** @param {Page} page */
 async function openMotion(page) {
   const dialog = await openExport(page);
-  await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: 'Motion page' });
-  await expect(dialog.getByRole('group', { name: 'Motion page' })).toBeVisible();
-  await expect(dialog.getByText(/^1 page, 0:\d\d at 24 frames a second$/)).toBeVisible();
+  await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: 'Motion comic' });
+  await expect(dialog.getByRole('group', { name: 'Motion comic' })).toBeVisible();
+  await expect(dialog.getByText(/^1 page, 0:\d\d at 24 frames per second$/)).toBeVisible();
   return dialog;
 }
 
@@ -102,7 +102,7 @@ test('a page is read panel by panel, its text items appear, and the video has th
   await dialog.getByRole('combobox', { name: 'Size' }).selectOption('720p');
   await expect(dialog.getByText(/^1 page, /)).toBeVisible();
   const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
-  await expect(page.getByText('The motion page was saved.')).toBeVisible();
+  await expect(page.getByText('The motion comic was saved.')).toBeVisible();
   const { complaints, streams } = await probed(file.path);
   expect(complaints).toBe('');
   expect(streams[0]).toMatchObject({ width: 1280, height: 720, nb_read_frames: String(frames) });
@@ -141,7 +141,7 @@ for (const [name, moves] of /** @type {const} */ ([
     for (const frame of frames) pictures.push(await frameOf(dialog, frame));
     if (moves) expect(apart(pictures[0], pictures[2])).toBeGreaterThan(200);
     else expect(pictures.every((picture) => picture === pictures[0])).toBe(true);
-    await dialog.getByRole('checkbox', { name: 'Panels from films move' }).uncheck();
+    await dialog.getByRole('checkbox', { name: 'Animate panels with video frames' }).uncheck();
     await expect(dialog.getByRole('img')).not.toHaveAttribute('data-moving');
     const still = await frameOf(dialog, frames[0]);
     expect(await frameOf(dialog, frames[2])).toBe(still);
@@ -155,7 +155,7 @@ test('an HTML comic moves, can be stopped, and respects reduced motion', { tag: 
   await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
   await dialog.getByRole('combobox', { name: 'Format' }).selectOption('html');
   // On a busy machine this takes more than half a minute.
-  await expect(dialog.getByRole('checkbox', { name: 'Panels from films move' })).toBeChecked({ timeout: 120_000 });
+  await expect(dialog.getByRole('checkbox', { name: 'Animate panels with video frames' })).toBeChecked({ timeout: 120_000 });
   const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
   const path = info.outputPath('comic.html');
   await writeFile(path, file.bytes);

@@ -95,7 +95,7 @@ test('all pages are saved in one PDF file, and in one comic archive, which can b
   await dialog.getByRole('radio', { name: 'All 2 pages' }).check();
   await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
   await dialog.getByRole('combobox', { name: 'Format' }).selectOption('cbz');
-  await dialog.getByRole('combobox', { name: 'Pictures in it' }).selectOption('jpeg');
+  await dialog.getByRole('combobox', { name: 'Embedded images' }).selectOption('jpeg');
   const cbz = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
   expect(cbz.name).toMatch(/\d{4}\.cbz$/);
   const names = new Set(cbz.bytes.toString('latin1').match(/page-\d\d\.jpg|ComicInfo\.xml|comic\.acbf/g));

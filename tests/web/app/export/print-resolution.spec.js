@@ -9,7 +9,7 @@ import { expect, openBoard, sharedBoardTest as test } from '../support.js';
 /** @typedef {ReturnType<Page['getByRole']>} Locator */
 
 /** The check box that upscales photos. @param {Locator} dialog */
-const box = (dialog) => dialog.getByRole('checkbox', { name: 'Enlarge well' });
+const box = (dialog) => dialog.getByRole('checkbox', { name: 'Upscale low-resolution photos' });
 
 /** The page as a PNG, saved from the dialog. @param {Page} page @param {Locator} dialog */
 async function savedPng(page, dialog) {

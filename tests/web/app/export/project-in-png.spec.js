@@ -159,7 +159,7 @@ test('a PNG file without photos asks for them, and is then exported with the sam
   const [{ name, mimeType, buffer }] = await withMetadata(SIX[0]);
   const { blob } = await withoutMetadata(new Blob([new Uint8Array(buffer)]));
   await drop(other, [{ name, mimeType, buffer: Buffer.from(await blob.arrayBuffer()) }]);
-  await expect(other.getByRole('status').getByText('1 photo is back in place.')).toBeVisible();
+  await expect(other.getByRole('status').getByText('1 photo was restored.')).toBeVisible();
   await expect(other.getByRole('alert')).toHaveText('');
   await idle(other);
   expectSame(await download(other), png);
@@ -218,7 +218,7 @@ test('a PNG file without project data contains only the picture', async ({ page 
   await page.getByRole('button', { name: 'Projects' }).click();
   await page.getByLabel('Project file').setInputFiles([file('plain.png', png)]);
   await expect(
-    page.getByRole('alert').getByText('plain.png could not be opened: it is a picture without project data.'),
+    page.getByRole('alert').getByText('plain.png could not be opened: it is an image without project data.'),
   ).toBeVisible();
   await page.getByLabel('Project file').setInputFiles([file('page.png', whole)]);
   await expect(page.getByRole('status').getByText('page.png is open again')).toBeVisible();

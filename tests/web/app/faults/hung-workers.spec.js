@@ -63,7 +63,7 @@ test('a photo on which each worker hangs is reported, and the other photos are u
   await hang(page, () => true);
   await page.goto('./');
   await add(page, await photos(...SIX));
-  const alert = page.getByRole('alert').getByText(/crab\.jpg: reading it stopped the program twice/);
+  const alert = page.getByRole('alert').getByText(/crab\.jpg: Inkpanel crashed twice while reading it/);
   await expect(alert).toBeVisible(PATIENCE);
   await idle(page);
   for (const name of SIX.filter((other) => other !== 'crab.jpg'))

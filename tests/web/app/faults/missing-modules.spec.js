@@ -63,8 +63,8 @@ test('the search of a style from a picture can be repeated after its module fail
   await page.getByRole('button', { name: 'Style from a picture', exact: true }).click();
   const region = page.getByRole('region', { name: 'Style from a picture' });
   const print = fileURLToPath(new URL('../../../../docs/pages/noir.png', import.meta.url));
-  await region.getByLabel('Picture whose style is wanted').setInputFiles(print);
-  await expect(region.getByText('What finds styles in pictures could not be loaded.', { exact: false })).toBeVisible();
+  await region.getByLabel('Picture with the style that you want').setInputFiles(print);
+  await expect(region.getByText('The style search could not be loaded.', { exact: false })).toBeVisible();
   await page.unroute(modules);
   await region.getByRole('button', { name: 'Search again' }).click();
   const found = region.getByRole('list', { name: 'Styles found' }).getByRole('button');

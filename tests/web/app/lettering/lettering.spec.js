@@ -110,7 +110,7 @@ test('a long text does not push the fields of its text item out of the panel', a
   await openBoard(page);
   await write(page, 'balloon', 'a very long line that nobody would ever say at once but in a comic '.repeat(6));
   const side = await box(page.getByRole('region', { name: 'Text', exact: true }));
-  for (const name of ['Across', 'Down', 'Width', 'Letter size']) {
+  for (const name of ['X', 'Y', 'Width', 'Text size']) {
     const field = page.getByRole('spinbutton', { name, exact: true });
     await field.scrollIntoViewIfNeeded();
     const { x, width } = await box(field);
@@ -134,7 +134,7 @@ test('a balloon is also moved by a click and by a field, and has four shapes', a
   await idle(page);
   const tail = await box(word(page, /^Tail of/));
   expect(Math.hypot(tail.x + 12 - spot.x + 120, tail.y + 12 - spot.y + 160)).toBeLessThan(4);
-  await page.getByRole('spinbutton', { name: 'Across' }).fill('30');
+  await page.getByRole('spinbutton', { name: 'X', exact: true }).fill('30');
   await page.keyboard.press('Tab');
   await idle(page);
   const across = await box(word(page, /^Balloon: CLICK/));
@@ -148,7 +148,7 @@ test('a balloon is also moved by a click and by a field, and has four shapes', a
   expect(pictures.size).toBe(4);
   await page.getByRole('button', { name: 'Remove tail' }).click();
   await expect(word(page, /^Tail of/)).toHaveCount(0);
-  await page.getByRole('button', { name: 'Remove word' }).click();
+  await page.getByRole('button', { name: 'Remove text' }).click();
   await expect(word(page, /: /)).toHaveCount(0);
 });
 
@@ -192,7 +192,7 @@ test('a script becomes balloons in one undo step, and a text item is resized, ro
   await page
     .getByRole('textbox', { name: 'Script or dialogue' })
     .fill('ANNA: Where are we?\nBEN (thinks): Что это? Πού; 你好\n\nSFX: Splash');
-  await page.getByRole('button', { name: 'Put into balloons' }).click();
+  await page.getByRole('button', { name: 'Create balloons' }).click();
   await expect(word(page, /: /)).toHaveCount(3);
   await idle(page);
   const effect = word(page, 'Sound effect: SPLASH');
@@ -204,12 +204,12 @@ test('a script becomes balloons in one undo step, and a text item is resized, ro
     const handle = await box(page.getByRole('button', { name, exact: true }));
     await drag(page, [handle.x + 12, handle.y + 12], [handle.x + 12 + x, handle.y + 12 + y]);
   };
-  await dragHandle('Resize word', 40, 20);
+  await dragHandle('Resize text', 40, 20);
   expect((await box(effect)).width).toBeGreaterThan(before.width * 1.1);
-  await dragHandle('Turn word', 60, 30);
+  await dragHandle('Rotate text', 60, 30);
   const angle = page.getByRole('spinbutton', { name: 'Angle' });
   expect(Number(await angle.inputValue())).toBeGreaterThan(0);
-  await bar.getByRole('button', { name: 'Arch up' }).click();
+  await bar.getByRole('button', { name: 'Arc up' }).click();
   await expect(page.getByRole('spinbutton', { name: 'Arc', exact: true })).toHaveValue('60');
   await accessible(page);
   for (let i = 0; i < 4; i += 1) await press(page, 'Undo');
@@ -294,8 +294,8 @@ test('vertical text is higher than wide, and Undo restores horizontal text', asy
   await openBoard(page);
   await write(page, 'balloon', '夜の灯台を見ただろうか');
   const lines = await box(word(page, /^Balloon: 夜/));
-  const columns = page.getByRole('checkbox', { name: 'In columns, from the top down' });
-  await page.getByRole('toolbar', { name: 'Lettering tools' }).getByRole('button', { name: 'In columns' }).click();
+  const columns = page.getByRole('checkbox', { name: 'Vertical text' });
+  await page.getByRole('toolbar', { name: 'Lettering tools' }).getByRole('button', { name: 'Vertical text' }).click();
   await idle(page);
   await expect(columns).toBeChecked();
   const high = await box(word(page, /^Balloon: 夜/));
@@ -319,7 +319,7 @@ test('a balloon is joined to the previous balloon and separated again, each as o
   await choose();
   await write(page, 'balloon', 'FIRST');
   // The first balloon has no previous balloon.
-  const join = page.getByRole('checkbox', { name: 'Join to the balloon before' });
+  const join = page.getByRole('checkbox', { name: 'Link to the previous balloon' });
   await expect(join).toHaveCount(0);
   await choose();
   await write(page, 'balloon', 'SECOND');

@@ -112,11 +112,11 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
         await openBoard(page, ALBUM);
         await leaveOut(page);
         await page.getByRole('button', { name: 'Choose cat.jpg' }).tap();
-        await expect(page.getByText('Choose the panel for this photo')).toBeVisible();
+        await expect(page.getByText('Select the panel for this photo')).toBeVisible();
         await page.locator('.top-bar').getByRole('button', { name: 'Undo' }).tap();
         await idle(page);
         await expect(page.getByText('bee.jpg is left out')).toHaveCount(0);
-        await expect(page.getByText('Choose the panel for this photo')).toHaveCount(0);
+        await expect(page.getByText('Select the panel for this photo')).toHaveCount(0);
         await expect(page.getByRole('checkbox', { name: 'Use bee.jpg' })).toBeChecked();
       });
 

@@ -106,7 +106,7 @@ test('the tools of a panel stand next to the page, at the height of the panel, w
   const canvas = await page.locator('.page-canvas').boundingBox();
   for (const n of [1, 3]) {
     await page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) }).click();
-    const tools = page.getByRole('toolbar', { name: 'Tools for the photo of the panel' });
+    const tools = page.getByRole('toolbar', { name: 'Photo tools' });
     const box = await tools.boundingBox();
     expect(box?.x).toBeGreaterThan((canvas?.x ?? 0) + (canvas?.width ?? 0));
     await expect(tools.getByRole('button', { name: 'Swap photo' })).toHaveText('Swap');

@@ -111,10 +111,10 @@ test('a custom page size is entered in millimetres, and a wrong value is reporte
   await idle(page);
   const box = await page.locator('.page-canvas').boundingBox();
   expect((box?.width ?? 0) / (box?.height ?? 1)).toBeCloseTo(148 / 105, 1);
-  await settings.getByLabel('Dots an inch').fill('5');
-  await expect(settings.getByText('Dots an inch must be from 36 to 1200.')).toBeVisible();
-  await expect(settings.getByLabel('Dots an inch')).toHaveAttribute('aria-invalid', 'true');
-  await settings.getByLabel('Dots an inch').fill('150');
+  await settings.getByLabel('Resolution (DPI)').fill('5');
+  await expect(settings.getByText('The resolution must be from 36 to 1200 DPI.')).toBeVisible();
+  await expect(settings.getByLabel('Resolution (DPI)')).toHaveAttribute('aria-invalid', 'true');
+  await settings.getByLabel('Resolution (DPI)').fill('150');
   await idle(page);
   await expect(settings.getByText('Dots an inch must be')).toHaveCount(0);
   const png = await exported(page);

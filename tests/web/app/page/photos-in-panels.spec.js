@@ -62,7 +62,7 @@ test('keyboard: Enter starts moving a photo, arrows pan, plus zooms, 0 resets, E
   const near = await picture(page);
   expect(changed(start, near)).toEqual([3]);
   await page.keyboard.press('Enter');
-  await expect(page.getByText('Arrows move the photo')).toBeVisible();
+  await expect(page.getByText('Arrow keys move the photo')).toBeVisible();
   await page.keyboard.press('Shift+ArrowDown');
   await page.keyboard.press('Shift+ArrowLeft');
   await idle(page);
@@ -72,7 +72,7 @@ test('keyboard: Enter starts moving a photo, arrows pan, plus zooms, 0 resets, E
   await idle(page);
   expect(changed(start, await picture(page))).toEqual([]);
   await page.keyboard.press('Escape');
-  await expect(page.getByText('Arrows move the photo')).toHaveCount(0);
+  await expect(page.getByText('Arrow keys move the photo')).toHaveCount(0);
   // The arrows move between panels again.
   await page.keyboard.press('ArrowRight');
   await expect(panel(page, 4)).toBeFocused();

@@ -47,7 +47,7 @@ test('zooming keeps the middle of the page in place, sharpens it, and returns to
 test('the tools of a panel remain visible while the page is enlarged', async ({ page }) => {
   for (let i = 0; i < 4; i += 1) await button(page, 'Enlarge page').click();
   await panel(page, 1).click({ position: { x: 300, y: 300 } });
-  const tools = page.getByRole('toolbar', { name: 'Tools for the photo of the panel' }).getByRole('button');
+  const tools = page.getByRole('toolbar', { name: 'Photo tools' }).getByRole('button');
   for (const tool of await tools.and(page.locator(':enabled')).all()) await tool.click({ trial: true });
   await button(page, 'Shrink page').click({ trial: true });
   await shrink(page);

@@ -99,7 +99,7 @@ test('files of systems, sidecar files and a readme of a folder are no photos and
 test('JSON of another program that comes alone is said to be neither a layout nor a style', async ({ page }) => {
   await openBoard(page, ['bee.jpg']);
   await drop(page, [text('bee.jpg.json', '{"title":"bee.jpg"}')]);
-  await expect(page.getByRole('alert')).toContainText('bee.jpg.json: it is neither a layout nor a style of Inkpanel.');
+  await expect(page.getByRole('alert')).toContainText('bee.jpg.json: it is not an Inkpanel layout or style.');
 });
 
 test('a link that is dropped does not make the browser leave the app, and can be dropped on a field', async ({

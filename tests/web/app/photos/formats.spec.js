@@ -87,8 +87,8 @@ test('other pictures of an animation are used, and one undo step restores the fi
   const before = await names();
   expect(before.length).toBe(4);
   await page.getByText(/^\d+ frames$/).click();
-  await page.getByRole('slider', { name: 'Frames from the film' }).fill('2');
-  await page.getByRole('button', { name: 'Take these frames' }).click();
+  await page.getByRole('slider', { name: 'Frames from the video' }).fill('2');
+  await page.getByRole('button', { name: 'Use these frames' }).click();
   await expect(taken).toHaveCount(2);
   await idle(page);
   await press(page, 'Undo');

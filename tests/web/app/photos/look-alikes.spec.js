@@ -21,10 +21,10 @@ test('a stack opens, another or several of its photos are used, and Undo restore
   const use = (/** @type {string} */ name) => tray.getByRole('checkbox', { name: `Use ${name}`, exact: true });
   await expect(tray.getByText('sharpest of 3')).toBeVisible();
   await expect(use('cat2.jpg')).not.toBeChecked();
-  await press(page, 'Show the 3 photos like cat.jpg');
+  await press(page, 'Show the 3 photos similar to cat.jpg');
   const stack = tray.getByRole('listitem').filter({ has: page.getByRole('button', { name: '3 alike' }) });
   await expect(stack.getByRole('checkbox')).toHaveCount(3);
-  await expect(stack.getByText('They look alike.')).toBeVisible();
+  await expect(stack.getByText('These photos are similar.')).toBeVisible();
   const shown = await page.locator('.panel').count();
   await press(page, 'Take cat2.jpg instead');
   await expect(use('cat2.jpg')).toBeChecked();
@@ -43,16 +43,16 @@ test('a stack opens, another or several of its photos are used, and Undo restore
 
 test('keyboard: a stack is opened and closed, the threshold and the order change', async ({ page }) => {
   await openWithCopies(page);
-  const opener = page.getByRole('button', { name: 'Show the 3 photos like cat.jpg' });
+  const opener = page.getByRole('button', { name: 'Show the 3 photos similar to cat.jpg' });
   await opener.focus();
   await page.keyboard.press('Enter');
   const head = page.getByRole('button', { name: '3 alike' });
   await expect(head).toBeFocused();
   await page.keyboard.press('Enter');
   await expect(opener).toBeVisible();
-  await page.getByText('Choice of photos').focus();
+  await page.getByText('Photo selection').focus();
   await page.keyboard.press('Enter');
-  const slider = page.getByRole('slider', { name: 'Set aside look-alikes' });
+  const slider = page.getByRole('slider', { name: 'Exclude similar photos' });
   await expect(page.getByText('6 of 8 kept')).toBeVisible();
   await slider.focus();
   await page.keyboard.press('Home');

@@ -25,7 +25,7 @@ test('without a selected panel, a chosen photo goes to the next panel that is cl
   await openBoard(page);
   await photo(page, 'crab.jpg').click();
   await expect(photo(page, 'crab.jpg')).toHaveAttribute('aria-pressed', 'true');
-  await expect(page.getByText('Choose the panel for this photo')).toBeVisible();
+  await expect(page.getByText('Select the panel for this photo')).toBeVisible();
   await page.keyboard.press('Escape');
   await expect(photo(page, 'crab.jpg')).toHaveAttribute('aria-pressed', 'false');
   await photo(page, 'crab.jpg').focus();
@@ -41,7 +41,7 @@ test('the check box leaves a photo out, gives the reason, and offers Undo', asyn
   await tick.click();
   await idle(page);
   await expect(tick).not.toBeChecked();
-  await expect(tick).toHaveAccessibleDescription('You left it out');
+  await expect(tick).toHaveAccessibleDescription('You excluded it');
   await page.getByRole('status').getByRole('button', { name: 'Undo' }).click();
   await idle(page);
   await expect(tick).toBeChecked();

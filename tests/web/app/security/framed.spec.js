@@ -11,7 +11,7 @@ import { accessible, add, expect, faultTest, idle, photos, press, test } from '.
 import { write } from '../word-hands.js';
 
 const HEADERS = headersOfAll(await readFile(new URL('../../../../www/public/_headers', import.meta.url), 'utf8'));
-const REFUSED = 'Another site shows Inkpanel inside its own page.';
+const REFUSED = 'Inkpanel does not run inside other websites, to protect you from clickjacking.';
 
 /** Starts another site with a frame. @param {string} inside @param {string} [attributes] of the frame */
 async function otherSite(inside, attributes = '') {
@@ -59,7 +59,7 @@ faultTest(
     expect(asked.filter((url) => /\.wasm|worker/.test(url))).toEqual([]);
     const [own] = await Promise.all([
       context.waitForEvent('page'),
-      frame.getByRole('link', { name: 'Open Inkpanel in a tab of its own' }).click(),
+      frame.getByRole('link', { name: 'Open Inkpanel in a new tab' }).click(),
     ]);
     await expect(own.getByRole('button', { name: 'Try the sample album' })).toBeVisible();
     expect(await own.evaluate(() => window.opener)).toBe(null);

@@ -36,9 +36,9 @@ test('two projects and a photo that are dropped together are all opened', async 
   await drop(other, [beta, ...(await photos(SIX[5])), alpha]);
   const status = other.getByRole('status');
   await expect(status).toContainText(
-    '2 projects were opened, each on its own. Beta is on the page; Alpha is in Projects.',
+    '2 projects were opened separately. Beta is on the page; Alpha is in Projects.',
   );
-  await expect(status).toContainText('The photo that came along was added to Beta.');
+  await expect(status).toContainText('The photo from the same drop was added to Beta.');
   await idle(other);
   await expect(other.getByLabel('Project name')).toHaveValue('Beta');
   await expect.poll(() => inTray(other)).toEqual([...SIX.slice(0, 3), SIX[5]]);

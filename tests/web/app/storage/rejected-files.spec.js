@@ -163,7 +163,7 @@ test('a project that cannot be shown is rejected, and an edit that cannot be sho
   await accessible(page);
   await broken.getByRole('button', { name: 'Open another' }).click();
   await expect(page.getByRole('region', { name: 'Projects' }).getByRole('listitem')).not.toHaveCount(0);
-  await broken.getByRole('button', { name: 'Back to the last good state' }).click();
+  await broken.getByRole('button', { name: 'Restore the last good version' }).click();
   await idle(page);
   expect(await contents(page)).toEqual(before.contents);
   expect(await picture(page)).toBe(before.picture);
@@ -204,7 +204,7 @@ test('a page holds 200 text items, and a message reports the limit', async ({ pa
   await idle(page);
   await tab(page, 'Text');
   await page.getByRole('button', { name: 'Add caption' }).click();
-  await expect(page.getByRole('alert').getByText('A page holds 200 words.')).toBeVisible();
+  await expect(page.getByRole('alert').getByText('A page can have at most 200 text items.')).toBeVisible();
   await expectSaved(page);
   await page.reload();
   await idle(page);

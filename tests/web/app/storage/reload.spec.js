@@ -161,7 +161,7 @@ test('the list of versions opens a version, and shows favourites and where a ver
   await press(page, 'Shuffle');
   await page.getByRole('button', { name: 'Favourite page' }).click();
   await page.getByRole('button', { name: /^Pages shown/ }).click();
-  const wall = page.getByRole('region', { name: 'Pages shown' });
+  const wall = page.getByRole('region', { name: 'Page history' });
   await expect(wall.getByRole('button', { name: /^Page \d+$/ })).toHaveCount(3);
   await wall.getByRole('button', { name: 'Page 1', exact: true }).click();
   await idle(page);

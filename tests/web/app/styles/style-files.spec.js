@@ -22,7 +22,7 @@ test('a style is exported as a file and a link, and imported from both', async (
     ink: '#203050',
   });
   await button(page, 'Copy link').click();
-  await expect(page.getByRole('status').getByText('The link is in the clipboard.')).toBeVisible();
+  await expect(page.getByRole('status').getByText('The link was copied to the clipboard.')).toBeVisible();
   const link = await page.evaluate(() => navigator.clipboard.readText());
   const made = await preview(page);
 

@@ -9,10 +9,10 @@ test('styles are found for a picture that is dropped with Alt, and one is saved 
   await openBoard(page, FOUR);
   await page.getByRole('button', { name: 'Style from a picture', exact: true }).click();
   const region = page.getByRole('region', { name: 'Style from a picture' });
-  await expect(region.getByText('Choose a picture whose look you want', { exact: false })).toBeVisible();
+  await expect(region.getByText('Choose a picture with the look that you want', { exact: false })).toBeVisible();
 
   // The app reports that a plain photo has no style.
-  await region.getByLabel('Picture whose style is wanted').setInputFiles(await photos('raccoon.jpg'));
+  await region.getByLabel('Picture with the style that you want').setInputFiles(await photos('raccoon.jpg'));
   await expect(region.getByText('This looks like a plain photo', { exact: false })).toBeVisible({ timeout: 90_000 });
   // The photo is shown without a style.
   await expect(region.locator('.imitation-result canvas[data-drawn=true]')).toBeVisible();

@@ -29,7 +29,7 @@ for (const [width, colorScheme] of /** @type {const} */ ([
     await expect(search).toBeFocused();
     expect(await dialog.locator('summary').count()).toBeGreaterThan(15);
     await expect(dialog.getByText('Drop photos or films anywhere')).toBeHidden();
-    await dialog.getByText('Adding photos and films').click();
+    await dialog.getByText('Adding photos and videos').click();
     await expect(dialog.getByText('Drop photos or films anywhere')).toBeVisible();
     await accessible(page);
     await search.fill('BALLÓON');
@@ -40,7 +40,7 @@ for (const [width, colorScheme] of /** @type {const} */ ([
     await expect(dialog.getByRole('term').filter({ hasText: 'Ctrl' })).toBeVisible();
     await accessible(page);
     await search.fill('zzz');
-    await expect(dialog.getByRole('status')).toContainText('Nothing here about “zzz”.');
+    await expect(dialog.getByRole('status')).toContainText('Nothing found for “zzz”.');
     await accessible(page);
     await dialog.getByRole('button', { name: 'Show all topics' }).click();
     expect(await dialog.locator('summary').count()).toBeGreaterThan(15);

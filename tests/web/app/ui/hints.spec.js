@@ -59,7 +59,7 @@ for (const viewport of [
 
       await page.keyboard.press('Escape');
       await press(page, 'Shuffle');
-      await expect(hint(page, 'Lock what you want to keep')).toBeVisible();
+      await expect(hint(page, 'Lock the parts that you like')).toBeVisible();
       expect(await place(page)).toEqual(RIGHT);
       await page.getByRole('button', { name: 'Lock style' }).click();
       await expect(page.locator('.hint')).toHaveCount(0);

@@ -39,7 +39,7 @@ test('the theme follows the system until the user chooses one, also after a relo
   await page.reload();
   await idle(page);
   expect(await background(page)).toBe(LIGHT);
-  await choose(page, 'As the system');
+  await choose(page, 'System');
   expect(await background(page)).toBe(DARK);
   await page.reload();
   await idle(page);
@@ -81,7 +81,7 @@ test('keyboard: the menu is opened and left, and a click next to it closes it', 
   const button = page.getByRole('button', { name: 'Language and theme' });
   await button.focus();
   await page.keyboard.press('Enter');
-  await expect(menu(page).getByRole('radio', { name: 'As the system' })).toBeFocused();
+  await expect(menu(page).getByRole('radio', { name: 'System' })).toBeFocused();
   await page.keyboard.press('ArrowUp');
   await expect(page.locator('html')).toHaveAttribute('data-theme', 'dark');
   await accessible(page);
@@ -93,7 +93,7 @@ test('keyboard: the menu is opened and left, and a click next to it closes it', 
   await button.click();
   await page.mouse.click(400, 400);
   await expect(menu(page)).toHaveCount(0);
-  await choose(page, 'As the system');
+  await choose(page, 'System');
 });
 
 test('on a small screen, language and theme are in the page settings', async ({ page }) => {
@@ -103,7 +103,7 @@ test('on a small screen, language and theme are in the page settings', async ({ 
   await page.getByRole('radio', { name: 'Dark' }).check();
   expect(await background(page)).toBe(DARK);
   await expect(page.getByRole('combobox', { name: 'Language' })).toBeVisible();
-  await page.getByRole('radio', { name: 'As the system' }).check();
+  await page.getByRole('radio', { name: 'System' }).check();
 });
 
 test('the menu fits on the start screen of a small screen', async ({ page }) => {

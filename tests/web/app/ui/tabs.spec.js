@@ -65,7 +65,7 @@ test('a text item that is selected on the page opens its tab', async ({ page }) 
 test('styles are filtered by kind, and the last applied style is first after a reload', async ({ page }) => {
   await openBoard(page);
   const box = page.getByRole('listbox', { name: 'Styles' });
-  const kinds = page.getByRole('group', { name: 'Kinds of styles' });
+  const kinds = page.getByRole('group', { name: 'Style families' });
   await kinds.getByRole('button', { name: 'Noir', exact: true }).click();
   await expect(box.getByRole('group')).toHaveCount(1);
   await box.getByRole('option', { name: 'Moonlight' }).click();

@@ -18,7 +18,7 @@ async function open(page, name) {
 }
 
 /** @param {Page} page */
-const list = (page) => page.getByRole('list', { name: 'Sounds of sounds.webm' });
+const list = (page) => page.getByRole('list', { name: 'Sounds in sounds.webm' });
 
 /** The times of the proposed sounds, in seconds. @param {Page} page */
 async function times(page) {
@@ -28,7 +28,7 @@ async function times(page) {
 
 test('claps in a video are proposed, one is put on its frame, and one undo step removes it', async ({ page }) => {
   await open(page, 'sounds.webm');
-  await page.getByRole('button', { name: 'Sounds of the film', exact: true }).click();
+  await page.getByRole('button', { name: 'Sounds in the video', exact: true }).click();
   await expect(list(page)).toBeVisible();
   const found = await times(page);
   expect(found.length).toBeGreaterThan(0);
@@ -40,7 +40,7 @@ test('claps in a video are proposed, one is put on its frame, and one undo step 
   await expect(first.getByRole('button')).toHaveCount(3);
   const clap = first.getByRole('button').first();
   const text = await clap.innerText();
-  await expect(clap).toHaveAccessibleName(new RegExp(`^Put ${text} on the page, 0:`));
+  await expect(clap).toHaveAccessibleName(new RegExp(`^Add ${text} to the page, 0:`));
   await clap.focus();
   await page.keyboard.press('Enter');
   await expect(word(page, `Sound effect: ${text}`)).toHaveCount(1);
@@ -62,8 +62,8 @@ test('claps in a video are proposed, one is put on its frame, and one undo step 
 
 test('a video without sound is reported', async ({ page }) => {
   await open(page, 'album.webm');
-  await page.getByRole('button', { name: 'Sounds of the film', exact: true }).click();
-  await expect(page.getByRole('status').filter({ hasText: 'This film has no sound.' })).toBeVisible();
+  await page.getByRole('button', { name: 'Sounds in the video', exact: true }).click();
+  await expect(page.getByRole('status').filter({ hasText: 'This video has no sound.' })).toBeVisible();
   await accessible(page);
 });
 
@@ -78,12 +78,12 @@ test('the search for sounds can be cancelled and repeated', async ({ page }) => 
     };
   });
   await open(page, 'sounds.webm');
-  const button = page.getByRole('button', { name: 'Sounds of the film', exact: true });
+  const button = page.getByRole('button', { name: 'Sounds in the video', exact: true });
   await button.click();
-  await expect(page.getByRole('progressbar', { name: 'Reading its sound…' })).toBeVisible();
+  await expect(page.getByRole('progressbar', { name: 'Reading the sound…' })).toBeVisible();
   await accessible(page);
-  await page.getByRole('button', { name: 'Stop listening' }).click();
-  await expect(page.getByRole('progressbar', { name: 'Reading its sound…' })).toHaveCount(0);
+  await page.getByRole('button', { name: 'Stop analysis' }).click();
+  await expect(page.getByRole('progressbar', { name: 'Reading the sound…' })).toHaveCount(0);
   await expect(list(page)).toHaveCount(0);
   await page.evaluate(() => /** @type {any} */ (globalThis).go());
   await button.click();

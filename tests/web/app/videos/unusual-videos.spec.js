@@ -58,7 +58,7 @@ test('truncated and unusual videos have their frames, and the content of a file 
     { ...bee, name: 'bee.mp4', mimeType: 'video/mp4' },
   ]);
   await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
-  await expect(alert.getByText(/only to 0:0[01]\.\d of 0:03/)).toBeVisible();
+  await expect(alert.getByText(/it ends at 0:0[01]\.\d of 0:03/)).toBeVisible();
   await idle(page);
   const frames = (/** @type {RegExp} */ name) => page.getByRole('checkbox', { name });
   await expect(frames(/^Use holiday\.jpg, 0:0/)).toHaveCount(8);
@@ -68,7 +68,7 @@ test('truncated and unusual videos have their frames, and the content of a file 
   await dismissAlerts(page);
 
   await add(page, [await video('half.webm'), await video('variable.mp4')]);
-  await expect(alert.getByText(/only to 0:\d+\.\d of 0:38/)).toBeVisible();
+  await expect(alert.getByText(/it ends at 0:\d+\.\d of 0:38/)).toBeVisible();
   await idle(page);
   expect(await frames(/^Use half\.webm/).count()).toBeGreaterThanOrEqual(6);
   await expect(frames(/^Use variable\.mp4/)).toHaveCount(8);

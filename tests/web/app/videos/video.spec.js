@@ -77,8 +77,8 @@ test('other frames are extracted from a part of the video, and one undo step res
   await page.getByText('8 frames').click();
   await page.getByRole('slider', { name: 'Start' }).fill('2');
   await page.getByRole('slider', { name: 'End' }).fill('4');
-  await page.getByRole('slider', { name: 'Frames from the film' }).fill('12');
-  await page.getByRole('button', { name: 'Take these frames' }).click();
+  await page.getByRole('slider', { name: 'Frames from the video' }).fill('12');
+  await page.getByRole('button', { name: 'Use these frames' }).click();
   await expect(frames(page)).toHaveCount(12);
   await idle(page);
   expect((await times(page)).every((time) => time >= 2 && time <= 4)).toBe(true);
