@@ -73,7 +73,7 @@ impl Look {
 
 fn shares([logits]: [Vec<f32>; 1]) -> Result<Vec<f64>> {
     if logits.len() != SIDE * SIDE {
-        return Err(Error::Detector("the file holds another net than that of subjects".into()));
+        return Err(Error::Detector("the file is not the subject model".into()));
     }
     Ok(logits.into_iter().map(sigmoid).collect())
 }

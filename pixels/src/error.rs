@@ -10,10 +10,10 @@ pub enum Error {
     #[error("this is not an image that Inkpanel can read (JPEG, PNG, WebP, GIF, BMP or TIFF)")]
     UnknownFormat,
     /// Colours of a scanner or a press, in a build without what reads them.
-    #[error("the colours of this photo are read by decoders that are not here")]
+    #[error("this build cannot convert the colour profile of this photo")]
     RareColours,
     /// The file starts like an image but cannot be decoded.
-    #[error("the {format} file is damaged or cut short: {reason}")]
+    #[error("the {format} file is damaged or truncated: {reason}")]
     Damaged {
         /// Name of the format, as people know it.
         format: &'static str,
@@ -131,7 +131,7 @@ pub enum Error {
     #[error("there is no usable photo")]
     NoPhotos,
     /// A picture whose style is wanted has too few pixels.
-    #[error("the picture is too small to have a style: {width} x {height} pixels, each side needs {least}")]
+    #[error("the picture is too small: {width} x {height} pixels, each side needs at least {least}")]
     SmallPicture {
         /// Width in pixels.
         width: usize,
@@ -141,11 +141,11 @@ pub enum Error {
         least: usize,
     },
     /// A picture whose style is wanted shows next to nothing.
-    #[error("the picture is blank: there is no style in it")]
+    #[error("the picture is blank, so it has no style")]
     BlankPicture,
     /// A picture whose style is wanted is a photo as a camera makes it.
     #[error(
-        "the picture looks like a plain photo: choose a drawing, a print or a painting, whose lines and colours can be taken over"
+        "the picture looks like a plain photo; choose a drawing, a print or a painting"
     )]
     PlainPhoto,
     /// The caller asked to stop.

@@ -34,7 +34,7 @@ impl Settings {
             skip_broken: told.flag("skip_broken")?,
         };
         match told.0.keys().next() {
-            Some(unknown) => Err(Failure::argument(unknown, "is no argument of render")),
+            Some(unknown) => Err(Failure::argument(unknown, "is not an argument of render")),
             None => Ok(settings),
         }
     }

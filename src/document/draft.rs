@@ -473,7 +473,7 @@ pub(super) fn part_of_layers(parts: Parts) -> [(&'static str, Option<Part>); 2] 
 /// A part by its name; none where it is missing or null.
 pub(super) fn read_part(fields: &mut Fields, name: &str) -> Read<Option<Part>> {
     let Some(told) = fields.nullable(name).text(name, LONGEST_ID)? else { return Ok(None) };
-    let part = Part::of(&told).ok_or_else(|| Wrong::new("is neither subject nor background").at(name))?;
+    let part = Part::of(&told).ok_or_else(|| Wrong::new("must be subject or background").at(name))?;
     Ok(Some(part))
 }
 
@@ -523,7 +523,7 @@ impl DraftEdit {
             }
             "faces" => Self::Faces { on: fields.flag("on")? },
             "ink" => Self::Ink { ink: fields.name("ink", LONGEST_ID)? },
-            _ => return Err(Wrong::new("is nothing that can be done").at("type")),
+            _ => return Err(Wrong::new("is not a known edit").at("type")),
         })
     }
 }
@@ -532,7 +532,7 @@ fn layer(value: Value) -> Read<Layer> {
     match text_of(value, LONGEST_ID)?.as_str() {
         "background" => Ok(Layer::Background),
         "foreground" => Ok(Layer::Foreground),
-        _ => Err(Wrong::new("is none of background, foreground")),
+        _ => Err(Wrong::new("must be one of background, foreground")),
     }
 }
 

@@ -595,7 +595,7 @@ impl Edit {
                 let at = fields.count("at", 0, sheets.len().saturating_sub(1) as u64)? as usize;
                 let mut seen = HashSet::new();
                 if sheets.is_empty() || !sheets.iter().all(|sheet| seen.insert(sheet.sheet)) {
-                    return Err(Wrong::new("are no pages of a storyboard").at("sheets"));
+                    return Err(Wrong::new("must be distinct pages, at least one").at("sheets"));
                 }
                 Self::SetSheets { sheets, at }
             }
@@ -636,7 +636,7 @@ impl Edit {
             "own-layouts" => {
                 Self::OwnLayouts { own_layouts: own(&mut fields, "ownLayouts", Shelf::Layouts)? }
             }
-            _ => return Err(Wrong::new("is nothing that can be done").at("type")),
+            _ => return Err(Wrong::new("is not a known edit").at("type")),
         };
         Ok((edit, how))
     }
@@ -662,7 +662,7 @@ fn part(value: Value) -> Read<Part> {
         "layout" => Ok(Part::Layout),
         "style" => Ok(Part::Style),
         "photos" => Ok(Part::Photos),
-        _ => Err(Wrong::new("is none of layout, style, photos")),
+        _ => Err(Wrong::new("must be one of layout, style, photos")),
     }
 }
 

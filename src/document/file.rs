@@ -133,7 +133,7 @@ impl ProjectFile {
     fn read(value: Value) -> Read<Self> {
         let mut fields = Fields::of(value).map_err(|wrong| wrong.at("project.json"))?;
         if fields.take("format").as_ref().and_then(Value::as_str) != Some(FORMAT) {
-            return Err(Wrong::new("is of another program").at("project.json"));
+            return Err(Wrong::new("was not saved by Inkpanel").at("project.json"));
         }
         version(&mut fields)?;
         let mut history = fields.required("history")?;
@@ -247,7 +247,7 @@ fn distinct<'f>(
     for (i, [name, path]) in files.enumerate() {
         for (field, fresh) in [(field, names.insert(name)), ("path", paths.insert(path))] {
             if !fresh {
-                return Err(Wrong::new("is that of another file").at(field).in_list(i));
+                return Err(Wrong::new("is used twice").at(field).in_list(i));
             }
         }
     }
@@ -366,7 +366,7 @@ impl Likeness {
             let text = fields.text(name, 64)?.unwrap_or_default();
             let good = (text.len() == count || (text.is_empty() && count == 64))
                 && text.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f'));
-            if good { Ok(text) } else { Err(Wrong::new("are no digits")) }
+            if good { Ok(text) } else { Err(Wrong::new("must be hexadecimal digits")) }
         };
         let (hash, fingerprint) = (digits("hash", 64)?, digits("fingerprint", 16)?);
         let (width, height) =
@@ -435,7 +435,7 @@ impl Inline {
         keep(values, &format!("present.{field}"), &mut self.dropped, &mut |value| {
             let value = read(value)?;
             if !value["id"].as_str().is_some_and(|id| seen.insert(id.to_owned())) {
-                return Err(Wrong::new("is that of another").at("id"));
+                return Err(Wrong::new("is used twice").at("id"));
             }
             all.push(value);
             Ok(())

@@ -64,7 +64,7 @@ impl History {
         keep(fields.nullable("shown").list("shown", MOST_SHOWN)?, "shown", dropped, &mut |value| {
             let page = Shown::read(value, parts)?;
             if !seen.insert(page.id) {
-                return Err(Wrong::new("is that of another page").at("id"));
+                return Err(Wrong::new("is a duplicate page id").at("id"));
             }
             shown.push(Arc::new(page));
             Ok(())

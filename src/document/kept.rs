@@ -308,7 +308,7 @@ fn shelves(lists: Vec<Value>, most: usize, table: &[Read<Arc<Value>>]) -> Table<
 fn part<T: Clone>(table: &[Read<T>], index: &Value, what: &str) -> Read<T> {
     match index.as_u64().and_then(|index| table.get(usize::try_from(index).ok()?)) {
         Some(part) => part.clone(),
-        None => Err(Wrong::new(&format!("is no {what}"))),
+        None => Err(Wrong::new(&format!("is not the index of a {what}"))),
     }
 }
 

@@ -65,6 +65,6 @@ fn known(value: &Value) -> Read<()> {
     if value.is_string() || value.is_object() {
         Ok(())
     } else {
-        Err(Wrong::new("is neither an id nor an object"))
+        Err(Wrong::new("must be an id or an object"))
     }
 }

@@ -330,12 +330,12 @@ impl Project {
 
     fn check_sheets(&self) -> Read<()> {
         if self.at > self.others.len() || (self.page.is_none() && !self.others.is_empty()) {
-            return Err(Wrong::new("is no place among the pages").at("at"));
+            return Err(Wrong::new("is not the index of a page").at("at"));
         }
         let mut seen = HashSet::from([self.sheet]);
         for (i, other) in self.others.iter().enumerate() {
             if !seen.insert(other.sheet) {
-                return Err(Wrong::new("is that of another page").at("sheet").in_list(i).at("others"));
+                return Err(Wrong::new("is a duplicate page").at("sheet").in_list(i).at("others"));
             }
         }
         Ok(())
@@ -373,7 +373,7 @@ impl Order {
         match value.as_str() {
             Some("time") => Ok(Self::Time),
             Some("name") => Ok(Self::Name),
-            _ => Err(Wrong::new("is none of time, name")),
+            _ => Err(Wrong::new("must be one of time, name")),
         }
     }
 }
@@ -407,7 +407,7 @@ impl TrayItem {
         let used = match fields.told("use") {
             None => None,
             Some(Value::Bool(used)) => Some(used),
-            Some(_) => return Err(Wrong::new("is neither true nor false").at("use")),
+            Some(_) => return Err(Wrong::new("must be true or false").at("use")),
         };
         let focus = fields.nullable("focus").part("focus", &mut focus)?;
         let starred = fields.flag("starred")?;
@@ -509,7 +509,7 @@ impl Draft {
         let mut fields = Fields::of(value)?;
         let ink = fields.text("ink", 7)?.unwrap_or_else(|| "#000000".into());
         if parse_hex(&ink).is_none() {
-            return Err(Wrong::new("is no colour like #101014").at("ink"));
+            return Err(Wrong::new("must be a colour like #101014").at("ink"));
         }
         Ok(Arc::new(Self {
             id: fields.name("id", LONGEST_ID)?,
@@ -562,17 +562,17 @@ impl DraftStep {
     fn read(value: Value) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let id = fields.name("block", LONGEST_ID)?;
-        let block = blocks::find(&id).ok_or_else(|| Wrong::new("is no block that there is").at("block"))?;
+        let block = blocks::find(&id).ok_or_else(|| Wrong::new("is not a known block").at("block"))?;
         let mut values = match fields.take("values") {
             None => Map::new(),
             Some(Value::Object(values)) => values,
-            Some(_) => return Err(Wrong::new("is no object").at("values")),
+            Some(_) => return Err(Wrong::new("must be an object").at("values")),
         };
         earlier::complete(&id, &mut values);
         for (name, value) in &mut values {
             let wrong = |reason: &str| Wrong::new(reason).at(name).at("values");
             let param = block.params.iter().find(|param| param.id == name);
-            let param = param.ok_or_else(|| wrong("is no parameter of this block"))?;
+            let param = param.ok_or_else(|| wrong("is not a parameter of this block"))?;
             // 2 and 2.0 are the same value.
             *value = param.normalized(value).map_err(|reason| wrong(&reason))?;
         }

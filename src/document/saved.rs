@@ -61,7 +61,7 @@ impl Saved {
         }
         let text = entry(&mut archive, "project.json", PROJECT.bytes as u64)?;
         let text = text.ok_or_else(|| damaged("project.json", "is missing"))?;
-        let text = String::from_utf8(text).map_err(|_| damaged("project.json", "is no text"))?;
+        let text = String::from_utf8(text).map_err(|_| damaged("project.json", "is not UTF-8 text"))?;
         let project = ProjectFile::parse(&text)?;
         Ok(Self { text, project, archive: Some(archive) })
     }
@@ -179,7 +179,7 @@ fn text_of(data: &[u8]) -> Option<String> {
 fn archive(bytes: Vec<u8>) -> Result<Archive> {
     let archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| damaged("file", &told(&error)))?;
     if archive.len() > ARCHIVE_ENTRIES {
-        return Err(too_large("file", "holds more files than a project can"));
+        return Err(too_large("file", "exceeds the maximum number of files in a project"));
     }
     Ok(archive)
 }
@@ -206,7 +206,7 @@ fn entry(archive: &mut Archive, name: &str, most: u64) -> Result<Option<Vec<u8>>
 fn told(error: &ZipError) -> String {
     match error {
         ZipError::UnsupportedArchive(reason) => {
-            format!("is packed in a way that is not known here: {reason}")
+            format!("uses an unknown compression method: {reason}")
         }
         error => format!("is damaged: {error}"),
     }

@@ -174,7 +174,7 @@ impl Shot {
 fn more(value: Value) -> Read<Map<String, Value>> {
     let told = Fields::of(value)?.rest();
     if told.len() > MOST_COLUMNS {
-        return Err(Wrong::beyond("has more columns than a board"));
+        return Err(Wrong::beyond("has too many columns"));
     }
     let mut more = Map::new();
     for (name, value) in told {
@@ -201,28 +201,28 @@ impl Board {
         if let Some(told) = fields.nullable("pace").text("pace", LONGEST_LABEL)? {
             let pace = PACES.iter().find(|(name, _)| *name == told).map(|(_, pace)| *pace);
             let pace = pace.filter(|pace| pace.fits(board.fps));
-            board.pace = pace.ok_or_else(|| Wrong::new("is no choice of a board").at("pace"))?;
+            board.pace = pace.ok_or_else(|| Wrong::new("is not valid for this frame rate").at("pace"))?;
         }
         if let Some(frames) = one_of(&mut fields, "frames", &FRAMES)? {
             board.frames = frames;
         }
         if let Some(aspect) = fields.text("aspect", LONGEST_LABEL)? {
             if !ASPECTS.iter().any(|(name, _)| *name == aspect) {
-                return Err(Wrong::new("is no aspect of a board").at("aspect"));
+                return Err(Wrong::new("is not a valid aspect ratio").at("aspect"));
             }
             board.aspect = aspect;
         }
         board.columns = fields.each("columns", MOST_COLUMNS, &|name| text_of(name, LONGEST_LABEL))?;
         let mut seen = HashSet::new();
         if !board.columns.iter().all(|name| !name.is_empty() && seen.insert(name)) {
-            return Err(Wrong::new("are no names that differ").at("columns"));
+            return Err(Wrong::new("must be unique and not empty").at("columns"));
         }
         (board.beside, board.ruled) = (fields.flag("beside")?, fields.flag("ruled")?);
         board.author = fields.text("author", LONGEST_NAME)?.unwrap_or_default();
         board.date = fields.text("date", LONGEST_NAME)?.unwrap_or_default();
         board.logo = fields.nullable("logo").text("logo", LONGEST_LOGO)?.unwrap_or_default();
         if !board.logo.is_empty() && logo_file(&board.logo).is_none() {
-            let shape = "is no PNG picture as a data URL: data:image/png;base64, and its bytes in base64";
+            let shape = "must be a PNG data URL (data:image/png;base64,...)";
             return Err(Wrong::new(shape).at("logo"));
         }
         board.order = fields.each("order", MOST_PHOTOS, &|id| text_of(id, LONGEST_ID))?;
@@ -292,14 +292,14 @@ pub fn logo_file(url: &str) -> Option<Vec<u8>> {
 fn one_of(fields: &mut Fields, name: &str, known: &[u32]) -> Read<Option<u32>> {
     let Some(told) = fields.whole(name, 0, u64::from(u32::MAX))? else { return Ok(None) };
     let told = told as u32;
-    if known.contains(&told) { Ok(Some(told)) } else { Err(Wrong::new("is no choice of a board").at(name)) }
+    if known.contains(&told) { Ok(Some(told)) } else { Err(Wrong::new("is not a valid choice").at(name)) }
 }
 
 /// The shots that an edit describes: an object of shots by the ids of their photos.
 pub(super) fn described(value: Value) -> Read<Vec<(String, Shot)>> {
     let all = Fields::of(value)?.rest();
     if all.len() > MOST_PHOTOS {
-        return Err(Wrong::beyond("are more shots than photos"));
+        return Err(Wrong::beyond("must not be more than the photos"));
     }
     let shot = |(id, shot): (String, Value)| {
         let shot = Shot::read(shot).map_err(|wrong| wrong.at(&id))?;

@@ -87,7 +87,7 @@ impl Album {
     pub fn star(&mut self, place: usize) -> Result<(), Failure> {
         let starred = self.read.iter_mut().find(|(own, _)| *own == place);
         let (_, photo) =
-            starred.ok_or_else(|| Failure::argument("star", "names a photo that is not there"))?;
+            starred.ok_or_else(|| Failure::argument("star", "names a photo that does not exist"))?;
         photo.meta.starred = true;
         Ok(())
     }
@@ -144,7 +144,7 @@ impl Album {
             let missing = missing(&letters, &options.words);
             if !missing.is_empty() {
                 let told = missing.join(" ");
-                notes.push(format!("no font has these letters, so a question mark stands for each: {told}"));
+                notes.push(format!("no font has these characters, so they appear as question marks: {told}"));
             }
         }
         let fonts = self.fonts.clone();

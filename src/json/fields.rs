@@ -15,7 +15,7 @@ impl Fields {
     pub fn of(value: Value) -> Read<Self> {
         match value {
             Value::Object(map) => Ok(Self(map)),
-            _ => Err(Wrong::new("is no object")),
+            _ => Err(Wrong::new("must be an object")),
         }
     }
 
@@ -106,7 +106,7 @@ impl Fields {
         let Some(value) = self.take(name) else { return Ok(None) };
         match value.as_f64() {
             Some(number) if (least..=most).contains(&number) => Ok(Some(number)),
-            _ => Err(Wrong::new(&format!("is no number from {least} to {most}")).at(name)),
+            _ => Err(Wrong::new(&format!("must be a number from {least} to {most}")).at(name)),
         }
     }
 
@@ -119,7 +119,7 @@ impl Fields {
         match self.take(name) {
             None => Ok(false),
             Some(Value::Bool(flag)) => Ok(flag),
-            Some(_) => Err(Wrong::new("is neither true nor false").at(name)),
+            Some(_) => Err(Wrong::new("must be true or false").at(name)),
         }
     }
 
@@ -163,7 +163,7 @@ impl Fields {
     #[inline(never)]
     pub fn done(self) -> Read<()> {
         match self.0.keys().next() {
-            Some(name) => Err(Wrong::new("is not known here").at(name)),
+            Some(name) => Err(Wrong::new("is not a known field").at(name)),
             None => Ok(()),
         }
     }
@@ -190,7 +190,7 @@ pub fn text_of(value: Value, most: usize) -> Read<String> {
     match value {
         Value::String(text) if text.chars().nth(most).is_none() => Ok(text),
         Value::String(_) => Err(Wrong::beyond(&format!("is longer than {most} characters"))),
-        _ => Err(Wrong::new("is no text")),
+        _ => Err(Wrong::new("must be a string")),
     }
 }
 
@@ -208,7 +208,7 @@ pub fn whole_of(value: &Value, least: u64, most: u64) -> Read<u64> {
     });
     match number {
         Some(number) if (least..=most).contains(&number) => Ok(number),
-        _ => Err(Wrong::new(&format!("is no whole number from {least} to {most}"))),
+        _ => Err(Wrong::new(&format!("must be a whole number from {least} to {most}"))),
     }
 }
 
@@ -223,7 +223,7 @@ pub fn items(value: Value, most: usize) -> Read<Vec<Value>> {
         Value::Array(items) => {
             Err(Wrong::beyond(&format!("has {} entries, at most {most} are allowed", items.len())))
         }
-        _ => Err(Wrong::new("is no list")),
+        _ => Err(Wrong::new("must be a list")),
     }
 }
 

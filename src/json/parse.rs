@@ -35,7 +35,7 @@ pub fn parse(json: &str, bounds: Bounds) -> Read<Value> {
     parsed.map_err(|error| {
         let text = error.to_string();
         if !budget.over.get() {
-            let reason = format!("is no JSON: {text}");
+            let reason = format!("is not valid JSON: {text}");
             let deep = text.starts_with("recursion limit");
             return if deep { Wrong::beyond(&reason) } else { Wrong::new(&reason) };
         }
@@ -125,7 +125,7 @@ impl<'de> DeserializeSeed<'de> for Seed<'_> {
         let left = self.0.left.get().checked_sub(1);
         self.0
             .left
-            .set(left.ok_or_else(|| self.0.error::<D::Error>("and all before it are too many values"))?);
+            .set(left.ok_or_else(|| self.0.error::<D::Error>("exceeds the maximum number of values"))?);
         deserializer.deserialize_any(self)
     }
 }
@@ -197,7 +197,7 @@ mod tests {
     fn what_is_in_bounds_is_what_serde_reads() {
         let text = r#"{"a":[1,-2,2.5,"x\n\u00e9\ud83d\ude00",true,null],"b":{"c":[]},"a":[0]}"#;
         assert_eq!(parsed(text).unwrap(), serde_json::from_str::<Value>(text).unwrap());
-        assert!(parsed("{\"a\":1} 2").unwrap_err().starts_with("document: is no JSON"));
+        assert!(parsed("{\"a\":1} 2").unwrap_err().starts_with("document: is not valid JSON"));
         assert!(
             parse(&"[".repeat(200), Bounds { values: 1_000, ..BOUNDS })
                 .is_err_and(|wrong| wrong.reason().contains("recursion"))
@@ -209,7 +209,7 @@ mod tests {
         let long = "x".repeat(2000);
         let cases = [
             (json!({ "a": [{ "b": long }] }), "a[0].b: is a text of more than 1 KB"),
-            (json!({ "a": { "x": vec![1; 200] } }), "a.x[97]: and all before it are too many values"),
+            (json!({ "a": { "x": vec![1; 200] } }), "a.x[97]: exceeds the maximum number of values"),
         ];
         for (value, message) in cases {
             assert_eq!(parsed(&value.to_string()).unwrap_err(), message);

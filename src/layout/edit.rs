@@ -128,13 +128,13 @@ pub(super) fn base_weights(template: &Template) -> Vec<f32> {
 /// The place in the tree of a panel of the reading order.
 pub(super) fn in_tree(template: &Template, panel: usize) -> Result<usize> {
     let at = template.order.get(panel).copied();
-    at.ok_or_else(|| refused(template, format!("panel {panel}"), "is no base panel"))
+    at.ok_or_else(|| refused(template, format!("panel {panel}"), "is not a base panel"))
 }
 
 pub(super) fn tree(template: &Template) -> Result<&Node> {
     match template.body() {
         Body::Tree(node) => Ok(node),
-        Body::Polygons(_) => Err(refused(template, "polygons".into(), "have no cuts that could be changed")),
+        Body::Polygons(_) => Err(refused(template, "polygons".into(), "have no dividers that can be changed")),
     }
 }
 

@@ -143,7 +143,7 @@ impl Request {
         let request: Self =
             serde_json::from_str(json).map_err(|error| invalid("animatic", &error.to_string()))?;
         if request.list.fps > 60 {
-            return Err(invalid("shots", "have more than 60 frames a second"));
+            return Err(invalid("shots", "must have at most 60 frames per second"));
         }
         Ok(request)
     }
@@ -194,10 +194,10 @@ impl Request {
     /// Size and rate.
     fn checked(&self) -> Result<([u32; 2], u32)> {
         if self.list.shots.is_empty() {
-            return Err(invalid("shots", "are none"));
+            return Err(invalid("shots", "must not be empty"));
         }
         if self.pictures.len() != self.list.shots.len() {
-            return Err(invalid("pictures", "are not as many as there are shots"));
+            return Err(invalid("pictures", "must have one entry per shot"));
         }
         let fps = match (self.fps, self.list.fps) {
             (0, 0) => 24,
@@ -218,7 +218,7 @@ impl Request {
             counted += shot.frames.map_or(usual, u64::from).max(1);
             let next = ((2 * counted * u64::from(fps) + rate) / (2 * rate)).max(end + 1);
             if next > MOST_FRAMES {
-                return Err(invalid("shots", "are longer than four hours"));
+                return Err(invalid("shots", "must last at most four hours"));
             }
             lengths.push((next - end) as u32);
             end = next;
@@ -346,10 +346,10 @@ pub(super) fn between(first: &Crop, last: &Crop, part: f64) -> Crop {
 pub(super) fn framed(size: [u32; 2], fps: u32) -> Result<([u32; 2], u32)> {
     let [least, most] = SIDES;
     if !size.iter().all(|side| (least..=most).contains(side)) {
-        return Err(invalid("size", &format!("is not from {least} to {most} pixels a side")));
+        return Err(invalid("size", &format!("must be from {least} to {most} pixels per side")));
     }
     if !(1..=60).contains(&fps) {
-        return Err(invalid("fps", "is not from 1 to 60 frames a second"));
+        return Err(invalid("fps", "must be from 1 to 60 frames per second"));
     }
     Ok((size.map(|side| side & !1), fps))
 }

@@ -146,10 +146,10 @@ impl Request {
     /// the style.
     pub fn sheets(&self) -> Result<Vec<Document>> {
         if self.pictures.len() != self.list.shots.len() {
-            return Err(invalid("pictures", "are not as many as there are shots"));
+            return Err(invalid("pictures", "must have one entry per shot"));
         }
         if self.logo.as_ref().is_some_and(|logo| !(logo.aspect.is_finite() && logo.aspect > 0.0)) {
-            return Err(invalid("logo.aspect", "is no number above 0"));
+            return Err(invalid("logo.aspect", "must be a number above 0"));
         }
         let per_sheet = if self.frames == 0 { 6 } else { self.frames.min(MOST_FRAMES) };
         let grid = Grid::best(self, per_sheet);

@@ -135,7 +135,7 @@ impl Request {
     /// of words.
     pub fn planned(&self, letters: &Letters) -> Result<Animatic> {
         if self.pages.is_empty() {
-            return Err(invalid("pages", "are none"));
+            return Err(invalid("pages", "must not be empty"));
         }
         let (size, fps) = framed(self.size, self.fps)?;
         // What a page says of itself is of no account where only its order is asked for.
@@ -153,7 +153,7 @@ impl Request {
             let mut reading = pace.reading(&page, size, (start, into, out_of));
             let end = reading.stops.last().map_or(start + 1, |stop| stop.to);
             if u64::from(end) > MOST_FRAMES {
-                return Err(invalid("pages", "are a film of more than four hours"));
+                return Err(invalid("pages", "must last at most four hours"));
             }
             if !document.words.is_empty() {
                 reading.words = page_value(document)?;

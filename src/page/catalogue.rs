@@ -235,7 +235,7 @@ pub fn choose(json: &str) -> Result<String> {
         .iter()
         .map(|photo| {
             let fingerprint = u64::from_str_radix(&photo.fingerprint, 16)
-                .map_err(|_| invalid(format!("\"{}\" is no fingerprint", photo.fingerprint)))?;
+                .map_err(|_| invalid(format!("\"{}\" is not a valid fingerprint", photo.fingerprint)))?;
             let Candidate { gradient, paper, laplacian, .. } = *photo;
             Ok(Measures { fingerprint, gradient, paper, laplacian })
         })

@@ -155,7 +155,7 @@ fn merges_of(
 ) -> Result<Vec<Vec<Vec<usize>>>> {
     if let Some(groups) = &request.merges {
         if let Some(bad) = groups.iter().find(|group| !can_merge(template, group)) {
-            let reason = format!("panels {bad:?} do not hang together");
+            let reason = format!("panels {bad:?} do not touch each other");
             return Err(Error::InvalidDocument { location: "merges".into(), reason });
         }
         return Ok(vec![groups.clone()]);

@@ -135,7 +135,7 @@ fn a_font_gives_letters_and_what_none_has_is_named() {
     let output = drawn(&["--font", "words.json"], "wrong.png");
     let said = text(&output.stderr);
     assert_eq!((output.status.code(), said.lines().count()), (Some(1), 1), "{said}");
-    assert!(said.contains("words.json: it is no TrueType or OpenType font"), "{said}");
+    assert!(said.contains("words.json: it is not a valid TrueType or OpenType font"), "{said}");
     assert!(!folder.path().join("wrong.png").exists() && !folder.path().join("strict.png").exists());
 }
 

@@ -168,7 +168,7 @@ fn a_logo_that_cannot_be_read_is_told() {
     let folder = tempfile::tempdir().unwrap();
     for (logo, sentence) in [
         ("data:image/png;base64,iVBORw0KGgo=", "the logo of the board: "),
-        ("logo.png", "present.board.logo: is no PNG picture"),
+        ("logo.png", "present.board.logo: must be a PNG data URL"),
     ] {
         let output = folder.path().join("sheet.png");
         let done = render(&project(folder.path(), logo), &output);

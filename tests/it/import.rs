@@ -115,7 +115,7 @@ fn a_header_that_lies_is_refused_before_memory_is_taken() {
     assert_eq!(error.code(), "too-large");
     assert_eq!(
         error.to_string(),
-        "the image is too large: 60000 x 60000 pixels, the limit is 32768 pixels a side"
+        "the image is too large: 60000 x 60000 pixels, the limit is 32768 pixels per side"
     );
 }
 

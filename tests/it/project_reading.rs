@@ -247,17 +247,17 @@ fn what_is_wrong_is_refused_with_its_place() {
         ),
         ("/history/present/page/words", json!(many(1_000)), "present.page.words: has 1000 entries"),
         ("/history/present/page/words", json!(many(20_000)), "present.page.words: has 20000 entries"),
-        ("/history/present/alike", json!(10.5), "present.alike: is no whole number from 0 to 64"),
+        ("/history/present/alike", json!(10.5), "present.alike: must be a whole number from 0 to 64"),
         ("/history/present/alike", json!(65), "present.alike: "),
         ("/history/present/settings/width", Value::Null, "present.settings.width: "),
         ("/history/present/settings/gutter", json!(0.5), "present.settings.gutter: must be from 0 to 0.1"),
         ("/history/present/page/page/width", Value::Null, "present.page.page.width: "),
         ("/history/present/page/page/paper", json!("red"), "present.page.page.paper: "),
-        ("/history/present/page/merges", json!([null]), "present.page.merges[0]: is no list"),
+        ("/history/present/page/merges", json!([null]), "present.page.merges[0]: must be a list"),
         ("/history/present/page/merges", json!([[0, 1], [1, 2]]), "present.page.merges: panel 1"),
         ("/history/present/page/merges", json!([[0, 9]]), "present.page.merges: panel 9"),
         ("/history/present/page/layout", json!("gone"), "present.page.layout: there is no layout"),
-        ("/history/present/page/layout", json!(5), "present.page.layout: is neither"),
+        ("/history/present/page/layout", json!(5), "present.page.layout: must be an id or an object"),
         (
             "/history/present/page/layout",
             json!("cinema-3"),
@@ -276,35 +276,35 @@ fn what_is_wrong_is_refused_with_its_place() {
         ),
         ("/history/present/page/panels/1/crop/x", json!("a"), "present.page.panels[1].crop.x: "),
         ("/history/present/page/panels/1/crop/width", json!(0), "present.page.panels[1].crop.width: "),
-        ("/history/present/page/panels/2", json!(null), "present.page.panels[2]: is no object"),
-        ("/history/present/page/panels/2/photo", json!(3), "present.page.panels[2].photo: is no text"),
+        ("/history/present/page/panels/2", json!(null), "present.page.panels[2]: must be an object"),
+        ("/history/present/page/panels/2/photo", json!(3), "present.page.panels[2].photo: must be a string"),
         ("/history/present/page/seed", json!(-1), "present.page.seed: "),
         ("/history/present/page/version", json!("1"), "present.page.version: "),
         ("/history/present/others/0/page/layout/aspect", json!(0), "present.others[0].page.layout.aspect: "),
-        ("/history/present/others/0/sheet", json!(0), "present.others[0].sheet: is that of another page"),
+        ("/history/present/others/0/sheet", json!(0), "present.others[0].sheet: is a duplicate page"),
         ("/history/present/at", json!(2), "present.at: "),
         ("/history/present/page", Value::Null, "present.at: "),
         ("/history/present/name", json!("x".repeat(2_000)), "present.name: is longer than 1000 characters"),
-        ("/history/present/name", json!(5), "present.name: is no text"),
-        ("/history/present/tray", json!([1]), "present.tray[0]: is no object"),
+        ("/history/present/name", json!(5), "present.name: must be a string"),
+        ("/history/present/tray", json!([1]), "present.tray[0]: must be an object"),
         ("/history/present/tray/1/id", json!(""), "present.tray[1].id: is empty"),
         ("/history/present/tray/1/focus", json!({ "x": 1e9, "y": 0 }), "present.tray[1].focus.x: "),
         ("/history/present/pageId", json!(1.5), "present.pageId: "),
         ("/history/present/panels", json!(0), "present.panels: "),
-        ("/history/present/order", json!("size"), "present.order: is none of"),
+        ("/history/present/order", json!("size"), "present.order: must be one of"),
         ("/history/present/locks/style", json!(1), "present.locks.style: "),
         ("/history/present/styling/invented", json!(2), "present.styling.invented: "),
-        ("/history/present/tray/2/shot", json!([]), "present.tray[2].shot: is no object"),
+        ("/history/present/tray/2/shot", json!([]), "present.tray[2].shot: must be an object"),
         ("/history/present/tray/2/shot/frames", json!(1.5), "present.tray[2].shot.frames: "),
         (
             "/history/present/tray/2/shot/more",
             json!({ "Lens": 35 }),
-            "present.tray[2].shot.more.Lens: is no text",
+            "present.tray[2].shot.more.Lens: must be a string",
         ),
         ("/history/present/board/fps", json!(23), "present.board.fps: "),
         ("/history/present/board/columns", json!(["a", "a"]), "present.board.columns: "),
         ("/history/present/board/aspect", json!("3:2"), "present.board.aspect: "),
-        ("/history/present/board/logo", json!("logo.png"), "present.board.logo: is no PNG picture"),
+        ("/history/present/board/logo", json!("logo.png"), "present.board.logo: must be a PNG data URL"),
         ("/history/present/loved", json!([-1]), "present.loved[0]: "),
         (
             "/history/present/draft/background/0/values/levels",
@@ -312,17 +312,17 @@ fn what_is_wrong_is_refused_with_its_place() {
             "present.draft.background[0].values.levels: ",
         ),
         ("/history/present/draft/background/0/block", json!("nope"), "present.draft.background[0].block: "),
-        ("/history/present/mine", json!(5), "present.mine: is no list"),
-        ("/history/present", json!([]), "present: is no object"),
-        ("/history", json!(7), "history: is no object"),
-        ("/format", json!("other"), "project.json: is of another program"),
+        ("/history/present/mine", json!(5), "present.mine: must be a list"),
+        ("/history/present", json!([]), "present: must be an object"),
+        ("/history", json!(7), "history: must be an object"),
+        ("/format", json!("other"), "project.json: was not saved by Inkpanel"),
         ("/version", json!("1"), "version: "),
         ("/version", json!(0), "version: "),
-        ("/photos", json!({ "length": 1e9 }), "photos: is no list"),
+        ("/photos", json!({ "length": 1e9 }), "photos: must be a list"),
         ("/photos/3", json!({ "name": "x" }), "photos[3].id: is missing"),
-        ("/photos/3/id", json!("p0"), "photos[3].id: is that of another file"),
-        ("/videos/0/path", json!("photos/003.jpg"), "videos[0].path: is that of another file"),
-        ("/videos/0/ids", json!([3]), "videos[0].ids[0]: is no text"),
+        ("/photos/3/id", json!("p0"), "photos[3].id: is used twice"),
+        ("/videos/0/path", json!("photos/003.jpg"), "videos[0].path: is used twice"),
+        ("/videos/0/ids", json!([3]), "videos[0].ids[0]: must be a string"),
     ];
     for (path, wrong, start) in cases {
         let message = refused(|value| *value.pointer_mut(path).unwrap() = wrong.clone());
@@ -394,7 +394,7 @@ fn what_has_no_end_is_refused_at_once() {
             "history.present.name: is a text of more than 512 KB",
         ),
         ("photo", with("/photos/0/name", &json!(huge)), "photos[0].name: is a text of more than 512 KB"),
-        ("photos on one path", with("/photos", &json!(one_path)), "photos[1].path: is that of another file"),
+        ("photos on one path", with("/photos", &json!(one_path)), "photos[1].path: is used twice"),
         (
             "too many photos",
             with("/photos", &json!(photos(20_001))),
@@ -403,7 +403,7 @@ fn what_has_no_end_is_refused_at_once() {
         (
             "nested",
             whole().to_string().replace("\"Trip\"", &nested),
-            "project.json: is no JSON: recursion limit",
+            "project.json: is not valid JSON: recursion limit",
         ),
         (
             "lists",
@@ -559,13 +559,13 @@ fn a_file_may_have_more_photos_than_the_tray_and_as_many_videos() {
 fn two_files_have_neither_one_name_nor_one_path() {
     let mut value = whole();
     value["videos"] = json!([video("p0", 7, &["p0"]), video("p0", 8, &["p1"])]);
-    assert_eq!(read(&value).unwrap_err().1, "videos[1].key: is that of another file");
+    assert_eq!(read(&value).unwrap_err().1, "videos[1].key: is used twice");
     value["videos"] = json!([video("p0", 7, &["p0"]), video("p1", 7, &["p1"])]);
-    assert_eq!(read(&value).unwrap_err().1, "videos[1].path: is that of another file");
+    assert_eq!(read(&value).unwrap_err().1, "videos[1].path: is used twice");
     value["videos"][0]["path"] = json!("photos/003.jpg");
-    assert_eq!(read(&value).unwrap_err().1, "videos[0].path: is that of another file");
+    assert_eq!(read(&value).unwrap_err().1, "videos[0].path: is used twice");
     value["photos"][2]["id"] = json!("p1");
-    assert_eq!(read(&value).unwrap_err().1, "photos[2].id: is that of another file");
+    assert_eq!(read(&value).unwrap_err().1, "photos[2].id: is used twice");
 }
 
 /// The states of the whole project, with tables as the page makes them.

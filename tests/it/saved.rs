@@ -274,7 +274,7 @@ fn a_page_that_cannot_be_drawn_is_refused_with_a_sentence() {
         &[],
         "present.page.seed: is missing",
     );
-    refused("foreign.png", &told("{}"), &[], "is of another program");
+    refused("foreign.png", &told("{}"), &[], "was not saved by Inkpanel");
     refused("planned.png", &told(&text), &["--style", "comic"], "it is planned already");
     refused("second.png", &told(&text), &["--page", "2"], "there is no page 2 in it, only one");
 }

@@ -5,16 +5,16 @@ use inkpanel::style::Style;
 /// A file, and what its error must say.
 const MALFORMED: &[(&str, &str)] = &[
     // No JSON, or JSON of another kind.
-    ("", "is no JSON"),
-    (" ", "is no JSON"),
-    ("nonsense", "is no JSON"),
-    ("{", "is no JSON"),
-    (r#"{"background":[]"#, "is no JSON"),
-    (r#"{"background":[],}"#, "is no JSON"),
-    ("{'background':[]}", "is no JSON"),
-    (r#"{"background":[]} more"#, "is no JSON"),
-    (r#"{"background":[{"block":"xdog","sigma":NaN}]}"#, "is no JSON"),
-    (r#"{"background":[{"block":"xdog","sigma":1e999}]}"#, "is no JSON"),
+    ("", "is not valid JSON"),
+    (" ", "is not valid JSON"),
+    ("nonsense", "is not valid JSON"),
+    ("{", "is not valid JSON"),
+    (r#"{"background":[]"#, "is not valid JSON"),
+    (r#"{"background":[],}"#, "is not valid JSON"),
+    ("{'background':[]}", "is not valid JSON"),
+    (r#"{"background":[]} more"#, "is not valid JSON"),
+    (r#"{"background":[{"block":"xdog","sigma":NaN}]}"#, "is not valid JSON"),
+    (r#"{"background":[{"block":"xdog","sigma":1e999}]}"#, "is not valid JSON"),
     ("null", "must be an object"),
     ("true", "must be an object"),
     ("42", "must be an object"),
@@ -29,9 +29,9 @@ const MALFORMED: &[(&str, &str)] = &[
     (r#"{"background":"xdog"}"#, "background: must be a list"),
     (r#"{"background":[],"foreground":null}"#, "foreground: must be a list"),
     (r#"{"background":[],"foreground":{"block":"xdog"}}"#, "foreground: must be a list"),
-    (r#"{"background":[],"middle":[]}"#, "middle: is no field of a style"),
-    (r#"{"background":[],"Ink":"black"}"#, "Ink: is no field of a style"),
-    (r#"{"background":[],"__proto__":{}}"#, "__proto__: is no field of a style"),
+    (r#"{"background":[],"middle":[]}"#, "middle: is not a field of a style"),
+    (r#"{"background":[],"Ink":"black"}"#, "Ink: is not a field of a style"),
+    (r#"{"background":[],"__proto__":{}}"#, "__proto__: is not a field of a style"),
     (r#"{"background":[],"id":""}"#, "id: must be a text"),
     (r#"{"background":[],"id":"   "}"#, "id: must be a text"),
     (r#"{"background":[],"id":7}"#, "id: must be a text"),
@@ -61,11 +61,11 @@ const MALFORMED: &[(&str, &str)] = &[
     // Their parameters.
     (
         r#"{"background":[{"block":"xdog","Sigma":2}]}"#,
-        "(xdog), Sigma: is no parameter of this block (sigma, p)",
+        "(xdog), Sigma: is not a parameter of this block (sigma, p)",
     ),
     (
         r#"{"background":[{"block":"to_gray","amount":2}]}"#,
-        "(to_gray), amount: is no parameter of this block",
+        "(to_gray), amount: is not a parameter of this block",
     ),
     (r#"{"background":[{"block":"xdog","sigma":"2"}]}"#, "(xdog), sigma: is \"2\", it must be a number"),
     (r#"{"background":[{"block":"xdog","sigma":null}]}"#, "(xdog), sigma: is null, it must be a number"),
@@ -105,7 +105,7 @@ fn too_much_of_anything_is_refused() {
     let tags = format!(r#"{{"background":[],"tags":[{}]}}"#, many(r#""ink""#, 21));
     let name = format!(r#"{{"background":[],"name":"{}"}}"#, "x".repeat(201));
     let deep = format!(r#"{{"background":{}{}}}"#, "[".repeat(5000), "]".repeat(5000));
-    for (json, reason) in [(blocks, "has 33 blocks"), (tags, "tags"), (name, "name"), (deep, "is no JSON")] {
+    for (json, reason) in [(blocks, "has 33 blocks"), (tags, "tags"), (name, "name"), (deep, "is not valid JSON")] {
         let message = Style::parse("shared.json", &json).unwrap_err().to_string();
         assert!(message.contains(reason), "{message}");
     }

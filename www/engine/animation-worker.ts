@@ -71,7 +71,7 @@ async function read({ file, count, start, end, leading, times: told }: FileWish)
     }
     animation.free();
   }
-  if (left.size === new Set(shown).size) throw failure('damaged', 'The animation is damaged or cut short.');
+  if (left.size === new Set(shown).size) throw failure('damaged', 'The animation is damaged or truncated.');
 }
 
 /** Whether there is one more whole picture. */

@@ -146,8 +146,8 @@ async function listOf(file: Blob): Promise<Told[]> {
   const [disk, listDisk, here, count] = [4, 6, 8, 10].map((field) => tail.getUint16(at + field, true));
   const [length, start] = [12, 16].map((field) => tail.getUint32(at + field, true));
   if (count === ELSEWHERE_SHORT || length === ELSEWHERE || start === ELSEWHERE)
-    throw damaged('it is in the form for more than 4 GB');
-  if (disk !== 0 || listDisk !== 0 || here !== count) throw damaged('it is a part of several');
+    throw damaged('ZIP64 is not supported');
+  if (disk !== 0 || listDisk !== 0 || here !== count) throw damaged('multi-part ZIP archives are not supported');
   if (start + length > tailAt + at || length < count * CENTRAL_SIZE) throw damaged('its list of files is missing');
   if (count > ARCHIVE.entries || length > ARCHIVE.directory) throw tooLarge();
   const list = await viewOf(file.slice(start, start + length));
@@ -193,9 +193,9 @@ async function readEntry(
   if (size > most) throw tooLarge();
   const local = await viewOf(file.slice(offset, offset + LOCAL_SIZE + entry.name.length));
   const start = offset + LOCAL_SIZE + local.getUint16(26, true) + local.getUint16(28, true);
-  if (!agrees(local, entry) || start + length > end) throw damaged(`${name} is told of in two ways`);
+  if (!agrees(local, entry) || start + length > end) throw damaged(`${name}: local and central headers disagree`);
   if (flags & ENCRYPTED || ![STORED, DEFLATED].includes(method))
-    throw damaged(`${name} is packed in a way that is not known here`);
+    throw damaged(`${name} uses an unknown compression method`);
   const raw = file.slice(start, start + length);
   const blob = method === STORED ? raw : await unpacked(raw, size, { name, room, signal, beat });
   if (blob.size !== size || (await crcOf(blob, { signal, beat })) !== crc) throw damaged(`${name} is damaged`);
@@ -247,7 +247,7 @@ async function unpacked(
 }
 
 function tooLarge() {
-  return failure('too-large-project', 'It holds more than a project can.');
+  return failure('too-large-project', 'It exceeds the limits of a project.');
 }
 
 async function viewOf(blob: Blob) {

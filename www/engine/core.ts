@@ -243,7 +243,7 @@ function readHistory(
     text = JSON.stringify({ version: record?.version, history: interned(record?.history) });
   } catch {
     // Something that refers to itself, or a number without end.
-    throw failure('damaged-project', 'history: is no plain data');
+    throw failure('damaged-project', 'history: is not plain data');
   }
   const { version, history, dropped }: ReadHistory = JSON.parse(core.read_history(text));
   return { version, history: expanded(history), dropped };

@@ -96,7 +96,7 @@ async function decoded(kind: 'AVIF' | 'HEIC', data: Uint8Array<ArrayBuffer>): Pr
     try {
       return (await decoder.decode()).image;
     } catch {
-      throw failure('damaged', `The ${kind} file is damaged or cut short.`);
+      throw failure('damaged', `The ${kind} file is damaged or truncated.`);
     } finally {
       decoder.close();
     }

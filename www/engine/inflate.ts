@@ -35,7 +35,7 @@ export async function inflated(
       });
       if (done) return new Blob([...blobs, ...parts]);
       beat();
-      if (!take(value.length)) throw failure('too-large', 'It unpacks to more than it may.');
+      if (!take(value.length)) throw failure('too-large', 'The uncompressed size exceeds the limit.');
       parts.push(value);
       length += value.length;
       if (length < PART) continue;

@@ -33,7 +33,7 @@ export async function hearFilm(
   try {
     onStage('decoding');
     const { sound } = await asked(worker, { file }, signal);
-    if (!sound) throw failure('sound-none', 'There is no sound in it.');
+    if (!sound) throw failure('sound-none', 'The video has no sound.');
     if (sound.length > MOST_SOUND.seconds) throw failure('sound-long', 'It is too long.');
     if (file.size > MOST_SOUND.bytes) throw failure('sound-large', 'It is too large.');
     const samples = await orStopped(decoded(file), signal);

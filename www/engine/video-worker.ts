@@ -31,13 +31,13 @@ type Place = { index: number; time: number; shot?: number };
 serveFrames(read);
 
 async function read(wish: FileWish) {
-  if (typeof VideoDecoder === 'undefined') throw failure('video-decoder', 'This browser has no WebCodecs.');
+  if (typeof VideoDecoder === 'undefined') throw failure('video-decoder', 'This browser does not support WebCodecs.');
   const input = new Input({ source: new BlobSource(wish.file), formats: ALL_FORMATS });
   try {
     const track = await open(input, wish.file);
     const first = Math.max(0, await track.getFirstTimestamp());
     const { duration, reaches } = await lengthOf(track);
-    if (!(reaches > 0 && reaches >= first)) throw failure('film-empty', 'There is no frame in it.');
+    if (!(reaches > 0 && reaches >= first)) throw failure('film-empty', 'The video has no frames.');
     const clock = createFilmClock(first);
     const whole = reaches < duration - 0.5 ? clock.inFilm(duration) : undefined;
     postMessage({ about: { duration: clock.inFilm(reaches), whole } });
@@ -100,7 +100,7 @@ async function byShots(track: InputVideoTrack, sender: Sender, wish: Spread, dur
     await looks.between(keys, tell(0.4, 0.6));
   }
   postMessage({ about: { duration, looked: 1 } });
-  if (looking.looks === 0) throw failure('film-empty', 'There is no frame in it.');
+  if (looking.looks === 0) throw failure('film-empty', 'The video has no frames.');
   await take(count);
   if (taken.length > 0) return undefined;
   // All of it is dark, or one colour: then that is what it shows.
@@ -157,7 +157,7 @@ async function open(input: Input, file: Blob) {
   if (container !== null) throw failure('film-container', codec === null ? container : `${container}, ${codec}`);
   if (!(await input.canRead())) throw failure('video-format', 'It is not an MP4, MOV, WebM or Matroska video.');
   const track = await trackOf(input);
-  if (!track) throw failure('video-empty', 'There is no picture in it, only sound.');
+  if (!track) throw failure('video-empty', 'The video has only sound, no picture.');
   if (!(await track.canDecode())) {
     const told = track.codec === null ? (codec ?? '?') : codecName(track.codec);
     throw failure(told === 'H.264' ? 'video-decoder' : 'film-codec', told);
@@ -168,7 +168,7 @@ async function open(input: Input, file: Blob) {
 /** A file that breaks off before the list of its frames has none of them. */
 async function trackOf(input: Input) {
   const tracks = await input.getTracks().catch(() => []);
-  if (tracks.length === 0) throw failure('film-cut', 'It breaks off before the list of its frames.');
+  if (tracks.length === 0) throw failure('film-cut', 'The file is incomplete: its index is missing.');
   return input.getPrimaryVideoTrack();
 }
 

@@ -67,7 +67,7 @@ async function eachFrame(
   { canvas = new OffscreenCanvas(width, height), reads = false }: { canvas?: OffscreenCanvas; reads?: boolean } = {},
 ) {
   const context = canvas.getContext('2d', { alpha: false, willReadFrequently: reads });
-  if (!context) throw failure('animatic-encoder', 'The browser gives no canvas for the film.');
+  if (!context) throw failure('animatic-encoder', 'The browser provides no canvas for the video.');
   const count = framesIn(table);
   for (let frame = 0; frame < count; frame += 1) {
     // A picture stays on the canvas while nothing moves.
@@ -135,7 +135,7 @@ async function voiceOf({ channels, sampleRate }: Sound, codecs: readonly ('aac' 
   for (const codec of codecs)
     if (await canEncodeAudio(codec, { numberOfChannels: channels.length, sampleRate, bitrate: AUDIO_BITRATE }))
       return new AudioSampleSource({ codec, bitrate: AUDIO_BITRATE });
-  throw failure('animatic-sound', 'This browser encodes no sound for such a file.');
+  throw failure('animatic-sound', 'This browser cannot encode sound for this format.');
 }
 
 /** Hands a sound over second by second. */

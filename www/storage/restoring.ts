@@ -49,7 +49,7 @@ export async function readProject(
   recall: Journal['recall'] = () => null,
 ): Promise<{ place: Place; content: Content; drawn: Project[] }> {
   const [place, state] = await Promise.all([placeOf(database, id), database.get('states', id)]);
-  if (!state) throw failure('missing-project', 'There is no such project any more.');
+  if (!state) throw failure('missing-project', 'This project no longer exists.');
   const { readHistory } = await ready;
   const { history: stored, dropped } = readHistory(state);
   const told = recall(id, { stamp: place.stamp, history: stored }, readHistory);

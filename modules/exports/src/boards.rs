@@ -21,7 +21,7 @@ pub fn shot_file(ending: &str, list: &str) -> std::result::Result<String, JsValu
     let made = || -> Result<String> {
         let kind = Kind::of(ending).ok_or_else(|| Error::InvalidDocument {
             location: "kind".into(),
-            reason: format!("{ending} is none of csv, edl, otio, xml"),
+            reason: format!("{ending} must be one of csv, edl, otio, xml"),
         })?;
         Ok(ShotList::parse(list)?.written(kind))
     };

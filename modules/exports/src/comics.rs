@@ -26,7 +26,7 @@ pub fn comic_file(kind: &str, comic: &str, lettering: &Lettering) -> std::result
             "cbz" => json(&cbz::write(&comic, letters)?),
             _ => Err(Error::InvalidDocument {
                 location: "kind".into(),
-                reason: format!("{kind} is none of html, epub, cbz"),
+                reason: format!("{kind} must be one of html, epub, cbz"),
             }),
         }
     };

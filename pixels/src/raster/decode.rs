@@ -297,7 +297,7 @@ fn check_jpeg<'a>(bytes: &'a [u8], name: &'static str, limits: &Limits) -> Resul
         return Err(Error::Unsupported { format: name, reason: reason.to_owned() });
     }
     if !markers.plausible(bytes.len()) {
-        return Err(Error::damaged(name, "it is too short for the size that it announces"));
+        return Err(Error::damaged(name, "it is too short for its image size"));
     }
     Ok(markers)
 }
@@ -316,10 +316,10 @@ fn check_riff(bytes: &[u8], name: &'static str) -> Result<()> {
 
 fn check_size(width: u32, height: u32, name: &'static str, limits: &Limits) -> Result<()> {
     if width == 0 || height == 0 {
-        return Err(Error::damaged(name, "it announces no pixels"));
+        return Err(Error::damaged(name, "its width or height is zero or missing"));
     }
     if width.max(height) > limits.max_side {
-        return Err(too_large(width, height, format!("{} pixels a side", limits.max_side)));
+        return Err(too_large(width, height, format!("{} pixels per side", limits.max_side)));
     }
     if u64::from(width) * u64::from(height) > limits.max_pixels {
         return Err(too_large(width, height, format!("{} megapixels", limits.max_pixels / 1_000_000)));
@@ -334,7 +334,7 @@ fn too_large(width: u32, height: u32, limit: String) -> Error {
 pub(super) fn explained(error: ImageError, format: &'static str) -> Error {
     match error {
         ImageError::Unsupported(reason) => Error::Unsupported { format, reason: reason.to_string() },
-        ImageError::Limits(_) => Error::damaged(format, "it asks for more memory than its size explains"),
+        ImageError::Limits(_) => Error::damaged(format, "the decoder exceeded the memory limit"),
         error => Error::damaged(format, error),
     }
 }

@@ -50,7 +50,7 @@ impl Decoder {
             _ => (Channels::Rgb, ColorSpace::RGB),
         };
         decoder.set_options(options.jpeg_set_out_colorspace(out));
-        let size = decoder.dimensions().ok_or_else(|| Error::damaged(name, "it announces no pixels"))?;
+        let size = decoder.dimensions().ok_or_else(|| Error::damaged(name, "its width or height is zero or missing"))?;
         Ok(Self { file: decoder, size, channels, is_ycck: colors == Some(ColorSpace::YCCK), name })
     }
 

@@ -194,7 +194,7 @@ impl TryFrom<String> for Matte {
     type Error = &'static str;
 
     fn try_from(text: String) -> Result<Self, Self::Error> {
-        let wrong = "is no mask: its sides and a letter for each run of pixels";
+        let wrong = "is not a valid mask";
         if read(&text).is_some() { Ok(Self::of(text)) } else { Err(wrong) }
     }
 }

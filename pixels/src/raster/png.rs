@@ -169,7 +169,7 @@ fn inflated(body: &[u8]) -> Option<Vec<u8>> {
 fn explained(error: DecodingError, format: &'static str) -> Error {
     match error {
         DecodingError::LimitsExceeded => {
-            Error::damaged(format, "it says more besides its pixels than any camera does")
+            Error::damaged(format, "its metadata exceeds the limit")
         }
         error => Error::damaged(format, error),
     }

@@ -87,7 +87,7 @@ impl Header {
         let directory = tiff.directory().ok_or_else(none)?;
         let number = |tag| tiff.find(directory, tag).and_then(|field| tiff.number(field));
         let photometric = number(PHOTOMETRIC)
-            .ok_or_else(|| Error::damaged(name, "it does not say what its samples mean"))?;
+            .ok_or_else(|| Error::damaged(name, "it does not define the meaning of its samples"))?;
         let rows = number(HEIGHT).zip(number(ROWS_PER_STRIP)).map(|(height, rows)| rows.min(height));
         let mut fields = Vec::new();
         for field in tiff.fields(directory) {
@@ -212,7 +212,7 @@ impl Layout {
             5 => Colors::Cmyk,
             // JPEG brings all samples to one size, other methods leave them at two.
             6 if !planar && (compression == JPEG || subsampling.as_deref() == Some(&[1, 1])) => Colors::YCbCr,
-            6 => return Err(unsupported("its colours have fewer samples than its brightness")),
+            6 => return Err(unsupported("its chroma is subsampled")),
             other => return Err(unsupported(&format!("its samples are of kind {other}"))),
         };
         let count = match colors {
@@ -221,10 +221,10 @@ impl Layout {
             Colors::Cmyk => 4,
         };
         if samples < count {
-            return Err(Error::damaged(name, format!("it has {samples} samples a pixel instead of {count}")));
+            return Err(Error::damaged(name, format!("it has {samples} samples per pixel instead of {count}")));
         }
         if samples > MOST_SAMPLES {
-            return Err(unsupported(&format!("it has {samples} samples a pixel")));
+            return Err(unsupported(&format!("it has {samples} samples per pixel")));
         }
         let alpha = match extra.first() {
             _ if samples == count || colors == Colors::Palette => Alpha::None,
@@ -404,7 +404,7 @@ fn check_jpegs(file: &[u8], decoder: &mut Decoder<Patched>, name: &'static str) 
     let tables: Vec<u8> = tables.into_iter().map(|value| value as u8).collect();
     let total = counts.iter().fold(0u64, |sum, &count| sum.saturating_add(count));
     if Markers::of(&tables).size.is_some() || total > 4 * file.len() as u64 {
-        return Err(Error::damaged(name, "its parts are no JPEG images"));
+        return Err(Error::damaged(name, "its parts are not JPEG images"));
     }
     let (width, height) = decoder.chunk_dimensions();
     for (offset, count) in offsets.into_iter().zip(counts) {
@@ -413,7 +413,7 @@ fn check_jpegs(file: &[u8], decoder: &mut Decoder<Patched>, name: &'static str) 
         let part = &part[..part.len().min(count)];
         let fits = |(w, h): (u32, u32)| w <= width.next_multiple_of(16) && h <= height.next_multiple_of(16);
         if !Markers::of(part).size.is_some_and(fits) {
-            return Err(Error::damaged(name, "a part of it announces another size than the image"));
+            return Err(Error::damaged(name, "a part of it has a different size than the image"));
         }
     }
     Ok(())

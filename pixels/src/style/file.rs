@@ -72,7 +72,7 @@ impl Style {
     /// `invalid-style`, naming file, place and reason.
     pub fn parse(file: &str, json: &str) -> Result<Self> {
         let value: Value = serde_json::from_str(json)
-            .map_err(|error| invalid(file, "file", format!("is no JSON: {error}")))?;
+            .map_err(|error| invalid(file, "file", format!("is not valid JSON: {error}")))?;
         Self::from_value(file, &value)
     }
 
@@ -88,7 +88,7 @@ impl Style {
             if !["id", "name", "tags", "background", "foreground", "where", "ink", "faces", "score"]
                 .contains(&key.as_str())
             {
-                return Err(invalid(file, key, "is no field of a style"));
+                return Err(invalid(file, key, "is not a field of a style"));
             }
         }
         let stem = file.rsplit('/').next().unwrap_or(file).trim_end_matches(".json");
@@ -310,7 +310,7 @@ fn parts(file: &str, map: &Map<String, Value>) -> Result<Parts> {
         let part = match layer.as_str() {
             "background" => &mut parts.background,
             "foreground" => &mut parts.foreground,
-            _ => return Err(invalid(file, &place, "is no layer: background or foreground")),
+            _ => return Err(invalid(file, &place, "must be background or foreground")),
         };
         *part = Some(part_of(value).map_err(|reason| invalid(file, &place, reason))?);
     }
@@ -375,7 +375,7 @@ fn step(file: &str, place: &str, value: &Value) -> Result<Step> {
         let Some(i) = block.params.iter().position(|param| param.id == key) else {
             let known: Vec<&str> = block.params.iter().map(|param| param.id).collect();
             let known = if known.is_empty() { "it has none".to_owned() } else { known.join(", ") };
-            return Err(invalid(file, &place, format!("is no parameter of this block ({known})")));
+            return Err(invalid(file, &place, format!("is not a parameter of this block ({known})")));
         };
         if matches!(block.params[i].kind, Kind::Texture) {
             let read = texture(value).map_err(|reason| invalid(file, &place, reason))?;
@@ -446,7 +446,7 @@ mod tests {
     #[test]
     fn errors_name_the_file_the_place_and_the_reason() {
         let cases = [
-            ("", "is no JSON"),
+            ("", "is not valid JSON"),
             ("[]", "must be an object"),
             ("{}", "background: is missing"),
             (r#"{"background":5}"#, "background: must be a list"),
@@ -455,7 +455,7 @@ mod tests {
             (r#"{"background":[{"block":"nope"}]}"#, "there is no block \"nope\""),
             (
                 r#"{"background":[{"block":"posterize","level":4}]}"#,
-                "background[0] (posterize), level: is no parameter of this block (levels)",
+                "background[0] (posterize), level: is not a parameter of this block (levels)",
             ),
             (r#"{"background":[{"block":"posterize","levels":1}]}"#, "is 1, it must be from 2 to 64"),
             (r#"{"background":[{"block":"posterize","levels":2.5}]}"#, "must be a whole number"),
@@ -466,7 +466,7 @@ mod tests {
             (r#"{"background":[{"block":"sobel","where":"left"}]}"#, "must be \"subject\" or \"background\""),
             (r#"{"background":[{"block":"sobel","where":null}]}"#, "background[0] (sobel), where: is null"),
             (r#"{"background":[],"where":"subject"}"#, "where: must be an object"),
-            (r#"{"background":[],"where":{"middle":"subject"}}"#, "where, middle: is no layer"),
+            (r#"{"background":[],"where":{"middle":"subject"}}"#, "where, middle: must be background or foreground"),
             (r#"{"background":[],"where":{"foreground":1}}"#, "where, foreground: is 1, it must be"),
             (
                 r#"{"background":[{"block":"to_gray","where":"subject"},{"block":"pattern"}]}"#,
@@ -475,7 +475,7 @@ mod tests {
             (r#"{"background":[],"ink":"red"}"#, "ink: is \"red\", it must be a colour"),
             (r#"{"background":[],"id":""}"#, "id: must be a text"),
             (r#"{"background":[],"tags":[1]}"#, "tags: must be a list"),
-            (r#"{"background":[],"layers":[]}"#, "layers: is no field of a style"),
+            (r#"{"background":[],"layers":[]}"#, "layers: is not a field of a style"),
             (
                 r#"{"background":[{"block":"to_gray"},{"block":"saturation"}]}"#,
                 "background[1] (saturation): needs colour",

@@ -49,7 +49,7 @@ impl Texture {
                 MOST_BYTES >> 10
             ));
         }
-        let bytes = STANDARD.decode(rest).map_err(|error| format!("is no base64: {error}"))?;
+        let bytes = STANDARD.decode(rest).map_err(|error| format!("is not valid base64: {error}"))?;
         let decoded =
             decode_fit(&bytes, &LIMITS, LONGEST).map_err(|error| format!("cannot be read: {error}"))?;
         if !["PNG", "JPEG"].contains(&decoded.format) {
@@ -150,7 +150,7 @@ pub(crate) mod tests {
         let cases = [
             ("hatch.png".to_owned(), "must be a PNG or JPEG picture as a data URL"),
             ("data:image/gif;base64,AAAA".to_owned(), "must be a PNG or JPEG"),
-            ("data:image/png;base64,*".to_owned(), "is no base64"),
+            ("data:image/png;base64,*".to_owned(), "is not valid base64"),
             ("data:image/png;base64,AAAA".to_owned(), "cannot be read"),
             (cut.to_owned(), "cannot be read"),
             (format!("data:image/png;base64,{}", "A".repeat(360_000)), "at most 256"),

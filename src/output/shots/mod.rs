@@ -125,10 +125,10 @@ impl ShotList {
         let invalid = |reason: String| Error::InvalidDocument { location: "shots".into(), reason };
         let list: Self = serde_json::from_str(json).map_err(|error| invalid(error.to_string()))?;
         if list.fps > 60 {
-            return Err(invalid("have more than 60 frames a second".into()));
+            return Err(invalid("must have at most 60 frames per second".into()));
         }
         if !list.pace.fits(list.rate().base) {
-            return Err(invalid("have a rate whose frames are not counted in this way".into()));
+            return Err(invalid("pace: is not valid for this frame rate".into()));
         }
         let mut starts = list.shots.iter().filter_map(|shot| shot.film.as_ref()?.timecode);
         if !starts.all(StartTimecode::is_valid) {

@@ -70,9 +70,9 @@ impl GivenFonts {
         {
             Some(true) => {}
             Some(false) => {
-                return Err("its letters are pictures, or it has none: a font with outlines is needed");
+                return Err("it has no outlines; use a font with outlines");
             }
-            None => return Err("it is no TrueType or OpenType font, or it is broken"),
+            None => return Err("it is not a valid TrueType or OpenType font"),
         }
         self.files.push(file.into());
         Ok(())

@@ -134,18 +134,18 @@ impl Word {
             "shout" => Shape::Shout,
             "whisper" => Shape::Whisper,
             "radio" => Shape::Radio,
-            _ => return Err(field.wrong("shape", "is none of oval, thought, shout, whisper, radio")),
+            _ => return Err(field.wrong("shape", "must be one of oval, thought, shout, whisper, radio")),
         };
         let kind = match field.text("kind", "")? {
             "caption" => Kind::Caption,
             "balloon" => Kind::Balloon(shape),
             "effect" => Kind::Effect,
-            _ => return Err(field.wrong("kind", "is none of caption, balloon, effect")),
+            _ => return Err(field.wrong("kind", "must be one of caption, balloon, effect")),
         };
         let craft = match field.number("craft", 1.0, 2.0)? {
             None | Some(1.0) => Craft::First,
             Some(2.0) => Craft::Letterer,
-            Some(_) => return Err(field.wrong("craft", "is neither 1 nor 2")),
+            Some(_) => return Err(field.wrong("craft", "must be 1 or 2")),
         };
         let (font, color, fill) = match kind {
             Kind::Caption => ("comic-neue", "#111111", "#fff6d6"),
@@ -161,7 +161,7 @@ impl Word {
         }
         let font = field.text("font", font)?;
         if !["comic-neue", "comic-neue-bold", "bangers"].contains(&font) {
-            return Err(field.wrong("font", "is none of comic-neue, comic-neue-bold, bangers"));
+            return Err(field.wrong("font", "must be one of comic-neue, comic-neue-bold, bangers"));
         }
         let panel = match &value["panel"] {
             Value::Null => None,
@@ -275,7 +275,7 @@ impl<'v> Field<'v> {
         match &self.value[name] {
             Value::Null => Ok(None),
             Value::Bool(truth) => Ok(Some(*truth)),
-            _ => Err(self.wrong(name, "is neither true nor false")),
+            _ => Err(self.wrong(name, "must be true or false")),
         }
     }
 

@@ -72,7 +72,7 @@ impl Bank {
             return Err(invalid("its levels must be above 0 and rise"));
         }
         if levels.iter().any(|(_, filters)| filters.len() != shape.buckets()) {
-            return Err(invalid("a level must have one filter a bucket"));
+            return Err(invalid("a level must have one filter per bucket"));
         }
         Ok(Self { shape, levels })
     }
@@ -84,14 +84,14 @@ impl Bank {
     pub fn parse(name: &str, bytes: &[u8]) -> Result<Self> {
         let invalid = |reason: String| Error::InvalidBank { name: name.to_owned(), reason };
         let Some((header, rest)) = bytes.split_first_chunk::<HEADER>() else {
-            return Err(invalid(format!("is {} bytes long, its header alone has {HEADER}", bytes.len())));
+            return Err(invalid(format!("is {} bytes long, its header needs {HEADER}", bytes.len())));
         };
         if header[..4] != MAGIC {
             return Err(invalid("does not begin with BLDE".to_owned()));
         }
         let version = u16::from_le_bytes([header[4], header[5]]);
         if version != VERSION {
-            return Err(invalid(format!("has the version {version}, this program reads {VERSION}")));
+            return Err(invalid(format!("has version {version}, but this program reads version {VERSION}")));
         }
         let expected = [SIDE as u8, FRACTION as u8, ORIENTATIONS as u8];
         if header[6..9] != expected {
@@ -211,7 +211,7 @@ mod tests {
         let cases = [
             (vec![], "is 0 bytes long"),
             (with(0, b'X'), "does not begin with BLDE"),
-            (with(4, 9), "has the version 9, this program reads 1"),
+            (with(4, 9), "has version 9, but this program reads version 1"),
             (with(6, 5), "has side, fraction bits, orientations [5, 13, 16]"),
             (with(9, 0), "its header asks for"),
             (with(11, 3), "its header asks for"),

@@ -26,7 +26,7 @@ test('an unreadable video is reported once with the reason, also among other unr
   const alert = page.getByRole('alert');
   const used = page.getByRole('checkbox', { name: /^Use / });
   await add(page, [await video('headless.mp4')]);
-  await expect(alert.getByText(/breaks off before the list of its frames/)).toBeVisible();
+  await expect(alert.getByText(/file is incomplete/)).toBeVisible();
   await expect(alert.getByText(/None of these files/)).toHaveCount(0);
   await expect(used).toHaveCount(0);
   await dismissAlerts(page);
