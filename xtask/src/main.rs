@@ -95,6 +95,13 @@ enum Task {
         /// Folders of other photos; their table is printed
         folders: Vec<String>,
     },
+    /// Compare automatic pages of your albums, and fit the score to the ratings; see `cargo xtask rate --help`
+    #[command(disable_help_flag = true)]
+    Rate {
+        /// Arguments of the rating tool
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<String>,
+    },
     /// Read files made to break decoders, and count what became of them into docs/reports/malformed-files.md
     Corpora,
     /// Count near-duplicates found and taken for one into docs/reports/near-duplicates.md
@@ -129,6 +136,7 @@ fn run(task: &Task) -> Result<()> {
             cargo.args(["run", "--quiet", "--package", "inkpanel-release", "--"]).args(arguments);
             tools::run(&mut cargo)
         }
+        Task::Rate { arguments } => pages::rate(&project, arguments),
         Task::Translations(task) => translations::run(&project, task),
         Task::Models => models::make(&project),
         Task::Test { suites, ci, all, skip_default } => {

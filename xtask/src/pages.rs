@@ -32,3 +32,17 @@ pub fn run(project: &Project, folders: &[String]) -> Result<()> {
     );
     Ok(())
 }
+
+/// Starts the rating tool with the command line program in a release build and its models.
+///
+/// # Errors
+/// If a build fails, or the tool does.
+pub fn rate(project: &Project, arguments: &[String]) -> Result<()> {
+    models::make(project)?;
+    let mut cargo = project.cargo();
+    tools::run(cargo.args(["build", "--quiet", "--release", "--features", CLI, "--bin", "inkpanel"]))?;
+    let inkpanel = project.target.join("release").join(format!("inkpanel{}", std::env::consts::EXE_SUFFIX));
+    let mut cargo = project.cargo();
+    cargo.args(["run", "--quiet", "--package", "inkpanel-rate", "--", "--inkpanel"]).arg(inkpanel);
+    tools::run(cargo.args(arguments))
+}

@@ -167,7 +167,7 @@ const SUITES: &[Suite] = &[
 
 /// The packages of the engine. Cargo would build the libraries that they share with the task runner once more, with the features
 /// of both, if one command built them all.
-pub const ENGINE: [&str; 9] = [
+pub const ENGINE: [&str; 11] = [
     "--workspace",
     "--exclude",
     "xtask",
@@ -175,6 +175,8 @@ pub const ENGINE: [&str; 9] = [
     "inkpanel-models",
     "--exclude",
     "inkpanel-release",
+    "--exclude",
+    "inkpanel-rate",
     "--features",
     CLI,
 ];
@@ -440,7 +442,7 @@ fn rust(run: &Run) -> Result<Outcome> {
 
 /// The tests of the tools that no other suite compiles.
 fn release_tools(run: &Run) -> Result<Outcome> {
-    cargo_tests(run, &["--package", "inkpanel-models", "--package", "inkpanel-release"], &[])
+    cargo_tests(run, &["--package", "inkpanel-models", "--package", "inkpanel-rate", "--package", "inkpanel-release"], &[])
 }
 
 /// The tests that need epubcheck and Ace.
