@@ -21,42 +21,42 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 #[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
 pub(crate) struct Animate {
-    /// The saved project (.inkpanel, or a PNG of a page that carries its project and photos).
+    /// Saved project: an .inkpanel file, or a page PNG that contains its project and photos.
     project: PathBuf,
-    /// Folder of the frames, frame-00001.png and so on; it is made where it is not there.
+    /// Folder for the frames frame-00001.png and so on. It is created if missing.
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// Take the pages of the project, read panel by panel, in place of the shots of its board.
+    /// Animate the pages panel by panel, instead of the shots of the storyboard.
     #[arg(long)]
     pages: bool,
-    /// Size of the frames: 1080p, 720p, square, upright, or such as 960x540, in pixels.
+    /// Frame size: 1080p, 720p, square, upright, or pixels such as 960x540.
     #[arg(long, value_name = "NAME|WxH", default_value = "1080p", value_parser = size)]
     size: [u32; 2],
-    /// Frames a second; those of the project's board unless told, 24 of pages.
+    /// Frames per second. [default: the storyboard's rate, or 24 with --pages]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=60))]
     fps: Option<u32>,
-    /// How long a shot is that says nothing; of pages, how long a panel is seen at least, up to 60.
+    /// Duration of a shot without one, in seconds. With --pages: minimum time per panel, at most 60.
     #[arg(long, value_name = "SECONDS", default_value = "2", value_parser = seconds::<3600>)]
     seconds: f64,
-    /// Let each shot go over into the next within so many seconds; 0 cuts. Of pages each page, up to 1.
+    /// Duration of the dissolve between shots, in seconds; 0 for cuts. With --pages: between pages, at most 1.
     #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = seconds::<10>)]
     dissolve: f64,
-    /// Let the camera stand still: each shot is one picture, and of pages it is at once at the next panel.
+    /// Disable camera movement.
     #[arg(long)]
     still: bool,
-    /// Write below each shot what is said, else what happens; not of pages.
+    /// Add the dialogue or the action below each shot (shots only).
     #[arg(long)]
     captions: bool,
-    /// Id of a designed style, or a style file; that of the project's page unless told; not of pages.
+    /// Style id or style file (shots only). [default: the style of the project's page]
     #[arg(long, value_name = "ID|FILE")]
     style: Option<String>,
-    /// A TrueType or OpenType font for letters of captions and of words that the program's own lack; may be said again.
+    /// Fallback font file (TrueType or OpenType) for missing characters. Can be repeated.
     #[arg(long, value_name = "FILE")]
     font: Vec<PathBuf>,
-    /// Leave frames that are there as they are, so that work that was stopped goes on.
+    /// Skip existing frames, to resume a run.
     #[arg(long)]
     skip_existing: bool,
-    /// Tell the shots, or the pages, and their frames as JSON, and the progress on standard error as a line of JSON for each step.
+    /// Print the shots or pages and their frames as JSON. Progress on standard error is one JSON object per line.
     #[arg(long)]
     json: bool,
 }

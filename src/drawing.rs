@@ -160,37 +160,35 @@ pub(crate) fn jpeg_of(document: &Document, means: &Means<'_>) -> Result<Vec<u8>,
     draw(document, means, Path::new("page.jpg"))
 }
 
-/// What is asked of a file beside its pages, on the command line.
+/// Options of output files, mostly for print.
 #[derive(clap::Args, Default, PartialEq, Clone)]
+#[command(next_help_heading = "Print")]
 pub(crate) struct Printing {
-    /// Of a PDF file: art goes on so many millimetres beyond the edge, which is cut off.
+    /// Bleed in millimetres (PDF only).
     #[arg(long, value_name = "MM", value_parser = millimetres)]
     bleed: Option<f64>,
-    /// Of a PDF file: lines that say where to cut and fold.
+    /// Add crop and fold marks (PDF only).
     #[arg(long)]
     marks: bool,
-    /// Of a PDF file: pages on sheets to fold or cut: booklet, zine, 2up or spreads.
+    /// Arrange pages on sheets: booklet, zine, 2up or spreads (PDF only).
     #[arg(long, value_name = "HOW", value_parser = imposition)]
     impose: Option<Imposition>,
-    /// Fits the sheets of a PDF file to paper of this size, a name or such as 210x297 in millimetres; a zine goes on A4
-    /// unless told.
+    /// Sheet size: a name, or millimetres such as 210x297 (PDF only). [default: the size of the pages; a4 for a zine]
     #[arg(long, value_name = "NAME|WxH", value_parser = sheet)]
     sheet: Option<[f64; 2]>,
-    /// A gray PDF file for each ink that the style prints: OUT-red.pdf, OUT-blue.pdf.
+    /// Also write one gray PDF per ink of the style, such as OUT-red.pdf (PDF only).
     #[arg(long)]
     plates: bool,
-    /// Language of the words, a tag such as en or pt-BR, en unless told: a PDF file or a comic says it to who reads it aloud, and a
-    /// comic's reader speaks it itself.
+    /// Language of the text, for screen readers and hyphenation: a tag such as en or pt-BR (PDF and comics). [default: en]
     #[arg(long, value_name = "TAG", value_parser = reading::language)]
     language: Option<String>,
-    /// A TrueType or OpenType font for letters of words that the program's own lack, such as Arabic or Japanese; may be said
-    /// again: the first that has a letter is taken.
+    /// Fallback font file (TrueType or OpenType) for missing characters, such as Arabic. Can be repeated.
     #[arg(long, value_name = "FILE")]
     font: Vec<PathBuf>,
-    /// Enlarge photos well that have fewer than 200 pixels an inch at this size; which ones is told.
+    /// Upscale photos that have fewer than 200 DPI at this size. They are listed on standard error.
     #[arg(long)]
     enlarge: bool,
-    /// Quality of JPEG files, and of the pictures in PDF files and comics, from 1 to 100; 90 unless told.
+    /// JPEG quality, also of pictures in PDF files and comics. [default: 90]
     #[arg(long, value_name = "1-100", value_parser = clap::value_parser!(u8).range(1..=100))]
     quality: Option<u8>,
 }

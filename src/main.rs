@@ -55,7 +55,7 @@ use destination::{Output, print_lines};
 use drawing::Kind;
 use paper::Paper;
 
-/// Photos in, stylised storyboard pages out.
+/// Turn photos into stylised comic pages and storyboards.
 #[derive(Parser)]
 #[command(version, about, after_help = EXIT_CODES)]
 struct Cli {
@@ -65,143 +65,161 @@ struct Cli {
 
 const EXIT_CODES: &str = "\
 Exit codes:
-  0  done; what is left out is named on standard error
-  1  bad input, or something that --strict does not let pass: the reason is on standard error, and nothing is written
-  2  wrong usage: an option, its value, or a file of settings";
+  0  success; skipped files are listed on standard error
+  1  bad input, or a warning with --strict; the reason is on standard error and no file is written
+  2  wrong usage: an option, its value, or a settings file";
+
+const RENDER_HELP: &str = "\
+Examples:
+  inkpanel render -o page.png photos/*.jpg
+  inkpanel render --style noir --layout grid-6 --seed 7 -o page.png photos/
+  inkpanel render --pages 4 -o album.pdf photos/
+  inkpanel render album.inkpanel --page 2 -o page.webp
+
+Exit codes:
+  0  success; skipped files are listed on standard error
+  1  bad input, or a warning with --strict; the reason is on standard error and no file is written
+  2  wrong usage: an option, its value, or a settings file";
 
 #[derive(Subcommand)]
 enum Command {
-    /// Make a storyboard page of photos, or draw a saved one.
-    #[command(after_help = EXIT_CODES)]
+    /// Make a comic page or several from photos, or draw a saved page.
+    #[command(after_help = RENDER_HELP)]
     Render(Box<Render>),
-    /// Judge the pages of a plan as `render --json` prints it: the score and its terms.
+    /// Score the pages of a plan that `render --json` printed.
+    #[command(after_help = "Example:\n  inkpanel render --json photos/ > plan.json && inkpanel score plan.json")]
     Score {
-        /// The plan.
+        /// Plan file, as printed by `render --json`.
         plan: PathBuf,
-        /// Answer as JSON.
+        /// Print JSON.
         #[arg(long)]
         json: bool,
-        /// Folder of faces.onnx and objects.onnx.
+        /// Folder that contains faces.onnx and objects.onnx. [default: next to the program, or www/models]
         #[arg(long, value_name = "DIR")]
         models: Option<PathBuf>,
-        /// Do not look for faces and objects.
+        /// Skip face and object detection.
         #[arg(long)]
         no_detect: bool,
     },
-    /// Draw one photo in a style.
+    /// Apply a style to one photo.
+    #[command(after_help = "Example:\n  inkpanel stylize --style noir photo.jpg -o noir.png")]
     Stylize {
-        /// Id of a designed style, or a style file.
+        /// Style id (see `inkpanel styles`) or style file.
         #[arg(long, value_name = "ID|FILE")]
         style: String,
-        /// The photo; - is standard input.
+        /// Photo file, or - for standard input.
         input: PathBuf,
-        /// Where it goes: a file that ends in .png, .jpg or .webp, or - for standard output.
+        /// Output file (.png, .jpg or .webp), or - for standard output.
         #[arg(short, long)]
         output: PathBuf,
-        /// The kind of file, whatever its name: png, jpg or webp.
+        /// File format, regardless of the file name.
         #[arg(long, value_name = "KIND", value_parser = ["png", "jpg", "webp"])]
         format: Option<String>,
-        /// Do not look for the subject where the style asks for it: all of the photo counts as its subject.
+        /// Skip detection of the subject and of faces.
         #[arg(long)]
         no_detect: bool,
     },
-    /// Say which photos are worth a panel, and why.
+    /// Report which photos are worth a panel, and why.
+    #[command(after_help = "Example:\n  inkpanel select photos/ --json")]
     Select {
-        /// The photos, or folders of them.
+        /// Photos, or folders with photos.
         #[arg(required = true)]
         files: Vec<PathBuf>,
-        /// Answer as JSON.
+        /// Print JSON.
         #[arg(long)]
         json: bool,
-        /// Largest distance of two fingerprints that count as the same picture.
+        /// Maximum distance of two fingerprints, in bits, at which photos count as near-duplicates.
         #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(0..=64))]
         threshold: u32,
     },
-    /// Find faces and objects.
+    /// Detect faces and objects.
     Detect {
-        /// The photos, or folders of them.
+        /// Photos, or folders with photos.
         #[arg(required = true)]
         files: Vec<PathBuf>,
-        /// Answer as JSON.
+        /// Print JSON.
         #[arg(long)]
         json: bool,
-        /// Folder of faces.onnx and objects.onnx.
+        /// Folder that contains faces.onnx and objects.onnx. [default: next to the program, or www/models]
         #[arg(long, value_name = "DIR")]
         models: Option<PathBuf>,
     },
-    /// Cut out what photos show: a mask a photo, white where its subject is.
+    /// Write a mask per photo that is white on the subject.
     Segment {
-        /// The photos, or folders of them.
+        /// Photos, or folders with photos.
         #[arg(required = true)]
         files: Vec<PathBuf>,
-        /// Folder of the masks, NAME.png for each photo.
+        /// Folder for the masks, one NAME.png per photo.
         #[arg(short, long, value_name = "DIR")]
         output: PathBuf,
-        /// Answer as JSON.
+        /// Print JSON.
         #[arg(long)]
         json: bool,
-        /// Folder of subject.onnx.
+        /// Folder that contains subject.onnx. [default: next to the program, or www/models]
         #[arg(long, value_name = "DIR")]
         models: Option<PathBuf>,
     },
-    /// Invent styles: chains of blocks at random, the same for the same seed.
+    /// Generate random styles. Equal seeds give equal styles.
+    #[command(after_help = "Example:\n  inkpanel generate --seed 7 --count 20 --json photo.jpg")]
     Generate {
-        /// Seed of the first; the others have the seeds that follow.
+        /// Random seed of the first style. Each further style adds 1.
         #[arg(long, default_value_t = 1)]
         seed: u32,
-        /// How many.
+        /// Number of styles.
         #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=10_000))]
         count: u32,
-        /// Answer as JSON.
+        /// Print JSON.
         #[arg(long)]
         json: bool,
-        /// Folder of aesthetics.onnx.
+        /// Folder that contains aesthetics.onnx. [default: next to the program, or www/models]
         #[arg(long, value_name = "DIR")]
         models: Option<PathBuf>,
-        /// A photo to draw them on; each style then has a score from 0 to 1.
+        /// Photo to score each style on, from 0 to 1.
         photo: Option<PathBuf>,
     },
-    /// Find styles that give a photo the look of a picture: a comic page, a print, a painting.
+    /// Find styles that make a photo look like a given picture.
+    #[command(after_help = "Example:\n  inkpanel imitate poster.jpg photo.jpg --json")]
     Imitate {
-        /// The picture whose look is wanted.
+        /// Picture to imitate: a comic page, a print or a painting.
         picture: PathBuf,
-        /// The photo that is to get it.
+        /// Photo to stylise.
         photo: PathBuf,
-        /// Answer as JSON: an array of style files, the nearest first, each with a score from 0 to 1.
+        /// Print JSON: an array of style files, best first, each with a score from 0 to 1.
         #[arg(long)]
         json: bool,
-        /// Take the picture even where it looks like a plain photo or is blank.
+        /// Accept a picture that is blank or looks like a plain photo.
         #[arg(long)]
         anyway: bool,
-        /// Another seed tries other styles.
+        /// Random seed of the search.
         #[arg(long, default_value_t = 1)]
         seed: u32,
     },
-    /// Find the shots of a film, and the frames that stand for them. It takes ffmpeg.
+    /// Detect the shots of a video and pick a frame for each (needs ffmpeg).
+    #[command(after_help = "Example:\n  inkpanel shots clip.mp4 --frames 12 --json")]
     Shots {
-        /// The film.
+        /// Video file.
         film: PathBuf,
-        /// How many frames; as many as suit the film unless told.
+        /// Number of frames. [default: depends on the number of shots]
         #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
         frames: Option<u32>,
-        /// Answer as JSON.
+        /// Print JSON.
         #[arg(long)]
         json: bool,
     },
-    /// Make an animatic of a saved project: its shots one after the other, as numbered PNG files that ffmpeg reads.
+    /// Write the animatic of a saved project as numbered PNG frames.
     #[command(after_help = EXIT_CODES)]
     Animate(Box<animating::Animate>),
     /// List the filter blocks.
     Blocks(Listing),
-    /// List the page templates.
+    /// List the layouts.
     Layouts(Listing),
-    /// List the designed styles.
+    /// List the built-in styles.
     Styles(Listing),
 }
 
 #[derive(clap::Args)]
 struct Listing {
-    /// Answer as JSON.
+    /// Print JSON.
     #[arg(long)]
     json: bool,
 }
@@ -212,112 +230,119 @@ struct Render {
     planned: Planned,
     #[command(flatten)]
     how: How,
-    /// Of a saved project: which of its pages, from 1; the one that was edited last unless told.
+    /// Page number, from 1 (saved projects only). [default: the page edited last]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     page: Option<u32>,
-    /// Of a saved project: sheets of a board with so many frames each, in the place of its pages.
+    /// Draw storyboard sheets with this many frames each, instead of pages (saved projects only).
     #[arg(long, value_name = "FRAMES", value_parser = board_frames)]
     board: Option<u32>,
-    /// Draw a page that is planned already, as --save-document writes it; the photos are those that it names, found beside it
-    /// or among the photos given.
+    /// Draw a planned page from a file that --save-document wrote. Its photos are read from FILES or from the folder of the
+    /// file.
     #[arg(long, value_name = "FILE")]
     document: Option<PathBuf>,
-    /// Where the page goes: a file that ends in .png, .jpg, .webp or .pdf; a comic (.html, .epub, .cbz), of a saved project with
-    /// all its pages; of a saved project the list of its shots (.csv, .edl, .otio, .xml); one that ends in .inkpanel, which is a project with
-    /// the photos as they are, whatever cameras wrote into them, or - for standard output.
+    /// Output file, or - for standard output.
+    ///
+    /// A page: .png, .jpg, .webp or .pdf. A comic: .html, .epub or .cbz. A project with the original photos: .inkpanel. The shot
+    /// list of a saved project: .csv, .edl, .otio or .xml.
     #[arg(short, long, required_unless_present_any = ["json", "save_document"])]
     output: Option<PathBuf>,
-    /// The photos, in their order where they do not say when they were taken, and folders of them; or one saved project
-    /// (.inkpanel, or a ZIP or CBZ file of its pages), or one PNG of a page with its project and photos. - is standard input.
+    /// Photos or folders, or one saved project.
+    ///
+    /// Photos are ordered by capture date if all have one. A saved project is an .inkpanel file, a ZIP or CBZ file of pages, or a
+    /// page PNG that contains its project and photos. - is standard input.
     files: Vec<PathBuf>,
 }
 
-/// How it is done, whatever the page.
+/// Options of every output.
 #[derive(clap::Args)]
+#[command(next_help_heading = "Output")]
 struct How {
     #[command(flatten)]
     printing: drawing::Printing,
-    /// Take settings from a file of JSON or TOML: each has the name of an option, "files" are the photos, and files are looked
-    /// for beside it. What the command line says goes before it.
+    /// Read settings from a JSON or TOML file.
+    ///
+    /// Keys are the names of options; "files" lists the photos. Paths are relative to the file. Options on the command line take
+    /// precedence.
     #[arg(long, value_name = "FILE")]
     #[allow(dead_code, reason = "its settings are options by now")]
     config: Option<PathBuf>,
-    /// The kind of file, whatever its name: png, jpg, webp, pdf or inkpanel.
+    /// File format, regardless of the file name.
     #[arg(long, value_name = "KIND", value_parser = ["png", "jpg", "webp", "pdf", "inkpanel"])]
     format: Option<String>,
-    /// Fail where something is not as it was asked for, such as a photo that is left out, and write nothing.
+    /// Treat warnings, such as a skipped photo, as errors and write nothing.
     #[arg(long)]
     strict: bool,
-    /// Leave files that are there as they are, so that work that was stopped goes on.
+    /// Skip existing output files, to resume a run.
     #[arg(long)]
     skip_existing: bool,
-    /// What standard error is told: sentences, or a line of JSON for each step.
+    /// Format of the progress on standard error: text, or one JSON object per line.
     #[arg(long, value_name = "FORM", value_parser = ["text", "json"], default_value = "text")]
     progress: String,
-    /// What a PNG carries of its project, to be opened again: all pages, and the photos as they are, too.
+    /// Project data to store in a PNG: none, the pages, or the pages and the original photos.
     #[arg(long, value_name = "WHAT", value_parser = ["none", "project", "photos"], default_value = "none")]
     embed: String,
-    /// Write the page as plain data, for --document; several pages are a list.
+    /// Also write the planned page as JSON, for --document. Several pages become an array.
     #[arg(long, value_name = "FILE")]
     save_document: Option<PathBuf>,
 }
 
-/// What a page is planned by. A saved one is planned already.
+/// Options of the planner. A saved page is already planned.
 #[derive(clap::Args, Default, PartialEq)]
+#[command(next_help_heading = "Planning (photos only)")]
 #[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
 struct Planned {
     #[command(flatten)]
     paper: Paper,
-    /// Id of a page template, or a layout file.
+    /// Layout id (see `inkpanel layouts`) or layout file.
     #[arg(long, value_name = "ID|FILE")]
     layout: Option<String>,
-    /// Family of layouts that chance keeps to, as `inkpanel layouts` names them; may be said again.
+    /// Use only layouts of this family. Can be repeated.
     #[arg(long, value_name = "FAMILY", value_parser = layout_families(), conflicts_with = "layout")]
     layout_family: Vec<String>,
-    /// Id of a designed style, or a style file.
+    /// Style id (see `inkpanel styles`) or style file.
     #[arg(long, value_name = "ID|FILE")]
     style: Option<String>,
-    /// Family of styles that chance keeps to, such as ink or halftone; may be said again.
+    /// Use only styles of this family. Can be repeated.
     #[arg(long, value_name = "FAMILY", value_parser = PossibleValuesParser::new(inkpanel::style::catalogue::FAMILIES), conflicts_with = "style")]
     style_family: Vec<String>,
-    /// Seed of what is left to chance; 1 unless told.
+    /// Random seed. [default: 1]
     #[arg(long)]
     seed: Option<u32>,
-    /// Photos whose fingerprints differ in at most so many of 64 bits show the same picture; 10 unless told.
+    /// Maximum fingerprint distance of near-duplicates, of which only the best is used. [default: 10]
     #[arg(long, value_name = "BITS", value_parser = clap::value_parser!(u32).range(0..=64))]
     alike: Option<u32>,
-    /// Use all photos, those that look alike and those that are blurred, too.
+    /// Use all photos, including near-duplicates and blurred ones.
     #[arg(long)]
     keep_all: bool,
-    /// Keep the photos in the order in which they are given, whatever they say of when they were taken.
+    /// Keep the order of the command line instead of the order of capture.
     #[arg(long)]
     as_given: bool,
-    /// Number of panels.
+    /// Number of panels. [default: 5 or 6, depending on the layout]
     #[arg(long)]
     panels: Option<usize>,
-    /// Let a figure step out of its panel on each page where one can; needs subject.onnx.
+    /// Let a subject break the panel border where there is room (needs subject.onnx).
     #[arg(long)]
     figures: bool,
-    /// Let two panels share one image.
+    /// Let panels share one image.
     #[arg(long)]
     merge: bool,
-    /// Do not look for faces and objects: crops follow the contrast alone.
+    /// Skip face and object detection. Crops then follow contrast.
     #[arg(long)]
     no_detect: bool,
-    /// Folder of faces.onnx and objects.onnx.
+    /// Folder that contains faces.onnx and objects.onnx. [default: next to the program, or www/models]
     #[arg(long, value_name = "DIR")]
     models: Option<PathBuf>,
-    /// Captions, balloons and sound effects: a JSON array of words, as the page keeps them.
+    /// Captions, balloons and sound effects: a JSON array of text items.
     #[arg(long, value_name = "FILE")]
     words: Option<PathBuf>,
-    /// Make a storyboard of so many pages, cut where time or scene changes: a PDF file, a comic (.html, .epub, .cbz), or files
-    /// such as page-%02d.png.
+    /// Number of pages, for a PDF file, a comic or a file name such as page-%02d.png. Pages begin where the time or the scene
+    /// changes. [default: 1]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pages: Option<u32>,
-    /// Print the plan: layout, photos, crops, style, score and its terms.
+    /// Print the plan as JSON: layout, style, panels, crops and score.
     #[arg(long)]
     json: bool,
-    /// Name of a photo that gets the large panel; may be said again.
+    /// Photo for the largest panel, by file name or path. Can be repeated.
     #[arg(long, value_name = "FILE")]
     star: Vec<PathBuf>,
 }

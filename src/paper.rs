@@ -3,36 +3,39 @@
 use crate::Complaint;
 use inkpanel::layout::{DPI, PageSettings, PaperSize};
 
-/// Size, gutters and colours of a page; what is not said is as in the page that the browser begins with.
+/// Size, gutters and colours of a page. The defaults are those of a new page in the app.
 #[derive(clap::Args, Default, PartialEq, Debug)]
+#[command(next_help_heading = "Page (photos only)")]
 #[allow(clippy::struct_field_names, reason = "they are the names of options")]
 pub(crate) struct Paper {
-    /// Size of the page: a name (such as a4, a5, letter, us-comic, manga-b5, square, webtoon), pixels (1600x2400), or a
-    /// size on paper (210x297mm, 8.5x11in); a4 unless told.
+    /// Page size. [default: a4]
+    ///
+    /// A name such as a4, a5, letter, us-comic, manga-b5, square or webtoon; a size in pixels such as 1600x2400; or a paper size such
+    /// as 210x297mm or 8.5x11in.
     #[arg(long, value_name = "NAME|WxH", value_parser = PaperSize::parse)]
     page_size: Option<PaperSize>,
-    /// Pixels an inch, from 36 to 1200. A size by name or on paper then has as many pixels as that makes.
+    /// Resolution in pixels per inch, from 36 to 1200. [default: 300 on paper]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(i64::from(DPI[0])..=i64::from(DPI[1])))]
     dpi: Option<u32>,
-    /// Width of the page in pixels; the paper stays as large, so it has more or fewer pixels an inch.
+    /// Width of the page in pixels. The paper size stays and the resolution changes.
     #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u32).range(64..=14_000))]
     width: Option<u32>,
-    /// Distance between panels, as a part of the page's width.
+    /// Distance between panels, as a fraction of the page width.
     #[arg(long, value_name = "PART")]
     gutter: Option<f64>,
-    /// Distance between panels and the edge of the page, as a part of its width.
+    /// Distance between panels and the page edge, as a fraction of the page width.
     #[arg(long, value_name = "PART")]
     margin: Option<f64>,
-    /// Width of the line round panels, as a part of the page's width.
+    /// Width of the panel border, as a fraction of the page width.
     #[arg(long, value_name = "PART")]
     border: Option<f64>,
-    /// Radius of the panels' corners, as a part of the page's width.
+    /// Radius of the panel corners, as a fraction of the page width.
     #[arg(long, value_name = "PART")]
     corner_radius: Option<f64>,
-    /// Colour of the paper, as #rrggbb.
+    /// Paper colour, as #rrggbb.
     #[arg(long, value_name = "COLOUR")]
     paper: Option<String>,
-    /// Colour of the line round panels, as #rrggbb.
+    /// Colour of the panel border, as #rrggbb.
     #[arg(long, value_name = "COLOUR")]
     border_color: Option<String>,
 }
