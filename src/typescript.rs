@@ -90,6 +90,8 @@ pub(crate) struct Word {
     arc: Option<f64>,
     /// Nobody has moved it: it goes where it hides no face.
     auto: Option<bool>,
+    /// Shuffle made it: the next shuffle replaces it.
+    made: Option<bool>,
     /// The photo that it belongs to: it goes wherever that is. Null names the one on its panel.
     #[ts(optional = nullable)]
     photo: Option<String>,

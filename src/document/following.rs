@@ -23,13 +23,13 @@ pub(super) fn follow(before: &Project, next: &mut Project) {
     let mut away: Vec<Arc<Value>> = next.waiting.to_vec();
     next.each_page(&mut |page| {
         let (stay, leave) = carried(&page.words, &page.panels);
-        away.extend(leave.into_iter().map(Arc::new));
+        away.extend(leave.into_iter().filter(|word| !is_made(word)).map(Arc::new));
         (stay != page.words).then(|| Arc::new(Document { words: stay, ..Document::clone(page) }))
     });
     let seen = places(next);
     // What went with its photo, which no page shows now. Where the photo stayed, the word was taken away by hand.
     for sheet in &sheets {
-        for word in &sheet.page.words {
+        for word in sheet.page.words.iter().filter(|word| !is_made(word)) {
             let gone = photo_of(word, &sheet.page.panels).is_some_and(|photo| !seen.contains_key(photo));
             if gone {
                 let word = tied(word, &sheet.page.panels);
@@ -40,6 +40,11 @@ pub(super) fn follow(before: &Project, next: &mut Project) {
         }
     }
     settle(next, away, &seen);
+}
+
+/// Whether Shuffle made the text. The next page gets its own.
+fn is_made(word: &Value) -> bool {
+    word["made"] == json!(true)
 }
 
 /// Puts words onto the pages that show their photos; the others wait.

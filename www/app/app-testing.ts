@@ -10,6 +10,7 @@ import { createImitation } from '../imitation/imitation.ts';
 import { createDownload } from '../export/download.ts';
 import { createOwnLayouts } from '../layouts/own-layouts.ts';
 import { createLettering } from '../lettering/lettering.ts';
+import { createNarrating } from '../lettering/narrating.ts';
 import { createFraming } from '../page/panels/framing.ts';
 import { createMerging } from '../page/panels/merging.ts';
 import { createReshaping } from '../page/panels/reshaping.ts';
@@ -61,6 +62,7 @@ export async function fakeParts(): Promise<Parts> {
     choosing: createChoosing({ store, pages, reading }),
     reshaping: createReshaping({ store, pages, seed: () => 1 }),
     scrubbing: createScrubbing({ store, pages, reading, engine, messages }),
+    narrating: createNarrating({ store, ui, album: { title: () => '', moments: () => new Map() } }),
     lettering: createLettering({ store, messages, selection, load: () => new Promise(() => {}) }),
     ownLayouts: createOwnLayouts({ store, pages, messages }),
     explorer: createExplorer({ store, engine, messages, ownStyles, seed: () => 1, judged: false }),

@@ -31,6 +31,7 @@ import { heroOf } from '../photos/hero.ts';
 import { freshPhotoPrefix } from '../photos/intake.ts';
 import { createKeys } from './keys.ts';
 import { createLettering } from '../lettering/lettering.ts';
+import { createNarrating } from '../lettering/narrating.ts';
 import { createMerging } from '../page/panels/merging.ts';
 import { reportFailure } from '../ui/importing.ts';
 import { createMessages } from '../ui/messages.ts';
@@ -72,6 +73,7 @@ const messages = createMessages();
 const store = createStore({ onRefused: ({ message }) => void messages.alert(strings.notDone(message)) });
 const pages = createPages(store, {
   asked: (wish) => taste.asked(styling.asked(wish)),
+  narrated: (page, at) => narrating.narrated(page, at),
   settled: (page) => lettering.settled(page),
   shuffled: () => hints.shuffled(),
 });
@@ -80,6 +82,7 @@ const book = createBook({ store, pages, messages, onKept: (page) => taste.learn(
 const choosing = createChoosing({ store, pages, reading });
 const scrubbing = createScrubbing({ store, pages, reading, engine, messages });
 const selection = createSelection({ store });
+const narrating = createNarrating({ store, ui, album: reading });
 const lettering = createLettering({ store, messages, selection, load: engine.lettering });
 const subtitling = createSubtitling({ store, lettering, messages });
 const filmSounds = createFilmSounds({ store, engine, lettering, messages });
@@ -211,6 +214,7 @@ const parts: Parts = {
   book,
   selection,
   lettering,
+  narrating,
   subtitling,
   filmSounds,
   intake,

@@ -20,6 +20,7 @@ export type Ui = ReturnType<typeof createUi>;
 const LETTERS_KEY = 'inkpanel.letters';
 const DETECT_KEY = 'inkpanel.detect';
 const IDEAS_KEY = 'inkpanel.ideas';
+const NARRATION_KEY = 'inkpanel.narration';
 
 /** `brush`: the photo whose subject is corrected. */
 export type OpenDialog = 'help' | 'export' | { brush: string };
@@ -38,6 +39,9 @@ export function createUi(window: Window) {
   /** Whether the strip of other pages is unfolded. */
   const ideas = signal(remembered(window, IDEAS_KEY) !== 'off');
 
+  /** Whether new pages get a title and captions. */
+  const narrates = signal(remembered(window, NARRATION_KEY) !== 'off');
+
   return {
     ...createTheme(window),
     wide,
@@ -51,6 +55,11 @@ export function createUi(window: Window) {
     toggleIdeas() {
       ideas.value = !ideas.peek();
       keep(window, IDEAS_KEY, ideas.value ? 'on' : 'off');
+    },
+    narrates,
+    narrate(on: boolean) {
+      narrates.value = on;
+      keep(window, NARRATION_KEY, on ? 'on' : 'off');
     },
     /** Whether the page has the window to itself. */
     preview: signal(false),

@@ -22,19 +22,21 @@ export function freshSeed(): number {
 }
 
 /**
- * @param app `asked`: a wish with what the person likes; `settled`: a page with its words where they hide nothing; `shuffled`: is
- * called when a person has
+ * @param app `asked`: a wish with what the person likes; `narrated`: a new page with a title and captions; `settled`: a page with
+ * its words where they hide nothing; `shuffled`: is called when a person has
  */
 export function createPages(
   store: Store,
   {
     seed = freshSeed,
     asked = (wish) => wish,
+    narrated = (page) => page,
     settled = (page) => page,
     shuffled = () => {},
   }: {
     seed?: () => number;
     asked?: (wish: Wish) => Wish;
+    narrated?: (page: PageDocument, at: number) => PageDocument;
     settled?: (page: PageDocument) => PageDocument;
     shuffled?: () => void;
   } = {},
@@ -70,7 +72,9 @@ export function createPages(
   function plan(wish: Wish): PageDocument | null {
     if (!canPlan()) return null;
     const page = store.project.peek().settings;
-    return settledOr(store.plans().page({ page, ...asked(wish), seed: wish.seed ?? seed() }));
+    const planned = store.plans().page({ page, ...asked(wish), seed: wish.seed ?? seed() });
+    const isNew = !wish.keep.layout || !wish.keep.photos;
+    return settledOr(planned && isNew ? narrated(planned, store.project.peek().at) : planned);
   }
 
   function canPlan() {
@@ -148,13 +152,14 @@ export function createPages(
 
   /** A page behind this one, of photos that no page shows as long as there are some, in the style of this one. */
   function another(): PageDocument | null {
-    return canPlan() ? settledOr(store.plans().another(draw())) : null;
+    const page = canPlan() ? store.plans().another(draw()) : null;
+    return settledOr(page && narrated(page, store.project.peek().at + 1));
   }
 
   /** All photos in use on as many pages as they need, in the place of the pages that there are. */
   function spread(): Sheet[] {
     const sheets = canPlan() ? store.plans().spread(draw()) : null;
-    return (sheets ?? []).map((sheet) => ({ ...sheet, page: settled(sheet.page) }));
+    return (sheets ?? []).map((sheet, i) => ({ ...sheet, page: settled(narrated(sheet.page, i)) }));
   }
 
   /** The pages with photos in use alone, and without pages that none is left for; null where they are so. */

@@ -855,6 +855,8 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   arc?: number,
   /** Nobody has moved it: it goes where it hides no face. */
   auto?: boolean,
+  /** Shuffle made it: the next shuffle replaces it. */
+  made?: boolean,
   /** The photo that it belongs to: it goes wherever that is. Null names the one on its panel. */
   photo?: string | null,
   /** The subtitle that it was made of: none is added twice. */

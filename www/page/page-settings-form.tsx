@@ -22,7 +22,7 @@ const COLOURS: ('paper' | 'borderColor')[] = ['paper', 'borderColor'];
 const PURPOSES = ['paper', 'book', 'screen'] as const;
 
 export function PageSettingsForm() {
-  const { store, pages, ui } = useApp();
+  const { store, pages, narrating, ui } = useApp();
   const { settings } = store.project.value;
   const drags = useRef(0);
   /** Whether a size of one's own was asked for; it may be that of a known one for a while. */
@@ -95,6 +95,14 @@ export function PageSettingsForm() {
           />
         </label>
       ))}
+      <label class="choice" title={strings.narrationHelp}>
+        <input
+          type="checkbox"
+          checked={ui.narrates.value}
+          onChange={(event) => narrating.turn(event.currentTarget.checked)}
+        />
+        {strings.narration}
+      </label>
       <PageDescription />
       <label class="choice" title={strings.print.safeHelp}>
         <input

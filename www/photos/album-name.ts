@@ -35,6 +35,25 @@ export function albumName(
   return folderName(origins) || daysName(origins, dates, now);
 }
 
+/**
+ * The title of a page. Times of files are those of copies as often as not, so they make no title.
+ * @returns empty if neither folders nor cameras name the album
+ */
+export function albumTitle(origins: readonly Origin[], how: Parameters<typeof albumName>[1]): string {
+  return albumName(
+    origins.map((origin) => ({ ...origin, modified: null })),
+    how,
+  );
+}
+
+/** When a photo was taken, in local milliseconds as if they were UTC, and the folder that names the place. */
+export function momentOf({ folders, taken }: Origin, now: number): { at: number | null; place: string } {
+  const [, year, month, day, hour, minute] = /^(\d{4}):(\d\d):(\d\d) (\d\d):(\d\d)/.exec(taken ?? '') ?? [];
+  const at = year ? real(Date.UTC(+year, +month - 1, +day, +hour, +minute), now) : null;
+  const folder = folders.at(-1)?.trim() ?? '';
+  return { at, place: EMPTY_NAMES.test(folder) ? '' : folder };
+}
+
 function folderName(origins: readonly Origin[]): string {
   const [first, ...rest] = origins.map(({ folders }) => folders);
   const apart = first.findIndex((folder, i) => rest.some((folders) => folders[i] !== folder));

@@ -4,7 +4,7 @@
  */
 
 import { strings } from '../strings/strings.ts';
-import { albumName } from './album-name.ts';
+import { albumName, albumTitle, momentOf } from './album-name.ts';
 import { foldersOf } from './folders.ts';
 import type { Place } from '../document/place.ts';
 import type { Store } from '../document/store.ts';
@@ -18,18 +18,37 @@ export function createAlbumNaming({ store }: { store: Store }) {
   /** The name of the project that no person gave it; null where one did. */
   let free: { place: Place; name: string } | null = null;
 
-  return { automatic, begin, settle };
+  return { automatic, title, moments, begin, settle };
 
   /** @returns what the project is called by its photos; empty where they tell nothing */
   function automatic(): string {
-    const origins = store.facts.peek().map(({ id, meta, credit, absent }) => ({
+    return bounded(albumName(origins(), { samples: strings.sampleAlbum, dates: strings.dates, now: Date.now() }));
+  }
+
+  /** @returns what a page of the album is called: the name that a person gave the project, else a folder or days */
+  function title(): string {
+    const { name } = store.project.peek();
+    if (name !== '' && !isFree(name) && name !== automatic()) return name;
+    return bounded(albumTitle(origins(), { samples: strings.sampleAlbum, dates: strings.dates, now: Date.now() }));
+  }
+
+  /** @returns when and where each photo was taken, by id */
+  function moments(): Map<string, { at: number | null; place: string }> {
+    const now = Date.now();
+    const found = origins().map((origin) => [origin.id, momentOf(origin, now)] as const);
+    // The folder that all photos share is not a place of some.
+    const places = new Set(found.map(([, { place }]) => place));
+    return new Map(found.map(([id, moment]) => [id, places.size > 1 ? moment : { ...moment, place: '' }]));
+  }
+
+  function origins() {
+    return store.facts.peek().map(({ id, meta, credit, absent }) => ({
+      id,
       folders: files.get(id)?.folders ?? [],
       modified: files.get(id)?.modified ?? null,
       taken: absent ? null : (meta?.taken ?? null),
       sample: credit !== undefined,
     }));
-    const name = albumName(origins, { samples: strings.sampleAlbum, dates: strings.dates, now: Date.now() });
-    return [...name].slice(0, MOST).join('');
   }
 
   /** Photos are about to come. @param sources the files of which they are made, with the ids of the photos */
@@ -56,4 +75,8 @@ export function createAlbumNaming({ store }: { store: Store }) {
   function isFree(name: string): boolean {
     return free?.place === store.place.peek() && free.name === name;
   }
+}
+
+function bounded(name: string): string {
+  return [...name].slice(0, MOST).join('');
 }

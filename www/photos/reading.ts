@@ -76,6 +76,8 @@ export function createReading({
     count: intake.count,
     /** What the project is called by its photos; empty where they tell nothing. */
     automaticName: naming.automatic,
+    title: naming.title,
+    moments: naming.moments,
     /** Whether the first page is a moment away. */
     near: firstPage.near,
   };

@@ -54,9 +54,17 @@ export function numbersIn(locale: string) {
     return (range.includes('/') ? [...new Set(ends)].join(' – ') : range).replaceAll(/\s+/gu, ' ');
   }
 
+  /** @param at in milliseconds of UTC */
+  const written = (at: number, parts: Intl.DateTimeFormatOptions) =>
+    new Intl.DateTimeFormat(locale, { ...parts, timeZone: 'UTC' }).format(at).replaceAll(/\s+/gu, ' ');
+
   return {
     decimal,
     dates,
+    /** @returns a day such as `Saturday, June 14` */
+    dayOf: (at: number) => written(at, { weekday: 'long', day: 'numeric', month: 'long' }),
+    /** @returns a time of day such as `6:30 PM` */
+    timeOf: (at: number) => written(at, { hour: 'numeric', minute: '2-digit' }),
     clock,
     /** @param part of 1 */
     percent: (part: number, digits = 0) => format(part, digits, { style: 'percent' }),

@@ -17,6 +17,7 @@ import type { Imitation } from '../imitation/imitation.ts';
 import type { Hints } from '../help/hints.ts';
 import type { OwnLayouts } from '../layouts/own-layouts.ts';
 import type { Lettering } from '../lettering/lettering.ts';
+import type { Narrating } from '../lettering/narrating.ts';
 import type { FilmSounds } from '../lettering/film-sounds.ts';
 import type { Subtitling } from '../lettering/subtitling.ts';
 import type { Installing } from '../offline/installing.ts';
@@ -61,6 +62,7 @@ export type Parts = {
   selection: Selection;
   merging: Merging;
   lettering: Lettering;
+  narrating: Narrating;
   subtitling: Subtitling;
   filmSounds: FilmSounds;
   intake: (files: File[]) => void;

@@ -13,6 +13,8 @@ export const wordStrings = {
   wordTail: (name: string) => `Dorn von ${name}`,
   tailKeys: 'Pfeile bewegen die Spitze des Dorns',
   wordList: 'Text auf der Seite',
+  narration: 'Titel und Bildtexte',
+  narrationHelp: 'Neue Seiten erhalten den Namen des Albums und Bildtexte mit Datum, Uhrzeit und Ort.',
   noWords: 'Noch kein Text.',
   shape: 'Form',
   shapes: { oval: 'Rede', thought: 'Gedanke', shout: 'Schrei', whisper: 'Flüstern', radio: 'Funk' },

@@ -15,6 +15,8 @@ export const wordStrings = {
   wordTail: (name: string) => `Tail of ${name}`,
   tailKeys: 'Arrow keys move the tip of the tail',
   wordList: 'Text on the page',
+  narration: 'Title and captions',
+  narrationHelp: 'New pages get the name of the album, and captions with dates, times and places.',
   noWords: 'No text yet.',
   shape: 'Shape',
   shapes: { oval: 'Speech', thought: 'Thought', shout: 'Shout', whisper: 'Whisper', radio: 'Radio' },

@@ -13,6 +13,8 @@ export const wordStrings = {
   wordTail: (name: string) => `Rabillo de ${name}`,
   tailKeys: 'Las flechas mueven la punta del rabillo',
   wordList: 'Texto de la página',
+  narration: 'Título y textos',
+  narrationHelp: 'Las páginas nuevas llevan el nombre del álbum y textos con fechas, horas y lugares.',
   noWords: 'Aún no hay texto.',
   shape: 'Forma',
   shapes: { oval: 'Habla', thought: 'Pensamiento', shout: 'Grito', whisper: 'Susurro', radio: 'Radio' },

@@ -13,6 +13,8 @@ export const wordStrings = {
   wordTail: (name: string) => `Queue de ${name}`,
   tailKeys: 'Les flèches déplacent la pointe de la queue',
   wordList: 'Textes de la page',
+  narration: 'Titre et légendes',
+  narrationHelp: 'Les nouvelles pages portent le nom de l’album et des légendes avec dates, heures et lieux.',
   noWords: 'Pas encore de texte.',
   shape: 'Forme',
   shapes: { oval: 'Parole', thought: 'Pensée', shout: 'Cri', whisper: 'Murmure', radio: 'Radio' },

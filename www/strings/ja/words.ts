@@ -13,6 +13,8 @@ export const wordStrings = {
   wordTail: (name: string) => `${name}のしっぽ`,
   tailKeys: '矢印キーでしっぽの先を動かします',
   wordList: 'ページのテキスト',
+  narration: 'タイトルと説明文',
+  narrationHelp: '新しいページにアルバム名と、日付・時刻・場所の説明文が入ります。',
   noWords: 'まだテキストはありません。',
   shape: '形',
   shapes: { oval: 'せりふ', thought: '心の声', shout: '叫び', whisper: 'ささやき', radio: '無線' },

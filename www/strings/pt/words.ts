@@ -13,6 +13,8 @@ export const wordStrings = {
   wordTail: (name: string) => `Rabicho de ${name}`,
   tailKeys: 'As setas movem a ponta do rabicho',
   wordList: 'Textos da página',
+  narration: 'Título e legendas',
+  narrationHelp: 'As páginas novas recebem o nome do álbum e legendas com datas, horas e lugares.',
   noWords: 'Nenhum texto ainda.',
   shape: 'Forma',
   shapes: { oval: 'Fala', thought: 'Pensamento', shout: 'Grito', whisper: 'Sussurro', radio: 'Rádio' },
