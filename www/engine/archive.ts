@@ -145,8 +145,7 @@ async function listOf(file: Blob): Promise<Told[]> {
   if (at < 0) throw damaged('its end is missing');
   const [disk, listDisk, here, count] = [4, 6, 8, 10].map((field) => tail.getUint16(at + field, true));
   const [length, start] = [12, 16].map((field) => tail.getUint32(at + field, true));
-  if (count === ELSEWHERE_SHORT || length === ELSEWHERE || start === ELSEWHERE)
-    throw damaged('ZIP64 is not supported');
+  if (count === ELSEWHERE_SHORT || length === ELSEWHERE || start === ELSEWHERE) throw damaged('ZIP64 is not supported');
   if (disk !== 0 || listDisk !== 0 || here !== count) throw damaged('multi-part ZIP archives are not supported');
   if (start + length > tailAt + at || length < count * CENTRAL_SIZE) throw damaged('its list of files is missing');
   if (count > ARCHIVE.entries || length > ARCHIVE.directory) throw tooLarge();

@@ -126,7 +126,8 @@ async function webp({ picture, quality, dpi }: Args<'webp'>, tell: Tell) {
   (canvas.getContext('2d') as OffscreenCanvasRenderingContext2D).drawImage(bitmap, 0, 0);
   bitmap.close();
   const made = await canvas.convertToBlob({ type: 'image/webp', quality: quality / 100 });
-  if (made.type !== 'image/webp') throw failure('no-webp', 'This browser cannot create WebP files. Choose PNG or JPEG.');
+  if (made.type !== 'image/webp')
+    throw failure('no-webp', 'This browser cannot create WebP files. Choose PNG or JPEG.');
   const { width, height } = canvas;
   return { ok: withDpi(new Uint8Array(await made.arrayBuffer()), { width, height, dpi }), transfer: [] };
 }

@@ -204,7 +204,9 @@ test('a screenplay fills scenes, action and dialogue as one undo step, and lines
   const cell = (/** @type {string} */ name) => shots.getByRole('textbox', { name, exact: true });
   await expect(cell('Scene, shot 6')).toHaveValue('INT. CORRIDOR - NIGHT');
   await expect(cell('Dialogue, shot 1')).toHaveValue('ANNA: Is anybody there?');
-  await expect(page.getByRole('alert').filter({ hasText: '1 line did not match any shot: “Action number 6.”' })).toBeVisible();
+  await expect(
+    page.getByRole('alert').filter({ hasText: '1 line did not match any shot: “Action number 6.”' }),
+  ).toBeVisible();
   await page.getByRole('button', { name: 'Undo', exact: true }).click();
   await expect(cell('Scene, shot 6')).toHaveValue('');
   await expect(cell('Dialogue, shot 1')).toHaveValue('');

@@ -179,11 +179,7 @@ test('the preview compares with the original, and shows four photos or another p
   await button(page, 'Four photos').click();
   const first = await preview(page);
   // The first photo depends on the random page.
-  await region(page)
-    .getByRole('group', { name: 'Preview photo' })
-    .locator('button:not([aria-current])')
-    .last()
-    .click();
+  await region(page).getByRole('group', { name: 'Preview photo' }).locator('button:not([aria-current])').last().click();
   await expect.poll(() => preview(page)).not.toBe(first);
 });
 

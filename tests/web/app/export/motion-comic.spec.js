@@ -155,7 +155,9 @@ test('an HTML comic moves, can be stopped, and respects reduced motion', { tag: 
   await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
   await dialog.getByRole('combobox', { name: 'Format' }).selectOption('html');
   // On a busy machine this takes more than half a minute.
-  await expect(dialog.getByRole('checkbox', { name: 'Animate panels with video frames' })).toBeChecked({ timeout: 120_000 });
+  await expect(dialog.getByRole('checkbox', { name: 'Animate panels with video frames' })).toBeChecked({
+    timeout: 120_000,
+  });
   const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
   const path = info.outputPath('comic.html');
   await writeFile(path, file.bytes);
