@@ -22,8 +22,8 @@ export function freshSeed(): number {
 }
 
 /**
- * @param app `asked`: a wish with what the person likes; `narrated`: a new page with a title and captions; `settled`: a page with
- * its words where they hide nothing; `shuffled`: is called when a person has
+ * @param app `asked` adds the user's preferences to a wish. `narrated` adds a title and captions to a new page. `settled` places
+ * text so that it covers no face. `shuffled` is called after a shuffle.
  */
 export function createPages(
   store: Store,

@@ -176,7 +176,7 @@ export function createLettering({
   function edit(index: number, news: Partial<Word>, gesture?: string) {
     const page = store.page.peek();
     if (!page || !words.peek()[index]) return;
-    // Text that a person has edited stays, unlike text that Shuffle made.
+    // Shuffle does not replace edited text.
     const changed = words.peek().map((word, i) => (i === index ? { ...word, ...news, made: undefined } : word));
     // What a person puts somewhere goes there alone; else those that hang together find their places together.
     const free = news.auto === false ? [index] : chainOf(changed, index);

@@ -1,6 +1,6 @@
 /**
  * The title and the captions that Shuffle adds to a page: the name of the album, and when and where photos were taken. They
- * are marked `made`, so the next shuffle replaces them. Text that a person has edited is no longer marked.
+ * are marked `made`, so the next shuffle replaces them. An edit removes the mark.
  */
 
 import type { PageDocument, Word } from '../engine/types.ts';
@@ -42,7 +42,7 @@ export function plain(page: PageDocument): PageDocument {
 export function narrated(page: PageDocument, narration: Narration): PageDocument {
   const clean = plain(page);
   const own = clean.words ?? [];
-  // A person who writes text by hand tells the story.
+  // The user's own text tells the story.
   if (own.length > 0) return clean;
   const photos = page.panels.map(({ photo }) => photo ?? '');
   const made = [...titleOf(photos, narration), ...captionsOf(photos, narration)];

@@ -36,7 +36,7 @@ export function albumName(
 }
 
 /**
- * The title of a page. Times of files are those of copies as often as not, so they make no title.
+ * The title of a page. File times are ignored, because copying changes them.
  * @returns empty if neither folders nor cameras name the album
  */
 export function albumTitle(origins: readonly Origin[], how: Parameters<typeof albumName>[1]): string {

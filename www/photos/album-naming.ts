@@ -25,7 +25,7 @@ export function createAlbumNaming({ store }: { store: Store }) {
     return bounded(albumName(origins(), { samples: strings.sampleAlbum, dates: strings.dates, now: Date.now() }));
   }
 
-  /** @returns what a page of the album is called: the name that a person gave the project, else a folder or days */
+  /** @returns the title of a page: the project name that the user chose, or the folder or days of the photos */
   function title(): string {
     const { name } = store.project.peek();
     if (name !== '' && !isFree(name) && name !== automatic()) return name;

@@ -110,7 +110,7 @@ mod tests {
     use super::*;
     use oorandom::Rand64;
 
-    /// Pairs of which a person prefers the page by known weights, with some noise.
+    /// Pairs with known weights and some noise.
     fn pairs(count: usize, weights: [f64; 2]) -> Vec<Pair> {
         let mut random = Rand64::new(7);
         (0..count)

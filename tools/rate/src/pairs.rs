@@ -1,4 +1,4 @@
-//! Pairs of pages of which a person preferred one, stored as one JSON object a line.
+//! Rated pairs of pages, stored as one JSON object per line.
 
 use std::fs::{self, OpenOptions};
 use std::io::{ErrorKind, Write as _};
@@ -24,7 +24,7 @@ pub(crate) struct Pair {
     pub(crate) worse: Map<String, Value>,
 }
 
-/// Reads stored pairs. A missing file has none.
+/// Reads stored pairs. A missing file counts as empty.
 ///
 /// # Errors
 /// If the file cannot be read; the message names the line that is not a pair.

@@ -69,7 +69,7 @@ fn answer_of(request: &mut Request) -> Option<[usize; 2]> {
     Some([numbers.next()??, numbers.next()??])
 }
 
-/// Sends bytes. A browser that went away is no error. Returns false, so that serving goes on.
+/// Sends bytes and ignores a closed connection. Returns false, so serving continues.
 fn answer(request: Request, bytes: Vec<u8>, kind: &str) -> bool {
     let mut response = Response::from_data(bytes);
     if let Ok(header) = Header::from_bytes("Content-Type", kind) {
