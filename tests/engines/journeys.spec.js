@@ -99,7 +99,7 @@ test('the page becomes files of every kind, and goes to the clipboard', async ({
   await person.click('button', 'Copy to clipboard', ['dialog', 'Export the page']);
   await expect
     .poll(() => person.inPage(() => document.querySelector('[role=status]')?.textContent))
-    .toContain('on the clipboard');
+    .toContain('copied to the clipboard');
 });
 
 test('films lie on the table', async ({ person }) => {

@@ -85,9 +85,9 @@ test('a script is laid over panels, and one that says nothing is refused with a 
   const { put, lay, alert, note } = app(() => ({ ...NONE, words: [] }));
   expect(await put('Hi')).toBe(true);
   expect(lay.mock.calls[0][0]).toEqual([{ kind: 'balloon', text: 'Hi', auto: true, sheet: 4, panel: 2 }]);
-  expect(note).toHaveBeenCalledWith(expect.stringMatching(/^1 word was put/));
+  expect(note).toHaveBeenCalledWith(expect.stringMatching(/^1 text item was added/));
   expect(await put('')).toBe(false);
-  expect(alert).toHaveBeenCalledWith(expect.stringMatching(/nothing to say/));
+  expect(alert).toHaveBeenCalledWith(expect.stringMatching(/it has no dialogue/));
 });
 
 test('text that no panel has room for is unplaced, and its number is reported', async () => {

@@ -147,7 +147,7 @@ describe('subjects', () => {
     painted.value = true;
     await reading.addFiles(files('1.jpg', '2.jpg'));
     await settle();
-    expect(messages.list.value.map(({ text }) => text)).toEqual([expect.stringContaining('until you are online')]);
+    expect(messages.list.value.map(({ text }) => text)).toEqual([expect.stringContaining('Until you are online')]);
     window.dispatchEvent(new Event('online'));
     await settle();
     expect(messages.list.value).toHaveLength(1);

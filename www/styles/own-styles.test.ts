@@ -60,7 +60,7 @@ describe('my styles', () => {
     const { styles, messages } = app({}, true);
     styles.save(style('a'));
     expect(styles.mine.value).toHaveLength(1);
-    expect(messages.list.value.some(({ kind, text }) => kind === 'grave' && text.includes('full or refused'))).toBe(
+    expect(messages.list.value.some(({ kind, text }) => kind === 'grave' && text.includes('full or blocked'))).toBe(
       true,
     );
   });

@@ -16,7 +16,7 @@ test('photos are looked at once the page is there, and what is found can be seen
   expect(early).toEqual([]);
   await add(page, await photos(...SOME));
   // A line at the photos tells how far it is, and goes.
-  const line = page.getByRole('region', { name: 'Photos' }).getByRole('progressbar', { name: /^Looking for faces/ });
+  const line = page.getByRole('region', { name: 'Photos' }).getByRole('progressbar', { name: /^Detecting faces/ });
   await expect(line).toBeVisible();
   await idle(page);
   await expect(line).toHaveCount(0);

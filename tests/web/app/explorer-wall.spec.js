@@ -82,7 +82,7 @@ test('a first wall comes by itself, and can be stopped', async ({ page }) => {
   expect(await wall(page).count()).toBeGreaterThan(60);
   // A round of its own is twice as long as the first wall, which may be there before one can look.
   await page.getByRole('button', { name: 'Generate' }).click();
-  await expect(page.getByRole('progressbar', { name: /Inventing styles/ })).toBeVisible();
+  await expect(page.getByRole('progressbar', { name: /Generating styles/ })).toBeVisible();
   await page.getByRole('button', { name: 'Stop' }).click();
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
   const before = await order(page);

@@ -33,7 +33,7 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
   await page.getByRole('button', { name: 'Generate' }).click();
   await expect(region(page)).toHaveAttribute('aria-busy', 'true');
-  await expect(page.getByRole('progressbar', { name: /Inventing styles/ })).toBeVisible();
+  await expect(page.getByRole('progressbar', { name: /Generating styles/ })).toBeVisible();
   await page.getByRole('button', { name: 'Stop' }).click();
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
   const count = await wall(page).count();

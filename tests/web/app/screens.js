@@ -128,7 +128,7 @@ const SCREENS = {
   'pages shown': async (page) => {
     await button(page, 'Shuffle').click();
     await idle(page);
-    await page.getByRole('button', { name: /^Pages shown/ }).click();
+    await page.getByRole('button', { name: /^Page history/ }).click();
     await expect(page.getByRole('button', { name: 'Page 2', exact: true })).toBeVisible();
   },
   projects: (page) => button(page, 'Projects').click(),

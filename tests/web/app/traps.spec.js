@@ -131,7 +131,7 @@ test('project files that are traps are refused in seconds, and what is open stay
         documentOf(list),
         files.map((path) => bomb(path)),
       ),
-      /more than a project can/,
+      /exceeds the limits of a project/,
     ],
     [
       'silent.inkpanel',
@@ -159,12 +159,12 @@ test('project files that are traps are refused in seconds, and what is open stay
     [
       'document.inkpanel',
       zipOf([{ name: 'project.json', content: gigabyte, method: 8, length: gigabyte.length, size: 1024 * MB }]),
-      /more than a project can/,
+      /exceeds the limits of a project/,
     ],
     [
       'brackets.inkpanel',
       zipOf([{ name: 'project.json', content: Buffer.alloc(30 * MB, '['), packed: true }]),
-      /more than a project can/,
+      /exceeds the limits of a project/,
     ],
     [
       'one-photo.inkpanel',
@@ -176,17 +176,17 @@ test('project files that are traps are refused in seconds, and what is open stay
     [
       'name.inkpanel',
       project(documentOf(photosOf(1), { name: 'x'.repeat(50 * MB) }), [{ name: files[0], content: cat.buffer }]),
-      /more than a project can/,
+      /exceeds the limits of a project/,
     ],
     [
       'words.inkpanel',
       project(documentOf(photosOf(1), { page: wordy(20_000) }), [{ name: files[0], content: cat.buffer }]),
-      /more than a project can/,
+      /exceeds the limits of a project/,
     ],
     [
       'entries.inkpanel',
       zipOf(Array.from({ length: 65_000 }, (_, i) => ({ name: `photos/${i}` }))),
-      /more than a project can/,
+      /exceeds the limits of a project/,
     ],
   ])) {
     await test.step(name, async () => {
@@ -227,13 +227,17 @@ test('page PNGs that are traps are refused in seconds, and what is open stays', 
   };
   const whole = await textIn(bytes);
   for (const [name, buffer, reason] of /** @type {[string, Buffer, RegExp][]} */ ([
-    ['photos.png', await made(whole, zipOf(photosOf(48).map(({ path }) => bomb(path)))), /more than a project can/],
+    [
+      'photos.png',
+      await made(whole, zipOf(photosOf(48).map(({ path }) => bomb(path)))),
+      /exceeds the limits of a project/,
+    ],
     ['text.png', await made(' '.repeat(256 * MB)), /damaged/],
-    ['brackets.png', await made('['.repeat(4 * MB)), /more than a project can/],
+    ['brackets.png', await made('['.repeat(4 * MB)), /exceeds the limits of a project/],
     [
       'name.png',
       await made(json.replace('"page"', `"name":"${'x'.repeat(3 * MB)}","page"`)),
-      /more than a project can/,
+      /exceeds the limits of a project/,
     ],
   ])) {
     await test.step(name, async () => {

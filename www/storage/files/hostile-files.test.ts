@@ -104,7 +104,11 @@ describe('a project file that is a trap', { timeout: 60_000 }, () => {
         }),
       'it is damaged',
     ],
-    ['of photos that say what they unpack to', () => projectOf(100, { bytes: bomb }), 'more than a project can'],
+    [
+      'of photos that say what they unpack to',
+      () => projectOf(100, { bytes: bomb }),
+      'exceeds the limits of a project',
+    ],
     [
       'of photos that do not say what they unpack to',
       () => projectOf(100, { bytes: { ...bomb, size: 1000 } }),
@@ -113,7 +117,7 @@ describe('a project file that is a trap', { timeout: 60_000 }, () => {
     [
       'of a document that says what it unpacks to',
       () => fileOf(zipOf([{ name: 'project.json', ...bomb }])),
-      'more than a project can',
+      'exceeds the limits of a project',
     ],
     [
       'of a document that does not say what it unpacks to',
@@ -123,12 +127,12 @@ describe('a project file that is a trap', { timeout: 60_000 }, () => {
     [
       'of a document that is too long',
       () => fileOf(zipOf([{ name: 'project.json', content: Buffer.alloc(TEXT.project + 1, ' ') }])),
-      'more than a project can',
+      'exceeds the limits of a project',
     ],
     [
       'of a document of brackets',
       () => fileOf(zipOf([{ name: 'project.json', content: Buffer.alloc(TEXT.project, '['), packed: true }])),
-      'more than a project can',
+      'exceeds the limits of a project',
     ],
     [
       'of words by the thousands',
@@ -136,7 +140,7 @@ describe('a project file that is a trap', { timeout: 60_000 }, () => {
         json.history.present.page.words = Array(20_000).fill({ kind: 'caption', text: 'x' });
         return projectOf(1, { also: { history: json.history } });
       },
-      'more than a project can',
+      'exceeds the limits of a project',
     ],
     [
       'with a name of megabytes',
@@ -144,12 +148,12 @@ describe('a project file that is a trap', { timeout: 60_000 }, () => {
         json.history.present.name = 'x'.repeat(20 * MB);
         return projectOf(1);
       },
-      'more than a project can',
+      'exceeds the limits of a project',
     ],
     [
       'with a name of a photo of megabytes',
       () => projectOf(1, { change: (photo) => ({ ...photo, name: 'x'.repeat(20 * MB) }) }),
-      'more than a project can',
+      'exceeds the limits of a project',
     ],
   ])('%s changes nothing on the page, and is told', async (_, make, reason) => {
     const seen = counted();
@@ -318,19 +322,19 @@ describe('a page that is a trap', { timeout: 60_000 }, () => {
     [
       'by the files of its photos',
       async () => pageOf(await elsewhere(), zipOf('abcdefgh'.split('').map((name) => bomb(name)))),
-      'more than a project can',
+      'exceeds the limits of a project',
     ],
     [
       'by the number of its photos',
       async () =>
         pageOf(await elsewhere(), zipOf(Array.from({ length: ARCHIVE.entries + 1 }, (_, i) => ({ name: `${i}` })))),
-      'more than a project can',
+      'exceeds the limits of a project',
     ],
-    ['by a text of brackets', async () => pageOf('['.repeat(TEXT.page)), 'more than a project can'],
+    ['by a text of brackets', async () => pageOf('['.repeat(TEXT.page)), 'exceeds the limits of a project'],
     [
       'by a name of megabytes',
       async () => pageOf((await told()).replace('"Trip"', `"${'x'.repeat(3 * MB)}"`)),
-      'more than a project can',
+      'exceeds the limits of a project',
     ],
     ['by a text that unpacks to more', async () => pageOf(' '.repeat(64 * MB)), 'it is damaged'],
   ])('%s changes nothing, and is told', async (_, make, reason) => {

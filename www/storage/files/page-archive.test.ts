@@ -152,12 +152,12 @@ describe('an archive of others', () => {
   });
 
   it.each([
-    ['nothing to look at', () => zip([{ name: 'notes.txt' }]), /no picture in it/],
+    ['nothing to look at', () => zip([{ name: 'notes.txt' }]), /it contains no images/],
     ['no archive', () => new File(['words'], 'x.zip'), /damaged/],
     [
       'one that says how much it unpacks to',
       () => zip([{ name: 'a.jpg', content: Buffer.from('x'), method: 8, size: ARCHIVE.entry + 1 }]),
-      /more than a project can/,
+      /exceeds the limits of a project/,
     ],
     [
       'one that does not',
@@ -165,7 +165,7 @@ describe('an archive of others', () => {
         const packed = packedNothing(320);
         return zip([{ name: 'a.jpg', content: packed, method: 8, length: packed.length, size: 100 * 2 ** 20, crc: 0 }]);
       },
-      /damaged|more than a project can/,
+      /damaged|exceeds the limits of a project/,
     ],
   ])('with %s is refused with a reason', async (_, made, why) => {
     const before = tab.store.history.value;

@@ -46,7 +46,7 @@ describe('a page that was tampered with', () => {
         changed((_, page) => {
           page.version = 2;
         }),
-      /newer Inkpanel/,
+      /newer version of Inkpanel/,
     ],
     [
       'no page',
@@ -70,7 +70,7 @@ describe('a page that was tampered with', () => {
         changed((_, page) => {
           page.panels = Array(100_000).fill(page.panels[0]);
         }),
-      /more than a project can/,
+      /exceeds the limits of a project/,
     ],
     [
       'a crop beyond the photo',

@@ -110,7 +110,7 @@ describe('a project file', () => {
     ['without a document', () => changed(() => null), /damaged/],
     ['without JSON', () => changed(() => '{"format"'), /damaged/],
     ['of another program', () => changed((json) => ({ ...json, format: 'other' })), /damaged/],
-    ['of a newer program', () => changed((json) => ({ ...json, version: 99 })), /newer Inkpanel/],
+    ['of a newer program', () => changed((json) => ({ ...json, version: 99 })), /newer version of Inkpanel/],
     ['without a version', () => changed(({ version: _version, ...json }) => json), /damaged/],
     ['without a history', () => changed((json) => ({ ...json, history: 7 })), /damaged/],
     [

@@ -144,9 +144,9 @@ test('an animatic opened from the board has its lengths, and its export can be c
   await expect(dialog.getByRole('button', { name: 'Save the file' })).toBeDisabled();
   await dialog.getByRole('combobox', { name: 'File' }).selectOption('mp4');
   await dialog.getByRole('button', { name: 'Save the file' }).click();
-  await expect(page.getByRole('progressbar', { name: /^Making the animatic/ })).toBeVisible();
+  await expect(page.getByRole('progressbar', { name: /^Creating the animatic/ })).toBeVisible();
   await page.getByRole('button', { name: 'Cancel' }).click();
-  await expect(page.getByRole('progressbar', { name: /^Making the animatic/ })).toHaveCount(0);
+  await expect(page.getByRole('progressbar', { name: /^Creating the animatic/ })).toHaveCount(0);
   await idle(page);
 });
 

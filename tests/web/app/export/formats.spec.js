@@ -129,7 +129,7 @@ test('the page is copied to the clipboard', async ({ page, context }) => {
   const dialog = await openExport(page);
   await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
   await dialog.getByRole('button', { name: 'Copy to clipboard' }).click();
-  await expect(page.getByRole('status')).toContainText('on the clipboard', { timeout: 60_000 });
+  await expect(page.getByRole('status')).toContainText('copied to the clipboard', { timeout: 60_000 });
   const size = await page.evaluate(async () => {
     const [item] = await navigator.clipboard.read();
     const { width, height } = await createImageBitmap(await item.getType('image/png'));

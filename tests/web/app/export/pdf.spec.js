@@ -102,7 +102,7 @@ test('all pages are saved in one PDF file, and in one comic archive, which can b
   expect([...names]).toEqual(['page-01.jpg', 'page-02.jpg', 'ComicInfo.xml', 'comic.acbf']);
   // The archive contains the project with all pages.
   await drop(page, [{ name: cbz.name, mimeType: 'application/vnd.comicbook+zip', buffer: cbz.bytes }]);
-  await expect(page.getByRole('status').getByText(`${cbz.name} is open again`)).toBeVisible();
+  await expect(page.getByRole('status').getByText(`${cbz.name} was opened as a separate project`)).toBeVisible();
   await idle(page);
   await expect(thumbs(page)).toHaveCount(2);
 });

@@ -35,7 +35,7 @@ test('a panel with a low resolution is upscaled if the box is checked, for this 
   const next = await openExport(page);
   await next.getByRole('combobox', { name: 'Format' }).selectOption('png');
   await box(next).check();
-  await expect(next.getByText('enlarged with sharper edges')).toBeVisible();
+  await expect(next.getByText('upscaled with sharper edges')).toBeVisible();
   const sharp = await savedPng(page, next);
   expect(apart(plain, sharp)).toBeGreaterThan(20_000);
   const last = await openExport(page);

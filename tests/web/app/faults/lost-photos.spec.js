@@ -127,7 +127,7 @@ faultTest('workers that crash during a download are replaced, and the file is sa
     saved,
     page
       .getByRole('alert')
-      .getByText(/could not be made/)
+      .getByText(/could not be created/)
       .waitFor()
       .then(() => null),
   ]);

@@ -77,7 +77,7 @@ test('faces are detected without a connection after the first detection, and lat
   await page.reload();
   await add(page, await photos('camera.jpg', 'cat.jpg'));
   await idle(page);
-  await expect(page.getByText('until you are online')).toHaveCount(1);
+  await expect(page.getByText('Until you are online')).toHaveCount(1);
   await context.setOffline(false);
   const boxes = page.locator('.page .subject-boxes rect');
   await page.getByRole('button', { name: 'Show subjects' }).click();
@@ -90,7 +90,7 @@ test('faces are detected without a connection after the first detection, and lat
   await page.waitForFunction(() => document.body.dataset.detected === 'true');
   await page.getByRole('button', { name: 'Show subjects' }).click();
   await expect(page.locator('.page .subject-boxes rect[data-label="horse"]')).not.toHaveCount(0);
-  await expect(page.getByText('until you are online')).toHaveCount(0);
+  await expect(page.getByText('Until you are online')).toHaveCount(0);
   await host.start();
 });
 

@@ -83,7 +83,7 @@ test('alternatives keep a locked style', async ({ page }) => {
 
 test('a large view of an alternative has its names, and the page stays', async ({ page }) => {
   await openNewBoard(page);
-  const version = page.getByRole('button', { name: /^Pages shown/ });
+  const version = page.getByRole('button', { name: /^Page history/ });
   await expect(version).toHaveText('Version 1 of 1');
   await alternative(page, 2).hover();
   await expect(page.locator('.glimpse [data-drawn=true]')).toBeVisible();
@@ -98,7 +98,7 @@ test('Shuffle works in full screen, and Escape ends full screen', async ({ page 
   await page.keyboard.press('Space');
   await idle(page);
   await page.keyboard.press('Escape');
-  await expect(page.getByRole('button', { name: /^Pages shown/ })).toHaveText('Version 2 of 2');
+  await expect(page.getByRole('button', { name: /^Page history/ })).toHaveText('Version 2 of 2');
 });
 
 test('the tools of a panel stand next to the page, at the height of the panel, with their names', async ({ page }) => {

@@ -116,7 +116,7 @@ test('a custom page size is entered in millimetres, and a wrong value is reporte
   await expect(settings.getByLabel('Resolution (DPI)')).toHaveAttribute('aria-invalid', 'true');
   await settings.getByLabel('Resolution (DPI)').fill('150');
   await idle(page);
-  await expect(settings.getByText('Dots an inch must be')).toHaveCount(0);
+  await expect(settings.getByText('The resolution must be')).toHaveCount(0);
   const png = await exported(page);
   expect([png.width, png.height]).toEqual([874, 620]);
 });

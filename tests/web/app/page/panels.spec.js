@@ -70,7 +70,7 @@ test('joined panels show the first of their photos', async ({ page }) => {
   await expect(join).toHaveAttribute('title', /select two panels/);
   await panels.nth(0).click();
   await panels.nth(3).click({ modifiers: ['Shift'] });
-  await expect(join).toHaveAttribute('title', /do not make one panel/);
+  await expect(join).toHaveAttribute('title', /do not form one panel/);
   await panels.nth(3).click({ modifiers: ['Shift'] });
   const { photos } = await contents(page);
   await panels.nth(2).click({ modifiers: ['Shift'] });

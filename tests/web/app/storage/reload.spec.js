@@ -160,14 +160,14 @@ test('the list of versions opens a version, and shows favourites and where a ver
   await press(page, 'Shuffle');
   await press(page, 'Shuffle');
   await page.getByRole('button', { name: 'Favourite page' }).click();
-  await page.getByRole('button', { name: /^Pages shown/ }).click();
+  await page.getByRole('button', { name: /^Page history/ }).click();
   const wall = page.getByRole('region', { name: 'Page history' });
   await expect(wall.getByRole('button', { name: /^Page \d+$/ })).toHaveCount(3);
   await wall.getByRole('button', { name: 'Page 1', exact: true }).click();
   await idle(page);
   expect(await contents(page)).toEqual(first);
   await press(page, 'Shuffle');
-  await page.getByRole('button', { name: /^Pages shown/ }).click();
+  await page.getByRole('button', { name: /^Page history/ }).click();
   await expect(wall.getByText('from page 1')).toBeVisible();
   await wall.getByRole('button', { name: 'Favourites only' }).click();
   await expect(wall.getByRole('button', { name: /^Page \d+$/ })).toHaveCount(1);

@@ -28,9 +28,9 @@ for (const [width, colorScheme] of /** @type {const} */ ([
     const { dialog, search } = await open(page);
     await expect(search).toBeFocused();
     expect(await dialog.locator('summary').count()).toBeGreaterThan(15);
-    await expect(dialog.getByText('Drop photos or films anywhere')).toBeHidden();
+    await expect(dialog.getByText('Drop photos or videos anywhere')).toBeHidden();
     await dialog.getByText('Adding photos and videos').click();
-    await expect(dialog.getByText('Drop photos or films anywhere')).toBeVisible();
+    await expect(dialog.getByText('Drop photos or videos anywhere')).toBeVisible();
     await accessible(page);
     await search.fill('BALLÓON');
     await expect(dialog.getByText('you add a caption, a balloon')).toBeVisible();

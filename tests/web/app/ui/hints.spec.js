@@ -87,7 +87,7 @@ test('a closed hint does not appear again, until the help shows the hints again'
   await idle(page);
   await press(page, 'Shuffle');
   await press(page, 'Shuffle');
-  await expect(hint(page, 'Lock what')).toBeVisible();
+  await expect(hint(page, 'Lock the parts')).toBeVisible();
   await page.keyboard.press('Escape');
   await expect(page.locator('.hint')).toHaveCount(0);
   await page.keyboard.press('?');

@@ -36,7 +36,10 @@ test('an unreadable video is reported once with the reason, also among other unr
   await alert.getByRole('button', { name: 'Show the list' }).click();
   const list = page.getByRole('dialog').getByRole('listitem');
   await expect(list).toHaveCount(UNREADABLE.length + 1);
-  for (const [name, why] of [...UNREADABLE, /** @type {[string, RegExp]} */ (['empty.mp4', /there is no frame/])]) {
+  for (const [name, why] of [
+    ...UNREADABLE,
+    /** @type {[string, RegExp]} */ (['empty.mp4', /the video has no frames/]),
+  ]) {
     const reported = list.filter({ hasText: new RegExp(`^${name}`) });
     await expect(reported).toHaveCount(1);
     await expect(reported).toHaveText(why);
