@@ -22,11 +22,11 @@ test('a stack opens, another or several of its photos are used, and Undo restore
   await expect(tray.getByText('sharpest of 3')).toBeVisible();
   await expect(use('cat2.jpg')).not.toBeChecked();
   await press(page, 'Show the 3 photos similar to cat.jpg');
-  const stack = tray.getByRole('listitem').filter({ has: page.getByRole('button', { name: '3 alike' }) });
+  const stack = tray.getByRole('listitem').filter({ has: page.getByRole('button', { name: '3 similar' }) });
   await expect(stack.getByRole('checkbox')).toHaveCount(3);
   await expect(stack.getByText('These photos are similar.')).toBeVisible();
   const shown = await page.locator('.panel').count();
-  await press(page, 'Take cat2.jpg instead');
+  await press(page, 'Use cat2.jpg instead');
   await expect(use('cat2.jpg')).toBeChecked();
   await expect(use('cat.jpg')).not.toBeChecked();
   expect(await page.locator('.panel').count()).toBe(shown);
@@ -37,7 +37,7 @@ test('a stack opens, another or several of its photos are used, and Undo restore
   await press(page, 'Undo');
   await expect(use('cat.jpg')).toBeChecked();
   await expect(use('cat3.jpg')).not.toBeChecked();
-  await press(page, '3 alike');
+  await press(page, '3 similar');
   await expect(stack).toHaveCount(0);
 });
 
@@ -46,7 +46,7 @@ test('keyboard: a stack is opened and closed, the threshold and the order change
   const opener = page.getByRole('button', { name: 'Show the 3 photos similar to cat.jpg' });
   await opener.focus();
   await page.keyboard.press('Enter');
-  const head = page.getByRole('button', { name: '3 alike' });
+  const head = page.getByRole('button', { name: '3 similar' });
   await expect(head).toBeFocused();
   await page.keyboard.press('Enter');
   await expect(opener).toBeVisible();
