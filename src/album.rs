@@ -67,7 +67,7 @@ pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Complaint> {
         let before = files.len();
         walk(path, 0, &mut files)?;
         if files.len() == before {
-            return Err(format!("{}: there is no picture in this folder", path.display()));
+            return Err(format!("{}: the folder contains no pictures", path.display()));
         }
     }
     if files.len() > MOST_FILES {

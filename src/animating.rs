@@ -73,7 +73,7 @@ pub(crate) fn animate(asked: &Animate) -> Result<(), Complaint> {
         pages::check(asked)?;
     }
     let saved = reopening::open(&asked.project)
-        .ok_or_else(|| format!("{}: this is no project of Inkpanel", album::told(&asked.project)))??;
+        .ok_or_else(|| format!("{}: not an Inkpanel project", album::told(&asked.project)))??;
     let complain = |reason: String| format!("{}: {reason}", album::told(&asked.project));
     let fonts = drawing::fonts(&asked.font)?;
     if asked.pages {
@@ -100,8 +100,7 @@ fn film(
     Reel { plan, draw, folder: &asked.output, skips: asked.skip_existing }.write(steps)?;
     let beyond = frame_file(&asked.output, plan.frames);
     if beyond.exists() {
-        let why =
-            format!("is of a longer animatic that was written here before; this one ends at {}", plan.frames);
+        let why = format!("belongs to a longer animatic in this folder; the new one ends at {}", plan.frames);
         telling::note(Some(&beyond.display().to_string()), &why);
     }
     tell(plan, told, asked)
@@ -128,17 +127,10 @@ fn is_of_film(saved: &Saved, photo: &str) -> bool {
 /// Says how many panels stand still here that move in the film which the page makes: it decodes the films of a project, for which the
 /// command line has nothing. `called`: one of them, and several.
 fn tell_still(count: usize, called: (&str, &str)) {
-    let why = "in a film that the page makes; here";
     match count {
         0 => {}
-        1 => telling::note(
-            None,
-            &format!("1 {} is a frame of a film and moves {why} it stands still", called.0),
-        ),
-        _ => telling::note(
-            None,
-            &format!("{count} {} are frames of films and move {why} they stand still", called.1),
-        ),
+        1 => telling::note(None, &format!("1 {} is a video frame; here it does not move", called.0)),
+        _ => telling::note(None, &format!("{count} {} are video frames; here they do not move", called.1)),
     }
 }
 

@@ -88,7 +88,7 @@ pub(crate) struct ShotPhoto {
 pub(crate) fn shown(saved: &mut Saved) -> Result<Vec<ShotPhoto>, Complaint> {
     let ids: Vec<String> = saved.project().shots().into_iter().map(str::to_owned).collect();
     if ids.is_empty() {
-        return Err("there is no shot in it".into());
+        return Err("the project has no shots".into());
     }
     let photo = |id: String| {
         let file = saved.photo_file(&id).map_err(|error| error.to_string())?;

@@ -56,9 +56,9 @@ fn read(file: &Path) -> Result<Map<String, Value>, Complaint> {
     let text = album::text(file)?;
     let is_json = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
     let value: Value = if is_json {
-        serde_json::from_str(&text).map_err(|error| format!("is no JSON: {error}"))?
+        serde_json::from_str(&text).map_err(|error| format!("not valid JSON: {error}"))?
     } else {
-        toml::from_str(&text).map_err(|error| format!("is no TOML: {}", error.to_string().trim()))?
+        toml::from_str(&text).map_err(|error| format!("not valid TOML: {}", error.to_string().trim()))?
     };
     match value {
         Value::Object(settings) => Ok(settings),
@@ -81,9 +81,7 @@ fn options(
             continue;
         }
         let known = command.get_arguments().find(|argument| argument.get_long() == Some(name.as_str()));
-        let known = known
-            .filter(|_| name != "config")
-            .ok_or_else(|| format!("there is no setting called \"{key}\""))?;
+        let known = known.filter(|_| name != "config").ok_or_else(|| format!("unknown setting \"{key}\""))?;
         let option = format!("--{name}");
         if is_said(said, &option, known.get_short()) {
             continue;
@@ -194,8 +192,8 @@ mod tests {
 
     #[test]
     fn what_is_no_setting_is_named() {
-        assert_eq!(made(json!({ "sede": 7 }), &[]).unwrap_err(), "there is no setting called \"sede\"");
-        assert_eq!(made(json!({ "config": "x" }), &[]).unwrap_err(), "there is no setting called \"config\"");
+        assert_eq!(made(json!({ "sede": 7 }), &[]).unwrap_err(), "unknown setting \"sede\"");
+        assert_eq!(made(json!({ "config": "x" }), &[]).unwrap_err(), "unknown setting \"config\"");
         assert_eq!(made(json!({ "merge": 1 }), &[]).unwrap_err(), "merge: must be true or false");
         assert_eq!(made(json!({ "seed": {} }), &[]).unwrap_err(), "seed: must be a text or a number");
     }

@@ -90,7 +90,7 @@ fn read(file: &Path) -> Result<Vec<Document>, Complaint> {
     if text.len() as u64 > MOST {
         return Err(format!("is larger than {} MB", MOST >> 20));
     }
-    let value: Value = serde_json::from_str(&text).map_err(|error| format!("is no JSON: {error}"))?;
+    let value: Value = serde_json::from_str(&text).map_err(|error| format!("not valid JSON: {error}"))?;
     let values = match value {
         Value::Array(values) => values,
         value => vec![value],

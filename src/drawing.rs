@@ -48,7 +48,7 @@ pub(crate) fn tell_missing(pages: &[Document], fonts: &GivenFonts) -> Result<(),
         telling::note(
             None,
             &format!(
-                "no font has these letters, so a question mark stands for each: {} (--font gives one)",
+                "no font has these characters, so they become question marks: {} (add a font with --font)",
                 missing.join(" ")
             ),
         );
@@ -250,13 +250,10 @@ impl Printing {
             ("--plates", self.plates),
         ];
         match told.iter().find(|(_, told)| *told) {
-            Some((flag, _)) if kind != Kind::Pdf => {
-                Err(format!("{flag} is for PDF files: give the output a name that ends in .pdf"))
+            Some((flag, _)) if kind != Kind::Pdf => Err(format!("{flag} needs an output file .pdf")),
+            _ if self.quality.is_some() && matches!(kind, Kind::Png | Kind::Webp | Kind::Project) => {
+                Err("--quality needs an output file .jpg, .pdf, .html, .epub or .cbz".into())
             }
-            _ if self.quality.is_some() && matches!(kind, Kind::Png | Kind::Webp | Kind::Project) => Err(
-                "--quality is of JPEG: give the output a name that ends in .jpg, .pdf, .html, .epub or .cbz"
-                    .into(),
-            ),
             _ => Ok(()),
         }
     }
@@ -357,7 +354,7 @@ fn draw_book(
         let file = pdf::write(&leaves, &printing.options(output, None), &letters).map_err(told)?;
         return Ok(vec![(output.to_owned(), file)]);
     }
-    let style = documents.first().ok_or("there is no page to print")?.style().map_err(told)?;
+    let style = documents.first().ok_or("the document has no pages")?.style().map_err(told)?;
     let inks = plates::inks(&style).ok_or_else(|| {
         format!(
             "the style {} prints no plates; one with the block \"Inks (Printing Plates)\" does",

@@ -87,7 +87,9 @@ enum Command {
     #[command(after_help = RENDER_HELP)]
     Render(Box<Render>),
     /// Score the pages of a plan that `render --json` printed.
-    #[command(after_help = "Example:\n  inkpanel render --json photos/ > plan.json && inkpanel score plan.json")]
+    #[command(
+        after_help = "Example:\n  inkpanel render --json photos/ > plan.json && inkpanel score plan.json"
+    )]
     Score {
         /// Plan file, as printed by `render --json`.
         plan: PathBuf,
@@ -440,21 +442,18 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
         return done(&reopening::draw(saved?, file, (*page, *board), (output, how))?);
     }
     if let Some(project) = files.iter().find(|file| reopening::is_project(file)) {
-        return Err(format!("{}: a project is drawn alone", project.display()));
+        return Err(format!("{}: a project cannot be combined with other files", project.display()));
     }
     if let Some(output) =
         output.as_ref().filter(|output| matches!(Kind::of(&output.named), Ok(Kind::Shots(_))))
     {
-        return Err(format!(
-            "{}: a list of shots is of a saved project, and there is none",
-            output.path.display()
-        ));
+        return Err(format!("{}: a shot list needs a saved project", output.path.display()));
     }
     if board.is_some() {
-        return Err("--board is of a saved project, and there is none".into());
+        return Err("--board needs a saved project".into());
     }
     if page.is_some() {
-        return Err("--page is of a saved project, and there is none".into());
+        return Err("--page needs a saved project".into());
     }
     plan_page(planned, how, output.as_ref(), (&files, &projects::called(given, output_name(output.as_ref()))))
 }
@@ -481,7 +480,7 @@ fn output_name(output: Option<&Output>) -> &Path {
     output.map_or(Path::new(""), |output| &output.path)
 }
 
-const NO_OUTPUT: &str = "say by --output where the page goes";
+const NO_OUTPUT: &str = "--output is missing: name the output file";
 
 /// What is planned already takes nothing of what pages are planned by.
 fn planned_already(planned: &Planned, file: &Path) -> Result<(), Complaint> {
@@ -509,8 +508,8 @@ fn check_strict(how: &How) -> Result<(), Complaint> {
         return Ok(());
     }
     Err(match notes {
-        1 => "--strict: this is not as it was asked for, so nothing is written".into(),
-        many => format!("--strict: {many} things are not as they were asked for, so nothing is written"),
+        1 => "--strict: 1 warning, so nothing is written".into(),
+        many => format!("--strict: {many} warnings, so nothing is written"),
     })
 }
 
@@ -626,7 +625,7 @@ fn star(photos: &mut [(PathBuf, Imported)], names: &[PathBuf]) {
         photo.meta.starred = names.contains(path);
     }
     for name in names.iter().filter(|name| !photos.iter().any(|(path, _)| path == *name)) {
-        telling::note(Some(&name.display().to_string()), "is none of the photos, so it gets no large panel");
+        telling::note(Some(&name.display().to_string()), "--star: no photo has this name");
     }
 }
 
@@ -744,7 +743,7 @@ fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) -> bo
     let detectors = match detectors::load(models) {
         Ok(detectors) => detectors,
         Err(complaint) => {
-            telling::note(None, &format!("{complaint}; cropping by contrast alone"));
+            telling::note(None, &format!("{complaint}; photos are cropped by contrast"));
             return false;
         }
     };

@@ -121,7 +121,7 @@ pub(crate) fn score(
     let complain = |reason: String| format!("{}: {reason}", file.display());
     let text = album::text(file).map_err(complain)?;
     let plan: Value =
-        serde_json::from_str(&text).map_err(|error| complain(format!("is no JSON: {error}")))?;
+        serde_json::from_str(&text).map_err(|error| complain(format!("not valid JSON: {error}")))?;
     let pages = plan["pages"].as_array().ok_or_else(|| complain("has no list of \"pages\"".into()))?;
     if pages.len() > MOST_PAGES {
         return Err(complain(format!("has more than {MOST_PAGES} pages")));

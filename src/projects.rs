@@ -48,7 +48,7 @@ impl Album<'_> {
     /// Those of [`packed`](Self::packed), and where the photos are too large for a PNG file.
     pub(crate) fn inside(&self, png: &[u8], page: usize, with_photos: bool) -> Result<Vec<u8>, Complaint> {
         if png.len() < HEAD + TAIL {
-            return Err("the page is no PNG file".into());
+            return Err("the page is not a PNG file".into());
         }
         let (head, rest) = png.split_at(HEAD);
         let (pixels, tail) = rest.split_at(rest.len() - TAIL);

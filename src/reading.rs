@@ -51,7 +51,7 @@ pub(crate) fn language(tag: &str) -> Result<String, Complaint> {
     let part = |part: &str| (1..=8).contains(&part.len()) && part.chars().all(|c| c.is_ascii_alphanumeric());
     let first = tag.split('-').next().unwrap_or_default();
     if first.len() < 2 || first.chars().any(|c| c.is_ascii_digit()) || !tag.split('-').all(part) {
-        return Err(format!("{tag} is no language such as en or pt-BR"));
+        return Err(format!("{tag} is not a language tag such as en or pt-BR"));
     }
     Ok(tag.to_owned())
 }

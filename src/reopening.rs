@@ -31,7 +31,7 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
     };
     match survived(|| Saved::read(bytes)) {
         Ok(Some(saved)) => Some(Ok(saved)),
-        Ok(None) => named.then(|| complain("this is no project of Inkpanel".into())),
+        Ok(None) => named.then(|| complain("not an Inkpanel project".into())),
         Err(reason) => Some(complain(reason)),
     }
 }
@@ -71,7 +71,7 @@ fn drawn(
     let logo = board.map_or(Ok(None), |_| boards::logo(&saved))?;
     let wanted = match board {
         Some(_) if matches!(kind, Kind::Comic(_)) => {
-            return Err("a board is no comic: give the output a name that ends in .pdf or .png".into());
+            return Err("--board needs an output file .pdf or .png".into());
         }
         Some(frames) => boards::sheets(&mut saved, frames, (&stem, &known), logo.as_ref())?,
         None => wanted(&saved, number, each || printing.binds() || matches!(kind, Kind::Comic(_)))?,
@@ -123,9 +123,9 @@ fn wanted(saved: &Saved, number: Option<u32>, all: bool) -> Result<Vec<Document>
     }
     let at = number.map_or(present, |number| number as usize - 1);
     let page = pages.get(at).ok_or_else(|| match pages.len() {
-        0 => "there is no page in it".to_owned(),
-        1 => format!("there is no page {} in it, only one", at + 1),
-        count => format!("there is no page {} in it, only {count}", at + 1),
+        0 => "the project has no pages".to_owned(),
+        1 => format!("page {} does not exist: the project has 1 page", at + 1),
+        count => format!("page {} does not exist: the project has {count} pages", at + 1),
     })?;
     Ok(vec![Document::clone(page)])
 }

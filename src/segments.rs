@@ -111,7 +111,7 @@ impl Masks {
         let load = || match detectors::load_segmenter(self.models.as_deref()) {
             Ok(net) => Some(net),
             Err(why) => {
-                telling::note(None, &format!("{why}; all of a photo counts as its subject"));
+                telling::note(None, &format!("{why}; the whole photo counts as the subject"));
                 None
             }
         };

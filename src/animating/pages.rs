@@ -34,8 +34,8 @@ pub(super) struct Pages {
 /// A sentence with the option.
 pub(super) fn check(asked: &Animate) -> Result<(), Complaint> {
     let refused = [
-        (asked.captions, "--captions is of shots: with --pages the words of the pages are read".to_owned()),
-        (asked.style.is_some(), "--style is of shots: with --pages each page keeps its own".to_owned()),
+        (asked.captions, "--captions cannot be combined with --pages".to_owned()),
+        (asked.style.is_some(), "--style cannot be combined with --pages".to_owned()),
         (
             asked.seconds > MOST_SECONDS,
             format!("--seconds is at most {MOST_SECONDS} with --pages: so long a panel is seen"),
@@ -55,7 +55,7 @@ impl Pages {
         let told = |error: Error| error.to_string();
         let pages: Vec<Document> = saved.pages().0.iter().map(|page| Document::clone(page)).collect();
         if pages.is_empty() {
-            return Err("there is no page in it".into());
+            return Err("the project has no pages".into());
         }
         let files = reopening::files(&mut saved, &pages, &|_| true)?;
         let request = Request {

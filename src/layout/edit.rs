@@ -134,7 +134,9 @@ pub(super) fn in_tree(template: &Template, panel: usize) -> Result<usize> {
 pub(super) fn tree(template: &Template) -> Result<&Node> {
     match template.body() {
         Body::Tree(node) => Ok(node),
-        Body::Polygons(_) => Err(refused(template, "polygons".into(), "have no dividers that can be changed")),
+        Body::Polygons(_) => {
+            Err(refused(template, "polygons".into(), "have no dividers that can be changed"))
+        }
     }
 }
 

@@ -88,9 +88,7 @@ fn body(root: &Field, loose: bool) -> Result<Body> {
             Ok(Body::Tree(node))
         }
         (None, Some(polygons)) => Ok(Body::Polygons(tiling(&polygons, loose)?)),
-        (Some(_), Some(polygons)) => {
-            Err(polygons.error("cannot be combined with tree; use one of them"))
-        }
+        (Some(_), Some(polygons)) => Err(polygons.error("cannot be combined with tree; use one of them")),
         (None, None) => Err(root.error("must have a tree or polygons")),
     }
 }
@@ -104,7 +102,9 @@ fn node(field: &Field, depth: usize) -> Result<Node> {
     let (axis, list) = match (field.get("rows"), field.get("columns")) {
         (Some(rows), None) => (Axis::Rows, rows),
         (None, Some(columns)) => (Axis::Columns, columns),
-        (Some(_), Some(columns)) => return Err(columns.error("cannot be combined with rows; nest the split instead")),
+        (Some(_), Some(columns)) => {
+            return Err(columns.error("cannot be combined with rows; nest the split instead"));
+        }
         (None, None) => return Err(field.error("must be \"panel\" or have rows or columns")),
     };
     if depth >= DEEPEST {

@@ -104,7 +104,7 @@ fn what_is_no_project_or_no_size_is_told() {
     fs::write(&file, "no project").unwrap();
     let refused = animate(&file, &folder.path().join("frames"), &[]);
     assert_eq!(refused.status.code(), Some(1));
-    assert!(String::from_utf8_lossy(&refused.stderr).contains("page.txt: this is no project of Inkpanel"));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("page.txt: not an Inkpanel project"));
     assert!(!folder.path().join("frames").exists());
     for wrong in [["--size", "10x10"], ["--fps", "0"], ["--dissolve", "-1"], ["--seconds", "soon"]] {
         let usage = animate(&project(), folder.path(), &wrong);
@@ -332,7 +332,7 @@ fn what_pages_do_not_have_is_refused() {
     });
     let refused = animate(&empty, &frames, &["--pages"]);
     let said = String::from_utf8_lossy(&refused.stderr).into_owned();
-    assert!(refused.status.code() == Some(1) && said.contains("there is no page in it"), "{said}");
+    assert!(refused.status.code() == Some(1) && said.contains("the project has no pages"), "{said}");
     assert!(!frames.exists());
 }
 

@@ -302,7 +302,7 @@ fn settings_come_from_a_file_and_what_is_said_goes_before() {
     assert_eq!(page("file.png"), page("options.png"));
     assert_eq!(page("other.png"), page("options.png"));
     for (text_of, sentence) in [
-        ("sede = 1", "there is no setting called \"sede\""),
+        ("sede = 1", "unknown setting \"sede\""),
         ("seed = ", "is no TOML"),
         ("merge = 1", "merge: must be true or false"),
     ] {

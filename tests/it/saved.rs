@@ -276,13 +276,13 @@ fn a_page_that_cannot_be_drawn_is_refused_with_a_sentence() {
     );
     refused("foreign.png", &told("{}"), &[], "was not saved by Inkpanel");
     refused("planned.png", &told(&text), &["--style", "comic"], "it is planned already");
-    refused("second.png", &told(&text), &["--page", "2"], "there is no page 2 in it, only one");
+    refused("second.png", &told(&text), &["--page", "2"], "page 2 does not exist: the project has 1 page");
 }
 
 #[test]
 fn a_project_that_cannot_be_drawn_is_refused_with_a_sentence() {
     let project = file("version-1/storyboard.inkpanel");
-    refused("words.inkpanel", b"no ZIP file", &[], "this is no project of Inkpanel");
+    refused("words.inkpanel", b"no ZIP file", &[], "not an Inkpanel project");
     refused(
         "empty.inkpanel",
         b"PK\x05\x06\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0",
@@ -313,7 +313,7 @@ fn a_project_that_cannot_be_drawn_is_refused_with_a_sentence() {
     let out = |name: &str| folder.path().join(name);
     let project = path("version-1/storyboard.inkpanel");
     for (arguments, output, sentence) in [
-        (vec![&project[..], &project], "two.png", "a project is drawn alone"),
+        (vec![&project[..], &project], "two.png", "a project cannot be combined with other files"),
         (
             vec![&project[..]],
             "page.bmp",

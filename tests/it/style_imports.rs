@@ -105,7 +105,9 @@ fn too_much_of_anything_is_refused() {
     let tags = format!(r#"{{"background":[],"tags":[{}]}}"#, many(r#""ink""#, 21));
     let name = format!(r#"{{"background":[],"name":"{}"}}"#, "x".repeat(201));
     let deep = format!(r#"{{"background":{}{}}}"#, "[".repeat(5000), "]".repeat(5000));
-    for (json, reason) in [(blocks, "has 33 blocks"), (tags, "tags"), (name, "name"), (deep, "is not valid JSON")] {
+    for (json, reason) in
+        [(blocks, "has 33 blocks"), (tags, "tags"), (name, "name"), (deep, "is not valid JSON")]
+    {
         let message = Style::parse("shared.json", &json).unwrap_err().to_string();
         assert!(message.contains(reason), "{message}");
     }
