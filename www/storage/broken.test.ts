@@ -48,6 +48,124 @@ const present = (record: any, fields: any) => ({
   history: { ...record.history, present: { ...record.history.present, ...fields } },
 });
 
+/** Replaces all records of a table, except the drawn states, as if the tab that made them had died. */
+async function spoilAll(table: 'projects' | 'states' | 'facts' | 'photos', change: (record: any) => any) {
+  for (const record of await base.getAll(table)) {
+    const { id: key } = record;
+    if (table === 'states' && (key === 'orphans' || key.startsWith('drawn '))) continue;
+    const other = change(record);
+    if (other === undefined) await base.delete(table, key);
+    else await base.put(table, other);
+  }
+}
+
+const onPage = (record: any, fields: any) => present(record, { page: { ...record.history.present.page, ...fields } });
+
+/** Damage in a state that a version of the app could save. */
+const DAMAGED_STATES: [string, (record: any) => any][] = [
+  [
+    'settings without a width',
+    (record) => present(record, { settings: { ...record.history.present.settings, width: null } }),
+  ],
+  ['an empty merge', (record) => onPage(record, { merges: [null] })],
+  ['a number as a text', (record) => onPage(record, { words: [{ kind: 'caption', text: 5, panel: 0 }] })],
+  [
+    'a thousand text items',
+    (record) => onPage(record, { words: Array(1000).fill({ kind: 'caption', text: 'MORE', panel: 0 }) }),
+  ],
+  ['a fractional similarity', (record) => present(record, { alike: 10.5 })],
+];
+
+function circular(record: any) {
+  const round = { ...record };
+  round.history = { past: [round], present: round, future: [], shown: [] };
+  return round;
+}
+
+const empty = ({ id: key }: any) => ({ id: key });
+const deleted = () => undefined;
+
+const DAMAGE: ['projects' | 'states' | 'facts' | 'photos', string, (record: any) => any][] = [
+  ...DAMAGED_STATES.map(([name, change]) => ['states', name, change] as (typeof DAMAGE)[number]),
+  ['states', 'nothing', empty],
+  ['states', 'no record', deleted],
+  ['states', 'no history', (record) => ({ ...record, history: null })],
+  ['states', 'a history of text', (record) => ({ ...record, history: 'once upon a time' })],
+  ['states', 'no version', (record) => ({ ...record, version: undefined })],
+  ['states', 'a newer version', (record) => ({ ...record, version: 99 })],
+  ['states', 'no present', (record) => ({ ...record, history: { ...record.history, present: 7 } })],
+  [
+    'states',
+    'a present of bytes',
+    (record) => ({ ...record, history: { ...record.history, present: new Uint8Array(9) } }),
+  ],
+  ['states', 'a circular history', circular],
+  ['states', 'a tray of holes', (record) => present(record, { tray: [null, 5] })],
+  ['states', 'a page of empty panels', (record) => onPage(record, { panels: [null, null] })],
+  ['states', 'an unknown layout', (record) => onPage(record, { layout: 'no such layout' })],
+  ['states', 'an unknown style', (record) => onPage(record, { style: { block: 'none' } })],
+  ['states', 'a BigInt', (record) => present(record, { alike: 10n })],
+  ['states', 'wrong types of videos and facts', (record) => ({ ...record, facts: 5, videos: [null, { key: 1 }] })],
+  ['projects', 'nothing', empty],
+  ['projects', 'no record', deleted],
+  [
+    'projects',
+    'wrong types',
+    ({ id: key }) => ({
+      id: key,
+      name: 5,
+      created: 'x',
+      changed: {},
+      stamp: {},
+      photos: null,
+      picture: 'none',
+      refs: 7,
+      gone: null,
+    }),
+  ],
+  ['projects', 'invalid times', (record) => ({ ...record, changed: NaN, created: 1e300 })],
+  ['facts', 'nothing', empty],
+  ['facts', 'no record', deleted],
+  [
+    'facts',
+    'a photo without sides',
+    (record) => ({ ...record, fact: { ...record.fact, meta: { ...record.fact.meta, width: 0 } } }),
+  ],
+  ['facts', 'an invalid name', (record) => ({ ...record, fact: { ...record.fact, name: 5 } })],
+  ['photos', 'nothing', empty],
+  ['photos', 'no record', deleted],
+  ['photos', 'wrong types', ({ id: key }) => ({ id: key, name: 5, file: 'x', work: 7, small: [] })],
+  ['photos', 'copies without planes', (record) => ({ ...record, work: { key: 1 }, small: {} })],
+];
+
+describe('a damaged database', () => {
+  it.each(DAMAGE)('with records of %s that have %s: the app starts and lists the project', async (table, _, change) => {
+    await spoilAll(table, change);
+    const tab = await later();
+    await vi.waitFor(() => expect(tab.store.reading.value).toBe(null));
+    expect(tab.keeping.running.value).toBe(false);
+    if (tab.names().length > 0) {
+      await tab.keeping.flush();
+      expect(tab.keeping.status.value).toBe('saved');
+    }
+    await tab.keeping.refresh();
+    expect(tab.keeping.list.value.length).toBeGreaterThan(0);
+  });
+
+  it.each(DAMAGED_STATES)('with a state that has %s: the last good version is restored', async (what, change) => {
+    await spoilAll('states', change);
+    const tab = await later();
+    const why = what === 'a thousand text items' ? 'too-large-project' : 'damaged-project';
+    expect(tab.keeping.broken.value).toMatchObject({ id, name: 'Trip', why, back: true });
+    expect(await tab.keeping.goBack()).toBe(true);
+    expect(documentOf(tab).present).toEqual(before.present);
+    await tab.keeping.flush();
+    expect(tab.keeping.status.value).toBe('saved');
+    const again = await later();
+    expect([documentOf(again).present, again.keeping.broken.value]).toEqual([before.present, null]);
+  });
+});
+
 describe('a project that cannot be read', () => {
   it('is told, and goes back to what was drawn last; its photos stay for good', async () => {
     await spoil('states', (record) => present(record, { tray: [null] }));
