@@ -1,8 +1,8 @@
 // @ts-check
-import { FOUR, drawn, invent, names } from './designer-hands.js';
-import { accessible, contents, expect, idle, openBoard, picture, press, tab, test } from './support.js';
+import { FOUR, drawn, invent, names } from '../designer-hands.js';
+import { accessible, contents, expect, idle, openBoard, picture, press, tab, test } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 /** @param {Page} page */
 const region = (page) => page.getByRole('region', { name: 'Style explorer' });

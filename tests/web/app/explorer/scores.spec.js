@@ -1,13 +1,13 @@
 // @ts-check
 /** Styles sorted by the net, where the site was built with it; without it this file has nothing to say. */
 import { existsSync } from 'node:fs';
-import { invent } from './designer-hands.js';
-import { accessible, detectingTest as test, expect } from './support.js';
+import { invent } from '../designer-hands.js';
+import { accessible, detectingTest as test, expect } from '../support.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 test.skip(
-  !existsSync(new URL('../../../www/models/aesthetics.onnx', import.meta.url)),
+  !existsSync(new URL('../../../../www/models/aesthetics.onnx', import.meta.url)),
   'the net is optional, and was not made',
 );
 
