@@ -1,5 +1,5 @@
 // @ts-check
-/** The subject of a photo corrected by hand: by mouse, by keys alone and by touch; kept, undone, and what the page makes of it. */
+/** The brush that corrects the subject of a photo, with mouse, keys and touch. */
 
 import {
   add,
@@ -12,12 +12,13 @@ import {
   openBoard,
   photos,
   picture,
-  test,
-} from './support.js';
-import { touch, way } from './touch-hands.js';
-import { box, word, write } from './word-hands.js';
+  sharedBoardTest as test,
+} from '../support.js';
+import { expectSaved } from '../project-hands.js';
+import { touch, way } from '../touch-hands.js';
+import { box, word, write } from '../word-hands.js';
 
-/** @typedef {import('../../../www/testing.ts').Page} Page */
+/** @typedef {import('../../../../www/testing.ts').Page} Page */
 
 const panel = (/** @type {Page} */ page, /** @type {number} */ n) =>
   page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) });
@@ -71,7 +72,7 @@ const SNAKE = /** @type {[number, number][]} */ ([
   [0.65, 0.6],
 ]);
 
-test('a subject that is painted is drawn apart, undone stroke by stroke, and there after a reload', async ({
+test('a painted subject is drawn in its own layer, undone stroke by stroke, and restored by a reload', async ({
   page,
 }) => {
   await four(page, 'macaw.jpg', 'camera.jpg');
@@ -89,7 +90,7 @@ test('a subject that is painted is drawn apart, undone stroke by stroke, and the
   ]);
   expect(await covered(page)).toBeGreaterThan(first);
   // Painted away.
-  await dialog(page).getByRole('button', { name: 'Remove' }).click();
+  await dialog(page).getByRole('button', { name: 'Take away' }).click();
   await stroke(page, [[0.5, 0.8]]);
   await dialog(page).getByRole('button', { name: 'Undo' }).click();
   await dialog(page).getByRole('button', { name: 'Redo' }).click();
@@ -105,21 +106,21 @@ test('a subject that is painted is drawn apart, undone stroke by stroke, and the
   await expect.poll(async () => different(before, await picture(page))).toBe(0);
   for (let i = 0; i < 3; i += 1) await page.getByRole('button', { name: 'Redo' }).first().click();
   await expect.poll(async () => different(after, await picture(page))).toBe(0);
-  await expect(page.locator('body')).toHaveAttribute('data-idle', 'true');
-  await page.waitForTimeout(1500);
+  await idle(page);
+  await expectSaved(page);
   await page.reload();
   await idle(page);
   await expect.poll(async () => different(after, await picture(page)), { timeout: 20_000 }).toBe(0);
   await openBrush(page);
   expect(await covered(page)).toBe(whole);
-  await dialog(page).getByRole('button', { name: 'Use detected subject' }).click();
+  await dialog(page).getByRole('button', { name: 'Use the found subject' }).click();
   await dialog(page).getByRole('button', { name: 'Done' }).click();
   await expect.poll(async () => different(before, await picture(page))).toBe(0);
 });
 
-test('a figure steps out of its panel by the mask that was painted, and follows each correction', async ({ page }) => {
+test('a painted mask breaks the panel border, and each correction updates the page', async ({ page }) => {
   await four(page, 'macaw.jpg', 'camera.jpg', 'dahlia.jpg', 'pika.jpg');
-  const breaks = page.getByRole('button', { name: 'Break out of panel' });
+  const breaks = page.getByRole('button', { name: 'Break the frame' });
   await panel(page, 1).click();
   await expect(breaks).toBeDisabled();
   /** Until one lets its figure out: by its shape a panel may have no room. */
@@ -147,7 +148,7 @@ test('a figure steps out of its panel by the mask that was painted, and follows 
   await expect.poll(async () => different(out, await picture(page))).toBe(0);
 });
 
-test('by keys alone the brush is moved, paints, and takes back what it did', async ({ page }) => {
+test('keyboard: the brush is moved, paints and undoes', async ({ page }) => {
   await openBoard(page, ['macaw.jpg']);
   const pick = page.getByRole('button', { name: 'Choose macaw.jpg' });
   await pick.focus();
@@ -175,7 +176,7 @@ test('by keys alone the brush is moved, paints, and takes back what it did', asy
   await page.keyboard.press('-');
   expect(await covered(page)).toBeLessThan(grown);
   await page.keyboard.press('d');
-  await expect(dialog(page).getByRole('button', { name: 'Remove' })).toHaveAttribute('aria-pressed', 'true');
+  await expect(dialog(page).getByRole('button', { name: 'Take away' })).toHaveAttribute('aria-pressed', 'true');
   await page.keyboard.press('Space');
   await page.keyboard.press('c');
   await page.keyboard.press('ArrowUp');
@@ -185,7 +186,7 @@ test('by keys alone the brush is moved, paints, and takes back what it did', asy
   await page.keyboard.press('Escape');
   await expect(dialog(page)).toBeHidden();
   // What was painted is at hand for a while.
-  await page.getByRole('button', { name: 'Restore changes' }).click();
+  await page.getByRole('button', { name: 'Keep them' }).click();
   await pick.focus();
   if ((await pick.getAttribute('aria-pressed')) === 'false') await page.keyboard.press('Enter');
   await open.focus();
@@ -194,7 +195,7 @@ test('by keys alone the brush is moved, paints, and takes back what it did', asy
   expect(await covered(page)).toBeGreaterThan(0);
 });
 
-test('what a person sees and hears of it has no offence, light and dark', async ({ page }) => {
+test('axe finds nothing in the dialog, in both themes', async ({ page }) => {
   await four(page, 'macaw.jpg');
   await openBrush(page);
   await stroke(page, SNAKE);
@@ -203,12 +204,15 @@ test('what a person sees and hears of it has no offence, light and dark', async 
     document.documentElement.dataset.theme = 'dark';
   });
   expect(await offences(page)).toEqual([]);
+  await page.evaluate(() => {
+    delete document.documentElement.dataset.theme;
+  });
 });
 
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
 
-  test('a finger paints, and all that is touched is large enough', async ({ page }) => {
+  test('a finger paints, and all controls are large enough for a finger', async ({ page }) => {
     await openBoard(page, ['macaw.jpg', 'camera.jpg']);
     await page.getByRole('button', { name: 'Layouts', exact: true }).click();
     await choose(page, 'grid', 'Four');
@@ -235,14 +239,14 @@ test.describe('on a phone', () => {
   });
 });
 
-test('a balloon that is added goes elsewhere where a body was painted into its place', async ({ page }) => {
+test('a new balloon avoids a painted subject', async ({ page }) => {
   await four(page, 'macaw.jpg');
   const balloon = word(page, /^Balloon: HELLO THERE/);
   /** Where a balloon goes that is added, and then taken away. */
   const place = async () => {
     await write(page, 'balloon', 'HELLO THERE');
     const { x, y, width, height } = await box(balloon);
-    await page.getByRole('button', { name: 'Remove text' }).click();
+    await page.getByRole('button', { name: 'Remove word' }).click();
     await expect(balloon).toBeHidden();
     return { x: x + width / 2, y: y + height / 2, width, height };
   };
@@ -264,15 +268,14 @@ test('a balloon that is added goes elsewhere where a body was painted into its p
   expect(away).toBeGreaterThan(0.3);
   // Without the body it goes where it went.
   await openBrush(page);
-  await dialog(page).getByRole('button', { name: 'Use detected subject' }).click();
+  await dialog(page).getByRole('button', { name: 'Use the found subject' }).click();
   await dialog(page).getByRole('button', { name: 'Done' }).click();
   await idle(page);
   const third = await place();
   expect([third.x, third.y]).toEqual([first.x, first.y]);
 });
 
-detectingTest('the search for figures is stopped and goes on when asked', async ({ page }) => {
-  detectingTest.setTimeout(240_000);
+detectingTest('subject detection can be stopped and resumed', async ({ page }) => {
   /** @type {string[]} */
   const nets = [];
   let release = () => {};
@@ -288,20 +291,20 @@ detectingTest('the search for figures is stopped and goes on when asked', async 
   await add(page, await photos('macaw.jpg', 'camera.jpg'));
   await idle(page);
   await choose(page, 'grid', 'Four');
-  const stop = page.getByRole('button', { name: 'Stop subject detection' });
+  const stop = page.getByRole('button', { name: 'Stop looking for figures' });
   await stop.click({ timeout: 120_000 });
-  const goOn = page.getByRole('button', { name: 'Resume subject detection' });
+  const goOn = page.getByRole('button', { name: 'Go on looking for figures' });
   await expect(goOn).toBeVisible();
   await expect(stop).toBeHidden();
   await expect(page.locator('body')).toHaveAttribute('data-masked', 'true');
   release();
   await panel(page, 1).click();
-  const breaks = page.getByRole('button', { name: 'Break out of panel' });
-  await expect(breaks).toHaveAttribute('title', /subject detection was stopped/);
-  // A photo that comes now does not begin it anew.
+  const breaks = page.getByRole('button', { name: 'Break the frame' });
+  await expect(breaks).toHaveAttribute('title', /the search for figures was stopped/);
+  // A new photo does not resume it.
   await add(page, await photos('dahlia.jpg'));
+  await expect(page.getByRole('button', { name: 'Choose dahlia.jpg' })).toBeVisible();
   await idle(page);
-  await page.waitForTimeout(1000);
   await expect(goOn).toBeVisible();
   await expect(stop).toBeHidden();
   await goOn.click();
