@@ -1,7 +1,7 @@
 // @ts-check
 /** Project files that cannot be opened change nothing, and stored text can be read again. */
 
-import { soundPage, soundProject } from '../hostile-files.js';
+import { soundPage, soundProject } from '../malformed-files.js';
 import { SMALL, expectSaved, goodFiles } from '../project-hands.js';
 import { accessible, add, contents, drop, expect, idle, picture, press, tab, test } from '../support.js';
 import { tables } from '../table-hands.js';
@@ -59,7 +59,7 @@ const REFUSED = {
   },
 };
 
-/** @param {import('../hostile-files.js').Hostile} file */
+/** @param {import('../malformed-files.js').Malformed} file */
 const asFile = ({ name, bytes }) => ({
   name,
   mimeType: name.endsWith('png') ? 'image/png' : 'application/zip',
@@ -200,7 +200,7 @@ test('a page holds 200 text items, and a message reports the limit', async ({ pa
     size: 0.01,
   });
   await drop(page, [asFile(await soundProject(good.project))]);
-  await expect(page.getByLabel('Project name')).toHaveValue('Hostile');
+  await expect(page.getByLabel('Project name')).toHaveValue('Malformed');
   await idle(page);
   await tab(page, 'Text');
   await page.getByRole('button', { name: 'Add caption' }).click();

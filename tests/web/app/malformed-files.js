@@ -1,15 +1,16 @@
 // @ts-check
 /**
- * Hostile projects and page PNGs by the thousand, each from a seed: a good document whose types are swapped, whose fields
- * are dropped or doubled, whose numbers, texts and counts are out of range, in a file that is sound or is not.
+ * Generator of malformed project files and page PNGs. A seed decides how the good document is damaged: other types, missing or
+ * repeated fields, and numbers, texts and counts out of range. The file itself may be damaged too.
  */
 
+import { readFileSync } from 'node:fs';
 import { pngOf, chunkOf, textChunk, withChunks } from '../../../www/engine/png-chunks.ts';
 import { archiveOf } from '../../../www/engine/archive.ts';
 import { withProject } from '../../../www/storage/files/page-file.ts';
 
 /** @typedef {{ name: string, blob: Blob }} Entry */
-/** `what`: what was done to it. @typedef {{ seed: number, name: string, bytes: Buffer, what: string }} Hostile */
+/** `what`: what was done to it. @typedef {{ seed: number, name: string, bytes: Buffer, what: string }} Malformed */
 /** @typedef {{ next: () => number, below: (n: number) => number, of: <T>(list: readonly T[]) => T }} Chance */
 
 /** @param {number} seed @returns {Chance} the same numbers for the same seed (mulberry32) */
@@ -24,6 +25,19 @@ function chanceOf(seed) {
   const below = (/** @type {number} */ n) => Math.floor(next() * n);
   return { next, below, of: (list) => list[below(list.length)] };
 }
+
+const STYLE = {
+  id: 'mine',
+  name: 'Mine',
+  tags: ['ink'],
+  background: [
+    { block: 'posterize', levels: 4 },
+    { block: 'to_gray', bypass: true },
+  ],
+  foreground: [{ block: 'to_gray' }, { block: 'xdog' }],
+  ink: '#203050',
+};
+const LAYOUTS = new URL('../../../layouts/', import.meta.url);
 
 const LONG = 100_000;
 /** Characters that one deed may add: what is larger than any project is another test's (`traps.spec.js`). */
@@ -120,14 +134,14 @@ const DEEDS = {
     parent[key] = chance.next() < 0.3 ? `${parent[key]}${chance.of(TEXTS)}` : chance.of(TEXTS);
   },
   count: (chance, { parent, key }) => {
+    // Clones: a later change of a shared copy would add its text to all copies.
     const value = parent[key];
     const few = Math.ceil(MOST_TEXT / (1 + JSON.stringify(value ?? null).length));
     if (Array.isArray(value) && value.length > 0)
-      parent[key] = Array.from(
-        { length: Math.min(few * value.length, chance.of([2, 200, 1000, 6000])) },
-        (_, i) => value[i % value.length],
+      parent[key] = Array.from({ length: Math.min(few * value.length, chance.of([2, 200, 1000, 6000])) }, (_, i) =>
+        structuredClone(value[i % value.length]),
       );
-    else parent[key] = Array(Math.min(few, chance.of([1, 201, 5001]))).fill(value);
+    else parent[key] = Array.from({ length: Math.min(few, chance.of([1, 201, 5001])) }, () => structuredClone(value));
   },
   deepen: (chance, { parent, key }) => {
     parent[key] = nested(parent[key], chance.of([1, 2, 100, 1000]));
@@ -197,13 +211,13 @@ function spoiltBytes(chance, bytes) {
   return { bytes: other, what: 'bits changed' };
 }
 
-/** @param {{ document: any, photos: Entry[] }} good @returns {Promise<Hostile>} the file with nothing spoilt */
+/** @param {{ document: any, photos: Entry[] }} good @returns {Promise<Malformed>} the file with nothing spoilt */
 export async function soundProject({ document, photos }) {
   const archive = await archiveOf([{ name: 'project.json', blob: new Blob([JSON.stringify(document)]) }, ...photos]);
   return { seed: 0, name: 'sound.inkpanel', bytes: await bytesOf(archive), what: 'nothing' };
 }
 
-/** @param {{ document: any, photos: Entry[] }} good @returns {Promise<Hostile>} the same, of a page */
+/** @param {{ document: any, photos: Entry[] }} good @returns {Promise<Malformed>} the same, of a page */
 export async function soundPage({ document, photos }) {
   return {
     seed: 0,
@@ -228,9 +242,9 @@ const bytesOf = async (blob) => Buffer.from(await blob.arrayBuffer());
 /**
  * @param {number} seed
  * @param {{ document: any, photos: Entry[] }} good
- * @returns {Promise<Hostile>} a project file
+ * @returns {Promise<Malformed>} a project file
  */
-export async function hostileProject(seed, { document, photos }) {
+export async function malformedProject(seed, { document, photos }) {
   const chance = chanceOf(seed);
   const { text, what } = spoiltDocument(chance, document);
   const entries = [{ name: 'project.json', blob: new Blob([text]) }, ...photos];
@@ -244,9 +258,9 @@ export async function hostileProject(seed, { document, photos }) {
 /**
  * @param {number} seed
  * @param {{ document: any, photos: Entry[] }} good
- * @returns {Promise<Hostile>} a PNG that carries a page
+ * @returns {Promise<Malformed>} a PNG that carries a page
  */
-export async function hostilePage(seed, { document, photos }) {
+export async function malformedPage(seed, { document, photos }) {
   const chance = chanceOf(seed ^ 0x5bd1e995);
   const { text, what } = spoiltDocument(chance, document);
   const more = [what];
@@ -262,4 +276,58 @@ export async function hostilePage(seed, { document, photos }) {
     more.push(spoilt.what);
   }
   return { seed, name: `page-${seed}.png`, bytes, what: more.join(', ') };
+}
+
+/** Adds text items, a custom style, a draft and a crop, which tests can damage. @param {any} document */
+export function enriched(document) {
+  const { present } = document.history;
+  present.name = 'Malformed';
+  present.ownLayouts = [{ ...JSON.parse(readFileSync(new URL('cinema-3.json', LAYOUTS), 'utf8')), id: 'own' }];
+  present.mine = [STYLE];
+  present.favourites = [{ ...STYLE, id: 'loved' }];
+  present.page.words = [
+    { kind: 'caption', text: 'Meanwhile', panel: 0, auto: true },
+    {
+      kind: 'balloon',
+      text: 'HO',
+      shape: 'shout',
+      panel: 0,
+      x: 0.4,
+      y: 0.3,
+      width: 0.2,
+      size: 0.03,
+      tail: { x: 0.6, y: 0.6 },
+      font: 'comic-neue',
+      color: '#111111',
+      fill: '#ffffff',
+      auto: false,
+    },
+    { kind: 'effect', text: 'BAM', panel: null, x: 0.5, y: 0.5, angle: -8, arc: 0.2, auto: false },
+  ];
+  present.page.panels[0].crop = { x: 0.1, y: 0.2, width: 0.5, height: 0.4 };
+  present.tray[0] = { ...present.tray[0], focus: { x: 0.5, y: 0.25 } };
+  return document;
+}
+
+/**
+ * Returns the records of a project without the fields that each save changes. A file that was opened adds its styles to the lists
+ * of all projects.
+ * @param {{ projects: Record<string, any>, states: Record<string, any> }} tables of one project
+ */
+export function essence({ projects, states, ...rest }) {
+  const about = Object.values(projects).map(
+    ({ changed: _changed, stamp: _stamp, picture: _picture, ...record }) => record,
+  );
+  const kept = Object.values(states).map(({ stamp: _stamp, history, ...record }) => ({
+    ...record,
+    history: unshared(history),
+  }));
+  return { about, kept, ...rest };
+}
+
+/** Returns a history without the lists that all projects share. @param {any} history */
+export function unshared({ past, present, future, ...rest }) {
+  const own = (/** @type {any} */ { mine: _mine, favourites: _favourites, ownLayouts: _layouts, ...project }) =>
+    project;
+  return { ...rest, past: past.map(own), present: own(present), future: future.map(own) };
 }
