@@ -1,5 +1,5 @@
 // @ts-check
-/** Every screen in every language: the way there by the words of the language, and what is wrong with the words there. */
+/** The languages of the app, the screens by the texts of a language, and checks of these texts. */
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { compose } from '../../../www/strings/compose.ts';
@@ -14,14 +14,64 @@ import { expect, idle, photos } from './support.js';
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 /** @typedef {ReturnType<typeof compose>} Strings */
 
-const TRANSLATIONS = { en, de, es, fr, pt, ja };
+const TRANSLATIONS = { de, es, fr, ja, pt };
 
-/** Everything that the page says, by the code of the language. @type {Record<string, Strings>} */
+/** All texts of the app, by the code of the language. @type {Record<string, Strings>} */
 export const STRINGS = Object.fromEntries(
-  Object.entries(TRANSLATIONS).map(([code, translation]) => [code, compose(code, translation)]),
+  Object.entries({ en, ...TRANSLATIONS }).map(([code, translation]) => [code, compose(code, translation)]),
 );
 
-/** @param {string} folder beside `www` @returns {{ id: string, name: string }[]} */
+/**
+ * Returns the longest of several translations of a text. The result of functions, lists and groups consists of the longest
+ * texts. The function also runs in the browser, so it uses nothing from this module.
+ * @param {any[]} translations
+ * @returns {any}
+ */
+function longest(translations) {
+  const known = translations.filter((value) => value !== undefined);
+  const [first] = known;
+  if (typeof first === 'function') return (/** @type {any[]} */ ...given) => longest(known.map((of) => of(...given)));
+  if (Array.isArray(first))
+    return Array.from({ length: Math.max(...known.map((list) => list.length)) }, (_, i) =>
+      longest(known.map((list) => list[i])),
+    );
+  if (typeof first === 'object' && first !== null) {
+    const keys = new Set(known.flatMap(Object.keys));
+    return Object.fromEntries([...keys].map((key) => [key, longest(known.map((group) => group[key]))]));
+  }
+  if (typeof first !== 'string') return first;
+  // Japanese characters are twice as wide as Latin letters.
+  const width = (/** @type {string} */ text) => [...text].reduce((sum, sign) => sum + (sign > '\u2e80' ? 2 : 1), 0);
+  return known.reduce((best, text) => (width(text) > width(best) ? text : best));
+}
+
+/** A pseudo-language of the longest translation of each text. It replaces German. */
+export const LONGEST = {
+  code: 'de',
+  strings: compose('de', longest(Object.values(TRANSLATIONS).map(({ names, words }) => ({ names, words })))),
+};
+
+/** Makes the app use the pseudo-language if its language is German. @param {Page} page */
+export async function speakLongest(page) {
+  const files = readdirSync(new URL('../../../www/dist/assets/', import.meta.url));
+  const file = (/** @type {string} */ code) =>
+    String(files.find((name) => new RegExp(`^${code}-[\\w-]{8}\\.js$`).test(name)));
+  const codes = Object.keys(TRANSLATIONS);
+  const german = file(LONGEST.code);
+  await page.route(`**/assets/${german}`, (route) =>
+    route.fulfill({
+      contentType: 'text/javascript',
+      body: `${codes.map((code) => `import * as ${code} from './${file(code)}${code === LONGEST.code ? '?translation' : ''}';`).join('\n')}
+${longest}
+const all = [${codes}];
+export const words = longest(all.map(({ words }) => words));
+export const names = longest(all.map(({ names }) => names));
+`,
+    }),
+  );
+}
+
+/** @param {string} folder next to `www` @returns {{ id: string, name: string }[]} */
 function dataOf(folder) {
   const url = new URL(`../../../${folder}/`, import.meta.url);
   return readdirSync(url)
@@ -29,26 +79,26 @@ function dataOf(folder) {
     .map((name) => JSON.parse(readFileSync(new URL(name, url), 'utf8')));
 }
 
-/** @param {unknown} value @returns {string[]} every text below */
+/** @param {unknown} value @returns {string[]} all texts in it */
 function textsOf(value) {
   if (typeof value === 'string') return [value];
   return value !== null && typeof value === 'object' ? Object.values(value).flatMap(textsOf) : [];
 }
 
-/** @param {string} code @returns {string[]} what only English says */
-export function englishAlone(code) {
-  const { styleTitle, layoutTitle } = STRINGS[code];
-  const said = (/** @type {Strings} */ strings) => [
-    ...textsOf(strings),
-    ...dataOf('styles').map(strings.styleTitle),
-    ...dataOf('layouts').map(strings.layoutTitle),
+/** Returns the texts that are English in the app and different in another language. @param {Strings} strings of the language */
+export function onlyEnglish(strings) {
+  const { styleTitle, layoutTitle } = strings;
+  const said = (/** @type {Strings} */ all) => [
+    ...textsOf(all),
+    ...dataOf('styles').map(all.styleTitle),
+    ...dataOf('layouts').map(all.layoutTitle),
   ];
-  // What a language has no name for is English.
+  // Names without a translation are English.
   const kept = [
     ...dataOf('styles').filter((style) => styleTitle({ ...style, name: '' }) === ''),
     ...dataOf('layouts').filter((layout) => layoutTitle({ ...layout, name: '' }) === ''),
   ].map(({ name }) => name);
-  const own = new Set([...said(STRINGS[code]), ...kept]);
+  const own = new Set([...said(strings), ...kept]);
   return [...new Set(said(STRINGS.en))].filter((text) => text.length > 1 && !own.has(text));
 }
 
@@ -61,7 +111,7 @@ async function side(page, drawer, tab) {
   else await page.getByRole('tab', { name: tab, exact: true }).click();
 }
 
-/** Into the workspaces, whose buttons are among the styles on a small screen. @param {Page} page @param {Strings} strings @param {string} name */
+/** Opens a workspace. On a small screen, its button is in the drawer of the styles. @param {Page} page @param {Strings} strings @param {string} name */
 async function work(page, strings, name) {
   if (!(await button(page, name).isVisible())) await button(page, strings.styles).click();
   await button(page, name).click();
@@ -120,9 +170,9 @@ const SCREENS = {
 };
 
 /**
- * Goes through the start and all screens of a board of four photos.
+ * Visits the start and all screens of a board of four photos.
  * @param {Page} page
- * @param {Strings} strings of the language that the page speaks
+ * @param {Strings} strings of the language of the app
  * @param {(screen: string) => Promise<void>} look
  */
 export async function lookInLanguage(page, strings, look) {
@@ -142,103 +192,13 @@ export async function lookInLanguage(page, strings, look) {
       await page.keyboard.press('Escape');
     }
     for (const dismiss of await button(page, strings.dismiss).all()) await dismiss.click();
-    // A dialog tells that it was closed a moment later, and no key is heard before that.
+    // The app ignores keys until the dialog is removed.
     await expect(page.locator('dialog')).toHaveCount(0);
   }
 }
 
 /**
- * Words that cannot be read to their end, as a box around them cuts them off or they reach out of their control; what
- * scrolls can be read. Names of files and projects are as long as people make them.
- * @param {Page} page
- */
-export function cutWords(page) {
-  return page.evaluate(() => {
-    /** @type {string[]} */
-    const wrong = [];
-    const OWN = '.photo-name, .project-about, .stack-name, .project-name, [data-own-name]';
-    const cover = document.querySelector('dialog[open]') ?? document.querySelector('.workspace');
-    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
-      const element = /** @type {HTMLElement} */ (node.parentElement);
-      const text = (node.textContent ?? '').trim();
-      if (text === '' || element.closest('script, style, noscript, option, .visually-hidden') || element.closest(OWN))
-        continue;
-      if (!element.checkVisibility({ visibilityProperty: true, opacityProperty: true })) continue;
-      if (cover && !cover.contains(element)) continue;
-      const range = document.createRange();
-      range.selectNodeContents(node);
-      const words = range.getBoundingClientRect();
-      // What is there for screen readers alone is a pixel wide.
-      if (words.width === 0 || element.clientWidth === 1) continue;
-      // Half a pixel more or less is rounding.
-      const beyond = (/** @type {DOMRect} */ box, /** @type {boolean} */ across, /** @type {boolean} */ along) =>
-        (across && (words.right > box.right + 1.5 || words.left < box.left - 1.5)) ||
-        (along && (words.bottom > box.bottom + 4 || words.top < box.top - 4));
-      const control = element.closest('button, summary, [role=option], [role=tab], .chip, .toast');
-      if (control && beyond(control.getBoundingClientRect(), true, true))
-        wrong.push(`${text}: reaches out of its control`);
-      let [across, along] = [true, true];
-      for (
-        let box = element;
-        box && box !== document.documentElement;
-        box = /** @type {HTMLElement} */ (box.parentElement)
-      ) {
-        const { overflowX, overflowY } = getComputedStyle(box);
-        // What can be scrolled to can be read.
-        if (/auto|scroll/.test(overflowX)) across = false;
-        if (/auto|scroll/.test(overflowY)) along = false;
-        const [clipsX, clipsY] = [/hidden|clip/.test(overflowX), /hidden|clip/.test(overflowY)];
-        if (beyond(box.getBoundingClientRect(), across && clipsX, along && clipsY)) {
-          wrong.push(`${text}: cut off by ${box.className || box.tagName}`);
-          break;
-        }
-        if (getComputedStyle(box).position === 'fixed') break;
-      }
-    }
-    const pen = /** @type {CanvasRenderingContext2D} */ (document.createElement('canvas').getContext('2d'));
-    for (const field of document.querySelectorAll('select, input[placeholder], input[type=number]')) {
-      if (!field.checkVisibility({ visibilityProperty: true }) || (cover && !cover.contains(field))) continue;
-      const { font, paddingLeft, paddingRight } = getComputedStyle(field);
-      // One that begins with what cannot be chosen is a menu, and never shows the rest.
-      const texts =
-        field instanceof HTMLSelectElement
-          ? [...field.options].slice(0, field.options[0]?.disabled ? 1 : undefined).map(({ text }) => text)
-          : // A name of a person's own may have any length where its title tells it in full.
-            [
-              /** @type {HTMLInputElement} */ (field).placeholder,
-              ...[/** @type {HTMLInputElement} */ (field).value].filter(
-                (value) => value !== field.getAttribute('title'),
-              ),
-            ];
-      pen.font = font;
-      const room = field.clientWidth - Number.parseFloat(paddingLeft) - Number.parseFloat(paddingRight);
-      // The browser keeps some for its marks.
-      const { appearance } = getComputedStyle(field);
-      const mark =
-        appearance === 'textfield'
-          ? 0
-          : field instanceof HTMLSelectElement
-            ? 20
-            : field.matches('[type=number]')
-              ? 15
-              : 0;
-      for (const text of texts) {
-        const over = Math.round(pen.measureText(text).width - (room - mark));
-        if (over > 1) wrong.push(`${text}: ${over} pixels too long for its field`);
-      }
-    }
-    // What is made to scroll down is not made to scroll sideways.
-    for (const box of document.querySelectorAll('.side-panel > *, .sheet-body, .tray, .lanes, .wall, .listbox, dialog'))
-      if (box.checkVisibility({ visibilityProperty: true }) && box.scrollWidth > box.clientWidth + 1)
-        wrong.push(`${box.className}: scrolls sideways by ${box.scrollWidth - box.clientWidth}`);
-    if (document.documentElement.scrollWidth > innerWidth) wrong.push('the page scrolls sideways');
-    return [...new Set(wrong)];
-  });
-}
-
-/**
- * What is said in English though the language has words of its own for it, seen or told.
+ * Returns English texts on the screen and in accessible names.
  * @param {Page} page
  * @param {string[]} english
  */
@@ -249,7 +209,7 @@ export function englishLeft(page, english) {
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
       if (node instanceof Element) {
-        // The core calls what it invents in English.
+        // Generated styles have English names.
         if (node.matches('noscript, [lang], .wall-item')) continue;
         for (const name of ['aria-label', 'aria-description', 'title', 'placeholder', 'aria-valuetext'])
           said.push(node.getAttribute(name) ?? '');
