@@ -95,7 +95,7 @@ test('axe finds nothing on a video and its time range, also while the video is r
       buffer: await readFile(new URL('../../../videos/album.mp4', import.meta.url)),
     },
   ]);
-  await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await accessible(page);
   await idle(page);
   await page.locator('.video summary').click();

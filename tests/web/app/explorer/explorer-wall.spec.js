@@ -15,7 +15,7 @@ const large = (page) => page.getByRole('dialog', { name: /^Large view of/ });
 /** @param {Page} page */
 async function opened(page) {
   await openBoard(page, FOUR);
-  await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+  await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
 }
 
 /** Waits until the wall is complete. @param {Page} page */
@@ -84,12 +84,12 @@ test('a wall of styles is filtered, enlarged, drawn on another photo and extende
   await step(page, 'the first wall starts without a click and can be stopped', async () => {
     expect(await wall(page).count()).toBeGreaterThan(60);
     await page.getByRole('button', { name: 'Generate' }).click();
-    await expect(page.getByRole('progressbar', { name: /Inventing styles/ })).toBeVisible();
+    await expect(page.getByRole('progressbar', { name: /Generating styles/ })).toBeVisible();
     await page.getByRole('button', { name: 'Stop' }).click();
     await expect(region(page)).toHaveAttribute('aria-busy', 'false');
     const before = await order(page);
     await page.getByRole('button', { name: 'Back to the page' }).click();
-    await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+    await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
     await expect(wall(page)).toHaveCount(before.length);
     expect(await order(page)).toEqual(before);
   });
@@ -179,13 +179,13 @@ test('a wall of styles is filtered, enlarged, drawn on another photo and extende
     expect((await contents(page)).style).toBe(names[1]);
     await page.getByRole('button', { name: 'Undo', exact: true }).click();
     await idle(page);
-    await page.getByRole('button', { name: 'Explorer', exact: true }).click();
+    await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
     await whole(page);
   });
 
   await step(page, 'the wall is drawn on another photo, with each style at its place', async () => {
     const [before, first] = [await order(page), await tile(page, 0)];
-    const photos = region(page).getByRole('group', { name: 'Photo of the wall' });
+    const photos = region(page).getByRole('group', { name: 'Photo of the gallery' });
     await expect(photos.getByRole('button')).toHaveCount(FOUR.length);
     const other = photos.locator('button:not([aria-current])').first();
     await other.click();
@@ -216,13 +216,13 @@ test('a wall of styles is filtered, enlarged, drawn on another photo and extende
     ]) {
       for (const n of [a, b]) {
         await wall(page).nth(n).hover();
-        await wall(page).nth(n).getByRole('button', { name: 'Breed' }).click();
+        await wall(page).nth(n).getByRole('button', { name: 'Combine' }).click();
       }
       await whole(page);
     }
     // Messages above the wall do not move it.
     expect(await wall(page).first().boundingBox()).toEqual(box);
-    expect(await wall(page).filter({ hasText: 'Child of' }).count()).toBeGreaterThan(5);
+    expect(await wall(page).filter({ hasText: 'Combines' }).count()).toBeGreaterThan(5);
     // The core requires 7 for its own small copies.
     expect(await leastDistance(page)).toBeGreaterThan(6);
   });

@@ -38,15 +38,15 @@ test('a damaged project is restored or saved as a file, and other projects can b
   await backUp(page);
 
   for (const [fields, why] of [
-    ["words: Array(1000).fill({ kind: 'caption', text: 'MORE', panel: 0 })", 'it holds more than a project can'],
+    ["words: Array(1000).fill({ kind: 'caption', text: 'MORE', panel: 0 })", 'it exceeds the limits of a project'],
     ['merges: [null]', 'part of it is damaged'],
   ]) {
     await test.step(`the last good version is restored: ${why}`, async () => {
       await loadDamaged(page, onPage(fields));
       await expect(broken(page)).toContainText(`Trip cannot be shown: ${why}.`);
       await accessible(page);
-      await broken(page).getByRole('button', { name: 'Back to the last good state' }).click();
-      await expect(page.getByRole('status').getByText('Trip is back as it was when it was last drawn.')).toBeVisible();
+      await broken(page).getByRole('button', { name: 'Restore the last good version' }).click();
+      await expect(page.getByRole('status').getByText('The last good version of Trip was restored.')).toBeVisible();
       await idle(page);
       expect(await contents(page)).toEqual(shown);
       await expectSaved(page);
@@ -72,7 +72,7 @@ test('a damaged project is restored or saved as a file, and other projects can b
     await expect(projects(page).getByRole('button', { name: 'Open Trip' })).toBeVisible();
     await page.getByRole('button', { name: 'Back to the page' }).click();
     await page.getByRole('button', { name: 'Try the sample album' }).click();
-    await expect(page.getByRole('region', { name: 'Storyboard page' })).toBeVisible();
+    await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
     await idle(page);
     await expectSaved(page);
   });
@@ -99,7 +99,7 @@ test('without a project record, the app starts and lists the project', async ({ 
   await page.goto('./');
   await idle(page);
   const start = page.getByRole('button', { name: 'Choose photos or a video' });
-  await expect(start.or(page.getByRole('region', { name: 'Storyboard page' }))).toBeVisible();
+  await expect(start.or(page.getByRole('region', { name: 'Comic page' }))).toBeVisible();
   await page.getByRole('button', { name: 'Projects' }).click();
   await expect(projects(page).getByRole('listitem')).not.toHaveCount(0);
 });

@@ -28,7 +28,7 @@ const masked = (page) => expect(page.locator('body')).toHaveAttribute('data-mask
 
 /** Selects panels until a subject breaks the border of one. @param {Page} page */
 async function breakOne(page) {
-  const button = page.getByRole('button', { name: 'Break the frame' });
+  const button = page.getByRole('button', { name: 'Break out of panel' });
   const panels = page.getByRole('group', { name: /^Panel \d+ of/ });
   for (let i = 0; i < (await panels.count()); i += 1) {
     await panels.nth(i).click();
@@ -78,13 +78,13 @@ test('subjects break the panel border, and blocks apply to the subject or the ba
   });
 
   await step(page, 'a block applies to the background or the subject only, and each choice can be undone', async () => {
-    await page.getByRole('button', { name: 'Designer', exact: true }).click();
+    await page.getByRole('button', { name: 'Style designer', exact: true }).click();
     // A photo in colour: another one is grey.
     await region(page).getByRole('button', { name: 'Preview macaw.jpg' }).click();
     await drawn(page);
     await addBlock(page, 'Grayscale');
     const everywhere = await preview(page);
-    const where = cards(page).first().getByRole('combobox', { name: 'Where', exact: true });
+    const where = cards(page).first().getByRole('combobox', { name: 'Area', exact: true });
     await expect(where).toHaveValue('');
     await where.selectOption('Background');
     await expect.poll(async () => (await preview(page)) !== everywhere).toBe(true);
@@ -100,7 +100,7 @@ test('subjects break the panel border, and blocks apply to the subject or the ba
     // The lines of a layer, with keys.
     await addBlock(page, 'XDoG', 'Foreground layer');
     const lines = await preview(page);
-    const layer = region(page).getByRole('combobox', { name: 'Where the lines are' });
+    const layer = region(page).getByRole('combobox', { name: 'Area of the lines' });
     await layer.focus();
     await page.keyboard.press('ArrowDown');
     await expect(layer).toHaveValue('subject');
@@ -133,13 +133,13 @@ test('text items stay at their place when the mask of their photo is ready', asy
 test('a sound effect is drawn behind the subject of its panel, on the page and in the file', async ({ page }) => {
   await openBoard(page, ['macaw.jpg']);
   await write(page, 'sound effect', 'KRAAAK');
-  const behind = page.getByLabel('Behind the figure', { exact: true });
+  const behind = page.getByLabel('Behind the subject', { exact: true });
   await masked(page);
   await expect(behind).not.toBeChecked();
   for (const [label, value] of [
     ['Width', '90'],
-    ['Across', '50'],
-    ['Down', '38'],
+    ['X', '50'],
+    ['Y', '38'],
   ]) {
     await page.getByLabel(label, { exact: true }).fill(value);
     await page.getByLabel(label, { exact: true }).blur();
@@ -172,7 +172,7 @@ test('without the model, the tool explains what is missing', async ({ page }) =>
   await openBoard(page, ['macaw.jpg', 'camera.jpg', 'dahlia.jpg']);
   await expect(page.locator('body')).toHaveAttribute('data-masked', 'true', MASKED);
   await page.getByRole('group', { name: /^Panel 1 of/ }).click();
-  const button = page.getByRole('button', { name: 'Break the frame' });
+  const button = page.getByRole('button', { name: 'Break out of panel' });
   await expect(button).toBeDisabled();
-  await expect(button).toHaveAttribute('title', /[^.]: the net that finds figures is not part of this site/);
+  await expect(button).toHaveAttribute('title', /[^.]: this site was built without subject detection/);
 });

@@ -90,7 +90,7 @@ test('a painted subject is drawn in its own layer, undone stroke by stroke, and 
   ]);
   expect(await covered(page)).toBeGreaterThan(first);
   // Painted away.
-  await dialog(page).getByRole('button', { name: 'Take away' }).click();
+  await dialog(page).getByRole('button', { name: 'Remove' }).click();
   await stroke(page, [[0.5, 0.8]]);
   await dialog(page).getByRole('button', { name: 'Undo' }).click();
   await dialog(page).getByRole('button', { name: 'Redo' }).click();
@@ -113,14 +113,14 @@ test('a painted subject is drawn in its own layer, undone stroke by stroke, and 
   await expect.poll(async () => different(after, await picture(page)), { timeout: 20_000 }).toBe(0);
   await openBrush(page);
   expect(await covered(page)).toBe(whole);
-  await dialog(page).getByRole('button', { name: 'Use the found subject' }).click();
+  await dialog(page).getByRole('button', { name: 'Use detected subject' }).click();
   await dialog(page).getByRole('button', { name: 'Done' }).click();
   await expect.poll(async () => different(before, await picture(page))).toBe(0);
 });
 
 test('a painted mask breaks the panel border, and each correction updates the page', async ({ page }) => {
   await four(page, 'macaw.jpg', 'camera.jpg', 'dahlia.jpg', 'pika.jpg');
-  const breaks = page.getByRole('button', { name: 'Break the frame' });
+  const breaks = page.getByRole('button', { name: 'Break out of panel' });
   await panel(page, 1).click();
   await expect(breaks).toBeDisabled();
   /** Until one lets its figure out: by its shape a panel may have no room. */
@@ -176,7 +176,7 @@ test('keyboard: the brush is moved, paints and undoes', async ({ page }) => {
   await page.keyboard.press('-');
   expect(await covered(page)).toBeLessThan(grown);
   await page.keyboard.press('d');
-  await expect(dialog(page).getByRole('button', { name: 'Take away' })).toHaveAttribute('aria-pressed', 'true');
+  await expect(dialog(page).getByRole('button', { name: 'Remove' })).toHaveAttribute('aria-pressed', 'true');
   await page.keyboard.press('Space');
   await page.keyboard.press('c');
   await page.keyboard.press('ArrowUp');
@@ -186,7 +186,7 @@ test('keyboard: the brush is moved, paints and undoes', async ({ page }) => {
   await page.keyboard.press('Escape');
   await expect(dialog(page)).toBeHidden();
   // What was painted is at hand for a while.
-  await page.getByRole('button', { name: 'Keep them' }).click();
+  await page.getByRole('button', { name: 'Restore changes' }).click();
   await pick.focus();
   if ((await pick.getAttribute('aria-pressed')) === 'false') await page.keyboard.press('Enter');
   await open.focus();
@@ -246,7 +246,7 @@ test('a new balloon avoids a painted subject', async ({ page }) => {
   const place = async () => {
     await write(page, 'balloon', 'HELLO THERE');
     const { x, y, width, height } = await box(balloon);
-    await page.getByRole('button', { name: 'Remove word' }).click();
+    await page.getByRole('button', { name: 'Remove text' }).click();
     await expect(balloon).toBeHidden();
     return { x: x + width / 2, y: y + height / 2, width, height };
   };
@@ -268,7 +268,7 @@ test('a new balloon avoids a painted subject', async ({ page }) => {
   expect(away).toBeGreaterThan(0.3);
   // Without the body it goes where it went.
   await openBrush(page);
-  await dialog(page).getByRole('button', { name: 'Use the found subject' }).click();
+  await dialog(page).getByRole('button', { name: 'Use detected subject' }).click();
   await dialog(page).getByRole('button', { name: 'Done' }).click();
   await idle(page);
   const third = await place();
@@ -291,16 +291,16 @@ detectingTest('subject detection can be stopped and resumed', async ({ page }) =
   await add(page, await photos('macaw.jpg', 'camera.jpg'));
   await idle(page);
   await choose(page, 'grid', 'Four');
-  const stop = page.getByRole('button', { name: 'Stop looking for figures' });
+  const stop = page.getByRole('button', { name: 'Stop subject detection' });
   await stop.click({ timeout: 120_000 });
-  const goOn = page.getByRole('button', { name: 'Go on looking for figures' });
+  const goOn = page.getByRole('button', { name: 'Resume subject detection' });
   await expect(goOn).toBeVisible();
   await expect(stop).toBeHidden();
   await expect(page.locator('body')).toHaveAttribute('data-masked', 'true');
   release();
   await panel(page, 1).click();
-  const breaks = page.getByRole('button', { name: 'Break the frame' });
-  await expect(breaks).toHaveAttribute('title', /the search for figures was stopped/);
+  const breaks = page.getByRole('button', { name: 'Break out of panel' });
+  await expect(breaks).toHaveAttribute('title', /subject detection was stopped/);
   // A new photo does not resume it.
   await add(page, await photos('dahlia.jpg'));
   await expect(page.getByRole('button', { name: 'Choose dahlia.jpg' })).toBeVisible();
