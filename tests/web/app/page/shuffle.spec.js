@@ -40,9 +40,15 @@ test('Shuffle style, layout and photos each change only their part', async ({ pa
   expect(photos.photos).not.toEqual(layout.photos);
 });
 
-/** Counts adjacent panels that share a photo once. @param {any} part of the contents of the page */
-function imagesOf(part) {
-  return Array.isArray(part) ? part.filter((photo, i) => photo !== part[i - 1]) : part;
+/**
+ * Returns the photos of two pages in order, as far as both have panels. Panels that share an image count once.
+ * @param {(string | null)[]} one
+ * @param {(string | null)[]} other
+ */
+function commonPhotos(one, other) {
+  const [a, b] = [[...new Set(one)], [...new Set(other)]];
+  const count = Math.min(a.length, b.length);
+  return [a.slice(0, count), b.slice(0, count)];
 }
 
 for (const part of /** @type {const} */ (['layout', 'style', 'photos'])) {
@@ -55,7 +61,10 @@ for (const part of /** @type {const} */ (['layout', 'style', 'photos'])) {
     for (let i = 0; i < 6; i += 1) {
       await press(page, 'Shuffle');
       const now = await contents(page);
-      expect(imagesOf(now[part])).toEqual(imagesOf(before[part]));
+      if (part === 'photos') {
+        const [photos, locked] = commonPhotos(now.photos, before.photos);
+        expect(photos).toEqual(locked);
+      } else expect(now[part]).toBe(before[part]);
       if (JSON.stringify(now) !== JSON.stringify(before)) others += 1;
     }
     expect(others).toBeGreaterThan(0);
