@@ -48,6 +48,10 @@ function fixSeeds() {
 /** Makes chance repeatable. @param {Page} page @param {boolean} detects */
 async function prepare(page, detects) {
   await page.addInitScript(fixSeeds);
+  // Titles and captions of new pages would be among the text items that tests add.
+  await page.addInitScript(() => {
+    if (location.protocol.startsWith('http')) localStorage.setItem('inkpanel.narration', 'off');
+  });
   if (!detects)
     await page.addInitScript(() => {
       if (location.protocol.startsWith('http')) localStorage.setItem('inkpanel.detect', 'off');
