@@ -45,6 +45,7 @@ test('a long press on a style shows the page in this style, and applies nothing'
 });
 
 test('a long press on a style of the explorer shows it large, and opens nothing', async ({ page }) => {
+  await page.clock.install();
   await openBoard(page, FOUR);
   await page.getByRole('button', { name: 'Styles', exact: true }).tap();
   await page.getByRole('button', { name: 'Explore styles', exact: true }).tap();
@@ -61,7 +62,6 @@ test('a long press on a style of the explorer shows it large, and opens nothing'
   await expect(seen(page)).toHaveCount(0);
   await expect(page.getByRole('dialog')).toHaveCount(0);
   // A swipe scrolls, even if the finger stays on the screen after it.
-  await page.clock.install();
   const moving = await finger(page, picture);
   await moving.moveBy(-40);
   await page.clock.runFor(2_000);

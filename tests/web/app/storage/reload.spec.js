@@ -63,6 +63,7 @@ test('the work remains after a crash during a shuffle and its saving', async ({ 
 });
 
 test('full storage is reported once, and the page remains', async ({ page, context }) => {
+  await page.clock.install();
   await openBoard(page, SIX.slice(0, 2));
   await expectSaved(page);
   const session = await context.newCDPSession(page);
@@ -79,7 +80,6 @@ test('full storage is reported once, and the page remains', async ({ page, conte
   await page.getByRole('alert').getByRole('button', { name: 'Save to file' }).click();
   expect((await download).suggestedFilename()).toMatch(/\.inkpanel$/);
   const before = await contents(page);
-  await page.clock.install();
   await press(page, 'Shuffle');
   await page.clock.runFor(10_000);
   await idle(page);

@@ -46,8 +46,8 @@ test('the search starts while a picture is dragged with Alt', async ({ page }) =
       return /** @type {any} */ (postMessage).apply(this, given);
     };
   });
-  await openBoard(page, FOUR);
   await page.clock.install();
+  await openBoard(page, FOUR);
   const transfer = await page.evaluateHandle(() => {
     const made = new DataTransfer();
     made.items.add(new File([], 'dark print.png', { type: 'image/png' }));
