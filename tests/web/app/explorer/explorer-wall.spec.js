@@ -134,6 +134,9 @@ test('a wall of styles is filtered, enlarged, drawn on another photo and extende
     await expect(seen).toBeVisible();
     await page.keyboard.press('Escape');
     await expect(seen).toHaveCount(0);
+    // Escape also closes the explorer.
+    await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
+    await whole(page);
   });
 
   await step(page, 'a click opens the large view with keys for its neighbours, and Use applies the style', async () => {
