@@ -3,19 +3,19 @@
 /// Shorthand for results of this crate.
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// Everything that can go wrong with what a person gives us.
+/// Errors caused by user input.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Error {
     /// The bytes are not an image of a format that we read.
     #[error("this is not an image that Inkpanel can read (JPEG, PNG, WebP, GIF, BMP or TIFF)")]
     UnknownFormat,
-    /// Colours of a scanner or a press, in a build without what reads them.
+    /// A colour profile of a scanner or press, in a build without the `rare` feature.
     #[error("this build cannot convert the colour profile of this photo")]
     RareColours,
     /// The file starts like an image but cannot be decoded.
     #[error("the {format} file is damaged or truncated: {reason}")]
     Damaged {
-        /// Name of the format, as people know it.
+        /// Name of the format.
         format: &'static str,
         /// The message of the decoder.
         reason: String,
@@ -31,9 +31,9 @@ pub enum Error {
     /// A sound file of a kind that we do not read.
     #[error("this kind of {format} file cannot be read: {reason}")]
     Unsupported {
-        /// Name of the format, as people know it.
+        /// Name of the format.
         format: &'static str,
-        /// What the decoder said.
+        /// Message of the decoder.
         reason: String,
     },
     /// The header announces more pixels, a longer side or more memory than the limits allow.
@@ -65,7 +65,7 @@ pub enum Error {
         file: String,
         /// Where: `background[2] (gaussian), sigma`.
         location: String,
-        /// What is wrong and what would be right.
+        /// The problem and the expected value.
         reason: String,
     },
     /// A layout file breaks its schema.
@@ -75,7 +75,7 @@ pub enum Error {
         file: String,
         /// Path of the field: `tree.rows[1].weight`.
         location: String,
-        /// What is wrong and what would be right.
+        /// The problem and the expected value.
         reason: String,
     },
     /// A document or request from the page breaks its schema.
@@ -83,7 +83,7 @@ pub enum Error {
     InvalidDocument {
         /// Path of the field.
         location: String,
-        /// What is wrong and what would be right.
+        /// The problem and the expected value.
         reason: String,
     },
     /// A saved project breaks its schema.
@@ -91,7 +91,7 @@ pub enum Error {
     DamagedProject {
         /// Path of the field.
         location: String,
-        /// What is wrong.
+        /// The problem.
         reason: String,
     },
     /// A saved project is of a version that this program does not know yet.
@@ -99,7 +99,7 @@ pub enum Error {
     NewerProject {
         /// Path of the field.
         location: String,
-        /// What it is, and what is known.
+        /// The version of the file and the latest known version.
         reason: String,
     },
     /// A saved project has more of something than a project may.
@@ -107,7 +107,7 @@ pub enum Error {
     TooLargeProject {
         /// Path of the field.
         location: String,
-        /// What it has, and what may be.
+        /// The count and its limit.
         reason: String,
     },
     /// A trained filter bank breaks its format.
@@ -115,7 +115,7 @@ pub enum Error {
     InvalidBank {
         /// Name of the bank.
         name: String,
-        /// What is wrong and what would be right.
+        /// The problem and the expected value.
         reason: String,
     },
     /// No style of this id.
@@ -137,16 +137,14 @@ pub enum Error {
         width: usize,
         /// Height in pixels.
         height: usize,
-        /// What each side needs.
+        /// Minimum number of pixels per side.
         least: usize,
     },
     /// A picture whose style is wanted shows next to nothing.
     #[error("the picture is blank, so it has no style")]
     BlankPicture,
     /// A picture whose style is wanted is a photo as a camera makes it.
-    #[error(
-        "the picture looks like a plain photo; choose a drawing, a print or a painting"
-    )]
+    #[error("the picture looks like a plain photo; choose a drawing, a print or a painting")]
     PlainPhoto,
     /// The caller asked to stop.
     #[error("cancelled")]

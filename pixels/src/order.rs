@@ -1,9 +1,10 @@
-//! Sorting that weighs little: the standard library's sort is compiled anew, some five kilobytes, for each type and order; here
-//! numbers of places are sorted, once for all, and the items follow. For lists of some hundred items at most.
+//! Sorting with little code. The sort of the standard library is compiled again for each type and order,
+//! about 5 kB each. This module sorts indices, so one copy is enough. For lists of some hundred items at
+//! most.
 
 use std::cmp::Ordering;
 
-/// Sorts like [`slice::sort_by`]: what is equal keeps its order.
+/// Sorts like [`slice::sort_by`]. The sort is stable.
 pub fn sort_by<T>(items: &mut [T], mut compare: impl FnMut(&T, &T) -> Ordering) {
     let mut from = places(items.len(), &mut |a, b| compare(&items[a], &items[b]));
     // Each item goes where it belongs, along the cycles of the permutation.

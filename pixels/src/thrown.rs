@@ -3,7 +3,7 @@
 use crate::error::Error;
 use wasm_bindgen::prelude::*;
 
-/// The error as what JavaScript throws.
+/// Converts an error to the JavaScript value to throw.
 #[allow(clippy::needless_pass_by_value, reason = "it is what map_err hands over")]
 #[must_use]
 pub fn thrown(error: Error) -> JsValue {

@@ -22,10 +22,10 @@ enum Kind {
 }
 
 impl Animation {
-    /// Opens a file by its content; no picture is decoded yet.
+    /// Opens a file by its content. No frame is decoded yet.
     ///
     /// # Errors
-    /// `unknown-format` for all but GIF and WebP, `damaged`, `too-large`.
+    /// `unknown-format` unless the file is GIF or WebP, `damaged`, `too-large`.
     pub fn new(bytes: Vec<u8>, limits: &Limits) -> Result<Self> {
         match ::image::guess_format(&bytes) {
             Ok(ImageFormat::Gif) => Ok(Self(Kind::Gif(Box::new(Gif::new(bytes, limits)?)))),
@@ -34,13 +34,13 @@ impl Animation {
         }
     }
 
-    /// Goes on to the next picture.
+    /// Advances to the next frame.
     ///
     /// # Returns
-    /// Whether there is one.
+    /// Returns `false` after the last frame.
     ///
     /// # Errors
-    /// `damaged` where the file breaks off, `too-large` for a first picture beyond the limits.
+    /// `damaged` if the file is truncated, `too-large` for a first frame that exceeds the limits.
     pub fn advance(&mut self) -> Result<bool> {
         match &mut self.0 {
             Kind::Gif(gif) => gif.advance(),

@@ -21,9 +21,10 @@ struct Span {
 }
 
 impl Axis {
-    /// Taps of `count` outputs that share the stretch `[origin, origin + length)` of `samples` inputs equally.
-    /// Where an output covers a sample or more: exact area, with fractional coverage at both ends. Where it
-    /// covers less: Catmull-Rom about its centre, on replicated borders.
+    /// Taps of `count` outputs that share the stretch `[origin, origin + length)` of `samples` inputs
+    /// equally. An output that covers a sample or more is an exact area mean, with fractional coverage at
+    /// both ends. An output that covers less is interpolated with Catmull-Rom at its centre, on replicated
+    /// borders.
     pub(super) fn new(samples: usize, origin: f64, length: f64, count: usize) -> Self {
         let step = length / count as f64;
         let taps = |i: usize, weights: &mut Vec<f64>| {
@@ -59,7 +60,7 @@ impl Axis {
         self.spans.len()
     }
 
-    /// Where every output is the mean of two samples of its own: the first of them all.
+    /// Index of the first sample if every output is the mean of two separate samples, `None` otherwise.
     pub(super) fn halved_from(&self) -> Option<usize> {
         self.halved_from
     }

@@ -1,4 +1,4 @@
-//! Colours as people write them.
+//! Colours in text notation.
 
 /// Reads `#rrggbb`.
 #[must_use]

@@ -1,7 +1,8 @@
 //! Bytes of a file to pixels, with limits and EXIF orientation.
 //!
-//! The format is told by the content, never by the name. Everything that the header announces is checked before memory is taken for
-//! it. The readable part of a damaged JPEG or PNG file is decoded, and the damage is reported. Other damaged files are an error.
+//! The format is detected by content, never by file name. Everything that the header announces is checked
+//! before memory is taken for it. The readable part of a damaged JPEG or PNG file is decoded, and the damage
+//! is reported. Other damaged files are an error.
 
 use std::fmt::{self, Display, Formatter};
 use std::io::Cursor;
@@ -22,11 +23,11 @@ use super::{Image, png, resize};
 use super::{gif, tiff};
 use crate::error::{Error, Result};
 
-/// Most bytes of an ICC profile or of another record that a photo carries; what is larger is passed over, as no camera,
-/// screen or press has the like.
+/// Maximum size of an ICC profile or another metadata record, in bytes. Larger records are skipped. No
+/// camera, screen or press writes such records.
 pub(super) const MOST_PROFILE: usize = 4 << 20;
 
-/// What a file may ask for at most.
+/// Limits for a decoded file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Limits {
     /// Width times height.
@@ -45,7 +46,7 @@ impl Default for Limits {
 }
 
 impl Limits {
-    /// Checks announced sides before memory is taken for them; `name` is that of the format.
+    /// Checks the announced sides before memory is allocated. `name` is the name of the format.
     ///
     /// # Errors
     /// `damaged` for a side of 0, `too-large` for a side or an area beyond the limits.
@@ -132,8 +133,8 @@ pub fn decode_fit(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decod
     Ok(Decoded { damage, ..finished(image, (width, height), &exif, name)? })
 }
 
-/// The same, but a JPEG file that is twice as large or more is decoded at a part of its size: in two thirds of the time, a quarter
-/// of the memory or less, and within a few steps of the same.
+/// Like [`decode`], but decodes a JPEG file at reduced size if it is at least twice as large as `longest`.
+/// This takes two thirds of the time and at most a quarter of the memory. Samples differ by a few steps.
 ///
 /// # Errors
 /// As [`decode`].
@@ -226,8 +227,8 @@ fn read_rare(
     }
 }
 
-/// What the EXIF record of a WebP file says, and its ICC profile, as they stand in the file: its decoder would copy them
-/// at any length.
+/// Returns the EXIF record and the ICC profile of a WebP file. The decoder of the file would copy records of
+/// any length.
 #[cfg(feature = "rare")]
 pub(super) fn records_of_webp(bytes: &[u8]) -> (Exif, Option<Vec<u8>>) {
     let (mut exif, mut profile) = (Exif::default(), None);

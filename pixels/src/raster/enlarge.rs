@@ -5,9 +5,9 @@
 //! three times: large += interpolated(small - reduced(large)), no further than what is around reaches
 //! ```
 //!
-//! An enlarged photo that is reduced again should be the photo; what it lacks of that is laid on it. So edges become as steep as
-//! those of the photo were before its pixels were counted, and flat parts stay as they are. No sample leaves the values of the
-//! nine pixels around it by more than a little, so that edges get no halos.
+//! An enlarged photo, reduced again, should equal the photo. The difference is added to the enlarged photo.
+//! This restores steep edges and leaves flat parts unchanged. No sample leaves the values of the nine pixels
+//! around it by more than a little, so that edges get no halos.
 //!
 //! Source: Irani and Peleg, "Improving resolution by image registration" (1991), its back-projection, for a single picture.
 //! `tests/oracles/enlarge.py` compares it with the interpolations of other libraries.

@@ -1,8 +1,8 @@
 //! The two things that matter of a photo's EXIF record: which side is up, and when it was taken.
 //!
-//! A reader of our own: the record is a small TIFF file, and the crate that reads all of it weighs more in
-//! wasm than everything else here. Wrong records are as good as none: no photo fails for them.
-//! Source: CIPA DC-008 (Exif 2.32), TIFF 6.0.
+//! This is a separate reader, because the record is a small TIFF file. A full EXIF crate is larger in wasm
+//! than all other code here. Wrong records are as good as none: no photo fails for them. Source: CIPA DC-008
+//! (Exif 2.32), TIFF 6.0.
 
 #[cfg(feature = "rare")]
 use super::decode::MOST_PROFILE;
@@ -22,7 +22,7 @@ pub(super) const LONG: u16 = 4;
 const SBYTE: u16 = 6;
 const SLONG: u16 = 9;
 
-/// What the record says.
+/// Values of the EXIF record.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Exif {
     /// 1..=8; 1 is upright.
@@ -44,7 +44,7 @@ pub(super) fn read(record: &[u8]) -> Exif {
 }
 
 #[cfg(feature = "rare")]
-/// The ICC profile of a TIFF file; one that is too large is none.
+/// Returns the ICC profile of a TIFF file, or `None` if it is too large.
 pub(super) fn profile(file: &[u8]) -> Option<Vec<u8>> {
     let tiff = Tiff::of(file)?;
     let bytes = tiff.bytes(tiff.find(tiff.directory()?, ICC_PROFILE)?)?;

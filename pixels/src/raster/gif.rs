@@ -1,7 +1,7 @@
 //! GIF: the first frame, on its screen.
 //!
-//! The screen that a file announces is grown where the first frame reaches beyond it, as browsers do; what no frame
-//! covers is clear. (The colour that a file names for it is looked at by nobody.)
+//! The screen grows if the first frame extends beyond it, as in browsers. Pixels outside the frame are
+//! transparent. The background colour of the file is ignored.
 
 use gif::{ColorOutput, DecodeOptions, DecodingError};
 

@@ -1,7 +1,7 @@
 //! The guided filter: a mask takes the edges of the picture that it belongs to.
 //!
-//! In every window the mask is fitted by a straight line of the guide's luma; what each pixel gets is the mean of the lines of
-//! all windows that hold it. Windows end at the picture's edge.
+//! In every window, the mask is fitted by a linear function of the guide's luma. Each pixel gets the mean of
+//! the fits of all windows that contain it. Windows end at the picture's edge.
 //!
 //! Source: He, Sun and Tang, "Guided Image Filtering", 2013.
 
@@ -19,8 +19,8 @@ const EPSILON: f32 = 1e-4;
 /// Side in pixels of the parts of a mask that are filtered by themselves.
 const TILE: usize = 64;
 
-/// A region of a small mask at the size of `guide`, the picture of the same region, with its edges. `scale` is that of
-/// lengths: 1 for a picture of 1920 x 1080.
+/// A region of a small mask at the size of `guide`, the picture of the same region, with its edges. `scale`
+/// is the scale of lengths: 1 for an image of 1920 x 1080.
 #[must_use]
 pub fn refined(mask: &Plane, region: Region, guide: &Image, scale: f32) -> Plane {
     let (width, height) = (guide.width(), guide.height());
@@ -28,7 +28,7 @@ pub fn refined(mask: &Plane, region: Region, guide: &Image, scale: f32) -> Plane
     guided(&luma_plane(guide), &resample(mask, region, width, height), radius, EPSILON)
 }
 
-/// Makes the border of a mask so many times as steep.
+/// Multiplies the steepness of a mask border by `by`.
 pub fn steepen(mask: &mut Plane, by: i32) {
     for share in mask.samples_mut() {
         *share = (128 + by * (i32::from(*share) - 128)).clamp(0, 255) as u8;

@@ -1,13 +1,14 @@
-//! Colour profiles: what a photo of a wide-gamut camera, a scanner or a press looks like in sRGB.
+//! Colour profiles: conversion of photos from wide-gamut cameras, scanners and presses to sRGB.
 //!
-//! Profiles of a matrix and three curves (Display P3, Adobe RGB), or of one curve, are read here: within a rounding of the
-//! exact colour, and the same on every machine. Those of tables (scanners, presses, their inks) are `qcms`'s, Firefox's
-//! colour management. (`moxcms`, which `image` brings, does both; it would add 76 kB to what a visitor loads, `qcms` a
-//! third of that, and both are within 1 of 255 of littlecms on average.)
+//! Profiles of a matrix and three curves (Display P3, Adobe RGB), or of one curve, are read here: within a
+//! rounding of the exact colour, and the same on every machine. LUT-based profiles (scanners, presses, inks)
+//! are read by `qcms`, the colour management of Firefox. (`moxcms`, which `image` brings, does both; it would
+//! add 76 kB to what a visitor loads, `qcms` a third of that, and both are within 1 of 255 of littlecms on
+//! average.)
 //!
-//! A profile that is damaged, or is one of something else than light or ink on paper, is as good as none: the samples are
-//! then taken as they are. Colours are matched relative to the paper (ICC.1:2022, section 6.2.3). Source: that, sections 7
-//! to 10; sRGB from IEC 61966-2-1, its matrix adapted to D50 as the profiles' own are.
+//! A damaged profile, or one of another device class, is ignored: the samples are used unchanged. Colours are
+//! matched relative to the paper (ICC.1:2022, section 6.2.3). Source: ICC.1:2022, sections 7 to 10; sRGB from
+//! IEC 61966-2-1, its matrix adapted to D50 like the matrices of profiles.
 
 #[cfg(feature = "rare")]
 use qcms::{DataType, Intent, Profile, Transform};
@@ -55,11 +56,11 @@ pub(super) struct Color {
     encoded: Vec<u8>,
 }
 
-/// What a profile asks for of a picture with such channels; none where it is sRGB itself within a rounding, is for other
-/// channels, or cannot be read.
+/// Returns the correction for an image with these channels. `None` if the profile is sRGB within rounding, is
+/// for other channels, or is invalid.
 ///
 /// # Errors
-/// `rare-colours` where tables are asked for and this build does not read them.
+/// `rare-colours` for a LUT-based profile in a build without the `rare` feature.
 pub(super) fn correction(profile: &[u8], channels: Channels) -> Result<Option<Correction>> {
     match wanted(profile, channels) {
         Some(Wanted::Tables) => tables(profile, channels),

@@ -5,8 +5,8 @@ use crate::error::{Error, Result};
 
 /// A luma image (one plane) or a colour image (R, G, B planes), all of one size.
 ///
-/// A luma image may carry the U and V planes that To `GrayScale` saved, so that
-/// To Color can bring the colours back; they may lag behind in size while a Size block stands between.
+/// A luma image may carry the U and V planes that To `GrayScale` saved, so that To Color can restore the
+/// colours. They may have another size after a Size block.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Image {
     planes: Vec<Plane>,
@@ -61,7 +61,7 @@ impl Image {
     }
 
     #[cfg(feature = "pages")]
-    /// A colour image of three planes, or of one that stands for all three.
+    /// A colour image of three planes, or of one grey plane.
     pub(super) fn from_planes(planes: Vec<Plane>) -> Result<Self> {
         Self::from_rgb(<[Plane; 3]>::try_from(planes).unwrap_or_else(|mut planes| {
             let plane = planes.swap_remove(0);

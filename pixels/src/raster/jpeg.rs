@@ -1,4 +1,4 @@
-//! What a JPEG file says before its pixels: size, EXIF record, profile, and whether it is damaged.
+//! Headers of a JPEG file: size, EXIF record, profile and damage.
 //!
 //! `zune-jpeg` decodes the pixels. It draws damaged parts grey or wrong without an error, so the coded data are checked first, and
 //! damaged files are rewritten ([`rescue`]). Source: ITU-T T.81, annex B.
@@ -33,7 +33,7 @@ pub(super) struct Decoder {
 }
 
 impl Decoder {
-    /// Reads the headers of a file without records; `name` is that of the format, for messages.
+    /// Reads the headers of a file without metadata. `name` is the format in messages.
     pub(super) fn new(image: Vec<u8>, name: &'static str) -> Result<Self> {
         // Files with small faults are drawn by every other program, too; the sides are checked by the caller.
         let options = DecoderOptions::default()
@@ -50,7 +50,9 @@ impl Decoder {
             _ => (Channels::Rgb, ColorSpace::RGB),
         };
         decoder.set_options(options.jpeg_set_out_colorspace(out));
-        let size = decoder.dimensions().ok_or_else(|| Error::damaged(name, "its width or height is zero or missing"))?;
+        let size = decoder
+            .dimensions()
+            .ok_or_else(|| Error::damaged(name, "its width or height is zero or missing"))?;
         Ok(Self { file: decoder, size, channels, is_ycck: colors == Some(ColorSpace::YCCK), name })
     }
 
@@ -59,7 +61,7 @@ impl Decoder {
         self.size
     }
 
-    /// What the samples of a pixel are.
+    /// Channels of a pixel.
     pub(super) fn channels(&self) -> Channels {
         self.channels
     }
@@ -80,8 +82,8 @@ impl Decoder {
     }
 }
 
-/// The planes of a photo, reduced to a long side of `longest`, from a file that is decoded at a part of its size; none for a file
-/// that is not twice as large, or of an unusual kind, or faulty.
+/// Decodes the planes of a photo at reduced size, then reduces them to a long side of `longest`. Returns
+/// `None` if the file is less than twice as large, of an unusual kind, or damaged.
 pub(super) fn reduced(bytes: &[u8], longest: usize) -> Option<Vec<Plane>> {
     let mut photo = reduced::reduced(bytes, longest)?;
     if let [y, u, v] = &mut photo.planes[..] {
@@ -210,7 +212,7 @@ impl<'a> Markers<'a> {
         markers
     }
 
-    /// The ICC profile put together from its parts; one that is too large, or lacks a part, is none.
+    /// Joins the parts of the ICC profile. Returns `None` if a part is missing or the profile is too large.
     pub(super) fn profile(&self) -> Option<Vec<u8>> {
         let length: usize = self.parts.iter().map(|part| part.len()).sum();
         if self.parts.is_empty() || length > MOST_PROFILE {
@@ -246,7 +248,7 @@ impl<'a> Markers<'a> {
         image
     }
 
-    /// Why no decoder here reads the kind of file; none for a kind that is read.
+    /// The reason why this kind of file is not supported; `None` for supported files.
     pub(super) fn unsupported(&self) -> Option<&'static str> {
         match (self.frame, self.precision) {
             (0xC9..=0xCF, _) => Some("it uses arithmetic coding"),

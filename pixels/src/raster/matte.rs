@@ -14,7 +14,8 @@ pub const LONGEST: usize = 320;
 const LEVELS: u8 = 16;
 /// From one to the next.
 const STEP: u8 = 255 / (LEVELS - 1);
-/// Bytes of text that are read at most: a mask that has no two pixels alike side by side is none.
+/// Maximum length of the text of a mask, in bytes. Noise, with different values in neighbouring pixels,
+/// exceeds it.
 pub const MOST_TEXT: usize = 65_536;
 /// From here on a pixel counts as the subject.
 const WITHIN: u8 = 128;
@@ -25,10 +26,11 @@ pub const LEAST_CONFIDENCE: f64 = 0.35;
 /// A share of a border between these is unsure.
 const UNSURE: std::ops::Range<u8> = 26..230;
 
-/// The subject of a photo: 0 beside it, 255 within, at most 320 pixels a side, over the whole oriented photo.
+/// The subject mask of a photo: 0 outside, 255 inside, at most 320 pixels per side, for the whole oriented
+/// photo.
 ///
-/// As text `320x213:a97bcp20...`: a letter for each pixel, row by row, `a` for none to `p` for all, with how often it comes
-/// where that is more than once. At most 64 KiB are read.
+/// Text form: `320x213:a97bcp20...`. Each pixel is a letter, row by row, from `a` (0) to `p` (255). A number
+/// after a letter is its repeat count. At most 64 KiB are read.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Matte(Arc<Kept>);
@@ -48,19 +50,19 @@ impl PartialEq for Matte {
 
 impl Eq for Matte {}
 
-/// What is known of a subject by its matte. Places and lengths are in fractions of the photo.
+/// Properties of a subject mask. Places and lengths are in fractions of the photo.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MatteFacts {
     /// The share of the photo that it covers.
     pub coverage: f64,
-    /// Left, top, width and height of its box; all 0 where there is no subject.
+    /// Left, top, width and height of the bounding box; all 0 without a subject.
     pub bounds: [f64; 4],
     /// How sure its border is, 0 to 1: 1 where it is as sharp as pixels allow.
     pub confidence: f64,
 }
 
 impl MatteFacts {
-    /// Whether it counts as none: hardly anything is covered, or nobody could say where the subject ends.
+    /// Whether the mask is unusable: it covers almost nothing, or its border is uncertain.
     #[must_use]
     pub fn is_vague(&self) -> bool {
         self.coverage < LEAST_COVERAGE || self.confidence < LEAST_CONFIDENCE
@@ -88,7 +90,7 @@ impl Matte {
         read(self.text()).unwrap_or_else(|| Plane::filled(1, 1, 0))
     }
 
-    /// Which pixels are the subject: those of at least half a share, row by row, and how many are in a row.
+    /// Returns which pixels are at least half subject, row by row, and the number of pixels per row.
     #[must_use]
     pub fn within(&self) -> (Vec<bool>, usize) {
         let plane = self.plane();
@@ -101,7 +103,7 @@ impl Matte {
         &self.0.text
     }
 
-    /// What is known by it.
+    /// Properties of the mask.
     #[must_use]
     pub fn facts(&self) -> MatteFacts {
         *self.0.facts.get_or_init(|| facts_of(&self.plane()))

@@ -1,7 +1,8 @@
-//! PNG: the pixels as the `png` crate unpacks them, the records as they stand in the file.
+//! PNG: pixels from the `png` crate, metadata chunks from this reader.
 //!
-//! If a file is damaged, the rows before the damage are decoded. That crate inflates a colour profile whole before anyone asks for it, so it is told to pass over all that is not
-//! pixels, and what matters is found here. Source: PNG, third edition, sections 5 and 11.
+//! If a file is damaged, the rows before the damage are decoded. That crate inflates a colour profile
+//! completely, even if it is not used. Therefore it skips all metadata, and this module reads the required
+//! chunks. Source: PNG, third edition, sections 5 and 11.
 
 use std::io::Cursor;
 
@@ -168,9 +169,7 @@ fn inflated(body: &[u8]) -> Option<Vec<u8>> {
 
 fn explained(error: DecodingError, format: &'static str) -> Error {
     match error {
-        DecodingError::LimitsExceeded => {
-            Error::damaged(format, "its metadata exceeds the limit")
-        }
+        DecodingError::LimitsExceeded => Error::damaged(format, "its metadata exceeds the limit"),
         error => Error::damaged(format, error),
     }
 }

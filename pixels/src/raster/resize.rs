@@ -1,4 +1,4 @@
-//! Resampling: exact area where an image shrinks, Catmull-Rom where it grows, each axis by itself.
+//! Resampling: exact area means for reduction, Catmull-Rom for enlargement, each axis separately.
 //!
 //! Between the two axes the samples are rounded to u8, as Pillow does: a result is within 1 of the exact one.
 
@@ -8,7 +8,7 @@ use super::{Image, Plane};
 #[cfg(feature = "pages")]
 use crate::error::{Error, Result};
 
-/// A rectangle in pixels of the source; may be fractional. What lies outside the source is cut off.
+/// A rectangle in pixels of the source; may be fractional. Parts outside the source are ignored.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Region {
     /// Left edge.
@@ -75,7 +75,7 @@ pub fn resample_image(source: &Image, region: Region, width: usize, height: usiz
 /// Reduces `C` interleaved channels (`C * width * height` bytes) straight to planes of another size.
 ///
 /// # Errors
-/// `buffer-size` when there are not so many bytes, or a side is 0.
+/// `buffer-size` if the number of bytes is different or a side is 0.
 pub(crate) fn planes_of_interleaved<const C: usize>(
     samples: &[u8],
     (width, height): (usize, usize),

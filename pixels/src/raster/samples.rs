@@ -20,7 +20,7 @@ pub(super) struct Pixels {
     pub(super) damage: Option<Damage>,
 }
 
-/// What the samples of a pixel are.
+/// Channels of a pixel.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Channels {
     Grey,
@@ -40,14 +40,14 @@ impl Channels {
     }
 }
 
-/// What the sample behind the others says of them.
+/// Meaning of the alpha channel.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Alpha {
-    /// There is none.
+    /// No alpha channel.
     None,
     /// How much the colours count, which are whole.
     Straight,
-    /// The same, and the colours are multiplied with it already.
+    /// Premultiplied: the colours are already multiplied by alpha.
     Multiplied,
 }
 
@@ -68,7 +68,7 @@ impl Pixels {
         Self { size, samples, channels, profile: None, damage: None }
     }
 
-    /// The same with the file's profile.
+    /// Sets the profile of the file.
     pub(super) fn with_profile(mut self, profile: Option<Vec<u8>>) -> Self {
         self.profile = profile;
         self
@@ -138,8 +138,8 @@ pub(super) fn rgb_of_ycc([y, u, v]: [u8; 3]) -> [u8; 3] {
     [y + 1.402 * v, y - 0.344_136 * u - 0.714_136 * v, y + 1.772 * u].map(|value| (value + 0.5) as u8)
 }
 
-/// Reduces what `image` decodes to 8 bits a channel. Wide samples are in this machine's byte order; 16 bits are rounded,
-/// floats are taken as 0 to 1.
+/// Reduces the output of the crate `image` to 8 bits per channel. Wide samples are in this machine's byte
+/// order; 16 bits are rounded, floats are taken as 0 to 1.
 pub(super) fn narrowed(color: ColorType, bytes: Vec<u8>) -> (Vec<u8>, Channels, Alpha) {
     let channels = color.channel_count();
     let alpha = if channels.is_multiple_of(2) { Alpha::Straight } else { Alpha::None };

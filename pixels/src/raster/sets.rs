@@ -1,4 +1,4 @@
-//! Disjoint sets: which pixels or runs of pixels hang together, while a picture is gone through once.
+//! Disjoint sets: finds connected pixels or runs of pixels in one pass over an image.
 //!
 //! Source: Tarjan, "Efficiency of a good but not linear set union algorithm", 1975 (here with path halving and the smaller
 //! number as the root).
@@ -10,7 +10,7 @@ pub struct Sets {
 }
 
 impl Sets {
-    /// A set of its own; its number.
+    /// Adds a set with one element and returns its number.
     pub fn add(&mut self) -> u32 {
         let number = self.parents.len() as u32;
         self.parents.push(number);

@@ -1,14 +1,15 @@
 //! TIFF: the samples as the `tiff` crate unpacks them, put together and given their meaning here.
 //!
-//! The crate (0.11.3) is asked for chunks (strips or tiles) of bare samples, which is what it does well. What it and
-//! `image` do with them beyond that is wrong or missing:
+//! The crate (0.11.3) is asked for chunks (strips or tiles) of bare samples, which is what it does well. The
+//! crate and `image` handle these cases wrongly or not at all:
 //!
-//! - An image of tiles in planes (each channel in tiles of its own) makes it panic where the tiles do not divide the
-//!   height: `get_padding` takes the number of a tile in all planes for one in the first. Each chunk by itself is right,
-//!   only longer than the image, so the rows below the image are cut off here.
-//! - Samples beyond those of the photometric interpretation (associated alpha, unknown ones) are dropped before the
-//!   predictor is undone, palettes are refused, grey with alpha comes out as bands without a meaning. So it is told that
-//!   every image is grey: it then gives all samples of a pixel, and what they mean is found here.
+//! - A tiled image with separate planes causes a panic if the tiles do not divide the height: `get_padding`
+//!   uses the tile number over all planes as one of the first plane. Each chunk is correct, but longer than
+//!   the image. The rows below the image are removed here.
+//! - Samples beyond the photometric interpretation (associated alpha, unknown ones) are dropped before the
+//!   predictor is undone. Palettes are rejected, and grey with alpha has bands without a meaning. The
+//!   workaround declares every image as grey: the crate then returns all samples of a pixel, and this module
+//!   interprets them.
 //! - `FillOrder` is passed over.
 //! - A missing end of strips, `RowsPerStrip` of 2^32 - 1, does not fit its sizes in wasm.
 //! - JPEG chunks are decoded at whatever size they announce, lists of places and counts are read at any length.
@@ -221,7 +222,10 @@ impl Layout {
             Colors::Cmyk => 4,
         };
         if samples < count {
-            return Err(Error::damaged(name, format!("it has {samples} samples per pixel instead of {count}")));
+            return Err(Error::damaged(
+                name,
+                format!("it has {samples} samples per pixel instead of {count}"),
+            ));
         }
         if samples > MOST_SAMPLES {
             return Err(unsupported(&format!("it has {samples} samples per pixel")));

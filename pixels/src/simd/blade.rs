@@ -42,8 +42,8 @@ pub fn widen(row: &[u8], out: &mut [i16]) {
     tail.fill(i16::from(last));
 }
 
-/// Filters two rows of pixels. `rows` are the eight widened rows from three above the first to four below it;
-/// `places` the filter of each block of two columns; `second` may be empty where the image ends.
+/// Filters two rows of pixels. `rows` are the eight widened rows from three above the first to four below it.
+/// `places` is the filter of each block of two columns. `second` may be empty at the end of the image.
 pub fn filter_rows(
     rows: [&[i16]; 8],
     places: &[u8],
@@ -147,8 +147,8 @@ const SMOOTHING: [f32; TAPS / 2] = [
     1716.0 / 8192.0,
 ];
 
-/// d1 d1, d1 d2 and d2 d2 of Roberts' differences between two rows, in three stretches of one length, each divided by
-/// the gradient and scaled so that the first and the last add up to it.
+/// Products d1 d1, d1 d2 and d2 d2 of Roberts' differences between two rows, in three stretches of equal
+/// length. Each is divided by the gradient and scaled. The first and the last add up to the gradient.
 pub fn products(upper: &[f32], lower: &[f32], out: &mut [f32]) {
     /// Where nothing changes, there is nothing to divide.
     const TINY: f32 = 1e-3;

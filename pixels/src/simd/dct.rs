@@ -1,9 +1,10 @@
-//! The inverse of the discrete cosine transform of JPEG, for blocks of 8 x 8 or reduced to sides of 4, 2 and 1: each sample is the
-//! mean of those that it stands for. Source: ITU-T T.81, A.3.3; libjpeg reduces so, too (its `jidctred.c`), within rounding.
+//! The inverse discrete cosine transform of JPEG, for blocks of 8 x 8 or reduced to sides of 4, 2 and 1. Each
+//! reduced sample is the mean of the samples that it covers. Source: ITU-T T.81, A.3.3; libjpeg reduces so,
+//! too (its `jidctred.c`), within rounding.
 
 use wide::f32x4;
 
-/// The coefficients of a block, by rows: how it changes along a row is told from left to right.
+/// The coefficients of a block, by rows. Horizontal frequency grows from left to right.
 pub type Block = [[f32; 8]; 8];
 
 /// By sides of 1, 2, 4 and 8, and by coefficient: what it gives to each sample.

@@ -1,4 +1,5 @@
-//! Turned grids of dots whose size follows the tone, on lanes: what a printing screen leaves white.
+//! Rotated halftone grids on SIMD lanes. The dot size follows the tone. The output is the paper that stays
+//! white.
 //!
 //! Everything about a dot is an area here. With d the distance of a pixel from its dot's centre, in cells, and r the
 //! radius that covers what the ink asks for:
@@ -9,8 +10,9 @@
 //! ink    = clamp((r^2 - d^2) pitch / 2r + 1/2)
 //! ```
 //!
-//! The ramp is a pixel wide, and linear in the area rather than in the distance: no roots, and it covers what the dot
-//! without a ramp does. Before dots meet, r^2 is v / pi of the ink v; from there on a polynomial makes up for what they share.
+//! The ramp is a pixel wide, and linear in the area rather than in the distance: no roots, and it covers what
+//! the dot without a ramp does. Before dots meet, r^2 is v / pi for the ink v. After that a polynomial
+//! corrects for their overlap.
 
 use super::lanes::{narrow, widen_high, widen_low};
 use super::mix::load;
@@ -88,7 +90,7 @@ impl Screen {
         }
     }
 
-    /// Writes what is left white of row `y`: 255 where no ink falls. `ink` is 0..=255; both have one length.
+    /// Writes the paper of row `y`: 255 without ink. `ink` is 0..=255; both have one length.
     pub fn print(&self, y: usize, ink: &[u8], paper: &mut [u8]) {
         self.run::<false>(y, ink, paper);
     }

@@ -1,5 +1,5 @@
-//! An image twice as large by Catmull-Rom: its samples lie a quarter and three quarters of the way between those of the source, so
-//! that four weights are all there are, whole numbers of 128ths.
+//! Doubles an image with Catmull-Rom. Its samples lie at a quarter and three quarters between the samples of
+//! the source. Four integer weights, in 128ths, are enough.
 
 use super::mix::{LANES, load, load_part};
 use bytemuck::cast;
@@ -48,8 +48,8 @@ pub fn double_rows(rows: [&[u8]; 5], [before, after]: [&mut [u8]; 2]) {
     }
 }
 
-/// Between the samples of a row. It stands in `padded` from [`MARGIN`] on, with as many samples before it and after it, and
-/// [`LANES`] of any value behind those; `out` is twice as long as the row.
+/// Doubles the samples of a row. The row starts at [`MARGIN`] in `padded`, with as many samples before and
+/// after it, then [`LANES`] samples of any value. `out` is twice as long as the row.
 pub fn double_columns(padded: &[u8], out: &mut [u8]) {
     for (out, at) in out.chunks_mut(2 * LANES).zip((0..).step_by(LANES)) {
         let [before, after] = beside([0, 1, 2, 3, 4].map(|k| load(padded, at + k)));

@@ -60,7 +60,7 @@ impl Kernel {
     }
 }
 
-/// `out[x] = sum of weights * padded[x + radius +- k]`; `padded` reaches a lane beyond what is asked for.
+/// `out[x] = sum of weights * padded[x + radius +- k]`. `padded` extends one lane beyond the needed samples.
 pub fn horizontal(kernel: &Kernel, padded: &[i16], out: &mut [i16]) {
     let radius = kernel.radius();
     convolve(kernel, out, |x, k| &padded[x + radius - k..], |x, k| &padded[x + radius + k..]);

@@ -1,7 +1,7 @@
 //! Rows of the dual solver of Total Variation Flow, in 16-bit fixed point.
 //!
-//! Tones are held about mid gray, so that the room above and below them is the same; both fixed points follow
-//! from the time, so that every product of a step stays a Q15 one:
+//! Tones are centred on mid gray, with equal headroom above and below. Both fixed points follow from the
+//! time, so that every product of a step stays a Q15 one:
 //!
 //! ```text
 //! u  = f + t div p                        (tones)
@@ -19,7 +19,7 @@ use wide::{f32x4, i16x8, i32x4, u8x16, u16x8};
 /// Samples a step.
 const LANES: usize = 8;
 
-/// Samples in front of a row, the last of which the first pixel looks at.
+/// Padding samples in front of a row. The first pixel reads the last of them.
 pub const FRONT: usize = LANES;
 
 /// Largest step of the ascent that converges.
@@ -134,8 +134,8 @@ pub fn read_half(above: &[u8], below: &[u8], scale: Scale, tones: &mut [i16]) {
     }
 }
 
-/// A row's first field: that of a row of half the resolution, spread over two pixels and weakened, since a field
-/// that is too long has to shrink again.
+/// Returns the first field of a row from the row at half resolution, doubled in width and weakened. A field
+/// that is too long would have to shrink again.
 pub fn spread(coarse: &[i16], from: Scale, to: Scale, fine: &mut [i16]) {
     const SHARE: f32 = 0.7;
     let share = SHARE * 2.0f32.powi(to.field_bits as i32 - from.field_bits as i32) / 2.0;
@@ -194,7 +194,7 @@ pub fn ascend(row: &mut Row, next: &Row, here: &[i16], below: &mut [i16], scale:
     }
 }
 
-/// The same for the last row, below which nothing changes.
+/// Like [`ascend`], for the last row. Nothing changes below it.
 pub fn ascend_last(row: &mut Row, here: &[i16], scale: Scale) {
     let n = steps(here);
     let (here, right) = (groups(here, FRONT, n), groups(here, FRONT + 1, n));

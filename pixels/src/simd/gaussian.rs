@@ -9,9 +9,9 @@
 //!         image = half * G(1.4) between its samples             (interpolate)
 //! ```
 //!
-//! Variances add, so the three Gaussians make one of exactly sigma; 1.4 samples pass .00006 of what aliases
-//! at half the rate. Borders repeat the edge exactly: the coarse grid reaches as far beyond the image as the
-//! low-pass sees both sides of the edge, and is constant from there on.
+//! Variances add, so the three Gaussians make one of exactly sigma. A sigma of 1.4 samples passes 0.00006 of
+//! the frequencies that alias at half the rate. Borders repeat the edge exactly: the coarse grid extends
+//! beyond the image as far as the low-pass sees both sides of the edge, and is constant beyond.
 
 use super::fine::{Fine, pad_row};
 use super::fir::{self, Kernel};

@@ -65,7 +65,7 @@ impl Wide {
         &self.samples[start..start + self.width]
     }
 
-    /// The same, to be changed; [`Self::pad`] brings the margins up to date.
+    /// Returns a row for writing. [`Self::pad`] updates the margins.
     pub fn row_mut(&mut self, y: usize) -> &mut [i16] {
         let start = (y + self.margin) * self.stride + self.margin;
         &mut self.samples[start..start + self.width]

@@ -152,8 +152,8 @@ pub fn to_gray(r: &mut [u8], g: &mut [u8], b: &mut [u8], keep_chroma: bool) {
 /// Neutral U and V, which is also the sign of a byte about them.
 const NEUTRAL: u8 = 128;
 
-/// Luma, U and V (around 128) to R, G, B: BT.601, full range. U and V are those of colours: where both are at an end,
-/// which no colour has, G may be a few steps off.
+/// Luma, U and V (around 128) to R, G, B: BT.601, full range. U and V must be real colours: if both are at an
+/// end, which no colour has, G may be a few steps off.
 pub fn to_color(y: &mut [u8], u: &mut [u8], v: &mut [u8]) {
     // 1.402 / 2, .344136, .714136 and 1.772 / 2, Q15.
     const RV: i16 = 22970;
@@ -181,7 +181,7 @@ pub fn to_color(y: &mut [u8], u: &mut [u8], v: &mut [u8]) {
 }
 
 /// Luma to R, G, B: Y + share * (255 - |2 Y - 255|), the shares as Q15. This is HSL with a fixed hue and
-/// saturation: full colour in the middle tones, none in black and white.
+/// saturation: full colour in the middle tones, no colour in black and white.
 pub fn tint(y: &mut [u8], g: &mut [u8], b: &mut [u8], shares: [i16; 3]) {
     let white = i16x8::splat(255);
     map3(y, g, b, |y, _, _| {

@@ -6,8 +6,8 @@ use wide::u8x16;
 /// Pixels a step.
 const STEP: usize = 16;
 
-/// Samples in `row` become those of their level's row in `patterns`: level floor(sample * levels / 256). The rows
-/// are as long as `row` or longer, and there are at most 255.
+/// Replaces each sample in `row` by the sample of its level's row in `patterns`: level floor(sample * levels
+/// / 256). The rows are as long as `row` or longer, and there are at most 255.
 pub fn select(row: &mut [u8], patterns: &[Vec<u8>]) {
     let levels = patterns.len();
     // The smallest sample with floor(sample * levels / 256) >= level.

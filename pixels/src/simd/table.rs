@@ -81,7 +81,7 @@ impl Table {
         &self.entries
     }
 
-    /// The table that gives what `next` makes of this one's results.
+    /// Returns the composition: this table, then `next`.
     #[must_use]
     pub fn then(&self, next: &Self) -> Self {
         Self::new(self.entries.map(|v| next.entries[usize::from(v)]))

@@ -1,5 +1,5 @@
-//! Percentiles of a plane, exact, without a histogram of all of it: a sparse sample says where a percentile is about,
-//! and one pass over the plane on lanes counts the samples below the tones around it.
+//! Exact percentiles of a plane without a full histogram. A sparse sample estimates the percentile. One SIMD
+//! pass over the plane then counts the samples below the tones around it.
 
 use super::table::histogram;
 use wide::u8x16;
@@ -26,7 +26,7 @@ pub struct Tones<'a> {
 }
 
 impl<'a> Tones<'a> {
-    /// Of at least one sample.
+    /// Prepares at least one sample.
     #[must_use]
     pub fn new(samples: &'a [u8]) -> Self {
         let whole = samples.len() <= FEW;

@@ -1,9 +1,9 @@
-//! Rows of a volume of cells over (x, tone): gathering pixels in them, blurring, and reading a base back for each
-//! pixel, from which it then moves away or to which it moves.
+//! Rows of a volume of cells over (x, tone): gathers pixels into cells, blurs, and reads a base for each
+//! pixel. The pixel then moves towards its base or away from it.
 //!
-//! Cells are pairs of floats, a weight and a weighted tone, while they are gathered; 16-bit tones of [`FRACTION`] bits
-//! once they are divided. The eight cells about a pixel lie side by side by then ([`surround`]), so that reading
-//! between them is three dot products of pairs: along the tone, along y and along x.
+//! During gathering, cells are pairs of floats, a weight and a weighted tone. After the division they are
+//! 16-bit tones with [`FRACTION`] bits. The eight cells around a pixel are then adjacent ([`surround`]), so
+//! that an interpolation is three dot products of pairs: along the tone, along y and along x.
 
 use super::lanes::{interleave_high, interleave_low, narrow, widen_low};
 use bytemuck::cast;
@@ -28,7 +28,7 @@ pub fn shares(position: f32) -> [i16; 2] {
     [(1 << SHARE_BITS) - second, second]
 }
 
-/// Where a grey step stands among the cells of a column.
+/// Position of a grey step among the cells of a column.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Level {
     /// The cell below it.
@@ -39,8 +39,8 @@ pub struct Level {
     pub parts: [f32; 4],
 }
 
-/// Adds every `stride`-th pixel of a row to its slot: four sums for each cell, those of the cell and those of the next.
-/// `columns` has the first cell of each pixel's column.
+/// Adds every `stride`-th pixel of a row to its slot. A slot has four sums: two for the cell and two for the
+/// next cell. `columns` has the first cell of each pixel's column.
 pub fn gather(row: &[u8], columns: &[u32], stride: usize, levels: &[Level; 256], slots: &mut [[f32; 4]]) {
     let columns = &columns[..row.len()];
     // Indices: a zip that skips looks at what it skips.
@@ -154,7 +154,7 @@ fn lanes(row: &[i16], from: usize) -> i16x8 {
     row[from..].first_chunk().map_or(i16x8::ZERO, |lanes| i16x8::new(*lanes))
 }
 
-/// Where the pixels of a row stand among the columns of cells.
+/// Positions of the pixels of a row among the columns of cells.
 #[derive(Clone, Copy, Debug)]
 pub struct Across<'a> {
     /// The first cell of the column before each pixel.

@@ -466,7 +466,10 @@ mod tests {
             (r#"{"background":[{"block":"sobel","where":"left"}]}"#, "must be \"subject\" or \"background\""),
             (r#"{"background":[{"block":"sobel","where":null}]}"#, "background[0] (sobel), where: is null"),
             (r#"{"background":[],"where":"subject"}"#, "where: must be an object"),
-            (r#"{"background":[],"where":{"middle":"subject"}}"#, "where, middle: must be background or foreground"),
+            (
+                r#"{"background":[],"where":{"middle":"subject"}}"#,
+                "where, middle: must be background or foreground",
+            ),
             (r#"{"background":[],"where":{"foreground":1}}"#, "where, foreground: is 1, it must be"),
             (
                 r#"{"background":[{"block":"to_gray","where":"subject"},{"block":"pattern"}]}"#,

@@ -19,7 +19,8 @@ pub(super) struct Table {
 }
 
 impl Table {
-    /// Of `counts[n - 1]` codes of `n` bits, and their symbols; none where there are more codes than bits can tell apart.
+    /// A table of `counts[n - 1]` codes of `n` bits, and their symbols. Returns `None` if there are more
+    /// codes than their bits allow.
     pub(super) fn new(counts: &[u8; 16], symbols: &[u8]) -> Option<Self> {
         let (short, symbols) = ([0; 1 << LOOK], symbols.to_vec());
         let mut table = Self { short, ends: [0; 17], firsts: [0; 17], symbols };
@@ -109,7 +110,7 @@ pub(super) struct Bits<'a> {
 }
 
 impl<'a> Bits<'a> {
-    /// Of the data behind the header of a scan.
+    /// Reads the data after the header of a scan.
     pub(super) fn new(data: &'a [u8]) -> Self {
         Self { data, at: 0, ahead: 0, count: 0 }
     }
@@ -159,7 +160,8 @@ impl<'a> Bits<'a> {
         self.count -= bits as i32;
     }
 
-    /// The next symbol, and the number of as many bits as its lower half says, or 0; none for a code that the table does not have.
+    /// Returns the next symbol and its additional bits as a number. The lower half of the symbol is the
+    /// number of bits. Returns `None` for an unknown code.
     #[inline]
     pub(super) fn next(&mut self, table: &Table) -> Option<(u8, i32)> {
         self.fetch();
@@ -268,7 +270,7 @@ impl<'a> Bits<'a> {
         self.at < self.data.len()
     }
 
-    /// Goes on behind the restart marker of a number; none where another one stands there, or data before it.
+    /// Skips the restart marker with this number. Returns `None` if the next bytes are anything else.
     pub(super) fn restart(&mut self, number: usize) -> Option<()> {
         self.fetch();
         let marker = [0xFF, 0xD0 | (number % 8) as u8];

@@ -1,15 +1,17 @@
-//! JPEG files decoded at a half, a quarter or an eighth of their sides, each sample the mean of those that it stands for: most of the
-//! inverse transform, of the colours and of the memory of a photo is for pixels that nobody is going to see. The sequential files of
-//! cameras are read so; where anything is unusual, or wrong, there is no result, and the decoder of whole files has its say.
+//! Decodes JPEG files at a half, a quarter or an eighth of their sides. Each sample is the mean of the pixels
+//! that it covers. This skips most of the inverse transform, colour conversion and memory. It supports
+//! sequential files, as cameras write them. For unusual or damaged files it returns no result, and the full
+//! decoder reads the file.
 //!
-//! Sources: ITU-T T.81, annexes A, B and F. `jpeg-decoder` can do it, too: it is no longer developed, and of ten times the size.
+//! Sources: ITU-T T.81, annexes A, B and F. The crate `jpeg-decoder` has this feature as well, but it is no
+//! longer developed and ten times as large.
 
 use super::header::{Header, segment};
 use super::huffman::{Bits, Table, ZEROS};
 use super::{APP14, END_OF_IMAGE, START_OF_SCAN};
 use crate::simd::dct::{Block, inverse};
 
-/// What a photo looks like in small.
+/// A photo at reduced size.
 pub(super) struct Reduced {
     /// Width and height of the whole photo.
     pub(super) size: (usize, usize),

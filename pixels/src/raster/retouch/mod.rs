@@ -1,9 +1,11 @@
-//! What a person does to the mask of a photo by hand: strokes of a soft brush, the border moved or softened, and the choice of one
-//! of several figures. All of it on planes of shares, 0 beside the subject and 255 within; lengths are in pixels of the plane.
+//! Manual corrections of a subject mask: strokes of a soft brush, a moved or softened border, and the choice
+//! of one of several figures. All functions work on planes from 0 (outside the subject) to 255 (inside).
+//! Lengths are in pixels of the plane.
 //!
-//! Sources: growing and shrinking are the dilation and erosion of grey-scale morphology by a flat disc (Serra, "Image Analysis
-//! and Mathematical Morphology", 1982); figures are told apart by a walk with joined labels ([`super::sets`]), their soft borders
-//! by flooding from all of them at once (Meyer, "Topographic distance and watershed lines", 1994, without heights).
+//! Sources: growing and shrinking are grey-scale dilation and erosion by a flat disc (Serra, "Image Analysis
+//! and Mathematical Morphology", 1982). Figures are connected components with joined labels
+//! ([`super::sets`]). Their soft borders come from flooding from all components at once (Meyer, "Topographic
+//! distance and watershed lines", 1994, without heights).
 
 mod session;
 mod view;
@@ -49,8 +51,8 @@ impl Brush {
         (255.0 * fade * fade * (3.0 - 2.0 * fade)).round() as u8
     }
 
-    /// Draws along a path of at least one point. What is gone over twice is painted once, so a stroke may come in pieces that share
-    /// their ends.
+    /// Draws along a path of at least one point. Overlapping strokes do not add up, so a stroke may be drawn
+    /// in pieces that share their ends.
     pub fn paint(self, mask: &mut Plane, path: &[[f32; 2]]) {
         if self.radius <= 0.0 || path.iter().flatten().any(|at| !at.is_finite()) {
             return;
@@ -128,7 +130,7 @@ pub fn feathered(mask: &Plane, radius: usize) -> Plane {
     softened(&softened(mask, radius), radius)
 }
 
-/// What was beside the subject is it, and the other way round.
+/// Inverts the mask.
 #[must_use]
 pub fn inverted(mask: &Plane) -> Plane {
     mapped(mask, |_, share| 255 - share)
@@ -147,7 +149,7 @@ fn mapped(mask: &Plane, share: impl Fn(usize, u8) -> u8) -> Plane {
     out
 }
 
-/// What of a mask hangs together, each with the soft border about it.
+/// The connected components of a mask, each with the soft border around it.
 pub struct Figures {
     /// Of each pixel the number of its figure; [`NONE`] beside all.
     labels: Vec<u32>,
@@ -159,7 +161,8 @@ pub struct Figures {
 const NONE: u32 = u32::MAX;
 
 impl Figures {
-    /// Finds the figures of a mask: the largest is number 0, of equal ones that which begins further up.
+    /// Finds the figures of a mask. Figure 0 is the largest. Of equal figures, the one that begins further up
+    /// comes first.
     #[must_use]
     pub fn of(mask: &Plane) -> Self {
         let mut labels = vec![NONE; mask.samples().len()];
@@ -194,13 +197,14 @@ impl Figures {
         &self.areas
     }
 
-    /// The number of the figure at a pixel; none beside all.
+    /// Number of the figure at a pixel, or `None` outside all figures.
     #[must_use]
     pub fn at(&self, pixel: usize) -> Option<usize> {
         self.labels.get(pixel).filter(|label| **label != NONE).map(|label| *label as usize)
     }
 
-    /// The mask, of which the figures were found, with the figures alone that are wanted.
+    /// Returns the mask with only the wanted figures. `mask` must be the mask in which the figures were
+    /// found.
     #[must_use]
     pub fn only(&self, mask: &Plane, wanted: impl Fn(usize) -> bool) -> Plane {
         mapped(mask, |at, share| if self.at(at).is_some_and(&wanted) { share } else { 0 })

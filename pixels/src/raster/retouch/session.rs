@@ -1,4 +1,4 @@
-//! A mask while it is corrected: what is done to it step by step, and how that is undone.
+//! A mask during correction: the steps and their undo.
 
 use super::{Brush, Figures, WITHIN, feathered, grown, inverted, joined, shrunk};
 use crate::raster::matte::{LEAST_CONFIDENCE, MOST_TEXT};
@@ -14,7 +14,7 @@ const MOST_STEPS: usize = 200;
 /// What the shares of a mask are rounded to, one after the other, until its text may be read again.
 const ROUNDINGS: [u8; 4] = [1, 51, 85, 255];
 
-/// What is done to a mask as a whole.
+/// A correction of the whole mask.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Mending {
     /// The border goes outward.
@@ -25,15 +25,15 @@ pub enum Mending {
     Feather,
     /// The subject is what was not.
     Invert,
-    /// All that was found is the subject; all of the photo where nothing was.
+    /// The subject is everything that was found, or the whole photo if nothing was found.
     Everything,
     /// Nothing is.
     Nothing,
-    /// What was found, which no hand corrected.
+    /// The detected mask, without corrections.
     Found,
-    /// Of several figures the next one alone.
+    /// Only the next of several figures.
     NextFigure,
-    /// The figure at a point alone, which is told in parts of the photo.
+    /// Only the figure at a point, in fractions of the photo.
     FigureAt([f32; 2]),
 }
 
@@ -57,8 +57,8 @@ pub struct Session {
 }
 
 impl Session {
-    /// Begins with the mask of a photo: the one that was corrected before, else what was found, else none. The size is that of
-    /// the photo or of a smaller copy.
+    /// Begins with the corrected mask of a photo, the detected mask, or an empty mask, in this order. `size`
+    /// is the size of the photo or of a smaller copy.
     #[must_use]
     pub fn new(size: (usize, usize), own: Option<&Matte>, found: Option<&Matte>) -> Self {
         let (width, height) = fit(size.0.max(1), size.1.max(1), matte::LONGEST);
@@ -91,13 +91,13 @@ impl Session {
         (self.at > 0, self.at + 1 < self.states.len())
     }
 
-    /// Whether what was found is the mask, as nobody corrected it.
+    /// Whether the mask is the detected mask, without corrections.
     #[must_use]
     pub fn is_found(&self) -> bool {
         !self.states[self.at].own
     }
 
-    /// The masks after each step from the beginning to here, none where what was found counts.
+    /// The masks after each step up to the current one. `None` means the detected mask.
     #[must_use]
     pub fn steps(&self) -> Vec<Option<&Matte>> {
         self.states[1..=self.at].iter().map(|state| state.own.then_some(&state.mask)).collect()

@@ -1,4 +1,5 @@
-//! How a mask looks that is corrected: what is not the subject lies in the dark, and a line of light and shade runs along its edge.
+//! Preview of a mask during correction: the background is dark, and a line of light and shade runs along the
+//! edge.
 
 use super::WITHIN;
 use crate::raster::guided::refined;
@@ -10,7 +11,7 @@ const LONGEST: usize = 800;
 /// How dark it is beside the subject, 0 to 255.
 const SHADE: u16 = 168;
 
-/// What is laid over a photo so that its mask is seen.
+/// The overlay that shows a mask on its photo.
 pub struct View {
     photo: Image,
     /// Red, green, blue and how much it hides, row by row.
@@ -18,7 +19,7 @@ pub struct View {
 }
 
 impl View {
-    /// Of a photo, or a smaller copy.
+    /// Creates the overlay of a photo or of a smaller copy.
     #[must_use]
     pub fn new(photo: &Image) -> Self {
         let (width, height) = fit(photo.width(), photo.height(), LONGEST);
