@@ -1,6 +1,7 @@
 //! # Inkpanel
 //!
-//! Photos in, stylised storyboard pages out: chosen, laid out, cropped to what they show, drawn, lettered.
+//! Inkpanel turns photos into stylised comic pages: it selects photos, chooses a layout, crops, applies a
+//! style and adds lettering.
 //!
 //! ```
 //! use inkpanel::{Album, PageOptions, Photo, Style};
@@ -32,7 +33,7 @@
 //!
 //! # Features
 //!
-//! None is on unless asked for.
+//! No feature is on by default.
 //!
 //! | feature | for |
 //! |---|---|
@@ -44,8 +45,8 @@
 //!
 //! # The stages
 //!
-//! With `internals`, the modules stand in the order that a photo travels; a stage never imports a later one. Each has an example that
-//! runs, `examples/stage_raster.rs` and so on to `stage_page.rs`.
+//! With `internals`, the modules are public, in the order of the data flow. A module never imports a later
+//! one. Each has an example that runs, `examples/stage_raster.rs` and so on to `stage_page.rs`.
 //!
 //! | module | stage |
 //! |---|---|
@@ -63,12 +64,12 @@
 //! | `document` | the project that a person edits and saves: its pages, photos, styles and layouts |
 //! | `native` | pages drawn by all cores of a machine |
 //!
-//! `error`, `raster`, `simd` and `style` are a crate of their own, `inkpanel-pixels`: what runs over pixels is compiled for
-//! speed, the rest of the core to be small. So is `detect`, `inkpanel-detect`, which brings tract.
+//! `error`, `raster`, `simd` and `style` are in the crate `inkpanel-pixels`, which is compiled for speed. The
+//! rest of the core is compiled for size. `detect` is the crate `inkpanel-detect`, which depends on tract.
 //!
-//! On top, without algorithms of their own: `facade`, which is what you see here, and `main.rs` (the command line). The crates of
-//! `modules/` bind the stages to JavaScript. Every spatial parameter of a style is in pixels of a 1920 x 1080 image and scaled to
-//! the render at hand.
+//! Above them, without algorithms, are `facade` (the public API) and `main.rs` (the command line). The crates
+//! of `modules/` bind the stages to JavaScript. Every spatial parameter of a style is in pixels of a 1920 x
+//! 1080 image and scaled to the render at hand.
 
 // Without the stages, much of them is used by nobody.
 #![cfg_attr(

@@ -1,4 +1,4 @@
-//! Pages drawn outside of the browser, by all cores of a machine: what the command line and the Python package share.
+//! Page drawing outside the browser, on all cores. The command line and the Python package share it.
 
 use crate::error::Result;
 use crate::framing::Subject;
@@ -15,7 +15,7 @@ use crate::style::Context;
 use rayon::prelude::*;
 use std::collections::{BTreeSet, HashMap};
 
-/// Of JPEG files and of the pictures in PDF files, unless told.
+/// Default quality of JPEG files and of images in PDF files.
 pub const QUALITY: u8 = 90;
 
 /// A photo as pages are drawn with it.
@@ -50,19 +50,19 @@ pub fn is_styled(document: &Document, photo: &str) -> bool {
     document.panels.iter().any(|panel| !panel.plain && panel.photo.as_deref() == Some(photo))
 }
 
-/// The whole page at its own size with its words, whose letters the program has or `fonts`. A panel whose photo is not there
-/// stays empty.
+/// Draws the page at its own size with its text. Glyphs come from the bundled fonts and from `fonts`. A panel
+/// without a photo stays empty.
 ///
 /// # Errors
-/// As [`Scene::new`]; those of a style that does not fit; `invalid-document` for words that break their shape.
+/// As [`Scene::new`]; errors of a style that does not fit; `invalid-document` for invalid text items.
 pub fn sheet(document: &Document, photos: &Photos, fonts: &GivenFonts) -> Result<compose::Sheet> {
     let (mut sheet, fronts) = bare(document, photos)?;
     word_drawing::lay_words_behind(&mut sheet, document, &fonts.letters(&document.words)?, &fronts)?;
     Ok(sheet)
 }
 
-/// The same in layers: the page without its words, and each of these with its place among them, in the order in which they lie on
-/// it.
+/// Like [`sheet`], in layers: the page without text, and each text item with its position in the stack, from
+/// back to front.
 ///
 /// # Errors
 /// As [`sheet`].
@@ -92,8 +92,8 @@ fn bare(document: &Document, photos: &Photos) -> Result<(compose::Sheet, Vec<Pat
     Ok((sheet, fronts))
 }
 
-/// The page as a PDF file holds it, with what its panels show told for who does not see them; `plate` is the ink that it is
-/// printed with, `quality` that of its pictures, from 1 to 100.
+/// Returns the page as the PDF writer needs it, with alternative text for the panels. `plate` is the ink.
+/// `quality` is the JPEG quality, from 1 to 100.
 ///
 /// # Errors
 /// As [`sheet`]; `encode`.
@@ -115,8 +115,8 @@ pub fn leaf(
     Ok(Leaf { document: document.clone(), pictures, alts })
 }
 
-/// What each panel of a page shows, as far as it was found: `Panel 2 of 6: a person and a dog`, and `Logo` of one that is shown as it
-/// is. `subjects` knows what is in a photo.
+/// Describes the detected content of each panel: `Panel 2 of 6: a person and a dog`, and `Logo` for a panel
+/// with a logo. `subjects` returns the subjects of a photo.
 pub fn alts<'s>(document: &Document, subjects: &dyn Fn(&str) -> &'s [Subject]) -> Vec<String> {
     let shows = described(document, subjects);
     let count = document.panels.iter().filter(|panel| !panel.plain).count();
@@ -130,9 +130,8 @@ pub fn alts<'s>(document: &Document, subjects: &dyn Fn(&str) -> &'s [Subject]) -
     (0..document.panels.len()).map(alt).collect()
 }
 
-/// The panels whose photos have fewer pixels an inch than [`COARSE`] on the page at its own size, with how many they have; those that
-/// are shown as they are not among them.
-/// `size` knows width and height of a photo in pixels.
+/// Returns the panels whose photos have fewer pixels per inch than [`COARSE`] at the page's own size, with
+/// their PPI. Logos are skipped. `size` returns width and height of a photo in pixels.
 ///
 /// # Errors
 /// As [`Scene::new`].

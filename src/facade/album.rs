@@ -1,4 +1,4 @@
-//! Photos that were read, of which pages are made.
+//! Albums: imported photos, from which pages are made.
 
 use super::failure::Failure;
 #[cfg(feature = "detect")]
@@ -18,7 +18,7 @@ use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Photos that were read and measured. Any number of pages can be asked of it.
+/// Photos that were read and measured. It can make any number of pages.
 pub struct Album {
     photos: Arc<[Photo]>,
     /// Those that could be read, with their places in the list that was given.
@@ -27,7 +27,7 @@ pub struct Album {
     notes: Vec<String>,
 }
 
-/// What pages call the photo of a place in the list, as the command line does.
+/// Returns the page's id of the photo at a place in the list. The command line uses the same ids.
 pub(super) fn id(place: usize) -> String {
     format!("photo-{place}")
 }
@@ -36,13 +36,14 @@ impl Album {
     /// Reads photos side by side, in the order of the story.
     ///
     /// # Errors
-    /// Of the first photo that cannot be read: `not-found`, `unreadable`, `unknown-format`, `damaged`, `unsupported`, `too-large`.
+    /// Returns the error of the first photo that cannot be read: `not-found`, `unreadable`, `unknown-format`,
+    /// `damaged`, `unsupported`, `too-large`.
     pub fn read(photos: Vec<Photo>) -> Result<Self, Failure> {
         let (album, broken) = Self::read_side_by_side(photos);
         broken.into_iter().next().map_or(Ok(album), Err)
     }
 
-    /// The same, but photos that cannot be read are left out, and [`Self::notes`] says which and why.
+    /// Like [`Self::read`], but skips photos that cannot be read. [`Self::notes`] lists them with the reason.
     #[must_use]
     pub fn read_skipping_broken(photos: Vec<Photo>) -> Self {
         let (mut album, broken) = Self::read_side_by_side(photos);
@@ -66,16 +67,17 @@ impl Album {
         (Self { photos: photos.into(), read, fonts, notes }, broken)
     }
 
-    /// What is not as one would expect, in sentences: photos that are damaged or left out, and why.
+    /// Warnings as sentences: damaged or skipped photos, and the reason.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
 
-    /// Adds a TrueType or OpenType file for letters of words that the program's own fonts lack.
+    /// Adds a TrueType or OpenType font for characters that the bundled fonts lack.
     ///
     /// # Errors
-    /// `invalid-argument` for what is no font, is broken or too large, and for more than sixteen.
+    /// `invalid-argument` if the file is not a font, is damaged or too large, or if there are more than
+    /// sixteen fonts.
     pub fn add_font(&mut self, file: Vec<u8>) -> Result<(), Failure> {
         self.fonts.add(file).map_err(|reason| Failure::argument("fonts", reason))
     }
@@ -83,7 +85,7 @@ impl Album {
     /// Asks for a large panel for a photo, by its place in the list that was given, from 0.
     ///
     /// # Errors
-    /// `invalid-argument` where no photo is there that could be read.
+    /// `invalid-argument` if the album has no readable photo at this place.
     pub fn star(&mut self, place: usize) -> Result<(), Failure> {
         let starred = self.read.iter_mut().find(|(own, _)| *own == place);
         let (_, photo) =
@@ -92,8 +94,8 @@ impl Album {
         Ok(())
     }
 
-    /// Looks for faces and objects in all photos, so that no crop cuts them. What fails in one photo is noted and counts as
-    /// nothing found.
+    /// Looks for faces and objects in all photos, so that no crop cuts them. A failure in one photo is added
+    /// to the notes and counts as no result.
     #[cfg(feature = "detect")]
     pub fn detect(&mut self, nets: &Nets) {
         let look = |(_, photo): &(usize, Imported)| survived(|| nets.look(photo));
@@ -115,7 +117,7 @@ impl Album {
         first.ok_or_else(|| Failure::from(crate::error::Error::NoPhotos))
     }
 
-    /// The album as at most so many pages in one style, cut where time or scene changes.
+    /// Splits the album into at most `most` pages of one style, at changes of time or scene.
     ///
     /// # Errors
     /// `no-photos`; `invalid-argument` where `most` is not from 1 to 1000; `invalid-document` for a setting out of its range or words

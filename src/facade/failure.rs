@@ -1,4 +1,4 @@
-//! What went wrong, for whoever calls the engine.
+//! Errors of the public API.
 
 use crate::error::Error;
 use std::fmt;
@@ -22,7 +22,7 @@ impl Failure {
         Self::new("invalid-argument", format!("{name}: {reason}"))
     }
 
-    /// The same, told of a photo.
+    /// Adds the name of a photo to the message.
     pub(super) fn of(self, photo: &str) -> Self {
         Self { message: format!("{photo}: {}", self.message), photo: Some(photo.to_owned()), ..self }
     }
@@ -54,11 +54,11 @@ impl From<Error> for Failure {
     }
 }
 
-/// What `work` gives. A panic in it, which is a fault of ours or of a decoder, is a failure of the code `fault`: a photo of an album
-/// must not end the program.
+/// Returns the result of `work`. A panic in it, which is a bug or a fault of a decoder, becomes a failure
+/// with the code `fault`. One bad photo must not stop the program.
 ///
 /// # Errors
-/// Those of `work`; `fault`.
+/// Returns the errors of `work`, or `fault`.
 pub fn survived<T, F: From<Failure>>(work: impl FnOnce() -> Result<T, F>) -> Result<T, F> {
     // Nothing that the work may have left half done is looked at again.
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| {

@@ -1,4 +1,4 @@
-//! What programs of others use: photos, albums, pages and styles, each a type that keeps to itself what it is made of. No
+//! Public API for other crates: photos, albums, pages and styles. The types have no public fields. No
 //! algorithm is here.
 
 mod album;

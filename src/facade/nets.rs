@@ -6,15 +6,16 @@ use crate::framing::Subject;
 use crate::page::import::Imported;
 use std::path::Path;
 
-/// The nets that find faces and objects, read once for any number of albums: `faces.onnx` and `objects.onnx`, which
-/// `cargo xtask models` makes and which stand beside the released command line.
+/// The models that find faces and objects. They are loaded once for any number of albums. The files are
+/// `faces.onnx` and `objects.onnx`. `cargo xtask models` makes them, and releases have them next to the
+/// command line.
 pub struct Nets(Detectors);
 
 impl Nets {
     /// Reads both from a folder.
     ///
     /// # Errors
-    /// `no-models` where a file is not there; `detector` where one is not the net that it should be.
+    /// `no-models` if a file is missing; `detector` if a file is not the expected model.
     pub fn open(folder: impl AsRef<Path>) -> Result<Self, Failure> {
         let file = |name: &str| {
             let file = folder.as_ref().join(name);
@@ -24,10 +25,10 @@ impl Nets {
         Self::from_bytes(&file("faces.onnx")?, &file("objects.onnx")?)
     }
 
-    /// Reads the net of faces and that of objects from the bytes of their files.
+    /// Loads the models of faces and objects from the bytes of their files.
     ///
     /// # Errors
-    /// `detector` where one is not the net that it should be.
+    /// `detector` if the bytes are not the expected model.
     pub fn from_bytes(faces: &[u8], objects: &[u8]) -> Result<Self, Failure> {
         Ok(Self(Detectors::new(faces, objects)?))
     }

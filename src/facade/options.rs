@@ -1,4 +1,4 @@
-//! What is asked of pages.
+//! Options of pages.
 
 use super::failure::Failure;
 use super::style::Style;
@@ -17,8 +17,8 @@ pub fn layouts() -> impl Iterator<Item = (&'static str, usize)> {
     catalogue::layouts().into_iter().map(|layout| (layout.id, layout.panels.len()))
 }
 
-/// What is asked of pages: A4 upright at 300 dots an inch, of all photos that are worth it, with layout and style left to the photos
-/// and to chance.
+/// Options of pages. Default: A4 portrait at 300 DPI, all photos that pass selection, layout and style chosen
+/// by photos and seed.
 #[derive(Debug, Clone)]
 pub struct PageOptions {
     seed: u32,
@@ -53,21 +53,21 @@ impl PageOptions {
         Self::default()
     }
 
-    /// Where chance begins: another seed is another page.
+    /// Random seed. Another seed gives another page.
     #[must_use]
     pub fn seed(mut self, seed: u32) -> Self {
         self.seed = seed;
         self
     }
 
-    /// How many panels a page has, where the layout is free.
+    /// Number of panels of a page, if no layout is set.
     #[must_use]
     pub fn panels(mut self, panels: usize) -> Self {
         self.panels = Some(panels);
         self
     }
 
-    /// Whether panels may share one image; they do not unless asked.
+    /// Whether panels may share one photo. Default: no.
     #[must_use]
     pub fn merge(mut self, may: bool) -> Self {
         self.merge = may;
@@ -85,7 +85,7 @@ impl PageOptions {
     /// The page template of a layout file.
     ///
     /// # Errors
-    /// `invalid-argument` for what is no JSON; `invalid-layout`, with place and reason.
+    /// `invalid-argument` if the text is not valid JSON; `invalid-layout`, with location and reason.
     pub fn layout_from_json(self, json: &str) -> Result<Self, Failure> {
         let told =
             serde_json::from_str(json).map_err(|error| Failure::argument("layout", &error.to_string()))?;
@@ -106,12 +106,13 @@ impl PageOptions {
         self
     }
 
-    /// The size of the page: a name (`a4`, `a5`, `letter`, `us-comic`, `square`, `webtoon`), pixels (`1600x2400`), or sides on paper
-    /// (`210x297mm`, `8.5x11in`). With `dpi` a name or paper has as many pixels as that makes, with `width` the page is so many pixels
-    /// wide.
+    /// The size of the page: a name (`a4`, `a5`, `letter`, `us-comic`, `square`, `webtoon`), pixels
+    /// (`1600x2400`), or sides on paper (`210x297mm`, `8.5x11in`). `dpi` sets the resolution of a name or
+    /// paper size. `width` sets the width of the page in pixels.
     ///
     /// # Errors
-    /// `invalid-document` for another name, and for what is out of range: sides of 64 to 14000 pixels, 36 to 1200 dots an inch.
+    /// `invalid-document` for an unknown name, sides outside 64 to 14000 pixels, or a resolution outside 36
+    /// to 1200 DPI.
     pub fn size(mut self, paper: &str, dpi: Option<u32>, width: Option<u32>) -> Result<Self, Failure> {
         let size = PaperSize::parse(paper)?;
         let PageSettings { width, height, dpi, .. } = PageSettings::sized(Some(size), dpi, width);
@@ -177,21 +178,22 @@ impl PageOptions {
     /// `{"kind": "balloon", "text": "Look out!", "panel": 0}`; those without a place go where they hide no face.
     ///
     /// # Errors
-    /// `invalid-argument` for what is no list of JSON. What breaks the shape of a word is told by the album.
+    /// `invalid-argument` if the text is not a JSON list. The album reports invalid text items. What breaks
+    /// the shape of a word is told by the album.
     pub fn words(mut self, json: &str) -> Result<Self, Failure> {
         self.words =
             serde_json::from_str(json).map_err(|error| Failure::argument("words", &error.to_string()))?;
         Ok(self)
     }
 
-    /// Photos whose fingerprints differ in at most so many of 64 bits show the same picture; 10 unless told.
+    /// Maximum fingerprint distance, in bits of 64, at which two photos count as duplicates. Default: 10.
     #[must_use]
     pub fn alike(mut self, bits: u32) -> Self {
         self.choice.alike = Some(bits);
         self
     }
 
-    /// Whether all photos are used, those that look alike and those that are blurred, too.
+    /// Whether all photos are used, including duplicates and blurred photos.
     #[must_use]
     pub fn keep_all(mut self, all: bool) -> Self {
         self.choice.keep_all = all;
@@ -210,7 +212,7 @@ impl PageOptions {
         Ok(self)
     }
 
-    /// Whether an album may be cut into at most so many pages.
+    /// Checks the maximum number of pages of an album.
     pub(super) fn check(most: Option<usize>) -> Result<(), Failure> {
         match most {
             Some(pages) if !(1..=MOST_PAGES).contains(&pages) => {
@@ -220,7 +222,7 @@ impl PageOptions {
         }
     }
 
-    /// What is asked of the planner, without photos.
+    /// The request to the planner, without photos.
     pub(super) fn request(&self) -> Request {
         Request {
             seed: self.seed,

@@ -13,14 +13,14 @@ use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// What the pages of an album share.
+/// Data that the pages of an album share.
 pub(super) struct Book {
     pub(super) photos: Arc<[Photo]>,
-    /// What was found in photos, by their ids.
+    /// Detected subjects by photo id.
     pub(super) subjects: HashMap<String, Vec<Subject>>,
-    /// What letters come from that the program lacks.
+    /// Fonts for characters that the bundled fonts lack.
     pub(super) fonts: GivenFonts,
-    /// What is not as it was asked for.
+    /// Warnings as sentences.
     pub(super) notes: Vec<String>,
 }
 
@@ -49,7 +49,7 @@ impl Page {
         self.document.page.height
     }
 
-    /// Pixels an inch.
+    /// Resolution in pixels per inch.
     #[must_use]
     pub fn dpi(&self) -> u32 {
         self.document.page.dpi
@@ -61,7 +61,7 @@ impl Page {
         self.document.panels.len()
     }
 
-    /// What is not as it was asked for: photos that were left out, and why. The pages of an album share it.
+    /// Warnings: skipped photos, and the reason. All pages of an album have the same notes.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.book.notes
@@ -84,7 +84,7 @@ impl Page {
     /// Draws it.
     ///
     /// # Errors
-    /// Those of a photo that is not there any more.
+    /// The errors of a photo that is no longer readable.
     pub fn pixels(&self) -> Result<Pixels, Failure> {
         let sheet = native::sheet(&self.document, &self.shown()?, &self.book.fonts)?;
         let (width, height, dpi) = (sheet.width(), sheet.height(), self.document.page.dpi);
@@ -107,7 +107,7 @@ impl Page {
         self.pixels()?.jpeg(quality)
     }
 
-    /// A PDF file of it alone, as [`pdf`].
+    /// Returns a PDF file of only this page, like [`pdf`].
     ///
     /// # Errors
     /// As [`pdf`].
@@ -130,11 +130,11 @@ impl Page {
     }
 }
 
-/// One PDF file of several pages: panels as pictures, with what they show told for who does not see them, lines and words as such.
-/// `language` is that of the words, such as `en`.
+/// Returns one PDF file of several pages. Panels are images with alternative text; lines and text are
+/// vectors. `language` is the language of the text, such as `en`.
 ///
 /// # Errors
-/// `invalid-argument` where there is no page; those of a photo that is not there any more; `encode`.
+/// `invalid-argument` without pages; the errors of a photo that is no longer readable; `encode`.
 pub fn pdf(pages: &[&Page], title: &str, language: &str) -> Result<Vec<u8>, Failure> {
     if pages.is_empty() {
         return Err(Failure::argument("pages", "there is no page"));

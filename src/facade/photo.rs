@@ -64,7 +64,7 @@ impl Photo {
         Self { name: name.into(), source: Source::Pixels(image) }
     }
 
-    /// What failures and notes call it.
+    /// Name of the photo in failures and notes.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name

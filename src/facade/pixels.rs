@@ -20,7 +20,7 @@ pub struct Pixels {
 }
 
 impl Pixels {
-    /// Pixels of a picture, for screens of 96 an inch.
+    /// Pixels of an image at 96 PPI.
     ///
     /// # Errors
     /// `buffer-size` where `rgb` has not `3 * width * height` bytes.

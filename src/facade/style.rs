@@ -1,4 +1,4 @@
-//! Styles by name, from files, and as what they make of a picture.
+//! Styles: by name, from files, and applied to an image.
 
 use super::failure::Failure;
 use super::pixels::Pixels;
@@ -11,7 +11,7 @@ const LAYERS: [&str; 2] = ["background", "foreground"];
 /// What blocks call the parameter that leaves something to chance.
 const SEED: &str = "seed";
 
-/// How pictures are drawn: a chain of filter blocks for the background and, where there is one, another for the lines.
+/// A style: a chain of filter blocks for the background, and an optional chain for the lines.
 #[derive(Debug, Clone)]
 pub struct Style(style::Style);
 
@@ -48,7 +48,7 @@ impl Style {
     /// The style with a seed in all blocks that leave something to chance.
     ///
     /// # Errors
-    /// None but a broken build.
+    /// Only if the build is broken.
     pub fn seeded(&self, seed: u32) -> Result<Self, Failure> {
         let mut value = self.0.to_value();
         for layer in LAYERS {
@@ -65,7 +65,7 @@ impl Style {
     /// A picture drawn in the style, of the same size. Widths of lines and the like are as on a panel of that size.
     ///
     /// # Errors
-    /// `buffer-size` where the picture has not as many bytes as its size asks for.
+    /// `buffer-size` if the number of bytes does not match the size.
     pub fn draw(&self, picture: &Pixels) -> Result<Pixels, Failure> {
         let image = picture.image()?;
         let drawn = style::stylize(&image, &self.0, &mut Context::for_image(&image))?;
