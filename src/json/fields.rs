@@ -3,14 +3,14 @@
 use super::{Read, Wrong};
 use serde_json::{Map, Value};
 
-/// An object that is taken apart; what is left over at the end is not known.
+/// The fields of an object that are not read yet. [`Fields::done`] rejects unknown fields.
 pub struct Fields(Map<String, Value>);
 
 impl Fields {
     /// The fields of an object.
     ///
     /// # Errors
-    /// When the value is none.
+    /// If the value is not an object.
     #[inline(never)]
     pub fn of(value: Value) -> Read<Self> {
         match value {
@@ -40,7 +40,7 @@ impl Fields {
         self.take(name).ok_or_else(|| missing(name))
     }
 
-    /// Forgets a field that is null: whoever reads it finds it missing.
+    /// Removes a field that is null, so that it counts as missing.
     #[must_use]
     pub fn nullable(&mut self, name: &str) -> &mut Self {
         if self.0.get(name).is_some_and(Value::is_null) {
@@ -49,7 +49,7 @@ impl Fields {
         self
     }
 
-    /// A text of at most so many characters.
+    /// Takes a text of at most `most` characters.
     ///
     /// # Errors
     /// For anything else.
@@ -110,7 +110,7 @@ impl Fields {
         }
     }
 
-    /// True or false; false where it is missing.
+    /// Takes a boolean. Default: `false`.
     ///
     /// # Errors
     /// For anything else.
@@ -123,7 +123,7 @@ impl Fields {
         }
     }
 
-    /// The items of a list of at most so many; none where it is missing.
+    /// Takes a list of at most `most` items. Default: empty.
     ///
     /// # Errors
     /// For anything else.
@@ -136,18 +136,18 @@ impl Fields {
         }
     }
 
-    /// The same, each item read.
+    /// Like [`Self::list`], and reads each item.
     ///
     /// # Errors
-    /// Those of `read`.
+    /// The errors of `read`.
     pub fn each<T>(&mut self, name: &str, most: usize, read: &dyn Fn(Value) -> Read<T>) -> Read<Vec<T>> {
         each(self.list(name, most)?, read).map_err(|wrong| wrong.at(name))
     }
 
-    /// Something that `read` knows to read; nothing where it is missing.
+    /// Takes a field and reads it with `read`. Returns `None` if the field is missing.
     ///
     /// # Errors
-    /// Those of `read`.
+    /// The errors of `read`.
     pub fn part<T>(&mut self, name: &str, read: &mut dyn FnMut(Value) -> Read<T>) -> Read<Option<T>> {
         match self.take(name).map(read) {
             None => Ok(None),
@@ -168,7 +168,7 @@ impl Fields {
         }
     }
 
-    /// What was not taken.
+    /// The fields that were not taken.
     #[must_use]
     pub fn rest(self) -> Map<String, Value> {
         self.0
@@ -181,7 +181,7 @@ fn missing(name: &str) -> Wrong {
     Wrong::new("is missing").at(name)
 }
 
-/// A text of at most so many characters.
+/// Returns a text of at most `most` characters.
 ///
 /// # Errors
 /// For anything else.
@@ -212,7 +212,7 @@ pub fn whole_of(value: &Value, least: u64, most: u64) -> Read<u64> {
     }
 }
 
-/// The items of a list of at most so many.
+/// Returns a list of at most `most` items.
 ///
 /// # Errors
 /// For anything else.
@@ -230,7 +230,7 @@ pub fn items(value: Value, most: usize) -> Read<Vec<Value>> {
 /// Reads each item of a list.
 ///
 /// # Errors
-/// Those of `read`, with the place in the list.
+/// The errors of `read`, with the index of the item.
 pub fn each<T>(items: Vec<Value>, read: &dyn Fn(Value) -> Read<T>) -> Read<Vec<T>> {
     let mut all = Vec::with_capacity(items.len());
     for (i, item) in items.into_iter().enumerate() {

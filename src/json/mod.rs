@@ -1,9 +1,9 @@
-//! JSON of strangers: parsed within bounds, then taken apart field by field; and JSON written in an order that is ours.
-//! What is wrong knows its place, which grows on the way up: `size` becomes `words[3].size` becomes
+//! JSON with limits, for untrusted input: a parser, readers of fields, and a writer with a fixed order of
+//! fields. Errors have a path that grows on the way up: `size` becomes `words[3].size` and then
 //! `present.page.words[3].size`.
 //!
-//! Readers and writers are plain functions, generic in nothing but what they give: all of them together are a part of the
-//! module that a page waits for.
+//! Readers and writers are plain functions, generic only in their result. This keeps the core module small,
+//! which the app loads first.
 //!
 //! | module | for |
 //! |---|---|
@@ -29,7 +29,7 @@ pub fn unmarked(text: &str) -> &str {
     text.strip_prefix('\u{feff}').unwrap_or(text)
 }
 
-/// What the page itself has written, as `serde` reads it.
+/// Parses JSON that the app itself wrote, with `serde`.
 ///
 /// # Errors
 /// `invalid-document`, which names `location`.
@@ -38,10 +38,10 @@ pub fn plain<T: for<'a> Deserialize<'a>>(json: &str, location: &str) -> crate::e
         .map_err(|error| Error::InvalidDocument { location: location.into(), reason: error.to_string() })
 }
 
-/// What a reader of a part gives.
+/// Result of a reader.
 pub type Read<T> = std::result::Result<T, Wrong>;
 
-/// What is wrong with a document, and where.
+/// An error in a document, with its path.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wrong(Box<Fault>);
 
@@ -54,7 +54,7 @@ struct Fault {
     kind: Kind,
 }
 
-/// What is the matter with a document as a whole.
+/// Kind of an error in a document.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// It breaks its schema.
@@ -108,7 +108,7 @@ impl Wrong {
         }
     }
 
-    /// The same, told from the object that has it in that field.
+    /// Returns the error with the name of the parent's field in front of the path.
     #[must_use]
     #[cold]
     #[inline(never)]
@@ -121,7 +121,7 @@ impl Wrong {
         self
     }
 
-    /// The same, told from the list that has it at that place.
+    /// Returns the error with the index of the list item in front of the path.
     #[must_use]
     #[cold]
     #[inline(never)]
@@ -129,7 +129,7 @@ impl Wrong {
         self.at(&format!("[{index}]"))
     }
 
-    /// The same where an object is told of without its name, as `page.width` is `width` of a page.
+    /// Returns the error without the prefix of the path, for example `width` instead of `page.width`.
     #[must_use]
     pub fn without(mut self, prefix: &str) -> Self {
         if self.0.place.starts_with(prefix) {
@@ -150,7 +150,7 @@ impl Wrong {
         &self.0.reason
     }
 
-    /// Damaged, or rather newer or larger than what is read.
+    /// Whether the document is damaged, too new, or exceeds a limit.
     #[must_use]
     pub fn kind(&self) -> Kind {
         self.0.kind

@@ -12,7 +12,7 @@ use std::fmt;
 pub struct Bounds {
     /// Bytes of the whole text.
     pub bytes: usize,
-    /// Values in it: numbers, texts, lists, objects and all else.
+    /// Maximum number of values: numbers, texts, lists, objects, booleans and nulls.
     pub values: usize,
     /// Bytes of one text in it, or of the name of a field.
     pub text: usize,
@@ -21,7 +21,7 @@ pub struct Bounds {
 /// Parses text within bounds, with or without a byte order mark. Half a character (a lone surrogate, as cutting a text leaves it) is read as U+FFFD.
 ///
 /// # Errors
-/// For what is no JSON, and beyond the bounds, with the place.
+/// Returns an error with its location if the text is not valid JSON or exceeds `bounds`.
 pub fn parse(json: &str, bounds: Bounds) -> Read<Value> {
     if json.len() > bounds.bytes {
         return Err(Wrong::beyond(&format!("is longer than {} MB", bounds.bytes >> 20)));

@@ -1,4 +1,4 @@
-//! JSON written piece by piece, its fields in the order in which they are told: the page compares some of it as text.
+//! JSON writer. Fields keep the order of the calls, because the app compares some of the output as text.
 
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -18,14 +18,14 @@ impl Writer {
         self.0.push(bracket);
     }
 
-    /// What comes next is another item of a list.
+    /// Begins the next item of a list.
     pub fn item(&mut self) {
         if !matches!(self.0.last(), Some(b'[') | None) {
             self.0.push(b',');
         }
     }
 
-    /// What comes next is the field of that name.
+    /// Begins a field.
     #[inline(never)]
     pub fn key(&mut self, name: &str) -> &mut Self {
         if self.0.last() != Some(&b'{') {
@@ -48,7 +48,7 @@ impl Writer {
         self.put(&number);
     }
 
-    /// A number; null where it has no end.
+    /// Writes a number; null if it is not finite.
     #[inline(never)]
     pub fn number(&mut self, number: f64) {
         // As JavaScript writes it: whole numbers without a point.
@@ -112,7 +112,7 @@ impl Writer {
         self.0.is_empty()
     }
 
-    /// What another has written.
+    /// Appends the output of another writer.
     pub fn append(&mut self, other: &Self) {
         self.0.extend(&other.0);
     }
