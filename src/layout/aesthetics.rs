@@ -1,7 +1,7 @@
 //! How pleasing a template is on a page, as far as numbers say.
 //!
-//! Five terms, each 0..1: panels of different sizes, with one that leads; weight spread evenly about the
-//! centre; edges that line up or clearly do not; no panel close to a sliver; calm, that is, few slants.
+//! Five terms, each 0 to 1: panels of different sizes with one leading panel; weight balanced around the
+//! centre; edges that align or clearly do not; no slivers; few slants.
 
 use super::polygon::{Bounds, Point, area, edges, thickness};
 use super::template::{Shape, Template};

@@ -28,8 +28,8 @@ pub fn catalogue() -> &'static [Template] {
 
 /// The templates that are good for a page of that aspect (width over height), in the order of [`catalogue`].
 ///
-/// The last answer is kept: shuffle after shuffle asks for the same page, and to find out takes longer than the
-/// rest of a plan.
+/// The last result is cached. Repeated shuffles use the same page, and this search takes longer than the rest
+/// of a plan.
 #[must_use]
 pub fn good_for(page_aspect: f64) -> Vec<&'static Template> {
     static LAST: Mutex<Option<(f64, Vec<&Template>)>> = Mutex::new(None);

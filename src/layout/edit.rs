@@ -1,8 +1,8 @@
-//! Changes to a template by hand: a cut is moved or slanted, a panel is split or removed. Panels are joined by
+//! Manual changes to a template: move or slant a divider, split or remove a panel. Panels are joined by
 //! [`super::join`].
 //!
 //! Each change gives a new template of the family `custom`, which passes the same checks as a file. Only
-//! templates made of cuts can be changed; those of polygons have no cut to take hold of.
+//! templates made of dividers can be changed. Polygon templates have no dividers.
 
 use serde::Serialize;
 
@@ -26,7 +26,7 @@ pub struct Cut {
     pub from: Point,
     /// Its right or lower end, in page widths.
     pub to: Point,
-    /// Where it lies in its cell, 0..1.
+    /// Position in its cell, 0 to 1.
     pub fraction: f64,
     /// Its slant, as in the file.
     pub slant: f64,
@@ -48,8 +48,8 @@ pub fn cuts(template: &Template, page_aspect: f64, settings: &PageSettings) -> V
     found
 }
 
-/// The template with one cut (an index into [`cuts`]) moved to `fraction` of its cell and slanted by `slant`,
-/// both as near to what is asked as the neighbouring cuts allow.
+/// Moves one divider (an index into [`cuts`]) to `fraction` of its cell and slants it by `slant`. Both are
+/// limited by the neighbouring dividers.
 ///
 /// # Errors
 /// `invalid-layout` when there is no such cut or a number is not finite.

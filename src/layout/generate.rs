@@ -1,8 +1,9 @@
 //! New templates by recursive subdivision.
 //!
-//! The page is cut across its longer side near the middle, the halves again, until cells are small enough: the
-//! oriented-box subdivision of Vanegas et al., "Procedural Generation of Parcels in Urban Modeling" (2012). Many
-//! trees are grown, those that break a rule are thrown away, and the most pleasing of the rest is taken.
+//! The page is divided across its longer side near the middle, then each half again, until cells are small
+//! enough. This is the oriented-box subdivision of Vanegas et al., "Procedural Generation of Parcels in Urban
+//! Modeling" (2012). Many trees are generated. Trees that break a rule are dropped, and the most pleasing of
+//! the rest is used.
 
 use std::ops::RangeInclusive;
 
@@ -29,7 +30,7 @@ const CHOICE: usize = 16;
 
 /// A template for a page of that aspect (width over height) with a number of panels in the range, which is
 /// brought inside 1..=40. The same arguments give the same template. All templates are good for their page
-/// (see [`Template::good_for`]) as long as the page has room for so many panels.
+/// (see [`Template::good_for`]) if the page has enough space for the panels.
 #[must_use]
 pub fn generate(seed: u64, aspect: f64, panels: RangeInclusive<usize>) -> Template {
     let aspect = if aspect.is_finite() { aspect.clamp(0.1, 10.0) } else { 1.0 };

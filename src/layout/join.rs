@@ -1,8 +1,8 @@
-//! Panels of a template joined into one, which takes the room of all of them.
+//! Joins panels of a template into one panel that covers their area.
 //!
-//! Panels that lie beside each other in one cell are a matter of leaving out the cuts between them. Those of different
-//! cells need the page cut in another order: the smallest cell that holds them all is taken apart into rectangles and cut
-//! anew (a guillotine partition), which is done only where none of its cuts is slanted.
+//! For adjacent panels in one cell, the dividers between them are removed. Panels of different cells need
+//! another order of dividers. The smallest cell that contains them is split into rectangles and divided again
+//! (a guillotine partition). This works only without slanted dividers.
 
 use super::edit::{base_weights, in_tree, rebuilt, refused, tree};
 use super::template::Template;

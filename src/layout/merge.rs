@@ -47,8 +47,8 @@ pub fn mergeable(template: &Template) -> Vec<Vec<usize>> {
     groups
 }
 
-/// Whether these panels can be merged when a person asks for it: two or more different base panels that hang
-/// together by their edges, whatever the shape of their union.
+/// Whether the user can merge these panels: two or more different base panels, connected by their edges.
+/// Their union may have any shape.
 #[must_use]
 pub fn can_merge(template: &Template, group: &[usize]) -> bool {
     let distinct = group.iter().enumerate().all(|(at, i)| !group[..at].contains(i));
@@ -70,8 +70,8 @@ pub fn can_merge(template: &Template, group: &[usize]) -> bool {
     reached.len() == group.len()
 }
 
-/// The rectangle round the merged panels on the page, the gutters between them included: what the common
-/// photo is framed for. `None` for an empty group or an index outside.
+/// The rectangle around the merged panels on the page, including the gutters between them. The shared photo
+/// is framed for it. `None` for an empty group or an index outside.
 #[must_use]
 pub fn merged_bounds(panels: &[ResolvedPanel], group: &[usize]) -> Option<Bounds> {
     let bounds = group.iter().map(|&i| panels.get(i).map(|panel| panel.bounds));

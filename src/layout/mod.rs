@@ -32,8 +32,8 @@ pub use settings::{
 pub use template::{Body, LEAST_THICKNESS, Panel, Shape, Template};
 pub use write::{Circle, Descriptor, LayoutPanel, Outline, PlacedPanel};
 
-/// The families of templates, in the order in which they are listed. `custom` holds what people make,
-/// `generated` what the generator makes.
+/// The families of templates, in the order in which they are listed. `custom` contains the user's layouts,
+/// `generated` the layouts of the generator.
 pub const FAMILIES: [&str; 18] = [
     "splash",
     "hero",

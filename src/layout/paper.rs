@@ -1,4 +1,4 @@
-//! The size of a page as people say it: by name, in pixels, or on paper.
+//! Page sizes: by name, in pixels, or in paper units.
 
 use super::settings::{DPI, PRESETS, PagePreset, PageSettings, preset};
 use crate::error::{Error, Result};
@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 /// Millimetres of an inch.
 const INCH: f64 = 25.4;
 
-/// A size of paper as it is said.
+/// A paper size as the user enters it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PaperSize {
     /// One that has a name.
@@ -27,7 +27,7 @@ impl PaperSize {
     /// Reads a size: a name (`a4`), pixels (`1600x2400`), or a size on paper (`210x297mm`, `8.5x11in`).
     ///
     /// # Errors
-    /// `invalid-document` with all that can be said.
+    /// `invalid-document`, with a list of all valid forms.
     pub fn parse(text: &str) -> Result<Self> {
         let plain = text.trim().to_lowercase();
         if let Some(known) = preset(&plain) {
@@ -64,8 +64,8 @@ impl PaperSize {
 }
 
 impl PageSettings {
-    /// The usual page in another size: `dpi` makes more or fewer pixels of a size by name or on paper, `width` leaves the
-    /// paper as large and changes its dots an inch. Their ranges are left to [`validate`](Self::validate).
+    /// The default page in another size. `dpi` sets the pixels of a named or paper size. `width` keeps the
+    /// paper size and changes its resolution. Their ranges are left to [`validate`](Self::validate).
     #[must_use]
     pub fn sized(size: Option<PaperSize>, dpi: Option<u32>, width: Option<u32>) -> Self {
         let usual = Self::default();

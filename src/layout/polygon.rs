@@ -5,7 +5,7 @@
 
 use serde::Serialize;
 
-/// Corners nearer than this are one corner; distances below it are no distance. Unit coordinates.
+/// Tolerance: closer corners count as one corner, and smaller distances as 0. Unit coordinates.
 pub const TINY: f64 = 1e-9;
 
 /// A point, or a vector, in the plane; y grows downward.
@@ -60,7 +60,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The smallest rectangle round all points; empty at the origin when there are none.
+    /// The smallest rectangle around all points. Without points it is empty and at the origin.
     #[must_use]
     pub fn of(points: &[Point]) -> Self {
         let Some(first) = points.first() else { return Self { x: 0.0, y: 0.0, width: 0.0, height: 0.0 } };
@@ -153,7 +153,7 @@ fn half_hull(points: impl Iterator<Item = Point>) -> Vec<Point> {
     chain
 }
 
-/// What two convex polygons have in common; fewer than three corners when that is nothing.
+/// The intersection of two convex polygons. It has fewer than three corners if they do not overlap.
 #[must_use]
 pub fn intersection(a: &[Point], b: &[Point]) -> Vec<Point> {
     let mut rest = a.to_vec();

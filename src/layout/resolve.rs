@@ -35,7 +35,7 @@ pub struct ResolvedPanel {
     pub weight: f32,
     /// True when it lies on top of others.
     pub overlay: bool,
-    /// Width of the paper-coloured ring outside the outline, in page widths; 0 when there is none.
+    /// Width of the paper-coloured outline around the panel, in page widths. 0 without an outline.
     pub halo: f64,
 }
 
@@ -51,10 +51,9 @@ impl ResolvedPanel {
 /// they are painted: base panels in reading order, then overlays.
 ///
 /// The unit square is laid over the area inside the margins, widened by half a gutter all round; then every
-/// edge moves inward by half a gutter. So edges at the page's rim come to lie exactly on the margin, gutters
-/// are even, and the columns of a grid stay equal, which they would not if panels at the rim paid for the
-/// margin alone. Gutters and margins too large for the template are reduced, all alike, until every panel
-/// keeps half of its thickness.
+/// edge moves inward by half a gutter. So the outer edges are exactly on the margin, gutters are even, and
+/// the columns of a grid stay equal. If gutters and margins are too large for the template, they are reduced
+/// equally until every panel keeps half of its thickness.
 #[must_use]
 pub fn resolve(template: &Template, page_aspect: f64, settings: &PageSettings) -> Vec<ResolvedPanel> {
     let page = Page::new(page_aspect, settings);
@@ -86,7 +85,7 @@ impl Page {
         Self { aspect, height, margin, gutter: settings.gutter.max(0.0) }
     }
 
-    /// Where a point of the unit square lies on the page.
+    /// Maps a point of the unit square to the page.
     pub(super) fn place(&self, p: Point, gutter: f64) -> Point {
         let origin = self.margin - gutter / 2.0;
         let scale = |length: f64| length - 2.0 * self.margin + gutter;

@@ -1,4 +1,4 @@
-//! What belongs to the page and not to the template: size, gutter, margin, border, corners, colours.
+//! Settings of the page, not of the template: size, gutter, margin, border, corners, colours.
 
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
@@ -6,7 +6,7 @@ use serde_json::Value;
 use crate::error::{Error, Result};
 use crate::json::{Fields, Read};
 
-/// Gutter of a page that says nothing else, in page widths.
+/// Default gutter in page widths.
 pub const DEFAULT_GUTTER: f64 = 0.018;
 
 /// Pixels of a photo an inch below which a print looks soft at arm's length.
@@ -39,7 +39,8 @@ pub struct PageSettings {
     #[serde(skip_serializing_if = "is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<f64>", optional))]
     pub bleed: f64,
-    /// Photos that have fewer than [`COARSE`] pixels an inch are enlarged well: for a file that is printed, never saved.
+    /// Upscale photos below [`COARSE`] pixels per inch with edge enhancement. For printed files only; it is
+    /// never saved.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>", optional))]
     pub enlarge: bool,
@@ -69,7 +70,7 @@ impl Default for PageSettings {
     }
 }
 
-/// What a page size is for.
+/// Purpose of a page size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Purpose {
@@ -81,23 +82,23 @@ pub enum Purpose {
     Screen,
 }
 
-/// A page size that people know by name.
+/// A named page size.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PagePreset {
     /// Stable name.
     pub id: &'static str,
-    /// The name that people see.
+    /// Display name.
     pub name: &'static str,
-    /// What it is for.
+    /// Purpose.
     pub purpose: Purpose,
     /// Width in pixels.
     pub width: u32,
     /// Height in pixels.
     pub height: u32,
-    /// Pixels an inch.
+    /// Resolution in pixels per inch.
     pub dpi: u32,
-    /// How far faces and words stay from the edge, left and right, then top and bottom, in pixels: what is nearer may be cut
-    /// off, or lie under what apps lay over it.
+    /// Safe distance of faces and text from the edge in pixels: left and right, then top and bottom. Closer
+    /// content may be trimmed or covered by the controls of other apps.
     pub safe: [u32; 2],
     /// How far they stay from the middle, where two pages are bound, to each side; 0 for a single page.
     pub fold: u32,
@@ -134,7 +135,8 @@ const fn spread(id: &'static str, name: &'static str, size: (u32, u32)) -> PageP
     PagePreset { fold: tenths(100), ..printed(id, name, Purpose::Book, size, 60) }
 }
 
-/// The page sizes that are offered, the default first. Safe areas: what printers of each kind ask for.
+/// The page sizes that are offered, the default first. Safe areas follow the requirements of each kind of
+/// printer.
 pub const PRESETS: [PagePreset; 20] = [
     printed("a4", "A4", Purpose::Paper, (2480, 3508), 50),
     printed("a4-landscape", "A4 landscape", Purpose::Paper, (3508, 2480), 50),
@@ -164,11 +166,11 @@ pub fn preset(id: &str) -> Option<PagePreset> {
     PRESETS.into_iter().find(|preset| preset.id == id)
 }
 
-/// The most pixels of an exported page: A1 at 300 dots an inch.
+/// Maximum number of pixels of an exported page: A1 at 300 DPI.
 pub const MOST_PIXELS: u64 = 72_000_000;
 /// Pixels of a side of an exported page: the least and the most.
 pub const SIDES: [u32; 2] = [64, 14_000];
-/// Dots an inch: the least and the most.
+/// Minimum and maximum resolution in DPI.
 pub const DPI: [u32; 2] = [36, 1_200];
 
 impl<'de> Deserialize<'de> for PageSettings {
@@ -181,7 +183,7 @@ impl PageSettings {
     /// Reads settings; a missing field is as in the default. Their ranges are left to [`validate`](Self::validate).
     ///
     /// # Errors
-    /// For a field of another type, or one that is none of a page.
+    /// If a field has another type or is unknown.
     pub fn read(value: Value) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let mut page = Self::default();

@@ -1,4 +1,4 @@
-//! A page template: where the panels are, in unit coordinates, and where the eye goes first.
+//! A page template: the panels in unit coordinates, and their reading order.
 
 use serde_json::Value;
 
@@ -41,7 +41,8 @@ pub struct Panel {
     pub weight: f32,
     /// True for a panel that lies on top of others; the rest tile the page.
     pub overlay: bool,
-    /// The paper-coloured ring that sets an overlay off from what lies below, in gutters. 0 for the rest.
+    /// Width of the paper-coloured outline that separates an overlay from the panels below, in gutters. 0 for
+    /// the rest.
     pub halo: f64,
 }
 
@@ -112,7 +113,7 @@ impl Template {
         Self { id: id.into(), name: name.into(), family: family.into(), aspect, body, order, panels }
     }
 
-    /// What the list of layouts shows.
+    /// The entry of this template in the list of layouts.
     #[must_use]
     pub fn descriptor(&self) -> Descriptor<'_> {
         super::write::descriptor(self)
@@ -124,7 +125,7 @@ impl Template {
         &self.id
     }
 
-    /// The name that people see.
+    /// Display name.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name

@@ -15,9 +15,9 @@ pub const PAGE: Quad =
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub enum Axis {
-    /// Children stand below one another; cuts run from left to right.
+    /// Children are stacked from top to bottom; dividers are horizontal.
     Rows,
-    /// Children stand beside one another; cuts run from top to bottom.
+    /// Children are side by side; dividers are vertical.
     Columns,
 }
 
@@ -45,8 +45,8 @@ pub struct Split {
 }
 
 impl Split {
-    /// Where each cut meets the two sides of the cell: fractions on the left (or top) side and on the right
-    /// (or bottom) side. One fewer than children.
+    /// Positions of each divider on the two sides of the cell: fractions on the left (or top) side and on the
+    /// right (or bottom) side. One fewer than children.
     #[must_use]
     pub fn cuts(&self) -> Vec<(f64, f64)> {
         let total: f64 = self.shares.iter().sum();

@@ -35,13 +35,13 @@ pub(super) fn file(template: &Template) -> String {
     format!("{{\n{}\n}}\n", lines.join(",\n"))
 }
 
-/// What the list of layouts shows of a template, in unit coordinates.
+/// An entry in the list of layouts, in unit coordinates.
 #[derive(Debug, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "Layout"))]
 pub struct Descriptor<'a> {
     /// Unique name in kebab-case.
     pub id: &'a str,
-    /// What people call it.
+    /// Display name.
     pub name: &'a str,
     /// Its family.
     pub family: &'a str,
@@ -107,7 +107,7 @@ pub struct PlacedPanel<'a> {
     pub bounds: Bounds,
     /// It lies on top of others.
     pub overlay: bool,
-    /// Width of the paper-coloured ring outside the outline; 0 when there is none.
+    /// Width of the paper-coloured outline around the panel. 0 without an outline.
     pub halo: f64,
 }
 
