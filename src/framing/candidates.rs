@@ -1,9 +1,8 @@
-//! Which crops of a photo are worth a look: the whole of it, places of high energy, and the surroundings of
-//! what was found in it.
+//! Candidate crops of a photo: the whole photo, areas of high energy, and the areas around its subjects.
 //!
 //! The expansions of a box follow the framing of "Graphic Narrative with Interactive Stylization Design"
-//! (Garcia-Dorado et al.): by a fixed amount, by 10 % or 50 %, or to the whole photo, in width and in height
-//! independently. Each is then brought to the panel's exact aspect.
+//! (Garcia-Dorado et al.). They grow by a fixed amount, by 10 % or 50 %, or to the whole photo, independently
+//! in width and height. Each is then brought to the panel's exact aspect.
 
 use std::borrow::Cow;
 
@@ -59,7 +58,7 @@ pub(super) struct View<'a> {
     pub(super) target: &'a Target,
     /// The largest subjects, faces first.
     pub(super) subjects: Vec<(Area, Cow<'a, Subject>)>,
-    /// The same with what belongs to them, see [`Subject::grown`].
+    /// The same boxes with their surroundings, see [`Subject::grown`].
     pub(super) grown: Vec<Area>,
     pub(super) focus: Option<(f64, f64)>,
     aspect: f64,

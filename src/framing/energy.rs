@@ -1,4 +1,4 @@
-//! Where a photo has something to see, before any detector has looked: gradient energy on a coarse grid.
+//! Energy map: gradient energy of a photo on a coarse grid, as a guess of interesting areas before detection.
 
 use serde::{Deserialize, Serialize};
 
@@ -25,10 +25,10 @@ pub struct EnergyMap {
 }
 
 impl EnergyMap {
-    /// Measures a photo (any size; a small one will do). A cell's energy is `GRADIENT` parts the mean
-    /// gradient of its luma, the sum of the absolute central differences across and down, and the rest how far
-    /// its colour is from the colours of the whole photo (see `contrast`): detail alone would prefer grass to
-    /// the smooth face before it.
+    /// Measures a photo (any size; a small one will do). A cell's energy combines two parts. `GRADIENT` is
+    /// the weight of its mean luma gradient, the sum of the absolute central differences in x and y. The rest
+    /// is the distance of its colour from the colours of the whole photo (see `contrast`). Detail only would
+    /// prefer grass to a smooth face in front of it.
     #[must_use]
     pub fn of(image: &Image) -> Self {
         let (width, height) = (image.width(), image.height());

@@ -1,5 +1,5 @@
-//! What a style and the cuts between pages need to know of a photo: its tones, its texture, its colours. Measured once, at
-//! import, on the small copy.
+//! Properties of a photo for styles and page breaks: tones, texture, colours. Measured once, at import, on
+//! the small copy.
 
 use serde::{Deserialize, Serialize};
 
@@ -25,7 +25,8 @@ pub struct Facts {
     pub edges: [u8; 2],
     /// Mean distance of the largest to the smallest channel.
     pub chroma: u8,
-    /// Mean R, G and B of the upper and of the lower half: what tells the beach from the bar.
+    /// Mean R, G and B of the upper and of the lower half. They distinguish scenes, such as a beach and a
+    /// bar.
     pub colours: [u8; 6],
 }
 

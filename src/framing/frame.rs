@@ -8,7 +8,7 @@ use super::score::Judge;
 /// Crops of one photo that differ; a photo used still more often starts again.
 const VARIANTS: u32 = 8;
 
-/// What a crop is wanted for.
+/// The panel that a crop is made for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Target {
     /// Width over height of the panel's bounds.
@@ -17,7 +17,8 @@ pub struct Target {
     pub width: f64,
     /// True for a circle: only the inscribed circle of the crop will be seen.
     pub round: bool,
-    /// What of the rectangle is seen: a slanted panel, what later panels cover, the gutters of a merge.
+    /// The visible part of the rectangle: slanted edges, later panels and the gutters of a merge hide parts
+    /// of it.
     pub region: Region,
 }
 
@@ -32,10 +33,10 @@ impl Target {
 /// The crop of `photo` that suits the panel best. Its aspect in pixels of the photo is that of the panel, and
 /// it lies inside the photo.
 ///
-/// With `variant` 0 it is the best one; with 1, 2, ... the next best that differs from those before, for a
-/// photo that is used again: other subjects if there are any, else another place or a closer look. Without
-/// subjects and focus the crop follows the energy of the photo; faces, and the heads round them, are not cut, by
-/// whatever hides a part of the panel, when a crop exists that keeps them; the focus is always inside.
+/// `variant` 0 is the best crop. 1, 2, ... are the next best crops that differ from earlier ones, for a photo
+/// that is used again. They prefer other subjects, then another place or a closer crop. Without subjects and
+/// focus, the crop follows the energy of the photo. If any crop avoids it, hidden parts of the panel do not
+/// cut faces or heads. The focus is always inside.
 #[must_use]
 pub fn frame(photo: &PhotoMeta, target: &Target, variant: u32) -> Crop {
     let search = if variant > 0 { Search::Closer } else { Search::Full };
@@ -55,8 +56,8 @@ pub fn frame(photo: &PhotoMeta, target: &Target, variant: u32) -> Crop {
     shown.last().copied().unwrap_or_else(|| view.widest(0.5, 0.5))
 }
 
-/// A crop that is nearly as good as [`frame`]'s and found in a tenth of the time, and the part of the photo's energy
-/// that it holds: enough to choose photos by.
+/// A crop almost as good as the result of [`frame`], in a tenth of the time, and its share of the photo's
+/// energy. The planner selects photos with it.
 #[must_use]
 pub fn sketch(photo: &PhotoMeta, target: &Target) -> (Crop, f64) {
     let view = View::new(photo, target);

@@ -1,9 +1,10 @@
 //! Lettering in photos: signs, titles, names on boats. A crop that cuts through a word looks like a mistake, so lines of letters
 //! count as subjects.
 //!
-//! Letters are strokes of even width, darker or lighter than what is round them, of like height, side by side (the observations of
-//! Epshtein, Ofek, Wexler 2010, "Detecting text in natural scenes with stroke width transform", here on connected components of a
-//! locally thresholded image). Made to miss rather than to take a fence for a word.
+//! Letters are strokes of even width, darker or lighter than their surroundings, of similar height, side by
+//! side. These observations are from Epshtein, Ofek, Wexler 2010, "Detecting text in natural scenes with
+//! stroke width transform". Here they apply to connected components of a locally thresholded image. The
+//! detector prefers misses to false positives, such as fences.
 
 use super::Subject;
 use super::energy::{luma, rgb};

@@ -1,4 +1,4 @@
-//! What framing knows of a photo, and what it answers.
+//! Input and output types of framing.
 
 use std::borrow::Cow;
 
@@ -31,19 +31,19 @@ pub struct PhotoMeta {
     pub fingerprint: u64,
     /// Sharpness by the default metric; comparable within an album only.
     pub sharpness: f32,
-    /// Where the photo has something to see.
+    /// Energy map of the photo.
     #[cfg_attr(all(test, feature = "cli"), ts(type = "EnergyMap"))]
     pub energy: EnergyMap,
-    /// When it was taken, `YYYY:MM:DD HH:MM:SS`, where the file says so.
+    /// Capture time, `YYYY:MM:DD HH:MM:SS`, if the file contains it.
     #[serde(default)]
     pub taken: Option<String>,
     /// Lettering, and the faces and objects found in it once detection has run.
     #[serde(default)]
     pub subjects: Vec<Subject>,
-    /// The point that a person marked as the one that matters.
+    /// The focus point that the user set.
     #[serde(default)]
     pub focus: Option<Focus>,
-    /// Tones, texture and colour; none where the photo was never measured, as in projects of before.
+    /// Tones, texture and colour. `None` if the photo was never measured, as in old projects.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub facts: Option<Facts>,
@@ -55,14 +55,14 @@ pub struct PhotoMeta {
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub starred: bool,
-    /// Whether words on the page belong to it: they stay where it stays. Of one plan only.
+    /// Whether words on the page belong to it: they stay where it stays. Valid for one plan only.
     #[serde(skip)]
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub spoken: bool,
 }
 
 impl PhotoMeta {
-    /// A photo of which nothing is known but its size in pixels.
+    /// A photo with known size in pixels and no other measurements.
     #[must_use]
     pub fn unmeasured(id: &str, width: u32, height: u32) -> Self {
         Self {
@@ -82,13 +82,14 @@ impl PhotoMeta {
         }
     }
 
-    /// Takes what the detectors found, beside the lettering that was found at import.
+    /// Stores the subjects of the detectors. The lettering from the import stays.
     pub fn find(&mut self, found: impl IntoIterator<Item = Subject>) {
         self.subjects.retain(|subject| subject.label == LETTERING);
         self.subjects.splice(0..0, found);
     }
 
-    /// What crops are drawn round: what was found and, where that is nobody, the figure that the mask shows.
+    /// Subjects for cropping: the detected ones and, if no person or animal is among them, the figure of the
+    /// mask.
     pub fn marked(&self) -> impl Iterator<Item = Cow<'_, Subject>> {
         self.subjects.iter().map(Cow::Borrowed).chain(self.figure().map(Cow::Owned))
     }
@@ -142,8 +143,8 @@ const ANIMALS: [&str; 10] =
     ["bird", "cat", "dog", "horse", "sheep", "cow", "elephant", "bear", "zebra", "giraffe"];
 
 impl Subject {
-    /// Whether it is a thing that fills most of the photo, as tables and benches do: the place of what is seen rather
-    /// than what is seen, so that no crop has to hold it whole.
+    /// Whether the subject is a thing that fills most of the photo, such as a table or a bench. Such things
+    /// are scenery, so a crop may cut them.
     #[must_use]
     pub fn is_scenery(&self) -> bool {
         !self.is_alive() && (self.width * self.height > 0.5 || self.width > 0.9 || self.height > 0.9)
@@ -163,8 +164,8 @@ impl Subject {
             && within(other.y + other.height / 2.0, self.y, self.height)
     }
 
-    /// The box with what belongs to it beyond what detectors mark: the hair and ears round a face, a little all round
-    /// an animal. Inside the photo.
+    /// The box with its surroundings that detectors do not mark: hair and ears around a face, a small border
+    /// around an animal. Inside the photo.
     #[must_use]
     pub fn grown(&self) -> Self {
         let (above, around) = match self.label.as_str() {
@@ -215,8 +216,8 @@ pub struct Crop {
 }
 
 impl Crop {
-    /// The crop about the same centre and of the same area, as far as the photo reaches, for a panel of that
-    /// aspect (width over height); unchanged where it has that aspect already.
+    /// A crop with the same centre and area, limited by the photo, for a panel with this aspect ratio (width
+    /// over height). Unchanged if the aspect ratio is equal.
     #[must_use]
     pub fn refitted(&self, photo: &PhotoMeta, aspect: f64) -> Self {
         let sides = (f64::from(photo.width.max(1)), f64::from(photo.height.max(1)));

@@ -16,7 +16,7 @@ const GONE: f64 = 0.04;
 /// Cells that count as wholly inside where the sums are rounded.
 const SLACK: f64 = 1e-6;
 
-/// What is seen of a rectangle, in coordinates from 0 to 1 across and down it.
+/// The visible part of a rectangle, in coordinates from 0 to 1.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Region {
     /// One for each panel that shows a part of the image; none when all of the rectangle is seen.
@@ -35,9 +35,9 @@ struct Part {
 }
 
 impl Region {
-    /// What is seen of the rectangle round the panels of `group`, in paint order as [`resolve`](crate::layout::resolve)
-    /// gives them, on their page. `covered_by_any` looks at every later panel and not at overlays alone, for pages that
-    /// somebody else laid out.
+    /// The visible part of the rectangle around the panels of `group`. `panels` are in paint order, from
+    /// [`resolve`](crate::layout::resolve). `covered_by_any` checks every later panel, not only overlays. It
+    /// is for pages with layouts from other sources.
     #[must_use]
     pub fn of(panels: &[ResolvedPanel], group: &[usize], covered_by_any: bool) -> Self {
         let Some(bounds) =
@@ -78,7 +78,8 @@ impl Region {
         1.0 - self.hidden
     }
 
-    /// The largest upright rectangle in which everything is seen; the whole where nothing is hidden.
+    /// The largest axis-parallel rectangle that is completely visible. The whole rectangle if nothing is
+    /// hidden.
     #[must_use]
     pub fn core(&self) -> Bounds {
         self.core.unwrap_or(Bounds { x: 0.0, y: 0.0, width: 1.0, height: 1.0 })

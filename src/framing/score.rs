@@ -1,9 +1,8 @@
 //! How good a crop is.
 //!
-//! The terms are those of the paper's framing (cover of what was found, size of the subject in the crop,
-//! enough pixels, faces cut, same subject shown before); energy stands in where nothing was found. They are
-//! taken over the finished crop and all subjects together, not over the box that it was drawn round, so that
-//! crops of any origin can be compared.
+//! The terms follow the paper's framing: coverage of subjects, size of the subject in the crop, enough
+//! pixels, faces cut, same subject shown before. Without subjects, energy replaces them. They are computed
+//! for the finished crop and all subjects, not for the original box. So crops of any origin are comparable.
 
 use std::borrow::Cow;
 
@@ -49,8 +48,8 @@ impl<'a> Judge<'a> {
         Self { view, sums: photo.energy.sums(), weights: view.subjects.iter().map(weight).collect() }
     }
 
-    /// The candidates that break no rule, or as few rules as possible: the focus seen, a face kept and none cut, the
-    /// same for the heads, no subject cut, enough of the photo kept where that is asked for, not enlarged too much.
+    /// Returns the candidates that break the fewest rules. The rules: focus visible, a face included and none
+    /// cut, same for heads, no subject cut, enough of the photo if `wide`, limited enlargement.
     pub(super) fn admitted(&self, candidates: Vec<Crop>, wide: bool) -> Vec<Crop> {
         let most = candidates.iter().map(|crop| crop.width * crop.height).fold(0.0, f64::max);
         let least = if wide { LEAST_KEPT.min(0.92 * most) } else { 0.0 };

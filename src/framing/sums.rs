@@ -42,8 +42,8 @@ impl Sums {
         (inside / self.table[self.table.len() - 1]).clamp(0.0, 1.0)
     }
 
-    /// How much goes on along the edges of the crop: the mean energy of a narrow band inside them over the mean
-    /// energy of the photo. What stands there is cut; a head at the top is worse than feet at the bottom. Edges
+    /// Activity along the edges of the crop: the mean energy of a narrow band inside the edges over the mean
+    /// energy of the photo. Content there is cut. A head at the top is worse than feet at the bottom. Edges
     /// on the rim of the photo count like others, or crops would flee to it.
     pub(super) fn cut(&self, crop: &Crop) -> f64 {
         let (bx, by) = (crop.width * BAND, crop.height * BAND);
