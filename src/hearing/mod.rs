@@ -1,8 +1,9 @@
-//! Hearing: which sounds of a film might be drawn as words of sound, and where its music runs.
+//! Audio analysis: finds sounds of a video that may become sound effects, and passages of music.
 //!
-//! The sound is taken apart into frames (`spectrum`). Where a spectrum grows at once, and the sound with it, something hits; what
-//! swells, or wanders in pitch, sweeps past; where tones hold for seconds, or a beat runs through them, there is music. Voices are
-//! left out: what they say is for subtitles. All of it are proposals, so what is missed matters less than what is made up.
+//! The sound is taken apart into frames (`spectrum`). A sudden rise of the spectrum and of the loudness is an
+//! impact. A swell or a sweep in pitch is a whoosh. Tones that last for seconds, or a beat, are music. Voices
+//! are ignored, because subtitles have the dialogue. All results are suggestions, so a missed sound is better
+//! than an invented one.
 
 mod spectrum;
 mod words;
@@ -67,7 +68,7 @@ const ABOUT: f64 = 1.5;
 const VOICED: f64 = 0.07;
 const ITSELF: f64 = 0.05;
 
-/// What a sound is like.
+/// Kind of a sound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "SoundKind"))]
 #[serde(rename_all = "lowercase")]
@@ -163,16 +164,17 @@ pub struct Event {
     pub start: f64,
     /// and ends.
     pub end: f64,
-    /// What it is like.
+    /// Kind of the sound.
     pub kind: Kind,
-    /// Of its loudest frame, of music on average, in whole dB below full scale: -42 to about 0.
+    /// Loudness in whole dB below full scale, -42 to about 0: of the loudest frame, or the mean for music.
     pub loudness: i32,
     /// Words that it may be written with, the best first.
     pub words: [Word; 3],
 }
 
-/// The sounds in `samples`, of one channel and full scale 1, at `rate` a second, in the order of time. What is no number is
-/// silence. There are none where the rate is none of sound (4 to 192 kHz), or less than a frame is there.
+/// Finds the sounds in `samples`, mono with full scale 1, at `rate` samples per second, in order of time. NaN
+/// and infinite samples count as silence. Returns no sounds if the rate is outside 4 to 192 kHz or the input
+/// is shorter than a frame.
 #[must_use]
 pub fn events(mut samples: Vec<f32>, rate: f32) -> Vec<Event> {
     if !RATES.contains(&rate) {
@@ -204,7 +206,8 @@ pub fn events(mut samples: Vec<f32>, rate: f32) -> Vec<Event> {
     all
 }
 
-/// The sounds as JSON, as serde writes them but for its size: what writes any number at all is half as large as the module of films.
+/// The sounds as JSON, equal to the output of serde. A general number formatter would add half of the size of
+/// the films module.
 #[must_use]
 pub fn to_json(events: &[Event]) -> String {
     let time = |seconds: f64| {

@@ -1,7 +1,7 @@
-//! Sound as spectra: what a frame of samples holds of each frequency, and what is measured of that.
+//! Spectra of sound: the frequencies in a frame of samples, and their measurements.
 //!
-//! The transform is written here, as libraries bring planners for every size, or tables of sines as large as half of the module of
-//! films: a plain radix-2 transform of one small size needs neither.
+//! The transform is a plain radix-2 FFT of one small size. Libraries add planners for every size, or sine
+//! tables half as large as the films module.
 
 /// Seconds between two frames.
 pub(super) const STEP: f32 = 0.01;
@@ -14,7 +14,7 @@ const PRESSED: f32 = 300.0;
 /// Power of a bin below which it is silence.
 const NOTHING: f32 = 1e-12;
 
-/// What is measured of a frame.
+/// Measurements of a frame.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Frame {
     /// Loudness in dB below full scale, -120 at least: the root of the mean square of the samples.
@@ -40,7 +40,8 @@ pub(super) struct Frames {
 }
 
 impl Frames {
-    /// Measures `samples` of full scale 1 at `rate` a second. What is shorter than a frame has none.
+    /// Measures `samples` with full scale 1 at `rate` samples per second. Samples shorter than a frame give
+    /// no frame.
     pub(super) fn of(samples: &[f32], rate: f32) -> Self {
         let size = ((rate * WIDTH) as usize).next_power_of_two().max(4);
         let step = ((rate * STEP) as usize).max(1);

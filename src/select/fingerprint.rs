@@ -1,4 +1,4 @@
-//! A 64-bit fingerprint that near-duplicates share in all but a few bits.
+//! A 64-bit fingerprint. Near-duplicates differ in only a few bits.
 //!
 //! Source: the modified perceptual hash of Garcia-Dorado et al., on a smoothed copy:
 //!
@@ -8,8 +8,8 @@
 //!                           S[r][c] > S[r - 1][c]   in odd rows: brighter than above
 //! ```
 //!
-//! The smoothing makes up for small shifts: of synthetic near-duplicates 98.7 % instead of 94.5 % come within
-//! a distance of 10, and still no two different photos do.
+//! The smoothing compensates small shifts. 98.7 % instead of 94.5 % of synthetic near-duplicates are within a
+//! distance of 10, and different photos never are.
 
 use crate::raster::Plane;
 use crate::raster::resize::{Region, resample};

@@ -4,15 +4,15 @@ use super::fingerprint::distance;
 
 /// The group number of each fingerprint, numbered in the order of their first members.
 ///
-/// Leader clustering: the first member leads its group; whoever comes later joins the nearest leader (of equals the
-/// first) within `threshold`, or leads a new group. Every group is asked, not only the last one, so that what
-/// comes back later in a video or an album is found too.
+/// Leader clustering: the first member leads its group. A later photo joins the nearest leader within
+/// `threshold` (the first of equal ones), or leads a new group. All groups are searched, so photos that
+/// return later in a video or album are found too.
 #[must_use]
 pub fn leaders(fingerprints: &[u64], threshold: u32) -> Vec<usize> {
     leaders_by(fingerprints, &|_, _| threshold)
 }
 
-/// The same where each pair, by their places, has a threshold of its own.
+/// Like [`leaders`], with a separate threshold for each pair of indices.
 #[must_use]
 pub fn leaders_by(fingerprints: &[u64], threshold: &dyn Fn(usize, usize) -> u32) -> Vec<usize> {
     let mut leaders: Vec<usize> = Vec::new();

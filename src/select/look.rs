@@ -1,6 +1,6 @@
-//! What of a film's frame is kept while its shots are looked for: a copy of 64 x 36, and how sharp the frame itself is.
+//! Data of a video frame for shot detection: a copy of 64 x 36 pixels, and the sharpness of the frame.
 //!
-//! A two-hour film is looked at some ten thousand times; a look is 3.5 kB.
+//! A two-hour video has some ten thousand such samples of 3.5 kB each.
 
 use crate::error::{Error, Result};
 
@@ -28,7 +28,7 @@ pub struct Samples<'a> {
     pub bytes: &'a [u8],
     /// Bytes from one row to the next.
     pub stride: usize,
-    /// Bytes from one sample to the next: 1 where the channel is by itself, 2 in NV12, 4 in RGBA.
+    /// Bytes from one sample to the next: 1 for a separate plane, 2 in NV12, 4 in RGBA.
     pub step: usize,
     /// Samples across.
     pub width: usize,
@@ -146,10 +146,10 @@ impl Look {
         Self::new(Samples::reduced(CELLS, luma), chroma.map(|c| Samples::reduced(CHROMA, c)), sharpness)
     }
 
-    /// Looks at interleaved RGBA pixels, or BGRA ones: which is which changes no distance.
+    /// Samples interleaved RGBA or BGRA pixels. The order of channels does not change distances.
     ///
     /// # Errors
-    /// `buffer-size` where there are not `4 * width * height` bytes.
+    /// `buffer-size` if the number of bytes is not `4 * width * height`.
     pub fn of_rgba(rgba: &[u8], width: usize, height: usize) -> Result<Self> {
         let channel =
             |i: usize| Samples::new(rgba.get(i..).unwrap_or_default(), [4 * width, 4], [width, height]);

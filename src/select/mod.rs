@@ -1,8 +1,9 @@
 //! Selection: which of many photos are worth a panel.
 //!
-//! Photos that show the same are found by their [`fingerprint`] and put into [`groups`]; of each group the
-//! one with the best [`sharpness`] is kept, unless it is blurred; the [`verdict`] says why. Frames of a film
-//! are photos, too: a [`look`] at many of them finds its [`shots`], and of these the [`stills`] that stand for it.
+//! Near-duplicates are found by their [`fingerprint`] and form [`groups`]. The photo with the best
+//! [`sharpness`] of each group is selected, unless it is blurred. The [`verdict`] has the reason. Video
+//! frames are photos as well: [`look`] samples a video, [`shots`] finds its shots, and [`stills`] selects
+//! representative frames.
 
 mod dissolves;
 pub mod fingerprint;
@@ -18,7 +19,7 @@ pub use verdict::{Settings, THRESHOLD, THRESHOLDS, Verdict, choose};
 use crate::raster::Image;
 use crate::simd::point::luma_plane;
 
-/// What selection compares.
+/// Measurements of a photo for selection.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measures {
     /// See [`fingerprint::fingerprint`].

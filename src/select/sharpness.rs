@@ -10,11 +10,11 @@ const LAPLACIAN_SIDE: usize = 640;
 /// Bins of the paper's histogram: one a grey step.
 const BINS: usize = 256;
 
-/// The measure to rank photos that show the same: the mean gradient over the spread of tones,
-/// `mean |grad Y| / (std Y + 1)`, for the photo taken as 1000 pixels long.
+/// Sharpness of near-duplicates, for ranking: the mean gradient over the spread of tones, `mean |grad Y| /
+/// (std Y + 1)`, for the photo at a length of 1000 pixels.
 ///
-/// A gradient in grey steps a pixel grows when a photo is made smaller; in grey steps a thousandth of the
-/// picture it does not, so that a small copy does not pass for sharper than its original.
+/// A gradient in grey steps per pixel grows if a photo is reduced. A gradient per thousandth of the photo
+/// does not, so a small copy never ranks sharper than its original.
 #[must_use]
 pub fn gradient(luma: &Plane) -> f32 {
     let (mut sum, mut count) = (0.0, 0u32);

@@ -1,8 +1,9 @@
-//! The shots of a film: where it cuts, fades and shows nothing.
+//! Shot detection: cuts, fades and blank frames of a video.
 //!
-//! Frames that stand close are judged as `PySceneDetect`'s `AdaptiveDetector` judges them: a cut is where two of them differ
-//! by far more than those about them do, so that a moving camera is none. Frames that stand far apart, such as key frames of a
-//! long film, have nothing about them: there a cut is where the picture and its tones are other ones.
+//! Frames at short distances are judged like in `PySceneDetect`'s `AdaptiveDetector`: at a cut, two frames
+//! differ far more than their neighbours. So a moving camera is not a cut. Frames at long distances, such as
+//! key frames of a long video, have no close neighbours. For them a cut is a change of both the image and its
+//! tones.
 //!
 //! A dissolve separates two shots in its middle ([`dissolves`]). Frames that show both scenes represent neither of them.
 
@@ -45,20 +46,20 @@ pub struct Shot {
     pub start: f64,
     /// Seconds at which it ends.
     pub end: f64,
-    /// The frames that were looked at which may stand for it, by number: none that is black or fading.
+    /// Indices of the sampled frames that may represent the shot. Black and fading frames are excluded.
     pub usable: Vec<usize>,
     /// It shows letters on an even ground.
     pub title: bool,
 }
 
 impl Film {
-    /// A film that nobody looked at.
+    /// A video without samples.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Takes the frame at `time`, in seconds, in whatever order; one that is there already, or has no time, is passed over.
+    /// Adds the frame at `time` in seconds, in any order. Ignores a frame that exists or has no finite time.
     pub fn add(&mut self, time: f64, look: Look) {
         let at = self.times.partition_point(|&other| other < time);
         if time.is_finite() && self.times.get(at) != Some(&time) {
@@ -73,7 +74,7 @@ impl Film {
         &self.times
     }
 
-    /// What was seen of them.
+    /// The samples of the frames.
     #[must_use]
     pub fn looks(&self) -> &[Look] {
         &self.looks

@@ -1,11 +1,11 @@
-//! Which frames stand for a film: of every shot the sharpest, more of those that are long or change, none that is black,
-//! fading or a mere title as long as there are others.
+//! Selection of representative frames: the sharpest of every shot, and more for shots that are long or
+//! change. Black frames, fades and titles are used only if there are no others.
 
 use super::look::Look;
 use super::shots::{Film, Shot};
 use crate::order::sort_by;
 
-/// Frames that a film gives unless told: as many as its shots ask for, within these.
+/// Minimum number of frames by default. The number follows the number of shots.
 pub const FEWEST: usize = 8;
 /// See [`FEWEST`].
 pub const MOST: usize = 120;
@@ -24,14 +24,14 @@ const EDGE: f64 = 0.1;
 /// Seconds of a shot that must not be left out.
 const LONG: f64 = 1.0;
 
-/// What is wanted of a film.
+/// Requirements for the frames of a video.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Wish<'a> {
-    /// How many frames; as many as suit the film where nobody says.
+    /// Number of frames. `None`: automatic.
     pub count: Option<usize>,
-    /// Seconds of frames that are taken already, and stand for their shots.
+    /// Times in seconds of frames that are already selected. They represent their shots.
     pub taken: &'a [f64],
-    /// Seconds of moments that should have a frame near them, such as those of subtitles.
+    /// Times in seconds that should have a frame close to them, such as subtitles.
     pub moments: &'a [f64],
 }
 
@@ -50,8 +50,8 @@ pub fn usual(film: &Film, shots: &[Shot]) -> usize {
     shots.iter().map(|shot| asked(film, shot)).sum::<usize>().clamp(FEWEST, MOST)
 }
 
-/// The frames for a wish, in the order of time, those that are taken among them. Fewer where there are not as many that
-/// show anything.
+/// Returns the frames for a wish in order of time, including the frames that are already selected. Returns
+/// fewer if the video does not have enough usable frames.
 #[must_use]
 pub fn choose(film: &Film, shots: &[Shot], wish: &Wish) -> Vec<Still> {
     let mut open: Vec<usize> = (0..shots.len()).filter(|&i| !shots[i].usable.is_empty()).collect();
