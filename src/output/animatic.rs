@@ -1,7 +1,7 @@
-//! Animatics: the shots of an album one after the other, each for its time, with cuts or dissolves between them and a slow move
-//! of the camera inside of each. All of it is told here as plain data; [`Animatic::at`] says what a frame shows. A shot is drawn
-//! once, as a page of one panel, and the camera moves over that picture: its lines stand still, and a shot without a move is the
-//! same in every frame.
+//! Animatics: the shots of an album in sequence, with durations, cuts or dissolves, and slow camera moves.
+//! The plan is plain data. [`Animatic::at`] returns the content of a frame. A shot is drawn once, as a page
+//! of one panel, and the camera moves over that image. Its lines do not move, and a shot without a camera
+//! move is equal in every frame.
 
 use super::motion::{Reading, Told};
 use super::shots::ShotList;
@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 
 /// Sides of a frame in pixels, from the smallest to the largest.
 pub const SIDES: [u32; 2] = [64, 3840];
-/// Sizes by what people call them.
+/// Frame sizes by common name.
 pub const SIZES: [(&str, [u32; 2]); 4] =
     [("1080p", [1920, 1080]), ("720p", [1280, 720]), ("square", [1080, 1080]), ("upright", [1080, 1920])];
 /// Frames of an animatic at most: four hours of thirty a second.
@@ -30,28 +30,28 @@ const CAPTION: f64 = 0.86;
 /// Height of their letters, in the shorter sides of the frame.
 const LETTERS: f64 = 0.045;
 
-/// What is asked for.
+/// Request of an animatic.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "AnimaticRequest", optional_fields))]
 pub struct Request {
-    /// The shots, and how many frames a second they are counted in.
+    /// The shots, and their frame rate.
     pub list: ShotList,
-    /// Of each shot its picture.
+    /// The image of each shot.
     pub pictures: Vec<Picture>,
     /// Width and height of the frames in pixels, 64 to 3840, made even as encoders want them.
     pub size: [u32; 2],
-    /// Frames a second, 1 to 60; those of the list where nothing is told.
+    /// Frames per second, 1 to 60. Default: the rate of the list.
     pub fps: u32,
-    /// How long a shot is that says nothing, in seconds; two where nothing is told.
+    /// Default duration of a shot in seconds. Default: 2.
     pub seconds: f64,
-    /// How long two shots are seen together where one goes over into the other, in seconds; 0 cuts.
+    /// Duration of a dissolve in seconds; 0 for hard cuts.
     pub dissolve: f64,
     /// Whether the camera moves.
     pub moves: bool,
-    /// Whether what is said, else what happens, stands below.
+    /// Whether dialogue, or else action, is shown as a caption.
     pub captions: bool,
-    /// Pictures a second of panels that come from a film, where they move; 0 where they do not.
+    /// Frames per second of animated panels from videos; 0 for stills.
     pub living: u32,
     /// The style of the pictures: an id, or a style in full.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<crate::page::document::StyleChoice>"))]
@@ -69,7 +69,7 @@ pub struct Picture {
     /// Faces of it, which the style takes care of.
     #[serde(default)]
     pub faces: Vec<Crop>,
-    /// What was found in it: the camera keeps faces in view, else people and animals, else things.
+    /// Detected subjects. The camera prefers faces, then people and animals, then things.
     #[serde(default)]
     pub subjects: Vec<Subject>,
 }
@@ -104,22 +104,22 @@ pub struct Clip {
     pub start: u32,
     /// How long it is, in frames.
     pub frames: u32,
-    /// Its first frame with that of a dissolve, in which the shot before still shows.
+    /// First frame, including the dissolve from the shot before.
     pub from: u32,
     /// The frame behind its last, a dissolve into the next one counted.
     pub to: u32,
-    /// What the camera sees at `from`, in fractions of the picture. The same as `last` where it stands still.
+    /// View of the camera at `from`, in fractions of the image. Equal to `last` without a camera move.
     pub first: Crop,
-    /// What it sees at its end.
+    /// View of the camera at the end.
     pub last: Crop,
     /// The picture as a page of one panel, as large as the narrowest view wants it.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Document"))]
     pub picture: Value,
-    /// An empty page of the size of the frames with the one word that stands below, if there is one. It goes to the middle, its
-    /// lower edge [`Animatic::FOOT`] above that of the frame.
+    /// An empty page of the frame size with only the caption, if the shot has one. The caption is centred,
+    /// its lower edge [`Animatic::FOOT`] above the lower edge of the frame.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Document>"))]
     pub caption: Value,
-    /// How a page is read, panel by panel; none for a shot.
+    /// Reading order of a page, panel by panel; `None` for a shot.
     pub reading: Option<Reading>,
 }
 
@@ -130,7 +130,7 @@ pub struct Shown {
     pub clip: usize,
     /// The part of its picture that fills the frame.
     pub view: Crop,
-    /// How much of it is seen over what lies below, 0 to 1.
+    /// Opacity over the clip below, 0 to 1.
     pub share: f64,
 }
 
@@ -138,7 +138,7 @@ impl Request {
     /// Reads a request.
     ///
     /// # Errors
-    /// `invalid-document` for what is none.
+    /// Returns `invalid-document` if the JSON is not a valid request.
     pub fn parse(json: &str) -> Result<Self> {
         let request: Self =
             serde_json::from_str(json).map_err(|error| invalid("animatic", &error.to_string()))?;
@@ -255,7 +255,7 @@ impl Animatic {
     /// Numbers of a frame in [`Animatic::table`].
     pub const COLUMNS: usize = 15;
 
-    /// What a frame shows: one clip, or two in a dissolve, the one that comes over the one that goes. None beyond the end.
+    /// Content of a frame: one clip, or two in a dissolve with the new clip on top. `None` after the end.
     #[must_use]
     pub fn at(&self, frame: u32) -> Option<(Shown, Option<Shown>)> {
         if frame >= self.frames {
@@ -276,7 +276,7 @@ impl Animatic {
         Some((shown(under, 1.0), over))
     }
 
-    /// How far the page that a frame shows, the one below in a dissolve, is read; nothing is told of a shot.
+    /// Reading progress of the page in a frame. In a dissolve it is the page below. Shots have no progress.
     #[must_use]
     pub fn told(&self, frame: u32) -> Told {
         let shown = self.at(frame).and_then(|(under, _)| self.clips[under.clip].reading.as_ref());
@@ -289,10 +289,13 @@ impl Animatic {
         (u64::from(frame) * u64::from(self.living) / u64::from(self.fps.max(1))) as u32
     }
 
-    /// All frames for who draws them: of each [`Animatic::COLUMNS`] numbers, which are the clip below and its view (x, y, width,
-    /// height), the clip over it (-1 for none) and its view, and the share of that one, the same as [`Animatic::at`]; then of
-    /// the clip below, where it is a page, how many of its words are there, the panel that is read (-1 for none) and how dark all
-    /// else is, as [`Animatic::told`]; and [`Animatic::beat`].
+    /// All frames as numbers for the renderer, [`Animatic::COLUMNS`] for each frame:
+    ///
+    /// - the clip below and its view (x, y, width, height), the clip above it (-1 if missing), its view and its
+    ///   opacity, see [`Animatic::at`];
+    /// - for a page below: the number of visible text items, the current panel (-1 if missing) and the darkness
+    ///   of the other panels, see [`Animatic::told`];
+    /// - [`Animatic::beat`].
     #[must_use]
     pub fn table(&self) -> Vec<f32> {
         let view = |view: Crop| [view.x, view.y, view.width, view.height];
@@ -312,7 +315,7 @@ impl Animatic {
 }
 
 impl Clip {
-    /// What the camera sees in a frame from `from` to `to`: it sets out and arrives slowly, as a cubic curve.
+    /// View of the camera in a frame, with ease-in and ease-out as a cubic curve.
     #[must_use]
     pub fn view(&self, frame: u32) -> Crop {
         if let Some(reading) = &self.reading {

@@ -1,6 +1,7 @@
-//! Sheets of a board: the shots of an album as frames of one aspect with what is told of them beside or under each, a head on
-//! every sheet. A sheet is a page like any other ([`Document`]), so it is drawn, exported and printed like one: its frames are
-//! panels, what is told are plain captions whose letters stay text in a PDF file.
+//! Storyboard sheets: the shots of an album as frames of one aspect ratio, with shot fields next to or under
+//! each frame and a header on every sheet. A sheet is a normal page ([`Document`]), so drawing, export and
+//! print need no special code. Its frames are panels. Its fields are plain captions, which stay text in a PDF
+//! file.
 
 use super::shots::{ListedShot, ShotList};
 use crate::error::{Error, Result};
@@ -39,22 +40,22 @@ const LINE: f64 = 0.35;
 const INK: &str = "#111111";
 const RULES: &str = "#a4a4a8";
 
-/// What is asked for. In JSON the fields of a [`ShotList`] beside these.
+/// Request of storyboard sheets. In JSON, the fields of a [`ShotList`] are in the same object.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "BoardRequest", optional_fields))]
 pub struct Request {
-    /// The shots, and what they are called together.
+    /// The shots and the title.
     pub list: ShotList,
-    /// Of each shot its picture.
+    /// The image of each shot.
     pub pictures: Vec<PictureOf>,
-    /// Frames on a sheet, 1 to 12; six where nothing is told.
+    /// Frames per sheet, 1 to 12. Default: 6.
     pub frames: usize,
-    /// Width over height of the frames, 0.2 to 5; 16:9 where nothing is told.
+    /// Width over height of the frames, 0.2 to 5. Default: 16:9.
     pub aspect: f64,
-    /// The text stands beside the frames, else under them.
+    /// Whether the fields are next to the frames instead of under them.
     pub beside: bool,
-    /// Lines to write on in the place of what is told.
+    /// Whether ruled lines replace the fields.
     pub ruled: bool,
     /// Who made it.
     pub author: String,
@@ -62,12 +63,12 @@ pub struct Request {
     pub date: String,
     /// A picture in the head of every sheet.
     pub logo: Option<Logo>,
-    /// Paper as in North America, else A4.
+    /// Whether the paper is US Letter instead of A4.
     pub letter: bool,
     /// The style of the frames: an id, or a style in full.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<crate::page::document::StyleChoice>"))]
     pub style: Value,
-    /// What is written before what is told, in the language of the reader.
+    /// Labels of the fields, in the language of the reader.
     pub labels: Labels,
 }
 
@@ -91,7 +92,7 @@ pub struct PictureOf {
 #[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "BoardLogo"))]
 pub struct Logo {
-    /// The id under which it is known to who draws the sheets.
+    /// Photo id for the renderer.
     pub photo: String,
     /// Its width over its height; it is shown with 1/30 to 30.
     pub aspect: f64,
@@ -107,14 +108,14 @@ impl Logo {
     }
 }
 
-/// What is written before what is told. `{page}` and `{count}` stand for numbers.
+/// Labels of the fields. `{page}` and `{count}` are placeholders for numbers.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "BoardLabels", optional_fields))]
 pub struct Labels {
     /// Before the scene.
     pub scene: String,
-    /// Before what is said.
+    /// Label of the dialogue.
     pub dialogue: String,
     /// Before the notes.
     pub notes: String,
@@ -134,16 +135,16 @@ impl Request {
     /// Reads a request.
     ///
     /// # Errors
-    /// `invalid-document` for what is none.
+    /// Returns `invalid-document` if the JSON is not a valid request.
     pub fn parse(json: &str) -> Result<Self> {
         serde_json::from_str(json).map_err(|error| invalid("board", &error.to_string()))
     }
 
-    /// The sheets as pages; none where there are no shots.
+    /// Returns the sheets as pages. Empty without shots.
     ///
     /// # Errors
-    /// `invalid-document` for pictures that are none, or not as many as there are shots, and for a logo without an aspect; those of
-    /// the style.
+    /// `invalid-document` for invalid images, a number of images other than the number of shots, or a logo
+    /// without an aspect ratio; style errors.
     pub fn sheets(&self) -> Result<Vec<Document>> {
         if self.pictures.len() != self.list.shots.len() {
             return Err(invalid("pictures", "must have one entry per shot"));

@@ -1,4 +1,4 @@
-//! What is asked for, and what comes of it.
+//! Request and result of a comic export.
 
 use crate::error::{Error, Result};
 use crate::framing::Crop;
@@ -13,9 +13,10 @@ pub const MOST_PAGES: usize = 1_000;
 #[serde(deny_unknown_fields)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Comic {
-    /// What it is called.
+    /// Title.
     pub title: String,
-    /// BCP 47, such as `en`; what a reader says itself is in that language where there is one, else in English.
+    /// BCP 47 tag, such as `en`. The reader's interface uses this language, or English if it is not
+    /// available.
     pub language: String,
     /// The files that its pictures are.
     pub picture: PictureKind,
@@ -30,9 +31,9 @@ pub struct Comic {
 pub struct ComicPage {
     /// The page; its picture is as large as that.
     pub document: Document,
-    /// What each panel shows, such as `two people and a dog`, in paint order; empty where nobody knows.
+    /// Content of each panel, such as `two people and a dog`, in paint order. Empty if unknown.
     pub shows: Vec<String>,
-    /// Where pictures that move lie over that of the page, in fractions of it, in paint order. HTML alone shows them.
+    /// Areas of animated panels, in fractions of the page, in paint order. Only HTML comics show them.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub moving: Vec<Crop>,
@@ -52,7 +53,7 @@ pub enum PictureKind {
 }
 
 impl PictureKind {
-    /// What its files end in.
+    /// File name extension.
     #[must_use]
     pub fn ending(self) -> &'static str {
         match self {
@@ -73,8 +74,8 @@ impl PictureKind {
     }
 }
 
-/// A part of a file: text, or the picture of the page of that number, from 0. Behind those of all pages come the pictures that
-/// move, page after page.
+/// A part of a file: text, or the picture of the page of that number, from 0. The animated panels follow
+/// after the images of all pages, page by page.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
@@ -91,7 +92,7 @@ pub enum Piece {
 pub struct File {
     /// Its name, with the folders that it is in.
     pub name: String,
-    /// What is in it.
+    /// Content.
     pub content: Piece,
 }
 
@@ -102,7 +103,7 @@ impl File {
 }
 
 impl Comic {
-    /// Reads what the page asks for.
+    /// Reads a request of the app.
     ///
     /// # Errors
     /// `invalid-document` for anything else, for a page whose settings are out of range, for a comic without pages, and for one

@@ -1,4 +1,5 @@
-//! What a panel shows, in English, from what was found in its photo. The page says it itself, in the language of its visit.
+//! Describes the content of panels in English, from the subjects of their photos. The app has its own
+//! descriptions, in the user's language.
 
 use crate::framing::{Crop, Subject};
 use crate::page::Document;
@@ -12,7 +13,8 @@ const MOST: usize = 4;
 const NUMBERS: [&str; 13] =
     ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"];
 
-/// What each panel of a page shows, in paint order; empty where nothing was found. `subjects`: what is in a photo, by its id.
+/// Description of each panel of a page, in paint order. Empty without subjects. `subjects` returns the
+/// subjects of a photo id.
 #[must_use]
 pub fn described<'s>(document: &Document, subjects: impl Fn(&str) -> &'s [Subject]) -> Vec<String> {
     (0..document.panels.len())

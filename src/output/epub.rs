@@ -1,7 +1,8 @@
-//! A book of fixed layout, after EPUB 3.3 and EPUB Region-Based Navigation 1.0: a picture a page, over it each panel with what it
-//! shows and what is said in it as text, and the way from panel to panel for readers that zoom.
+//! Fixed-layout EPUB, after EPUB 3.3 and EPUB Region-Based Navigation 1.0. Each page is one image, with the
+//! content and text of each panel over it. Readers with guided view zoom from panel to panel.
 //!
-//! No clock: the book says that it was made when ZIP files begin, and its identifier follows from what is in it.
+//! No clock is used: the date of the book is the start of the ZIP epoch, and its identifier is a hash of its
+//! content.
 
 use super::comic::{Comic, File, Piece};
 use super::markup::{escaped, short, with_readings};
@@ -12,7 +13,7 @@ use crate::layout::Bounds;
 use crate::page::words::Letters;
 use std::fmt::Write as _;
 
-/// What an EPUB file begins with, stored as it is.
+/// Content of the file `mimetype`, stored without compression.
 pub const MEDIA_TYPE: &str = "application/epub+zip";
 /// The first day that a ZIP file can name.
 const MADE: &str = "1980-01-01T00:00:00Z";

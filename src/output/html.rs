@@ -1,6 +1,6 @@
-//! One file of HTML that holds a comic and its reader: pictures as data URLs, every panel as a region with what it shows and what
-//! is said in it, in reading order. It asks nobody for anything: its policy allows its own script, its own style and pictures that
-//! are in it. Without a script it is a long page of pictures and text.
+//! One HTML file with a comic and its reader. Images are data URLs. Every panel is a region with its content
+//! and text, in reading order. Its Content-Security-Policy blocks all network requests and allows only its
+//! script, its style and embedded images. Without a script it is a long page of pictures and text.
 
 use super::comic::{Comic, Piece};
 use super::markup::{escaped, points, short, with_readings};
@@ -20,7 +20,7 @@ include!(concat!(env!("OUT_DIR"), "/reader.rs"));
 /// How much larger the hole for a word is than the word, so that its outline is in it.
 const AROUND: f64 = 1.06;
 
-/// The file in pieces, in their order; a picture stands for its data URL.
+/// Returns the file as pieces, in order. An image piece is replaced by its data URL.
 ///
 /// # Errors
 /// As [`tell`].

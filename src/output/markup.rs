@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-/// Text as it may stand in an element or an attribute. What XML 1.0 has no characters for is left out: a file with them would be
-/// none.
+/// Escapes text for an element or an attribute. Characters that XML 1.0 does not allow are removed, because
+/// they would make the file invalid.
 pub(super) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for letter in text.chars() {
@@ -21,7 +21,7 @@ pub(super) fn escaped(text: &str) -> String {
     out
 }
 
-/// What a word says, its readings as ruby: where these are not known, they stand in brackets behind their letters.
+/// Text of a text item, with readings as ruby. Readers without ruby show the readings in brackets.
 pub(super) fn with_readings(pieces: &[(String, Option<String>)]) -> String {
     let piece = |(base, reading): &(String, Option<String>)| match reading {
         Some(reading) => {

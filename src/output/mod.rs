@@ -1,5 +1,5 @@
-//! Output: pages as comics that are read, panel by panel and by everybody. Each kind of file is made of the same telling: which
-//! panels a page has, in reading order, as polygons, what each shows, and what its words say.
+//! Output: comics with guided view and accessible text. All file types use one description: the panels of a
+//! page in reading order, as polygons, with their content and text.
 //!
 //! | module | for |
 //! |---|---|
@@ -16,8 +16,8 @@
 //! | [`shots`] | the shots of a board as lists that spreadsheets and cutting rooms read |
 //! | `markup` | text in XML and HTML |
 //!
-//! No picture passes through here: a page at print size has megabytes, which the browser keeps as Blobs. What is written names
-//! the picture that belongs in a place, and whoever asked puts it there.
+//! No picture passes through here: a page at print size has megabytes, which the browser keeps as Blobs. The
+//! output contains placeholders for images, and the caller inserts the image data.
 
 pub mod animatic;
 pub mod board;

@@ -1,6 +1,6 @@
-//! Pages as a film: each is seen as a whole, then read panel by panel, then seen as a whole again. The camera goes from panel to
-//! panel in reading order, all but the panel that is read is veiled, and what is said appears word by word, as fast as it is read
-//! aloud. It becomes an [`Animatic`] whose clips are pages, so that whatever draws the one draws the other.
+//! Pages as a film: each is seen as a whole, then read panel by panel, then seen as a whole again. The camera
+//! moves from panel to panel in reading order, and the other panels are dimmed. Text appears item by item, at
+//! reading speed. The result is an [`Animatic`] whose clips are pages, so both use one renderer.
 
 use super::animatic::{Animatic, Clip, MOST_FRAMES, between, eased, framed, invalid, page_value};
 use super::phrases::Phrases;
@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::f64::consts::PI;
 
-/// Frames a second, unless told.
+/// Default frames per second.
 pub const FPS: u32 = 24;
 /// How long a panel is seen that says nothing, in seconds, unless told.
 const USUAL_SECONDS: f64 = 2.0;
@@ -42,7 +42,7 @@ const LIFTED: f64 = 0.7;
 const MOST_PIXELS: f64 = 16e6;
 const MOST_SIDE: f64 = 8000.0;
 
-/// What is asked for.
+/// Request of a motion comic.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "MotionRequest"))]
@@ -51,15 +51,15 @@ pub struct Request {
     pub pages: Vec<Document>,
     /// Width and height of the frames in pixels, 64 to 3840, made even as encoders want them.
     pub size: [u32; 2],
-    /// Frames a second, 1 to 60.
+    /// Frames per second, 1 to 60.
     pub fps: u32,
     /// How long a panel is seen at least, in seconds; two where it is 0.
     pub seconds: f64,
-    /// How long two pages are seen together where one goes over into the other, in seconds; 0 cuts.
+    /// Duration of a dissolve between two pages in seconds; 0 for hard cuts.
     pub dissolve: f64,
-    /// Whether the camera moves; else it is at once where it goes.
+    /// Whether the camera moves. If not, it jumps.
     pub moves: bool,
-    /// Pictures a second of panels that come from a film, where they move; 0 where they do not.
+    /// Frames per second of animated panels from videos; 0 for stills.
     pub living: u32,
 }
 
@@ -69,12 +69,12 @@ pub struct Request {
 pub struct Reading {
     /// The outline of each panel: corners, in fractions of the page's width and height.
     pub panels: Vec<Vec<(f64, f64)>>,
-    /// The page with its words, which are drawn one by one over its picture; none where it has no words.
+    /// The page with its text items, which are drawn one by one over its image. Null without text.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Document>"))]
     pub words: Value,
     /// Its words in the order in which they appear.
     pub said: Vec<Said>,
-    /// Where the camera stays, in order. The first and the last time it sees all of the page.
+    /// Stops of the camera, in order. The first and the last stop show the whole page.
     pub stops: Vec<Stop>,
     /// How many frames a word takes to appear.
     fade: u32,
@@ -96,15 +96,15 @@ pub struct Said {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Stop {
-    /// The panel that is read; none for the whole page.
+    /// The current panel; `None` for the whole page.
     pub panel: Option<usize>,
     /// The first frame in which the camera is there.
     pub from: u32,
     /// The frame behind the last one.
     pub to: u32,
-    /// What it sees at `from`, in fractions of the page's picture; it may reach beyond the page.
+    /// View at `from`, in fractions of the page image. It may extend beyond the page.
     pub first: Crop,
-    /// What it sees at its end.
+    /// View at the end.
     pub last: Crop,
 }
 
@@ -115,7 +115,7 @@ pub struct Told {
     pub words: f64,
     /// The panel that is read.
     pub panel: Option<usize>,
-    /// How dark all but that panel is, 0 to 1.
+    /// Darkness of all other panels, 0 to 1.
     pub veil: f64,
 }
 
@@ -123,16 +123,16 @@ impl Request {
     /// Reads a request.
     ///
     /// # Errors
-    /// `invalid-document` for what is none.
+    /// Returns `invalid-document` if the JSON is not a valid request.
     pub fn parse(json: &str) -> Result<Self> {
         serde_json::from_str(json).map_err(|error| invalid("motion", &error.to_string()))
     }
 
-    /// The pages in their times.
+    /// Plans the pages with their times.
     ///
     /// # Errors
-    /// `invalid-document` for no pages, sizes and rates out of bounds, and a film of more than four hours; those of layouts and
-    /// of words.
+    /// `invalid-document` without pages, for sizes and rates out of range, and for more than four hours;
+    /// errors of layouts and text.
     pub fn planned(&self, letters: &Letters) -> Result<Animatic> {
         if self.pages.is_empty() {
             return Err(invalid("pages", "must not be empty"));
@@ -247,7 +247,7 @@ impl Pace {
 }
 
 impl Reading {
-    /// What the camera sees in a frame, in fractions of the page's picture.
+    /// View of the camera in a frame, in fractions of the page image.
     #[must_use]
     pub fn view(&self, frame: u32) -> Crop {
         match self.place(frame) {

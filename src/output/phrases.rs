@@ -1,4 +1,5 @@
-//! What a comic's reader says itself: the names of its buttons and of what is on the page. A language is a file of `languages/`.
+//! Interface texts of a comic's reader: the names of its buttons and of the content of a page. A language is
+//! a file of `languages/`.
 
 use crate::error::Result;
 use serde::Deserialize;
@@ -15,7 +16,7 @@ const LANGUAGES: [(&str, &str); 6] = [
     ("pt", include_str!("languages/pt.json")),
 ];
 
-/// The words of a language. `{page}`, `{panel}` and `{panels}` stand for numbers.
+/// The words of a language. `{page}`, `{panel}` and `{panels}` are placeholders for numbers.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Phrases {
@@ -23,11 +24,11 @@ pub struct Phrases {
     pub panels: String,
     /// The one that shows whole pages.
     pub pages: String,
-    /// The one that shows all that is said and seen as text.
+    /// Button that shows all content as text.
     pub text: String,
     /// Whether pictures that move do so.
     pub motion: String,
-    /// What the three are called together.
+    /// Name of the group of three views.
     pub view: String,
     /// Back by a panel or a page.
     pub previous: String,
@@ -35,35 +36,35 @@ pub struct Phrases {
     pub next: String,
     /// The name of a page.
     pub page: String,
-    /// A page and what is on it.
+    /// A page and its number of panels.
     pub page_holds: String,
-    /// The same of a page with one panel.
+    /// A page with one panel.
     pub page_holds_one: String,
     /// The name of a panel.
     pub panel: String,
-    /// The same where its page is known.
+    /// A panel without the page number.
     pub panel_short: String,
-    /// What a panel shows of which no more is known.
+    /// A panel with unknown content.
     pub photo: String,
-    /// What a panel without a photo shows.
+    /// A panel without a photo.
     pub empty: String,
-    /// What narration is called.
+    /// Name of a caption.
     pub caption: String,
-    /// What somebody says.
+    /// Name of a balloon.
     pub balloon: String,
     /// A sound.
     pub effect: String,
     /// The table of contents of an EPUB book.
     pub contents: String,
-    /// How the comic can be used, for those who choose it by that.
+    /// Accessibility summary of the comic.
     pub summary: String,
 }
 
 impl Phrases {
-    /// The words of a language, a BCP 47 tag such as `pt-BR`; English where there are none.
+    /// Texts of a language, a BCP 47 tag such as `pt-BR`. English if the language is not available.
     ///
     /// # Errors
-    /// `invalid-document` where the file of a language is broken, which a test knows.
+    /// `invalid-document` if the file of a language is damaged. A test checks all files.
     pub fn of(language: &str) -> Result<Self> {
         let wanted = language.split('-').next().unwrap_or_default();
         let found = LANGUAGES.iter().find(|(code, _)| code.eq_ignore_ascii_case(wanted));
@@ -71,7 +72,7 @@ impl Phrases {
         serde_json::from_str(json).map_err(|error| wrong(code, error.to_string()))
     }
 
-    /// What a page is called and holds.
+    /// Name of a page with its number of panels.
     #[must_use]
     pub fn page_with(&self, page: usize, panels: usize) -> String {
         let phrase = if panels == 1 { &self.page_holds_one } else { &self.page_holds };
@@ -96,7 +97,7 @@ impl Phrases {
         self.panel_short.replace("{panel}", &(panel + 1).to_string())
     }
 
-    /// What a word is called.
+    /// Name of a kind of text.
     #[must_use]
     pub fn word(&self, kind: super::telling::WordKind) -> &str {
         use super::telling::WordKind;

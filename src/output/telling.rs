@@ -1,4 +1,5 @@
-//! Pages told: their panels in reading order, as polygons in pixels of the page's picture, what each shows and what is said in it.
+//! Description of pages: panels in reading order, as polygons in pixels of the page image, with content and
+//! text.
 
 use super::comic::{Comic, ComicPage, wrong};
 use super::phrases::Phrases;
@@ -35,46 +36,47 @@ pub struct ToldPage {
 pub struct ToldPanel {
     /// Its outline in pixels.
     pub outline: Vec<(f64, f64)>,
-    /// What is around its outline.
+    /// Bounding box of the outline.
     pub bounds: Bounds,
-    /// What it shows, in words; never empty.
+    /// Description of the content; never empty.
     pub shows: String,
-    /// Whether what it shows was found, and is not only that there is a photo.
+    /// Whether subjects were detected. If not, the description only mentions a photo.
     pub known: bool,
-    /// What is said in it, in the order in which it is read.
+    /// Text items in reading order.
     pub words: Vec<ToldWord>,
 }
 
 /// A word.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ToldWord {
-    /// What it is.
+    /// Kind.
     pub kind: WordKind,
-    /// What it says, on one line.
+    /// Text on one line.
     pub text: String,
     /// Its place among the words of the document.
     pub place: usize,
-    /// The same in stretches, each with its reading where it has one.
+    /// The text in segments, with a reading for segments that have one.
     pub pieces: Vec<(String, Option<String>)>,
-    /// What is around it, in pixels.
+    /// Bounding box in pixels.
     pub bounds: Bounds,
     /// Height of an em in pixels.
     pub size: f64,
 }
 
-/// What a word is, as far as it is told.
+/// Kind of a text item.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WordKind {
     /// Narration.
     Caption,
-    /// What somebody says or thinks.
+    /// Speech or thought.
     Balloon,
     /// A sound.
     Effect,
 }
 
 impl ToldPanel {
-    /// What has to be in view to read it: the panel with the words that stand out of it, in pixels; never outside of the page.
+    /// Area that must be visible to read the panel: its bounds and text items that extend past it, in pixels,
+    /// clipped to the page.
     #[must_use]
     pub fn view(&self, page: &ToldPage) -> Bounds {
         let all = self.words.iter().map(|word| word.bounds).fold(self.bounds, Bounds::union);
@@ -82,7 +84,7 @@ impl ToldPanel {
     }
 }
 
-/// What of a rectangle lies on the page.
+/// Clips a rectangle to the page.
 pub(super) fn within(bounds: Bounds, page: &ToldPage) -> Bounds {
     let (left, top) = (bounds.x.max(0.0), bounds.y.max(0.0));
     let right = (bounds.x + bounds.width).min(f64::from(page.width));

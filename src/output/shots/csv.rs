@@ -1,5 +1,5 @@
-//! A shot list as a table of values apart by commas, RFC 4180. It begins with a byte order mark, by which spreadsheets know
-//! UTF-8; a cell that a spreadsheet would take for a formula begins with an apostrophe.
+//! A shot list as comma-separated values, RFC 4180. It begins with a byte order mark, so that spreadsheets
+//! detect UTF-8. An apostrophe precedes cells that a spreadsheet would read as formulas.
 
 use super::{Cut, HEADINGS, ShotList};
 

@@ -1,6 +1,6 @@
-//! An edit decision list, CMX 3600: each shot a cut on the one picture track, with the time codes of its film and those of
-//! the programme, which begins at one hour. What it is called and of which file, and what is told of it, are comments. Each film
-//! has a reel, and so has each picture whose file has the name of another.
+//! An edit decision list, CMX 3600. Each shot is a cut on the one video track, with the timecodes of its
+//! source and of the programme. The programme begins at one hour. Title, source file and shot fields are
+//! comments. Each video has a reel. Each photo with another file name has a separate reel as well.
 
 use super::{Cut, ShotList, line};
 use std::collections::HashMap;

@@ -1,5 +1,6 @@
-//! Shots of a board as lists that cutting rooms read: which frames of which film, for how long, one behind the other. All are
-//! made of one [`ShotList`], and exact to the frame: a place in a film is the frame of the board's rate that is nearest to it.
+//! Edit lists for video editors: source frames and durations of shots, in sequence. All formats are made from
+//! one [`ShotList`] and are exact to the frame. A time in a video is rounded to the nearest frame of the
+//! storyboard's rate.
 //!
 //! | module | for |
 //! |---|---|
@@ -26,16 +27,16 @@ use timecode::{Pace, Rate, StartTimecode};
 #[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(optional_fields))]
 pub struct ShotList {
-    /// What the album is called.
+    /// Title of the album.
     pub title: String,
-    /// Frames of a counted second, from 1 to 60; 24 where nothing is told.
+    /// Frames per counted second, 1 to 60. Default: 24.
     pub fps: u32,
-    /// How fast such a second passes; as the clock's where nothing is told.
+    /// Timecode pace. Default: real time.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Pace>", optional))]
     pub pace: Pace,
-    /// Columns of one's own.
+    /// Names of custom columns.
     pub columns: Vec<String>,
-    /// What the columns of a table are called, in the order of [`HEADINGS`]; English where there are not as many.
+    /// Headings of the table, in the order of [`HEADINGS`]. English headings replace missing ones.
     pub headings: Vec<String>,
     /// The shots.
     pub shots: Vec<ListedShot>,
@@ -50,15 +51,15 @@ pub struct ListedShot {
     pub number: String,
     /// The scene that it belongs to.
     pub scene: String,
-    /// What happens.
+    /// Action.
     pub action: String,
-    /// What is said.
+    /// Dialogue.
     pub dialogue: String,
-    /// What else is to be known.
+    /// Notes.
     pub notes: String,
-    /// How long it is, in frames; what says nothing is two seconds long.
+    /// Duration in frames. Default: two seconds.
     pub frames: Option<u32>,
-    /// What stands in columns of one's own.
+    /// Values of custom columns.
     pub more: BTreeMap<String, String>,
     /// The name of its picture.
     pub name: String,
@@ -86,7 +87,7 @@ pub struct Film {
     pub timecode: Option<StartTimecode>,
 }
 
-/// The columns of a table, those of one's own apart.
+/// Standard columns of the table, without custom columns.
 pub const HEADINGS: [&str; 10] =
     ["Scene", "Shot", "Picture", "Film", "Time code", "Duration", "Frames", "Action", "Dialogue", "Notes"];
 
@@ -120,7 +121,7 @@ impl ShotList {
     /// Reads a list.
     ///
     /// # Errors
-    /// `invalid-document` for what is none.
+    /// Returns `invalid-document` if the JSON is not a valid list.
     pub fn parse(json: &str) -> Result<Self> {
         let invalid = |reason: String| Error::InvalidDocument { location: "shots".into(), reason };
         let list: Self = serde_json::from_str(json).map_err(|error| invalid(error.to_string()))?;

@@ -1,5 +1,6 @@
-//! An `OpenTimelineIO` timeline of one picture track, its fields in the metadata of the clips. The times of a source are those of
-//! its timecode. Source: the schema of `OpenTimelineIO` 0.15 (`Timeline.1`, `Clip.2`, `ExternalReference.1`).
+//! An `OpenTimelineIO` timeline of one picture track, its fields in the metadata of the clips. Source times
+//! are the source timecodes. Source: the schema of `OpenTimelineIO` 0.15 (`Timeline.1`, `Clip.2`,
+//! `ExternalReference.1`).
 
 use super::timecode::Rate;
 use super::{Cut, ShotList};

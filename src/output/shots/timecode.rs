@@ -1,13 +1,14 @@
-//! Frames as hours, minutes, seconds and frames, counted as cutting rooms count them: at 24, 25 or 30 frames a second, or at the
-//! rates of North American television, which are slower by a thousandth. At these no frame of a number is dropped, so that a
-//! time code falls behind the clock by 3.6 seconds an hour, or, at 29.97, the numbers of two frames are left out at the beginning of
-//! each minute but every tenth.
+//! Timecode: frames as hours, minutes, seconds and frames. It counts 24, 25 or 30 frames per second, or the
+//! NTSC rates, which are slower by a thousandth. Non-drop-frame timecode at NTSC rates falls 3.6 seconds per
+//! hour behind the clock. Drop-frame timecode at 29.97 skips two frame numbers at each minute except every
+//! tenth.
 //!
 //! Source: SMPTE ST 12-1, "Time and Control Code", 5.2.
 
 use serde::{Deserialize, Serialize};
 
-/// The hour at which a programme begins, as everywhere: what comes before it has room there. In seconds of the time code.
+/// The programme starts at one hour, by convention, which leaves room for leaders. In seconds of the time
+/// code.
 pub const PROGRAMME: u64 = 3_600;
 /// What no film reaches, in seconds.
 const LONGEST: f64 = 1e9;
@@ -25,14 +26,14 @@ pub enum Pace {
     /// As the clock's.
     #[default]
     Clock,
-    /// Slower by a thousandth: 23.976 frames in the place of 24, 29.97 in that of 30.
+    /// NTSC: slower by a thousandth, 23.976 instead of 24 frames, 29.97 instead of 30.
     Ntsc,
-    /// The same at 30, with frame numbers left out, so that the time code keeps up with the clock.
+    /// Drop-frame timecode at 29.97: skipped frame numbers keep the timecode close to the clock.
     Drop,
 }
 
 impl Pace {
-    /// Whether frames may be counted in this way at so many a second.
+    /// Whether this pace supports the frame rate.
     #[must_use]
     pub fn fits(self, fps: u32) -> bool {
         match self {
@@ -78,7 +79,8 @@ impl Rate {
         seconds * self.exact()
     }
 
-    /// Returns how many whole frames there are in a time in seconds. Of the last one, `missing` may be missing.
+    /// Returns how many whole frames there are in a time in seconds. The last frame counts even if a share of
+    /// up to `missing` of it is missing.
     #[must_use]
     pub fn whole_frames(self, seconds: f64, missing: f64) -> u64 {
         (self.frames_in(seconds) + missing) as u64
@@ -102,7 +104,7 @@ impl Rate {
         DROPPED * u64::from(self.base / 30)
     }
 
-    /// `hh:mm:ss:ff`, or `hh:mm:ss;ff` where frame numbers are left out. A day begins anew after 24 hours.
+    /// `hh:mm:ss:ff`, or `hh:mm:ss;ff` for drop-frame timecode. It wraps after 24 hours.
     #[must_use]
     pub fn timecode(self, frame: u64) -> String {
         let base = u64::from(self.base.max(1));
