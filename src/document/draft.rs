@@ -1,5 +1,5 @@
-//! What is done to a style while it is designed. Every block keeps its key wherever it is moved, and has all of its values,
-//! so that a control never guesses.
+//! Edits of a style in the designer. Every block keeps its key wherever it is moved, and has all of its
+//! values, so that a control never guesses.
 
 use super::invalid;
 use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, PROJECT};
@@ -26,7 +26,7 @@ pub enum Layer {
     Foreground,
 }
 
-/// Where something is done.
+/// Position of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Place {
@@ -36,7 +36,8 @@ pub struct Place {
     pub at: usize,
 }
 
-/// What is done to a draft. In JSON an object with the edit's name as its `type`, beside its fields and those of its place.
+/// An edit of a draft. In JSON, an object with the name of the edit as `type`, its fields and the fields of
+/// its position.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     all(test, feature = "cli"),
@@ -70,7 +71,7 @@ pub enum DraftEdit {
     },
     /// A second one comes behind it.
     Duplicate {
-        /// Behind which.
+        /// Position to insert after.
         #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
         place: Place,
     },
@@ -84,7 +85,7 @@ pub enum DraftEdit {
     },
     /// A parameter gets a value.
     Set {
-        /// Of which block.
+        /// The block.
         #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
         place: Place,
         /// Its id.
@@ -110,7 +111,7 @@ pub enum DraftEdit {
     },
     /// All values are usual again.
     Reset {
-        /// Of which block.
+        /// The block.
         #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
         place: Place,
     },
@@ -131,7 +132,7 @@ pub enum DraftEdit {
     },
 }
 
-/// What a block needs and does not get.
+/// Missing input of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "Lack", rename_all = "lowercase"))]
 pub enum Misfit {
@@ -229,8 +230,8 @@ impl Draft {
         }
     }
 
-    /// The style file of a draft, without what is usual. `tolerant`: blocks that cannot take what comes before them are
-    /// bypassed.
+    /// The style file of a draft, without default values. `tolerant`: blocks that cannot take what comes
+    /// before them are bypassed.
     #[must_use]
     pub fn style(&self, tolerant: bool) -> Value {
         let layer = |steps: &[DraftStep]| -> Vec<Value> {
@@ -274,7 +275,7 @@ impl Draft {
         file
     }
 
-    /// The draft after an edit; none where nothing changes, or where it cannot be done.
+    /// Returns the draft after an edit, or `None` if nothing changes or the edit is impossible.
     #[must_use]
     pub fn after(&self, edit: &DraftEdit) -> Option<Self> {
         let mut next = self.clone();
@@ -393,10 +394,10 @@ pub fn of_json(style: &Value) -> Result<String> {
     Ok(written(&Draft::of(&*style_of(style)?)))
 }
 
-/// [`Draft::after`] in JSON; null where nothing changes, or where it cannot be done.
+/// [`Draft::after`] in JSON; null if nothing changes or the edit is impossible.
 ///
 /// # Errors
-/// `invalid-document` for what is no draft or no edit.
+/// Returns `invalid-document` if the draft or the edit is invalid.
 pub fn after_json(draft: &str, edit: &str) -> Result<String> {
     let read = || -> Read<String> {
         let draft = Draft::read(json::parse(draft, PROJECT)?)?;
@@ -406,12 +407,15 @@ pub fn after_json(draft: &str, edit: &str) -> Result<String> {
     read().map_err(|wrong| invalid(&wrong))
 }
 
-/// What is known of a draft, in JSON: `{style, shown, whole, background, foreground}`. `style` is its file, `shown` the same
-/// with blocks bypassed that cannot work where they are, `whole` whether all can; of each layer `{misfits, brings}`: for
-/// each of its blocks, and by its id for each block that could come behind them, `{lacks, remedy}` or null.
+/// Analyses a draft, in JSON: `{style, shown, whole, background, foreground}`.
+///
+/// - `style` is its style file, and `shown` the same with unusable blocks bypassed. `whole` is `true` if all
+///   blocks are usable.
+/// - Each layer is `{misfits, brings}`. `misfits` has `{lacks, remedy}` or null for each block of the layer.
+///   `brings` has the same by id for each block that could be added at the end.
 ///
 /// # Errors
-/// `invalid-document` for what is no draft.
+/// Returns `invalid-document` if the draft is invalid.
 pub fn facts_json(draft: &str) -> Result<String> {
     let draft = json::parse(draft, PROJECT).and_then(Draft::read).map_err(|wrong| invalid(&wrong))?;
     let mut out = Writer::default();
@@ -442,7 +446,8 @@ fn written(draft: &Draft) -> String {
     out.finish()
 }
 
-/// What each block lacks. A bypassed block lacks nothing, and one that lacks something is passed over by those behind it.
+/// Missing input of each block. A bypassed block needs nothing. A block without its input is skipped for the
+/// blocks after it.
 #[must_use]
 pub fn misfits(steps: &[DraftStep]) -> Vec<Option<Misfit>> {
     let mut channels = Channels::Color;
@@ -470,7 +475,7 @@ pub(super) fn part_of_layers(parts: Parts) -> [(&'static str, Option<Part>); 2] 
     [("background", parts.background), ("foreground", parts.foreground)]
 }
 
-/// A part by its name; none where it is missing or null.
+/// Reads a part by name. `None` if it is missing or null.
 pub(super) fn read_part(fields: &mut Fields, name: &str) -> Read<Option<Part>> {
     let Some(told) = fields.nullable(name).text(name, LONGEST_ID)? else { return Ok(None) };
     let part = Part::of(&told).ok_or_else(|| Wrong::new("must be subject or background").at(name))?;
@@ -488,7 +493,7 @@ impl DraftEdit {
     /// Reads an edit of a draft: `{type, layer, at, ...}`.
     ///
     /// # Errors
-    /// With the place of what is wrong.
+    /// Returns the location of the error.
     pub fn read(value: Value) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let kind = fields.name("type", LONGEST_ID)?;

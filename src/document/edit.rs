@@ -1,4 +1,4 @@
-//! All that a person can do to a project, as plain data, and the pure function that does it to a state.
+//! All edits of a project as plain data, and the pure function that applies them to a state.
 
 use super::limits::{
     GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_ADDED, MOST_LAYOUTS, MOST_LOVED, MOST_PHOTOS, MOST_SHEETS,
@@ -17,7 +17,7 @@ use serde_json::Value;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-/// What is done. In JSON an object with the edit's name as its `type`, beside its fields.
+/// An edit. In JSON, an object with the name of the edit as `type`, and its fields.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     all(test, feature = "cli"),
@@ -53,7 +53,7 @@ pub enum Edit {
         /// The one that comes.
         by: String,
     },
-    /// How photos are chosen and ordered; what is not told stays.
+    /// Sets how photos are selected and ordered. Missing fields stay unchanged.
     ChooseBy {
         /// Bits in which fingerprints of look-alikes may differ.
         #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable))]
@@ -69,33 +69,33 @@ pub enum Edit {
         /// None takes the mark away.
         focus: Option<Focus>,
     },
-    /// A photo that a person wants to see large, or no longer.
+    /// Stars a photo, which gets a large panel, or removes the star.
     StarPhoto {
         /// The photo.
         id: String,
         /// Whether it is starred.
         on: bool,
     },
-    /// Which part of a photo is its subject, corrected by hand.
+    /// Sets the corrected subject mask of a photo.
     MaskPhoto {
         /// The photo.
         id: String,
-        /// None goes back to what was found.
+        /// `None` restores the detected mask.
         #[cfg_attr(all(test, feature = "cli"), ts(type = "string | null"))]
         mask: Option<Matte>,
         /// That, for the figures of the photo that step out of their panels.
         #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
         found: Option<Matte>,
     },
-    /// What is told of photos as shots.
+    /// Sets the shot metadata of photos.
     DescribeShots {
-        /// All that is told of each, by the ids of the photos.
+        /// The complete metadata of each shot, by photo id.
         #[cfg_attr(all(test, feature = "cli"), ts(type = "Record<string, Shot>"))]
         shots: Vec<(String, Shot)>,
     },
     /// How the shots are counted, ordered and laid out.
     SetBoard {
-        /// All that is told of that.
+        /// The complete settings of the storyboard.
         #[cfg_attr(all(test, feature = "cli"), ts(as = "Board"))]
         board: Arc<Board>,
     },
@@ -120,14 +120,14 @@ pub enum Edit {
     },
     /// The page changes.
     ChangePage {
-        /// What it is now.
+        /// The new page.
         page: Arc<Document>,
     },
     /// Page settings, and the page on such paper.
     ChangeSettings {
         /// The settings.
         settings: Arc<PageSettings>,
-        /// The page; none where there is none.
+        /// The page, or `None` without a page.
         page: Option<Arc<Document>>,
     },
     /// The pages of the storyboard.
@@ -139,8 +139,8 @@ pub enum Edit {
     },
     /// Words that are new, laid over pages and photos.
     AddWords {
-        /// Each with the place of its page as `sheet` and its `panel`, or with its `photo`; `joins` those that go on with what the
-        /// one before says.
+        /// Each has its page index as `sheet` and its `panel`, or its `photo`. `joins` continues the text
+        /// item before.
         #[cfg_attr(
             all(test, feature = "cli"),
             ts(type = "ReadonlyArray<Word & { sheet?: number; joins?: boolean }>")
@@ -154,9 +154,9 @@ pub enum Edit {
     },
     /// There is no page any more.
     NoPage,
-    /// What is in the designer.
+    /// Sets the draft of the designer.
     Design {
-        /// None where nothing is.
+        /// `None` for an empty designer.
         draft: Option<Arc<Draft>>,
     },
     /// A person's own styles.
@@ -186,12 +186,12 @@ pub enum Edit {
     },
     /// The project has another name.
     Rename {
-        /// What the person calls it.
+        /// The project name.
         name: String,
     },
     /// How a shuffle draws styles.
     Styling {
-        /// What is told of that.
+        /// Its settings.
         styling: Styling,
     },
     /// A step back.
@@ -200,13 +200,13 @@ pub enum Edit {
     Redo,
     /// Lists that all projects share, as they are now outside of this one: no step, at no time undone.
     Share {
-        /// Those that changed.
+        /// The lists that changed.
         #[cfg_attr(all(test, feature = "cli"), ts(type = "Partial<SharedLists>"))]
         lists: Vec<(Shelf, List<Value>)>,
     },
-    /// The same, but what this project has besides stays, behind them.
+    /// Like `Lists`, but other items of this project stay, at the end.
     Join {
-        /// Those that there are.
+        /// The lists to merge.
         #[cfg_attr(all(test, feature = "cli"), ts(type = "Partial<SharedLists>"))]
         lists: Vec<(Shelf, List<Value>)>,
     },
@@ -259,7 +259,7 @@ impl Shelf {
     }
 }
 
-/// How an edit counts: fields beside those of the edit.
+/// How an edit is recorded in the history. In JSON, fields next to the fields of the edit.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct How {
@@ -273,8 +273,8 @@ pub struct How {
 }
 
 impl Project {
-    /// The state after an edit; none where nothing changes. Steps through time and lists that come from outside are
-    /// not of one state, and change nothing here.
+    /// Returns the state after an edit, or `None` if nothing changes. Undo, redo and lists from other tabs do
+    /// not belong to one state, and change nothing here.
     #[must_use]
     #[allow(clippy::too_many_lines, reason = "an arm for each edit")]
     pub fn after(&self, edit: &Edit) -> Option<Self> {
@@ -473,7 +473,8 @@ impl Project {
     }
 }
 
-/// Takes photos away. What many states share they share afterwards: it must not go before this does.
+/// Removes photos. It caches changed pages, so that states which shared a page share the new one. Keep it
+/// until all states are done.
 pub(super) struct Without<'a> {
     gone: HashSet<&'a str>,
     /// By their addresses what was made of them, where anything was. There are few.
@@ -487,7 +488,7 @@ impl<'a> Without<'a> {
         Self { gone, trays: Vec::new(), pages: Vec::new() }
     }
 
-    /// The state without them; none where it had none of them.
+    /// Returns the state without the photos, or `None` if it has none of them.
     pub(super) fn state(&mut self, state: &Project) -> Option<Project> {
         let gone = &self.gone;
         let tray = once(&mut self.trays, state.tray.as_ptr().addr(), || {
@@ -508,7 +509,7 @@ impl<'a> Without<'a> {
         changed.then_some(next)
     }
 
-    /// The page without them; none where it had none of them.
+    /// Returns the page without the photos, or `None` if it has none of them.
     pub(super) fn page(&mut self, page: &Arc<Document>) -> Option<Arc<Document>> {
         let gone = &self.gone;
         once(&mut self.pages, Arc::as_ptr(page).addr(), || {
@@ -533,11 +534,11 @@ fn mapped(tray: &[Arc<TrayItem>], change: impl Fn(&TrayItem) -> Option<TrayItem>
 }
 
 impl Edit {
-    /// Reads an edit and how it counts: an object with a `type`, its fields, and perhaps `silent` and `gesture`. `known`
-    /// gives the pages that are not told in full, by their ids.
+    /// Reads an edit and its recording mode: an object with a `type`, its fields, and optionally `silent` and
+    /// `gesture`. `known` returns pages by id that are not included in full.
     ///
     /// # Errors
-    /// With the place of what is wrong.
+    /// Returns the location of the error.
     pub fn read(value: Value, known: &dyn Fn(u64) -> Option<Arc<Document>>) -> Read<(Self, How)> {
         let mut fields = Fields::of(value)?;
         let how = How {

@@ -1,4 +1,4 @@
-//! A project while it is edited: what is done to it step by step, and how it is undone.
+//! The editor of a project: applies edits, with undo and redo.
 
 use super::edit::{Edit, How, Shelf, Without};
 use super::history::{History, Shown};
@@ -20,7 +20,7 @@ pub struct Editor {
 }
 
 impl Editor {
-    /// An editor with what was done before.
+    /// Creates an editor with a history.
     #[must_use]
     pub fn new(history: History) -> Self {
         Self { history, gesture: None }
@@ -77,12 +77,12 @@ impl Editor {
         true
     }
 
-    /// Does what an edit in JSON says, as [`Edit::read`] reads it.
+    /// Applies an edit in JSON, see [`Edit::read`].
     ///
-    /// Returns what it changed, as [`kept::difference`] tells it.
+    /// Returns the changes, see [`kept::difference`].
     ///
     /// # Errors
-    /// `invalid-document` for what is no edit; then nothing changed.
+    /// Returns `invalid-document` for an invalid edit, without any change.
     pub fn apply_json(&mut self, edit: &str) -> Result<String> {
         let read = json::parse(edit, PROJECT).and_then(|value| Edit::read(value, &|id| self.page(id)));
         let (edit, how) = read.map_err(|wrong| invalid(&wrong))?;
@@ -91,7 +91,7 @@ impl Editor {
         Ok(kept::difference(&self.history, &before))
     }
 
-    /// The page of that id, on the storyboard or shown before; nothing where there is none.
+    /// Returns the page with this id from the storyboard or the page history, or `None`.
     #[must_use]
     pub fn page(&self, id: u64) -> Option<Arc<Document>> {
         let sheets = self.history.present.sheets();
@@ -174,12 +174,12 @@ impl Editor {
 }
 
 impl History {
-    /// The pages shown so far in the place of the present one; all of them in a project of one page.
+    /// The versions of the present page. In a project of one page, all pages of the page history.
     pub fn versions(&self) -> impl Iterator<Item = &Arc<Shown>> {
         self.shown.iter().filter(|shown| shown.sheet == self.present.sheet)
     }
 
-    /// Where the present page is among its versions.
+    /// Index of the present page among its versions.
     #[must_use]
     pub fn position(&self) -> Option<usize> {
         self.present.page.as_ref()?;

@@ -1,7 +1,6 @@
-//! `project.json` of a project file, and the text in a page PNG: the document, the pages shown, and what is told of each
-//! photo and video. The undo stays behind. What the photos say themselves is read from them again, so what is told of a
-//! photo beyond its id, name and place is a hint: one that is not right is as if it were not told, and fields that are not
-//! known are passed over.
+//! `project.json` of a project file, and the text in a page PNG: the document, the page history, and metadata
+//! of each photo and video. Undo states are not included. Photos are measured again after opening. Except id,
+//! name and place, their metadata is a hint: invalid values and unknown fields are ignored.
 
 use super::history::{History, keep};
 use super::kept::Interner;
@@ -35,11 +34,11 @@ pub struct ProjectFile {
     pub photos: Vec<FilePhoto>,
     /// Its videos.
     pub videos: Vec<FileVideo>,
-    /// What was left out.
+    /// Parts that were dropped.
     pub dropped: Dropped,
 }
 
-/// What a file tells of a photo.
+/// Metadata of a photo in a file.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct FilePhoto {
@@ -49,7 +48,7 @@ pub struct FilePhoto {
     pub name: String,
     /// Its place in the archive.
     pub path: String,
-    /// The type of its file, empty where nobody knows it.
+    /// Media type of the file, empty if unknown.
     #[cfg_attr(all(test, feature = "cli"), ts(rename = "type"))]
     pub kind: String,
     /// Its author.
@@ -66,7 +65,7 @@ pub struct FilePhoto {
     pub shot: Option<u64>,
     /// Whether it is compared with other photos.
     pub measured: bool,
-    /// What was found in it; none when it was not searched.
+    /// Detected subjects; `None` before detection.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<crate::framing::Subject>>"))]
     pub subjects: Option<Vec<Value>>,
     /// Which part of it is its subject.
@@ -76,7 +75,7 @@ pub struct FilePhoto {
     pub rank: Option<u64>,
     /// How it is recognised where its file is not at hand.
     pub like: Option<Likeness>,
-    /// An empty frame stands for it.
+    /// Whether an empty frame replaces the photo.
     pub absent: bool,
 }
 
@@ -94,7 +93,7 @@ pub struct Likeness {
     pub height: u64,
 }
 
-/// What a file tells of a video.
+/// Metadata of a video in a file.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct FileVideo {
@@ -109,7 +108,7 @@ pub struct FileVideo {
     pub kind: String,
     /// Photos that are frames of it.
     pub ids: Vec<String>,
-    /// Seconds; none until the file was opened.
+    /// Duration in seconds; `None` until the file was opened.
     pub duration: Option<f64>,
     /// Frames are taken from here,
     pub start: f64,
@@ -161,8 +160,9 @@ impl ProjectFile {
         Ok(Self { history, photos, videos, dropped: parts.dropped })
     }
 
-    /// Gives each photo a new id, `prefix` and a number, and each video a new key, `prefix`, `v` and a number. The same file
-    /// may be opened twice. Photos that the pages show but the file does not list get new ids, too.
+    /// Gives each photo a new id, `prefix` and a number, and each video a new key, `prefix`, `v` and a
+    /// number. The same file may be opened twice. Photos that pages show but the file does not list get new
+    /// ids as well.
     #[must_use]
     pub fn renamed(mut self, prefix: &str) -> Self {
         let mut names = Names { prefix: prefix.to_owned(), known: HashMap::new() };
@@ -205,7 +205,7 @@ impl ProjectFile {
         self
     }
 
-    /// The masks of its photos with their ids: as they were corrected by hand, or else found.
+    /// Subject masks of the photos by id: corrected masks, or detected ones.
     pub fn masks(&self) -> impl Iterator<Item = (&str, &Matte)> {
         self.photos.iter().filter_map(|FilePhoto { id, mask, .. }| {
             let mask = self.history.present.corrected_mask(id).or(mask.as_ref())?;
@@ -213,7 +213,7 @@ impl ProjectFile {
         })
     }
 
-    /// The text in the shape in which it was read, normalised, with what was left out.
+    /// Writes the normalised text in the format of the input, with the list of dropped parts.
     #[must_use]
     pub fn write(&self) -> String {
         let mut parts = Interner::inline();

@@ -1,6 +1,6 @@
-//! Words that stay with their photos. A word on a panel belongs to the photo that is seen there, and says so in its field
-//! `photo`. Wherever that photo goes (another panel, another layout, another page of the storyboard) the word goes, too;
-//! while no page shows the photo, it waits in the project.
+//! Text items that stay with their photos. A text item on a panel belongs to the photo of that panel, and
+//! stores its id in the field `photo`. It moves with that photo to another panel, layout or page of the
+//! storyboard. If no page shows the photo, the text item is stored as unplaced in the project.
 
 use super::limits::{MOST_WAITING, MOST_WORDS};
 use super::project::Project;
@@ -129,8 +129,9 @@ fn alike(a: &Value, b: &Value) -> bool {
 }
 
 impl Project {
-    /// With words that are new: each on the page and the panel that it names by `sheet` and `panel`, else where its `photo`
-    /// is. Words that no page shows or has room for are unplaced. One that was made of the same `cue` before does not come again. None where there is nothing new.
+    /// Adds new text items: on the page and the panel in `sheet` and `panel`, or at its `photo`. Text items
+    /// without a page or space stay unplaced. A text item of a known `cue` is not added again. `None` if
+    /// there are no new text items.
     pub(super) fn with_words(&self, words: &[Value]) -> Option<Self> {
         let mut known: HashSet<String> = HashSet::new();
         let mut number = 0;
@@ -203,7 +204,7 @@ impl Project {
         (next != *self).then_some(next)
     }
 
-    /// Without some of the words that wait, by their numbers; none where there are none of them.
+    /// Removes unplaced text items by index. `None` if none of them exist.
     pub(super) fn without_waiting(&self, gone: &[usize]) -> Option<Self> {
         let stay =
             self.waiting.iter().enumerate().filter(|(i, _)| !gone.contains(i)).map(|(_, word)| word.clone());

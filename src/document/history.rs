@@ -1,5 +1,5 @@
-//! Undo and redo as lists of whole states, and the pages shown so far, which are kept even when an undo goes back before
-//! them: what was loved a minute ago is never lost.
+//! Undo and redo as lists of complete states, and the page history. Undo does not remove pages from the page
+//! history.
 
 use super::limits::{GREATEST_ID, MOST_SHOWN, MOST_STEPS};
 use super::project::{Parts, Project};
@@ -44,10 +44,10 @@ pub struct Shown {
 }
 
 impl History {
-    /// Reads a history. The present must be right; what else is not is left out and told.
+    /// Reads a history. The present state must be valid. Other invalid parts are dropped and reported.
     ///
     /// # Errors
-    /// With the place of what is wrong.
+    /// Returns the location of the error.
     pub(super) fn read(value: Value, parts: &mut dyn Parts, dropped: &mut Dropped) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let present = fields.required("present")?;
@@ -86,7 +86,7 @@ impl Shown {
     }
 }
 
-/// Keeps what of a list is right; the rest is told.
+/// Keeps valid items; reports the others in `dropped`.
 pub(super) fn keep(
     values: Vec<Value>,
     name: &str,

@@ -1,5 +1,5 @@
-//! A history as it crosses to and from the page: states share most of their parts, so these stand in tables beside the
-//! states, which name them by their index.
+//! A history as data between the core and the app. States share most of their parts. The parts are in tables,
+//! and states refer to them by index.
 //!
 //! `{version, history: {parts, past, present, future, shown}}`, where `parts` has the tables
 //!
@@ -58,7 +58,7 @@ fn read(value: Value) -> Read<(History, Dropped)> {
     Ok((history, dropped))
 }
 
-/// The text of a history with its tables, and of what was left out.
+/// Writes a history with its tables, and the list of dropped parts.
 #[must_use]
 pub fn write(history: &History, dropped: &Dropped) -> String {
     let mut parts = Interner::default();
@@ -85,11 +85,15 @@ pub fn write(history: &History, dropped: &Dropped) -> String {
     out.finish()
 }
 
-/// What an edit changed: `{states, past, present, future, entries, shown, parts, pageId, sheet}`. States are told by
-/// numbers: those that were there, past, present and future in a row, count from 0; behind them come those of `states`, as
-/// `[of, fields]`: as the one of that number was, but for these fields. `past` and `future` are runs of such numbers, each
-/// `[first, count]`; likewise `shown`, of the pages that were shown before and those of `entries`. `parts` are tables that go
-/// on behind what is known (`Interner::knowing`). `pageId` and `sheet` are ids for a new page and a new place.
+/// The difference after an edit: `{states, past, present, future, entries, shown, parts, pageId, sheet}`.
+///
+/// - States have numbers. The old states (past, present, future) count from 0, and the new ones in `states`
+///   follow.
+/// - A new state is `[of, fields]`: a copy of state `of` with changed fields.
+/// - `past` and `future` are runs of numbers, each `[first, count]`. `shown` is the same for the old page
+///   history and `entries`.
+/// - `parts` are tables that extend the known tables (`Interner::knowing`).
+/// - `pageId` and `sheet` are ids for a new page and a new sheet.
 #[must_use]
 pub fn difference(history: &History, was: &History) -> String {
     let mut parts = Interner::knowing(was);
@@ -355,7 +359,7 @@ fn same_list<T: PartialEq>(a: &List<T>, b: &List<T>) -> bool {
     Arc::ptr_eq(a, b) || (a.len() == b.len() && a.iter().zip(b.iter()).all(|(a, b)| same(a, b)))
 }
 
-/// Writes states; parts that stand in tables already it knows by their addresses.
+/// Writes states. It finds parts of existing tables by their addresses.
 #[derive(Default)]
 pub(super) struct Interner {
     inline: bool,
@@ -402,7 +406,7 @@ impl Interner {
         self.differences(out, state, None);
     }
 
-    /// Writes what of a state is not as it was in another.
+    /// Writes the fields of a state that differ from another state.
     pub(super) fn differences(&mut self, out: &mut Writer, state: &Project, was: Option<&Project>) {
         let fresh = |same: &dyn Fn(&Project) -> bool| !was.is_some_and(same);
         out.open(b'{');

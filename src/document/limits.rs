@@ -1,5 +1,5 @@
-//! Every bound of a document in one place: far beyond what a person makes by hand, and low enough that the largest
-//! document is read in seconds and a hundred megabytes. Those that other stages keep as well stand there.
+//! All limits of a document. They are far above normal use, and low enough to read the largest document in
+//! seconds and a hundred megabytes. Limits that other modules enforce are defined there.
 
 use crate::json::Bounds;
 pub use crate::page::document::{LONGEST_ID, MOST_PHOTOS};
@@ -13,7 +13,7 @@ const TEXT: usize = 2 * TEXTURE;
 pub const PROJECT: Bounds = Bounds { bytes: 32 << 20, values: 2_000_000, text: TEXT };
 /// A project with all its undo steps, as the browser's database has it.
 pub const HISTORY: Bounds = Bounds { bytes: 128 << 20, values: 8_000_000, text: TEXT };
-/// Bytes of the text in a page PNG, which tells all pages of its storyboard.
+/// Bytes of the text in a page PNG, which contains all pages of its storyboard.
 pub const PAGE_TEXT: usize = PROJECT.bytes;
 /// Files in a project file. Pages that were shown before may need more photos than a project has at a time.
 pub const ARCHIVE_ENTRIES: usize = 20_000;
@@ -29,17 +29,18 @@ pub const LONGEST_NAME: usize = 1_000;
 pub const LONGEST_PATH: usize = 1_000;
 /// Undo steps, and as many redo steps.
 pub const MOST_STEPS: usize = 500;
-/// Pages that were shown; beyond so many the oldest go, favourites never.
+/// Maximum number of pages in the page history. The oldest are dropped first, favourites never.
 pub const MOST_SHOWN: usize = 1_000;
 /// Pages of one storyboard.
 pub const MOST_SHEETS: usize = 1_000;
-/// Styles of one's own, and favourites. The list offers 300; projects that are joined may bring more.
+/// Maximum number of custom styles, and of favourite styles. The list offers 300; merged projects may have
+/// more.
 pub const MOST_STYLES: usize = 1_000;
-/// Layouts of one's own.
+/// Maximum number of custom layouts.
 pub const MOST_LAYOUTS: usize = 1_000;
-/// Favourites among the pages shown; those of pages that are gone stay on the list.
+/// Maximum number of favourite pages. Favourites stay in the list after their pages are dropped.
 pub const MOST_LOVED: usize = 10_000;
-/// Panels that a person may want.
+/// Maximum number of wanted panels.
 pub const MOST_WANTED: u64 = 100;
 /// Unplaced text items of a project: text of photos that no page shows, and text that no panel has room for.
 pub const MOST_WAITING: usize = 2_000;
@@ -47,7 +48,7 @@ pub const MOST_WAITING: usize = 2_000;
 pub const MOST_ADDED: usize = 20_000;
 /// Videos in a project file: each has at least one frame, which is a photo.
 pub const MOST_VIDEOS: usize = ARCHIVE_ENTRIES;
-/// What is found in one photo.
+/// Maximum number of subjects in one photo.
 pub const MOST_SUBJECTS: usize = 1_000;
 /// Families that a draft belongs to.
 pub const MOST_TAGS: usize = 20;
@@ -55,15 +56,15 @@ pub const MOST_TAGS: usize = 20;
 pub const GREATEST_ID: u64 = 1 << 40;
 /// Pixels of a side of a photo.
 pub const LONGEST_SIDE: u64 = 1_000_000;
-/// Characters of what is told of a shot in one field.
+/// Maximum length of one shot field in characters.
 pub const LONGEST_FIELD: usize = 10_000;
 /// Characters of the number or the scene of a shot, and of the name of a column.
 pub const LONGEST_LABEL: usize = 200;
 /// Characters of the logo of a board: a PNG file of 48 kB as a data URL.
 pub const LONGEST_LOGO: usize = 64 << 10;
-/// Columns of one's own.
+/// Maximum number of custom columns.
 pub const MOST_COLUMNS: usize = 12;
 /// Frames of a shot: a day of thirty a second.
 pub const MOST_SHOT_FRAMES: u32 = 24 * 60 * 60 * 30;
-/// Things that were left out and are told.
+/// Maximum number of reported dropped parts.
 pub const MOST_TOLD: usize = 20;

@@ -1,5 +1,4 @@
-//! The shots of a project file in their order, with all that is told of them: for lists and boards that are made without
-//! the page.
+//! The shots of a project file in order, with all metadata: for lists and storyboards without the app.
 
 use super::file::{FilePhoto, ProjectFile};
 use super::project::TrayItem;
@@ -8,7 +7,7 @@ use crate::output::shots::{Film, ListedShot, ShotList};
 use std::collections::{HashMap, HashSet};
 
 impl ProjectFile {
-    /// The ids of the photos that are shots, in their order: those that a person uses or a page shows.
+    /// Ids of the photos that are shots, in order: photos in use or on a page.
     #[must_use]
     pub fn shots(&self) -> Vec<&str> {
         let present = &self.history.present;

@@ -1,6 +1,5 @@
-//! The project that a person edits: its photos, its pages, the locks, the styles and layouts of one's own, and all that
-//! was shown and done. Plain data, which is read here in full and checked as the rest of the program will use it, or
-//! refused with a sentence that names the place.
+//! The project: its photos, pages, locks, custom styles and layouts, page history and undo. It is plain data.
+//! A project is checked completely when it is read, or rejected with a message and its location.
 //!
 //! | module | for |
 //! |---|---|
@@ -28,17 +27,17 @@
 //!
 //! # Fields that are added, and versions
 //!
-//! What is saved has a version ([`VERSION`]); one that is newer than the program is refused with `newer-project`, one that
-//! is older is brought up to date step by step. Between versions fields may be added:
+//! Saved data has a version ([`VERSION`]). A newer version is rejected with `newer-project`. An older version
+//! is migrated step by step. Between versions fields may be added:
 //!
-//! - A field that older programs can do without (what they draw and save is still right) is added with a default that is
-//!   what they did, and no new version. Every field may be missing, at every depth. An older program keeps the fields
-//!   that it does not know, wherever they stand, and saves them again.
-//! - A field that changes what is drawn needs a new version, and with it a step from the version before. So layouts,
-//!   styles and page settings have no unknown fields: there one is an error.
+//! - If older programs still draw and save correctly without a field, it is added with a compatible default
+//!   and no new version. Every field may be missing, at every depth. Older programs keep and save unknown
+//!   fields at every depth.
+//! - A field that changes what is drawn needs a new version, and with it a step from the version before.
+//!   Therefore layouts, styles and page settings allow no unknown fields.
 //!
-//! What is wrong with the present state, its pages or the photos of a file costs the whole. A state of another time, a page
-//! shown before, a style or layout of one's own is left out, and what was left out is told.
+//! An error in the present state, its pages or the photos of a file rejects the whole file. Invalid undo
+//! states, pages of the page history, and custom styles or layouts are dropped and reported.
 
 pub mod draft;
 pub mod edit;
@@ -66,10 +65,10 @@ pub mod upkeep;
 use crate::error::Error;
 use crate::json::{Fields, Kind, Read, Wrong};
 
-/// Version of what is saved.
+/// Version of the saved format.
 pub const VERSION: u64 = 1;
 
-/// What was left out, as sentences with their places.
+/// Dropped parts, as sentences with their location.
 pub type Dropped = Vec<String>;
 
 /// Tells what is left out, as long as the list is not too long to be read.

@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// Items of any of them.
 const MOST: usize = if MOST_STYLES < MOST_LAYOUTS { MOST_STYLES } else { MOST_LAYOUTS };
 
-/// What was done between two states of a list, done to another state of it.
+/// Applies the changes between two states of a list to another state of the list.
 #[must_use]
 pub fn carried(list: &List<Value>, before: &List<Value>, after: &List<Value>) -> List<Value> {
     if list == before {
@@ -33,7 +33,7 @@ pub fn carried(list: &List<Value>, before: &List<Value>, after: &List<Value>) ->
 /// [`carried`] of lists in JSON: `{list, before, after}`.
 ///
 /// # Errors
-/// `invalid-document` for what are no such lists.
+/// Returns `invalid-document` if a list is invalid.
 pub fn carried_json(lists: &str) -> Result<String> {
     let read = || -> Read<String> {
         let mut fields = Fields::of(json::parse(lists, PROJECT)?)?;
@@ -63,14 +63,15 @@ pub fn reusing(before: &List<Value>, list: &List<Value>) -> List<Value> {
     list.iter().map(|item| same(item).unwrap_or_else(|| item.clone())).collect()
 }
 
-/// A list with one more item, in the place of the one with its id; of more than so many the oldest go.
+/// Adds an item to a list, or replaces the item with its id. If the list is longer than `most`, the oldest
+/// items are dropped.
 #[must_use]
 pub fn with(list: &List<Value>, item: Value, most: usize) -> List<Value> {
     let others = list.iter().filter(|other| id(other) != id(&item)).cloned().collect::<Vec<_>>();
     std::iter::once(item.into()).chain(others).take(most).collect()
 }
 
-/// The lists of a project, joined to those that are there: of the same id the latter.
+/// Merges the lists of a project into existing lists. For equal ids the existing item stays.
 #[must_use]
 pub fn joined(own: &List<Value>, there: &List<Value>) -> List<Value> {
     let known: HashSet<&str> = there.iter().map(|item| id(item)).collect();

@@ -1,5 +1,5 @@
-//! A page that can be drawn: its layout and style are known or good, its panels are those of the layout, its words and
-//! settings are as the engine takes them.
+//! Checks that a page can be drawn: its layout and style are known or valid, its panels match the layout, and
+//! its text and settings are valid.
 
 use crate::json::{Read, Wrong};
 use crate::layout::PageSettings;
@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// Reads a page and checks all that is needed to draw it.
 ///
 /// # Errors
-/// With the place of what is wrong.
+/// Returns the location of the error.
 pub fn page(value: Value) -> Read<Arc<Document>> {
     let mut page = Document::read(value)?;
     check(&page)?;
@@ -26,7 +26,7 @@ pub fn page(value: Value) -> Read<Arc<Document>> {
 /// Whether a page can be drawn.
 ///
 /// # Errors
-/// With the place of what is wrong.
+/// Returns the location of the error.
 pub fn check(page: &Document) -> Read<()> {
     page.page.validate().map_err(Wrong::of)?;
     known(&page.layout).map_err(|wrong| wrong.at("layout"))?;

@@ -1,5 +1,5 @@
-//! Pages of a project planned from its photos. A photo is on one page of a storyboard only: a page is planned from its own
-//! photos and from those that no other page shows; where these are too few to fill it, from all.
+//! Pages of a project planned from its photos. A photo is on only one page of a storyboard. A page is planned
+//! from its photos and the unplaced ones. If they do not fill it, all photos are used.
 
 use super::following;
 use super::project::Project;
@@ -26,9 +26,9 @@ pub const KEEP_ALL: Keep = Keep { layout: true, style: true, photos: true };
 /// A photo, and what plans found out about it.
 #[derive(Debug, Clone, Copy)]
 pub struct Known<'p> {
-    /// What is known of it.
+    /// Measurements of the photo.
     pub meta: &'p PhotoMeta,
-    /// What plans found out, where that is kept.
+    /// Cached results of earlier plans.
     pub place: Option<&'p Place>,
 }
 
@@ -40,14 +40,14 @@ impl<'p> Known<'p> {
     }
 }
 
-/// A state of a project, and what is known of the photos in use.
+/// A state of a project, and the measurements of the photos in use.
 #[derive(Debug, Clone)]
 pub struct Planning<'p> {
     /// The state.
     pub project: &'p Project,
     /// The photos in use, in their order.
     pub photos: Vec<Known<'p>>,
-    /// What the person liked so far.
+    /// Learned preferences.
     pub taste: Taste,
 }
 
@@ -56,7 +56,7 @@ pub struct Planning<'p> {
 pub struct Seeds(Rand64);
 
 impl Seeds {
-    /// Those that follow from a seed.
+    /// The sequence of seeds from a first seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self(Rand64::new(u128::from(seed)))
@@ -76,7 +76,7 @@ impl<'p> Planning<'p> {
         Self { project, photos, taste: Taste::default() }
     }
 
-    /// A request for the page of the project as it is, all of it kept.
+    /// A request for the current page, with everything locked.
     #[must_use]
     pub fn request(&self, seed: u32) -> Request {
         self.request_for(self.project.page.as_deref().cloned(), KEEP_ALL, seed)
@@ -95,11 +95,11 @@ impl<'p> Planning<'p> {
         }
     }
 
-    /// A new page from some photos, or, where none are told, from those in use that are free for it; none while there are
-    /// none in use.
+    /// Plans a new page from `photos`, or from the photos in use that are free for it. `None` without photos
+    /// in use.
     ///
     /// # Errors
-    /// Those of [`shuffle::plan`].
+    /// Errors of [`shuffle::plan`].
     #[inline(never)]
     pub fn plan(&self, mut request: Request, photos: Option<Vec<Known>>) -> Result<Option<Document>> {
         if self.photos.is_empty() {
@@ -118,10 +118,11 @@ impl<'p> Planning<'p> {
         planned_of(request, &photos).map(|page| Some(following::gathered(project, page)))
     }
 
-    /// The page after the photos in use changed: as it was where it can be. `grow`: there are more photos than before.
+    /// Returns the page after the photos in use changed, with as few changes as possible. `grow`: there are
+    /// more photos than before.
     ///
     /// # Errors
-    /// Those of [`shuffle::plan`].
+    /// Errors of [`shuffle::plan`].
     pub fn refitted(&self, grow: bool, seed: u32) -> Result<Option<Document>> {
         let Project { page, locks, panels, others, .. } = self.project;
         if let Some(page) = page.as_ref().filter(|_| !others.is_empty()) {
@@ -150,10 +151,10 @@ impl<'p> Planning<'p> {
         self.plan(request, None)
     }
 
-    /// A page of the project on other paper.
+    /// Returns a page of the project with other paper.
     ///
     /// # Errors
-    /// Those of [`shuffle::plan`].
+    /// Errors of [`shuffle::plan`].
     pub fn on_paper(&self, page: &Document, settings: &PageSettings) -> Result<Document> {
         let was = &page.page;
         let resized = u64::from(settings.width) * u64::from(was.height)
@@ -182,11 +183,11 @@ impl<'p> Planning<'p> {
         Ok(found.unwrap_or_else(|| Document { page: settings.clone(), ..page.clone() }))
     }
 
-    /// A page that was shown before, with other photos where its own are not on the table any more, on the paper that the
-    /// storyboard has now; one that is alone brings its own.
+    /// Returns a page of the page history on the current paper of the storyboard. Other photos replace photos
+    /// that are no longer in use. In a project of one page, the old paper is restored.
     ///
     /// # Errors
-    /// Those of [`shuffle::plan`].
+    /// Errors of [`shuffle::plan`].
     pub fn brought_back(&self, page: &Document) -> Result<Document> {
         let table: HashSet<&str> = self.project.tray.iter().map(|item| item.id.as_str()).collect();
         let there = |photo: &Option<String>| photo.as_deref().is_some_and(|photo| table.contains(photo));
@@ -239,10 +240,10 @@ impl<'p> Planning<'p> {
     }
 }
 
-/// What a request asks for, of these photos.
+/// Plans a request with these photos.
 ///
 /// # Errors
-/// Those of [`shuffle::plan`].
+/// Errors of [`shuffle::plan`].
 #[inline(never)]
 pub fn planned_of(mut request: Request, photos: &[Known]) -> Result<Document> {
     // What words belong to is to be there with them.

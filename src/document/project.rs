@@ -1,6 +1,6 @@
-//! One state of a project. Which photos are in the tray and used, the locks, the wanted number of panels, and the page.
-//! What is known of a photo (its name, size, measures) never changes and lives in the album, so that undoing an edit does
-//! not undo what was read meanwhile. States of a history share what they have in common.
+//! One state of a project. Which photos are in the tray and used, the locks, the wanted number of panels, and
+//! the page. Properties of a photo (its name, size, measurements) never change and are stored in the album,
+//! so undo does not affect them. States of a history share equal parts.
 
 use super::draft;
 use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, MOST_LOVED, MOST_TAGS, MOST_WANTED};
@@ -28,21 +28,21 @@ pub type List<T> = Arc<[Arc<T>]>;
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Project {
-    /// What the person calls it, empty until then.
+    /// Project name, empty until the user sets it.
     pub name: String,
     /// The photos, in the order in which they were added.
     pub tray: List<TrayItem>,
-    /// Photos whose fingerprints differ in at most so many of 64 bits show the same picture.
+    /// Maximum fingerprint distance of near-duplicates, in bits of 64.
     pub alike: u8,
     /// How the photos are ordered.
     pub order: Order,
     /// Parts of the page that no shuffle changes.
     pub locks: Locks,
-    /// The wanted number of panels, none for any.
+    /// Wanted number of panels; `None` for any.
     pub panels: Option<u32>,
     /// Size, gutters and colours.
     pub settings: Arc<PageSettings>,
-    /// The page that is edited; none while there is none.
+    /// The page that is edited; `None` without pages.
     pub page: Option<Arc<Document>>,
     /// Names the page among those shown.
     pub page_id: u64,
@@ -70,10 +70,10 @@ pub struct Project {
     pub loved: Arc<[u64]>,
     /// How a shuffle draws styles.
     pub styling: Styling,
-    /// How the shots are counted, ordered and laid out; not told where it is as in an empty project.
+    /// Settings of the storyboard: frame rate, order and sheets. Not written if they equal the defaults.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Board>", optional = nullable))]
     pub board: Arc<Board>,
-    /// Fields that this program does not know, kept for one that does.
+    /// Unknown fields, preserved for newer programs.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
@@ -84,19 +84,19 @@ pub struct Project {
 pub struct TrayItem {
     /// Its id.
     pub id: String,
-    /// What the person chose; none follows the selection's verdict.
+    /// The user's choice; `None` follows the selection.
     #[cfg_attr(all(test, feature = "cli"), ts(rename = "use"))]
     pub used: Option<bool>,
-    /// The point of it that matters, where a person marked one.
+    /// The focus point that the user set.
     #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable))]
     pub focus: Option<Focus>,
     /// A person wants to see it large.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub starred: bool,
-    /// Which part of it is its subject, as a person corrected it; none leaves that to what was found.
+    /// The corrected subject mask. `None` uses the detected mask.
     #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub mask: Option<Matte>,
-    /// What is told of it as a shot.
+    /// Shot metadata.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub shot: Shot,
     /// Fields that this program does not know.
@@ -118,7 +118,7 @@ pub struct Focus {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Order {
-    /// As they were taken, where all say so.
+    /// By capture time, if all photos have one.
     #[default]
     Time,
     /// As their files are called.
@@ -183,7 +183,7 @@ pub struct Sheet {
 pub struct Draft {
     /// Id of the style.
     pub id: String,
-    /// What people call it.
+    /// Display name.
     pub name: String,
     /// Families that it belongs to.
     pub tags: Vec<String>,
@@ -210,14 +210,14 @@ pub struct Draft {
 pub struct DraftStep {
     /// Names it within the draft.
     pub key: u64,
-    /// What runs.
+    /// Id of the block.
     pub block: String,
     /// Its values by the ids of the parameters.
     #[cfg_attr(all(test, feature = "cli"), ts(type = "Record<string, ParamValue>"))]
     pub values: Map<String, Value>,
     /// Left out of the chain.
     pub bypass: bool,
-    /// The part of the picture that it is for; all of it where none is told.
+    /// The part of the image that it applies to. `None`: the whole image.
     #[cfg_attr(all(test, feature = "cli"), ts(rename = "where", optional))]
     pub part: Option<Part>,
     /// Fields that this program does not know.
@@ -253,8 +253,8 @@ impl Default for Project {
     }
 }
 
-/// Where the parts of a state come from that other states may share: they stand in it, or in tables beside it. `field` is
-/// the name of a list, for what is left out of it.
+/// Source of state parts that several states may share: inside the state, or in tables next to it. `field` is
+/// the name of a list in reports of dropped parts.
 pub(super) trait Parts {
     fn tray(&mut self, value: Value) -> Read<List<TrayItem>>;
     fn settings(&mut self, value: Value) -> Read<Arc<PageSettings>>;
@@ -268,10 +268,10 @@ pub(super) trait Parts {
 }
 
 impl Project {
-    /// Reads a state; what is missing is as in an empty project.
+    /// Reads a state. Missing fields have the defaults of an empty project.
     ///
     /// # Errors
-    /// With the place of what is wrong.
+    /// Returns the location of the error.
     pub(super) fn read(value: Value, parts: &mut dyn Parts) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let mut state = Self::default();
@@ -349,7 +349,7 @@ pub(super) fn tray(mut items: Vec<Arc<TrayItem>>) -> List<TrayItem> {
     items.into()
 }
 
-/// A style of one's own: a style file with an id.
+/// Reads a custom style: a style file with an id.
 pub(super) fn style(value: Value) -> Read<Arc<Value>> {
     identified(&value)?;
     let value = earlier::told(value);
@@ -357,7 +357,7 @@ pub(super) fn style(value: Value) -> Read<Arc<Value>> {
     Ok(Arc::new(value))
 }
 
-/// A layout of one's own.
+/// Reads a custom layout.
 pub(super) fn layout(value: Value) -> Read<Arc<Value>> {
     identified(&value)?;
     Template::from_value("layout", &value).map_err(Wrong::of)?;
@@ -379,7 +379,7 @@ impl Order {
 }
 
 impl Project {
-    /// The mask of a photo that a person corrected; none where what was found counts.
+    /// The corrected mask of a photo; `None` if the detected mask counts.
     #[must_use]
     pub fn corrected_mask(&self, photo: &str) -> Option<&Matte> {
         self.tray.iter().find(|item| item.id == photo)?.mask.as_ref()
@@ -387,7 +387,7 @@ impl Project {
 }
 
 impl TrayItem {
-    /// A photo of which nothing was said.
+    /// A photo with default settings.
     #[must_use]
     pub fn new(id: String) -> Self {
         Self {

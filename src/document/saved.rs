@@ -1,8 +1,14 @@
-//! Projects and pages as people keep them: a project file (`.inkpanel`, a ZIP file with `project.json` and the photos), and a
-//! PNG of a page that carries its project (an `iTXt` chunk called `inkpanel`) and perhaps its photos (a ZIP file in the chunk
-//! `ipPh`); a ZIP or CBZ file of pages has a project file beside them. Which of them a file is, its content tells. Not for the browser, which reads both without holding them in memory.
+//! Reads saved projects and pages. Formats:
 //!
-//! Nothing that a file says of itself is believed: what is unpacked is counted while it is unpacked.
+//! - a project file (`.inkpanel`): a ZIP file with `project.json` and the photos;
+//! - a page PNG with its project in the `iTXt` chunk `inkpanel`, and optionally its photos as a ZIP file in
+//!   the chunk `ipPh`;
+//! - a ZIP or CBZ file of pages that contains a project file.
+//!
+//! The format is detected by content. The browser does not use this module, because it reads files without
+//! loading them into memory.
+//!
+//! Input is untrusted: the unpacked size is counted during unpacking.
 
 use super::file::{FilePhoto, ProjectFile};
 use super::limits::{ARCHIVE_ENTRIES, ENTRY, PAGE_TEXT, PNG_CHUNKS, PNG_TEXTS, PROJECT};
@@ -39,7 +45,7 @@ type Archive = ZipArchive<Cursor<Vec<u8>>>;
 impl Saved {
     /// Reads a project file, or a page with its project.
     ///
-    /// Returns nothing where the file is neither: other programs' pictures, and files of any other kind.
+    /// Returns `None` if the file is neither, such as an image of another program.
     ///
     /// # Errors
     /// `damaged-project`, `newer-project` or `too-large-project`, with the place.
@@ -85,13 +91,13 @@ impl Saved {
         Ok(Some(Self { text, project, archive }))
     }
 
-    /// The text of the project as it stands in the file.
+    /// The text of the project in the file.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// What the text tells.
+    /// The project in the text.
     #[must_use]
     pub fn project(&self) -> &ProjectFile {
         &self.project
@@ -104,16 +110,17 @@ impl Saved {
         (present.sheets().iter().map(|sheet| sheet.page.clone()).collect(), present.at)
     }
 
-    /// What is told of a photo; nothing where the file does not know it.
+    /// Metadata of a photo, or `None` if the file does not list it.
     #[must_use]
     pub fn photo(&self, id: &str) -> Option<&FilePhoto> {
         self.project.photos.iter().find(|photo| photo.id == id)
     }
 
-    /// The file of a photo; nothing where it did not come with the project.
+    /// The file of a photo, or `None` if the project does not contain it.
     ///
     /// # Errors
-    /// `damaged-project` where it is not what was put in, `too-large-project` where it is more than a photo.
+    /// `damaged-project` if the checksum does not match, `too-large-project` if the file exceeds the limit of
+    /// photos.
     pub fn photo_file(&mut self, id: &str) -> Result<Option<Vec<u8>>> {
         let path = self.photo(id).map(|photo| photo.path.clone());
         match (path, &mut self.archive) {

@@ -1,4 +1,4 @@
-//! Scripts as people write them: `NAME: what she says`, a line each, an empty line between panels.
+//! Scripts: one line `NAME: dialogue` per speech, and an empty line between panels.
 
 use super::limits::MOST_WAITING;
 use super::speech::{self, Manner, Said, Taking, laid, named};
@@ -55,7 +55,7 @@ const MANNERS: [(Manner, &[&str]); 3] = [
     (Manner::Shout, &["shout", "yell", "scream", "cri", "ruf", "schrei", "grit", "叫"]),
 ];
 
-/// The paragraphs of a script, each with what is said in it.
+/// Paragraphs of a script, each with its speeches.
 #[must_use]
 pub fn read(text: &str) -> Vec<Vec<Said>> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);

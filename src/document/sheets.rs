@@ -1,5 +1,5 @@
-//! The pages of a storyboard. A project keeps the one that is edited apart from the others, so that all that is done to
-//! the page need not know of them; here they are one list, in the order in which they are read.
+//! The pages of a storyboard. A project stores the current page separately, so edits of the page do not
+//! depend on the other pages. Here all pages are one list in reading order.
 
 use super::project::{Project, Sheet};
 use crate::json::Writer;
@@ -10,7 +10,7 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 impl Project {
-    /// The pages in order, the one that is edited among them; none while there is no page.
+    /// All pages in order, including the current one. Empty without pages.
     #[must_use]
     pub fn sheets(&self) -> Vec<Arc<Sheet>> {
         let Some(page) = &self.page else { return Vec::new() };
@@ -19,7 +19,7 @@ impl Project {
         before.iter().cloned().chain([Arc::new(own)]).chain(behind.iter().cloned()).collect()
     }
 
-    /// Takes pages for those of the storyboard; none where there is no page of that number.
+    /// Replaces the pages of the storyboard. `None` if `at` is out of range.
     #[must_use]
     pub(super) fn set_sheets(&mut self, sheets: &[Arc<Sheet>], at: usize) -> Option<()> {
         let edited = sheets.get(at)?;
@@ -73,7 +73,7 @@ impl Project {
     }
 }
 
-/// Writes sheets, the pages of those that were there left out.
+/// Writes sheets. Pages that were already in `before` are omitted.
 pub(super) fn write(out: &mut Writer, sheets: &[Arc<Sheet>], before: &[Arc<Sheet>]) {
     out.list(sheets, &|out, sheet| {
         out.open(b'{');
@@ -98,7 +98,7 @@ pub fn photos_on<'a>(pages: &[&'a Document]) -> HashSet<&'a str> {
     photos
 }
 
-/// The page with another photo wherever one was; none where it was not.
+/// Replaces a photo of the page. `None` if the page does not show it.
 pub(super) fn exchanged(page: &Document, id: &str, by: &str) -> Option<Document> {
     let shown = page.panels.iter().filter_map(|panel| panel.photo.as_deref());
     if !shown.chain(page.order.iter().map(String::as_str)).any(|photo| photo == id) {
@@ -120,8 +120,8 @@ pub(super) fn exchanged(page: &Document, id: &str, by: &str) -> Option<Document>
     Some(page)
 }
 
-/// The page with the figures of a photo that step out of their panels cut by another mask, or back in their panels where
-/// there is none; none where none steps out, or each is as it was.
+/// Updates the panel breakouts of a photo for another mask, or removes them without a mask. `None` if nothing
+/// changes.
 pub(super) fn with_figures(page: &Document, id: &str, figure: Option<&Matte>) -> Option<Document> {
     let shown = page.panels.iter().enumerate().filter(|(_, panel)| panel.photo.as_deref() == Some(id));
     let other = |at: &usize| {
@@ -138,7 +138,7 @@ pub(super) fn with_figures(page: &Document, id: &str, figure: Option<&Matte>) ->
     })
 }
 
-/// The page without some photos: the panels that showed them are open; none where it had none of them.
+/// Empties the panels that show the given photos. `None` if the page shows none of them.
 pub(super) fn without(page: &Document, gone: &dyn Fn(&str) -> bool) -> Option<Document> {
     let shown = page.panels.iter().filter_map(|panel| panel.photo.as_deref());
     if !shown.chain(page.order.iter().map(String::as_str)).any(gone) {

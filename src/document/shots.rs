@@ -1,6 +1,6 @@
-//! What film crews write beside a picture, and how an album is laid out as a board. The fields of a shot stand with its photo
-//! in the tray: they go wherever that goes, through every shuffle, and are undone and saved with it. The order of the
-//! shots, their rate and the columns of one's own are of the whole project.
+//! Shot metadata of photos, and settings of the storyboard. The metadata of a shot is stored with its photo
+//! in the tray, so it is saved, undone and moved with the photo. The order of the shots, the frame rate and
+//! the custom columns belong to the project.
 
 use super::limits::{
     LONGEST_FIELD, LONGEST_ID, LONGEST_LABEL, LONGEST_LOGO, LONGEST_NAME, MOST_COLUMNS, MOST_PHOTOS,
@@ -21,7 +21,7 @@ pub const RATES: [u32; 3] = [24, 25, 30];
 const PACES: [(&str, Pace); 3] = [("clock", Pace::Clock), ("ntsc", Pace::Ntsc), ("drop", Pace::Drop)];
 /// Frames that fit on a sheet of a board.
 pub const FRAMES: [u32; 8] = [1, 2, 3, 4, 6, 8, 9, 12];
-/// Width over height of the frames of a board, by what film people call it.
+/// Aspect ratios (width over height) of storyboard frames, by common name.
 pub const ASPECTS: [(&str, f64); 6] = [
     ("2.39", 2.39),
     ("1.85", 1.85),
@@ -30,32 +30,32 @@ pub const ASPECTS: [(&str, f64); 6] = [
     ("1:1", 1.0),
     ("9:16", 9.0 / 16.0),
 ];
-/// How long a shot is that says nothing, in seconds.
+/// Default duration of a shot in seconds.
 pub const USUAL_SECONDS: u32 = 2;
 
-/// What is told of a photo as a shot. What is empty was not told.
+/// Metadata of a shot. Empty fields are unset.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Shot {
     /// The scene that it belongs to.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub scene: String,
-    /// A number of its own, such as 4A; without one it is counted.
+    /// A custom number, such as 4A. Without one the shot is numbered automatically.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub number: String,
-    /// What happens.
+    /// Action.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub action: String,
-    /// What is said.
+    /// Dialogue.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub dialogue: String,
-    /// What else is to be known.
+    /// Notes.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub notes: String,
     /// How long it is, in frames of the board's rate.
     #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub frames: Option<u32>,
-    /// What stands in columns of one's own, by their names.
+    /// Values of custom columns by name.
     #[cfg_attr(
         all(test, feature = "cli"),
         ts(as = "Option<std::collections::BTreeMap<String, String>>", optional)
@@ -72,27 +72,27 @@ pub struct Shot {
 pub struct Board {
     /// Frames of a counted second, one of [`RATES`].
     pub fps: u32,
-    /// How fast such a second passes; the clock's where nothing is told.
+    /// Timecode pace (real time or NTSC 1000/1001). Default: real time.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Pace>", optional))]
     pub pace: Pace,
-    /// Columns of one's own, each name once.
+    /// Names of custom columns, without duplicates.
     pub columns: Vec<String>,
     /// Frames on a sheet, one of [`FRAMES`].
     pub frames: u32,
     /// The name of the frames' aspect, one of [`ASPECTS`].
     pub aspect: String,
-    /// The fields stand beside the frames, else under them.
+    /// Whether the fields are next to the frames instead of under them.
     pub beside: bool,
-    /// Ruled lines in the place of the fields, to be written on by hand.
+    /// Whether ruled lines for handwriting replace the fields.
     pub ruled: bool,
     /// Who made it, for the head of the sheets.
     pub author: String,
-    /// When, as it stands there.
+    /// Date in the header, as text.
     pub date: String,
-    /// A picture that stands there, too: a PNG file as a data URL; empty where there is none.
+    /// Logo in the header: a PNG file as a data URL. Empty for no logo.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub logo: String,
-    /// Photos in the order in which a person put them; the others follow where they belong by themselves.
+    /// Photos that the user ordered. The other photos keep their automatic position.
     pub order: Vec<String>,
     /// Fields that this program does not know.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
@@ -119,7 +119,7 @@ impl Default for Board {
 }
 
 impl Shot {
-    /// Whether nothing is told.
+    /// Whether all fields are unset.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
@@ -252,8 +252,8 @@ impl Board {
         out.close(b'}');
     }
 
-    /// What becomes of a photo when this board takes the place of another: a shot is as many seconds long as it was, and
-    /// what stood in a column goes with its name. Nothing where it stays as it is.
+    /// Adapts a photo to this board, which replaces another board. Durations keep their seconds, and values
+    /// follow renamed columns. `None` if nothing changes.
     pub(super) fn taken(&self, before: &Self, item: &TrayItem) -> Option<TrayItem> {
         let mut shot = item.shot.clone();
         if let Some(frames) = shot.frames {
@@ -282,7 +282,7 @@ impl Board {
     }
 }
 
-/// The PNG file of a logo as a board tells it; none for anything else. Whether its pixels can be read is not asked.
+/// The PNG file in the data URL of a logo. `None` for any other text. The pixels are not checked.
 #[must_use]
 pub fn logo_file(url: &str) -> Option<Vec<u8>> {
     let file = STANDARD.decode(url.strip_prefix("data:image/png;base64,")?).ok()?;
@@ -308,8 +308,8 @@ pub(super) fn described(value: Value) -> Read<Vec<(String, Shot)>> {
     all.into_iter().map(shot).collect()
 }
 
-/// Photos in the order of a board: those that a person put somewhere, each of the others behind the one that it follows by
-/// itself. `photos`: all of them, in their own order.
+/// Photos in the order of a board: the photos that the user ordered, and each other photo after its automatic
+/// predecessor. `photos`: all of them, in their own order.
 #[must_use]
 pub fn ordered<'p>(order: &[String], photos: &[&'p str]) -> Vec<&'p str> {
     let there: HashSet<&str> = photos.iter().copied().collect();
@@ -331,7 +331,7 @@ pub fn ordered<'p>(order: &[String], photos: &[&'p str]) -> Vec<&'p str> {
     all
 }
 
-/// The numbers of shots in their order: a shot's own, else what is counted of those without.
+/// Shot numbers in order: custom numbers, and automatic ones for the other shots.
 #[must_use]
 pub fn numbers<'n>(own: impl IntoIterator<Item = &'n str>) -> Vec<String> {
     let mut counted = 0_u32;

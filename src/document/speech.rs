@@ -1,5 +1,5 @@
-//! What people say, cut into what balloons hold: speakers told apart, sounds told from speech, and long texts parted where
-//! a reader would breathe.
+//! Splits text for balloons: separates speakers, distinguishes sounds from speech, and splits long texts at
+//! natural pauses.
 
 use super::subtitles::{is_space, trimmed};
 use serde_json::{Value, json};
@@ -13,10 +13,10 @@ const LONGEST_NAME: usize = 24;
 /// Words of the name of a speaker.
 const NAME_WORDS: usize = 3;
 
-/// How something is said.
+/// Manner of speech.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Manner {
-    /// As people talk.
+    /// Normal speech.
     #[default]
     Said,
     /// Thought.
@@ -25,9 +25,9 @@ pub enum Manner {
     Whisper,
     /// Shouted.
     Shout,
-    /// Told by a narrator.
+    /// Narration.
     Told,
-    /// A sound, or what was sung.
+    /// A sound or a song.
     Sound,
 }
 
@@ -36,25 +36,25 @@ pub enum Manner {
 pub struct Said {
     /// How.
     pub manner: Manner,
-    /// Somebody who was named.
+    /// Name of the speaker, if known.
     pub speaker: Option<String>,
-    /// Another says it than what was said before, as a dash tells.
+    /// Whether another person speaks than before, marked by a dash.
     pub turn: bool,
     /// What.
     pub text: String,
 }
 
-/// What becomes of speech and of sounds.
+/// Options for speech and sounds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Taking<'a> {
     /// The kind of word that speech becomes: `caption` or `balloon`.
     pub kind: &'a str,
-    /// Sounds become effects; else they are left out.
+    /// Whether sounds become sound effects. If not, they are dropped.
     pub sounds: bool,
 }
 
-/// What the lines of a subtitle say: `- ` or `NAME:` begins what another says, `[a door slams]` is a sound, and what stands
-/// between notes is music, whose notes alone say nothing.
+/// Parses the lines of a subtitle. `- ` or `NAME:` begins another speaker, and `[a door slams]` is a sound.
+/// Text between note symbols is music. Note symbols without text are dropped.
 #[must_use]
 pub fn of_lines<'l>(lines: impl Iterator<Item = &'l str>) -> Vec<Said> {
     let mut all: Vec<Said> = Vec::new();
@@ -154,8 +154,8 @@ fn undashed(text: &str) -> (bool, &str) {
     }
 }
 
-/// The name before a colon, and what follows. `loud`: names are in capitals, as those of subtitles are, where a colon in a
-/// sentence is no name.
+/// The name before a colon, and what follows. `loud`: names must be in capitals, as in subtitles. There a
+/// colon in a sentence does not mark a name.
 #[must_use]
 pub fn named(text: &str, loud: bool) -> Option<(&str, &str)> {
     let (name, rest) = text.split_once([':', '：'])?;
@@ -172,8 +172,8 @@ pub fn named(text: &str, loud: bool) -> Option<(&str, &str)> {
     (fits && letters && (!loud || capitals)).then(|| (name, trimmed(rest)))
 }
 
-/// The parts of a long text, each not much longer than a balloon holds: cut behind sentences, else behind clauses, else
-/// between words, else anywhere.
+/// Splits a long text into parts of about one balloon. It prefers ends of sentences, then of clauses, then of
+/// words.
 #[must_use]
 pub fn parted(text: &str) -> Vec<&str> {
     let mut parts = Vec::new();
@@ -235,7 +235,7 @@ fn is_mark(letter: char) -> bool {
     matches!(letter, '。' | '！' | '？' | '…' | '、' | '，' | '；' | '」' | '』' | '）')
 }
 
-/// The words that something said becomes: none for a sound that is left out.
+/// Text items of a speech. Empty for dropped sounds.
 #[must_use]
 pub fn words(said: &Said, taking: Taking) -> Vec<Value> {
     let shaped =

@@ -14,7 +14,7 @@ pub use crate::plan::spread::balanced;
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
-/// Panels of a page among others where no number is wanted, and of a first page at most: large enough to be looked at.
+/// Default number of panels of later pages, and maximum of a first page. At this size photos are easy to see.
 pub const USUAL: usize = 6;
 /// Fewer photos than this that no page shows make no page of their own.
 const FEWEST: usize = 2;
@@ -22,11 +22,12 @@ const FEWEST: usize = 2;
 const TRIES: usize = 6;
 
 impl Planning<'_> {
-    /// All photos in use on as many pages as they need, in the place of the pages that there are, in the style of the page;
-    /// none while there is no page. `fresh`: ids from which all are new, of a page and of a place.
+    /// Distributes all photos in use over as many pages as needed, replacing the present pages, in the style
+    /// of the current page. `None` without a page. `fresh` is the first unused page id and the first unused
+    /// sheet id.
     ///
     /// # Errors
-    /// Those of the planner.
+    /// Errors of the planner.
     pub fn spread(&self, fresh: (u64, u64), seeds: &mut Seeds) -> Result<Option<Vec<Arc<Sheet>>>> {
         let Some(page) = self.project.page.as_deref().filter(|_| !self.photos.is_empty()) else {
             return Ok(None);
@@ -64,7 +65,7 @@ impl Planning<'_> {
     /// [`Planning::spread`] in JSON: a list of sheets, or null.
     ///
     /// # Errors
-    /// Those of the planner.
+    /// Errors of the planner.
     pub fn spread_json(&self, fresh: (u64, u64), seeds: &mut Seeds) -> Result<String> {
         let mut out = Writer::default();
         match self.spread(fresh, seeds)? {
@@ -100,11 +101,11 @@ impl Planning<'_> {
         self.project.panels.map_or(USUAL, |panels| panels as usize)
     }
 
-    /// A page of photos that no page shows as long as there are some, in the style of the page; none while there is no
-    /// page.
+    /// Plans another page in the style of the current page. It uses unplaced photos as long as there are any.
+    /// `None` without a page.
     ///
     /// # Errors
-    /// Those of the planner.
+    /// Errors of the planner.
     pub fn another(&self, seeds: &mut Seeds) -> Result<Option<Document>> {
         let Some(page) = self.project.page.as_deref() else { return Ok(None) };
         let locked = self.project.locks.layout;

@@ -13,8 +13,8 @@ pub const MOST_BYTES: usize = 5_000_000;
 pub const MOST_CUES: usize = 20_000;
 /// Most characters of a subtitle; two lines on the screen have some eighty.
 pub const MOST_LETTERS: usize = 1_000;
-/// Seconds that a frame may be before or after what is said: of a film a few frames are looked at, and each stands for what
-/// is around it.
+/// Maximum distance in seconds between a frame and a subtitle. Only a few frames of a video are used, and
+/// each represents its surroundings.
 pub const REACH: f64 = 20.0;
 /// Words of one frame, in a panel that is still to be seen.
 pub const MOST_OF_FRAME: usize = 3;
@@ -23,18 +23,18 @@ const NEAREST: usize = 8;
 /// What is wrong with single subtitles is told of so many.
 const MOST_SKIPPED: usize = 3;
 
-/// What is said when.
+/// A timed subtitle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cue {
     /// Seconds.
     pub start: f64,
     /// Seconds, no less than the start.
     pub end: f64,
-    /// What is said, without marks, by one speaker after the other.
+    /// Its speech without markup, in order of speakers.
     pub said: Vec<Said>,
 }
 
-/// What a file says.
+/// Content of a subtitle file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Subtitles {
     /// In the order of their starts.
@@ -43,7 +43,7 @@ pub struct Subtitles {
     pub left: usize,
     /// Subtitles whose text was too long.
     pub cut: usize,
-    /// What is wrong with the first of those that were skipped,
+    /// The first errors of skipped subtitles.
     pub flaws: Vec<Flaw>,
     /// and how many these were.
     pub skipped: usize,
@@ -51,7 +51,7 @@ pub struct Subtitles {
     pub guessed: bool,
 }
 
-/// What is wrong with a file of subtitles.
+/// An error in a subtitle file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Flaw {
     /// It has more than [`MOST_BYTES`].
@@ -64,7 +64,7 @@ pub enum Flaw {
     Empty,
     /// A time was expected in that line, counted from 1, not this.
     Stray(usize, String),
-    /// This is no time.
+    /// An invalid time.
     Time(usize, String),
     /// It ends before it starts.
     Order(usize),
@@ -92,7 +92,7 @@ impl Flaw {
     }
 }
 
-/// What reading gives.
+/// Result of the parser.
 pub type Result<T> = std::result::Result<T, Flaw>;
 
 /// A frame of a film.
@@ -108,7 +108,7 @@ impl Subtitles {
     /// Reads a file in UTF-8, with its mark in UTF-16, or in Windows-1252.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// Returns the error in the file.
     pub fn read(bytes: &[u8], vtt: bool) -> Result<Self> {
         if bytes.len() > MOST_BYTES {
             return Err(Flaw::Large);
@@ -120,7 +120,7 @@ impl Subtitles {
     /// Reads the text of a file.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// Returns the error in the text.
     pub fn parse(text: &str, vtt: bool) -> Result<Self> {
         let lines = lines(text.strip_prefix('\u{feff}').unwrap_or(text));
         let mut at = 0;
@@ -214,9 +214,10 @@ fn away(cue: &Cue, time: f64) -> f64 {
     (cue.start - time).max(time - cue.end).max(0.0)
 }
 
-/// Words for the frames near which something is said, as captions or balloons that find their places, and how many subtitles
-/// have none. Each subtitle goes to one frame: to the nearest that a page shows and that has room, else to the nearest of
-/// the others. Of each word `frame` is the number of its frame, and `cue` names the subtitle and the part of it.
+/// Text items for frames with subtitles close to them, as captions or balloons with automatic placement, and
+/// the number of subtitles without a frame. Each subtitle goes to one frame: the nearest frame on a page with
+/// free space, or the nearest other frame. `frame` of a text item is the index of its frame. `cue` identifies
+/// the subtitle and its part.
 #[must_use]
 pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<Value>, usize) {
     let words: Vec<Vec<Value>> = cues
@@ -268,9 +269,10 @@ pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<Value>, u
     (made, homeless)
 }
 
-/// What a file of subtitles says at the times of some frames, in JSON: `{words, unplaced, cues, homeless, left, cut, skipped, flaws, guessed}`,
-/// the words and how many subtitles were read, found no frame, were left out, cut and skipped; or what is wrong with it,
-/// `{flaw: {kind, line, text}}`. Without frames, the words are laid over panels in order; see [`script::placed`].
+/// Matches a subtitle file with frames, in JSON: `{words, unplaced, cues, homeless, left, cut, skipped,
+/// flaws, guessed}`. The fields are the text items, and the number of subtitles that were read, found no
+/// frame, were left out, cut or skipped. An invalid file gives `{flaw: {kind, line, text}}`. Without frames,
+/// the text items are placed on panels in order, see [`script::placed`].
 #[must_use]
 pub fn told(bytes: &[u8], vtt: bool, frames: &[Frame], panels: usize, taking: Taking) -> String {
     let mut out = Writer::default();

@@ -1,5 +1,5 @@
-//! What the other pages of a storyboard owe to the photos, while a person edits one of them: a photo that is no longer in
-//! use leaves them at once. It is no step of the undo: it belongs to the step that took the photo away.
+//! Keeps inactive pages consistent with the photos: if a photo is excluded, it is removed from all pages. The
+//! removal belongs to the undo step that excluded the photo.
 
 use super::planning::{KEEP_ALL, Known, Planning, places_of};
 use super::project::{Project, Sheet};
@@ -23,11 +23,12 @@ impl Planning<'_> {
         self.project.others.iter().any(|sheet| !whole(&sheet.page, &used))
     }
 
-    /// The pages with other photos where one is gone, and without pages that none is left for, and which of them is edited;
-    /// none where nothing is to be done. Of a stack of look-alikes, the one that was taken in its place comes first.
+    /// Replaces missing photos on all pages and removes pages without photos. Returns the pages and the index
+    /// of the current one. `None` if nothing changes. Replacements prefer photos from the same group of
+    /// near-duplicates.
     ///
     /// # Errors
-    /// Those of the planner.
+    /// Errors of the planner.
     pub fn repaired(&self, groups: &Groups) -> Result<Option<(Vec<Arc<Sheet>>, usize)>> {
         let used = self.used();
         let others = self.project.others.iter();
@@ -51,7 +52,7 @@ impl Planning<'_> {
     /// [`Planning::repaired`] in JSON: `{sheets, at}`, or null. A sheet whose page stays has no `page`.
     ///
     /// # Errors
-    /// Those of the planner.
+    /// Errors of the planner.
     pub fn repaired_json(&self, groups: &Groups) -> Result<String> {
         let mut out = Writer::default();
         match self.repaired(groups)? {
@@ -124,8 +125,7 @@ fn whole(page: &Document, used: &HashSet<&str>) -> bool {
 }
 
 impl Project {
-    /// The photos that a page shows in two places although it has photos enough, and those on two pages: what the rule of
-    /// a photo on one page only forbids where there are enough of them.
+    /// Photos that appear twice on a page, or on two pages, although there are enough photos.
     #[must_use]
     pub fn claimed_twice(&self) -> Vec<String> {
         let mut seen = HashSet::new();
