@@ -488,7 +488,7 @@ impl<'a> Without<'a> {
         Self { gone, trays: Vec::new(), pages: Vec::new() }
     }
 
-    /// Returns the state without the photos, or `None` if it has none of them.
+    /// Returns the state without the photos, or `None` if it does not contain them.
     pub(super) fn state(&mut self, state: &Project) -> Option<Project> {
         let gone = &self.gone;
         let tray = once(&mut self.trays, state.tray.as_ptr().addr(), || {
@@ -509,7 +509,7 @@ impl<'a> Without<'a> {
         changed.then_some(next)
     }
 
-    /// Returns the page without the photos, or `None` if it has none of them.
+    /// Returns the page without the photos, or `None` if it does not contain them.
     pub(super) fn page(&mut self, page: &Arc<Document>) -> Option<Arc<Document>> {
         let gone = &self.gone;
         once(&mut self.pages, Arc::as_ptr(page).addr(), || {

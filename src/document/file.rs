@@ -161,8 +161,8 @@ impl ProjectFile {
     }
 
     /// Gives each photo a new id, `prefix` and a number, and each video a new key, `prefix`, `v` and a
-    /// number. The same file may be opened twice. Photos that pages show but the file does not list get new
-    /// ids as well.
+    /// number. The same file may be opened twice. Photos that are on pages, but not in the list of the file,
+    /// get new ids as well.
     #[must_use]
     pub fn renamed(mut self, prefix: &str) -> Self {
         let mut names = Names { prefix: prefix.to_owned(), known: HashMap::new() };

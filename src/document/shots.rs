@@ -15,7 +15,7 @@ use serde_json::{Map, Value};
 use std::collections::HashSet;
 use std::sync::Arc;
 
-/// Frames a second that durations are counted in.
+/// Frame rates of shot durations, in frames per second.
 pub const RATES: [u32; 3] = [24, 25, 30];
 /// How fast a second of a board may pass, by name.
 const PACES: [(&str, Pace); 3] = [("clock", Pace::Clock), ("ntsc", Pace::Ntsc), ("drop", Pace::Drop)];

@@ -1,5 +1,5 @@
-//! Bleed: what is printed beyond the edge of a page, so that no white shows where it is cut. Panels that end at the edge go
-//! on, with more of their photo where there is more, else with its mirror image; the rest is paper.
+//! Bleed: printed area beyond the trim edge of a page, so that trimming leaves no white border. Panels at the
+//! edge are extended with more of their photo, or with its mirror image. Everything else is paper.
 
 use super::mask::PixelRect;
 use crate::framing::Crop;
@@ -13,7 +13,7 @@ const REACH: f64 = 1.5;
 /// The sharpest corner whose sides are followed outwards, as the sine of its angle.
 const SHARPEST: f64 = 0.1;
 
-/// A shape whose sides at the edge of a page of that size lie further out; none where nothing of it ends there.
+/// Returns a shape with its sides at the page edge moved outward. `None` if no side is at the edge.
 pub(super) fn extended(
     shape: &ResolvedShape,
     (width, height): (f64, f64),

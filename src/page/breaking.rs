@@ -1,9 +1,9 @@
-//! Figures that step out of their panels: which part of a photo's subject stands over the edges, and how a panel is to show its
-//! photo so that it does.
+//! Panel breakouts: subjects that extend past the border of their panel. This module finds the part outside,
+//! and adjusts the crop.
 //!
-//! An edge that a figure may not cross is closed: where the photo or the room on the page ends in the figure, where it would
-//! lie on another panel's face, or far from its panel, and where it would end in the border. What hangs together with the figure in the panel and crosses open edges
-//! alone steps out.
+//! An edge is closed if the figure must not cross it. Reasons: the photo or the page ends inside the figure,
+//! it would cover the face of another panel, extend too far, or end in the border. The part that is connected
+//! with the figure in the panel and crosses only open edges breaks out.
 
 use super::bleed::widened;
 use super::document::{Document, PanelContent};
@@ -33,10 +33,10 @@ const SURE_OF_LIFE: f64 = 0.25;
 /// What is kept free about the faces of others, in parts of their size.
 const ABOUT_FACES: f64 = 0.15;
 
-/// What a figure has to leave alone: pixels of the page.
+/// Areas that a figure must not cover, in pixels of the page.
 #[derive(Clone)]
 pub struct Around {
-    /// What is inside of the page's margin.
+    /// The area inside the page margin.
     pub room: Bounds,
     /// Faces that other panels show.
     pub faces: Vec<Bounds>,
@@ -48,11 +48,11 @@ pub struct Around {
 
 /// A figure that stands over the edges of its panel.
 pub(super) struct Figure {
-    /// What hangs together with it and may be seen, over the whole photo.
+    /// The connected part that may be visible, over the whole photo.
     pub(super) shares: Plane,
     /// The edges of the panel, and whether they are closed to it.
     pub(super) closed: Vec<bool>,
-    /// Where it is outside of the panel, in pixels of the page.
+    /// Its bounds outside of the panel, in pixels of the page.
     pub(super) outside: Bounds,
     /// The area of that, in parts of the panel's.
     pub(super) share: f64,
@@ -91,7 +91,7 @@ impl Edges {
     }
 }
 
-/// The figure of a panel; none where nothing of it steps out, or nothing may.
+/// Returns the breakout of a panel, or `None` if nothing breaks out or nothing may.
 pub(super) fn figure(panel: &ScenePanel, shares: Plane, around: &Around) -> Option<Figure> {
     let (crop, bounds) = (panel.crop, panel.image_bounds);
     // Beyond a photo's end its mirror image goes on, of which no figure is known.
@@ -243,8 +243,8 @@ const COVERAGE: std::ops::Range<f64> = 0.03..0.65;
 /// How good it is at least.
 const GOOD: f64 = 0.5;
 
-/// Lets a figure of a new page step out of its panel, where one can well: by chance, or, where it is `wanted`, in any case; never
-/// where it is not. No panel that a person locked or cropped is touched.
+/// Adds a panel breakout to a new page if a good one exists. `wanted` `None`: at random; true: always; false:
+/// never. Locked panels and panels with manual crops are not changed.
 pub(super) fn by_chance(document: &mut Document, photos: &[PhotoMeta], wanted: Option<bool>) -> Result<()> {
     // A draw of its own, so that all else of a page is as without figures.
     let mut random = Rand64::new(u128::from(document.seed) ^ 0x6672_616d_6573);
@@ -282,11 +282,11 @@ pub(super) fn by_chance(document: &mut Document, photos: &[PhotoMeta], wanted: O
     Ok(())
 }
 
-/// The page with the figure of a panel stepping out of it; none where it cannot, or the mask is vague: a cloud would. Where the crop has to change for it, it is as if a
-/// person had made it.
+/// Returns the page with the figure of a panel breaking out. Returns `None` if it cannot, or if the mask
+/// confidence is too low. If the crop has to change, it counts as a manual crop.
 ///
 /// # Errors
-/// Those of the layout; `invalid-document` for a panel that the page does not have.
+/// Layout errors; `invalid-document` for a panel that the page does not have.
 pub fn broken(document: &Document, panel: usize, mask: &Matte) -> Result<Option<Document>> {
     if mask.facts().is_vague()
         || document.merge_of(panel).is_some()
@@ -301,10 +301,10 @@ pub fn broken(document: &Document, panel: usize, mask: &Matte) -> Result<Option<
     Ok(Some(document))
 }
 
-/// Whether the figure of each panel steps out of it, as the page is drawn.
+/// Whether the figure of each panel breaks out in the drawn page.
 ///
 /// # Errors
-/// Those of the layout.
+/// Layout errors.
 pub fn breaks(document: &Document) -> Result<Vec<bool>> {
     let scene = Scene::new(document, document.page.width as usize)?;
     let (own, figures) = scene.panels.split_at(document.panels.len());
@@ -423,7 +423,7 @@ fn stepping_out(
     found.into_iter().take(LOOKED_AT).find(|(crop, _)| holds(*crop))
 }
 
-/// The panel with room for what steps out of it: more of the photo at the same scale.
+/// Returns the panel extended for its breakout: more of the photo at the same scale.
 pub(super) fn widened_panel(panel: &ScenePanel, outside: Bounds, room: f64) -> ScenePanel {
     let Bounds { x, y, width, height } = outside;
     let (crop, bounds) = (panel.crop, panel.image_bounds);
@@ -439,7 +439,7 @@ pub(super) fn widened_panel(panel: &ScenePanel, outside: Bounds, room: f64) -> S
     ScenePanel { crop: widened(crop, bounds, image_bounds), image_bounds, ..panel.clone() }
 }
 
-/// What the figures of each panel have to leave alone. `width` is that of the page in pixels.
+/// Returns the areas that the figures of each panel must not cover. `size` is the page size in pixels.
 pub(super) fn around(document: &Document, panels: &[ScenePanel], size: (usize, usize)) -> Vec<Around> {
     let (width, height) = (size.0 as f64, size.1 as f64);
     let margin = document.page.margin * width;

@@ -3,7 +3,7 @@
 use super::document::PanelContent;
 use serde_json::{Value, json};
 
-/// The photo of a word: the one that it names, else the one on its panel.
+/// The photo of a text item: the photo that it names, or the photo on its panel.
 #[must_use]
 pub fn photo_of<'a>(word: &'a Value, panels: &'a [PanelContent]) -> Option<&'a str> {
     word["panel"].as_u64()?;
@@ -16,7 +16,7 @@ fn on_panel<'a>(word: &Value, panels: &'a [PanelContent]) -> Option<&'a str> {
     panels.get(panel).or(panels.last())?.photo.as_deref()
 }
 
-/// Lets a word name its photo, where it stands on a panel and names none.
+/// Stores the photo of its panel in a text item that names no photo.
 pub fn tie(word: &mut Value, panels: &[PanelContent]) {
     if word["photo"].is_string() {
         return;
@@ -34,7 +34,8 @@ pub fn tied(word: &Value, panels: &[PanelContent]) -> Value {
     word
 }
 
-/// The word on the panel that shows its photo; none where none does. One that finds its place by itself looks for it anew.
+/// Moves a text item to the panel that shows its photo. `None` if no panel shows it. A text item with
+/// automatic placement is placed again.
 #[must_use]
 pub fn belongs(word: &Value, panels: &[PanelContent]) -> Option<Value> {
     let photo = word["photo"].as_str()?;
@@ -49,7 +50,8 @@ pub fn belongs(word: &Value, panels: &[PanelContent]) -> Option<Value> {
     Some(word)
 }
 
-/// Words on panels with these photos: those that stay, each on the panel of its photo, and those whose photo is not there.
+/// Splits text items for panels with these photos: items with a panel, moved to the panel of their photo, and
+/// items without one.
 #[must_use]
 pub fn carried(words: &[Value], panels: &[PanelContent]) -> (Vec<Value>, Vec<Value>) {
     let (mut stay, mut leave) = (Vec::new(), Vec::new());

@@ -1,4 +1,4 @@
-//! What there is to choose from, as JSON: the same answers for the page and the command line.
+//! Lists of blocks, styles and layouts as JSON, for the app and the command line.
 
 use crate::error::{Error, Result};
 use crate::layout;
@@ -18,11 +18,11 @@ pub struct BlockEntry {
     pub id: &'static str,
     /// Name for people.
     pub label: &'static str,
-    /// What it does, in one line.
+    /// Description in one line.
     pub help: &'static str,
-    /// What it takes.
+    /// Channels of the input.
     pub input: Channels,
-    /// What it gives.
+    /// Channels of the output.
     pub output: Channels,
     /// Its parameters.
     pub params: Vec<ParamEntry>,
@@ -38,9 +38,9 @@ pub struct ParamEntry {
     pub label: &'static str,
     /// One line for people.
     pub help: &'static str,
-    /// What it is.
+    /// Type and range.
     pub kind: ParamKind,
-    /// Used where a style file says nothing.
+    /// Default value in style files.
     #[cfg_attr(all(test, feature = "cli"), ts(type = "ParamValue"))]
     pub default: Value,
     /// Smallest value of a number.
@@ -63,7 +63,7 @@ pub struct ParamEntry {
     pub choices: Option<&'static [&'static str]>,
 }
 
-/// What a parameter is.
+/// Type of a parameter.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
@@ -149,7 +149,7 @@ fn param(param: &Param) -> ParamEntry {
     }
 }
 
-/// What selection compares, as JSON has it.
+/// Measurements for the selection, as JSON.
 #[derive(Debug, Serialize, Deserialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "Measures"))]
 pub struct MeasuresEntry {
@@ -170,7 +170,7 @@ impl From<&Measures> for MeasuresEntry {
     }
 }
 
-/// What is asked of the selection.
+/// Request of a selection.
 #[derive(Deserialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub(crate) struct ChoiceRequest {
@@ -208,7 +208,7 @@ pub(crate) struct Candidate {
 #[derive(Debug, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "Verdict"))]
 pub struct VerdictEntry<'a> {
-    /// Of the photo.
+    /// Id of the photo.
     pub id: &'a str,
     /// Number of its group of look-alikes.
     pub group: usize,

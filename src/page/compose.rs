@@ -28,13 +28,13 @@ pub struct Patch {
 }
 
 impl Patch {
-    /// A single pixel of which nothing is seen.
+    /// A single transparent pixel.
     pub(super) fn nothing(at: PixelRect) -> Self {
         Self { area: PixelRect { width: 1, height: 1, ..at }, rgba: vec![0; 4] }
     }
 
-    /// Leaves so much less of it as another patch covers, of `area` in pixels of the same page, RGBA: it is then seen as if the
-    /// other lay over it, where the page below shows the same as the other.
+    /// Reduces the opacity where another patch covers it. `rgba` are the pixels of `area` on the same page.
+    /// The result looks as if the other patch were on top, if the page below shows the same pixels.
     pub fn stand_behind(&mut self, area: PixelRect, rgba: &[u8]) {
         let own = self.area;
         let end = |start: i64, length: usize| start + length as i64;
@@ -66,9 +66,9 @@ pub fn render_panel(
     Ok(render_together(scene, &[index], photo, context)?.swap_remove(0))
 }
 
-/// Renders pictures of one panel: itself, the figure that steps out of it, its front. All are cut out of one drawing, which is as
-/// large where one of them is asked for alone, so that they have the very same pixels wherever they meet. `photo` is what the
-/// panel's `photo` names, at any resolution; without one it is an empty frame.
+/// Renders images of one panel: the panel, the breakout of its figure, its foreground. All are cut out of one
+/// drawing of constant size, so their pixels are equal where they meet. `photo` is what the panel's `photo`
+/// names, at any resolution; without one it is an empty frame.
 ///
 /// # Errors
 /// `invalid-document` for an index that the page does not have; `cancelled`.
@@ -109,9 +109,9 @@ pub fn render_together(
     Ok(pictures.iter().map(patch).collect())
 }
 
-/// What the pictures of a panel are cut out of: its photo in its style, with as much more of it as its figure needs.
+/// Source of the images of a panel: its photo in its style, extended as far as its figure needs.
 pub(super) struct Drawing {
-    /// The photo as it is.
+    /// The unstyled photo.
     pub(super) shown: Shown,
     /// In the style.
     pub(super) image: Image,
@@ -186,7 +186,7 @@ fn front(scene: &Scene, panel: &ScenePanel, Drawing { shown, image, .. }: &Drawi
     Patch { area, rgba }
 }
 
-/// Lays one picture over another, so much of 256 of it: samples of the same places.
+/// Blends two images of equal size; `share` is the weight of `over` in 256ths.
 pub fn mix(under: &mut [u8], over: &[u8], share: u32) {
     for (under, over) in under.iter_mut().zip(over) {
         *under = ((u32::from(*under) * (256 - share) + u32::from(*over) * share + 128) >> 8) as u8;
@@ -360,14 +360,14 @@ impl Sheet {
         Self { width, height, rgb }
     }
 
-    /// A picture of a size as a sheet, of which `rgb` holds each pixel.
+    /// A sheet with the pixels `rgb`.
     #[must_use]
     pub fn of(width: usize, height: usize, rgb: Vec<u8>) -> Self {
         debug_assert_eq!(rgb.len(), width * height * 3);
         Self { width, height, rgb }
     }
 
-    /// Lays a patch on what is there. Pixels outside of the page are left out.
+    /// Draws a patch on the sheet. Pixels outside of the page are left out.
     ///
     /// # Errors
     /// `buffer-size` when the patch does not hold the pixels of its area.
@@ -409,7 +409,7 @@ impl Sheet {
         &self.rgb
     }
 
-    /// The same, without the sheet.
+    /// Returns the pixels without the sheet.
     #[must_use]
     pub fn into_rgb(self) -> Vec<u8> {
         self.rgb

@@ -1,4 +1,5 @@
-//! The subject of a photo alone: its mask at the photo's size, and a picture that is empty beside it.
+//! The isolated subject of a photo: its mask at the photo's size, and an image that is transparent outside of
+//! it.
 
 use super::png;
 use crate::error::Result;

@@ -19,7 +19,7 @@ pub const VERSION: u32 = 1;
 pub const MOST_PHOTOS: usize = 5_000;
 /// Most panels of a page: more than a layout has.
 const MOST_PANELS: usize = 100;
-/// Most faces of a panel: those of more are too small to be cared for.
+/// Maximum number of faces of a panel. With more, faces are too small to protect.
 pub const MOST_FACES: usize = 64;
 /// Most characters of an id of a photo, a style or a layout.
 pub const LONGEST_ID: usize = 200;
@@ -42,16 +42,16 @@ pub struct Document {
     pub style: Value,
     /// Photos in reading order; there may be more than panels.
     pub order: Vec<String>,
-    /// What each panel shows, in paint order.
+    /// Content of each panel, in paint order.
     pub panels: Vec<PanelContent>,
     /// Groups of panels that share one image.
     pub merges: Vec<Vec<usize>>,
     /// Size, gutters and colours.
     pub page: PageSettings,
-    /// Words on the page, as [`Word`](super::words::Word) has them, in paint order. Whoever draws them checks them.
+    /// Words on the page, as [`Word`](super::words::Word) has them, in paint order. The renderer checks them.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::typescript::Word>"))]
     pub words: Vec<Value>,
-    /// Fields that this program does not know, kept for one that does.
+    /// Unknown fields, preserved for newer programs.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
@@ -76,30 +76,30 @@ pub(crate) enum StyleChoice {
     Full(Style),
 }
 
-/// What one panel shows.
+/// Content of a panel.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "PanelUse"))]
 pub struct PanelContent {
-    /// Id of the photo; none leaves the panel empty.
+    /// Id of the photo; `None` for an empty panel.
     pub photo: Option<String>,
     /// The part of the photo that fills the panel, or the group it is merged into.
     pub crop: Option<Crop>,
-    /// Faces of the photo, in fractions of it, which the style takes care of. Pages of before have none, and look as they did.
+    /// Faces of the photo, in fractions of it, which the style protects. Old pages have no faces here, and look unchanged.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<Crop>>", optional))]
     pub faces: Vec<Crop>,
-    /// The subject of the photo, which steps out of the panel where there is room; none, and nothing does.
+    /// Subject mask of the photo for a panel breakout. `None` disables the breakout.
     #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub figure: Option<Matte>,
-    /// The picture is shown as it is: in no style, without a border, and it is told as a logo.
+    /// Whether the panel is a logo: no style, no border, and described as a logo.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub plain: bool,
-    /// Kept by every shuffle.
+    /// Whether every shuffle preserves the panel.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub locked: bool,
-    /// The crop was made by hand: it stays while the photo stays in this panel.
+    /// Whether the crop is manual. It stays as long as the photo stays in this panel.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub edited: bool,
-    /// Fields that this program does not know, kept for one that does.
+    /// Unknown fields, preserved for newer programs.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
@@ -114,7 +114,7 @@ impl Document {
     /// Reads a document.
     ///
     /// # Errors
-    /// `invalid-document` for anything but a document of this version.
+    /// Returns `invalid-document` if the JSON is not a document of this version.
     pub fn parse(json: &str) -> Result<Self> {
         let value = serde_json::from_str(json).map_err(|error| invalid("document", error.to_string()))?;
         let document = Self::read(value).map_err(|wrong| invalid(wrong.place(), wrong.reason()))?;
@@ -122,10 +122,10 @@ impl Document {
         Ok(document)
     }
 
-    /// Reads a document that stands in another. Whether its layout, style, words and settings are good is not asked.
+    /// Reads a document inside another document. Layout, style, text items and settings are not checked.
     ///
     /// # Errors
-    /// With the place of what is wrong.
+    /// Returns the location of the error.
     pub fn read(value: Value) -> Read<Self> {
         let mut fields = Fields::of(value)?;
         let known = u64::from(VERSION);
@@ -221,8 +221,8 @@ impl Document {
             && self.merge_of(index).is_none()
     }
 
-    /// The panels whose subjects stand before an effect, see [`Word::behind`](super::words::Word::behind); each once, in their order.
-    /// It is told by the plain data, so that no one who draws panels needs to know words.
+    /// Panels whose subjects are in front of an effect, see [`Word::behind`](super::words::Word::behind);
+    /// sorted, without duplicates. It uses plain data, so drawing panels does not need the words module.
     #[must_use]
     pub fn fronts(&self) -> Vec<usize> {
         let behind = |word: &Value| word["kind"] == "effect" && word["behind"] == true;
@@ -234,7 +234,7 @@ impl Document {
         fronts
     }
 
-    /// The number of the first picture of a front: before it come those of the panels and of the figures that step out.
+    /// Index of the first foreground. Lower indices are the panels and the panel breakouts.
     #[must_use]
     pub fn first_front(&self) -> usize {
         self.panels.len() + (0..self.panels.len()).filter(|&i| self.breaks_frame(i)).count()

@@ -1,4 +1,4 @@
-//! The panels of a template as places for photos, with what a person locked or keeps, and the contents that come of it.
+//! The panels of a template as places for photos, with locked and preserved content, and their new content.
 
 use super::document::{Document, MOST_FACES, PanelContent};
 use super::request::Request;
@@ -62,7 +62,7 @@ impl Stage {
     }
 }
 
-/// The order of the photos, with those that have no panel now at its end, and what each panel shows.
+/// Returns the order of the photos, with unplaced photos at the end, and the content of each panel.
 pub(super) fn contents(
     request: &Request,
     stage: &Stage,
@@ -100,7 +100,7 @@ pub(super) fn contents(
     (order_of(&panels, current, photos), panels)
 }
 
-/// What frames of an aspect show of photos, in JSON: of each `{photo, crop, faces}`.
+/// Crops of photos for an aspect ratio, in JSON: a list of `{photo, crop, faces}`.
 #[must_use]
 pub fn framed_json<'p>(photos: impl Iterator<Item = &'p PhotoMeta>, aspect: f64) -> String {
     let target = Target::of_aspect(aspect.clamp(0.05, 20.0));

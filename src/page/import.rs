@@ -35,17 +35,17 @@ pub struct Imported {
     pub small: Image,
 }
 
-/// What the page is told of a photo that was read.
+/// Data of an imported photo for the app.
 #[derive(Debug, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct ImportEntry<'a> {
-    /// What framing knows of it.
+    /// Measurements for framing.
     pub meta: &'a PhotoMeta,
     /// Name of the file's format.
     pub format: &'static str,
     /// The damage of the file, if any.
     pub damage: Option<Damage>,
-    /// What selection compares.
+    /// Measurements for the selection.
     pub measures: MeasuresEntry,
     /// Size of the photo at [`WORK_SIDE`] or less.
     pub work: PixelSize,
@@ -64,7 +64,7 @@ pub struct PixelSize {
 }
 
 impl Imported {
-    /// What the page is told of it.
+    /// Returns the data for the app.
     #[must_use]
     pub fn entry(&self) -> ImportEntry<'_> {
         let size = |image: &Image| PixelSize { width: image.width(), height: image.height() };
@@ -114,8 +114,8 @@ pub struct Frame<'a> {
     pub rotation: u32,
 }
 
-/// Turns a frame upright, reduces and measures it; also gives it as a PNG file of its full size, which stands for
-/// the original from then on.
+/// Rotates, reduces and measures a frame. It also returns the frame as a PNG file in full size, which
+/// replaces the original.
 ///
 /// # Errors
 /// `buffer-size` for pixels that do not fit the size, `too-large` beyond `limits`.

@@ -14,8 +14,8 @@ pub fn encode_rgb(width: usize, height: usize, rgb: &[u8], dpi: u32, quality: u8
     encode(width, height, (rgb, ExtendedColorType::Rgb8), dpi, quality, true)
 }
 
-/// The same for a picture in a file that says itself what its colours are: three channels, or one where `samples` are as
-/// many as the pixels.
+/// Encodes an image that is embedded in a file with a colour profile: three channels, or one if `samples` has
+/// one value per pixel.
 ///
 /// # Errors
 /// `encode` as above.

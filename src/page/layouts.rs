@@ -1,5 +1,5 @@
-//! What the page asks of layouts and does to them, as JSON in and out: the list with its pictures, the facts of
-//! one layout, a new one, and changes by hand.
+//! Layout functions for the app, as JSON: the list with thumbnails, properties of one layout, a generated
+//! layout, and manual changes.
 
 use super::document::template_of;
 use crate::error::{Error, Result};
@@ -20,7 +20,7 @@ const PICTURE: f64 = 1000.0;
 const PICTURE_GUTTER: f64 = 0.05;
 const PICTURE_MARGIN: f64 = 0.05;
 
-/// What the list of layouts is asked.
+/// Request of the list of layouts.
 #[derive(Deserialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub(crate) struct LayoutsRequest {
@@ -38,7 +38,7 @@ pub(crate) struct LayoutsRequest {
 pub struct LayoutEntry<'a> {
     /// Unique name in kebab-case.
     pub id: &'a str,
-    /// What people call it.
+    /// Display name.
     pub name: &'a str,
     /// Its family.
     pub family: &'a str,
@@ -52,13 +52,13 @@ pub struct LayoutEntry<'a> {
     pub over: String,
 }
 
-/// What can be done to a layout on a page.
+/// Possible changes of a layout on a page.
 #[derive(Debug, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct LayoutFacts<'a> {
     /// Unique name in kebab-case.
     pub id: &'a str,
-    /// What people call it.
+    /// Display name.
     pub name: &'a str,
     /// Its family.
     pub family: &'a str,
@@ -76,7 +76,7 @@ pub struct LayoutFacts<'a> {
     pub cuts: Vec<Cut>,
 }
 
-/// Where the panels are on a page whose width is 1, gutters and margins applied.
+/// Panels on a page of width 1, with gutters and margins.
 #[derive(Debug, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Geometry<'a> {
@@ -88,8 +88,8 @@ pub struct Geometry<'a> {
     pub panels: Vec<PlacedPanel<'a>>,
 }
 
-/// The layouts for a `LayoutsRequest` as a list of [`LayoutEntry`]: a person's own, and those of the catalogue that are
-/// good for the page.
+/// Returns the layouts for a `LayoutsRequest` as a list of [`LayoutEntry`]: custom layouts, and built-in
+/// layouts that are good for the page.
 ///
 /// # Errors
 /// `invalid-document`, and `invalid-layout` for an own one that is not a template.
@@ -146,7 +146,7 @@ pub fn file(json: &str) -> Result<String> {
     Ok(template_of(&layout)?.to_json())
 }
 
-/// What a new layout is to be like.
+/// Requirements of a generated layout.
 #[derive(Deserialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub(crate) struct GenerateRequest {
@@ -170,7 +170,7 @@ pub fn generated(json: &str) -> Result<String> {
     Ok(generate(u64::from(seed), page.aspect(), least..=most).to_json())
 }
 
-/// A change to a layout by hand.
+/// A manual change of a layout.
 #[derive(Deserialize)]
 #[serde(tag = "type", rename_all = "kebab-case")]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
@@ -179,7 +179,7 @@ pub(crate) enum LayoutChange {
     MoveCut {
         /// Its place among the cuts.
         cut: usize,
-        /// Where it lies in its cell, 0..1.
+        /// Position in its cell, 0 to 1.
         fraction: f64,
         /// As in the file.
         slant: f64,

@@ -1,9 +1,9 @@
-//! Panels that move: a few seconds of the film that a frame was taken from, in the style of the panel, as a loop.
+//! Animated panels: a few seconds of the video around a frame, in the style of the panel, as a loop.
 //!
-//! A style draws each picture of a film for itself, so its lines and dots would boil wherever the film is not the very same. What
-//! does not move is therefore drawn once: a recursive filter that follows motion (as the temporal noise reduction of video coders)
-//! holds the source where it hardly changes, block by block, and holds the drawing there, too, whatever the style makes of the
-//! rest. Between the two lies a ramp. A still source gives a loop without any change.
+//! A style draws each frame independently, so its lines and dots flicker if the video changes slightly. Still
+//! areas are therefore drawn once. A recursive, motion-adaptive filter (like temporal noise reduction in
+//! video coders) holds the source blocks that hardly change, and holds their drawing as well. Between the two
+//! lies a ramp. A still source gives a loop without any change.
 
 use super::compose::{Patch, mix, render_panel};
 use super::scene::Scene;
@@ -28,12 +28,11 @@ const LEAST: usize = 6;
 /// Pictures in which the end goes over into the beginning: a part of all, and at most.
 const FADE: (usize, usize) = (5, 8);
 
-/// The pictures of a panel one after the other, which begin again behind the last one. None where the film has a cut on both
-/// sides so near that nothing is left to move, where the panel has no photo, and where its style draws subject and background
-/// apart: its subject is known of one picture alone.
+/// Draws the frames of a panel as a loop. Returns no frames in three cases: cuts leave no time for motion,
+/// the panel has no photo, or the style needs a subject mask, which is known for only one frame.
 ///
-/// `frames` are pictures of the film at even distances, all of one size; that of the number `still` is the photo of the panel, or
-/// the nearest to it.
+/// `frames` are video frames at equal intervals and of equal size. The frame with the index `still` is the
+/// photo of the panel, or the frame closest to it.
 ///
 /// # Errors
 /// `invalid-document` for an index that the page does not have; `buffer-size` for frames of different sizes; `cancelled`.

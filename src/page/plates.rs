@@ -1,5 +1,5 @@
-//! Colours taken apart into the inks that printed them: for a risograph or a screen printer, who needs one gray picture an
-//! ink. The inks are those of the style's block of printing plates.
+//! Spot-colour separation: splits colours into inks, for risographs and screen printing, which need one gray
+//! image per ink. The inks come from the style's block of printing plates.
 //!
 //! Inks multiply (`style/blocks/plates.rs`), so a colour is the product over inks of `1 - a (1 - ink)`; the coverages `a` are
 //! found by least squares, one ink after the other, each exactly: the product is linear in it. A table of 33 x 33 x 33
@@ -15,7 +15,7 @@ const SIDE: usize = 33;
 /// Rounds over all inks: what is left then is less than a level.
 const ROUNDS: usize = 40;
 
-/// What each ink prints of a colour.
+/// Ink coverages of each colour.
 pub struct Separation {
     inks: usize,
     /// Coverage of each ink, colour by colour.
@@ -23,13 +23,13 @@ pub struct Separation {
 }
 
 impl Separation {
-    /// That of a style; none where it prints no plates.
+    /// The separation of a style. `None` if it has no printing plates.
     #[must_use]
     pub fn of(style: &Style) -> Option<Self> {
         inks(style).map(|inks| Self::new(&colours(&inks)))
     }
 
-    /// That of inks of these colours on white paper, the strongest last; it knows nothing of styles.
+    /// The separation for inks of these colours on white paper, the strongest last, independent of styles.
     #[must_use]
     pub fn new(inks: &[[u8; 3]]) -> Self {
         Self { inks: inks.len(), table: table(inks) }
@@ -58,7 +58,8 @@ impl Separation {
     }
 }
 
-/// The inks of the last block of plates of a style; none where it prints a part of the picture alone.
+/// The inks of the last printing plates block of a style. `None` if the block applies to only a part of the
+/// image.
 #[must_use]
 pub fn inks(style: &Style) -> Option<Vec<Ink>> {
     let mut steps = style.background.iter().chain(style.foreground.iter().flatten());

@@ -1,4 +1,4 @@
-//! The file that people download.
+//! PNG export.
 
 use super::compose::Sheet;
 use crate::error::{Error, Result};

@@ -1,5 +1,4 @@
-//! A document resolved to pixels of one size: what the renderer needs to know and nothing of how it came
-//! about.
+//! A document resolved to pixels of one size: the input of the renderer.
 
 use super::bleed;
 use super::breaking::{self, Around};
@@ -25,14 +24,15 @@ pub struct Scene {
     pub width: usize,
     /// Height of the page in pixels.
     pub height: usize,
-    /// Panels in paint order; behind them a second time those whose figure steps out, for the figure alone.
+    /// Panels in paint order. Panels with a breakout follow a second time, for only the figure.
     pub panels: Vec<ScenePanel>,
-    /// Panels whose subject alone is drawn, to stand before an effect; see [`Document::fronts`]. They are numbered on from `panels`.
+    /// Panels whose subject is drawn separately, in front of an effect; see [`Document::fronts`]. They are
+    /// numbered on from `panels`.
     pub fronts: Vec<ScenePanel>,
     /// The style of all panels.
     pub style: Cow<'static, Style>,
-    /// Scale of spatial parameters: that of the page's average panel, so that lines are equally wide all over
-    /// a page, and alike in thumbnail, preview and print.
+    /// Scale of spatial parameters, from the page's average panel. Lines are equally wide on all panels, and
+    /// proportional in thumbnail, preview and print.
     pub scale: f32,
     /// Colour of the paper.
     pub paper: [u8; 3],
@@ -42,13 +42,13 @@ pub struct Scene {
     pub border: f64,
     /// Radius of rounded corners in pixels.
     pub corner_radius: f64,
-    /// Where a photo has fewer pixels for each of the page, it is enlarged well; 0 where none is.
+    /// Photo pixels per page pixel below which a photo is upscaled with edge enhancement; 0 for never.
     pub enlarge_below: f64,
-    /// Whether borders are drawn on panels. A PDF file has them as lines of its own.
+    /// Whether borders are drawn on panels. A PDF file draws them as vectors.
     pub bordered: bool,
 }
 
-/// What of a panel a picture shows.
+/// The content of a panel image.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Shows {
     /// The panel, as far as its shape goes.
@@ -64,17 +64,17 @@ pub enum Shows {
 pub struct ScenePanel {
     /// Which panel of the document it belongs to.
     pub number: usize,
-    /// What of it is drawn.
+    /// The drawn part.
     pub shows: Shows,
     /// Its shape in page pixels.
     pub shape: ResolvedShape,
-    /// Bounds of the image that it shows a part of: its own, or those of the group it is merged into.
+    /// Bounds of the shown image: of the panel, or of its merged group.
     pub image_bounds: Bounds,
-    /// Width in pixels of the ring of paper that sets it off from what lies below.
+    /// Width in pixels of the paper-coloured outline.
     pub halo: f64,
     /// Pixels that its image and border touch.
     pub area: PixelRect,
-    /// Id of the photo, none for an empty panel.
+    /// Id of the photo; `None` for an empty panel.
     pub photo: Option<String>,
     /// Part of the photo that fills `image_bounds`; beyond the photo where the page has bleed and the photo ends.
     pub crop: Crop,
@@ -82,9 +82,9 @@ pub struct ScenePanel {
     pub faces: Vec<Crop>,
     /// Which part of the photo is its subject, where that is known and the style or a front asks for it.
     pub subject: Option<Matte>,
-    /// Of a panel whose figure is to step out: the subject, and what it has to leave alone.
+    /// The subject for a panel breakout, and the areas that it must not cover.
     pub figure: Option<(Matte, Around)>,
-    /// The photo is shown as it is, without style and border.
+    /// Whether the photo has no style and no border.
     pub plain: bool,
 }
 
@@ -128,8 +128,8 @@ impl Scene {
 }
 
 impl Scene {
-    /// Tells the subjects of photos, by their ids, where the style has something that is for a part of the picture, or where an effect
-    /// stands behind them.
+    /// Sets the subject masks of photos by id, if the style has a part for only the subject or background, or
+    /// an effect is behind a subject.
     pub fn show_subjects(&mut self, subject: &dyn Fn(&str) -> Option<Matte>) {
         let panels: &mut [ScenePanel] = if self.style.has_parts() { &mut self.panels } else { &mut [] };
         for panel in panels.iter_mut().chain(&mut self.fronts).filter(|panel| !panel.plain) {

@@ -1,6 +1,5 @@
-//! The colour space of every file, as a profile for those kinds that carry one (JPEG, PDF): sRGB by a matrix and a curve of
-//! 256 entries, one for each value that an 8-bit sample has. It is written here rather than shipped, so it has nobody's
-//! rights on it and is the same on every machine.
+//! sRGB profile of exported files (JPEG, PDF): a matrix and a curve of 256 entries, one for each 8-bit value.
+//! It is generated, so it has no copyright and is equal on every machine.
 //!
 //! Sources: ICC.1:2001-04 (version 2 of the format, which everything reads); IEC 61966-2-1 for the curve and the primaries,
 //! these adapted to D50 as the profiles of 1998 have them.

@@ -14,11 +14,11 @@ const MOST_OF_A_PAGE: usize = 9;
 /// Which photos are taken, and in which order.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Choice {
-    /// Photos whose fingerprints differ in at most so many of 64 bits show the same picture; as usual where nothing is said.
+    /// Maximum fingerprint distance of near-duplicates, in bits of 64. `None`: default.
     pub alike: Option<u32>,
-    /// Whether those that look alike and those that are blurred are taken, too.
+    /// Whether near-duplicates and blurred photos are used as well.
     pub keep_all: bool,
-    /// Whether the order stays that in which they are given, whatever they say of when they were taken.
+    /// Whether to keep the given order instead of sorting by capture time.
     pub as_given: bool,
 }
 

@@ -1,5 +1,5 @@
-//! What a file says of itself: its title and language, and that its colours are sRGB. No times, no names: who made it and
-//! when is nobody's business.
+//! Metadata of a PDF file: title, language, and the sRGB output intent. Dates and authors are not written,
+//! for privacy.
 
 use super::options::Options;
 use super::packed;

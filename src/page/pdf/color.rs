@@ -1,12 +1,12 @@
-//! Colours as a file has them: as they are, or as the plate of one ink.
+//! Colours in a PDF file: unchanged, or as the plate of one ink.
 
 use super::share;
 use crate::page::plates::Separation;
 use pdf_writer::Content;
 
-/// What becomes of colours.
+/// Conversion of colours.
 pub(super) enum Colours {
-    /// They stay; grays are told as such, so that no press makes them of its colours.
+    /// Unchanged. Grays use the gray colour space, so that presses print them without coloured inks.
     Own,
     /// The place of an ink, and the paper, on which nothing is printed.
     Plate { separation: Box<Separation>, ink: usize, paper: [u8; 3] },
@@ -22,7 +22,7 @@ impl Colours {
         }
     }
 
-    /// The colour of what is filled next.
+    /// Sets the fill colour.
     pub(super) fn fill(&self, content: &mut Content, rgb: [u8; 3]) {
         if let Some(gray) = self.gray(rgb) {
             content.set_fill_gray(share([gray; 3])[0]);

@@ -64,7 +64,8 @@ pub(super) fn draw(
     Ok(())
 }
 
-/// The subject of a panel before the effects that stand behind it, where it is there; `front` is its place among the fronts.
+/// Draws the subject of a panel in front of the effects behind it, if it exists. `front` is its index among
+/// the foregrounds.
 pub(super) fn draw_front(content: &mut Content, ground: &Ground, front: usize) {
     let index = ground.leaf.document.first_front() + front;
     if let Some(picture) = ground.leaf.pictures.iter().find(|picture| picture.index == index) {

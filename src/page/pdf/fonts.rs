@@ -1,5 +1,4 @@
-//! The fonts of a PDF file: of each that its words are set in the letters that they use, with what they stand for, so
-//! that text can be found and copied.
+//! Embedded fonts of a PDF file: subsets with the used glyphs, and their Unicode text for search and copy.
 
 use super::packed;
 use crate::page::words::Letters;
@@ -55,7 +54,7 @@ impl<'a> Fonts<'a> {
         self.0.iter().find(|face| face.font.id() == id)
     }
 
-    /// Says by which names a page has them.
+    /// Writes the names of the fonts for a page.
     pub(super) fn name(&self, names: &mut Dict) {
         for face in &self.0 {
             names.pair(Name(face.name().as_bytes()), face.id);

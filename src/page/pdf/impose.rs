@@ -1,6 +1,6 @@
 //! Pages on sheets that are folded or cut: which page goes where, so that all is in order once it is bound.
 //!
-//! The orders are those of the printers' craft; `tests/oracles/impose.py` asks another program for them.
+//! The orders are standard in printing. `tests/oracles/impose.py` compares them with another program.
 
 use serde::Deserialize;
 
@@ -8,7 +8,7 @@ use serde::Deserialize;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub enum Imposition {
-    /// Two a side, printed on both sides, folded once and stapled through the fold.
+    /// Saddle-stitched booklet: two pages per side, printed on both sides, folded once.
     #[serde(rename = "booklet")]
     Booklet,
     /// Eight on one side of one sheet, which is cut once in its middle and folded.
@@ -17,7 +17,7 @@ pub enum Imposition {
     /// Two beside each other, to be cut apart.
     #[serde(rename = "2up")]
     TwoUp,
-    /// The first alone, then two and two as an open book shows them.
+    /// One page on the first sheet, then two pages per sheet, like an open book.
     #[serde(rename = "spreads")]
     Spreads,
 }
@@ -28,13 +28,13 @@ impl Imposition {
         [("booklet", Self::Booklet), ("zine", Self::Zine), ("2up", Self::TwoUp), ("spreads", Self::Spreads)];
 }
 
-/// A page on a sheet: its number from 0, and whether it stands on its head.
+/// A page on a sheet: its index from 0, and whether it is upside down.
 pub type Seat = (usize, bool);
 
 /// One side of a sheet: rows of seats, from the top left; a seat of a page beyond the last stays empty.
 pub type Side = Vec<Vec<Seat>>;
 
-/// The sides of all sheets for so many pages, in the order in which they are printed.
+/// The sides of all sheets for a number of pages, in printing order.
 #[must_use]
 pub fn sides(how: Option<Imposition>, pages: usize) -> Vec<Side> {
     let row = |numbers: &[usize]| vec![numbers.iter().map(|&number| (number, false)).collect()];

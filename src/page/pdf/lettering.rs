@@ -21,8 +21,8 @@ use pdf_writer::{Content, Name, Ref, Str, TextStr};
 /// left one comes first.
 const ASIDE: f64 = 0.35;
 
-/// When words are read: behind which panel, and the place among those that stand there. One that stands on the page is of
-/// the panel under it, or before or behind all of them.
+/// Reading order of text items: the panel before the item, and the rank among the items of that panel. An
+/// item on the page belongs to the panel under it, or comes before or after all panels.
 ///
 /// # Errors
 /// `unknown-layout`, `invalid-layout`.

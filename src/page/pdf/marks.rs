@@ -1,4 +1,4 @@
-//! Printers' marks: where a sheet is cut and folded. They lie outside of what is kept, but for the one cut of a mini-zine.
+//! Crop marks and fold marks of a sheet. They are outside of the trimmed area, except the cut of a mini-zine.
 
 use super::color::Colours;
 use super::impose::Imposition;
@@ -11,7 +11,7 @@ const LINE: f64 = 0.25;
 /// Points of a dash and of the gap behind it: a fold.
 const FOLD: [f32; 2] = [3.0, 2.0];
 
-/// Draws the marks of a sheet, in points from the upper left corner of what is kept.
+/// Draws the marks of a sheet, in points from the upper left corner of the trimmed area.
 pub(super) fn draw(content: &mut Content, sheet: &Sheet, how: Option<Imposition>, colours: &Colours) {
     content.save_state();
     content.transform(sheet.matrix());

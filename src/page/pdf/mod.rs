@@ -1,5 +1,5 @@
-//! Pages as a PDF file: frames, balloons and letters stay lines and text at any size; only what is inside of the
-//! panels is made of pixels, one JPEG a panel.
+//! PDF export. Borders, balloons and text are vectors. Only the content of panels is pixels, one JPEG image
+//! per panel.
 //!
 //! | module | for |
 //! |---|---|
@@ -15,7 +15,7 @@
 //! | `tags` | what is read, in its order, and what stands for pictures |
 //! | `about` | title, language and colour space |
 //!
-//! All geometry is that of the page as pixels: the same functions say where it is.
+//! The geometry is the same as for pixels, from the same functions.
 
 mod about;
 mod color;
@@ -51,15 +51,15 @@ pub struct Leaf {
     pub document: Document,
     /// Pictures of its panels; a panel without one is empty.
     pub pictures: Vec<Picture>,
-    /// What its panels show, in their order, for who does not see them; what is missing says the number of the panel.
+    /// Alternative texts of the panels, in their order. Missing ones become the number of the panel.
     pub alts: Vec<String>,
 }
 
-/// Writes pages, each as large as its dots an inch make it, on sheets as the options say.
+/// Writes pages at their print size, on sheets as the options say.
 ///
 /// # Errors
-/// `invalid-document` for panels that do not fit the layout, for words that break their shape, and for a plate of an ink
-/// that the style of a page does not print; `unknown-layout`, `invalid-layout`, and their kin of styles for plates.
+/// `invalid-document` for panels that do not fit the layout, invalid text items, or a plate of an ink that
+/// the page's style does not use; `unknown-layout`, `invalid-layout`, and style errors for plates.
 pub fn write(leaves: &[Leaf], options: &Options, letters: &Letters) -> Result<Vec<u8>> {
     let mut last = Ref::new(1);
     let mut next = || last.bump();

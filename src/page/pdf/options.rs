@@ -1,9 +1,9 @@
-//! What is asked of a PDF file beside its pages.
+//! Options of a PDF file.
 
 use super::impose::Imposition;
 use serde::Deserialize;
 
-/// How a file is made of pages; nothing told gives one sheet a page, in colour, without marks.
+/// Options of a PDF file. Default: one sheet per page, in colour, without marks.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 #[cfg_attr(
@@ -12,10 +12,10 @@ use serde::Deserialize;
     ts(rename = "PdfOptions", rename_all = "camelCase", optional_fields)
 )]
 pub struct Options {
-    /// What the file is called where it is shown.
+    /// Title of the file.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<String>"))]
     pub title: String,
-    /// Language of what stands in it, as a tag such as `pt-BR`; empty says nothing.
+    /// Language of the text, as a tag such as `pt-BR`. Empty: not specified.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<String>"))]
     pub language: String,
     /// Lines beyond the corners that say where to cut and fold.
@@ -24,11 +24,11 @@ pub struct Options {
     /// How pages share sheets.
     #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable))]
     pub imposition: Option<Imposition>,
-    /// Width and height in millimetres of the sheets that all is fitted to, upright or not; none makes sheets as large as
-    /// what is on them.
+    /// Width and height in millimetres of the sheets, in either orientation. The content is scaled to fit.
+    /// `None`: sheets fit the content.
     #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable, as = "Option<[f64; 2]>"))]
     pub paper: Option<[f64; 2]>,
-    /// The ink whose plate this is, by its place in `inks`; none is for all colours.
+    /// Index in `inks` of the ink of this plate. `None`: all colours.
     #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable))]
     pub plate: Option<usize>,
     /// The colours on white paper of the inks of plates, the strongest last.

@@ -17,13 +17,13 @@ pub struct Picture {
     pub area: PixelRect,
     /// The file.
     pub jpeg: Vec<u8>,
-    /// Of a figure and a front, how much of each pixel is seen: packed bytes, row by row.
+    /// Opacity of each pixel of a figure or foreground: packed bytes, row by row.
     pub alpha: Option<Vec<u8>>,
 }
 
-/// Makes the picture of a panel of the patch that was rendered without its border at the page's full width. The patch
-/// has the colours of the whole rectangle, also where the panel's shape covers nothing of it. `plate` is the ink that it is
-/// printed with; without one it keeps its colours, and is gray where it has none.
+/// Makes the image of a panel from its patch, rendered without border at the page's full width. The patch has
+/// colours for its whole rectangle, including areas outside the panel's shape. `plate` selects an ink.
+/// Without it the image keeps its colours, and a gray image stays gray.
 ///
 /// # Errors
 /// `invalid-document` for a panel that the page does not have; `buffer-size` when the patch does not hold the pixels of

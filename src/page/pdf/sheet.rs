@@ -1,5 +1,5 @@
-//! A side of a sheet of paper with its pages in their places: how large it is, and where everything goes. Lengths are in
-//! points of 1/72 inch, from the upper left corner of what is left after cutting, unless told.
+//! A side of a sheet of paper with its pages in their places: how large it is, and where everything goes. By
+//! default lengths are in points of 1/72 inch, from the upper left corner of the trimmed area.
 
 use super::Leaf;
 use super::impose::{Imposition, Side};
@@ -140,7 +140,7 @@ impl Sheet {
         pdf_writer::Rect::new(0.0, 0.0, width, height)
     }
 
-    /// What is left after cutting, with so many points more on each side, in units.
+    /// The trimmed area, extended by `more` points on each side, in units.
     pub(super) fn inner_box(&self, more: f64) -> pdf_writer::Rect {
         let (left, top) = self.corner();
         let scale = self.fit / self.unit;
@@ -153,7 +153,7 @@ impl Sheet {
         pdf_writer::Rect::new(x.max(0.0) + 0.0, y.max(0.0) + 0.0, width.min(media.x2), height.min(media.y2))
     }
 
-    /// Where the sheet is folded or cut apart inside: lines from one point to another, and whether they are cuts.
+    /// Fold and cut lines inside the sheet: their end points, and whether they are cuts.
     pub(super) fn lines(&self, how: Option<Imposition>) -> (Vec<[(f64, f64); 2]>, bool) {
         let (width, height) = self.size;
         let (columns, rows) = self.grid;

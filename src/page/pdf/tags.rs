@@ -1,5 +1,5 @@
-//! The structure of a file, for who does not see it: the document, its pages in their order whatever sheets they are on, in
-//! each the panels as figures that say what they show, and the words as paragraphs behind the panel that they stand on.
+//! Tagged-PDF structure for screen readers: the document and its pages in reading order. Each page has panels
+//! as figures with alternative text, and text items as paragraphs after their panel.
 //!
 //! Source: ISO 32000-1, sections 14.6 to 14.8.
 
@@ -31,7 +31,7 @@ pub(super) struct Tags {
 }
 
 impl Tags {
-    /// Begins a sheet; what is marked next is on it.
+    /// Begins a sheet. The next marked content is on it.
     pub(super) fn begin(&mut self, page: Ref) {
         self.sheets.push((page, Vec::new()));
     }
@@ -41,12 +41,13 @@ impl Tags {
         self.sheets.len() as i32 - 1
     }
 
-    /// A panel that shows something, with its page and its rank there. What is drawn until [`end`] is it.
+    /// A panel that shows something, with its page and its rank there. The content until [`end`] belongs to
+    /// it.
     pub(super) fn figure(&mut self, content: &mut Content, (leaf, panel): (usize, i64), alt: &str, id: Ref) {
         self.mark(content, (leaf, (panel, f64::NEG_INFINITY)), StructRole::Figure, alt, id);
     }
 
-    /// Something that is said. What is drawn until [`end`] is its letters.
+    /// Begins a text item. The content until [`end`] is its glyphs.
     pub(super) fn paragraph(
         &mut self,
         content: &mut Content,
@@ -134,13 +135,13 @@ fn write_element(pdf: &mut Pdf, element: &Element, parent: Ref) {
     written.children().marked_content_id(element.number);
 }
 
-/// What is drawn until [`end`] says nothing: paper, lines, marks.
+/// Begins content without meaning: paper, lines, marks. It lasts until [`end`].
 pub(super) fn artifact(content: &mut Content) {
     let mut mark = content.begin_marked_content_with_properties(Name(b"Artifact"));
     mark.properties().artifact().kind(ArtifactType::Layout);
 }
 
-/// Ends what was begun last.
+/// Ends the current marked content.
 pub(super) fn end(content: &mut Content) {
     content.end_marked_content();
 }

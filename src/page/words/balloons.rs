@@ -1,6 +1,6 @@
-//! Balloons as letterers draw them: a tail that is a fifth of the balloon wide and bends like a brush stroke, clouds and
-//! bursts that are not as even as a machine has them, the bolt of a loudspeaker, and necks between the balloons of one
-//! mouth. Lengths are in pixels, around the middle of the balloon.
+//! Balloon shapes after the rules of letterers: curved tails a fifth as wide as the balloon, uneven clouds
+//! and bursts, the bolt of a loudspeaker, and connectors between linked balloons. Lengths are in pixels,
+//! around the middle of the balloon.
 //!
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot).
 
@@ -16,8 +16,8 @@ const BEND: f64 = 0.13;
 /// Lengths of spikes and sizes of bumps that look drawn by hand, the same for every balloon.
 const UNEVEN: [f64; 11] = [0.5, 0.05, 0.85, 0.3, 1.0, 0.15, 0.7, 0.0, 0.55, 0.95, 0.25];
 
-/// The outlines of a balloon with half the width `a` and half the height `b`, whose tail ends at `tip`: the tail is a part
-/// of the body, or follows it as bubbles.
+/// Outlines of a balloon with half width `a` and half height `b`. Its tail ends at `tip` and is part of the
+/// body, or follows it as bubbles.
 pub(super) fn outline(shape: Shape, a: f64, b: f64, tip: Option<Point>) -> Vec<Vec<Point>> {
     match shape {
         Shape::Oval | Shape::Whisper => vec![oval(a, b, tip)],
@@ -158,7 +158,7 @@ fn cloud(a: f64, b: f64, tip: Option<Point>) -> Vec<Vec<Point>> {
     shapes
 }
 
-/// What joins two balloons: a band from one middle to the other that is narrow half way.
+/// Connector of two balloons: a band between their centres, narrow in the middle.
 pub(super) fn neck(from: Point, to: Point, half: f64) -> Vec<Point> {
     let (dx, dy) = (to.x - from.x, to.y - from.y);
     let length = dx.hypot(dy).max(1e-6);

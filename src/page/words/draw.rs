@@ -35,10 +35,10 @@ const RULE: f64 = 0.0003;
 /// The line around the letters of an effect, in ems.
 const RING: f64 = 0.075;
 
-/// Draws one word of a document whose page is `width` pixels wide.
+/// Draws one text item of a document whose page is `width` pixels wide.
 ///
 /// # Errors
-/// `invalid-document` for a word that is not there or breaks its shape; those of the layout.
+/// `invalid-document` for a missing or invalid text item; layout errors.
 pub fn render(document: &Document, index: usize, width: usize, letters: &Letters) -> Result<Patch> {
     let invalid =
         |location: String, reason: &str| Error::InvalidDocument { location, reason: reason.to_owned() };
@@ -79,12 +79,12 @@ pub fn lay_words_behind(
     drawn_behind((document, width), letters, fronts, &mut |_, patch| sheet.lay(patch.area, &patch.rgba))
 }
 
-/// Draws all words of a document whose page is `width` pixels wide, and gives each with its place among them: first those that stand
-/// behind figures, each lot in its order. `fronts`: the subjects of the panels that [`Document::fronts`] names, as
-/// [`render_panel`](crate::page::compose::render_panel) draws them.
+/// Draws all text items of a document whose page is `width` pixels wide, and passes each with its index to
+/// `give`. Items behind figures come first, in order. `fronts`: the subjects of the panels that
+/// [`Document::fronts`] names, as [`render_panel`](crate::page::compose::render_panel) draws them.
 ///
 /// # Errors
-/// As [`render`], and those of `give`.
+/// As [`render`], and the errors of `give`.
 pub fn drawn_behind(
     (document, width): (&Document, usize),
     letters: &Letters,
@@ -107,7 +107,8 @@ pub fn drawn_behind(
 
 /// The lines of a word on a page of some width, in its pixels.
 pub(in crate::page) struct Lines {
-    /// Outline of a balloon or a caption; its tail is a part of it, or follows it. Of joined balloons all outlines.
+    /// Outline of a balloon or a caption; its tail is a part of it, or follows it. Linked balloons share
+    /// their outlines.
     pub(in crate::page) body: Vec<Vec<Point>>,
     /// The outlines overlap and are one shape: their lines are drawn below what fills them, twice as wide.
     pub(in crate::page) united: bool,
@@ -123,7 +124,7 @@ pub(in crate::page) struct Lines {
     pub(in crate::page) dash: Option<(f64, f64)>,
 }
 
-/// What is drawn of a word on a page of `width` pixels.
+/// Vector shapes of a text item on a page of `width` pixels.
 pub(in crate::page) fn lines(laid: &Laid, width: f64, letters: &Letters) -> Lines {
     let word = &laid.word;
     let ringed = word.kind == Kind::Effect || word.boxless;
@@ -222,14 +223,15 @@ pub(in crate::page) struct Row<'a> {
     pub(in crate::page) font: &'a Font,
     /// They are emphasised: they lean by [`LEAN`].
     pub(in crate::page) strong: bool,
-    /// They are drawn heavier, where that is all that tells them from others.
+    /// Whether the glyphs are drawn bolder, if no bold font is available for emphasis.
     pub(in crate::page) heavy: bool,
-    /// Their size, in parts of the word's: those of readings are smaller.
+    /// Their size relative to the text item. Ruby is smaller.
     pub(in crate::page) scale: f64,
 }
 
 impl Row<'_> {
-    /// The place of what is so far along the row and so high over its baseline, from the middle of the word.
+    /// Position of a point relative to the centre of the text item: `along` the row and `up` from the
+    /// baseline.
     pub(in crate::page) fn at(&self, along: f64, up: f64) -> (f64, f64) {
         if self.turned { (self.baseline + up, along) } else { (along, self.baseline - up) }
     }
@@ -455,7 +457,8 @@ fn contours(laid: &Laid, width: f64, letters: &Letters) -> (Vec<Vec<Point>>, Vec
     (out, heavy)
 }
 
-/// Of each letter of a word that is seen its scale, and what is around it on a page of `width` pixels: left, top, right and bottom.
+/// Bounds of the visible glyphs of a text item on a page of `width` pixels: scale, then left, top, right and
+/// bottom.
 #[must_use]
 pub fn boxes(laid: &Laid, width: f64, letters: &Letters) -> Vec<(f64, (f64, f64, f64, f64))> {
     let bend = Bend::new(laid, width);
@@ -512,7 +515,7 @@ impl Bend {
         Self { radius: 0.0, ..*self }
     }
 
-    /// The place on the page of what is at `(x, y)` from the middle of the straight line.
+    /// Position on the page of the point `(x, y)` relative to the centre of the straight line.
     pub(in crate::page) fn moved(&self, x: f64, y: f64) -> Point {
         let (mut x, mut y) = (x - self.slant * y, y);
         if self.radius != 0.0 {

@@ -1,12 +1,12 @@
-//! Letters that the fonts of the program do not have, from the font files of a person: what the fonts of the system are to the
-//! page (`www/engine/shaping.ts`), these are to the command line and to Python.
+//! Glyphs from the user's font files, for characters that the bundled fonts lack. The command line and Python
+//! use them. The app uses system fonts instead (`www/engine/shaping.ts`).
 //!
-//! A stretch of text that the fonts lack is shaped by the first file that has all of it: words of scripts whose letters join or
-//! turn as a whole, by the rules of their script, all others a letter at a time, each by the first file that has it. The outlines
-//! become letters like those that are learnt from pictures, so that pictures and PDF files show the same. Letters of words in
-//! columns are shaped once more from the top down: where their font has another form for that (`vert`), it is learnt beside them.
+//! The first font with all characters of a text run shapes it. Words of joining or complex scripts are shaped
+//! as a whole. Other text is shaped character by character. The outlines become glyphs like those traced from
+//! images, so images and PDF files look the same. Glyphs of vertical text are shaped again with vertical
+//! alternates (`vert`).
 //!
-//! Nothing of this is in a module of the browser.
+//! No wasm module contains this code.
 
 use super::learning::number;
 use super::letters::{Contour, Letters};
@@ -55,7 +55,7 @@ impl GivenFonts {
     /// Adds a file: TrueType or OpenType, or the first font of a collection.
     ///
     /// # Errors
-    /// A sentence for what is no font, is broken, has no outlines, or is too large.
+    /// A sentence, if the file is not a font, is damaged, has no outlines, or is too large.
     pub fn add(&mut self, file: Vec<u8>) -> std::result::Result<(), &'static str> {
         if self.files.len() == MOST_FONTS {
             return Err("there are more than 16 fonts");
@@ -78,7 +78,7 @@ impl GivenFonts {
         Ok(())
     }
 
-    /// Those of several, each file once.
+    /// Combines several sets. Each file is added once.
     #[must_use]
     pub fn joined<'f>(all: impl IntoIterator<Item = &'f Self>) -> Self {
         let mut files: Vec<Arc<[u8]>> = Vec::new();
@@ -90,10 +90,10 @@ impl GivenFonts {
         Self { files }
     }
 
-    /// The letters that words are set in: those of the program, and what these lack of the words from the files.
+    /// The glyphs for text items: bundled ones, and missing ones from the files.
     ///
     /// # Errors
-    /// None but a broken build.
+    /// Only if the build is broken.
     pub fn letters<'w>(&self, words: impl IntoIterator<Item = &'w Value>) -> Result<Letters> {
         let mut letters = Letters::bundled()?;
         if self.files.is_empty() {
@@ -115,7 +115,7 @@ impl GivenFonts {
     }
 }
 
-/// The letters of words that none of the fonts has, each once, as they are told to people.
+/// Characters of text items that no font has, without duplicates, in display form.
 #[must_use]
 pub fn missing<'w>(letters: &Letters, words: impl IntoIterator<Item = &'w Value>) -> Vec<String> {
     let Some(font) = letters.font(OWN) else { return Vec::new() };

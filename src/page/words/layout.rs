@@ -1,4 +1,4 @@
-//! Where the words of a document are, and how large. Lengths are in page widths.
+//! Positions and sizes of the text items of a document. Lengths are in page widths.
 
 use super::letters::Letters;
 use super::model::{Craft, Kind, Word};
@@ -13,15 +13,15 @@ use serde::Serialize;
 
 /// A word with its place.
 pub struct Laid {
-    /// What it is.
+    /// The text item.
     pub word: Word,
     /// Its text in lines.
     pub setting: Setting,
     /// Its middle.
     pub middle: Point,
-    /// Where its tail ends.
+    /// End of the tail.
     pub tip: Option<Point>,
-    /// Where the balloon belongs that is drawn with others as one.
+    /// Position in a chain of linked balloons.
     pub chain: Chain,
 }
 
@@ -35,7 +35,7 @@ pub enum Chain {
     First {
         /// The other balloons.
         bodies: Vec<Body>,
-        /// What joins them.
+        /// Connectors.
         necks: Vec<Neck>,
     },
     /// Another draws its outline.
@@ -47,17 +47,17 @@ pub enum Chain {
 pub struct Body {
     /// Which one.
     pub kind: Kind,
-    /// By which conventions.
+    /// Lettering rules.
     pub craft: Craft,
     /// Its middle.
     pub middle: Point,
     /// Half the width and height of the shape around its text.
     pub half: (f64, f64),
-    /// Where its tail ends.
+    /// End of the tail.
     pub tip: Option<Point>,
 }
 
-/// What joins two balloons.
+/// Connector of two balloons.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Neck {
     /// The middle of one.
@@ -68,7 +68,7 @@ pub struct Neck {
     pub half: f64,
 }
 
-/// The page that words stand on.
+/// The page of the text items.
 pub struct Ground {
     /// The panels of the page.
     pub panels: Vec<ResolvedPanel>,
@@ -102,7 +102,8 @@ impl Ground {
         Ok(Self { panels, height: 1.0 / aspect, palette: palette_of(&document.style) })
     }
 
-    /// What the places of a word are fractions of: its panel, the last one where the page has fewer, or the page.
+    /// The bounds for relative positions: the item's panel, the last panel if the page has fewer, or the
+    /// page.
     #[must_use]
     pub fn frame(&self, word: &Word) -> Bounds {
         let panel = word.panel.and_then(|panel| self.panels.get(panel).or_else(|| self.panels.last()));
@@ -206,10 +207,10 @@ pub fn extent(word: &Word, setting: &Setting) -> (f64, f64) {
     (a * cos.abs() + b * sin.abs(), a * sin.abs() + b * cos.abs())
 }
 
-/// All words of a document in their places.
+/// Lays out all text items of a document.
 ///
 /// # Errors
-/// `invalid-document` for a word that breaks its shape; those of the layout.
+/// `invalid-document` for an invalid text item; layout errors.
 pub fn lay_all(document: &Document, letters: &Letters) -> Result<Vec<Laid>> {
     if document.words.is_empty() {
         return Ok(Vec::new());
@@ -264,7 +265,7 @@ fn join(all: &mut [Laid]) {
     }
 }
 
-/// Where a word is without its tail, in page widths.
+/// Bounds of a text item without its tail, in page widths.
 #[derive(Debug, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct WordBox {
@@ -276,11 +277,11 @@ pub struct WordBox {
     pub width: f64,
     /// Height.
     pub height: f64,
-    /// Where its tail ends.
+    /// End of the tail.
     pub tip: Option<Point>,
     /// Height of an em.
     pub size: f64,
-    /// The end of its text found no room.
+    /// Whether the end of the text was cut off.
     pub cut: bool,
     /// Colour of its letters, `#rrggbb`.
     pub color: String,
@@ -290,7 +291,7 @@ pub struct WordBox {
     pub font: String,
 }
 
-/// Where the words of a document are, in their order.
+/// Bounds of the text items of a document, in order.
 ///
 /// # Errors
 /// As [`lay_all`].

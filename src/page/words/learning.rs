@@ -1,9 +1,9 @@
-//! Letters that the fonts do not have, learnt from pictures of them (or, natively, from the font files of a person, `given`): the browser shapes and draws a word of Arabic, a Chinese
-//! letter or an emoji with the fonts of the system, and its outline becomes a letter like any other. So it is the same in the
-//! preview, in pictures and in PDF files, at any size.
+//! Traced glyphs, for characters that the fonts lack. The browser draws an Arabic word, a Chinese character
+//! or an emoji with a system font, and its outline becomes a glyph. Native builds use font files (`given`).
+//! So it looks the same in the preview, in images and in PDF files, at any size.
 //!
-//! The outline is that of half coverage, by marching squares (Lorensen and Cline 1987, in the plane), thinned by Douglas and
-//! Peucker's algorithm.
+//! The outline is at half coverage, by marching squares (Lorensen and Cline 1987, in the plane), simplified
+//! by the Douglas-Peucker algorithm.
 
 use super::letters::Contour;
 use crate::layout::Point;
@@ -21,7 +21,7 @@ const NONE: usize = usize::MAX;
 /// Outlines around less than so many pixels are dust.
 const DUST: f64 = 1.5;
 
-/// A picture of letters, with what a pen must know of them in pixels.
+/// An image of glyphs, with their metrics in pixels.
 #[derive(Debug, Clone, Copy)]
 pub struct Drawing<'a> {
     /// Its width.
@@ -49,12 +49,12 @@ pub(super) struct Learnt {
     pub(super) stands_for: Option<usize>,
 }
 
-/// The letter that stands for the run of that number.
+/// The placeholder character of a run by its number.
 pub(super) fn letter(number: usize) -> Option<char> {
     char::from_u32(FIRST + number as u32).filter(|_| number < MOST_LEARNT)
 }
 
-/// The number of the run that a letter stands for.
+/// The run number of a placeholder character.
 pub(super) fn number(letter: char) -> Option<usize> {
     u32::from(letter).checked_sub(FIRST).map(|number| number as usize).filter(|number| *number < MOST_LEARNT)
 }
@@ -62,7 +62,7 @@ pub(super) fn number(letter: char) -> Option<usize> {
 /// How far letters for private use are moved that a text has, so that none is taken for one that was learnt.
 const APART: u32 = 0xf_0000 - FIRST;
 
-/// A letter of a text, apart from those that are learnt.
+/// Replaces characters of text that collide with the placeholders.
 pub(super) fn private(letter: char) -> char {
     number(letter).and_then(|_| char::from_u32(u32::from(letter) + APART)).unwrap_or(letter)
 }
@@ -74,7 +74,7 @@ pub(super) fn private_again(letter: char) -> char {
 }
 
 impl Drawing<'_> {
-    /// The outlines in ems, y up; none for what is no picture.
+    /// The outlines in ems, y up. `None` if the input is not an image.
     pub(super) fn contours(&self) -> Option<Vec<Contour>> {
         let sound =
             self.em > 0.0 && [self.baseline, self.left, self.advance].iter().all(|length| length.is_finite());
@@ -215,8 +215,8 @@ fn thinned(line: &[Point]) -> Vec<Point> {
     line.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
 }
 
-/// The order in which letters of a line stand from left to right: what is read leftward turns a line around, in which runs of
-/// other letters keep their own order.
+/// Visual order of the characters of a line, from left to right. Right-to-left text reverses the line; runs
+/// of other text keep their order.
 pub(super) fn ordered(line: &[char], leftward: impl Fn(char) -> bool) -> Vec<char> {
     if !line.iter().any(|&letter| leftward(letter)) {
         return line.to_vec();

@@ -1,9 +1,9 @@
-//! Lines as letterers break them: long in the middle and short at the ends, so that a round balloon lies close around
-//! them, never the other way (an hourglass), and with hyphens only where nothing else will do.
+//! Lens-shaped line breaking: lines are long in the middle and short at the ends, so that a round balloon
+//! fits closely. Hourglass shapes are avoided, and hyphens are a last resort.
 //!
-//! For each number of lines the best breaks are found for all lines together, as `TeX` finds those of a paragraph (Knuth
-//! and Plass, "Breaking Paragraphs into Lines", 1981), against lines that are as long as a lens has them. Around the lines
-//! goes the smallest shape that keeps its distance from their corners.
+//! For each number of lines the best breaks are found for all lines together, like `TeX` does for paragraphs
+//! (Knuth and Plass, "Breaking Paragraphs into Lines", 1981). The target lengths follow the lens. The
+//! smallest shape with enough distance from the corners of the lines is used.
 
 use super::setting::{FULLNESS, Setter, Setting};
 use super::wording::Part;
@@ -115,7 +115,7 @@ impl<'a> Lens<'a> {
         }
     }
 
-    /// The text at a size, if it fits the room; `width` is the one of the shape that a person chose.
+    /// Sets the text at a size, if it fits into `room`. `width` is the width of the shape that the user set.
     pub(super) fn at(&self, size: f64, room: (f64, f64), width: Option<f64>) -> Option<Setting> {
         let manner = self.setter.manner;
         let (wide, high) = (width.unwrap_or(room.0) / size / 2.0, room.1 / size / 2.0);

@@ -4,10 +4,10 @@ use super::learning::{self, Drawing, Learnt};
 use crate::error::{Error, Result};
 use crate::layout::Point;
 
-/// The letter that stands for a capital I without bars, which only some fonts have.
+/// Private character of a capital I without crossbars, which only some fonts have.
 pub const STEM: char = '\u{f8f0}';
 
-/// What a letter is called where text is read and not seen.
+/// The character for text output, such as search, copy and screen readers.
 #[must_use]
 pub fn spoken(letter: char) -> char {
     if letter == STEM { 'I' } else { letter }
@@ -26,7 +26,7 @@ pub struct Letters {
 /// One font. Lengths are in ems, y up.
 pub struct Font {
     pub(super) id: String,
-    /// Units of the font an em: what all its lengths are whole numbers of.
+    /// Font units per em. All lengths are integers in these units.
     pub(super) units: u16,
     /// Ascent of the highest letters over the baseline.
     pub ascent: f64,
@@ -45,7 +45,7 @@ pub(super) struct Glyph {
     pub(super) contours: Vec<Contour>,
 }
 
-/// A closed line: where it starts, and its segments with the control point where they are curves.
+/// A closed contour: its start, and segments with a control point if they are curves.
 #[derive(Clone)]
 pub(super) struct Contour {
     pub(super) start: Point,
@@ -56,34 +56,34 @@ impl Letters {
     /// Reads a table.
     ///
     /// # Errors
-    /// `damaged` for anything but a whole table.
+    /// `damaged` if the table is not complete and valid.
     pub fn parse(bytes: &[u8]) -> Result<Self> {
         Reader { bytes }.letters().ok_or_else(|| Error::damaged("letters", "the table is not whole"))
     }
 
-    /// The table of the fonts that come with the program.
+    /// The table of the bundled fonts.
     ///
     /// # Errors
-    /// None but a broken build.
+    /// Only if the build is broken.
     #[cfg(not(target_arch = "wasm32"))]
     pub fn bundled() -> Result<Self> {
         Self::parse(include_bytes!(concat!(env!("OUT_DIR"), "/letters.bin")))
     }
 
-    /// A font by its id; the first where there is none of it.
+    /// Returns a font by id, or the first font if the id is unknown.
     #[must_use]
     pub fn font(&self, id: &str) -> Option<&Font> {
         self.fonts.iter().find(|font| font.id == id).or_else(|| self.fonts.first())
     }
 
-    /// The font of what is emphasised in a text of some font: its bold one, or the same where there is none.
+    /// The font for emphasis: the bold font of the family, or the same font.
     #[must_use]
     pub fn strong<'a>(&'a self, font: &'a Font) -> &'a Font {
         self.fonts.iter().find(|bold| bold.id.strip_suffix("-bold") == Some(&font.id)).unwrap_or(font)
     }
 
-    /// Text as the fonts take it: marks joined with their letters, controls and what has no width left out, line ends
-    /// as `\n`.
+    /// Normalises text for the fonts: composes marks with their base, removes controls and characters without
+    /// width, converts line ends to `\n`.
     #[must_use]
     pub fn cleaned(&self, text: &str) -> Vec<char> {
         let mut out: Vec<char> = Vec::new();
@@ -126,7 +126,7 @@ impl Letters {
         self.learn_outline(run, leftward, drawing.advance / drawing.em, &contours)
     }
 
-    /// The same from its outline and the way of the pen over it, in ems.
+    /// Adds a glyph from its outline and its advance, in ems.
     pub(super) fn learn_outline(
         &mut self,
         run: &str,
@@ -145,8 +145,8 @@ impl Letters {
         true
     }
 
-    /// Gives a letter that was learnt the form that its font has for columns: its outline from the left of a square, over a
-    /// baseline as high as that of others, and its part of the column, in ems.
+    /// Adds the vertical form of a traced glyph: its outline from the left of a square, on the common
+    /// baseline, and its advance in the column, in ems.
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn learn_standing(&mut self, run: &str, length: f64, contours: &[Contour]) {
         let of = self.learnt.iter().position(|learnt| learnt.run == run && learnt.stands_for.is_none());
@@ -172,13 +172,13 @@ impl Letters {
         }
     }
 
-    /// The text that a letter stands for, where it was learnt.
+    /// The text of a placeholder character.
     #[must_use]
     pub fn learnt(&self, letter: char) -> Option<&str> {
         self.learnt.get(learning::number(letter)?).map(|learnt| learnt.run.as_str())
     }
 
-    /// What a letter is as text.
+    /// The text of a character.
     #[must_use]
     pub fn text_of(&self, letter: char) -> String {
         self.learnt(letter).map_or_else(|| spoken(letter).to_string(), str::to_owned)
@@ -209,7 +209,8 @@ impl Letters {
         })
     }
 
-    /// The letters of a text that a font does not have, each once: a question mark in a ring stands for each.
+    /// Characters of a text that a font lacks, without duplicates. Each is drawn as a question mark in a
+    /// ring.
     #[must_use]
     pub fn missing(&self, text: &str, font: &Font) -> Vec<char> {
         let mut missing: Vec<char> = Vec::new();
@@ -254,7 +255,7 @@ impl Letters {
 }
 
 impl Font {
-    /// The glyph of a letter, or the sign for what is missing.
+    /// The glyph of a character, or the sign for missing glyphs.
     pub(super) fn glyph(&self, letter: char) -> Option<&Glyph> {
         let code = match letter {
             '\u{a0}' | '\u{202f}' => 32,
@@ -306,7 +307,7 @@ impl Font {
         self.glyphs.insert(at, stem);
     }
 
-    /// Its name among those of the table.
+    /// Id of the font in the table.
     #[must_use]
     pub fn id(&self) -> &str {
         &self.id

@@ -20,11 +20,12 @@
 //! | [`place`] | where a word goes by itself: away from faces, off the figures of photos |
 //! | [`truetype`] | letters of the table as a font for other programs |
 //!
-//! What text may hold: everything in Unicode. The fonts have Latin with its extensions and accents, also where these come as
-//! characters of their own, Greek, Cyrillic, and some signs; other letters (emoji, Hebrew, Chinese) are learnt from
-//! pictures, where a browser draws these, or from the font files of a person; for what is in none a question mark in a ring
-//! stands, and [`Letters::missing`] names it. Characters without width (joiners, marks of direction, variation selectors) and
-//! marks that no letter takes are left out. Text that does not fit the page at the smallest size ends in an ellipsis.
+//! Text may contain any Unicode character. The bundled fonts have extended Latin with accents and combining
+//! marks, Greek, Cyrillic, and some signs. Other characters (emoji, Hebrew, Chinese) are traced from images
+//! in the browser, or from the user's font files. Missing glyphs are drawn as a question mark in a ring, and
+//! [`Letters::missing`] lists them. Characters without width (joiners, direction marks, variation selectors)
+//! and marks without a base are removed. Text that does not fit the page at the smallest size ends in an
+//! ellipsis.
 
 mod balloons;
 pub mod draw;

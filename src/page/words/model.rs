@@ -1,8 +1,8 @@
-//! A word of the page as plain data. In JSON, with what may be left out in brackets:
-//! `{kind, text, [shape], [panel], [x], [y], [width], [size], [tail], [font], [color], [fill], [angle], [arc], [auto],
-//! [craft], [boxless], [capitals], [slant], [outline], [behind], [id], [joined], [linked], [apart], [by], [language], [room],
-//! [vertical]}`. Sheets of boards have captions that are `plain`, or `ruled` where people write by hand: `x` and `y` are then
-//! their upper left corner, `room` their size.
+//! A text item as plain data. In JSON, with optional fields in brackets: `{kind, text, [shape], [panel],
+//! [x], [y], [width], [size], [tail], [font], [color], [fill], [angle], [arc], [auto], [craft], [boxless],
+//! [capitals], [slant], [outline], [behind], [id], [joined], [linked], [apart], [by], [language], [room],
+//! [vertical]}`. Storyboard sheets have captions that are `plain`, or `ruled` for handwriting. For these `x`
+//! and `y` are the upper left corner, and `room` is the size.
 
 use crate::error::{Error, Result};
 use serde_json::Value;
@@ -20,12 +20,12 @@ pub const WIDEST_OUTLINE: f64 = 0.4;
 /// A place of a word, in widths and heights of its panel to either side.
 pub const FARTHEST: f64 = 10.0;
 
-/// What a word is.
+/// Kind of a text item.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A box of narration.
     Caption,
-    /// What somebody says or thinks.
+    /// Speech or thought.
     Balloon(Shape),
     /// A sound, in large letters without a box.
     Effect,
@@ -46,12 +46,12 @@ pub enum Shape {
     Radio,
 }
 
-/// By which conventions a word is set, drawn and placed. Words of earlier pages go on to look as they did.
+/// Lettering rules: how text items are set, drawn and placed. Items of old pages keep their look.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Craft {
-    /// Those of the first pages: `craft` is missing, or 1.
+    /// The first rules: `craft` is missing, or 1.
     First,
-    /// Those of letterers: 2, as new words have it.
+    /// The rules of letterers: 2, for all new items.
     Letterer,
 }
 
@@ -59,19 +59,19 @@ pub enum Craft {
 #[derive(Debug, Clone, PartialEq)]
 #[allow(clippy::struct_excessive_bools, reason = "each is a field of the file by itself")]
 pub struct Word {
-    /// What it is.
+    /// Kind.
     pub kind: Kind,
-    /// What it says; `\n` ends a line.
+    /// Text; `\n` ends a line.
     pub text: String,
-    /// The panel that it stands on: places are fractions of that panel's bounds. None: of the page.
+    /// The panel: positions are fractions of its bounds. `None`: fractions of the page.
     pub panel: Option<usize>,
     /// Its middle.
     pub at: (f64, f64),
-    /// Width of its box or balloon in page widths; none fits the text.
+    /// Width of the box or balloon in page widths; `None` fits the text.
     pub width: Option<f64>,
-    /// Height of an em in page widths; none is as large as fits, between two limits.
+    /// Height of an em in page widths; `None` is as large as fits, between two limits.
     pub size: Option<f64>,
-    /// Where the tail of a balloon points.
+    /// Target of the tail of a balloon.
     pub tail: Option<(f64, f64)>,
     /// Id of a font of the table.
     pub font: String,
@@ -83,41 +83,41 @@ pub struct Word {
     pub angle: f64,
     /// How far the line of an effect bends: 1 arches up by a third of a circle, -1 sags as much.
     pub arc: f64,
-    /// Nobody has moved it: it goes where it hides no face. True unless told where it has no place.
+    /// Whether the item is placed automatically, away from faces. Default: true without a position.
     pub auto: bool,
     /// The conventions that it follows.
     pub craft: Craft,
     /// A caption without a box: its letters lie on the picture, with a line around them.
     pub boxless: bool,
-    /// A caption of nothing but letters in lines that begin at the left, from the top of its room down.
+    /// Whether the caption is only left-aligned text from the top of its room.
     pub plain: bool,
-    /// Lines to write on in the place of a text.
+    /// Whether ruled lines replace the text.
     pub ruled: bool,
     /// Whether it is set in capitals.
     pub capitals: bool,
     /// Degrees that the letters of an effect lean to the right, up to [`STEEPEST`].
     pub slant: f64,
-    /// Half the width of the line around the letters of an effect, in ems; none is as usual.
+    /// Half the width of the outline around the glyphs of an effect, in ems; `None` for the default.
     pub outline: Option<f64>,
-    /// An effect that stands behind the subject of the photo of its panel, where that is known.
+    /// Whether an effect is behind the subject of its panel, if the subject is known.
     pub behind: bool,
-    /// Its name, for those that are joined to it.
+    /// Id, for links of other balloons.
     pub id: Option<String>,
     /// The name of the balloon that this one is joined to: the same mouth says both.
     pub joined: Option<String>,
-    /// The same, found when the balloon was placed by itself: it is looked for anew whenever it is placed again.
+    /// Automatically linked balloon. It is found again at each automatic placement.
     pub linked: Option<String>,
-    /// It is joined to no balloon by itself.
+    /// Whether this balloon is never linked automatically.
     pub apart: bool,
-    /// Who says it, where that is known: balloons of different names are never joined by themselves.
+    /// Name of the speaker, if known. Balloons of different speakers are never linked automatically.
     pub by: Option<String>,
     /// The language of its text, such as `en` or `pt-BR`: long words part by its rules. None: they part nowhere.
     pub language: Option<String>,
     /// Its lines are columns, read from the top down and from right to left.
     pub vertical: bool,
-    /// Width and height in page widths that a word without a width of its own keeps to, found when it was placed.
+    /// Width and height in page widths for an item without a set width, found during placement.
     pub room: Option<(f64, f64)>,
-    /// The colours that a person or a file has chosen, of the letters and inside; the others may follow the style.
+    /// Whether the text colour and the fill colour are set. Other colours may follow the style.
     pub chosen: (bool, bool),
 }
 
@@ -211,13 +211,13 @@ impl Word {
         })
     }
 
-    /// The name of the balloon that it hangs on, by hand or by itself.
+    /// Id of the balloon that it is linked to, manually or automatically.
     #[must_use]
     pub fn hangs_on(&self) -> Option<&String> {
         self.joined.as_ref().or(self.linked.as_ref())
     }
 
-    /// Which of a page's fronts an effect stands behind: its place among [`Document::fronts`](crate::page::Document::fronts).
+    /// Index of the foreground that covers an effect, in [`Document::fronts`](crate::page::Document::fronts).
     #[must_use]
     pub fn front(&self, fronts: &[usize]) -> Option<usize> {
         let panel = self.panel.filter(|_| self.behind && self.kind == Kind::Effect)?;

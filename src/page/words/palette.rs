@@ -1,8 +1,7 @@
-//! The colours that words take from the style of their page, where a person has chosen none: the ink of its lines, the
-//! paper that it lies on, and one that stands out. `build.rs` works them out for the styles that come with the program, so
-//! that the module of words need not hold these.
+//! Default colours of text items, from the style of their page: ink, paper and accent. `build.rs` computes
+//! them for the built-in styles, so that the words module does not contain styles.
 //!
-//! Letters keep a contrast of 7 : 1 to what is below them (WCAG 2.2, success criterion 1.4.6).
+//! Text has a contrast of at least 7 : 1 with its background (WCAG 2.2, success criterion 1.4.6).
 
 use serde_json::Value;
 
@@ -24,7 +23,7 @@ pub struct Palette {
 /// Least contrast of letters to their ground.
 const CONTRAST: f64 = 7.0;
 
-/// The palette of a style that is given in full; what is no style has that of an empty one.
+/// The palette of a complete style. Invalid styles get the palette of an empty style.
 #[must_use]
 pub fn of(style: &Value) -> Palette {
     let ink = style["ink"].as_str().and_then(hex).unwrap_or([0; 3]);

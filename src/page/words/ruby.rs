@@ -1,12 +1,13 @@
-//! Readings that stand small beside their letters, as Japanese and Chinese comics have them for letters that not everybody can
-//! read: `漢字《かんじ》` gives the letters of Han before it a reading in kana, `|base《reading》` any letters any reading. Behind
-//! a backslash the signs stand for themselves.
+//! Ruby: small readings next to their base text, common in Japanese and Chinese comics. `漢字《かんじ》` gives the
+//! preceding Han characters a reading in kana. `|base《reading》` gives any text a reading. A backslash escapes
+//! these signs.
 //!
-//! A line never parts letters from their reading. Where a reading is longer than its letters, these stand apart, so that it meets no
-//! neighbour; where it is shorter, it is spread over them, with half as much room at its ends as between its letters.
+//! Lines never break between base text and reading. If a reading is longer than its base text, the base text
+//! is spaced out, so that readings do not touch. If it is shorter, it is spread over the base text, with half
+//! the gap at its ends.
 //!
-//! Sources: the manual of Aozora Bunko for its input files, for the notation; W3C, "Requirements for Japanese Text Layout" (JLREQ),
-//! 3.3, for where readings stand.
+//! Sources: the manual of Aozora Bunko for its input files, for the notation; W3C, "Requirements for Japanese
+//! Text Layout" (JLREQ), 3.3, for the positions.
 
 use super::letters::{Font, Letters};
 use super::vertical;
@@ -18,15 +19,15 @@ pub(super) const SIZE: f64 = 0.5;
 const AIR: f64 = 0.05;
 /// Most letters of a reading, and of what it is of: more between such brackets is a title, or a quotation.
 const LONGEST: usize = 40;
-/// Between the lines of a text with readings there is so much more room, in ems; the same between columns.
+/// Extra space between lines of a text with ruby, and between columns, in ems.
 pub(super) const ROOM: (f64, f64) = (0.46, 0.36);
-/// So much thicker is a text whose lines have readings above their letters, or columns beside them, in ems.
+/// Extra thickness of a text with ruby above its lines, and next to its columns, in ems.
 pub(super) const THICKER: (f64, f64) = (0.7, SIZE + AIR);
 
-/// What of a reading belongs to a letter that is set.
+/// The part of a reading that belongs to a glyph.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Under {
-    /// The number of its reading, from 1; 0 for none.
+    /// Number of its reading, from 1; 0 without a reading.
     pub reading: u16,
     /// How much further the pen goes over it, in ems: one half before the letter, the other behind it.
     pub apart: f64,
@@ -48,7 +49,7 @@ struct Notes {
     escapes: Vec<usize>,
 }
 
-/// What a letter of a text is.
+/// Role of a character in a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
     /// It is set; with the number of its reading, from 1, or 0.
@@ -119,7 +120,7 @@ fn note(text: &[char], open: usize, free: usize, bar: Option<usize>) -> Option<N
     said.iter().all(|&letter| is_phonetic(letter)).then_some(Note { base: start..open, reading, bar: None })
 }
 
-/// What each letter of a text is.
+/// The role of each character of a text.
 pub(super) fn parts(text: &[char]) -> Vec<Part> {
     let mut parts = vec![Part::Base(0); text.len()];
     let Notes { notes, escapes } = notes(text);
@@ -140,7 +141,7 @@ pub(super) fn parts(text: &[char]) -> Vec<Part> {
     parts
 }
 
-/// A text in stretches, each with its reading where it has one.
+/// A text in segments, with a reading for segments that have one.
 #[must_use]
 pub fn stretches(text: &str) -> Vec<(String, Option<String>)> {
     let letters: Vec<char> = text.chars().collect();
@@ -182,7 +183,8 @@ pub(super) fn apart(
     (length(letters, font, reading, columns) - wide).max(0.0) / count.max(1) as f64
 }
 
-/// Where a reading begins within its letters, and how far its own letters stand apart, in ems of its letters.
+/// The start of a reading within its base text, and the extra space between the characters of the reading, in
+/// ems of its characters.
 pub(super) fn spread(
     letters: &Letters,
     font: &Font,
@@ -195,12 +197,12 @@ pub(super) fn spread(
     (gap / 2.0, gap)
 }
 
-/// How high over the baseline of its letters that of a reading is, in ems.
+/// Height of the ruby baseline over the baseline of the base text, in ems.
 pub(super) fn rise() -> f64 {
     vertical::BASELINE + AIR + SIZE * (1.0 - vertical::BASELINE)
 }
 
-/// How far the middle of a column of readings is from that of their letters, in ems.
+/// Distance between the centre of a ruby column and the centre of its base text, in ems.
 pub(super) fn aside() -> f64 {
     0.5 + AIR + SIZE / 2.0
 }

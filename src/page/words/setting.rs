@@ -1,8 +1,8 @@
 //! Text broken into lines and fitted into a shape.
 //!
-//! For a number of lines the narrowest shape is looked for into which the words go when each line is filled as far as
-//! the shape is wide at its height: that balances the lines, and makes those of an ellipse short at the top and the
-//! bottom. Of all numbers of lines the one is taken whose shape looks best; where none fits, a smaller size is tried.
+//! For each number of lines, the narrowest shape that holds the words is found, with each line filled to the
+//! width of the shape. This balances the lines. Lines of an ellipse are short at the top and the bottom. The
+//! number of lines with the best shape is used. If none fits, a smaller size is tried.
 
 use super::lens;
 use super::letters::{Font, Letters};
@@ -17,20 +17,20 @@ pub(super) const FULLNESS: f64 = 2.4;
 /// Distance of two baselines in ems.
 pub(super) const PITCH: f64 = 1.12;
 
-/// What a text is set for.
+/// Requirements of a set text.
 #[derive(Debug, Clone, Copy)]
 pub struct Wish {
-    /// What the text is in.
+    /// Kind of the text item.
     pub kind: Kind,
-    /// By which conventions.
+    /// Lettering rules.
     pub craft: Craft,
     /// Its lines are columns, from right to left.
     pub vertical: bool,
-    /// Whether it is nothing but lines that begin at the left.
+    /// Whether the text is only left-aligned lines.
     pub plain: bool,
-    /// Width of the shape in page widths, where a person chose it.
+    /// Width of the shape in page widths, if the user set it.
     pub width: Option<f64>,
-    /// Height of an em in page widths, where a person chose it.
+    /// Height of an em in page widths, if the user set it.
     pub size: Option<f64>,
     /// Width and height that the shape should not exceed, in page widths.
     pub room: (f64, f64),
@@ -49,13 +49,13 @@ pub struct Setting {
     pub pitch: f64,
     /// The lines, each with its width; the columns, each with its height.
     pub lines: Vec<(Vec<char>, f64)>,
-    /// Of each line, which of its letters are emphasised.
+    /// Emphasised characters of each line.
     pub strong: Vec<Vec<bool>>,
-    /// Of each line, what of readings belongs to its letters; empty where the text has none.
+    /// Ruby of each line by character; empty without readings.
     pub under: Vec<Vec<Under>>,
     /// The readings, by their numbers less one.
     pub readings: Vec<Vec<char>>,
-    /// Columns begin at the same height; else all lines have their middles in one line.
+    /// Whether columns begin at the same height. If not, lines are centred.
     pub flush: bool,
     /// Half the width and height of the shape around.
     pub half: (f64, f64),
@@ -63,7 +63,7 @@ pub struct Setting {
     pub cut: bool,
 }
 
-/// What belongs to a kind; lengths in ems, sizes in page widths.
+/// Values of a kind: lengths in ems, sizes in page widths.
 pub(super) struct Manner {
     pub(super) round: bool,
     /// Room beside the letters, and above and below them.
@@ -236,16 +236,16 @@ fn plain(setter: &Setter) -> Setting {
 pub(super) struct Setter<'a> {
     pub(super) letters: &'a Letters,
     pub(super) font: &'a Font,
-    /// The font of what is emphasised.
+    /// The font for emphasis.
     pub(super) strong: &'a Font,
     pub(super) text: &'a [Mark],
     /// The readings of its letters.
     pub(super) readings: &'a [Vec<char>],
     pub(super) wish: &'a Wish,
     pub(super) manner: &'a Manner,
-    /// How far each letter goes on in a column; empty where there are lines.
+    /// Advance of each character in a column; empty for horizontal text.
     pub(super) steps: &'a [f64],
-    /// How much further the pen goes over each letter because of its reading, in ems; empty where there are none.
+    /// Extra advance of each character because of its reading, in ems; empty without readings.
     pub(super) apart: &'a [f64],
 }
 
@@ -295,7 +295,7 @@ impl Setter<'_> {
         apart
     }
 
-    /// What of readings belongs to the letters of a line.
+    /// Ruby of the characters of a line.
     pub(super) fn under(&self, part: std::ops::Range<usize>) -> Vec<Under> {
         let under = |at: usize| Under { reading: self.text[at].reading, apart: self.apart[at] };
         if self.apart.is_empty() { Vec::new() } else { part.map(under).collect() }
@@ -316,13 +316,13 @@ impl Setter<'_> {
         }
     }
 
-    /// Height of the letters of a line in ems, with that of the readings above them.
+    /// Height of a line in ems, including its ruby.
     pub(super) fn thickness(&self) -> f64 {
         let more = if self.readings.is_empty() { (0.0, 0.0) } else { ruby::THICKER };
         if self.wish.vertical { 1.0 + more.1 } else { self.font.capitals + more.0 }
     }
 
-    /// Width of a part of the text in ems, as it stands in one line.
+    /// Width of a part of the text on one line, in ems.
     pub(super) fn width(&self, part: std::ops::Range<usize>) -> f64 {
         let next = |at: usize| (at + 1 < part.end).then(|| self.text[at + 1].letter);
         part.clone().map(|at| self.advance(at, next(at))).sum()

@@ -9,8 +9,8 @@ use std::f64::consts::{PI, TAU};
 /// Most that a polygon is off the curve that it stands for, in pixels.
 const WITHIN: f64 = 0.08;
 
-/// A body with half the width `a` and half the height `b` around `(x, y)`; the tail is a part of it, or follows it as
-/// bubbles. An effect has none.
+/// A body with half the width `a` and half the height `b` around `(x, y)`; the tail is a part of it, or
+/// follows it as bubbles. Effects have no body.
 pub(super) fn outline(
     kind: Kind,
     craft: Craft,

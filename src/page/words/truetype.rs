@@ -8,7 +8,7 @@ use super::letters::{Contour, Font};
 /// Corners of a box in font units: x and y of the lowest, then of the highest.
 type Corners = [i16; 4];
 
-/// A font whose glyph 0 is the box for what is missing, and glyph `i + 1` that of `letters[i]`.
+/// A font with the missing-glyph box as glyph 0, and `letters[i]` as glyph `i + 1`.
 #[must_use]
 pub fn subset(font: &Font, letters: &[char]) -> Vec<u8> {
     let mut glyphs = Vec::new();

@@ -1,9 +1,9 @@
-//! How letters stand in columns, read from the top down and from right to left, as Chinese and Japanese may be set: most stand
-//! upright, each in a square; dashes and brackets, and words of other scripts, are turned; full stops and small kana stand
-//! elsewhere in their squares than in lines. Two digits or marks of exclamation stand side by side in one square.
+//! Vertical text (tategaki), from top to bottom and right to left, for Chinese and Japanese. Most characters
+//! are upright in a square. Dashes, brackets and words of other scripts are rotated. Full stops and small
+//! kana move inside their squares. Two digits or exclamation marks share one square.
 //!
-//! Where a person's font has forms of its own for columns (`given`), these stand as it has them. All other letters are turned and
-//! moved by themselves, those that the browser drew among them: a canvas draws no forms for columns.
+//! Vertical alternates of the user's fonts (`given`) are used unchanged. All other glyphs are rotated and
+//! moved automatically, including the traced ones, because a canvas does not draw vertical alternates.
 //!
 //! Sources: Unicode Standard Annex 50, "Vertical Text Layout"; W3C, "Requirements for Japanese Text Layout" (JLREQ), 2.3 and
 //! 3.2.5.
@@ -43,11 +43,11 @@ pub(super) struct Cell {
     pub(super) turned: bool,
     /// How far they are moved to the right and up, in ems.
     pub(super) off: (f64, f64),
-    /// Of letters that are turned, how high over their baseline the middle of the column is, in ems.
+    /// For rotated characters: height of the column's centre over the baseline, in ems.
     pub(super) middle: f64,
     /// Their part of the column, in ems.
     pub(super) length: f64,
-    /// What is drawn in the place of one letter: the form for columns of its font, whose baseline begins at the left of the square.
+    /// Vertical alternate of the font. Its baseline begins at the left of the square.
     pub(super) form: Option<char>,
 }
 

@@ -1,5 +1,5 @@
-//! Text as letterers write it: capitals, curly quotes, the I with bars for the pronoun alone, emphasis where the text has
-//! `*stars*`, readings (`ruby`), and the places at which long words may part.
+//! Typography of letterers: capitals, curly quotes, crossbar I only for the pronoun, emphasis for `*stars*`,
+//! readings (`ruby`), and hyphenation points of long words.
 //!
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); the patterns of `TeX` by way of `hypher`.
 
@@ -28,13 +28,13 @@ pub enum Part {
 /// A letter to be set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Mark {
-    /// What is drawn.
+    /// The drawn character.
     pub letter: char,
     /// It is emphasised.
     pub strong: bool,
     /// Whether the word may part before it.
     pub part: Part,
-    /// The number of its reading among those of the text, from 1; 0 for none.
+    /// Number of its reading in the text, from 1; 0 without a reading.
     pub reading: u16,
 }
 
@@ -106,8 +106,8 @@ fn read_apart(marks: Vec<Mark>, letters: &Letters) -> (Vec<Mark>, Vec<Vec<char>>
     (out, readings)
 }
 
-/// What a word says where it is read aloud or copied: without the stars of its emphasis, in the case it was written in, letters
-/// with a reading followed by it in brackets.
+/// Text of a text item for screen readers and copying: without emphasis marks, in the original case, with
+/// readings in brackets.
 #[must_use]
 pub fn read(word: &Word) -> String {
     let said = |(base, reading): (String, Option<String>)| match reading {
@@ -117,7 +117,7 @@ pub fn read(word: &Word) -> String {
     said_apart(word).into_iter().map(said).collect()
 }
 
-/// The same in stretches, each with its reading where it has one.
+/// Text of a text item in segments, with a reading for segments that have one.
 #[must_use]
 pub fn said_apart(word: &Word) -> Vec<(String, Option<String>)> {
     if word.craft == Craft::First {

@@ -1,7 +1,8 @@
-//! The figure of a photo where a panel shows it: how much of it a word would cover, wherever it stands.
+//! The subject of a photo inside a panel: the area that a text item would cover at any position.
 //!
-//! A mask says of each pixel whether it is the figure. Sums over all pixels above and left of each corner (a summed-area
-//! table) give the area of the figure in any box by four look-ups, whatever its size, pixels that the box cuts in proportion.
+//! A mask marks the pixels of the subject. A summed-area table holds the sum of all pixels above and left of
+//! each corner. Four look-ups give the subject area in any box. Pixels on the border of the box count in
+//! proportion.
 //!
 //! Source: Franklin Crow, "Summed-area tables for texture mapping" (1984).
 

@@ -1,6 +1,6 @@
-//! How words of the first pages are placed, which go on to stand where they stood: a grid of places in the panel is tried,
-//! and the cheapest is taken. The costs say what is worst: another word is covered, a face is covered, the word hangs out
-//! of a slanted panel, an object is covered; then what is usual.
+//! Placement rules of old pages, kept so that their text items do not move. A grid of positions in the panel
+//! is tried, and the cheapest is used. The costs, from worst to mildest: another item is covered, a face is
+//! covered, the item extends past a slanted panel, an object is covered, unusual positions.
 
 use super::{INSET, Seen, center, contains, covered, gap, shared};
 use crate::layout::{Bounds, Point, ResolvedShape};
@@ -12,7 +12,8 @@ const STEPS: usize = 9;
 /// Length of a tail that no face asks for, in page widths.
 const TAIL: f64 = 0.035;
 
-/// Where a word goes, and where its tail ends. `spoken`: the faces that have said something, which this adds to.
+/// Returns the position of a text item and the end of its tail. `spoken`: faces that already have a balloon.
+/// This one is added.
 pub(super) fn place(
     laid: &Laid,
     frame: Bounds,

@@ -1,14 +1,14 @@
-//! Where letterers put words: captions flush into corners, balloons high in the panel and near the mouth that says them,
-//! read in the order in which they are written, never on a face, off bodies where there is room.
+//! Placement rules of letterers. Captions are flush in corners. Balloons are high in the panel, close to the
+//! mouth, in reading order, never on a face, and off bodies if possible.
 //!
-//! The words of a panel are placed together. Of each, some shapes are tried (as its text likes it, flat, upright, small) at
-//! a grid of places; what is bad about a place by itself is one cost, what is bad about two places together another. The
-//! best sets are carried on from word to word (a beam search), so that the first balloon leaves room for the second.
+//! The words of a panel are placed together. For each item, some shapes (natural, flat, narrow, small) are
+//! tried on a grid of positions. One cost rates a single position, another rates two positions together. A
+//! beam search extends the best sets item by item, so that the first balloon leaves space for the second.
 //!
-//! Balloons that one mouth says one after the other are joined by themselves: the search is done again with each such pair as
-//! one, and the pair stays where that is no worse and what joins them lies on nobody.
+//! Consecutive balloons of one speaker are linked automatically: the search is repeated with each such pair
+//! as one. The pair stays if the cost is not higher and the connector covers no subject.
 //!
-//! Costs come in ranks: faces, borders, other words and the order of reading outweigh all that is usual or pretty.
+//! Costs have ranks: faces, borders, other items and reading order outweigh habits and looks.
 //!
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); Thawonmas and Shuda, "Comic layout for automatic comic
 //! generation from game log" (2008), for faces and order as constraints.
@@ -58,14 +58,14 @@ const STAGGER: (f64, f64, f64) = (0.2, 0.5, 2.0);
 /// What it costs that one face says what two people say.
 const TWO_IN_ONE: f64 = 10.0;
 
-/// Where a word stands.
+/// Placement of a text item.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
-    /// What it covers without its tail.
+    /// Covered area without the tail.
     pub(super) area: Bounds,
-    /// Where its tail ends.
+    /// End of the tail.
     pub(super) tip: Option<Point>,
-    /// The room that its text was set for, where that is not the usual.
+    /// Size of the set text, if it is not the default.
     pub(super) room: Option<(f64, f64)>,
     /// The foot of its tail.
     foot: Point,
@@ -76,7 +76,7 @@ pub(super) struct Place {
     cost: f64,
 }
 
-/// The words that are placed together: those of a panel that nobody has moved, in their order.
+/// Text items that are placed together: the automatic ones of each panel, in order.
 pub(super) fn groups(words: &[Word], ground: &Ground) -> Vec<Vec<usize>> {
     let mut groups: Vec<(Option<usize>, Vec<usize>)> = Vec::new();
     for (i, word) in words.iter().enumerate() {
@@ -92,14 +92,14 @@ pub(super) fn groups(words: &[Word], ground: &Ground) -> Vec<Vec<usize>> {
     groups.into_iter().map(|(_, group)| group).collect()
 }
 
-/// The words of a page, as those of one panel are placed.
+/// The page, for the placement of one panel.
 #[derive(Clone, Copy)]
 pub(super) struct Page<'a> {
     /// All words of the document.
     pub(super) words: &'a [Word],
-    /// The balloon that each of them is joined to, by hand or to one that is not placed.
+    /// Link of each item: set manually, or to a balloon with a fixed position.
     pub(super) joins: &'a [Option<usize>],
-    /// What stands there already, with the number of the word.
+    /// Occupied areas, with the index of the item.
     pub(super) taken: &'a [(usize, Bounds)],
     pub(super) ground: &'a Ground,
     pub(super) letters: &'a Letters,
@@ -108,8 +108,8 @@ pub(super) struct Page<'a> {
 /// Places of the words of a group, and what the set costs.
 type Places = (f64, Vec<Place>);
 
-/// Finds the places of the words of a group, and which of them are joined by themselves: of each word its number, its place and
-/// the balloon that it was found to hang on.
+/// Places the text items of a group and links balloons. Returns the index, the placement and the linked
+/// balloon of each item.
 pub(super) fn place(
     page: Page<'_>,
     group: &[usize],

@@ -1,8 +1,8 @@
-//! Where a word goes by itself.
+//! Automatic placement of text items.
 //!
-//! Words of the first pages keep to the rules that they were placed by (`first`); those of letterers are placed by theirs
-//! (`letterer`), off the figures of the photos (`figure`) where these have masks. Both answer with fractions of the panel's
-//! bounds, which the document keeps.
+//! Items of old pages use the rules in `first`. Items of letterers use the rules in `letterer`, which avoid
+//! the subjects of photos (`figure`) if masks exist. Both return fractions of the panel's bounds, which the
+//! document stores.
 
 mod figure;
 mod first;
@@ -25,7 +25,7 @@ const INSET: f64 = 0.008;
 /// A box that holds more of a figure than this part of it is the box of that figure: the mask says better where it is.
 const SAME: f64 = 0.15;
 
-/// What is known of a photo to those who place words.
+/// Properties of a photo for placement.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Known<'s> {
     /// Lettering, faces and objects in it.
@@ -85,11 +85,12 @@ pub fn add<'s>(
     settle(document, known, letters)
 }
 
-/// Puts every word of a document that is placed by itself where it hides no face, and as little of bodies as it can. `known`
-/// knows what is in a photo. Words of the first pages know nothing of masks: they stand where they stood.
+/// Places every automatic text item of a document. Items hide no face, and as little of bodies as possible.
+/// `known` returns the properties of a photo. Items of old pages ignore masks, so their positions do not
+/// change.
 ///
 /// # Errors
-/// `invalid-document` for a word that breaks its shape; those of the layout.
+/// `invalid-document` for an invalid text item; layout errors.
 pub fn settle<'s>(
     document: &mut Document,
     known: impl Fn(&str) -> Known<'s>,
