@@ -1,7 +1,7 @@
-//! How good a picture looks, by a net that learned it from people's votes on photos.
+//! Aesthetic score of an image, by a model that was trained on people's ratings of photos.
 //!
-//! H. Talebi, P. Milanfar, "NIMA: Neural Image Assessment" (2018). It was trained on stretched pictures of which the
-//! nearest pixels were taken; a smoother reduction lowers its scores.
+//! H. Talebi, P. Milanfar, "NIMA: Neural Image Assessment" (2018). It was trained on stretched images with
+//! nearest-neighbour reduction; a smoother reduction lowers its scores.
 
 use super::model::Net;
 use inkpanel_pixels::error::{Error, Result};
@@ -24,7 +24,7 @@ impl Aesthetics {
         Net::new(onnx, SIDE).map(Self)
     }
 
-    /// The mean of the scores, from 1 to 10, that people would give a picture. Most photos are near 5.
+    /// The predicted mean rating of an image by people, from 1 to 10. Most photos are near 5.
     ///
     /// # Errors
     /// `detector` when the net fails.

@@ -1,5 +1,5 @@
-//! Planes enlarged by whole factors, bilinearly; the centres of pixels correspond (ONNX: `linear`, `half_pixel`). tract has this among all
-//! other ways of resizing, by way of tables for each value: it took a third of the time in which a photo's subject is found.
+//! Bilinear enlargement of planes by integer factors, with aligned pixel centres (ONNX: `linear`,
+//! `half_pixel`). The general resize operator of tract uses tables of values. It took a third of the time of subject detection.
 
 use tract_onnx::pb::NodeProto;
 #[allow(clippy::wildcard_imports, reason = "tract means it as a prelude for operators")]

@@ -9,7 +9,7 @@ use inkpanel_pixels::error::{Error, Result};
 use inkpanel_pixels::raster::Image;
 use inkpanel_pixels::raster::resize::Region;
 
-/// What framing calls a face.
+/// Label of faces in framing.
 pub(super) const LABEL: &str = "face";
 
 const SIDE: usize = 192;
@@ -54,7 +54,8 @@ impl Faces {
         Ok(detections(suppress(self.candidates(photo, whole, THRESHOLD)?, SAME)))
     }
 
-    /// Those faces and the small ones that the overlapping quarters of the photo show; what to take in place of `first`.
+    /// Returns all faces, including small ones that appear in overlapping quarters of the photo. The result
+    /// replaces `first`.
     ///
     /// # Errors
     /// `detector` when the net fails.

@@ -1,12 +1,12 @@
 //! # Inkpanel's detectors
 //!
-//! Faces and objects in a photo, by two single-shot detectors that run on this device. And what a third
-//! net says of how good a picture looks, and a fourth of which pixels are a photo's subject.
+//! Faces and objects in a photo, by two single-shot detectors that run on this device. A third model scores
+//! the aesthetics of an image, and a fourth finds the subject mask of a photo.
 //!
-//! A stage beside `select`: it looks at a photo's pixels once and gives boxes, which framing works with. It is a crate of its own,
-//! so that the page's module of the nets is compiled without pages, and whoever wants no nets does without tract. The nets
-//! are files (`www/models/`, made by `cargo xtask models`); whoever calls reads them. Everything is in fractions
-//! of the photo, so that a reduced copy gives the answer for the original.
+//! A stage beside `select`: it looks at a photo's pixels once and gives boxes, which framing works with. It
+//! is a separate crate, so that its wasm module contains no page code, and builds without models do not need
+//! tract. The models are files (`www/models/`, made by `cargo xtask models`); the caller reads them.
+//! Everything is in fractions of the photo, so that a reduced copy gives the answer for the original.
 
 mod aesthetics;
 mod enlarge;
@@ -48,7 +48,7 @@ pub struct Detection {
     pub height: f64,
 }
 
-/// What the first look for faces found.
+/// Result of the first search for faces.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct FirstLook {
@@ -58,7 +58,7 @@ pub struct FirstLook {
     pub closer: bool,
 }
 
-/// Both detectors, ready to run. In the browser each has a worker of its own.
+/// Both detectors, ready to run. In the browser each has a separate worker.
 pub struct Detectors {
     /// The first of the two.
     pub faces: Faces,

@@ -52,7 +52,7 @@ impl<const OUTPUTS: usize> Net<OUTPUTS> {
         }
     }
 
-    /// The same in steps.
+    /// Begins a run in steps.
     pub(super) fn begin(&self, input: &[f32]) -> Result<Run<OUTPUTS>> {
         let begin = || -> TractResult<TypedSimpleState> {
             let input = Tensor::from_shape(&[1, 3, self.side, self.side], input)?;
@@ -65,7 +65,7 @@ impl<const OUTPUTS: usize> Net<OUTPUTS> {
     }
 }
 
-/// A net at work on one input. Whoever shares a core with something that a person waits for can rest between two steps.
+/// A run of a model on one input. The caller can pause between steps while more urgent work needs the core.
 pub(super) struct Run<const OUTPUTS: usize> {
     state: TypedSimpleState,
     steps: Arc<[Step]>,

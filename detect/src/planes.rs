@@ -1,4 +1,4 @@
-//! Operators of our own: they make planes of planes.
+//! Custom operators from planes to planes.
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -6,7 +6,7 @@ use std::sync::Arc;
 #[allow(clippy::wildcard_imports, reason = "tract means it as a prelude for operators")]
 use tract_onnx::tract_hir::internal::*;
 
-/// What such an operator does.
+/// The computation of such an operator.
 pub(super) trait Work: Debug + Send + Sync + 'static {
     const NAME: &'static str;
 

@@ -27,7 +27,8 @@ impl Segmenter {
         Net::new(onnx, SIDE).map(Self)
     }
 
-    /// What a photo shows, at most 320 pixels a side; a copy of 600 pixels or more a side is enough.
+    /// Finds the subject mask of a photo, at most 320 pixels per side. A copy of 600 pixels per side is
+    /// enough.
     ///
     /// # Errors
     /// `detector` when the net fails.
@@ -35,7 +36,7 @@ impl Segmenter {
         matte(&self.shares(photo)?, (photo.width(), photo.height()))
     }
 
-    /// The same in steps, of some milliseconds each.
+    /// Like [`look`](Self::look), in steps of some milliseconds.
     ///
     /// # Errors
     /// As [`look`](Self::look).
@@ -44,8 +45,8 @@ impl Segmenter {
         Ok(Look { run, size: (photo.width(), photo.height()) })
     }
 
-    /// The net's own answer for the photo stretched to 320 x 320: for each pixel, row by row, the share 0..=1 by which it is the
-    /// subject.
+    /// The raw output of the model for the photo stretched to 320 x 320: the subject share of each pixel, 0
+    /// to 1, row by row.
     ///
     /// # Errors
     /// As [`look`](Self::look).

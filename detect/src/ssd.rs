@@ -1,5 +1,5 @@
-//! What single-shot detectors have in common: a fixed grid of boxes (anchors), for each of which the net says how to
-//! move it and what it holds; and the removal of boxes that mean the same thing.
+//! Shared code of single-shot detectors: anchors (a fixed grid of boxes), decoding of the model's offsets and
+//! classes, and non-maximum suppression.
 
 /// A box of the grid, in sides of the net's square.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,9 +47,9 @@ pub(super) fn corners(x: f64, y: f64, width: f64, height: f64) -> [f64; 4] {
     [x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0]
 }
 
-/// The anchors of SSD-MobileNet on a square of 300 pixels: six grids, three boxes a cell on the finest and six on the
-/// others; 1917 in the order of the net's outputs (Liu et al., "Single Shot `MultiBox` Detector", with the scales
-/// of TensorFlow's object detection).
+/// The anchors of SSD-MobileNet on a square of 300 pixels: six grids, with three boxes per cell on the finest
+/// and six on the others. There are 1917, in the order of the model's outputs (Liu et al., "Single Shot
+/// `MultiBox` Detector", with the scales of TensorFlow's object detection).
 pub(super) fn mobilenet_anchors() -> Vec<Anchor> {
     const GRIDS: [usize; 6] = [19, 10, 5, 3, 2, 1];
     let scale = |grid: usize| 0.2 + 0.75 * grid as f64 / 5.0;
@@ -101,8 +101,8 @@ pub(super) fn suppress(candidates: Vec<Candidate>, limit: f64) -> Vec<Candidate>
     suppress_by(candidates, |a, b| a.overlap(b) > limit)
 }
 
-/// As [`suppress`]; a box most of which lies in a surer one goes as well. For boxes of different looks at a photo,
-/// one of which may have seen a part only.
+/// Like [`suppress`], and also removes a box that lies mostly inside a more certain one. It merges boxes of
+/// several crops of a photo. A crop may show only a part of an object.
 pub(super) fn suppress_parts(candidates: Vec<Candidate>, limit: f64) -> Vec<Candidate> {
     suppress_by(candidates, |a, b| a.overlap(b) > limit || a.containment(b) > 0.6)
 }

@@ -1,8 +1,8 @@
 //! Convolutions of 3 x 3 pixels with a quarter of the products: Winograd's minimal filtering, four pixels by four at a time.
 //!
-//! A. Lavin and S. Gray, "Fast Algorithms for Convolutional Neural Networks" (2016), F(4 x 4, 3 x 3). A tile of 6 x 6 pixels and the
-//! weights are transformed to 36 values, whose products, summed over the channels, are transformed back to 4 x 4 pixels. The same sums
-//! but for rounding: of values about 1 by some 1e-5.
+//! A. Lavin and S. Gray, "Fast Algorithms for Convolutional Neural Networks" (2016), F(4 x 4, 3 x 3). A tile
+//! of 6 x 6 pixels and the weights are transformed to 36 values, whose products, summed over the channels,
+//! are transformed back to 4 x 4 pixels. Results differ only by rounding, about 1e-5 for values around 1.
 
 #[allow(clippy::wildcard_imports, reason = "tract means it as a prelude for operators")]
 use tract_onnx::tract_hir::internal::*;
@@ -44,7 +44,8 @@ pub(super) struct Filter {
 }
 
 impl Filter {
-    /// `weights` by output, input, row and column; `bias` by output, of which there are a multiple of four.
+    /// `weights` are ordered by output, input, row and column; `bias` by output. The number of outputs must
+    /// be a multiple of four.
     pub(super) fn new(weights: &[f32], bias: Vec<f32>) -> Self {
         let inputs = weights.len() / 9 / bias.len();
         let mut transformed = vec![0.0; VALUES * inputs * bias.len()];
