@@ -1,5 +1,5 @@
-//! The web boundary of letters, a part of the modules of words and of other files: the fonts, and what is learnt beyond them. The
-//! page gives them as a file of their own, which is loaded once for both.
+//! wasm bindings of glyphs, shared by the words and exports modules: the fonts and the traced glyphs. The app
+//! loads the fonts once, as a separate file for both.
 //!
 //! Errors are as in the module of words.
 
@@ -24,7 +24,7 @@ impl Lettering {
     /// Unpacks the fonts: the table that `fonts/pack.rs` makes of them.
     ///
     /// # Errors
-    /// `damaged` for anything but a whole table.
+    /// `damaged` if the table is not complete and valid.
     #[wasm_bindgen(constructor)]
     pub fn new(table: &[u8]) -> std::result::Result<Lettering, JsValue> {
         Letters::parse(table).map(|letters| Self { letters }).map_err(thrown)

@@ -1,5 +1,5 @@
-//! The web boundary of the module of masks that are corrected by hand, which is loaded when a person does: it holds the mask that
-//! is worked on, and draws how it lies over its photo.
+//! wasm bindings of the mask editor, loaded when the user corrects a mask. The module stores the edited mask
+//! and draws it over its photo.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
@@ -16,7 +16,7 @@ fn start() {
     console_error_panic_hook::set_once();
 }
 
-/// What is done to a mask as a whole.
+/// A correction of the whole mask.
 #[wasm_bindgen]
 #[derive(Clone, Copy)]
 pub enum Mend {
@@ -32,9 +32,9 @@ pub enum Mend {
     Everything,
     /// Nothing is the subject.
     Nothing,
-    /// Back to what was found.
+    /// The detected mask.
     Found,
-    /// The next of several figures alone.
+    /// Only the next of several figures.
     NextFigure,
 }
 
@@ -47,8 +47,8 @@ pub struct Retouch {
 
 #[wasm_bindgen]
 impl Retouch {
-    /// `planes` are the photo's red, green and blue samples, one plane after the other; `own` is the mask as it was corrected
-    /// before, `found` as the net found it, both as text. A text that is no mask is as if there were none.
+    /// `planes` are the photo's red, green and blue samples, one plane after the other. `own` is the
+    /// corrected mask and `found` the detected mask, both as text. Invalid text is ignored.
     #[wasm_bindgen(constructor)]
     pub fn new(
         width: usize,
@@ -113,7 +113,7 @@ impl Retouch {
         })
     }
 
-    /// The figure at a point alone, which is in parts of the photo; whether anything changed.
+    /// Selects only the figure at a point, in fractions of the photo. Returns whether anything changed.
     pub fn choose(&mut self, x: f32, y: f32) -> bool {
         self.session.mend(Mending::FigureAt([x, y]))
     }

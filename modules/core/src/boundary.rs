@@ -203,15 +203,15 @@ impl Studio {
         Ok(())
     }
 
-    /// The subject of a photo alone, a PNG with alpha; none for a mask that is none.
+    /// The isolated subject of a photo as a PNG with alpha, or `None` if the mask is invalid.
     pub fn cut_out(&self, key: &str, mask: String) -> std::result::Result<Option<Vec<u8>>, JsValue> {
         let photo = self.photo(key).map_err(thrown)?;
         let cut = Matte::try_from(mask).ok().map(|mask| cut_out(photo, &mask));
         cut.transpose().map_err(thrown)
     }
 
-    /// Tells which part of a photo is its subject: a mask as text, or nothing where that is not known. Styles that are for a
-    /// part of the picture ask for it.
+    /// Sets the subject mask of a photo as text; `None` if it is unknown. Styles with a part for only the
+    /// subject or background use it.
     pub fn know_subject(&mut self, key: &str, mask: Option<String>) {
         // Each job tells it again: it is read when it is another.
         if self.subjects.get(key).map(Matte::text) == mask.as_deref() {
@@ -230,7 +230,7 @@ impl Studio {
         self.photos.contains_key(key)
     }
 
-    /// Lets a photo go.
+    /// Frees a photo.
     pub fn drop_photo(&mut self, key: &str) {
         self.photos.remove(key);
         self.subjects.remove(key);

@@ -1,5 +1,5 @@
-//! The web boundary of the module of decoders for what few photos are: WebP, TIFF, GIF, and any whose colours are those of a
-//! scanner or a press. It is loaded with the first of them, and makes them files that the core reads.
+//! wasm bindings of the decoders for rare photos: WebP, TIFF, GIF, and colours of scanners or presses. It is
+//! loaded with the first of them, and makes them files that the core reads.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
@@ -44,7 +44,7 @@ impl Converted {
         self.format.to_owned()
     }
 
-    /// When it was taken, `YYYY:MM:DD HH:MM:SS`, where the file says so.
+    /// Capture time, `YYYY:MM:DD HH:MM:SS`, if the file contains it.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn taken(&self) -> Option<String> {
@@ -87,7 +87,8 @@ impl Animation {
         Ok(Self { pictures })
     }
 
-    /// Goes on to the next picture; false when there is none. Throws `damaged` where the file breaks off.
+    /// Advances to the next frame. Returns `false` after the last frame. Throws `damaged` if the file is
+    /// truncated.
     pub fn advance(&mut self) -> std::result::Result<bool, JsValue> {
         self.pictures.advance().map_err(thrown)
     }

@@ -1,4 +1,4 @@
-//! What the module of the nets exports.
+//! wasm bindings of the detector module.
 //!
 //! Boxes cross as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` beside its
 //! `message`.
@@ -34,7 +34,7 @@ impl FaceDetector {
         Ok(Self { net: Faces::new(onnx).map_err(thrown)? })
     }
 
-    /// Faces of a photo, `{boxes, closer}`: `closer` tells whether [`Self::look_closer`] may find more.
+    /// Finds faces of a photo: `{boxes, closer}`. `closer` is `true` if [`Self::look_closer`] may find more.
     pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> std::result::Result<String, JsValue> {
         let look = || {
             let photo = image(width, height, planes)?;
@@ -44,7 +44,7 @@ impl FaceDetector {
         look().map_err(thrown)
     }
 
-    /// Also the small faces; `boxes` are those of the first look, the answer is what to take in their place.
+    /// Also finds small faces. `boxes` are the result of the first search. The result replaces them.
     pub fn look_closer(
         &self,
         width: usize,
@@ -60,7 +60,7 @@ impl FaceDetector {
     }
 }
 
-/// The object detector; photos and boxes as those of [`FaceDetector`].
+/// The object detector. Photos and boxes have the same form as in [`FaceDetector`].
 #[wasm_bindgen]
 pub struct ObjectDetector {
     net: Objects,
@@ -81,7 +81,7 @@ impl ObjectDetector {
     }
 }
 
-/// The net that finds which part of a photo is its subject; photos as those of [`FaceDetector`].
+/// The model that finds the subject mask of a photo. Photos have the same form as in [`FaceDetector`].
 #[wasm_bindgen]
 pub struct SubjectNet {
     net: Segmenter,

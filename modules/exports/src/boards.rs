@@ -15,7 +15,7 @@ use wasm_bindgen::prelude::*;
 /// The text of a list of shots (a `ShotList` as JSON) as a file of that ending: csv, edl, otio or xml.
 ///
 /// # Errors
-/// `invalid-document` for a list that is none, and for another ending.
+/// `invalid-document` for an invalid list or another file type.
 #[wasm_bindgen(js_name = shotFile)]
 pub fn shot_file(ending: &str, list: &str) -> std::result::Result<String, JsValue> {
     let made = || -> Result<String> {
@@ -31,7 +31,7 @@ pub fn shot_file(ending: &str, list: &str) -> std::result::Result<String, JsValu
 /// The sheets of a board (a `Request` of `output::board` as JSON): a list of pages.
 ///
 /// # Errors
-/// `invalid-document` for a request that is none; those of the style.
+/// `invalid-document` for an invalid request; style errors.
 #[wasm_bindgen(js_name = boardSheets)]
 pub fn board_sheets(request: &str) -> std::result::Result<String, JsValue> {
     let made = || -> Result<String> {
@@ -50,20 +50,20 @@ pub struct AnimaticPlan {
 
 #[wasm_bindgen]
 impl AnimaticPlan {
-    /// Lays out a `Request` of `output::animatic`, told as JSON.
+    /// Plans an animatic from a `Request` of `output::animatic` as JSON.
     ///
     /// # Errors
-    /// `invalid-document` for a request that is none, or whose shots cannot be shown; those of the style.
+    /// `invalid-document` for an invalid request or shots that cannot be shown; style errors.
     #[wasm_bindgen(constructor)]
     pub fn new(request: &str) -> std::result::Result<Self, JsValue> {
         let planned = || animatic::Request::parse(request)?.planned();
         planned().map(|plan| Self { plan }).map_err(thrown)
     }
 
-    /// Lays pages out that are read panel by panel: a `Request` of `output::motion`, told as JSON.
+    /// Plans a motion comic from a `Request` of `output::motion` as JSON.
     ///
     /// # Errors
-    /// `invalid-document` for a request that is none, or whose pages cannot be read; those of layouts and of words.
+    /// `invalid-document` for an invalid request or pages that cannot be read; layout and text errors.
     pub fn pages(request: &str, letters: &Lettering) -> std::result::Result<AnimaticPlan, JsValue> {
         let planned = || motion::Request::parse(request)?.planned(letters.letters());
         planned().map(|plan| Self { plan }).map_err(thrown)
@@ -72,7 +72,7 @@ impl AnimaticPlan {
     /// The `Animatic` as JSON.
     ///
     /// # Errors
-    /// `invalid-document` for what cannot be written.
+    /// `invalid-document` if the plan cannot be written.
     pub fn json(&self) -> std::result::Result<String, JsValue> {
         let written = |error: serde_json::Error| Error::InvalidDocument {
             location: "animatic".into(),
@@ -81,7 +81,7 @@ impl AnimaticPlan {
         serde_json::to_string(&self.plan).map_err(written).map_err(thrown)
     }
 
-    /// What each frame shows, as `Animatic::table` tells it.
+    /// Content of each frame, see `Animatic::table`.
     #[must_use]
     pub fn table(&self) -> Vec<f32> {
         self.plan.table()

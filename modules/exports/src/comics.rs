@@ -10,11 +10,11 @@ use inkpanel_pixels::thrown::thrown;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// What a comic (a `Comic` as JSON) is as a file of that kind: for `html` a list of pieces, for `epub` and `cbz` one of files, as
+/// Exports a comic (a `Comic` as JSON): for `html` a list of pieces, for `epub` and `cbz` a list of files, as
 /// JSON. See `output::comic`.
 ///
 /// # Errors
-/// `invalid-document` for a comic that is none, and for another kind; those of the layout.
+/// Returns `invalid-document` if the comic or its kind is invalid, and any layout error.
 #[wasm_bindgen(js_name = comicFile)]
 pub fn comic_file(kind: &str, comic: &str, lettering: &Lettering) -> std::result::Result<String, JsValue> {
     let made = || -> Result<String> {

@@ -51,7 +51,7 @@ impl Print {
         jpeg::encode_rgb(sheet.width(), sheet.height(), sheet.rgb(), *dpi, quality).map_err(thrown)
     }
 
-    /// The file as WebP, without loss; it says nothing of its resolution.
+    /// The file as lossless WebP, without a resolution.
     pub fn webp(&self) -> std::result::Result<Vec<u8>, JsValue> {
         let Self { sheet, .. } = self;
         webp::encode_rgb(sheet.width(), sheet.height(), sheet.rgb()).map_err(thrown)
@@ -88,7 +88,8 @@ pub struct Plate {
 
 #[wasm_bindgen]
 impl Plate {
-    /// That of the ink at a place among inks, whose colours on white paper follow each other: red, green and blue of each.
+    /// The plate of the ink with index `ink`. `colours` are the inks on white paper: red, green and blue of
+    /// each.
     #[wasm_bindgen(constructor)]
     pub fn new(colours: &[u8], ink: usize) -> std::result::Result<Plate, JsValue> {
         let inks = colours.as_chunks::<3>().0;
@@ -98,7 +99,7 @@ impl Plate {
         Ok(Self { separation: Separation::new(inks), ink })
     }
 
-    /// The picture of a panel in gray, as this ink is printed; else as [`Cut`] makes it.
+    /// The image of a panel in gray, as printed with this ink; otherwise like [`Cut`].
     #[allow(clippy::too_many_arguments)] // The fields of a patch, which cross one by one.
     pub fn cut(
         &self,
@@ -182,7 +183,7 @@ impl Book {
         Self::default()
     }
 
-    /// Adds a page. `alts`: what its panels show, a JSON array of texts.
+    /// Adds a page. `alts`: alternative texts of its panels, a JSON array.
     pub fn add_page(&mut self, document: &str, alts: &str) -> std::result::Result<(), JsValue> {
         let document = Document::parse(document).map_err(thrown)?;
         let alts = serde_json::from_str(alts).map_err(|error| thrown(refused("alts", &error)))?;
@@ -208,7 +209,7 @@ impl Book {
         }
     }
 
-    /// The file. `options`: those of `page::pdf::options` as JSON.
+    /// The file. `options`: the options of `page::pdf::options` as JSON.
     pub fn finish(&self, lettering: &Lettering, options: &str) -> std::result::Result<Vec<u8>, JsValue> {
         let options: Options =
             serde_json::from_str(options).map_err(|error| thrown(refused("options", &error)))?;

@@ -1,5 +1,5 @@
-//! The web boundary of the module of films: it looks at frames that the browser decodes, and says which stand for the film, and
-//! hears its sound. It is loaded with the first film, into the worker that reads it.
+//! wasm bindings of the films module: selects representative frames of a video from frames that the browser
+//! decodes, and analyses its sound. It is loaded with the first film, into the worker that reads it.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
@@ -26,7 +26,7 @@ pub struct Looking {
 
 #[wasm_bindgen]
 impl Looking {
-    /// A film that nobody looked at.
+    /// A video without samples.
     #[wasm_bindgen(constructor)]
     #[must_use]
     pub fn new() -> Self {
@@ -62,8 +62,9 @@ impl Looking {
         self.film.change(time)
     }
 
-    /// The frames that stand for the film, which ends at `end`: for each its seconds and the number of its shot, from 1.
-    /// `count` is how many, 0 for as many as suit; those `taken` already are among them, and `moments` should have one near.
+    /// Selects the frames of the video, which ends at `end`. Returns the time in seconds and the shot number
+    /// (from 1) of each. `count` is the number of frames, 0 for automatic. The result contains the frames
+    /// `taken`, and has frames close to `moments`.
     #[must_use]
     pub fn choose(&self, end: f64, count: usize, taken: &[f64], moments: &[f64]) -> Vec<f64> {
         let shots = self.film.shots(end);
@@ -72,7 +73,7 @@ impl Looking {
         chosen.iter().flat_map(|still| [still.time, (still.shot + 1) as f64]).collect()
     }
 
-    /// Where the shots begin, in seconds.
+    /// Start times of the shots in seconds.
     #[must_use]
     pub fn shots(&self, end: f64) -> Vec<f64> {
         self.film.shots(end).iter().map(|shot| shot.start).collect()

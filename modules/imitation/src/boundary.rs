@@ -1,6 +1,6 @@
-//! The web boundary of the module of styles from a picture, which is loaded with the first such picture. A worker measures the
-//! picture and tries styles on a photo, the page leads the search. The photos come out of the core as planes; what is measured
-//! crosses as JSON that only this module reads.
+//! The web boundary of the module of styles from a picture, which is loaded with the first such picture. A
+//! worker measures the picture and tries styles on a photo, the page leads the search. Photos come from the
+//! core as planes. The measurements are JSON that only this module reads.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
@@ -19,9 +19,11 @@ fn start() {
     console_error_panic_hook::set_once();
 }
 
-/// The look of a picture as JSON. Throws `small-picture`, `blank-picture` or `plain-photo` where there is nothing to imitate.
+/// The look of a picture as JSON. Throws `small-picture`, `blank-picture` or `plain-photo` if the image has
+/// no style.
 ///
-/// `planes` are its red, green and blue samples, one plane after the other; `anyway` takes all but small ones.
+/// `planes` are its red, green and blue samples, one plane after the other. `anyway` accepts all images that
+/// are large enough.
 #[wasm_bindgen]
 pub fn picture_look(
     width: usize,
@@ -52,7 +54,7 @@ impl Sitter {
         Ok(Self { photo, context: Context::default(), seen: None })
     }
 
-    /// What comes of a style that a search asked for, as JSON.
+    /// Result of a style that the search requested, as JSON.
     pub fn try_look(&mut self, ask: &str) -> std::result::Result<String, JsValue> {
         let mut attempt = || -> Result<String> {
             let wanted: Value = parse(ask, "trial")?;
@@ -85,7 +87,7 @@ fn asked(asks: Vec<Ask>) -> String {
     Value::Array(asks.collect()).to_string()
 }
 
-/// The first trials of most searches, as [`Imitation::ask`] tells them: they need no picture.
+/// The first trials of most searches, in the form of [`Imitation::ask`]. They do not depend on the image.
 #[wasm_bindgen]
 #[must_use]
 pub fn survey() -> String {
@@ -98,7 +100,7 @@ pub struct Imitation(Search);
 
 #[wasm_bindgen]
 impl Imitation {
-    /// Begins with the look of a picture as [`picture_look`] tells it.
+    /// Begins a search with the result of [`picture_look`].
     #[wasm_bindgen(constructor)]
     pub fn new(look: &str, seed: u32) -> std::result::Result<Self, JsValue> {
         let look: Features = parse(look, "look").map_err(thrown)?;
@@ -111,14 +113,14 @@ impl Imitation {
         asked(self.0.ask())
     }
 
-    /// What came of them, in their order: a JSON array, null for what failed.
+    /// Passes the results of the trials, in order: a JSON array, null for failures.
     pub fn tell(&mut self, trials: &str) -> std::result::Result<(), JsValue> {
         let trials: Vec<Option<Trial>> = parse(trials, "trials").map_err(thrown)?;
         self.0.tell(trials);
         Ok(())
     }
 
-    /// How far it is, 0 to 1, with so many trials made of those that were asked for last.
+    /// Progress of the search, 0 to 1, after `tried` of the last requested trials.
     #[must_use]
     pub fn progress(&self, tried: usize) -> f64 {
         self.0.progress(tried)

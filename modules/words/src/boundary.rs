@@ -1,4 +1,4 @@
-//! The web boundary of the module of words: where they go, how large they are, and their pixels. It is loaded when a page
+//! wasm bindings of the words module: placement, size and pixels of text items. It is loaded when a page
 //! first has words, and given their letters (`wasm_letters`).
 //!
 //! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` beside
@@ -26,8 +26,8 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Lettering {
-    /// The words of a document, those that are placed by themselves where they hide no face, and as little of bodies as they
-    /// can. `photos`: what is known of each by its id, `{subjects, mask?}` as in its facts.
+    /// Places the automatic text items of a document. Items hide no face, and as little of bodies as
+    /// possible. `photos`: properties of each photo by id, `{subjects, mask?}`.
     pub fn settle(&self, document: &str, photos: &str) -> std::result::Result<String, JsValue> {
         let settle = || -> Result<String> {
             let mut document = Document::parse(document)?;
@@ -41,7 +41,7 @@ impl Lettering {
         settle().map_err(thrown)
     }
 
-    /// Where the words of a document are; see `page::words::layout::measured`.
+    /// Bounds of the text items of a document; see `page::words::layout::measured`.
     pub fn measure(&self, document: &str) -> std::result::Result<String, JsValue> {
         let measure = || {
             let boxes = layout::measured(&Document::parse(document)?, self.letters())?;
@@ -89,8 +89,9 @@ impl Told {
     }
 }
 
-/// What a file of subtitles says at the times of frames, or laid over `panels`; see `document::subtitles::told`. Of each frame
-/// its time in seconds, and 1 where a page shows it, one after the other. `sounds` become effects, or are left out.
+/// Matches a subtitle file with frames, or places it on `panels` in order; see `document::subtitles::told`.
+/// `frames` has two numbers per frame: its time in seconds, and 1 if a page shows it. `sounds` become
+/// effects, or are left out.
 #[wasm_bindgen]
 #[must_use]
 pub fn subtitles(bytes: &[u8], vtt: bool, frames: &[f64], panels: usize, kind: &str, sounds: bool) -> String {
@@ -99,7 +100,7 @@ pub fn subtitles(bytes: &[u8], vtt: bool, frames: &[f64], panels: usize, kind: &
     subtitles::told(bytes, vtt, &frames, panels, Taking { kind, sounds })
 }
 
-/// A script laid over `panels`; see `document::script::told`. Null for what is no text.
+/// Places a script on `panels` in order; see `document::script::told`. Null if the file is not text.
 #[wasm_bindgen]
 #[must_use]
 pub fn script(bytes: &[u8], panels: usize, kind: &str, sounds: bool) -> String {
@@ -125,7 +126,7 @@ pub struct Picture {
 
 #[wasm_bindgen]
 impl Picture {
-    /// Leaves so much less of the word as a figure covers that stands before it, a patch of the same page; see
+    /// Reduces the opacity where a subject in front covers the item; a patch of the same page. See
     /// `page::compose::Patch::stand_behind`.
     pub fn stand_behind(&mut self, x: i32, y: i32, width: usize, height: usize, rgba: &[u8]) {
         let own = PixelRect {

@@ -1,5 +1,5 @@
-//! The photos that pages are planned from. They are told once: an album of hundreds is a megabyte of text, and a page is
-//! planned with every shuffle, for every alternative and whenever a photo was searched for subjects.
+//! The photos that pages are planned from. They are passed only once, because an album of hundreds of photos
+//! is a megabyte of text, and plans are frequent.
 
 use super::planning::parse_request;
 use super::{parse, thrown};
@@ -30,7 +30,7 @@ impl Album {
         Self::default()
     }
 
-    /// Learns what is known of some photos, a JSON array; each takes the place of the photo with its id.
+    /// Stores the measurements of photos, a JSON array. Each replaces the photo with its id.
     pub fn know(&mut self, photos: &str) -> std::result::Result<(), JsValue> {
         let photos: Vec<PhotoMeta> = parse(photos, "photos").map_err(thrown)?;
         for photo in photos {
@@ -42,7 +42,7 @@ impl Album {
         Ok(())
     }
 
-    /// Forgets all but these photos, a JSON array of ids.
+    /// Drops all other photos. `ids` is a JSON array.
     pub fn keep(&mut self, ids: &str) -> std::result::Result<(), JsValue> {
         let ids: HashSet<String> = parse(ids, "photos").map_err(thrown)?;
         self.photos.retain(|id, _| ids.contains(id));
@@ -67,7 +67,7 @@ impl Album {
 
 #[wasm_bindgen]
 impl Album {
-    /// What frames of an aspect show of photos, `ids` as JSON: of each `{photo, crop, faces}`.
+    /// Crops of the photos `ids` (JSON) for an aspect ratio: a list of `{photo, crop, faces}`.
     pub fn frames(&self, ids: &str, aspect: f64) -> std::result::Result<String, JsValue> {
         let framed = || -> Result<String> {
             let ids: Vec<String> = parse(ids, "photos")?;

@@ -1,5 +1,5 @@
-//! What the benchmark times: blocks or a whole style, again and again on planes that are already here, so that
-//! neither decoding nor copies across the boundary count.
+//! Benchmark functions: repeat blocks or a complete style on loaded planes, without decoding and copies
+//! between JavaScript and wasm.
 
 use super::{style_of, thrown};
 use inkpanel::error::Result;
@@ -11,7 +11,7 @@ use inkpanel::raster::resize::{Region, fit, resample_image};
 use inkpanel::style::{Context, Style, chain, stylize};
 use wasm_bindgen::prelude::*;
 
-/// Learns what framing has to know of a photo of these pixels, reduced to the size at which it looks.
+/// Measures a photo for framing, reduced to the working size.
 #[wasm_bindgen(js_name = benchFacts)]
 pub fn bench_facts(width: usize, height: usize, rgba: &[u8]) -> std::result::Result<usize, JsValue> {
     let image = Image::from_rgba(width, height, rgba, [255; 3]).map_err(thrown)?;
@@ -34,8 +34,8 @@ pub struct Bench {
 
 #[wasm_bindgen]
 impl Bench {
-    /// Takes a style file and RGBA pixels, and runs the first `done` blocks of the background. Throws what a
-    /// style or a size can be wrong in.
+    /// Takes a style file and RGBA pixels, and runs the first `done` blocks of the background. Throws the
+    /// errors of a style or a size.
     #[wasm_bindgen(constructor)]
     pub fn new(
         style: &str,
@@ -81,7 +81,7 @@ pub struct BenchPage {
 
 #[wasm_bindgen]
 impl BenchPage {
-    /// Takes a document and the width of its page in pixels. Throws what a document can be wrong in.
+    /// Takes a document and the width of its page in pixels. Throws the errors of a document.
     #[wasm_bindgen(constructor)]
     pub fn new(document: &str, width: usize) -> std::result::Result<BenchPage, JsValue> {
         let make = || -> Result<BenchPage> {

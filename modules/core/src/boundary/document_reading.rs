@@ -6,9 +6,9 @@ use inkpanel::document::kept;
 use inkpanel::error::Result;
 use wasm_bindgen::prelude::*;
 
-/// The text of a project file or of a page PNG, normalised, with what was left out: `{format, version, history: {present,
-/// shown}, photos, videos, dropped}`. With a prefix all photos and videos get ids that begin with it.
-/// Throws `damaged-project`, `newer-project` or `too-large-project`.
+/// Reads the text of a project file or of a page PNG, and normalises it: `{format, version, history:
+/// {present, shown}, photos, videos, dropped}`. `dropped` lists invalid parts. With a prefix all photos and
+/// videos get ids that begin with it. Throws `damaged-project`, `newer-project` or `too-large-project`.
 #[wasm_bindgen]
 pub fn read_project(json: &str, prefix: Option<String>) -> std::result::Result<String, JsValue> {
     let read = move || -> Result<String> {
@@ -22,8 +22,8 @@ pub fn read_project(json: &str, prefix: Option<String>) -> std::result::Result<S
     read().map_err(thrown)
 }
 
-/// A history out of the browser's database with tables of its parts (see `document::kept`), normalised, with what was left
-/// out. Throws as `read_project`.
+/// Reads a history with tables from the browser's database (see `document::kept`) and normalises it, with a
+/// list of dropped parts. Throws as `read_project`.
 #[wasm_bindgen]
 pub fn read_history(json: &str) -> std::result::Result<String, JsValue> {
     kept::parse(json).map(|(history, dropped)| kept::write(&history, &dropped)).map_err(thrown)

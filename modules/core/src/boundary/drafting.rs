@@ -1,4 +1,4 @@
-//! Styles while they are designed, for the designer of the page. A draft is that of `document::draft`, as JSON.
+//! Edits of a style in the designer. A draft is the JSON of `document::draft`.
 
 use super::{parse, thrown};
 use inkpanel::document::draft;
@@ -20,14 +20,14 @@ pub fn draft_of(style: &str) -> std::result::Result<String, JsValue> {
     draft().map_err(thrown)
 }
 
-/// A draft after an edit, both as JSON: see `document::draft::DraftEdit`. Null where nothing changes, or where it cannot be
-/// done.
+/// A draft after an edit, both as JSON: see `document::draft::DraftEdit`. Null if nothing changes or the edit
+/// is impossible.
 #[wasm_bindgen]
 pub fn edit_draft(draft: &str, edit: &str) -> std::result::Result<String, JsValue> {
     draft::after_json(draft, edit).map_err(thrown)
 }
 
-/// What is known of a draft: see `document::draft::facts_json`.
+/// Analysis of a draft: see `document::draft::facts_json`.
 #[wasm_bindgen]
 pub fn draft_facts(draft: &str) -> std::result::Result<String, JsValue> {
     draft::facts_json(draft).map_err(thrown)

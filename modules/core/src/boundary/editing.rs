@@ -23,9 +23,9 @@ impl Editor {
         Self::default()
     }
 
-    /// Puts a history with tables of its parts (see `document::kept`) in the place of what is there. Throws
-    /// `damaged-project`, `newer-project` or `too-large-project`, and then nothing changed. Gives `{dropped, pageId, sheet}`:
-    /// what was left out, and ids for a new page and a new place, as JSON.
+    /// Replaces the project by a history with tables (see `document::kept`). Throws `damaged-project`,
+    /// `newer-project` or `too-large-project`, and then nothing changed. Returns `{dropped, pageId, sheet}`
+    /// as JSON: the dropped parts, and ids for a new page and a new sheet.
     pub fn load(&mut self, json: &str) -> std::result::Result<String, JsValue> {
         let (history, dropped) = kept::parse(json).map_err(thrown)?;
         let mut out = json::Writer::default();
@@ -39,7 +39,7 @@ impl Editor {
         Ok(out.finish())
     }
 
-    /// Does something: an object with a `type`, as `document::edit::Edit` reads it. Gives what changed as JSON: see
+    /// Applies an edit: an object with a `type`, see `document::edit::Edit`. Returns the changes as JSON, see
     /// `document::kept::difference`. Throws `invalid-document`, and then nothing changed.
     pub fn apply(&mut self, edit: &str) -> std::result::Result<String, JsValue> {
         self.hands.apply_json(edit).map_err(thrown)
@@ -52,8 +52,8 @@ impl Editor {
     }
 }
 
-/// What was done between two states of a list that all projects share, done to another state of it: `{list, before, after}`,
-/// gives such a list.
+/// Applies the changes between two states of a list, which all projects share, to another state of it:
+/// `{list, before, after}`. Returns the new list.
 #[wasm_bindgen]
 pub fn carried(lists: &str) -> std::result::Result<String, JsValue> {
     own::carried_json(lists).map_err(thrown)

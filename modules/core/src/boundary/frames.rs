@@ -11,9 +11,9 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Studio {
-    /// Takes a frame of a video as RGBA: `width` x `height` pixels that stand for `square_width` x `square_height`
-    /// square ones, to be turned clockwise by `rotation` degrees. The facts are those of `import_photo`; the frame
-    /// as a PNG file waits for `take_file`.
+    /// Imports a frame of a video as RGBA: `width` x `height` pixels that represent `square_width` x
+    /// `square_height` square pixels, to be rotated clockwise by `rotation` degrees. Returns the data of
+    /// `import_photo`. `take_file` then returns the frame as a PNG file.
     #[allow(clippy::too_many_arguments, reason = "JavaScript passes numbers, not structs")]
     pub fn import_frame(
         &mut self,
@@ -67,8 +67,8 @@ impl Studio {
         Ok(())
     }
 
-    /// The pictures of a panel of a page, a loop of the frames that were given, of which `still` is that of its photo; see
-    /// `page::living`. None where the panel stays still.
+    /// Draws an animated panel of a page as a loop of the added frames. `still` is the index of its photo;
+    /// see `page::living`. Returns no frames for a still panel.
     pub fn draw_living(
         &mut self,
         document: &str,

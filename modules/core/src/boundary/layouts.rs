@@ -10,13 +10,13 @@ pub fn list_layouts(json: &str) -> std::result::Result<String, JsValue> {
     layouts::list(json).map_err(thrown)
 }
 
-/// Where the panels of `{layout, page}` are.
+/// The panels of `{layout, page}` on the page.
 #[wasm_bindgen]
 pub fn page_geometry(json: &str) -> std::result::Result<String, JsValue> {
     layouts::geometry(json).map_err(thrown)
 }
 
-/// What can be done to the layout of `{layout, page}`.
+/// The possible changes of the layout in `{layout, page}`.
 #[wasm_bindgen]
 pub fn layout_facts(json: &str) -> std::result::Result<String, JsValue> {
     layouts::facts(json).map_err(thrown)

@@ -1,8 +1,8 @@
 //! Pages planned for a project while it is edited: which photos each may show, and how it follows what is changed. Each
 //! answer is a proposal; the page makes an edit of it.
 //!
-//! Every request is one of `page::request::Request` in JSON, which tells a seed and perhaps a taste; what else it may
-//! tell stands with each function. A page is null where there can be none.
+//! Every request is a `page::request::Request` in JSON with a seed and optional preferences. Each function
+//! documents the other fields that it uses. A page is null if it is impossible.
 
 use super::album::Album;
 use super::editing::Editor;
@@ -18,8 +18,8 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Editor {
-    /// A new page. `photos`: those that it is to have, as JSON; empty for those in use that are free for it. `anew`: as if
-    /// there was no page; else the page is the current one of a request that tells none.
+    /// A new page. `photos`: ids as JSON; empty for the photos in use that are free for the page. `anew`:
+    /// ignore the existing page. If not, the request uses the current page unless it contains one.
     pub fn plan(
         &self,
         album: &Album,
@@ -67,7 +67,8 @@ impl Editor {
         })
     }
 
-    /// The photos in use laid out over pages, in the place of those that there are: a list of sheets, or null.
+    /// Distributes the photos in use over new pages, which replace the present ones: a list of sheets, or
+    /// null.
     pub fn spread(&self, album: &Album, request: &str) -> std::result::Result<String, JsValue> {
         let fresh = self.hands.history().fresh();
         self.asked(album, request, &mut |planning, request| {
@@ -87,8 +88,8 @@ impl Editor {
         self.planning(album).map(|planning| planning.torn()).map_err(thrown)
     }
 
-    /// The pages with other photos where one is gone, and without pages that none is left for: see
-    /// `Planning::repaired_json`. `groups`: of look-alikes, by the ids of photos.
+    /// Replaces missing photos on all pages and removes pages without photos: see `Planning::repaired_json`.
+    /// `groups`: of look-alikes, by the ids of photos.
     pub fn repaired(
         &self,
         album: &Album,

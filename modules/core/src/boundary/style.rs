@@ -14,12 +14,12 @@ use wasm_bindgen::prelude::*;
 /// Photos whose stages are kept: as many as are shown at once, and the one before.
 const MOST_DESIGNS: usize = 5;
 
-/// The designs whose stages are kept, the last used first.
+/// Cached stages of designs, most recently used first.
 #[derive(Default)]
 pub(super) struct Designs(Vec<(String, Stages)>);
 
 impl Designs {
-    /// Lets those of a photo go: its subject is another now.
+    /// Drops the cached stages of a photo whose subject mask changed.
     pub(super) fn forget(&mut self, key: &str) {
         self.0.retain(|(name, _)| !name.strip_prefix(key).is_some_and(|rest| rest.starts_with(' ')));
     }
@@ -57,7 +57,7 @@ pub fn breed_style(json: &str) -> std::result::Result<String, JsValue> {
     breed().map_err(thrown)
 }
 
-/// A picture in a style, and what is known of it.
+/// A styled image and its properties.
 #[wasm_bindgen]
 pub struct Explored {
     judgement: Judgement,
@@ -75,14 +75,14 @@ impl Explored {
         self.judgement.score
     }
 
-    /// What any score is to be multiplied by, .5 to 1.
+    /// Factor for any score, 0.5 to 1.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn novelty(&self) -> f64 {
         self.judgement.novelty
     }
 
-    /// What is wrong with the picture; empty when nothing is.
+    /// Problem of the image, or an empty string.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn fault(&self) -> String {
@@ -112,7 +112,7 @@ impl Explored {
 
 #[wasm_bindgen]
 impl Studio {
-    /// Takes a style for a photo at a size: only what it changes is run again. Follow with `design_step` until
+    /// Sets a style for a photo at a size. Only changed blocks run again. Follow with `design_step` until
     /// there is nothing left.
     pub fn design(
         &mut self,
@@ -149,7 +149,7 @@ impl Studio {
         Ok(patch(&self.stages().map_err(thrown)?.result()))
     }
 
-    /// The picture after the block of a place as `design_step` tells it, at most `side` pixels long.
+    /// The image after the block at `place` of `design_step`, at most `side` pixels long.
     pub fn design_stage(&self, place: usize, side: usize) -> std::result::Result<Patch, JsValue> {
         let stages = self.stages().map_err(thrown)?;
         let layer = if place < 256 { Layer::Background } else { Layer::Foreground };
