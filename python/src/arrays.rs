@@ -58,7 +58,7 @@ fn unfit(what: &str, reason: &str, shape: &[usize]) -> Failure {
     Failure::new("invalid-array", format!("{what}: {reason}; its shape is ({})", sides.join(", ")))
 }
 
-/// RGB bytes as an array, which takes them as they are.
+/// Returns RGB bytes as an array, without a copy.
 pub(crate) fn colour(
     py: Python<'_>,
     (width, height): (usize, usize),
@@ -68,7 +68,7 @@ pub(crate) fn colour(
     Ok(array.map_err(|error| Failure::fault(&error.to_string()))?.into_pyarray(py))
 }
 
-/// Gray samples as an array, which takes them as they are.
+/// Returns gray samples as an array, without a copy.
 pub(crate) fn gray(
     py: Python<'_>,
     (width, height): (usize, usize),

@@ -1,4 +1,4 @@
-//! What goes wrong, as Python is told it: one class of exceptions, with a code for programs and a sentence for people.
+//! Errors for Python: one exception class with a code and a message.
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -72,8 +72,8 @@ pub(crate) fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("Error", class)
 }
 
-/// Does `work` while other threads of Python run. A panic, which is a fault of ours or of a decoder, is an error like others:
-/// Python's own would pass those who catch `Exception`.
+/// Does `work` while other threads of Python run. A panic, which is a bug or a fault of a decoder, becomes a
+/// normal error. `except Exception` does not catch Python's own panic exception.
 pub(crate) fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> Done<T> + Send) -> PyResult<T> {
     Ok(py.detach(|| inkpanel::survived(work))?)
 }

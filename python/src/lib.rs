@@ -1,5 +1,6 @@
-//! The engine for Python. What Python sees stands in `inkpanel/__init__.py`, which calls these functions; no algorithm of its
-//! own is here. The interpreter's lock is held to read arguments and to hand over results, never while pixels are worked on.
+//! The engine for Python. The public API is in `inkpanel/__init__.py`, which calls these functions. There are
+//! no algorithms here. The interpreter's lock is held to read arguments and to hand over results, never while
+//! pixels are worked on.
 
 mod arrays;
 mod failure;

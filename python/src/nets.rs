@@ -1,4 +1,4 @@
-//! The nets that find faces and objects: read once, and kept for all pages of the process.
+//! The models that find faces and objects, loaded once and cached for the process.
 
 use crate::failure::{Done, Failure};
 use inkpanel::Nets;

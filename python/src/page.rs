@@ -10,8 +10,8 @@ use pyo3::types::PyBytes;
 
 /// A storyboard page, made by `inkpanel.render`.
 ///
-/// It is drawn from its photos, which are read again at their full size, when `image`, `png`, `jpeg` or `pdf` asks for it, and
-/// its pixels are kept. Pages may be used by several threads at once.
+/// Its photos are read again at full size when `image`, `png`, `jpeg` or `pdf` first draws it. The pixels are
+/// cached. Pages may be used by several threads at once.
 #[pyclass(frozen, module = "inkpanel")]
 pub(crate) struct Page {
     page: inkpanel::Page,

@@ -9,7 +9,7 @@ use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
 use std::path::PathBuf;
 
-/// Takes what Python gave as the photo of a place.
+/// Reads a Python value as the photo at index `place`.
 pub(crate) fn given(place: usize, given: &Bound<'_, PyAny>) -> PyResult<Photo> {
     let name = format!("photo {place}");
     if given.is_instance_of::<PyUntypedArray>() {

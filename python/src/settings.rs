@@ -1,20 +1,20 @@
-//! What is asked of pages, read from the JSON that `inkpanel.render` makes of its arguments.
+//! Options of pages, from the JSON of the arguments of `inkpanel.render`.
 
 use crate::failure::{Done, Failure};
 use inkpanel::{PageOptions, Style};
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
-/// What is asked of pages.
+/// Options of pages.
 pub(crate) struct Settings {
-    /// How many pages an album is cut into; none makes one of all photos.
+    /// Maximum number of pages. `None`: one page of all photos.
     pub(crate) pages: Option<usize>,
     pub(crate) options: PageOptions,
     /// Places of photos that get the large panel.
     pub(crate) star: Vec<usize>,
     /// Files of fonts, for letters of words that the program lacks.
     pub(crate) fonts: Vec<String>,
-    /// The folder of the nets; none where nothing is looked for.
+    /// Folder of the models. `None`: no detection.
     pub(crate) models: Option<String>,
     /// Whether photos that cannot be read are left out, rather than an error.
     pub(crate) skip_broken: bool,
