@@ -1,4 +1,4 @@
-//! The repository's own photos, and those of any folder.
+//! The sample album of the repository, and the photos of other folders.
 
 use std::fs;
 use std::path::PathBuf;
@@ -15,7 +15,7 @@ pub fn own_folders(project: &Project) -> Vec<PathBuf> {
 /// The JPEG files of folders, by name in each.
 ///
 /// # Errors
-/// Where a folder cannot be listed.
+/// If a folder cannot be listed.
 pub fn photos_in(folders: &[PathBuf]) -> Result<Vec<PathBuf>> {
     let mut photos = Vec::new();
     for folder in folders {

@@ -9,9 +9,10 @@ use anyhow::Result;
 use crate::project::Project;
 use crate::{batch, chromium, engines, lighthouse, native, npm, site, tables, tools, wasm};
 
-/// Builds everything, then measures. With words in `filter` only rows whose name has one of them are timed, and
-/// `page`, `album`, `films`, `making`, `masking`, `animatic`, `living`, `detect`, `figures` or `masks` where they are among them; nothing is written;
-/// `alone` leaves the other libraries out. `native`, `batch`, `engines` and `lighthouse` stand each alone.
+/// Builds everything, then measures. With words in `filter`, only matching rows are timed, and nothing is
+/// written. The groups `page`, `album`, `films`, `making`, `masking`, `animatic`, `living`, `detect`,
+/// `figures` and `masks` run if they are listed. `alone` skips the other libraries. `native`, `batch`,
+/// `engines` and `lighthouse` must be the only word.
 pub fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
     if filter == ["native"] {
         return native::run(project);

@@ -1,4 +1,4 @@
-//! Takes what the program draws and writes now as what it should, topic by topic.
+//! Updates stored expectations with the current output, by topic.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -65,11 +65,11 @@ const TOPICS: &[Topic] = &[
     },
 ];
 
-/// Stores anew what belongs to the topics of these names, or to all.
+/// Updates the topics with these names, or all topics.
 ///
 /// # Errors
-/// When a name is unknown, when a test fails for another reason, and when anything changed: then with a list of it, so
-/// that whatever blesses without a person who looks at it fails.
+/// If a name is unknown or a test fails for another reason. Also if anything changed, with a list of the
+/// changes, so that unattended runs fail.
 pub fn run(project: &Project, names: &[String]) -> Result<()> {
     let topics = topics(names)?;
     let before = stored(project, &topics)?;

@@ -1,4 +1,5 @@
-//! The size of what a visitor downloads: the core before the first page, the detectors after it, the rest when it is asked for.
+//! Size limits of downloads: the core before the first page, the detectors after it, and the other modules on
+//! demand.
 
 use std::fs;
 use std::io::Write;

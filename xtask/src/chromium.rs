@@ -24,10 +24,10 @@ const PLACES: &[&str] = &[
 
 const ADVICE: &str = "install Chromium (Debian: apt install chromium) or set CHROMIUM to its path";
 
-/// Finds the browser's program, or installs it where that needs no questions.
+/// Finds the browser, or installs it if this needs no interaction.
 ///
 /// # Errors
-/// When there is none and it cannot be installed; the message says what to do.
+/// If it is missing and cannot be installed. The message has instructions.
 pub fn find() -> Result<PathBuf> {
     if let Some(given) = env::var_os("CHROMIUM").map(PathBuf::from) {
         if given.is_file() {
@@ -47,8 +47,8 @@ pub fn find() -> Result<PathBuf> {
     }
 }
 
-/// Finds the browser for tests that open page after page: where there is one without windows it is taken, as each page
-/// then takes a second of processor time less.
+/// Finds the browser for tests with many pages. It prefers a headless browser, which saves one second of
+/// processor time per page.
 ///
 /// # Errors
 /// As [`find`].

@@ -1,13 +1,14 @@
-//! Takes needless clamps out of a wasm module. The narrowing instructions saturate by themselves; rustc's intrinsics
-//! for them are a clamp and a cut, of which LLVM makes
+//! Takes needless clamps out of a wasm module. The narrowing instructions saturate anyway. rustc's intrinsics
+//! for them are a clamp and a truncation. LLVM compiles these to
 //!
 //! ```text
 //! narrow(min(max(a, 0), 255), ...)            a clamp that the instruction after it repeats
 //! shuffle(min(max(a, -32768), 32767), ...)    the same with two shuffles in place of the instruction
 //! ```
 //!
-//! wasm-opt knows neither. Both become `narrow(a, ...)`, and only where bounds are no tighter than the instruction's
-//! own, so that every bit stays. All else is copied byte by byte: a module is never larger afterwards.
+//! wasm-opt knows neither. Both become `narrow(a, ...)`, only if the limits are not tighter than the limits
+//! of the instruction. So results do not change. Everything else is copied unchanged, so a module never
+//! grows.
 
 use std::ops::Range;
 

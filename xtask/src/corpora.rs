@@ -30,7 +30,7 @@ pub fn write(project: &Project) -> Result<()> {
     tools::run(replay(project, "docs/reports/malformed-files.md")?.args(folders))
 }
 
-/// Replays what can be obtained, and says loudly what cannot.
+/// Runs the available corpora, and reports missing ones.
 ///
 /// # Errors
 /// When the program that reads the files cannot be run.

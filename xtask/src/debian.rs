@@ -12,7 +12,8 @@ use crate::tools;
 /// Suites run side by side, and apt-get refuses to run twice.
 static ALONE: Mutex<()> = Mutex::new(());
 
-/// Installs a package where that needs no questions; false where this is not Debian or not its owner.
+/// Installs a package if this needs no interaction. Returns `false` if the system is not Debian or the user
+/// is not root.
 ///
 /// # Errors
 /// When apt-get fails.

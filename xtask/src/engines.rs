@@ -1,4 +1,5 @@
-//! Firefox and `WebKit`, and the programs that drive them and Chromium by `WebDriver`: those that are there, or Debian's.
+//! Firefox, `WebKit`, and the `WebDriver` programs for them and Chromium. It uses installed programs, or
+//! installs Debian's packages.
 
 use std::env;
 use std::path::PathBuf;

@@ -1,5 +1,4 @@
-//! Whose output a line is, where several things run side by side: each line of a program begins with the name of what
-//! it belongs to.
+//! Labels of output lines for parallel work: each line begins with the name of its lane.
 
 use std::cell::Cell;
 use std::io::{BufRead, BufReader, PipeReader, pipe};
@@ -13,7 +12,7 @@ thread_local! {
     static NAME: Cell<Option<&'static str>> = const { Cell::new(None) };
 }
 
-/// Runs something under a name: what it and its programs print begins with it.
+/// Runs `run` with a lane name, which precedes each printed line.
 pub fn named<T>(name: &'static str, run: impl FnOnce() -> T) -> T {
     NAME.set(Some(name));
     let result = run();

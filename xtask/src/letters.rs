@@ -1,5 +1,5 @@
-//! The letters of the page: the table of `fonts/pack.rs` as a file of its own, which the modules of words and of other files are
-//! given. Packed, as hosts pack no file whose kind they do not know; its checksum tells the page of bytes that are broken.
+//! The glyph file of the app: the table of `fonts/pack.rs`, which the words and exports modules share. It is
+//! compressed here, because servers do not compress unknown file types. Its checksum detects damage.
 
 #[path = "../../fonts/pack.rs"]
 mod pack;

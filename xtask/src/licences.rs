@@ -14,7 +14,7 @@ const CARGO_DENY: &str = "0.20.2";
 /// Workspaces with a lock file of their own, whose crates leave the house too.
 const MANIFESTS: [&str; 2] = ["Cargo.toml", "python/Cargo.toml"];
 
-/// Checks crates by `deny.toml`. Advisories are left out: their database is a download of its own.
+/// Checks crates by `deny.toml`. Advisories are skipped, because their database is a separate download.
 ///
 /// # Errors
 /// When cargo-deny cannot be installed, or has something against a crate.

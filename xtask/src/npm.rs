@@ -18,8 +18,8 @@ pub fn install(project: &Project) -> Result<()> {
     install_in(project, "npm", &www, clean_install(&www))
 }
 
-/// Installs the libraries to compare with, which have a lock file of their own, so that building the site does not download
-/// them.
+/// Installs the libraries for comparisons. They have a separate lock file, so the site build does not
+/// download them.
 pub fn install_peers(project: &Project) -> Result<()> {
     let folder = project.root.join("bench");
     install_in(project, "peers", &folder, clean_install(&folder))
@@ -56,7 +56,7 @@ fn clean_install(folder: &Path) -> Command {
     install
 }
 
-/// What npm is called here.
+/// Name of the npm program on this system.
 pub fn program() -> &'static str {
     if cfg!(windows) { "npm.cmd" } else { "npm" }
 }

@@ -1,4 +1,4 @@
-//! How good automatic pages are: 48 to be looked at, and a table of what geometry can tell of two hundred.
+//! Quality of automatic pages: 48 sample pages, and a table with scores of two hundred.
 
 use std::path::PathBuf;
 
@@ -10,10 +10,11 @@ use crate::project::Project;
 use crate::test::CLI;
 use crate::tools;
 
-/// Draws 48 pages into `target/pages`, scores apart, and writes `docs/reports/automatic-pages.md` where the photos are the repository's own.
+/// Draws 48 pages into `target/pages`, with separate scores. For the sample album it also writes
+/// `docs/reports/automatic-pages.md`.
 ///
 /// # Errors
-/// Where a folder cannot be listed, or the example fails.
+/// If a folder cannot be listed, or the example fails.
 pub fn run(project: &Project, folders: &[String]) -> Result<()> {
     models::make(project)?;
     let own = folders.is_empty();

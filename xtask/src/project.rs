@@ -1,5 +1,4 @@
-//! Where things are: the checkout's folders and cargo's target folder, from whatever folder the command was
-//! started in.
+//! Paths of the checkout and of cargo's target folder, independent of the working folder.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

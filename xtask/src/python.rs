@@ -1,4 +1,4 @@
-//! Python with packages, in an environment of its own below `target`.
+//! Python with packages, in separate environments below `target`.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -8,7 +8,7 @@ use anyhow::{Result, bail};
 use crate::project::Project;
 use crate::{debian, tools};
 
-/// What Python is called here.
+/// Name of the Python program on this system.
 pub fn program() -> &'static str {
     if cfg!(windows) { "python" } else { "python3" }
 }
@@ -16,10 +16,10 @@ pub fn program() -> &'static str {
 /// The oldest Python that the pinned packages of `python/requirements` run on.
 const LEAST: (u32, u32) = (3, 11);
 
-/// Says what is wrong with Python before anything is built for it.
+/// Checks Python before anything is built for it.
 ///
 /// # Errors
-/// When it is missing or older than what the tests need.
+/// If it is missing or too old for the tests.
 pub fn check() -> Result<()> {
     let told =
         tools::output(Command::new(program()).args(["-c", "import sys; print(*sys.version_info[:2])"]))?;
@@ -32,7 +32,7 @@ pub fn check() -> Result<()> {
     Ok(())
 }
 
-/// The Python of an environment in `folder` with what these files of requirements list.
+/// The Python of an environment in `folder`, with the packages of these requirements files.
 ///
 /// # Errors
 /// When Python or its `venv` is missing, or pip does not give a package.
@@ -42,7 +42,7 @@ pub fn environment(folder: &Path, requirements: &[&Path]) -> Result<PathBuf> {
     Ok(python)
 }
 
-/// Has pip install what `what` tells it.
+/// Runs pip with the arguments that `what` adds.
 ///
 /// # Errors
 /// When pip does not give a package.
@@ -61,7 +61,8 @@ fn made(environment: &Path) -> Result<PathBuf> {
     Ok(python)
 }
 
-/// The Python of an environment in `folder` that has these packages alone, without those that they would like.
+/// The Python of an environment in `folder` that has only these packages, without their optional
+/// dependencies.
 ///
 /// # Errors
 /// When Python is missing, or pip does not give a package.

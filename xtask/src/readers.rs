@@ -1,5 +1,5 @@
-//! Programs that read the files which the browser tests save, as nobody here wrote them: Poppler's for PDF files, ffprobe for
-//! films. Those that are there, or Debian's.
+//! Independent programs that check exported files: Poppler for PDF files, ffprobe for videos. It uses
+//! installed programs, or installs Debian's packages.
 
 use anyhow::{Result, bail};
 
@@ -13,7 +13,7 @@ const PROGRAMS: [(&str, &str); 4] = [
     ("ffprobe", "ffmpeg"),
 ];
 
-/// Sees that the programs are in PATH, or installs them where that needs no questions.
+/// Finds the programs in PATH, or installs them if this needs no interaction.
 ///
 /// # Errors
 /// When one is missing and cannot be installed; the message says what to do.

@@ -1,4 +1,4 @@
-//! Skips a step whose inputs did not change: a step's inputs are hashed, and the hash is kept once it is done.
+//! Skips a step with unchanged inputs: stores a hash of the inputs after the step.
 
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -49,8 +49,9 @@ pub struct Stamp {
 }
 
 impl Stamp {
-    /// The stamp of the step `name`. It lies in `node_modules`, beside what it describes: a fresh checkout or
-    /// a fresh install has none, and two target folders of one checkout share it.
+    /// The stamp of the step `name`. The stamp is stored in `node_modules`, next to the files that it
+    /// describes. So a fresh checkout or install has no stamp, and two target folders of one checkout share
+    /// it.
     pub fn new(project: &Project, name: &str, inputs: &Inputs) -> Self {
         let folder = project.www().join("node_modules/.cache/inkpanel");
         Self { file: folder.join(name), hash: inputs.finish() }

@@ -1,4 +1,5 @@
-//! Counts what passed and failed from the summary lines of cargo test, Vitest and Playwright, and notes which failed.
+//! Counts passed and failed tests from the summary lines of cargo test, Vitest and Playwright, and lists the
+//! failures.
 
 use std::io::{IsTerminal, stdout};
 use std::ops::AddAssign;
@@ -52,8 +53,8 @@ impl AddAssign for Tally {
     }
 }
 
-/// Runs a program with its output on this terminal and adds up the summaries it prints. The second value tells
-/// whether the program itself ended well.
+/// Runs a program with its output on this terminal and adds up the summaries it prints. The second value is
+/// `true` if the program succeeded.
 pub fn count(command: &mut Command) -> Result<(Tally, bool)> {
     if stdout().is_terminal() {
         command.env("CARGO_TERM_COLOR", "always").env("FORCE_COLOR", "1");

@@ -1,5 +1,5 @@
-//! Runs other programs. What goes wrong is told in one sentence that names the program and, where it is missing,
-//! what to install.
+//! Runs other programs. An error is one sentence with the name of the program and, if it is missing, the
+//! package to install.
 
 use std::env;
 use std::io::ErrorKind;
@@ -67,7 +67,7 @@ pub fn line(command: &Command) -> String {
     words.join(" ")
 }
 
-/// Why a program did not start, with what to install when it is missing.
+/// Explains why a program did not start. If it is missing, the text names the package.
 pub fn cannot_start(command: &Command, error: &std::io::Error) -> anyhow::Error {
     let program = command.get_program().to_string_lossy();
     if error.kind() != ErrorKind::NotFound {

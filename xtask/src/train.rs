@@ -10,8 +10,8 @@ use crate::tools;
 const PHOTOS: &str = "www/public/samples";
 const HELD_OUT: &str = "tests/photos";
 
-/// Fits the bank of an operator to the sample album and to the photos in further folders, writes it, and prints how
-/// near it comes to the operator on the photos of the tests, which it never saw.
+/// Fits the filter bank of an operator to the sample album and to photos in other folders, and writes it.
+/// Prints its error on the test photos, which are not used for training.
 pub fn run(project: &Project, operator: &str, folders: &[String]) -> Result<()> {
     let bank = format!("pixels/src/style/banks/{operator}.blade");
     let mut cargo = project.cargo();

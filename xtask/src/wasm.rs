@@ -1,5 +1,5 @@
-//! The crate as the modules of the page: cargo, then wasm-bindgen as a library (so its version is the one in Cargo.lock),
-//! and for what is published wasm-opt from the npm package `binaryen`, and what it leaves to do.
+//! Builds the wasm modules: cargo, then wasm-bindgen as a library (so its version is the one in Cargo.lock).
+//! Published modules are also optimised by wasm-opt from the npm package `binaryen` and by `clamps`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ use crate::project::Project;
 use crate::stamp::{Inputs, Stamp};
 use crate::{clamps, lane, letters, npm, tools};
 
-/// What rustc calls the browser.
+/// Compiler target of the browser.
 pub const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Features of the library that the modules have in total.
@@ -62,7 +62,7 @@ const OPTIMISE: &[&str] = &[
 /// Who a module is built for.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
-    /// Whoever waits for it on this machine: compiled by all cores, hardly slower.
+    /// For a local server: compiled on all cores, hardly slower at run time.
     Serve,
     /// Everyone: small and fast, whatever it takes.
     Publish,
@@ -109,24 +109,24 @@ pub fn detectors(project: &Project) -> Module {
     Module { name: "detectors", package: "inkpanel-detectors", group: Group::Detectors, folder, ..small() }
 }
 
-/// The module of words, which a page loads when it first has some: small, as nobody waits for what it does.
+/// The words module, loaded with the first text. Compiled for size, because speed does not matter.
 pub fn words(project: &Project) -> Module {
     Module { name: "words", package: "inkpanel-words", folder: project.www().join("pkg-words"), ..small() }
 }
 
-/// What makes other files than PNG, which the page loads with the first of them.
+/// The module for file types other than PNG, loaded with the first such export.
 pub fn exports(project: &Project) -> Module {
     let folder = project.www().join("pkg-exports");
     Module { name: "exports", package: "inkpanel-exports", group: Group::Rare, folder, ..small() }
 }
 
-/// The decoders of what few photos are, which the page loads with the first of them.
+/// The decoders of rare photos, loaded with the first of them.
 pub fn decoders(project: &Project) -> Module {
     let folder = project.www().join("pkg-decoders");
     Module { name: "decoders", package: "inkpanel-decoders", group: Group::Rare, folder, ..small() }
 }
 
-/// What finds the shots of a film, which the page loads with the first of them.
+/// The module that finds the shots of a video, loaded with the first video.
 pub fn films(project: &Project) -> Module {
     Module { name: "films", package: "inkpanel-films", folder: project.www().join("pkg-films"), ..fast() }
 }
@@ -138,7 +138,7 @@ pub fn imitation(project: &Project) -> Module {
     Module { name: "imitation", package: "inkpanel-imitation", folder, ..fast() }
 }
 
-/// What corrects masks, which the page loads when a person does: it draws while the brush moves.
+/// The mask editor, loaded with the first corrected mask. It draws while the brush moves.
 pub fn brush(project: &Project) -> Module {
     Module { name: "brush", package: "inkpanel-brush", folder: project.www().join("pkg-brush"), ..fast() }
 }
@@ -310,7 +310,7 @@ impl Module {
     }
 }
 
-/// Panic messages carry source paths; in what is published they start at the crate, not at someone's home.
+/// Removes local folders from the source paths in panic messages of published modules.
 pub fn without_local_paths(project: &Project, target: &str) -> String {
     let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));

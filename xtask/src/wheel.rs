@@ -1,4 +1,4 @@
-//! `cargo xtask wheel`: the Python package, built by maturin and tested where nothing else is installed.
+//! `cargo xtask wheel`: builds the Python package with maturin and tests it in an empty environment.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,8 @@ pub fn run(project: &Project, with_ray: bool) -> Result<()> {
     make(project, with_ray, None).map(|_| ())
 }
 
-/// As [`run`], and says where the wheel is. Its entries have this time, in seconds since 1970, or that of the build.
+/// As [`run`], and says where the wheel is. Its entries have this time, in seconds since 1970, or the time of
+/// the build.
 ///
 /// # Errors
 /// As there.

@@ -1,5 +1,5 @@
-//! The npm package: the engine of `www/engine`, its wasm modules, letters and nets, their types, as files that a static server can
-//! serve as they are. `www/package` has what is there for the package alone.
+//! The npm package: the engine of `www/engine`, its wasm modules, glyphs, models and types, as files for a
+//! static server. `www/package` has the files that are only in the package.
 
 pub mod notices;
 
