@@ -1,4 +1,4 @@
-//! Where photos of the command line come from: files, folders as albums, and standard input.
+//! Photo sources of the command line: files, folders as albums, and standard input.
 
 use crate::{Complaint, name};
 use inkpanel::json::unmarked;
@@ -7,7 +7,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-/// In the place of a file: standard input, or standard output.
+/// Name of standard input and standard output.
 pub(crate) const STANDARD: &str = "-";
 /// Endings of the pictures that a folder is searched for.
 const PICTURES: [&str; 9] = ["jpg", "jpeg", "png", "webp", "gif", "bmp", "tif", "tiff", "jpe"];
@@ -18,12 +18,12 @@ const MOST_FILES: usize = 100_000;
 /// Bytes that are taken from standard input.
 const MOST_INPUT: u64 = 1 << 30;
 
-/// Whether a file stands for standard input or output.
+/// Whether a path is standard input or output.
 pub(crate) fn is_standard(path: &Path) -> bool {
     path.as_os_str() == STANDARD
 }
 
-/// The name of a file as people are told it.
+/// Display name of a file.
 pub(crate) fn told(path: &Path) -> String {
     if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() }
 }
@@ -53,7 +53,7 @@ pub(crate) fn text(path: &Path) -> Result<String, Complaint> {
     Ok(unmarked(&text).to_owned())
 }
 
-/// The files that are meant: of a folder its pictures and those of the folders in it, in the order in which people count.
+/// Lists the files: for a folder, its images and the images in its subfolders, in natural order.
 pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Complaint> {
     if given.iter().filter(|path| is_standard(path)).count() > 1 {
         return Err("standard input (-) can be read only once".into());

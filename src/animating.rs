@@ -1,5 +1,6 @@
-//! Films of saved projects on the command line, as numbered PNG files: the shots of a board one after the other, or its pages, read
-//! panel by panel. What a frame shows is told by `output::animatic` and `output::motion`; here it is drawn and written.
+//! Films of saved projects on the command line, as numbered PNG files: the shots of a board one after the
+//! other, or its pages, read panel by panel. `output::animatic` and `output::motion` plan the frames; this
+//! module draws and writes them.
 
 mod drawn;
 mod pages;
@@ -17,7 +18,7 @@ use serde_json::{Value, json};
 use shots::Shots;
 use std::path::PathBuf;
 
-/// What `inkpanel animate` is told.
+/// Arguments of `inkpanel animate`.
 #[derive(clap::Args)]
 #[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
 pub(crate) struct Animate {

@@ -20,7 +20,7 @@ pub(crate) const STYLE: &str = "storyboard";
 /// The id of the logo on sheets: no photo of a project is called so.
 pub(crate) const LOGO: &str = "board/logo";
 
-/// The logo of a project's board at its full size; none where it has none.
+/// The logo of a project's storyboard at full size. `None` if there is no logo.
 ///
 /// # Errors
 /// A sentence for one that cannot be read.
@@ -32,8 +32,8 @@ pub(crate) fn logo(saved: &Saved) -> Result<Option<Image>, Complaint> {
     Ok(Some(decoded.image))
 }
 
-/// The sheets of a project's board, in the style of its page. `title`: what it is called where it has no name; `found`: what is
-/// known to be in a photo; `logo`: as [`logo`] gives it.
+/// The storyboard sheets of a project, in the style of its page. `title`: title for a project without a name.
+/// `found`: subjects of a photo. `logo`: from [`logo`].
 ///
 /// # Errors
 /// A sentence for a photo that is not there or cannot be read, and for a project without shots.
@@ -75,7 +75,7 @@ pub(crate) fn sheets(
 pub(crate) struct ShotPhoto {
     /// Its id.
     pub(crate) id: String,
-    /// What its file was called.
+    /// File name.
     pub(crate) name: String,
     /// The file.
     pub(crate) file: Vec<u8>,
@@ -100,7 +100,7 @@ pub(crate) fn shown(saved: &mut Saved) -> Result<Vec<ShotPhoto>, Complaint> {
     ids.into_iter().map(photo).collect()
 }
 
-/// What frames of an aspect show of photos.
+/// Crops of photos for an aspect ratio.
 ///
 /// # Errors
 /// A sentence for a photo that cannot be read.

@@ -1,4 +1,4 @@
-//! Settings of `render` in a file: each stands for the option of its name, and what the command line says goes before it.
+//! Settings of `render` in a file. Each setting has the name of an option. The command line takes precedence.
 
 use crate::{Complaint, album};
 use clap::{Command, CommandFactory};
@@ -12,7 +12,7 @@ const MOST: u64 = 1 << 20;
 /// Settings that may name a file or something else.
 const PERHAPS_FILES: [&str; 2] = ["layout", "style"];
 
-/// The arguments with those of the file that `--config` names put before them, and the photos that the file names.
+/// Inserts the settings of the file in `--config` before the arguments, and adds its photos.
 ///
 /// # Errors
 /// A sentence with the name of the file and of the setting.

@@ -1,4 +1,4 @@
-//! Where results of the command line go: files that are there whole or not at all, and standard output. Printing macros
+//! Output of the command line: files, which are written atomically, and standard output. Printing macros
 //! panic when their pipe is closed, so the command line prints by the functions here and in `telling`.
 
 use crate::Complaint;
@@ -11,15 +11,14 @@ use std::path::{Path, PathBuf};
 /// A place for a result.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Output {
-    /// Where it goes; `-` is standard output.
+    /// Path; `-` is standard output.
     pub(crate) path: PathBuf,
-    /// The name that tells its kind: that of the file, or one made up for what has none.
+    /// Name that determines the file type: the file name, or a default for standard output.
     pub(crate) named: PathBuf,
 }
 
 impl Output {
-    /// A place of that name. What `format` says of its kind goes before what the name says; standard output is PNG unless
-    /// told.
+    /// A place of that name. `format` overrides the extension. The default of standard output is PNG.
     ///
     /// # Errors
     /// A sentence for a kind that is not known.
@@ -38,7 +37,7 @@ impl Output {
         Ok(Self { path: path.to_owned(), named })
     }
 
-    /// Whether it is there already. A file of ours is there whole or not at all.
+    /// Whether it already exists. Files are written atomically, so an existing file is complete.
     pub(crate) fn exists(&self) -> bool {
         !is_standard(&self.path)
             && fs::metadata(&self.path).is_ok_and(|file| file.is_file() && file.len() > 0)
@@ -52,7 +51,7 @@ impl Output {
 /// Writes a file beside the place where it belongs and puts it there when it is whole; or writes to standard output.
 ///
 /// # Errors
-/// A sentence with the name; then nothing of it is left, and a file that was there is as it was.
+/// A sentence with the name. A failed write changes nothing.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
     if is_standard(path) {
         return print(bytes);
@@ -88,7 +87,7 @@ pub(crate) fn print(bytes: &[u8]) -> Result<(), Complaint> {
 /// Prints lines to standard output, as [`print`] does.
 ///
 /// # Errors
-/// Those of [`print`].
+/// The errors of [`print`].
 pub(crate) fn print_lines(lines: impl IntoIterator<Item = String>) -> Result<(), Complaint> {
     let text: String = lines.into_iter().map(|line| line + "\n").collect();
     print(text.as_bytes())

@@ -54,7 +54,7 @@ fn find() -> Option<PathBuf> {
     beside.into_iter().chain(above).chain([built]).find(|folder| folder.join("faces.onnx").is_file())
 }
 
-/// What is in each photo; a failure is told and counts as nothing.
+/// Subjects of each photo. A failure is reported and counts as no result.
 pub(crate) fn run(detectors: &Detectors, photos: &[(PathBuf, Imported)]) -> Vec<Vec<Detection>> {
     let found = photos.par_iter().map(|(path, photo)| {
         detectors.detect(&photo.work).unwrap_or_else(|error| {

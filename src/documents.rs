@@ -14,8 +14,8 @@ const MOST: u64 = 64 << 20;
 /// Pages in it.
 const MOST_PAGES: usize = 1_000;
 
-/// Writes pages, one as it is, `several` as a list. In the place of ids stand the names of the photos: alone where no other
-/// photo has the same, else with their folders.
+/// Writes pages as JSON: one page as an object, `several` as a list. File names of photos replace ids. If two
+/// photos have the same name, their folders are included.
 ///
 /// # Errors
 /// A sentence with the name of the file.
@@ -48,7 +48,7 @@ pub(crate) fn save(
 /// Draws the pages of a file.
 ///
 /// # Errors
-/// A sentence for what is no page, and for a photo that is neither among `files` nor beside the file.
+/// A sentence, if the file is not a page, or a photo is neither in `files` nor next to the file.
 pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -> Result<(), Complaint> {
     let complain = |reason: String| format!("{}: {reason}", file.display());
     let pages = read(file).map_err(complain)?;

@@ -56,7 +56,7 @@ pub(crate) fn tell_missing(pages: &[Document], fonts: &GivenFonts) -> Result<(),
     Ok(())
 }
 
-/// What was found in a photo, by its id.
+/// Returns the subjects of a photo by id.
 pub(crate) type Subjects<'a> = dyn Fn(&str) -> &'a [Subject] + 'a;
 
 /// A kind of file.
@@ -74,7 +74,7 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// What the ending of a file names.
+    /// File type of a file name extension.
     pub(crate) fn of(output: &Path) -> Result<Self, Complaint> {
         if let Some(kind) = reading::Kind::of(output) {
             return Ok(Self::Comic(kind));
@@ -100,13 +100,13 @@ impl Kind {
 /// Decodes a photo at its full size by its id; gives nothing for one that is not there.
 pub(crate) type Photos<'p> = dyn Fn(&str) -> Result<Option<Image>, Complaint> + Sync + 'p;
 
-/// What pages are drawn with.
+/// Resources to draw pages.
 #[derive(Clone, Copy)]
 pub(crate) struct Means<'p> {
     pub(crate) photos: &'p Photos<'p>,
     pub(crate) fonts: &'p GivenFonts,
     pub(crate) masks: &'p Masks,
-    /// Of JPEG, from 1 to 100.
+    /// JPEG quality, from 1 to 100.
     pub(crate) quality: u8,
     /// Whether coarse photos are enlarged well.
     pub(crate) enlarges: bool,
@@ -228,7 +228,7 @@ fn sheet(text: &str) -> Result<[f64; 2], Complaint> {
 /// Fonts out of their files.
 ///
 /// # Errors
-/// A sentence with the name of a file that is no font, or too large.
+/// A sentence with the name of a file that is not a font or is too large.
 pub(crate) fn fonts(files: &[PathBuf]) -> Result<GivenFonts, Complaint> {
     let mut fonts = GivenFonts::default();
     for path in files {
@@ -240,7 +240,7 @@ pub(crate) fn fonts(files: &[PathBuf]) -> Result<GivenFonts, Complaint> {
 }
 
 impl Printing {
-    /// Says what is of PDF files alone where another kind is asked for.
+    /// Rejects PDF options for other file types.
     pub(crate) fn check(&self, kind: Kind) -> Result<(), Complaint> {
         let told = [
             ("--bleed", self.bleed.is_some()),
@@ -261,12 +261,12 @@ impl Printing {
     /// The fonts that are given.
     ///
     /// # Errors
-    /// A sentence with the name of a file that is no font, or too large.
+    /// A sentence with the name of a file that is not a font or is too large.
     pub(crate) fn fonts(&self) -> Result<GivenFonts, Complaint> {
         fonts(&self.font)
     }
 
-    /// What pages are drawn with.
+    /// Resources to draw pages.
     pub(crate) fn means<'m>(
         &self,
         photos: &'m Photos<'m>,
@@ -392,7 +392,7 @@ fn leaf(
     native::leaf(document, photos, alts, (plate, means.quality)).map_err(|error| error.to_string())
 }
 
-/// The photos that a page shows, as far as they are there, decoded side by side.
+/// Decodes the available photos of a page, in parallel.
 pub(crate) fn decoded(document: &Document, means: &Means<'_>) -> Result<native::Photos, Complaint> {
     let wanted = native::photos_of(document).map_err(|error| error.to_string())?;
     let style = document.style().map_err(|error| error.to_string())?;

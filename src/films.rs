@@ -1,5 +1,5 @@
-//! The shots of a film, for the command line. There is no decoder of films here: that of `ffmpeg` is used where it is
-//! installed, by two of its programs and over a pipe.
+//! The shots of a film, for the command line. Videos are decoded by two programs of `ffmpeg`, if it is
+//! installed, through a pipe.
 
 use std::ffi::OsString;
 use std::io::{self, Read};
@@ -23,11 +23,11 @@ const SLACK: f64 = 0.5;
 /// Maximum length of the messages of ffmpeg that are read, in bytes.
 const MOST_MESSAGES: u64 = 1 << 16;
 
-/// The shots of a film, each with its seconds and those of the frames that stand for it, `count` of them, or as many as suit
-/// it.
+/// The shots of a video, with their times and the times of representative frames: `count` frames, or an
+/// automatic number.
 ///
 /// # Errors
-/// A sentence: without ffmpeg, and for a file that it does not read.
+/// A sentence, if ffmpeg is missing or cannot read the file.
 pub(crate) fn shots(film: &Path, count: Option<usize>) -> Result<Value, Complaint> {
     let about = About::of(film)?;
     let (seen, is_damaged) = look_at(film, &about)?;

@@ -13,8 +13,9 @@ use crate::{Complaint, decode_file_fit, detectors, telling};
 /// Long side of the picture that is scored.
 const SIDE: usize = 256;
 
-/// `count` styles of the seeds from `seed` on, as an array of style files. With a photo each has a score from 0 to 1:
-/// by the net in `models`, or in the usual folder, and by the light score where there is none.
+/// `count` styles of the seeds from `seed` on, as an array of style files. With a photo, each style has a
+/// score from 0 to 1: from the model in `models` or in the default folder, or from simple measurements
+/// without a model.
 pub(crate) fn invent(
     seed: u32,
     count: u32,

@@ -1,4 +1,4 @@
-//! The paper of pages that the command line plans: its size, and what else of a page is no choice of layout or style.
+//! The page settings of the command line: size, gutters and colours.
 
 use crate::Complaint;
 use inkpanel::layout::{DPI, PageSettings, PaperSize};
@@ -44,7 +44,7 @@ impl Paper {
     /// The settings of a page.
     ///
     /// # Errors
-    /// A sentence for what no page can be.
+    /// A sentence for invalid settings.
     pub(crate) fn settings(&self) -> Result<PageSettings, Complaint> {
         let usual = PageSettings::sized(self.page_size, self.dpi, self.width);
         let page = PageSettings {

@@ -1,4 +1,4 @@
-//! Plans of the command line: pages made, told as JSON, read back and judged.
+//! Plans of the command line: makes pages, writes them as JSON, reads and scores them.
 
 use crate::album::{self, is_standard};
 use crate::destination::{Output, print_lines};
@@ -110,8 +110,8 @@ fn outline(shape: &ResolvedShape, aspect: f64) -> Value {
     corners.iter().map(|p| json!([rounded(p.x), rounded(p.y * aspect)])).collect()
 }
 
-/// Judges the pages of a plan that was made here or elsewhere. Photos are looked for as they are named, from the working
-/// folder or from that of the plan. `detects` says whether anything is looked for in them, by the nets in `models`.
+/// Judges the pages of a plan that was made here or elsewhere. Photos are searched by name in the working
+/// folder and in the folder of the plan. `detects` enables detection, with the models in `models`.
 pub(crate) fn score(
     file: &Path,
     as_json: bool,
@@ -235,8 +235,8 @@ fn resolved(panel: &Value, height: f64) -> Option<ResolvedPanel> {
 /// Makes of the file of a page, by its number from 0, what is written.
 pub(crate) type Finish<'f> = &'f dyn Fn(usize, Vec<u8>) -> Result<Vec<u8>, Complaint>;
 
-/// Draws pages into one file or, where its name has a number's place as in `page-%02d.png`, into one each. `skips` leaves
-/// out those that are there; `finish` has the last word on the bytes of a page.
+/// Draws pages into one file, or into one file per page if its name has a number placeholder, as in
+/// `page-%02d.png`. `skips` skips existing files; `finish` can change the bytes of a page.
 ///
 /// Returns the files.
 pub(crate) fn draw_all(
@@ -283,12 +283,12 @@ fn number_place(text: &str) -> Option<(Range<usize>, usize)> {
     })
 }
 
-/// Whether a name asks for one file a page.
+/// Whether a name has a number placeholder.
 pub(crate) fn has_number(output: &Path) -> bool {
     number_place(name(output)).is_some()
 }
 
-/// Whether all files of so many pages are there.
+/// Whether the files of all pages exist.
 pub(crate) fn all_exist(output: &Output, pages: usize) -> bool {
     let own = |number| Output { path: numbered(&output.path, number), named: output.named.clone() };
     (1..=pages).all(|number| own(number).exists())
@@ -306,8 +306,8 @@ fn numbered(output: &Path, number: usize) -> PathBuf {
     output.with_file_name(place(file).unwrap_or_else(|| format!("{stem}-{number:02}.{ending}")))
 }
 
-/// Says what is not as it was asked for: a page of another number of panels, photos that come more than once, photos that no
-/// page shows.
+/// Reports differences from the request: another number of panels, photos that are used twice, photos on no
+/// page.
 pub(crate) fn tell_differences(
     pages: &[Planned],
     wanted: Option<usize>,

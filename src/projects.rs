@@ -20,20 +20,20 @@ const LONGEST_CHUNK: usize = i32::MAX as usize;
 
 /// An album with its pages.
 pub(crate) struct Album<'a> {
-    /// What it is called.
+    /// Name.
     pub(crate) name: String,
     /// Its pages, whose photos have the ids of those below.
     pub(crate) pages: &'a [Document],
     /// All that was read.
     pub(crate) photos: &'a [(PathBuf, Imported)],
-    /// The ids of those that pages may show.
+    /// Ids of photos that pages may show.
     pub(crate) used: Vec<&'a str>,
     /// Whether faces and objects were looked for.
     pub(crate) looked: bool,
 }
 
 impl Album<'_> {
-    /// A project file: what the project tells, and the files of its photos as they are.
+    /// A project file: the project, and the unchanged files of its photos.
     ///
     /// # Errors
     /// A sentence for a photo that can be read no more, and for more than a project may be.
@@ -45,7 +45,7 @@ impl Album<'_> {
     /// A PNG of a page with its project, and the photos where they are wanted.
     ///
     /// # Errors
-    /// Those of [`packed`](Self::packed), and where the photos are too large for a PNG file.
+    /// The errors of [`packed`](Self::packed), and if the photos are too large for a PNG file.
     pub(crate) fn inside(&self, png: &[u8], page: usize, with_photos: bool) -> Result<Vec<u8>, Complaint> {
         if png.len() < HEAD + TAIL {
             return Err("the page is not a PNG file".into());
@@ -162,7 +162,7 @@ impl Album<'_> {
     }
 }
 
-/// What an album is called: as the one folder that was given, else as the file that it goes into.
+/// Title of an album: the name of the only input folder, or of the output file.
 pub(crate) fn called(given: &[PathBuf], output: &Path) -> String {
     let folder = match given {
         [folder] if folder.is_dir() => std::fs::canonicalize(folder).ok(),

@@ -25,7 +25,7 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// What the ending of a file names; nothing where it is another kind of file.
+    /// File type of an extension; `None` for other files.
     pub(crate) fn of(output: &Path) -> Option<Self> {
         let ending = output.extension()?.to_string_lossy().to_lowercase();
         match ending.as_str() {
@@ -37,10 +37,10 @@ impl Kind {
     }
 }
 
-/// What is told of a comic beside its pages.
+/// Metadata of a comic.
 #[derive(Clone, Copy)]
 pub(crate) struct Telling<'t> {
-    /// What it is called.
+    /// Title.
     pub(crate) title: &'t str,
     /// BCP 47.
     pub(crate) language: &'t str,

@@ -20,7 +20,7 @@ const EXTENSION: &str = "inkpanel";
 
 /// Reads a project file, or a PNG with its project.
 ///
-/// Returns nothing where the file is neither: then it is a photo.
+/// Returns `None` if the file is neither. Then it is a photo.
 pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
     let named = is_project(input);
     let complain = |reason: String| Err(format!("{}: {reason}", told(input)));
@@ -36,8 +36,8 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
     }
 }
 
-/// Draws the present page, or the one of that number, from 1; what is bound or read has all pages unless one is told. `board`:
-/// frames on the sheets of a board, which are drawn in their place.
+/// Draws the present page, or the page with this number, from 1. Books and comics have all pages by default.
+/// `board`: frames on the sheets of a board, which are drawn in their place.
 ///
 /// Returns the files.
 pub(crate) fn draw(
@@ -130,13 +130,13 @@ fn wanted(saved: &Saved, number: Option<u32>, all: bool) -> Result<Vec<Document>
     Ok(vec![Document::clone(page)])
 }
 
-/// What the file says was found in its photos, by their ids.
+/// Subjects of the photos in the file, by id.
 pub(crate) fn known(saved: &Saved) -> HashMap<String, Vec<Subject>> {
     saved.project().photos.iter().map(|photo| (photo.id.clone(), subjects(photo))).collect()
 }
 
-/// The masks of its photos, by their ids, as they were corrected by hand or else found; others are looked for where a style asks
-/// for them.
+/// Subject masks of the photos by id: corrected, or stored detections. Styles that need other masks run the
+/// detector.
 pub(crate) fn masks(saved: &Saved) -> Masks {
     let known = saved.project().masks();
     Masks::new(known.map(|(id, mask)| (id.to_owned(), mask.clone())).collect(), None)
@@ -148,7 +148,7 @@ fn subjects(photo: &FilePhoto) -> Vec<Subject> {
     told.filter_map(|subject| serde_json::from_value(subject.clone()).ok()).collect()
 }
 
-/// A photo at its full size, by its id; nothing where its file is not there.
+/// A photo at full size by id; `None` if its file is missing.
 ///
 /// # Errors
 /// A sentence with its name where it cannot be read.

@@ -1,4 +1,4 @@
-//! Subjects cut out for the command line: a mask a photo, as large as the photo.
+//! Subject masks for the command line: one mask per photo, as large as the photo.
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ use serde_json::{Value, json};
 use crate::destination::print_lines;
 use crate::{Complaint, album, detectors, telling};
 
-/// Writes a mask for each photo into `folder`, which is made where it is not there.
+/// Writes a mask for each photo into `folder`, and creates the folder if necessary.
 pub(crate) fn segment(
     files: &[PathBuf],
     folder: &Path,
@@ -53,7 +53,7 @@ pub(crate) fn segment(
     }))
 }
 
-/// Tells of each photo which part of it is its subject; where that fails, it is told and the photo has none.
+/// Adds the subject mask of each photo. A failure is reported, and the photo gets no mask.
 pub(crate) fn add_masks(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) -> Result<(), Complaint> {
     let net = detectors::load_segmenter(models)?;
     photos.par_iter_mut().for_each(|(path, photo)| match net.look(&photo.work) {
@@ -63,8 +63,8 @@ pub(crate) fn add_masks(photos: &mut [(PathBuf, Imported)], models: Option<&Path
     Ok(())
 }
 
-/// The subjects of photos that are drawn in a style which asks for them: as far as they are known, by their ids; others are
-/// found by the net, which is loaded with the first. Without the net all of a photo is its subject, which is told once.
+/// Subject masks for styles that need them: known masks by id, and detected ones. The model is loaded for the
+/// first detection. Without the model the whole photo is the subject, with one warning.
 #[derive(Default)]
 pub(crate) struct Masks {
     pub(crate) known: HashMap<String, Matte>,
@@ -75,22 +75,22 @@ pub(crate) struct Masks {
 }
 
 impl Masks {
-    /// Looks for the net in a folder, where one is told.
+    /// Searches the model in a folder, if given.
     pub(crate) fn new(known: HashMap<String, Matte>, models: Option<&Path>) -> Self {
         Self { known, models: models.map(Path::to_path_buf), ..Self::default() }
     }
 
-    /// Looks for nothing where it shall not `detect`: all of a photo that is not known is its subject.
+    /// Disables detection if `detect` is false: the whole photo is the subject if its mask is unknown.
     pub(crate) fn detecting(self, detect: bool) -> Self {
         Self { blind: !detect, ..self }
     }
 
-    /// The subject of a photo, at any size of at least 320 pixels; none for a style that does not ask for it.
+    /// Subject mask of a photo, at any size of at least 320 pixels. `None` if the style does not need it.
     pub(crate) fn asked_by(&self, style: &Style, id: &str, photo: &Image) -> Option<Matte> {
         if style.has_parts() { self.of(id, photo) } else { None }
     }
 
-    /// The same for a page, some of whose effects may stand behind a subject as well.
+    /// Like `asked_by` for a page, whose effects may be behind a subject as well.
     pub(crate) fn asked_by_page(
         &self,
         page: &Document,

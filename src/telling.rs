@@ -1,4 +1,4 @@
-//! What the command line says while it works, on standard error: sentences for people, or a line of JSON for each step.
+//! Progress and warnings on standard error: sentences, or one line of JSON per step.
 
 use inkpanel::raster::decode::Damage;
 use serde_json::{Value, json};
@@ -18,8 +18,8 @@ pub(crate) fn as_json() {
     AS_JSON.store(true, Ordering::Relaxed);
 }
 
-/// Something is not as it was asked for: a file is left out, a photo has no panel. The work goes on, unless `--strict` says
-/// otherwise. `file` is the one that it is about, if any.
+/// Prints a warning, such as a skipped file or a photo without a panel. The work goes on, unless `--strict`
+/// says otherwise. `file` is the one that it is about, if any.
 pub(crate) fn note(file: Option<&str>, why: &str) {
     NOTES.fetch_add(1, Ordering::Relaxed);
     say(&json!({ "event": "note", "file": file, "message": why }), || match file {
@@ -42,7 +42,7 @@ pub(crate) fn notes() -> usize {
     NOTES.load(Ordering::Relaxed)
 }
 
-/// A step of long work is done; people are told of it where it has a sentence.
+/// Reports a step of long work. The sentence, if any, is for people.
 pub(crate) fn step(event: &Value, sentence: Option<String>) {
     if AS_JSON.load(Ordering::Relaxed) {
         print(&format!("{event}\n"));

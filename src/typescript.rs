@@ -1,6 +1,6 @@
-//! The types of all that crosses to the page, told to TypeScript: `www/engine/types.ts` is written out of the types of this
-//! crate, and `www/engine/types-written.ts` has what the core wrote, so that the compiler of TypeScript reads the one against the
-//! other. Where JSON is read and written by hand and has a shape of its own, that shape stands here.
+//! TypeScript types of all data between Rust and the app. `www/engine/types.ts` is generated from the types
+//! of this crate. `www/engine/types-written.ts` has sample output of the core, so that the TypeScript
+//! compiler checks it against the types. The shape of manually read and written JSON is defined here.
 #![allow(
     dead_code,
     clippy::unwrap_used,
@@ -52,8 +52,8 @@ use std::collections::HashMap;
 use std::path::Path;
 use ts_rs::{Config, TS};
 
-/// A caption, a balloon or a sound effect; what is left out is usual. Places are fractions of the bounds of its panel, or
-/// of the page where it has none.
+/// A caption, a balloon or a sound effect. Omitted fields have defaults. Positions are fractions of the
+/// bounds of its panel, or of the page without a panel.
 #[derive(TS)]
 #[ts(optional_fields)]
 pub(crate) struct Word {

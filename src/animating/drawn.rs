@@ -1,5 +1,5 @@
-//! What frames show of a clip, and its pixels in a frame: the picture of a shot with what stands below it, or a page with the words
-//! that are there by now and the veil over all but the panel that is read.
+//! Content and pixels of frames: the image of a shot with its caption, or a page with its visible text and
+//! dimmed panels.
 
 use crate::Complaint;
 use inkpanel::framing::Crop;
@@ -19,14 +19,14 @@ const VEIL: f64 = 0.8;
 
 /// A clip as frames are made of it.
 pub(super) enum Drawn {
-    /// The picture of a shot, and what stands below it in its place of a frame.
+    /// The image of a shot, and its caption at its position in the frame.
     Shot(Image, Option<Patch>),
     /// A page that is read.
     Page(Page),
 }
 
 impl Drawn {
-    /// What fills a frame, as RGB.
+    /// The pixels of a frame, as RGB.
     pub(super) fn seen(&self, view: &Crop, told: &Told, size: [usize; 2]) -> Result<Vec<u8>, Complaint> {
         match self {
             Self::Shot(picture, None) => Ok(filled(picture, view, size)),

@@ -17,7 +17,7 @@ use inkpanel::page::words::given::GivenFonts;
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
-/// The pages of a project in their times, and what they are drawn with.
+/// The timed pages of a project, and the resources to draw them.
 pub(super) struct Pages {
     pub(super) plan: Animatic,
     saved: Saved,
@@ -28,7 +28,7 @@ pub(super) struct Pages {
     letters: Letters,
 }
 
-/// Says what is asked that pages do not have.
+/// Rejects options that do not apply to pages.
 ///
 /// # Errors
 /// A sentence with the option.
@@ -92,7 +92,7 @@ impl Pages {
         self.plan.clips.iter().enumerate().flat_map(steps).collect()
     }
 
-    /// Each page with its frames, where the camera stays on it, and when its words appear, as it is told to programs.
+    /// Each page with its frames, camera stops and text times, as JSON for programs.
     pub(super) fn told(&self) -> Value {
         let stop = |stop: &Stop| {
             json!({

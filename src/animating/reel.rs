@@ -17,20 +17,20 @@ use std::path::{Path, PathBuf};
 /// Dots an inch that the frames say they have, as screens do.
 const DPI: u32 = 96;
 
-/// What frames are made of, and where they go.
+/// Source and destination of frames.
 pub(super) struct Reel<'a> {
     pub(super) plan: &'a Animatic,
     /// Draws a clip.
     pub(super) draw: &'a (dyn Fn(usize) -> Result<Drawn, Complaint> + Sync),
     pub(super) folder: &'a Path,
-    /// Whether frames that are there are left as they are.
+    /// Whether existing frames are skipped.
     pub(super) skips: bool,
 }
 
-/// Frames that are made side by side, and told when they are there.
+/// Frames that are drawn in parallel and reported when done.
 pub(super) struct Step {
     pub(super) frames: Range<u32>,
-    /// What they are, for people.
+    /// Display name.
     pub(super) called: String,
     /// And for programs.
     pub(super) event: Value,

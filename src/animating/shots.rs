@@ -20,7 +20,7 @@ use inkpanel::raster::decode::{Limits, decode};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
-/// The shots of a project in their times, and what they are drawn with.
+/// The timed shots of a project, and the resources to draw them.
 pub(super) struct Shots {
     pub(super) plan: Animatic,
     photos: Vec<ShotPhoto>,
@@ -54,7 +54,7 @@ impl Shots {
         self.plan.clips.iter().map(step).collect()
     }
 
-    /// Each with its frames, as it is told to programs.
+    /// Each shot with its frames, as JSON for programs.
     pub(super) fn told(&self) -> Value {
         let told = |clip: &Clip| {
             json!({
