@@ -1,4 +1,4 @@
-/** Where the net that scores pictures is, if it is part of the site: nobody asks for a file that is not there. */
+/** Address of the image-aesthetics model, if the site contains it. Missing files are never requested. */
 
 const FOUND = Object.values(
   import.meta.glob('../models/aesthetics.onnx', { query: '?url', import: 'default', eager: true }),

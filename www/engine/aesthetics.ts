@@ -1,7 +1,7 @@
 /**
- * How good a photo looks in a style, by a net: the style is drawn by the core, the picture is scored by a worker of its
- * own. That, and all it needs, is loaded with the first call, and given up a while after the last. The net is optional when
- * the site is built.
+ * Aesthetic score of a photo in a style. The core draws the style, and a separate worker scores the image with a model.
+ * The worker and the model are loaded with the first call and unloaded some time after the last. The net is optional
+ * when the site is built.
  */
 
 import { NET } from './aesthetics-net.ts';
@@ -18,7 +18,7 @@ export function createAesthetics({ run, photos }: { run: Run; photos: ReturnType
   return { judges: NET !== undefined, judgeStyle, hold: pool.hold, dispose: pool.dispose };
 
   /**
-   * The mean score from 1 to 10 that people would give a photo in a style.
+   * The predicted mean rating of a photo in a style, from 1 to 10.
    * @param id of an imported photo
    * @param size at which it is drawn
    */

@@ -1,5 +1,5 @@
 /**
- * When each picture of an animated GIF or WebP file ends, read from the headers of its pictures alone. Sources: GIF89a
+ * End times of the frames of an animated GIF or WebP file, read only from the headers of its frames. Sources: GIF89a
  * specification, sections 18 to 26; WebP container specification.
  */
 
@@ -16,7 +16,7 @@ export function mayMove(file: Blob & { name?: string }): boolean {
   return /^image\/(gif|webp)$/.test(file.type) || /\.(gif|webp)$/i.test(file.name ?? '');
 }
 
-/** @returns the ends in seconds, rising; none for a still picture and for any other file */
+/** @returns the ends in seconds, rising; empty for still images and other files */
 export async function pictureEnds(file: Blob & { name?: string }): Promise<number[]> {
   if (!mayMove(file) || file.size > MOST_BYTES) return [];
   try {

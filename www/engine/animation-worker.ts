@@ -1,7 +1,7 @@
 /**
- * Takes pictures out of one animated GIF or WebP file and ends with it. A worker of its own, so that it can be stopped
- * at any moment; the protocol is that of `frame-sender.ts`. They are decoded here, not by the browser: Safari gives
- * the first alone.
+ * Takes pictures out of one animated GIF or WebP file and ends with it. It is a separate worker, so that it can be
+ * stopped at any moment. The protocol is in `frame-sender.ts`. The worker decodes frames itself, because Safari returns
+ * only the first frame.
  */
 
 import { endsOf } from './animation-times.ts';

@@ -1,6 +1,6 @@
 /**
- * How many pixels a photo has, as the head of its file says: enough to know how long reading it may take. Whether that is
- * true, and whether it is too much, the decoders tell.
+ * Number of pixels of a photo, from the header of its file. It limits the time for reading the file. The decoders check
+ * the number and the limits.
  */
 
 /** What the core takes at most; more it refuses, which is quickly done. */

@@ -1,6 +1,6 @@
 /**
- * The files that the engine loads beside its modules: wasm, letters, nets. A site serves them; a program without a browser
- * has them on its disk, which `fetch` does not read there, and says so how they are read.
+ * Files that the engine loads in addition to its modules: wasm, glyphs, models. On a site they are fetched. A program
+ * without a browser sets a reader, because `fetch` does not read local files there.
  */
 
 /** As `fetch`, of an address beside the engine's modules. */
@@ -12,7 +12,7 @@ export function fetchAsset(address: string | URL): Promise<Response> {
   return read(address);
 }
 
-/** @param reader in the place of `fetch`, in this thread */
+/** @param reader replaces `fetch` in this thread */
 export function readAssetsWith(reader: AssetReader) {
   read = reader;
 }

@@ -1,4 +1,4 @@
-/** Blobs that can be read for as long as they are there, and bytes that go when nobody needs them any more. */
+/** Reliable blobs, and early release of buffers. */
 
 /** Milliseconds between tries, each twice as long as the one before. */
 const WAIT = 100;
@@ -6,8 +6,8 @@ const WAIT = 100;
 const TRIES = 6;
 
 /**
- * A blob whose bytes have arrived in the browser's store. They go there some time after it was made; with hundreds of
- * megabytes there Chromium refuses them for moments, while it makes room, and tells nobody before the blob is read.
+ * A blob whose bytes have arrived in the browser's store. Blobs are stored some time after their creation. With
+ * hundreds of megabytes, Chromium rejects new blobs while it frees space, and reports this only when the blob is read.
  * @param bytes are detached once the blob has them
  * @param options `make`: for tests
  */
@@ -40,9 +40,9 @@ export async function blobOf(
 let drain: MessagePort | undefined;
 
 /**
- * Gives the memory of bytes back at once. The collector does not see that megabytes hang on each small object, and comes by late:
- * the frames of a long film took hundreds of megabytes more in the meantime. `ArrayBuffer.transfer` is no way: what came as a
- * message or out of a blob Chromium seems to hold behind the empty object, and then does not even count it.
+ * Frees the memory of a buffer immediately. The garbage collector does not know how much memory small objects hold, and
+ * runs late. Frames of a long video took hundreds of megabytes more in the meantime. `ArrayBuffer.transfer` does not
+ * work: for buffers from messages or blobs, Chromium appears to keep the memory without counting it.
  */
 export function detach({ buffer }: { buffer: ArrayBuffer }) {
   // What was handed to a worker is gone already.

@@ -1,6 +1,6 @@
 /**
- * Masks that are corrected by hand: what paints them and draws how they lie over their photos is a module of its own, which is
- * loaded with the first of them, by the page itself, as it draws while the brush moves.
+ * The module that corrects masks. It is loaded with the first correction, on the main thread, because it draws while
+ * the brush moves.
  */
 
 import { moduleBytes } from './module-bytes.ts';
@@ -10,7 +10,7 @@ import type { PhotoHandle } from './protocol.ts';
 const MODULE = new URL('../pkg-brush/inkpanel_bg.wasm', import.meta.url);
 
 type Brushing = typeof import('../pkg-brush/inkpanel.js');
-/** What is done to a mask as a whole. */
+/** A correction of the whole mask. */
 export type Mending = 'Grow' | 'Shrink' | 'Feather' | 'Invert' | 'Everything' | 'Nothing' | 'Found' | 'NextFigure';
 export type Hand = ReturnType<typeof createHand>;
 
@@ -40,7 +40,7 @@ export async function takeInHand(
   return createHand(module, [width, height, new Uint8Array(pixels), own, found]);
 }
 
-/** @param begin what the mask is made of, as the module takes it */
+/** @param begin creates the mask in the module */
 export function createHand(
   { Retouch, Mend }: Pick<Brushing, 'Retouch' | 'Mend'>,
   begin: ConstructorParameters<Brushing['Retouch']>,

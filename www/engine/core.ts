@@ -39,7 +39,7 @@ import type {
   Verdict,
 } from './types.ts';
 
-/** What is asked of the planner; here it always tells the photos, the page, and what stays. */
+/** A request to the planner, always with photos, page and locked parts. */
 export type PlanRequest = Request &
   Pick<Required<Request>, 'photos' | 'page' | 'current'> & { keep: Required<NonNullable<Request['keep']>> };
 
@@ -79,8 +79,8 @@ export async function loadCore(): Promise<{ program: Program; planner: Planner }
 export type Planner = ReturnType<typeof createPlanner>;
 export type Editor = ReturnType<typeof createEditor>;
 /**
- * What a page of a project is asked for; what is left out is as the project has it. `photos`: those in use that it is to
- * have, if not those that are free for it; `anew`: as if there was no page yet.
+ * Options for planning a page. Omitted fields use the project's settings. `photos`: photos to use (default: photos that
+ * are free for the page). `anew`: ignore the existing page.
  */
 export type Wish = Partial<Omit<PlanRequest, 'current'>> &
   Pick<PlanRequest, 'keep'> & { current?: PageDocument; anew?: boolean };

@@ -1,6 +1,6 @@
 /**
- * The picture of a style that is being designed, by a worker of its own, which keeps the picture after every block: it
- * computes only what a change touches. The worker starts with the first call.
+ * Preview of a style in the designer, drawn by a separate worker. The worker caches the image after every block, so it
+ * computes only the blocks after a change. The worker starts with the first call.
  */
 
 import { createPool } from './pool.ts';
@@ -12,12 +12,12 @@ import type { createPhotos } from './photos.ts';
 import type { BitmapPatch } from './protocol.ts';
 
 /**
- * `times`: milliseconds of each block by its place, 256 more in the foreground; `stages`: the pictures after them,
- * where they were asked for.
+ * `times`: milliseconds of each block by its index, plus 256 in the foreground. `stages`: the images after the blocks,
+ * if requested.
  */
 export type Designed = BitmapPatch & { times: [number, number][]; stages: { place: number; bitmap: ImageBitmap }[] };
 
-/** What is added to the place of a block in the foreground. */
+/** Offset of the block indices in the foreground. */
 export const FOREGROUND = 256;
 
 export function createDesign(photos: ReturnType<typeof createPhotos>) {
@@ -35,8 +35,7 @@ export function createDesign(photos: ReturnType<typeof createPhotos>) {
 
   /**
    * @param id of a photo
-   * @param size `stages`: the longer side of the pictures after
-   *   each block; none unless told
+   * @param size `stages`: the longer side of the images after each block; by default there are no such images
    */
   async function draw(
     id: string,

@@ -1,4 +1,4 @@
-/** What the workers of all nets begin with: the module that they share, and the file of a net. */
+/** Shared start of all detector workers: the wasm module and the file of a model. */
 
 import { fetchKept, isPage } from './kept.ts';
 import { MODULE, SCRIPT } from './nets-files.ts';
@@ -8,8 +8,8 @@ import { failure } from './protocol.ts';
 type Nets = typeof import('../pkg-detector/inkpanel.js');
 
 /**
- * A net in two steps: `load` fetches what it needs, which costs hardly any time of a core; `ready` gives the net, made at
- * the first call. What failed is tried again when it is asked for again.
+ * Loads a model in two steps. `load` fetches its files, at little processor time. `ready` returns the model and creates
+ * it at the first call. The next call retries after a failure.
  */
 export function net<T>(
   address: URL | string,

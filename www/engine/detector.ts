@@ -1,6 +1,6 @@
 /**
- * Faces and objects in photos, each by a worker of its own, side by side. A worker and all it needs are loaded with
- * its first call, or before by `prepare`.
+ * Face and object detection, in two parallel workers. A worker and all it needs are loaded with its first call, or
+ * before by `prepare`.
  */
 
 import { KEEPING } from './kept.ts';
@@ -20,8 +20,9 @@ const ROUNDS = 12;
 const BLANK = { width: 640, height: 480 };
 
 /**
- * @param spare asks that so many other workers stay idle meanwhile, where nobody waits
- * @param idle milliseconds after the last look until the nets are given up, if ever: they take a hundred megabytes
+ * @param spare asks the pool to keep this many other workers idle meanwhile, for low-priority work
+ * @param idle milliseconds after the last detection until the models are unloaded, if ever: they take a hundred
+ *   megabytes
  */
 export function createDetector(
   photos: ReturnType<typeof createPhotos>,
@@ -39,7 +40,7 @@ export function createDetector(
   let opened = 0;
   /** Photos are on their way. */
   let expected = false;
-  /** Nobody has chosen them yet. */
+  /** The user has not chosen photos yet. */
   let early = false;
   let rehearsal: Promise<void> | undefined;
   let resting: ReturnType<typeof setTimeout> | undefined;
@@ -57,8 +58,8 @@ export function createDetector(
   };
 
   /**
-   * Makes the nets ready, those for faces first; what fails is told by the first look.
-   * @param choosing whether the photos are still being chosen, so that nobody waits for anything
+   * Loads the models, for faces first. Errors are reported by the first detection.
+   * @param choosing whether the user still chooses photos, so that nothing urgent is waiting
    */
   function prepare(choosing = false) {
     expected = true;
@@ -70,7 +71,10 @@ export function createDetector(
       .catch(() => {});
   }
 
-  /** Looks for faces where there are none: browsers compile code that is slow at once, and fast code of what is used much. */
+  /**
+   * Runs the face detector on an empty image. Browsers compile wasm to slow code first and optimise frequently used
+   * code later.
+   */
   async function rehearse() {
     const photo = { key: '', ...BLANK, planes: new Blob([new Uint8Array(3 * BLANK.width * BLANK.height)]) };
     for (let round = 0; round < ROUNDS && early; round += 1)
@@ -91,7 +95,7 @@ export function createDetector(
   }
 
   /**
-   * `closer` tells whether `findMoreFaces` may find more.
+   * `closer` is `true` if `findMoreFaces` may find more.
    * @param id of an imported photo
    */
   function findFaces(id: string, call?: Call): Promise<FirstLook> {
@@ -102,7 +106,7 @@ export function createDetector(
    * Also the small faces, by looking at parts of the photo.
    * @param id of an imported photo
    * @param boxes the faces found at first
-   * @returns what to take in their place
+   * @returns the new result, which replaces `boxes`
    */
   function findMoreFaces(id: string, boxes: readonly Detection[], call?: Call): Promise<readonly Detection[]> {
     return run('faces', 'closer', id, { boxes }, call);
@@ -134,7 +138,9 @@ export function createDetector(
     }
   }
 
-  /** Gives the nets up, if nothing is looked at nor will be soon: the next look makes them anew, in half a second. */
+  /**
+   * Unloads the models if no detection is running or expected. The next detection loads them again in half a second.
+   */
   function rest() {
     clearTimeout(resting);
     if (running > 0 || expected) return;

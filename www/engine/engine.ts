@@ -51,7 +51,10 @@ function suitable(): number {
   return SHARES_CODE ? cores : Math.ceil(cores / 2);
 }
 
-/** @param options `workers`: as many as suit the device unless told, 8 at most; `sparing`: for devices with little memory */
+/**
+ * @param options `workers`: number of workers, at most 8 (default: depends on the device); `sparing`: for devices with
+ *   little memory
+ */
 export function createEngine({ workers = suitable(), sparing = false }: { workers?: number; sparing?: boolean } = {}) {
   const most = sparing ? SPARING : USUAL;
   const size = Math.max(1, Math.min(most.workers, Math.floor(workers)));
@@ -223,10 +226,10 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
   }
 
   /**
-   * Takes frames out of a video; each becomes a photo, kept under the id given for its place.
-   * @param wish one frame an id, between `start` and `end` in seconds, those `leading` first, or at these `times`; with `shots`
-   * `count` frames that stand for the shots of the film, or as many as suit it: then `more` gives ids beyond those told, or
-   * none. `time` is where in the video the frame is, `shot` the number of its shot
+   * Extracts frames of a video. Each becomes a photo with the id at its position.
+   * @param wish one frame per id, between `start` and `end` in seconds, with the indices `leading` first, or at these
+   *   `times`. With `shots`, `count` representative frames of the shots, or an automatic number; then `more` returns
+   *   additional ids, or `null`. `time` is where in the video the frame is, `shot` the number of its shot
    */
   async function importVideo(
     file: Blob,

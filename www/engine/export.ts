@@ -63,7 +63,7 @@ export function createExports({ run, photos, words, files }: Parts) {
     );
   }
 
-  /** By the browser's encoder; where it has none, without loss, so that `quality` says nothing. */
+  /** Encodes with the browser. If it has no encoder, the file is lossless and `quality` is ignored. */
   async function exportWebp(document: PageDocument, { quality, ...call }: Call & { quality: number }): Promise<Blob> {
     if (!(await givesWebp()))
       return whole(document, call, (patches, signal) =>
@@ -151,7 +151,7 @@ export function createExports({ run, photos, words, files }: Parts) {
   }
 
   /**
-   * One panel with the words that stand on it, as large as it is on the page, and on its paper where it is no rectangle.
+   * One panel with its text, in its size on the page. Panels that are not rectangles have the page background.
    * @returns a PNG
    */
   async function exportPanel(document: PageDocument, index: number, call: Call = {}): Promise<Blob> {
@@ -173,7 +173,7 @@ export function createExports({ run, photos, words, files }: Parts) {
   }
 
   /**
-   * The subject of a photo alone, at the photo's own size.
+   * The isolated subject of a photo, at the photo's own size.
    * @param mask which part of it that is
    * @returns a PNG with alpha
    */
@@ -210,8 +210,8 @@ export function createExports({ run, photos, words, files }: Parts) {
   }
 
   /**
-   * Draws panels from the original files, those of one photo together.
-   * @param use what becomes of those of one photo
+   * Draws panels from the original files, grouped by photo.
+   * @param use receives the panels of one photo
    * @returns in the order of the panels
    */
   async function byPhoto<T extends { index: number }>(

@@ -1,7 +1,6 @@
 /**
- * Pictures of a page: one a panel, and behind them one for each panel whose figure steps out of it, which lies over all
- * panels. On from these are fronts, the subjects of panels that stand before an effect: they are not drawn, but cut out of what
- * stands behind them. The core numbers them so.
+ * Images of a page: one per panel, followed by one for each panel breakout, which lies over all panels. The foregrounds
+ * follow: subjects of panels in front of an effect. They are cut out of existing images. The core numbers them so.
  */
 
 import type { PageDocument, Word } from './types.ts';
@@ -9,7 +8,7 @@ import type { PageDocument, Word } from './types.ts';
 type Panels = Pick<PageDocument, 'panels' | 'merges'>;
 type Page = Panels & Pick<PageDocument, 'words'>;
 
-/** @returns the panels whose figure is to step out; those that share an image have none */
+/** @returns the panels with a breakout; merged panels cannot break out */
 export function figuresOf({ panels, merges }: Panels): number[] {
   const out = (index: number) => !merges.some((group) => group.includes(index));
   return panels.flatMap(({ photo, figure }, index) => (figure && photo !== null && out(index) ? [index] : []));
@@ -28,7 +27,7 @@ export function panelOf(document: Page, picture: number): number {
   return figures[picture - count] ?? frontsOf(document)[picture - count - figures.length] ?? 0;
 }
 
-/** @returns these pictures by the panel that they belong to: those of one are drawn together, cut out of one drawing */
+/** @returns these images grouped by panel, because the images of a panel are cut out of one drawing */
 export function byPanel(document: Page, pictures: readonly number[]): number[][] {
   const panels: Map<number, number[]> = new Map();
   for (const picture of pictures) {
@@ -45,13 +44,13 @@ export function drawnWith(document: Page, picture: number): number[] {
   return figure < 0 ? [panel] : [panel, document.panels.length + figure];
 }
 
-/** @returns the panels whose subjects stand before an effect, each once */
+/** @returns the panels whose subjects are in front of an effect, without duplicates */
 export function frontsOf({ panels, words = [] }: Partial<Page>): number[] {
   const behind = words.flatMap((word) => standsBehind(word) ?? []);
   return [...new Set(behind)].filter((panel) => panels?.[panel]).sort((a, b) => a - b);
 }
 
-/** @returns the panel whose subject an effect stands behind */
+/** @returns the panel whose subject is in front of an effect */
 export function standsBehind({ kind, behind, panel }: Word): number | null {
   return kind === 'effect' && behind ? (panel ?? null) : null;
 }
@@ -63,7 +62,7 @@ export function frontPictures(document: Page): number[] {
 }
 
 /**
- * Words in the order in which they are drawn: those that stand behind a figure before all others.
+ * Text items in paint order: items behind a figure come first.
  * @returns their numbers
  */
 export function paintOrder(document: Partial<Page>): number[] {

@@ -1,6 +1,6 @@
 /**
- * The worker that makes files: their wasm module, loaded with the first job, the letters for those that have text, and the browser's
- * own encoder of WebP where it has one.
+ * The export worker. It loads its wasm module with the first job, and the glyphs for files with text. It uses the
+ * browser's WebP encoder if available.
  */
 
 import initFiles, {

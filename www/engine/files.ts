@@ -1,6 +1,6 @@
 /**
- * Files that the core does not make: JPEG, WebP and PDF. A worker of its own with a module of its own, loaded when
- * the first is asked for, so that words on the screen do not wait for a file.
+ * Files that the core does not make: JPEG, WebP and PDF. They have a separate worker and module, loaded with the first
+ * export, so that text on the screen does not wait for an export.
  */
 
 import { createPool } from './pool.ts';
@@ -135,7 +135,10 @@ export function createFiles() {
     );
   }
 
-  /** @returns an HTML file with a reader, in pieces: text, and the numbers of pages whose pictures stand there as data URLs */
+  /**
+   * @returns the pieces of an HTML file with a reader: text, and indices of pages whose images are inserted as data
+   *   URLs
+   */
   async function comicPieces(comic: Comic, call?: Call): Promise<Piece[]> {
     return JSON.parse(await comicText('html', comic, call));
   }

@@ -1,4 +1,4 @@
-/** What kind of film a file is, by its content: that its name ends in .mp4 says nothing. */
+/** Detects the format of a video by content, independent of the file name. */
 
 import { isVideo } from './is-video.ts';
 
@@ -26,7 +26,7 @@ const CODECS: readonly [name: string, codes: RegExp][] = [
 const ASKED = 64 << 10;
 const ENDING = 1 << 20;
 
-/** What can be told of a film that the reader does not take; `codec` is its name for people. */
+/** Properties of an unsupported video; `codec` is the display name. */
 export type FilmKind = { container: string | null; codec: string | null };
 
 export function isFilmStart(bytes: Uint8Array): boolean {
@@ -43,7 +43,10 @@ export function isFilmStart(bytes: Uint8Array): boolean {
 /** Of so many files each is opened; of more those alone that do not say that they are photos. */
 const FEW = 24;
 
-/** @returns the films among files, by what is in them; those that only their names call so, too, to be named with a reason */
+/**
+ * @returns the videos among files, by content; also files that only have a video extension, so that they get an error
+ *   message
+ */
 export async function filmsAmong(files: readonly (Blob & { name?: string })[]): Promise<Set<Blob>> {
   const asked = files.filter((file) => files.length <= FEW || !file.type.startsWith('image/'));
   const films = await Promise.all(
@@ -65,7 +68,7 @@ function isPhotoStart(bytes: Uint8Array): boolean {
   return /^(?:\xff\xd8\xff|\x89PNG|GIF8|RIFF....WEBP)/s.test(latin(bytes.subarray(0, 12)));
 }
 
-/** @returns of a file that ends in whatever; nulls where it is none of them */
+/** @returns the format; nulls if it is unknown */
 export async function filmKind(file: Blob): Promise<FilmKind> {
   const start = new Uint8Array(await file.slice(0, ASKED).arrayBuffer());
   const end = new Uint8Array(await file.slice(Math.max(0, file.size - ENDING)).arrayBuffer());
@@ -73,7 +76,7 @@ export async function filmKind(file: Blob): Promise<FilmKind> {
   return { container, codec: codecOf(start) ?? codecOf(end) };
 }
 
-/** @param codec as the library or a file calls it @returns as people do */
+/** @param codec name from the library or a file @returns the display name */
 export function codecName(codec: string): string {
   return CODECS.find(([, codes]) => codes.test(codec))?.[0] ?? codec.toUpperCase();
 }

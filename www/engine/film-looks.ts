@@ -1,6 +1,7 @@
 /**
- * Looks through a film for its shots. A short one is decoded as a whole; of a long one first some key frames, for the frames
- * of a first page, then all of them, then what lies between, there first where most happens, as long as nobody minds.
+ * Looks through a film for its shots. Short videos are decoded completely. For long videos, some key frames come first,
+ * for the first page. Then follow all key frames and the frames between them, starting where most changes happen, until
+ * the time is used up.
  */
 
 import { EncodedPacketSink, VideoSampleSink } from 'mediabunny';
@@ -22,7 +23,7 @@ const WHOLE = 30_000;
 const AFTER = 0.6;
 const OFTEN = 10;
 
-/** Seconds: where the film is looked at, and where it ends. */
+/** A part of the video to sample, in seconds. */
 export type Stretch = { from: number; to: number };
 
 export function createLooks(track: InputVideoTrack, looking: Looking, { from, to }: Stretch) {

@@ -12,7 +12,7 @@ const HEIF_BRANDS = ['heic', 'heix', 'heim', 'heis', 'hevc', 'hevx', 'mif1', 'ms
 
 /**
  * @param bytes of a file
- * @returns by its content; null for what the core is asked to read
+ * @returns by content; null for formats of the core
  */
 export function foreignKind(bytes: Uint8Array): 'AVIF' | 'HEIC' | null {
   const text = (at: number) => String.fromCharCode(...bytes.subarray(at, at + 4));
@@ -25,8 +25,8 @@ export function foreignKind(bytes: Uint8Array): 'AVIF' | 'HEIC' | null {
 }
 
 /**
- * The whole photo as a file that the core reads: what the browser decoded, upright, in sRGB and laid on white, behind the
- * header of a BMP file. So nothing else has to be known of such photos, and every limit holds for them too.
+ * Converts the whole photo to a file that the core reads: a BMP file from the browser's decoded image, upright, in sRGB
+ * and on white. So nothing else has to be known of such photos, and every limit holds for them too.
  */
 export async function asBmp(kind: 'AVIF' | 'HEIC', bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
   const frame = (await decoded(kind, bytes)) as VideoFrame & { rotation?: number; flip?: boolean };

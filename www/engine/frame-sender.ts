@@ -1,6 +1,5 @@
 /**
- * What the workers that take frames out of a file have in common: one wish, then frames no faster than they are dealt
- * with.
+ * Shared protocol of workers that extract frames: one request, then frames with back-pressure.
  *
  * In: `{ file }` and the wish, then one `{ next: true }` for each frame that was dealt with.
  * Out: `{ about }`, then `{ frame }` for each, then `{ done: true }`; or `{ error: { code, message } }`.

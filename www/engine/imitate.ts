@@ -2,8 +2,8 @@
  * Styles that look like a picture: one worker measures the picture, all of them try styles on a photo, a few in a call, and
  * the planner leads the search. It takes the same steps whatever the number of workers.
  *
- * Every search begins with the same survey of a photo, the designed styles as they are. It needs no picture, so it is done
- * while one is chosen, and kept for the next search.
+ * Every search begins with the same survey of a photo in the built-in styles. The survey does not depend on the
+ * picture, so it runs while the user chooses one, and is cached for the next search.
  */
 
 import { Priority } from './queue.ts';
@@ -38,9 +38,10 @@ export function createImitating({ run, photos }: { run: Run; photos: ReturnType<
   return { readLook, surveyLooks, imitate };
 
   /**
-   * The look of a picture, to be searched for. Throws `small-picture`, `blank-picture` or `plain-photo` where it has none.
+   * The look of a picture, to be searched for. Throws `small-picture`, `blank-picture` or `plain-photo` if the picture
+   * has no style.
    * @param id of an imported picture
-   * @param call `anyway` takes all but small ones
+   * @param call `anyway` accepts all pictures that are large enough
    */
   async function readLook(id: string, { anyway = false, ...call }: Call & { anyway?: boolean } = {}): Promise<string> {
     const [photo] = photos.handles([id], 'work');
@@ -49,7 +50,7 @@ export function createImitating({ run, photos }: { run: Run; photos: ReturnType<
   }
 
   /**
-   * Does the first part of every search on a photo, where nothing else waits. Resolves when it is done.
+   * Runs the survey of a photo in idle time. Resolves when it is done.
    * @param id of an imported photo
    */
   async function surveyLooks(id: string, { signal }: Call = {}): Promise<void> {
@@ -92,7 +93,7 @@ export function createImitating({ run, photos }: { run: Run; photos: ReturnType<
     };
   }
 
-  /** What a survey found that asks the same of the photo; undefined where there is none, or it failed. */
+  /** Results of a survey with the same requests for the photo; undefined if the survey is missing or failed. */
   async function fromSurvey(photo: PhotoHandle, asks: Trial[], onTried: OnTried): Promise<Tried | undefined> {
     if (known?.key !== photo.key || known.asks !== JSON.stringify(asks)) return undefined;
     known.hurry(onTried);
@@ -128,7 +129,7 @@ export function createImitating({ run, photos }: { run: Run; photos: ReturnType<
   /**
    * Three to six styles that give a photo that look, the nearest first, each with a score from 0 to 1.
    * @param id of an imported photo
-   * @param how `onProgress` is told how far it is, 0 to 1
+   * @param how `onProgress` gets the progress, 0 to 1
    */
   async function imitate(
     look: string,

@@ -1,6 +1,6 @@
 /**
- * Styles from a picture: what measures pictures, tries looks and leads the search is a module of its own, which is loaded
- * with the first such picture, by each worker that tries some and by the page.
+ * The module for styles from a picture: it measures pictures, tries styles and controls the search. The main thread and
+ * each worker that tries styles load it on demand.
  */
 
 import { moduleBytes } from './module-bytes.ts';

@@ -1,4 +1,4 @@
-/** What other sites import: the npm package `inkpanel`, made by `cargo xtask package`. */
+/** Public API of the npm package `inkpanel`, which `cargo xtask package` makes. */
 
 export type { PlanRequest } from './core.ts';
 export type { Block, BlockParam, Layout, PageDocument, PageSettings, Style, Word } from './types.ts';

@@ -1,4 +1,4 @@
-/** What was packed with DEFLATE, unpacked piece by piece: what a file says of its own length is not believed. */
+/** Streaming DEFLATE decompression. The stated length of a file is not trusted. */
 
 import { failure } from './protocol.ts';
 
@@ -16,7 +16,7 @@ export type Watch = { signal?: AbortSignal; beat?: () => void };
 
 /**
  * @param how `take` is asked for each piece whether there is room for it
- * @returns rejects with `damaged`, with `too-large` where there is no room, and as `signal` is aborted
+ * @returns rejects with `damaged`, with `too-large` if a limit is exceeded, and if `signal` is aborted
  */
 export async function inflated(
   packed: Blob,
@@ -48,7 +48,7 @@ export async function inflated(
   }
 }
 
-/** @returns room for so many bytes */
+/** @returns a counter with a limit of `most` bytes */
 export function roomFor(most: number): (bytes: number) => boolean {
   let left = most;
   return (bytes) => (left -= bytes) >= 0;

@@ -1,6 +1,6 @@
 /**
- * A history as it crosses to the core and back: states share most of their parts, so these stand in tables beside the
- * states, which name them by their index (`src/document/kept.rs` has the tables). 500 states of one tray cost one tray.
+ * A history as data between the core and the app. States share most of their parts. The parts are in tables, and states
+ * refer to them by index (see `src/document/kept.rs`). 500 states of one tray cost one tray.
  */
 
 import type {
@@ -61,7 +61,7 @@ export function interned(history: unknown): unknown {
 
   /**
    * @param told the part as the table has it
-   * @returns its index; what is no part at all stays, but never looks like an index
+   * @returns its index; other values are returned unchanged and cannot be confused with an index
    */
   function named(table: keyof Tables, value: unknown, told: (value: unknown) => unknown = (same) => same): unknown {
     if (typeof value !== 'object' || value === null) return typeof value === 'number' ? String(value) : value;
@@ -119,7 +119,7 @@ export type Known = Partial<Omit<Tables, 'sheets'>> & { sheets?: readonly Sheet[
 /**
  * @param told tables as the core gives them
  * @param known parts with which they begin
- * @returns what puts parts in the place of their numbers: in a state or some fields of it, and in what has a page
+ * @returns functions that replace indices by parts: in a state or some of its fields, and in objects with a page
  */
 export function joinedWith(told: Tables, known: Known = {}) {
   const pages = joined(known.pages, told.pages);

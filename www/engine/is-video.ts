@@ -1,4 +1,7 @@
-/** Whether a file calls itself a film. By itself: the worker that reads films asks it too, and must not bundle what starts that worker. */
+/**
+ * Whether a file calls itself a film. It is a separate module, because the video worker needs it and must not bundle
+ * the code that starts that worker.
+ */
 
 export function isVideo(file: Blob & { name?: string }): boolean {
   return (

@@ -43,7 +43,7 @@ async function keep(store: Cache, address: string, response: Response) {
   else await store.put(address, response);
 }
 
-/** A host may answer with a page of its own where a file is missing. */
+/** Detects an HTML page, which some servers return instead of a missing file. */
 export function isPage(response: Response) {
   return response.headers.get('content-type')?.startsWith('text/html') ?? false;
 }

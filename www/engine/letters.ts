@@ -8,12 +8,12 @@ import { failure } from './protocol.ts';
 
 const LETTERS = new URL('../letters/letters.bin', import.meta.url);
 
-/** What is said where the letters, or the module that draws them, could not be loaded. */
+/** Error if the glyphs, or the module that draws them, could not be loaded. */
 export const WORDS_MISSING = ['words-missing', 'The letters could not be loaded.'] as const;
 
 /**
  * The table that a `Lettering` is made of.
- * @param told the code of the error where it cannot be loaded or is broken, and its sentence
+ * @param told code and message of the error if the table cannot be loaded or is damaged
  */
 export async function loadLetters([code, sentence]: readonly [string, string]): Promise<Uint8Array<ArrayBuffer>> {
   const packed = await moduleBytes(LETTERS, code, sentence);

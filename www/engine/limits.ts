@@ -1,14 +1,11 @@
-/**
- * How much of a file that comes in is believed, all in one place: lengths, counts and times beyond which it was not made
- * to be looked at. Of the document inside of a project the core has the limits.
- */
+/** Limits of input files: lengths, counts and times. The core has the limits of documents. */
 
 import { MOST } from './bounds.ts';
 
 const KB = 2 ** 10;
 const MB = 2 ** 20;
 
-/** Of project files, and of the archive in a page PNG. */
+/** Limits of project files, and of the archive in a page PNG. */
 export const ARCHIVE = Object.freeze({
   /** Files in it. Pages that were shown before may need more photos than a project has at a time. */
   entries: 20_000,
@@ -17,8 +14,8 @@ export const ARCHIVE = Object.freeze({
   /** Bytes of the list of files. */
   directory: 16 * MB,
   /**
-   * Bytes that one file may unpack to: it is held whole, and once more where it is decoded. What is stored as it is, as
-   * we store it, takes no more than it did before.
+   * Bytes that one file may unpack to: it is held whole, and once more where it is decoded. Uncompressed files in an
+   * archive need no additional memory.
    */
   entry: 128 * MB,
   /**
@@ -28,11 +25,11 @@ export const ARCHIVE = Object.freeze({
   unpacked: (size: number) => Math.min(256 * MB + 4 * size, 4096 * MB),
 });
 
-/** Of `project.json`, before it is given to the core, which has the limits of what is in it. */
+/** Limits of `project.json`. The core checks its content. */
 export const TEXT = Object.freeze({
   /** Bytes in a project file: a thousand pages take a fifth. */
   project: MOST.text,
-  /** Bytes in a page PNG, which tells all pages of its storyboard. */
+  /** Bytes of the text in a page PNG, which contains all pages of its storyboard. */
   page: MOST.text,
 });
 
@@ -43,7 +40,7 @@ export const PNG = Object.freeze({
   longest: 2 ** 31 - 1,
   /** Texts of others that are looked at before it is taken for a picture like others. */
   texts: 64,
-  /** Bytes of a keyword and all else before the text of an `iTXt` chunk. */
+  /** Bytes of the keyword and the other fields before the text of an `iTXt` chunk. */
   textHead: 512,
 });
 
@@ -53,5 +50,5 @@ export const PHOTOS_AT_ONCE = 4;
 /** Milliseconds for which a file that is being opened may show no sign of life. */
 export const SILENCE = 60_000;
 
-/** Photos of a project file that are not in it, and whose places on pages are kept. */
+/** Maximum number of missing photos of a project file that keep their places on pages. */
 export const PLACES_FOR_LOST = 100;

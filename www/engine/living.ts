@@ -1,7 +1,7 @@
 /**
- * Panels that move: a few seconds of the film that a photo was taken from, drawn in the style of its panel. The film is decoded as
- * for its frames; each is made small by the pool, and one of its workers draws all of them, one after the other, as what does not
- * move is kept from one to the next.
+ * Panels that move: a few seconds of the film that a photo was taken from, drawn in the style of its panel. The frames
+ * are decoded as usual and reduced by the pool. One worker draws them all in sequence, because still areas are copied
+ * from frame to frame.
  */
 
 import { buffersOf } from './protocol.ts';
@@ -13,7 +13,7 @@ import type { BitmapPatch, PixelPatch } from './protocol.ts';
 import type { PageDocument } from './types.ts';
 import type { Frame } from './video.ts';
 
-/** Pictures a second, and how many seconds of the film. */
+/** Frames per second, and duration in seconds. */
 export const LIVING = { rate: 12, seconds: 3 } as const;
 /** Long side of the frames in pixels, as they are drawn from: so many of what a panel shows, within bounds. */
 const FRAME = { shown: 960, least: 480, most: 1280 } as const;
@@ -35,9 +35,9 @@ export function createLiving({ run }: { run: Run }) {
   return { drawLiving };
 
   /**
-   * A panel as a loop of `LIVING.rate` pictures a second.
+   * Draws a panel as a loop of `LIVING.rate` frames per second.
    * @param width of the page, in pixels
-   * @returns none where it stays still: its film has cuts all about, or its style draws the subject apart
+   * @returns an empty list for a still panel: the video has cuts on both sides, or its style needs a subject mask
    * @throws as `importVideo`
    */
   async function drawLiving(

@@ -1,5 +1,5 @@
 /**
- * Which entries to give up, least recently used first, once their sizes exceed a budget.
+ * Selects entries to evict, least recently used first, if their total size exceeds a budget.
  * @param budget bytes
  */
 export function createLru(budget: number) {

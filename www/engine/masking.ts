@@ -1,9 +1,9 @@
 /**
- * Which part of a photo is its subject, by a net in a worker of its own. That, and all it needs, is loaded with the first call,
- * and given up a while after the last. The net is optional when the site is built.
+ * Subject masks of photos, by a model in a separate worker. The worker and the model are loaded with the first call and
+ * unloaded some time after the last. The net is optional when the site is built.
  *
- * A look takes a second or two, and nobody waits for it: it is done in parts, between which the worker rests while a page is
- * drawn and a moment after, as somebody who goes from page to page would wait longer for each.
+ * Detection takes one to two seconds at low priority. It runs in slices, and the worker pauses while a page is drawn
+ * and a moment after, so that pages appear without delay.
  */
 
 import { NET } from './subject-net.ts';
@@ -36,7 +36,7 @@ export function createMasking(photos: ReturnType<typeof createPhotos>) {
   }
 
   /**
-   * The subject of a photo, as it is kept.
+   * The subject mask of a photo in storage format.
    * @param id of an imported photo
    */
   async function findMask(id: string, call?: Call): Promise<string> {

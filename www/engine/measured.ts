@@ -30,7 +30,7 @@ const millions = (pixels: number) => pixels / 1e6;
 
 /**
  * @param bytes of its file
- * @param foreign what the browser decodes
+ * @param foreign format that the browser decodes
  */
 export const photoMs = (bytes: Uint8Array, foreign: string | null) =>
   CALL + PHOTO * millions(foreign ? FOREIGN_PIXELS : announcedPixels(bytes));
@@ -54,7 +54,7 @@ export const styleMs = (style: string, pixels: number) => blocksMs(pixels, block
  * A page, or some panels of it.
  * @param document as JSON
  * @param width in pixels
- * @param panels how many; all unless told
+ * @param panels number of panels; default: all
  */
 export function pageMs(document: string, width: number, panels?: number) {
   const { page, panels: all, merges = [], style } = (parsed(document) ?? {}) as Partial<PageDocument>;

@@ -6,7 +6,7 @@ import { failure } from './protocol.ts';
 
 /**
  * @param address of the module
- * @param code of the error where it cannot be loaded, and its sentence
+ * @param code code and message of the error if it cannot be loaded
  */
 export async function moduleBytes(address: URL, code: string, sentence: string): Promise<ArrayBuffer> {
   const response = await fetchAsset(address).catch(() => null);

@@ -1,4 +1,4 @@
-/** Where the module of the nets is: beside the worker that loads it, as the build puts it there (`nets-module.js`). */
+/** Address of the detector module: next to the worker that loads it, where the build puts it (`nets-module.js`). */
 
 /** A constant of the build. */
 declare const INKPANEL_NETS: string[];

@@ -1,4 +1,4 @@
-/** A promise that is made when it is first asked for, and anew after it failed. */
+/** A promise that is created on first use, and again after a failure. */
 export function onceMore<T>(begin: () => Promise<T>) {
   let begun: Promise<T> | undefined;
   const forget = () => {

@@ -1,6 +1,6 @@
 /**
- * What a worker does, one function an operation of `protocol.ts`. Each answers with the value and the buffers
- * to hand over.
+ * Operations of a worker, one function per operation of `protocol.ts`. Each answers with the value and the buffers to
+ * hand over.
  */
 
 import { blobOf, detach } from './blobs.ts';
@@ -25,7 +25,7 @@ type Lru = ReturnType<typeof createLru>;
 
 /**
  * @param held the photos in the studio
- * @param passing those of them that are frames of a film which nobody has shown yet: a long film has a hundred, a page shows a few
+ * @param passing photos that are video frames and not shown yet: a long video has a hundred, a page shows a few
  */
 export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<Operations> {
   return {

@@ -1,7 +1,6 @@
 /**
- * How long to wait for work of which it is known how long it took where it was measured. How much slower this device is
- * shows with the work that it does: a telephone is given its time, and on a quick machine a worker that hangs is soon
- * found out.
+ * Time limits for work with a known duration on a reference machine. The speed of this device is measured with its
+ * work. So a phone gets enough time, and a hanging worker on a fast machine is found soon.
  */
 
 import { SHARES_CODE } from './shared-code.ts';

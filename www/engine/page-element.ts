@@ -1,9 +1,9 @@
 /**
- * `<inkpanel-page src="storyboard.inkpanel" page="2">`: a page of a saved project, drawn in a site of somebody else, or a page
- * that was saved as a picture. Importing this module defines it.
+ * `<inkpanel-page src="storyboard.inkpanel" page="2">` shows a page of a saved project, or of a page PNG, on another
+ * site. Importing this module defines it.
  *
- * Attributes: `src`; `page`, from 1; `alt`, what a person who does not see it is told. Events: `load`, with `pages`, how many
- * there are; `error`, with the error. All elements of a document share one engine.
+ * Attributes: `src`; `page`, from 1; `alt`, the alternative text. Events: `load`, with `pages`, how many there are;
+ * `error`, with the error. All elements of a document share one engine.
  */
 
 import { createEngine } from './engine.ts';

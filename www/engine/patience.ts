@@ -1,13 +1,13 @@
 /**
- * A time limit that a sleeping device and a tab frozen in the background do not use up: their timers fire late and all
- * at once, while nobody had the time to work. So the limit is cut into parts that begin one after the other.
+ * A time limit that ignores the time when the device sleeps or the tab is frozen. After a freeze timers fire late and
+ * all at once, although no work was possible. So the limit is cut into parts that begin one after the other.
  */
 
 const PARTS = 6;
 
 /**
  * @param limit ms
- * @param over what to do when it has passed
+ * @param over called after the limit
  * @returns call it when there is nothing left to wait for
  */
 export function patience(limit: number, over: () => void): () => void {

@@ -1,7 +1,7 @@
 /**
- * The photos of an album as the main thread holds them: the original file and two Blobs of planes each. The
- * browser keeps Blobs outside this page's memory; workers read what a job needs. Beside them the masks, as far as they are
- * made: styles may be for the subject of a photo alone.
+ * The photos of an album as the main thread holds them: the original file and two Blobs of planes each. The browser
+ * keeps Blobs outside this page's memory; workers read what a job needs. It also stores the subject masks, because
+ * styles may apply to only the subject.
  */
 
 import { failure } from './protocol.ts';
@@ -38,7 +38,7 @@ export function createPhotos() {
     return entry;
   }
 
-  /** @returns one a photo, however often it is used */
+  /** @returns one per photo, without duplicates */
   function handles(ids: (string | null)[], tier: 'small' | 'work'): PhotoHandle[] {
     return [...new Set(ids)].flatMap((id) => (id === null ? [] : handle(id, tier)));
   }

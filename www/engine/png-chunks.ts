@@ -1,13 +1,13 @@
 /**
- * The chunks of a PNG file, found and put in without decoding it. What is read and made are slices of the file, so a
- * large one is never copied. Source: PNG Specification (Third Edition), sections 5 and 11.3.3.
+ * Reads and inserts chunks of a PNG file without decoding it. Results are slices of the file, so large files are never
+ * copied. Source: PNG Specification (Third Edition), sections 5 and 11.3.3.
  */
 
 import { crcOf } from './crc.ts';
 import { inflated, roomFor } from './inflate.ts';
 import { PNG } from './limits.ts';
 
-/** A chunk: `at` is where its data begins, `length` is that of the data in bytes. */
+/** A chunk: `at` is the start of its data, `length` its size in bytes. */
 export type Chunk = { type: string; at: number; length: number };
 
 const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
@@ -25,7 +25,7 @@ export async function isPng(file: Blob): Promise<boolean> {
 
 /**
  * @param file that is a PNG
- * @returns to its end; null where the chunks make no whole file
+ * @returns all chunks; null if the file is incomplete
  */
 export async function chunksOf(file: Blob): Promise<Chunk[] | null> {
   const chunks: Chunk[] = [];
@@ -53,7 +53,7 @@ export function wholeChunk(file: Blob, { at, length }: Chunk): Blob {
   return file.slice(at - HEAD, at + length + FOOT);
 }
 
-/** @returns its data, null where they are not what was written */
+/** @returns its data; null if the checksum does not match */
 export async function dataOf(file: Blob, { at, length }: Chunk): Promise<Blob | null> {
   const foot = new DataView(await file.slice(at + length, at + length + FOOT).arrayBuffer());
   return (await crcOf(file.slice(at - 4, at + length))) === foot.getUint32(0) ? file.slice(at, at + length) : null;
@@ -80,7 +80,7 @@ export function pngOf(chunks: readonly Blob[]): Blob {
 /**
  * @param file that is a PNG
  * @param more chunks to put before and after the pixels
- * @returns the file as it is where it has no chunks
+ * @returns the file, unchanged if it has no chunks
  */
 export async function withChunks(
   file: Blob,
@@ -120,7 +120,7 @@ export async function textHead(data: Blob): Promise<{ keyword: string; deflated:
 
 /**
  * @param longest bytes that it may unpack to
- * @returns null where it is longer, or cannot be unpacked
+ * @returns null if it is longer, or damaged
  */
 export async function textOf(
   { deflated, body }: { deflated: boolean; body: Blob },

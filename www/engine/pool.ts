@@ -2,14 +2,16 @@
  * A pool of workers that each do one job at a time.
  *
  * - Jobs wait in priority order; a newer job overtakes an older one of the same key, waiting or running.
- * - An aborted job leaves the queue at once. A running one cannot be interrupted, as wasm hears nothing meanwhile: where it
- *   may take seconds (files, large photos: `Priority.PAGE`) its worker is replaced, else its answer is dropped.
- * - A worker tells before each part of a job how long that takes, or what it waits for (`serving.ts`). One that says
- *   nothing in time hangs: it costs seconds for short work, and a large photo on a slow device is given its minute.
+ * - An aborted job leaves the queue at once. A running job cannot be interrupted, because wasm does not receive
+ *   messages. For long jobs (files, large photos: `Priority.PAGE`) its worker is replaced; otherwise its result is
+ *   dropped.
+ * - Before each part of a job, a worker reports the expected duration, or the resource it waits for (`serving.ts`). A
+ *   worker without a report in time hangs. The limit is seconds for short work, and a minute for a large photo on a
+ *   slow device.
  * - A worker that traps, crashes or hangs is terminated and replaced. The job is tried once more on a fresh worker, with
  *   more patience; when that fails too the job rejects with `worker-lost`, naming its photo.
- * - wasm memory never shrinks: an idle worker whose memory is above the high-water mark is replaced, and where nothing
- *   waits one that is above the lower mark of pools that rest.
+ * - wasm memory never shrinks: an idle worker whose memory is above the high-water mark is replaced. In idle pools the
+ *   lower mark applies.
  */
 
 import { createPace } from './pace.ts';
@@ -30,7 +32,7 @@ export type Job<Ops extends Table = Operations, Op extends keyof Ops = keyof Ops
   holds?: string[];
 };
 
-/** Gives a worker's answer, which is that of the operation. */
+/** Returns the result of an operation. */
 export type Run<Ops extends Table = Operations> = <Op extends keyof Ops>(job: Job<Ops, Op>) => Promise<Ops[Op]['ok']>;
 export type Pool<Ops extends Table = Operations> = {
   run: Run<Ops>;
@@ -92,14 +94,14 @@ export function createPool<Ops extends Table = Operations>({
   for (let i = 0; i < size; i += 1) slots.push(open({}));
   return { run, spare, hold, dispose, size };
 
-  /** Leaves so many workers idle for all that nobody waits for, as long as others need the cores. */
+  /** Keeps this many workers free of low-priority work while other code needs the cores. */
   function spare(count: number) {
     reserved = Math.min(count, size - 1);
     dispatch();
   }
 
   /**
-   * Keeps what the page does not wait for until it is there: a worker that reads a large photo would come too late for it. A
+   * Holds low-priority work until the page is drawn. A worker that reads a large photo would be available too late. A
    * page that does not come holds nothing for long.
    */
   function hold(on: boolean) {
@@ -143,7 +145,7 @@ export function createPool<Ops extends Table = Operations>({
     settle(entry, () => entry.reject(cancelled()));
   }
 
-  /** Replaces the worker that is still at a job nobody wants any more; the photos that it held are read again when needed. */
+  /** Replaces the worker of an unwanted job. Its photos are loaded again when needed. */
   function stop(entry: Entry) {
     const slot = slots.find((other) => other.entry === entry);
     if (slot && !closed) lose(slot);
@@ -183,7 +185,7 @@ export function createPool<Ops extends Table = Operations>({
     }
   }
 
-  /** Gives a worker so long for its next word. */
+  /** Sets the time limit for the next message of a worker. */
   function wait(slot: Slot, ms: number) {
     slot.relax();
     const last = slot.entry && !mayTryAgain(slot.entry);

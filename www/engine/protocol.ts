@@ -1,9 +1,10 @@
 /**
  * Every message between the page and its workers, defined once.
  *
- * To a worker: `{ start }` where it is told something, and `{ id, op, args }`. Back: `{ id, ok, memory }` or `{ id, error: { code, message }, memory }`, and before
- * that how long it may take: `{ id, expects }` or `{ id, waits }`. A worker that is there says `{ id: 0 }`.
- * Pixels travel in transferred buffers and bitmaps, photos as Blob handles, which cost nothing to send.
+ * To a worker: optionally `{ start }`, then `{ id, op, args }`. Back: `{ id, ok, memory }` or `{ id, error: { code,
+ * message }, memory }`, and before that how long it may take: `{ id, expects }` or `{ id, waits }`. A worker that is
+ * ready sends `{ id: 0 }`. Pixels travel in transferred buffers and bitmaps, photos as Blob handles, which cost nothing
+ * to send.
  */
 
 import type { Designed } from './design.ts';
@@ -11,9 +12,8 @@ import type { Bounds, Detection, FirstLook, ImportEntry, PageDocument, PdfOption
 import type { Frame } from './video.ts';
 
 /**
- * What a worker needs of a photo before it can draw with it. `key` is `ID/work` or `ID/small`; `planes` holds
- * the red, green and blue planes one after the other, `width * height` bytes each; `mask` says which part is its subject, as
- * text, where that is known.
+ * Data of a photo for drawing. `key` is `ID/work` or `ID/small`. `planes` holds the red, green and blue planes in
+ * sequence, `width * height` bytes each. `mask` is the subject mask as text, if known.
  */
 export type PhotoHandle = { key: string; width: number; height: number; planes: Blob; mask?: string };
 
@@ -21,13 +21,13 @@ export type PhotoHandle = { key: string; width: number; height: number; planes: 
 export type BitmapPatch = Bounds & { bitmap: ImageBitmap };
 export type PixelPatch = Bounds & { data: Uint8ClampedArray<ArrayBuffer> };
 
-/** What the workers of a pool do: the arguments of each operation, and its answer. */
+/** Operations of the workers of a pool: arguments and results. */
 export type Table = { [op: string]: { args: unknown; ok: unknown } };
 
-/** What an instance is made of: a compiled module that all threads share, or the bytes that each compiles. */
+/** Source of a wasm instance: a compiled module that all threads share, or bytes that each thread compiles. */
 export type Program = WebAssembly.Module | ArrayBuffer;
 
-/** What a worker of the pool is told once, as `{ start }`. */
+/** Initial message to a worker, `{ start }`. */
 export type Start = { program: Program; budget: number };
 
 /** Its operations. */
@@ -36,14 +36,14 @@ export type Operations = {
   importFrame: { args: { id: string; frame: Omit<Frame, 'index' | 'time'> }; ok: Imported & { file: Blob } };
   /** a frame upright and small */
   smallFrame: { args: { frame: Omit<Frame, 'index' | 'time'>; longest: number }; ok: PixelPatch };
-  /** the pictures of a panel that moves, out of small frames of which `still` is that of its photo; none where it stays still */
+  /** the frames of an animated panel, from small frames; `still` is the index of its photo. Empty for a still panel */
   living: {
     args: { document: string; index: number; width: number; frames: PixelPatch[]; still: number };
     ok: BitmapPatch[];
   };
   /** Pictures of one panel in the order of their numbers: itself, the figure that steps out of it, its front. */
   panel: { args: PanelJob; ok: BitmapPatch[] };
-  /** The same as pixels. */
+  /** Like `draw`, as pixels. */
   front: { args: PanelJob; ok: PixelPatch[] };
   page: { args: { document: string; width: number; tier: Tier; photos: PhotoHandle[] }; ok: BitmapPatch };
   compose: { args: { document: string; width: number; tier: Tier; photos: PhotoHandle[] }; ok: PixelPatch };
@@ -56,7 +56,7 @@ export type Operations = {
   explore: { args: { photo: PhotoHandle; styles: string[]; width: number; height: number }; ok: Explored[] };
   plates: { args: { document: string }; ok: Plates | null };
   readLook: { args: { photo: PhotoHandle; anyway: boolean }; ok: string };
-  /** `asks` are trials that a search asked for; what fails is null. */
+  /** `asks` are trials of a search. Failures are null. */
   tryLooks: { args: { photo: PhotoHandle; asks: Trial[] }; ok: (string | null)[] };
   stylize: { args: { style: string; width: number; height: number; data: Uint8Array }; ok: PixelPatch };
   fullPanels: {
@@ -79,20 +79,20 @@ export type Operations = {
 
 type PanelJob = { document: string; pictures: number[]; width: number; tier: Tier; photos: PhotoHandle[] };
 
-/** Those of the worker that judges pictures, from 1 to 10; `net` is the address of its net. */
+/** Operations of the worker that scores images, from 1 to 10; `net` is the address of its model. */
 export type Judging = {
   judge: { args: { width: number; height: number; data: Uint8ClampedArray<ArrayBuffer>; net: string }; ok: number };
 };
 
 /**
- * Those of the worker that finds subjects, a part of a look each, of which one has a number; `net` is the address of its net. The
- * last part gives the subject.
+ * Operations of the worker that finds subjects, one slice each; `look` is the number of the detection, `net` the
+ * address of its model. The last slice returns the mask.
  */
 export type Masking = { mask: { args: { photo: PhotoHandle; net: string; look: number }; ok: string | null } };
 
 type Looked<Ok> = { args: { photo: PhotoHandle; boxes?: readonly Detection[] }; ok: Ok };
 
-/** Those of a worker that looks for faces or objects. */
+/** Operations of a worker that finds faces or objects. */
 export type Looking = {
   load: { args: { net: 'faces' | 'objects' }; ok: null };
   make: { args: { net: 'faces' | 'objects' }; ok: null };
@@ -102,7 +102,7 @@ export type Looking = {
 };
 
 /**
- * Those of the worker that draws words; `document` is one as JSON, `fronts` are the subjects that effects stand behind, in the
+ * Operations of the worker that draws text; `document` is JSON. `fronts` are the subjects in front of effects, in the
  * order of `frontsOf`.
  */
 export type Wording = {
@@ -125,7 +125,7 @@ export type PdfPage = { document: string; alts: readonly string[]; pictures: Pic
 export type Plates = { inks: { name: string; rgb: Rgb }[]; document: PageDocument };
 export type Rgb = [number, number, number];
 
-/** Those of the worker that makes files; `quality` is from 1 to 100. */
+/** Operations of the export worker; `quality` is from 1 to 100. */
 export type Making = {
   jpeg: {
     args: { document: string; size: { width: number; height: number }; patches: PixelPatch[]; quality: number };
@@ -158,15 +158,17 @@ export type ListKind = 'csv' | 'edl' | 'otio' | 'xml';
 /** A comic that is read. */
 export type ComicKind = 'html' | 'epub' | 'cbz';
 
-/** What a search for a look asks for: a style, the pixels at which a photo is to be drawn in it, and whether close. */
+/** A request of a style search: a style, the number of pixels to draw, and whether it is a close-up. */
 export type Trial = { style: Style; area: number; close: boolean };
 
 type Tier = 'small' | 'work' | 'full';
 
 /**
- * A photo in the style of that index: its light score from 0 to 1, what any score is to be multiplied by as the picture
- * may be the photo itself, what is wrong with it if anything, its look (`line`, `gray`, `flat` or `wild`), and a
- * signature that is nearly the same for pictures that look the same.
+ * A photo in the style with that index:
+ *
+ * - its simple score from 0 to 1, and the factor for any score, which is low if the image is almost the photo;
+ * - its problem, if any;
+ * - its look (`line`, `gray`, `flat` or `wild`), and a signature that is similar for similar images.
  */
 export type Explored = {
   index: number;
@@ -178,7 +180,7 @@ export type Explored = {
   bitmap: ImageBitmap;
 };
 
-/** The answer to `import`: what is known of a photo, and its two reduced copies. */
+/** Result of `import`: the measurements of a photo, and its two reduced copies. */
 export type Imported = {
   meta: PhotoMeta & Pick<ImportEntry, 'format' | 'damage' | 'measures'>;
   work: PhotoHandle;
@@ -187,10 +189,10 @@ export type Imported = {
 
 type Failure = { code: string; message: string };
 export type Reply = { id: number; ok?: unknown; error?: Failure; memory: number };
-/** Milliseconds of work, where it was measured; or of waiting for what is not the worker's. */
+/** Expected milliseconds of work on the reference machine, or of waiting for other resources. */
 export type Sign = { id: number; expects: number } | { id: number; waits: number };
 
-/** What goes with pixels that are handed over. */
+/** Buffers to transfer with pixels. */
 export function buffersOf(patches: readonly Pick<PixelPatch, 'data'>[]): ArrayBuffer[] {
   return patches.map(({ data }) => data.buffer);
 }
@@ -200,7 +202,7 @@ export const TRAP = 'trap';
 
 /**
  * An error with a stable code, as every failing call of the engine rejects with.
- * @param about the name of the photo at fault, where there is one
+ * @param about the name of the photo with the error, if any
  */
 export function failure(
   code: string,
@@ -210,14 +212,14 @@ export function failure(
   return Object.assign(new Error(message), { code, ...about });
 }
 
-/** Of a project file, a page file or an archive that is not what it says. */
+/** Error for a damaged project file, page file or archive. */
 export function damaged(what: string) {
   return failure('damaged-project', what);
 }
 
 /**
- * What a call rejects with when it was cancelled or overtaken. Named as a fetch names it; a `DOMException`
- * would not do, as its `code` is a number that cannot be set.
+ * Error of a cancelled or overtaken call. Named as a fetch names it; a `DOMException` would not do, as its `code` is a
+ * number that cannot be set.
  */
 export function cancelled() {
   const error = failure('cancelled', 'The work was cancelled.');

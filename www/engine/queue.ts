@@ -1,13 +1,13 @@
 /**
- * The order of waiting work: lower priority numbers first, then first come, first served. At most one waiting
- * entry a key: a newer one takes the older one's place.
+ * The order of waiting work: lower priority numbers first, then first come, first served. At most one entry per key is
+ * waiting: a newer one replaces the older one.
  */
 
-/** What the person looks at comes first. */
+/** Priorities of jobs. Visible content comes first. */
 export const Priority = {
   /** A panel of the visible page. */
   PANEL: 0,
-  /** A photo that the visible page waits for, and the file that a person asked to download. */
+  /** A photo for the visible page, or a file that the user exports. */
   PAGE: 1,
   /** A thumbnail in view. */
   VIEW: 2,

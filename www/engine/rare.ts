@@ -1,6 +1,6 @@
 /**
- * Photos that come from few cameras: WebP, TIFF, GIF, and those whose colours are a scanner's or a press's. What decodes
- * them is a module of its own, which is loaded with the first of them.
+ * Rare photo formats: WebP, TIFF, GIF, and colours of scanners or presses. Their decoders are in a separate module,
+ * loaded with the first such photo.
  */
 
 import { moduleBytes } from './module-bytes.ts';
@@ -11,7 +11,7 @@ const MODULE = new URL('../pkg-decoders/inkpanel_bg.wasm', import.meta.url);
 
 type Decoders = typeof import('../pkg-decoders/inkpanel.js');
 
-/** A photo as a file that the core reads; `taken` where the photo says so; `damage` of a damaged file. */
+/** A photo as a file for the core; `taken` is the capture time, if any; `damage` describes the damage of a file. */
 export type Converted = {
   file: Uint8Array<ArrayBuffer>;
   format: string;
@@ -24,7 +24,7 @@ const WEBP = [0x57, 0x45, 0x42, 0x50];
 
 /**
  * @param bytes of a file
- * @returns by its content; null for all else
+ * @returns by content; null for other formats
  */
 export function rareKind(bytes: Uint8Array): 'GIF' | 'TIFF' | 'WebP' | null {
   const [a, b, c, d] = bytes;

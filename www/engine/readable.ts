@@ -10,8 +10,8 @@ type Told = { format?: string; taken?: string | null; damage?: Damage | null };
 
 /**
  * @param bytes of a file
- * @param read what the core does with it; called again where it says that the colours take rare decoders
- * @throws with a `code`: what cannot be decoded
+ * @param read passes the file to the core; called again if the colours need rare decoders
+ * @throws with a `code`, if the file cannot be decoded
  */
 export async function reading<T>(
   bytes: Uint8Array<ArrayBuffer>,

@@ -61,7 +61,7 @@ export function createRenders({
     return words.draw(fronts.length > 0 ? alone : document, fronts.length > 0 ? 0 : index, width, fronts, call);
   }
 
-  /** The subjects that effects of a page stand behind; those of photos that are not here are left out with all others. */
+  /** Subjects in front of the effects of a page. Photos that are not loaded are skipped. */
   async function frontsFor(
     document: PageDocument,
     width: number,
@@ -111,7 +111,7 @@ export function createRenders({
     });
   }
 
-  /** A photo in many styles, with what is known of each picture. */
+  /** A photo in many styles, with properties of each image. */
   async function exploreStyles(
     id: string,
     styles: object[],

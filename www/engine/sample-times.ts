@@ -23,9 +23,8 @@ export function sampleTimes({
 }
 
 /**
- * The order in which frames are taken: those that somebody waits for before the others, both as time goes, for a film is
- * decoded forwards.
- * @param leading the numbers of those that go first
+ * The order of frame extraction: urgent frames first, each group in order of time, because videos are decoded forwards.
+ * @param leading the indices of the urgent frames
  * @returns the numbers of all frames, as one or two runs through the film
  */
 export function runs(count: number, leading: readonly number[] = []): number[][] {

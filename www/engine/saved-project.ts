@@ -13,9 +13,10 @@ export type SavedProject = { name: string; pages: PageDocument[]; lost: string[]
 let opened = 0;
 
 /**
- * Rejects with `damaged-project`, `newer-project` or `too-large-project`, and then nothing of it stays in the engine.
- * @param file as the page or the command line writes it
- * @returns `close` lets its photos go
+ * Opens a saved project. Rejects with `damaged-project`, `newer-project` or `too-large-project`, without any change of
+ * the engine.
+ * @param file from the app or the command line
+ * @returns `close` frees its photos
  */
 export async function openProject(
   engine: Pick<Engine, 'ready' | 'importPhoto' | 'forgetPhoto'>,

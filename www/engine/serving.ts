@@ -1,20 +1,20 @@
 /**
- * What all workers of a pool have in common: they say that they are there, take one job at a time, and before each part
- * of it say how long it may take (`pool.ts` replaces those that hang).
+ * Shared code of all pool workers: they report that they are ready, run one job at a time, and report the expected
+ * duration of each part. `pool.ts` replaces hanging workers.
  */
 
 import { describe } from './protocol.ts';
 import type { Table } from './protocol.ts';
 
 /**
- * `expects`: work, in ms where it was measured (`measured.ts`); `waits`: at most so many ms for something that is not this
- * worker's to do, as reading a file.
+ * `expects`: milliseconds of work on the reference machine (`measured.ts`). `waits`: maximum milliseconds for external
+ * work, such as reading a file.
  */
 export type Tell = { expects: (ms: number) => void; waits: (ms: number) => void };
 
-/** Milliseconds for what comes over the network, and is then compiled: the largest net on a slow line. */
+/** Milliseconds for a download and its compilation: the largest model on a slow connection. */
 export const LOADING = 120_000;
-/** Milliseconds until the browser has given or taken a blob of its own. */
+/** Milliseconds for the browser to read or store a blob. */
 export const STORING = 30_000;
 /** A file of a person may lie on a disk elsewhere that gives half a megabyte a second. */
 const BYTES_A_MS = 500;
@@ -24,7 +24,7 @@ export function readingOf({ size }: Blob): number {
   return STORING + size / BYTES_A_MS;
 }
 
-/** What an operation gives: its answer, and the buffers to hand over. */
+/** Result of an operation, and the buffers to transfer. */
 export type Answer<Ok> = { ok: Ok; transfer?: Transferable[] };
 /** A function for each operation of a table. */
 export type Work<Ops extends Table> = {
@@ -34,7 +34,7 @@ type Order<Ops extends Table> = { id: number; op: keyof Ops; args: Ops[keyof Ops
 
 /**
  * @param work does one job
- * @param start hears what a worker is told once, before its first job
+ * @param start handles the initial message, before the first job
  */
 export function serveJobs<Ops extends Table, Start = never>(
   work: <Op extends keyof Ops>(

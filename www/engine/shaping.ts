@@ -1,7 +1,7 @@
 /**
- * Letters that the fonts of the program do not have, from the fonts of the system: the browser shapes and draws them once, large,
- * and the core takes the outlines of the pictures for letters. A word of a script whose letters join or turn is one picture, a
- * letter of any other is one by itself. Where a browser does not hand drawn pixels over as they are, nothing is learnt.
+ * Glyphs from system fonts, for characters that the bundled fonts lack. The browser shapes and draws them once in large
+ * size, and the core traces the outlines. Words of joining or complex scripts are traced as a whole, other text by
+ * character. Nothing is traced if the browser alters pixels that are read from a canvas.
  */
 
 import type { Lettering } from '../pkg-words/inkpanel.js';
@@ -34,8 +34,8 @@ const NOBODY = ['\u{10fffd}', '\uf8fd'];
 const FONT = 'comic-neue';
 
 /**
- * What teaches the letters of a program new ones.
- * @returns is told the words of each page before they are measured or drawn
+ * Adds traced glyphs.
+ * @returns a function that receives the text items of each page before they are measured or drawn
  */
 export function createShaping(letters: Learner) {
   /** Texts that were looked at. */

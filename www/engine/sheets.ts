@@ -1,13 +1,13 @@
 /**
- * The pages of a storyboard. A project keeps the one that is edited apart from the others, so that all that is done to
- * the page need not know of them; here they are one list, in the order in which they are read.
+ * The pages of a storyboard. A project stores the current page separately, so edits of the page do not depend on the
+ * other pages. Here all pages are one list in reading order.
  */
 
 import type { PageDocument, Project, Sheet } from './types.ts';
 
 export type { Sheet };
 
-/** @returns in order, the one that is edited among them; none while there is no page */
+/** @returns all pages in order, including the current one; empty without pages */
 export function sheetsOf({
   page,
   pageId,

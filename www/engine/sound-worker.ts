@@ -1,6 +1,6 @@
 /**
- * Hears one film and ends with it. What decodes sound stands on the main thread alone, so there are two questions: whether the
- * film has any, then what is in it once it is decoded.
+ * Analyses the sound of one video and ends. Audio decoders exist only on the main thread, so there are two steps: check
+ * for a sound track, then analyse the decoded sound.
  *
  * In: `{ file }`, then `{ samples, rate }`.
  * Out: `{ sound: { begins, length } | null }`, in seconds, then `{ events }`; or `{ error: { code, message } }`.

@@ -1,6 +1,6 @@
 /**
- * The sounds of a film: decoded by the browser, on the device, and heard in a worker of their own. The browser decodes a file as a
- * whole, so what is too large or too long for that is left alone.
+ * Sounds of a video: the browser decodes them on the device, and a separate worker analyses them. The browser decodes
+ * only complete files, so files that are too large or too long are skipped.
  */
 
 import { cancelled, failure } from './protocol.ts';
@@ -13,7 +13,7 @@ const RATE = 16_000;
 /** Bytes of a film, and seconds of its sound, that are decoded at most: both lie in memory as a whole. */
 export const MOST_SOUND = { bytes: 256e6, seconds: 20 * 60 };
 
-/** What is being done. */
+/** The current step. */
 export type SoundStage = 'decoding' | 'hearing';
 type Answer = {
   sound?: SoundTrack | null;
@@ -23,7 +23,7 @@ type Answer = {
 
 /**
  * @returns the sounds, in the order of time
- * @throws `sound-none`, `sound-long`, `sound-large`, `sound-undecodable`, or what is wrong with the film
+ * @throws `sound-none`, `sound-long`, `sound-large`, `sound-undecodable`, or an error of the video
  */
 export async function hearFilm(
   file: Blob,

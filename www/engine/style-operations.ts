@@ -1,4 +1,4 @@
-/** What a worker does with styles in the making: draws a design step by step, and tries out many at once. */
+/** Worker operations for new styles: draws a design step by step, and tries many styles. */
 
 import { FOREGROUND } from './design.ts';
 import { imitating } from './imitation-module.ts';
@@ -50,7 +50,7 @@ export function createStyleOperations({
   }
 
   /**
-   * Runs what is left of the design, block by block.
+   * Runs the remaining blocks of the design.
    * @param begins called before each
    */
   function timed(name: string, begins: () => void): Map<number, number> {
@@ -67,7 +67,7 @@ export function createStyleOperations({
     }
   }
 
-  /** What a picture looks like, as text that only the search reads. */
+  /** The look of a picture, as text that only the search reads. */
   async function readLook({ photo, anyway }: Operations['readLook']['args'], tell: Tell): Promise<Answer<string>> {
     tell.waits(LOADING);
     const { picture_look } = await imitating();
@@ -91,7 +91,7 @@ export function createStyleOperations({
     return sitting.sitter;
   }
 
-  /** What a photo looks like in some styles. One that cannot be drawn is no candidate. */
+  /** Looks of a photo in some styles. Styles that cannot be drawn are skipped. */
   async function tryLooks(
     { photo, asks }: Operations['tryLooks']['args'],
     tell: Tell,

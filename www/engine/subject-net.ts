@@ -1,4 +1,4 @@
-/** Where the net that finds what a photo shows is, if it is part of the site: nobody asks for a file that is not there. */
+/** Address of the subject model, if the site contains it. Missing files are never requested. */
 
 const FOUND = Object.values(
   import.meta.glob('../models/subject.onnx', { query: '?url', import: 'default', eager: true }),

@@ -1,6 +1,6 @@
 /**
- * The worker of the net that finds what a photo shows: the detectors' module and the net, loaded with the first job. A job is
- * a part of a look; where the one before belonged to another look, or to a worker that was lost, the look begins.
+ * The worker of the subject model. It loads the detector module and the model with the first job. A job is one slice of
+ * a detection. If the slice before belonged to another detection or a lost worker, the detection begins again.
  */
 
 import { detach } from './blobs.ts';

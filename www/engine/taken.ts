@@ -1,6 +1,6 @@
 /**
- * When a photo was taken that the core does not read: its EXIF record, a small TIFF file, lies somewhere in a file of
- * boxes (HEIF). Source: CIPA DC-008 (Exif 2.32). What is wrong with a record is as good as none.
+ * Capture time of a photo that the core does not read. Its EXIF record, a small TIFF file, is inside a box file (HEIF).
+ * Source: CIPA DC-008 (Exif 2.32). Invalid records are ignored.
  */
 
 const EXIF_DIRECTORY = 0x8769;

@@ -1,10 +1,10 @@
-/** ZIP files made by hand, for the tests: those of other programs, and those that were made to do harm. */
+/** ZIP files for tests: files of other programs, and malicious files. */
 
 import { constants, crc32, deflateRawSync } from 'node:zlib';
 
 /**
- * A file in it; what is not told is as it should be. `at`: where the list of files says that it is; `local`: what its own
- * head says in another way than the list; `again`: it has no bytes of its own.
+ * A file in the archive. Omitted fields are valid. `at`: its offset in the central directory. `local`: fields of its
+ * local header that differ. `again`: it shares the bytes of another file.
  */
 export type Made = {
   name: string;
@@ -29,7 +29,7 @@ export type Made = {
   };
 };
 
-/** @param end what its end says in another way */
+/** @param end fields of the end record that differ */
 export function zipOf(
   files: readonly Made[],
   end: { count?: number; total?: number; length?: number; start?: number; comment?: string } = {},
@@ -125,9 +125,9 @@ function fields(list: [bytes: number, value: number][]) {
 const PIECE = 16 * 2 ** 20;
 
 /**
- * Nothing, deflated: a thousandth of what it unpacks to.
+ * Zero bytes, deflated to a thousandth of their size.
  * @param megabytes a multiple of 16
- * @param begins what it begins with in place of nothing
+ * @param begins the first bytes
  * @returns as DEFLATE without a head
  */
 export function packedNothing(megabytes: number, begins: string = ''): Buffer<ArrayBuffer> {

@@ -5,7 +5,7 @@ import { Priority } from './queue.ts';
 /** Jobs that are their names, and whose answers are these. */
 export type Named = Record<string, { args: string; ok: string }>;
 
-/** Workers that answer when the test says so. */
+/** Workers that answer on command of the test. */
 export function fakeWorkers() {
   const workers: any[] = [];
   const spawn = () => {
@@ -30,7 +30,7 @@ export function fakeWorkers() {
     worker.request = null;
     worker.onmessage({ data: { id, memory: 0, ...reply } });
   };
-  /** What a worker says beside answers. */
+  /** Sends a progress report of a worker. */
   const tell = (name: string, sign: { expects: number } | { waits: number }) => {
     const worker = holding(name);
     worker.onmessage({ data: { id: worker.request.id, ...sign } });

@@ -1,6 +1,6 @@
 /**
- * The version of what is kept, in the database and in project files. The core reads it, and makes the newest of an older
- * one (`src/document/`).
+ * Version of the saved format, in the database and in project files. The core reads it and migrates older versions
+ * (`src/document/`).
  */
 
 export const VERSION = 1;

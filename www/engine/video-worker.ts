@@ -1,8 +1,8 @@
 /**
- * Takes frames out of one film and ends with it: mediabunny finds the packets, the browser's WebCodecs decodes
- * them from the nearest key frame. The file is read in pieces, and a frame is closed as soon as it is copied, so a
- * long film takes no more memory than a short one. A worker of its own, so that it can be stopped at any moment; the
- * protocol is that of `frame-sender.ts`. Frames are taken at times that are told, or chosen by the shots of the film.
+ * Extracts frames of one video and ends. mediabunny finds the packets, and WebCodecs decodes them from the nearest key
+ * frame. The file is read in pieces, and a frame is closed as soon as it is copied, so a long film takes no more memory
+ * than a short one. It is a separate worker, so that it can be stopped at any moment. The protocol is in
+ * `frame-sender.ts`. Frames are taken at given times, or selected by the shots of the video.
  */
 
 import { ALL_FORMATS, BlobSource, EncodedPacketSink, Input, VideoSampleSink } from 'mediabunny';

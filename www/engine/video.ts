@@ -1,7 +1,7 @@
 /**
- * Frames of a video, one after the other: by WebCodecs in a worker, or, where the browser lacks it or the codec, by a
- * hidden `<video>` that is wound to each of the times. An animated GIF or WebP file is read likewise, by the browser's decoder
- * of images.
+ * Frames of a video, in sequence: by WebCodecs in a worker, or by a hidden `<video>` that seeks to each time, if the
+ * browser lacks WebCodecs or the codec. An animated GIF or WebP file is read likewise, by the browser's decoder of
+ * images.
  */
 
 import { pictureEnds } from './animation-times.ts';
@@ -12,9 +12,9 @@ import { readByElement } from './video-element.ts';
 export { isVideo } from './is-video.ts';
 
 /**
- * `count` frames between `start` and `end`, in seconds; the whole video unless told. `leading` are the numbers of those
- * that are wanted first. `times`: at these and no others. `shots`: those that stand for the shots of the film, as many as suit
- * it where `count` is 0; `moments`, in seconds, should have one near.
+ * `count` frames between `start` and `end`, in seconds; default: the whole video. `leading` are the indices of urgent
+ * frames. `times`: exactly these frames. `shots`: representative frames of the shots, an automatic number if `count` is
+ * 0. `moments`, in seconds, should have a frame close to them.
  */
 export type Wish = {
   count: number;
@@ -26,8 +26,8 @@ export type Wish = {
   moments?: readonly number[];
 };
 /**
- * What is known of the film by now: its seconds; `whole`: those that it should have, where it breaks off; `looked`: how much
- * of it was looked through, 0 to 1; `frames`: how many come.
+ * Known properties of the video: `duration` in seconds; `whole`: the stated duration of a truncated file; `looked`:
+ * analysed share, 0 to 1; `frames`: number of frames.
  */
 export type About = { duration: number; whole?: number; looked?: number; frames?: number };
 /** RGBA of `width` x `height` pixels, to be stretched to the square size and turned clockwise by `rotation` */

@@ -1,4 +1,4 @@
-/** Made-up photos, read and drawn for the code's sake alone; see `warming.ts`. */
+/** Warm-up of the wasm code with synthetic photos; see `warming.ts`. */
 
 import { pageMs, photoMs } from './measured.ts';
 import { STORING } from './serving.ts';

@@ -1,6 +1,6 @@
 /**
- * Browsers compile wasm twice: at once, to code that is slow, and what is used much a second time, to code that is fast. A
- * made-up photo is read and drawn on pages while nobody waits, so that the first photos of a person find fast code.
+ * Warm-up. Browsers compile wasm to slow code first, and optimise frequently used code later. Idle workers read a
+ * synthetic photo and draw pages with it, so that the user's first photos run on optimised code.
  */
 
 import { Priority } from './queue.ts';
@@ -10,7 +10,7 @@ import type { PageDocument } from './types.ts';
 /** Photos read one after the other; a worker is never busy for longer than with one of them. */
 const ROUNDS = 24;
 
-/** @param run gives a job to the pool @param workers that have code of their own */
+/** @param run passes a job to the pool @param workers number of workers with separate code */
 export function createWarming(run: Run, workers = 1) {
   const over = new AbortController();
 
@@ -22,7 +22,7 @@ export function createWarming(run: Run, workers = 1) {
 
   /**
    * @param documents pages whose photos are all called `warm`
-   * @returns when the code is fast, or somebody needs it as it is
+   * @returns when the code is optimised, or the user needs the workers
    */
   async function warm(documents: readonly PageDocument[]): Promise<void> {
     await Promise.all(Array.from({ length: workers }, () => warmOne(documents)));

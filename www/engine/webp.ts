@@ -1,6 +1,6 @@
 /**
- * WebP files as the browser encodes them: whether it does, and the dots an inch, which it leaves out. Layout of the
- * file after RFC 9649, of the dots after Exif 2.32.
+ * The browser's WebP encoder: detection, and the resolution (DPI), which it omits. Layout of the file after RFC 9649,
+ * of the resolution after Exif 2.32.
  */
 
 const EXIF_FLAG = 0x08;
@@ -12,7 +12,7 @@ const INCHES = 2;
 
 let tried: Promise<boolean> | undefined;
 
-/** @returns whether the browser gives WebP where it is asked for; some give PNG in its place */
+/** @returns whether the browser encodes WebP; some browsers return PNG instead */
 export function givesWebp(): Promise<boolean> {
   tried ??= (async () => {
     const canvas = new OffscreenCanvas(1, 1);
@@ -22,7 +22,7 @@ export function givesWebp(): Promise<boolean> {
   return tried;
 }
 
-/** @returns the same picture in a file that says its dots an inch */
+/** @returns the same image with its resolution in DPI */
 export function withDpi(
   file: Uint8Array<ArrayBuffer>,
   { width, height, dpi }: { width: number; height: number; dpi: number },
@@ -74,7 +74,7 @@ function extended(chunks: { name: string; data: Uint8Array }[], width: number, h
   return data;
 }
 
-/** @returns a chunk as it stands in a file */
+/** @returns a complete chunk */
 export function chunk(name: string, data: Uint8Array): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(8 + data.length + (data.length % 2));
   bytes.set(letters(name));

@@ -1,7 +1,7 @@
 /**
- * Words on pages: a wasm module of its own and the letters, loaded when a page first has words. One worker draws them; on
- * the main thread the same module says where they are, while a page is planned. What writes other files than PNG is another
- * module, which the worker of files alone loads (`files.ts`).
+ * Text on pages: a separate wasm module and the glyphs, loaded with the first text. One worker draws text. On the main
+ * thread, the same module computes positions during planning. The exports module also draws text, in the export worker
+ * (`files.ts`).
  */
 
 import { WORDS_MISSING, loadLetters } from './letters.ts';
@@ -20,16 +20,16 @@ import type { BitmapPatch, PixelPatch, Wording } from './protocol.ts';
 export type Spoken = Word & { frame?: number; place?: number; joins?: boolean };
 /** Speech laid over panels: text without a `place` is unplaced, and `unplaced` counts all of it, even what is not listed. */
 type LaidSpeech = { words: Spoken[]; unplaced: number };
-/** What becomes of speech and of sounds: effects, or nothing. */
+/** Options for speech, and for sounds: sound effects, or dropped. */
 export type Taking = { kind: 'caption' | 'balloon'; sounds: boolean };
-/** What is wrong with a file of subtitles; lines are counted from 1. */
+/** An error in a subtitle file; lines count from 1. */
 export type SubtitleFlaw =
   | { kind: 'large' | 'binary' | 'header' | 'empty' }
   | { kind: 'order'; line: number }
   | { kind: 'stray' | 'time'; line: number; text: string };
 /**
- * Words for frames near which something is said, and how many subtitles were read, found no frame, were left out, cut and
- * skipped; of the first of these what is wrong. `guessed`: the letters were taken for those of Windows.
+ * Text items for frames with subtitles close to them. Counts: subtitles that were read, found no frame, were left out,
+ * cut or skipped. `flaws`: the first errors. `guessed`: the encoding was assumed to be Windows-1252.
  */
 export type ReadSubtitles =
   | (LaidSpeech & {
@@ -42,7 +42,7 @@ export type ReadSubtitles =
       guessed: boolean;
     })
   | { flaw: SubtitleFlaw };
-/** What of a photo words are placed around. */
+/** Properties of a photo for text placement. */
 export type KnownPhoto = Pick<PhotoMeta, 'subjects' | 'mask'>;
 export type Lettering = Awaited<ReturnType<ReturnType<typeof createWords>['lettering']>>;
 
@@ -50,7 +50,10 @@ const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
 export function createWords() {
   let pool: Pool<Wording> | undefined;
 
-  /** What plans with words: pure functions of a millisecond. Rejects with `words-missing`; the next call tries again. */
+  /**
+   * Loads the module for planning: pure functions that take about a millisecond. Rejects with `words-missing`; the next
+   * call tries again.
+   */
   const { get: lettering } = onceMore(open);
 
   return { lettering, draw, patches, over, lay, dispose: () => pool?.dispose() };
@@ -67,7 +70,7 @@ export function createWords() {
   /**
    * One word of a page.
    * @param width of the page, in pixels
-   * @param fronts the subjects that stand before effects, as `frontsOf` has them; handed over, as in all that follow
+   * @param fronts the subjects in front of effects, in the order of `frontsOf`; transferred, as in all functions below
    */
   async function draw(
     document: PageDocument,
@@ -106,14 +109,14 @@ export function createWords() {
     return { ...page, bitmap: await run('over', args, { ...call, transfer: [bitmap, ...buffersOf(fronts)] }) };
   }
 
-  /** The same for pixels: the words are laid on those of an opaque page. */
+  /** Like `draw` for pixels: draws the text on the pixels of an opaque page. */
   async function lay(document: PageDocument, width: number, page: PixelPatch, fronts: PixelPatch[], call?: Call) {
     for (const patch of await patches(document, width, fronts, call)) layPixels(page, patch);
     return page;
   }
 }
 
-/** @param patch straight alpha; what is beyond the page is left out */
+/** @param patch straight alpha; pixels outside the page are ignored */
 export function layPixels(page: PixelPatch, patch: PixelPatch) {
   for (let y = Math.max(0, -patch.y); y < patch.height && patch.y + y < page.height; y += 1) {
     for (let x = Math.max(0, -patch.x); x < patch.width && patch.x + x < page.width; x += 1) {

@@ -1,6 +1,6 @@
 /**
- * BMP files without what lies beside their pixels: in reserved fields, in gaps, at the ends of rows, behind the end.
- * Sources: Microsoft's BITMAPINFOHEADER, BITMAPV4HEADER and BITMAPV5HEADER; OS/2 Presentation Manager for OS22XBITMAPHEADER.
+ * Removes metadata from BMP files: in reserved fields, in gaps, at the ends of rows, after the end. Sources:
+ * Microsoft's BITMAPINFOHEADER, BITMAPV4HEADER and BITMAPV5HEADER; OS/2 Presentation Manager for OS22XBITMAPHEADER.
  */
 
 import { blankAround } from './ranges.ts';
@@ -18,7 +18,7 @@ const [EMBEDDED, LINKED, SRGB] = [0x4d424544, 0x4c494e4b, 0x73524742];
 
 /**
  * @param bytes of a file; changed
- * @returns null where it is not whole, or holds another kind of file
+ * @returns null if the file is incomplete or contains another format
  */
 export function bmpParts(bytes: Uint8Array<ArrayBuffer>): BlobPart[] | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

@@ -1,7 +1,6 @@
 /**
- * Boxes, of which films (MP4, QuickTime) and some photos (HEIC, AVIF) are made, without what they say beside their pixels.
- * Positions in such a file are counted from its beginning, so what has to go is blanked where it stands.
- * Sources: ISO/IEC 14496-12; QuickTime File Format.
+ * Removes metadata from boxes, the containers of videos (MP4, QuickTime) and some photos (HEIC, AVIF). Positions in
+ * such a file are absolute, so metadata is blanked in place. Sources: ISO/IEC 14496-12; QuickTime File Format.
  */
 
 /** `start` is where the box begins, `inner` where its content does. */
@@ -88,12 +87,11 @@ const NOTHING = new Uint8Array(2 ** 20);
 
 /**
  * @param file a film
- * @returns `clean`: false where a track of it tells more, which
- *   stays; null where it is not whole
+ * @returns `clean`: false if a track contains other data, which stays; null if the file is incomplete
  */
 export async function filmParts(file: Blob): Promise<{ parts: BlobPart[]; clean: boolean } | null> {
   const parts: BlobPart[] = [];
-  /** So many of them are not behind all that is seen. */
+  /** Number of boxes before the last visible data. */
   let last = 0;
   let clean = true;
   const seen = new Set();
@@ -138,8 +136,8 @@ export function typeAt(view: DataView, at: number) {
 }
 
 /**
- * @param room bytes until the end of what it is in
- * @returns null where it is longer, or no box
+ * @param room bytes until the end of the parent
+ * @returns null if it is longer, or not a box
  */
 export function boxAt(view: DataView, at: number, room: number): Box | null {
   if (at + 8 > view.byteLength || room < 8) return null;
@@ -151,7 +149,7 @@ export function boxAt(view: DataView, at: number, room: number): Box | null {
     : { type: typeAt(view, at + 4), start: at, inner: at + head, end: at + length };
 }
 
-/** @returns one after the other; null where something else is among them */
+/** @returns the boxes in sequence; null if there is anything else between them */
 export function boxesIn(view: DataView, from: number, to: number): Box[] | null {
   const found: Box[] = [];
   for (let at = from; at < to; ) {
@@ -174,11 +172,11 @@ export function blankBox(bytes: Uint8Array, { start, inner, end }: Box) {
 
 /**
  * @param bytes of boxes, one after the other; changed
- * @returns whether nothing is told any more
+ * @returns whether all metadata was removed
  */
 export function scrubBoxes(bytes: Uint8Array): boolean {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  /** @param track what it is, where it is known */
+  /** @param track kind of the track, if known */
   const scrub = (from: number, to: number, parent: string, track: string): boolean => {
     let at = from;
     let clean = true;
@@ -207,7 +205,7 @@ export function scrubBoxes(bytes: Uint8Array): boolean {
 }
 
 /**
- * Its name and who made it; what it handles stays.
+ * Blanks the name and the vendor. The handler type stays.
  * @param bytes are changed
  */
 export function blankHandler(bytes: Uint8Array, { inner, end }: Box) {

@@ -1,6 +1,6 @@
 /**
- * EXIF records: small TIFF files inside of photos. Of all that they say a picture needs one field, which side is up: a
- * record of our own, of that field alone, takes their place. Source: TIFF 6.0, CIPA DC-008 (Exif 2.32).
+ * EXIF records: small TIFF files inside of photos. An image needs only the orientation. A new record with only this
+ * field replaces the original. Source: TIFF 6.0, CIPA DC-008 (Exif 2.32).
  */
 
 const ORIENTATION = 0x0112;
@@ -13,7 +13,7 @@ function opened(record: Uint8Array): { view: DataView; little: boolean } | null 
   return mark === 0x49492a00 || mark === 0x4d4d002a ? { view, little: mark === 0x49492a00 } : null;
 }
 
-/** @returns 1 to 8; 1 is upright, also where nothing is said */
+/** @returns 1 to 8; 1 is upright, and the default */
 export function orientationOf(record: Uint8Array): number {
   const tiff = opened(record);
   if (!tiff) return 1;
@@ -28,7 +28,7 @@ export function orientationOf(record: Uint8Array): number {
   return 1;
 }
 
-/** @returns a record that says nothing else */
+/** @returns a record with only the orientation */
 export function recordOf(orientation: number): Uint8Array<ArrayBuffer> {
   const record = new Uint8Array(26);
   const view = new DataView(record.buffer);

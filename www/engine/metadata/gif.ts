@@ -1,4 +1,4 @@
-/** GIF files without what they say beside their pixels. Source: GIF89a Specification. */
+/** Removes metadata from GIF files. Source: GIF89a Specification. */
 
 const [EXTENSION, PICTURE, END] = [0x21, 0x2c, 0x3b];
 const [TIMES, APPLICATION] = [0xf9, 0xff];
@@ -7,7 +7,7 @@ const APPLICATIONS: Record<string, number> = { 'NETSCAPE2.0': 1, 'ANIMEXTS1.0': 
 
 /**
  * @param file the same
- * @returns null where it is not whole
+ * @returns null if the file is incomplete
  */
 export function gifParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[] | null {
   const table = (flags: number) => (flags & 0x80 ? 3 * 2 ** ((flags & 7) + 1) : 0);

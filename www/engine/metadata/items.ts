@@ -1,7 +1,7 @@
 /**
- * Photos of boxes (HEIC, AVIF) without what they say beside their pixels. Such a file is a list of items: pictures, which
- * stay, and records, which are blanked where they lie, as is all that is no item. The record of a camera leaves which side
- * is up. Sources: ISO/IEC 14496-12, 23008-12 (HEIF); AV1 Image File Format.
+ * Removes metadata from photos in boxes (HEIC, AVIF). Such a file is a list of items. Images stay. Metadata items and
+ * everything outside of items are blanked in place. The record of a camera leaves which side is up. Sources: ISO/IEC
+ * 14496-12, 23008-12 (HEIF); AV1 Image File Format.
  */
 
 import { blankBox, blankHandler, boxAt, boxesIn, scrubBoxes, typeAt } from './boxes.ts';
@@ -76,7 +76,7 @@ const MOST_PIECES = 2 ** 20;
 
 /**
  * @param bytes of a HEIC or AVIF file; changed
- * @returns null where it is not whole, or of a kind that is not known here
+ * @returns null if the file is incomplete or of an unknown kind
  */
 export function itemParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[]; clean: boolean } | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

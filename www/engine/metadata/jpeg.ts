@@ -1,4 +1,4 @@
-/** JPEG files without what they say beside their pixels. Source: ITU-T T.81, annex B; ICC.1, annex B.4. */
+/** Removes metadata from JPEG files. Source: ITU-T T.81, annex B; ICC.1, annex B.4. */
 
 import { orientationOf, recordOf } from './exif.ts';
 
@@ -17,13 +17,13 @@ const SMALL_SIDES = [12, 13];
 /**
  * @param bytes of a file
  * @param file the same
- * @returns its frames, tables, scans and colours, and which side is up; null where it is not whole
+ * @returns its frames, tables, scans, colour profile and orientation; null if the file is incomplete
  */
 export function jpegParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[] | null {
   const parts: BlobPart[] = [file.slice(0, 2)];
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let orientation = 0;
-  /** A record of our own goes behind the segment of JFIF. */
+  /** A new record follows the JFIF segment. */
   let place = 1;
   for (let at = 2; ; ) {
     const start = nextMarker(bytes, at);

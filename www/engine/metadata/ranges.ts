@@ -3,7 +3,7 @@
 /** From the first byte to the one behind the last. */
 export type Range = readonly [from: number, to: number];
 
-/** @returns in order, none touching another */
+/** @returns in order, without overlaps */
 export function joined(ranges: readonly Range[]): [from: number, to: number][] {
   const all: [number, number][] = [];
   for (const [from, to] of [...ranges].sort((one, other) => one[0] - other[0])) {
@@ -16,9 +16,9 @@ export function joined(ranges: readonly Range[]): [from: number, to: number][] {
 }
 
 /**
- * Blanks what lies in none of the ranges.
+ * Blanks everything outside the ranges.
  * @param bytes are changed
- * @param within all of it unless told
+ * @param within default: the whole file
  */
 export function blankAround(bytes: Uint8Array, ranges: readonly Range[], [start, end]: Range = [0, bytes.length]) {
   let at = start;

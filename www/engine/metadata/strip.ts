@@ -1,10 +1,9 @@
 /**
- * Photos and films without what they say beside their pixels: place, date, camera, names, comments. The pixels stay as
- * they are, bit by bit; which side is up and the colour profile stay too, as the pixels mean nothing without. What stays is
- * on a list for each kind of file. All else goes, whatever it is called and wherever it lies: in fields that nobody knows,
- * in gaps, behind the end.
+ * Removes metadata from photos and videos: place, date, camera, names, comments. The pixels do not change. Orientation
+ * and colour profile stay, because pixels depend on them. An allowlist per format defines the preserved data.
+ * Everything else is removed: unknown fields, data in gaps, data after the end.
  *
- * By our own hand: what npm has either takes the orientation away with the rest, or decodes and encodes again.
+ * This is own code, because npm packages remove the orientation as well, or decode and encode the image again.
  */
 
 import { foreignKind } from '../foreign.ts';
@@ -18,7 +17,7 @@ import { jpegParts } from './jpeg.ts';
 import { tiffParts } from './tiff.ts';
 import { webpParts } from './webp.ts';
 
-/** `clean`: false where the file is of a kind, or so broken, that what it says is in it still, or some of it. */
+/** `clean`: false if the file still contains metadata, because its format is unknown or it is damaged. */
 export type Stripped = { blob: Blob; clean: boolean };
 
 /** Chunks of a PNG that change how its pixels look, and those of an animation. Others go, whatever they are. */

@@ -1,6 +1,6 @@
-/** Records as a telephone writes them, for the tests of what is taken out. */
+/** Metadata as phones write it, for tests of its removal. */
 
-/** What must be found nowhere afterwards; the last two are 46 degrees and 12 minutes, in both byte orders. */
+/** Values that must not be in the result. The last two are 46 degrees and 12 minutes, in both byte orders. */
 export const SECRETS = [
   'SECRET',
   'Phone 99',

@@ -1,7 +1,7 @@
 /**
- * TIFF files without what they say beside their pixels. Positions in such a file are counted from its beginning, so what
- * stays, stays where it is: the fields that are on a list, their values and the pixels that they lead to. All else is
- * blank, or cut off behind the last of it. Sources: TIFF 6.0; TIFF Technical Note 2; ICC.1, annex B.3.
+ * Removes metadata from TIFF files. Positions in such a file are absolute, so preserved data stays in place: allowed
+ * fields, their values and the pixels. Everything else is blanked, or removed after the last preserved byte. Sources:
+ * TIFF 6.0; TIFF Technical Note 2; ICC.1, annex B.3.
  */
 
 import { blankAround, joined, meet } from './ranges.ts';
@@ -87,8 +87,8 @@ const MOST_PIECES = 2 ** 20;
 
 /**
  * @param bytes of a file; changed
- * @returns null where it is not whole, or of a kind whose pixels need what
- *   is on no list; `clean`: false where pixels and what is said beside them are the same bytes
+ * @returns null if the file is incomplete, or its pixels need fields that are not allowed. `clean`: false if pixels and
+ *   metadata share bytes
  */
 export function tiffParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[]; clean: boolean } | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -100,7 +100,7 @@ export function tiffParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[]; 
 
   const pixels: Range[] = [];
   const values: Range[] = [];
-  /** What is told of besides. */
+  /** Metadata ranges. */
   const gone: Range[] = [];
   const all: Range[] = directories.map(({ place, end }) => [place, end + 4]);
   for (const directory of directories) {

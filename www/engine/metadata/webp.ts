@@ -1,4 +1,4 @@
-/** WebP files without what they say beside their pixels. Source: RFC 9649. */
+/** Removes metadata from WebP files. Source: RFC 9649. */
 
 import { orientationOf, recordOf } from './exif.ts';
 
@@ -12,7 +12,7 @@ const [HAS_EXIF, HAS_XMP] = [8, 4];
 
 /**
  * @param file the same
- * @returns null where it is not whole
+ * @returns null if the file is incomplete
  */
 export function webpParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[] | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
