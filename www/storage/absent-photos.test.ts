@@ -1,4 +1,4 @@
-/** What is told of photos that are missing. */
+/** Messages about missing photos. */
 
 import { describe, expect, it, vi } from 'vitest';
 import { save as saveFile } from '../ui/files.ts';

@@ -1,11 +1,12 @@
 /**
  * The tables of the browser's database.
  *
- * - `projects`: what the list of projects shows, one small record each
- * - `states`: the document of a project with its history; under ids that no project has the states of it that were drawn
- *   (`drawn-states.ts`), and since when photos are needed by nobody (`orphans.ts`)
- * - `facts`: what is known of a photo
- * - `photos`: the file of a photo and, once it was decoded and where there is room, its two reduced copies; or the file of a video
+ * - `projects`: entries of the project list, one small record each
+ * - `states`: the document of each project with its history. Records under other ids hold the last drawn states
+ *   (`drawn-states.ts`) and the dates of unused photos (`orphans.ts`).
+ * - `facts`: the measurements of each photo
+ * - `photos`: the file of a photo and, after decoding and if space allows, its two reduced copies; or the file of a
+ *   video
  *
  * Photos have ids that no other photo has in any project, so a copy of a project costs no second copy of them.
  */
@@ -18,8 +19,8 @@ import type { PhotoHandle } from '../engine/protocol.ts';
 import type { DBSchema, IDBPDatabase } from 'idb';
 
 /**
- * `stamp` changes with each writing; `refs` are the keys in `photos` that the project needs; `held` those of a state of it
- * that could not be opened; `gone`: when it was deleted, in ms.
+ * `stamp` changes with each write. `refs` are the keys in `photos` that the project needs. `held` are keys for a state
+ * that could not be opened. `gone`: time of deletion, in ms.
  */
 export type ProjectRecord = {
   id: string;
@@ -131,7 +132,7 @@ export async function inBytes(record: PhotoRecord): Promise<PhotoRecord> {
   return { ...record, file, work, small };
 }
 
-/** A photo out of the database, however it was kept there. */
+/** Converts a photo record of any stored form to blobs. */
 export function inBlobs<Kept extends { file?: unknown; work?: unknown; small?: unknown }>(record: Kept): Kept {
   const handle = (held: unknown) =>
     typeof held === 'object' && held !== null && 'planes' in held ? { ...held, planes: blobOf(held.planes) } : held;

@@ -1,6 +1,6 @@
 /**
- * The last states of a project that were drawn: ways back when one comes that cannot be. They are written with the
- * project, in a record of their own, so that what spoils the one need not spoil the other.
+ * The last states of a project that were drawn. They are the fallback if a later state cannot be drawn. They are in a
+ * separate record, so that damage to one record does not affect the other.
  */
 
 import { ORPHANS } from './orphans.ts';
@@ -23,7 +23,7 @@ export function drawnId(id: string): string {
 
 /**
  * @param key among the states
- * @returns whether it is that of a project
+ * @returns whether it is the key of a project
  */
 export function isProjectId(key: unknown): boolean {
   return typeof key === 'string' && key !== ORPHANS && !key.startsWith(drawnId(''));

@@ -1,10 +1,10 @@
 /**
- * The edits that are not in the database yet, written at once, so that one made right before the page closes is there
- * after. A project has one entry in the small storage of the browser: how its history differs from the one that was
- * written last, by whose stamp it is known. While another is being written the difference to that is told too, as nobody
- * knows which of the two will be found. The entry goes when there is no difference any more.
+ * The journal: edits that are not in the database yet, written immediately. An edit right before the tab closes is not
+ * lost. Each project has one entry in local storage: the difference between its history and the last written one,
+ * identified by its stamp. During a write, the entry also has the difference to the history being written, because
+ * either may be in the database later. The entry goes when there is no difference any more.
  *
- * What is found is trusted as little as a file: what does not fit, or makes no history, is passed over.
+ * The journal is untrusted: entries that do not match, or give no valid history, are ignored.
  */
 
 import { VERSION as DOCUMENT } from '../engine/versions.ts';
@@ -51,7 +51,7 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
 
   /**
    * @param id of the project
-   * @returns whether all of it is told; what is too much for it leaves no entry
+   * @returns whether the entry is complete; an entry that is too large is removed
    */
   function note(
     id: string,
@@ -83,7 +83,7 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
    * @param id of a project
    * @param base it as it is in the database
    * @param readHistory reads what may be a history
-   * @returns it as it was on the page; null where nothing is told, or nothing that fits
+   * @returns its latest state in the app; null without a matching entry
    */
   function recall(id: string, base: Base, readHistory: Read): Told | null {
     try {

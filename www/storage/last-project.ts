@@ -1,4 +1,4 @@
-/** Which project the next visit begins with: the one that this tab had open, else the one that was saved last. */
+/** Selects the first project of a visit: the project of this tab, or the last saved project. */
 
 type Box = Pick<Storage, 'getItem' | 'setItem'>;
 

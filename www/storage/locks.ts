@@ -1,4 +1,4 @@
-/** Locks that tabs of one browser share. Where it has none, each tab goes on as if it were alone. */
+/** Locks that tabs of one browser share. Without lock support, each tab works as if it were the only one. */
 
 type Release = () => void;
 export type Locks = ReturnType<typeof createLocks>;
@@ -36,7 +36,7 @@ export function createLocks(manager: Pick<LockManager, 'request'> | undefined) {
 
   /**
    * Holds a lock for as long as a piece of work takes.
-   * @returns null where the lock is taken and was not to be waited for
+   * @returns null if the lock is taken and waiting was not requested
    */
   async function during<T>(name: string, options: LockOptions, work: () => Promise<T>): Promise<T | null> {
     if (!manager) return work();
@@ -49,5 +49,5 @@ export function projectLock(id: string) {
   return `inkpanel.project.${id}`;
 }
 
-/** Held by all who write photos, and alone by whoever throws away those that nobody needs. */
+/** Shared lock for writing photos, exclusive lock for deleting unused photos. */
 export const PHOTOS_LOCK = 'inkpanel.photos';

@@ -1,6 +1,6 @@
 /**
- * Which project is on the page. A project is open in one tab at a time; a tab that finds it taken offers a copy, and
- * opens it when the other lets go.
+ * Manages the open project. A project is open in only one tab. Another tab offers a copy, and opens the project when
+ * the first tab closes it.
  */
 
 import { computed, effect, signal } from '@preact/signals';
@@ -50,8 +50,8 @@ function isOutside(error: unknown) {
 }
 
 /**
- * @param app `leave` closes what belongs to the project before; `onMissing`: photos of a project that was opened are not here;
- *   `onUnwritten`: photos of a project of which nothing was written
+ * @param app `leave` closes the parts of the previous project. `onMissing`: photos of the opened project are missing.
+ *   `onUnwritten`: photos of a project were never written.
  */
 export function createOpening({
   store,
@@ -94,7 +94,7 @@ export function createOpening({
   const first = last.recall();
   /** Whether the project of the last visit is still on its way. */
   const running = signal(first !== null);
-  /** Those that are about to take the place of this one. */
+  /** Number of projects that are about to replace this one. */
   const turns = signal(0);
   const turning = computed(() => turns.value > 0);
   /** Photos on their way belong to the project that is there. */
@@ -105,7 +105,7 @@ export function createOpening({
   let waiting = new AbortController();
   /** One after the other. */
   let queue: Promise<unknown> = Promise.resolve();
-  /** What this tab had open is on the page, or cannot be. */
+  /** Settles when the tab's project is open or has failed. */
   let begun: Promise<unknown> = Promise.resolve();
   /** States that were gone back to in vain, of the project that is broken. */
   const vain: Set<string> = new Set();
@@ -129,7 +129,7 @@ export function createOpening({
     say,
   };
 
-  /** Opens what this tab had open, or else what was open last. */
+  /** Opens the project of this tab, or the last open project. */
   function begin(): Promise<void> {
     const opened = beginNow();
     begun = opened;
@@ -161,7 +161,7 @@ export function createOpening({
     void follow(id);
   }
 
-  /** Opens a project when the tab that has it lets go, unless something was begun here meanwhile. */
+  /** Opens a project when the other tab closes it, unless another project was started here. */
   async function follow(id: string) {
     const { signal: stop } = waiting;
     const free = await locks.wait(projectLock(id), stop).catch(() => null);
@@ -195,8 +195,8 @@ export function createOpening({
   }
 
   /**
-   * One that cannot be shown is told so; what is on the page stays.
-   * @param free lets go of its lock
+   * Opens a project. An error is shown, and the current project stays open.
+   * @param free releases its lock
    */
   async function load(id: string, free: () => void) {
     const base = await database();
@@ -238,7 +238,7 @@ export function createOpening({
   }
 
   /**
-   * An empty project in the place of this one.
+   * Replaces the project by an empty one.
    * @returns whether it came to that
    */
   async function create(): Promise<boolean> {
@@ -258,10 +258,10 @@ export function createOpening({
   }
 
   /**
-   * Puts a project in the place of the one on the page, once that is saved (else it rejects with `not-saved`) and once
-   * this one was found to be such as can be shown. Until then nothing changes; what fails after that is taken back.
-   * @param free lets go of its lock, where it is held already; whoever took it has it still when this fails
-   * @param how `join`: its styles and layouts are added to those of this browser
+   * Replaces the open project after it was saved and the new project was checked. Rejects with `not-saved` if saving
+   * fails. Nothing changes before that. Later errors restore the old project.
+   * @param free releases its lock, if it is already held; on an error the caller still holds it
+   * @param how `join`: adds its styles and layouts to this browser
    */
   function enter(next: Place, content: Content, free?: () => void, how?: { join?: boolean }): Promise<void> {
     const turn = queue.then(() => enterNow(next, content, free, how));
@@ -313,7 +313,7 @@ export function createOpening({
     }
   }
 
-  /** What is on the page goes on as a project of its own; the one that it was stays as it is. */
+  /** Continues the open project as a copy. The original stays unchanged. */
   async function goOnAsCopy() {
     const next = freshPlace();
     const lock = await lockOf(next);

@@ -1,6 +1,6 @@
 /**
- * Since when photos are needed by nobody. It is kept among the states, under an id that no project has: a table of its
- * own would need a newer database, which a page of before could no longer open.
+ * Dates since when photos are unused. They are stored in `states` under an id of no project. A separate table would
+ * need a newer database version, which older app versions cannot open.
  */
 
 import type { Schema } from './database.ts';

@@ -1,10 +1,10 @@
 /**
- * Photos into the database: first the file of each, bare, so that all are safe soon, whether they were decoded or not; then,
- * where there is room, the reduced copies that spare the next visit the decoding.
+ * Writes photos to the database: first all files, so that they are safe soon, decoded or not. Then, if space allows,
+ * the reduced copies, which make the next visit faster.
  *
- * What is written is read back, and `lose` is told what the database turns out to have no more: it is written again from
- * what the page holds. The empty frame of a photo that is absent is drawn anew whenever it is needed, and never written: it
- * must not take the place of a photo that turns up after all.
+ * Written data is read back. `lose` receives records that the database lost, and they are written again from memory.
+ * The empty frame of a missing photo is drawn on demand and never written, because it must not replace a photo that is
+ * found later.
  */
 
 import { inBlobs, inBytes, isFull } from './database.ts';
@@ -39,19 +39,19 @@ export function createPhotoRecords({
   originals: ReadonlyMap<string, File>;
   room?: () => Promise<number>;
 }) {
-  /** How much of a photo is kept: its file alone, as it was still being read or there is no room, or all. */
+  /** Stored parts of each photo: only its file (`file` during import, `bare` without space for more), or all. */
   const kept: Map<string, 'file' | 'bare' | 'all'> = new Map();
-  /** Those that could be read no more when they were to be written. */
+  /** Photos whose files could not be read for writing. */
   const unreadable: Set<string> = new Set();
   const fileKeys: WeakMap<Blob, string> = new WeakMap();
 
-  /** Those that the person goes on without. */
+  /** Photos that the user agreed to lose. */
   const forgone: Set<string> = new Set();
 
   /** Whether the database was seen to take no Blob. */
   let plain = false;
 
-  /** What was written and is to be read back, when the rest is written, too. */
+  /** Written records that must still be read back. */
   let unproved: PhotoRecord[] = [];
 
   return { keyed, protect, prove, improve, waiting, missing, know, lose, retry, forgo };
@@ -72,7 +72,7 @@ export function createPhotoRecords({
     return keys.filter((key) => kept.delete(key)).length;
   }
 
-  /** What could not be read may be there again. */
+  /** Retries unreadable photos. */
   function retry() {
     unreadable.clear();
   }
@@ -98,8 +98,8 @@ export function createPhotoRecords({
   }
 
   /**
-   * What neither the database has nor the page can write. A frame of a film that is still to be taken is not missing: its
-   * film is there.
+   * Photos that are neither in the database nor writable. A video frame that is not extracted yet is not missing,
+   * because its video exists.
    */
   function missing({ facts, videos }: Wanted): Fact[] {
     const gone = facts.filter((fact) => {
@@ -120,7 +120,7 @@ export function createPhotoRecords({
     return file ? { id, name, file, entry } : null;
   }
 
-  /** @returns those that are still being read before those that were: they are the quicker to write */
+  /** @returns photos during import first, because they are faster to write */
   function unwritten({ facts, videos }: Wanted): Held[] {
     const open = (id: string) => !kept.has(id) && !unreadable.has(id);
     const list = facts.flatMap((fact) => (open(fact.id) ? (heldOf(fact) ?? []) : []));
@@ -132,8 +132,8 @@ export function createPhotoRecords({
   }
 
   /**
-   * Writes the next files that are not in the database yet.
-   * @returns how many; none when all are there that can be
+   * Writes the next files to the database.
+   * @returns number of written files; 0 if nothing is left
    */
   async function protect(database: Database, wanted: Wanted): Promise<number> {
     const all = unwritten(wanted);
@@ -184,7 +184,7 @@ export function createPhotoRecords({
     await verify(database, [record]);
   }
 
-  /** @param batch of files alone */
+  /** @param batch files without copies */
   async function putAll(database: Database, batch: readonly Held[]): Promise<(PhotoRecord | null)[]> {
     const records = batch.map(bareOf);
     // What cannot be read as bytes is told from the others one by one, as below.
@@ -204,7 +204,7 @@ export function createPhotoRecords({
     return records;
   }
 
-  /** @returns null where it can be read no more */
+  /** @returns null if it cannot be read */
   async function tried(database: Database, held: Held): Promise<PhotoRecord | null> {
     const { id, entry } = held;
     const bare = bareOf(held);
@@ -237,7 +237,7 @@ export function createPhotoRecords({
     return (await room()) > 4 * ((file?.size ?? 0) + (work?.planes.size ?? 0) + (small?.planes.size ?? 0));
   }
 
-  /** A Blob is kept without being read; where none is taken, its bytes are. */
+  /** Writes a blob without reading it. If the browser rejects blobs, writes its bytes. */
   async function write(database: Database, record: PhotoRecord) {
     if (!plain) {
       try {

@@ -1,4 +1,4 @@
-/** The thumbnails in the list of projects: drawn a while after the page was saved, when nobody waits for anything. */
+/** Thumbnails of the project list, drawn in idle time after a page was saved. */
 
 import { Priority } from '../engine/queue.ts';
 import type { PageDocument } from '../document/project.ts';

@@ -1,4 +1,4 @@
-/** In the bar above: what the project is called, whether it is saved, and the way to the others. */
+/** Project controls in the top bar: name, save state, and access to other projects. */
 
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
@@ -23,7 +23,7 @@ export function ProjectBar() {
   );
 }
 
-/** Edited in place; Escape leaves it as it was. */
+/** Editable project name. Escape discards the edit. */
 export function ProjectName() {
   const { store, reading } = useApp();
   const { name } = store.project.value;
@@ -53,7 +53,7 @@ export function ProjectName() {
   );
 }
 
-/** Whether all is saved; where it is not, a way to save it all the same. */
+/** Save state, with an action if saving failed. */
 export function SaveState() {
   const { keeping } = useApp();
   const state = keeping.status.value;

@@ -27,9 +27,9 @@ const WIDTH = 64;
 const FAULTS = /^(?:(?:invalid|unknown)-(?:document|layout|style)|worker-lost)$/;
 
 /**
- * Shows a project to nobody: in a store beside the page's, all that the page will ask for is worked out.
- * @param app `shared`: the lists that all projects have in common; `join`: its own are added to them
- * @returns with these lists, and what it can be edited with; throws what the page would
+ * Loads a project into a hidden store and computes everything that the app needs from it.
+ * @param app `shared`: the lists of all projects; `join`: adds the lists of this project to them
+ * @returns the project with these lists, and its editor; throws the errors of the app
  */
 export function rehearsed(
   content: Content,
@@ -58,8 +58,8 @@ export function rehearsed(
 }
 
 /**
- * Has the engine draw the page of a project, in a size that takes no time.
- * @returns rejects where the engine does not take the page
+ * Draws the page of a project in a small size.
+ * @returns rejects if the engine does not accept the page
  */
 export async function drawnOnce(
   { history, records }: Content,
@@ -83,9 +83,9 @@ export async function drawnOnce(
 }
 
 /**
- * Makes a project the one on the page; when that fails, everything is as it was.
- * @param place where it is kept
- * @returns one of which is called when it is known whether it can stay
+ * Makes a project the open one. On an error everything is restored.
+ * @param place its storage place
+ * @returns two functions: one confirms the exchange, the other reverts it
  */
 export function exchanged(
   { history, editing, album, videos, records }: Rehearsed,

@@ -1,6 +1,6 @@
 /**
- * A project that cannot be shown, as a file all the same: its photos, and of its document whatever there is, for an
- * Inkpanel that can read it or for whoever wants to look.
+ * Exports a project that cannot be opened: its photos and the remains of its document, for a newer Inkpanel or for
+ * manual recovery.
  */
 
 import { inBlobs } from './database.ts';

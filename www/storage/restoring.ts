@@ -21,9 +21,14 @@ import type { Place } from '../document/place.ts';
 type Ready = Promise<Planner>;
 
 /**
- * A project in parts: `records` are what the database has of its photos, `unread` files that must be decoded again, `films`
- * the keys of videos whose frames must be; `missing` are the photos in the tray for which an empty frame stands, `filmless`
- * the names of videos that left nothing but their frames; `dropped` tells of parts that could not be read.
+ * Parts of a stored project:
+ *
+ * - `records`: photo records of the database
+ * - `unread`: files that must be decoded again
+ * - `films`: keys of videos that must be decoded again for their frames
+ * - `missing`: photos in the tray that are empty frames
+ * - `filmless`: names of missing videos, whose frames exist
+ * - `dropped`: parts that could not be read
  */
 export type Content = {
   history: History;
@@ -38,7 +43,7 @@ export type Content = {
 };
 
 /**
- * @param recall what the journal tells of edits that are not in the database
+ * @param recall returns edits from the journal that are not in the database
  * @returns rejects with `missing-project`,
  *   `damaged-project` or `newer-project`
  */
@@ -101,7 +106,7 @@ export function isGone({ gone }: ProjectRecord) {
   return typeof gone === 'number';
 }
 
-/** @returns what the project is called */
+/** @returns the name of the project */
 export async function nameOf(database: Database, id: string): Promise<string> {
   return textOr((await database.get('projects', id))?.name, '');
 }

@@ -1,12 +1,12 @@
 /**
- * Saves by itself. The state is written first: the document, what is known of its photos, and which they are; a moment
- * after a change, at the latest after a second of changes, and at once where photos were added. Their files follow and are
- * counted. It says `saved` only when the state was read back and the database was found to have all that it refers to;
- * what it has no more, be it one photo or everything, is written anew from what the page holds. What a save could not do
- * is tried again by itself, but for want of room.
+ * Automatic saving. The state is written first: the document, the measurements and the list of its photos. This happens
+ * a moment after a change, after at most a second of changes, and immediately after photos were added. Their files
+ * follow and are counted. The status becomes `saved` only after the state was read back and all its references were
+ * found in the database. Missing records are written again from memory. A failed save is retried automatically, except
+ * for lack of space.
  *
- * What is written goes to the place that its snapshot names, and what is known of the saving of a project is known of its
- * place: whatever comes and goes on the page, no project is written in the place of another.
+ * Each snapshot is written to its own place, and the save status belongs to that place. So a project never overwrites
+ * another one.
  */
 
 import { effect, signal, untracked } from '@preact/signals';
@@ -31,7 +31,7 @@ import type { Place } from '../document/place.ts';
 import type { Snapshot } from './snapshot.ts';
 import type { Signal } from '@preact/signals';
 
-/** `missing`: some photos can be read no more, all else is saved. */
+/** `missing`: some photos cannot be read, everything else is saved. */
 export type Status = 'empty' | 'saving' | 'saved' | 'missing' | 'full' | 'refused' | 'failed';
 /** What there was at one moment: all of it, what of it is saved, and how many photos it had. */
 type Moment = { now: unknown[]; shot: Snapshot; known: number };
@@ -94,18 +94,18 @@ export function createSaving({
   onSaved?: (place: Place) => void;
 }) {
   const status: Signal<Status> = signal('empty');
-  /** The files on their way into the database; null while there are none. */
+  /** Progress of writing files; null if idle. */
   const progress: Signal<{ done: number; total: number } | null> = signal(null);
   /** Whether something would be lost if the page closed now. */
   const unsaved = signal(false);
   /** Photos and films that the database has not, and that can be read no more. */
   const missing: Signal<readonly Fact[]> = signal([]);
-  /** A project that another took the place of for a moment is known as it was. */
+  /** Save states by place, so that a project keeps its state after a temporary exchange. */
   const ledgers: WeakMap<Place, Ledger> = new WeakMap();
   let ledger = ledgerOf(store.place.peek());
   let running: Promise<void> | null = null;
   let attempts = 0;
-  /** What is on the page now may be taken back until this is over. */
+  /** Pending trial of a project, which may be reverted. */
   let trial: Promise<void> | null = null;
   let timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -168,7 +168,7 @@ export function createSaving({
     weigh();
   }
 
-  /** What the journal tells is not lost, nor are photos that must only be decoded again. */
+  /** Checks for unsaved data. Edits in the journal and photos that only need decoding are safe. */
   function weigh() {
     const now = status.peek();
     const loose = () =>
@@ -241,7 +241,7 @@ export function createSaving({
     return run();
   }
 
-  /** Nothing is written, nor told to the journal, while a project is tried: it may be taken back. */
+  /** Suspends saving and the journal while a project is tried. */
   function during<T>(work: () => Promise<T>): Promise<T> {
     let over = () => {};
     trial = new Promise((resolve) => {
@@ -287,9 +287,9 @@ export function createSaving({
   }
 
   /**
-   * What is most urgent: which photos there are, then their files, then the newest state, as the journal tells it meanwhile;
-   * then to read back and to look for all of it. Copies of photos have time.
-   * @returns `lost`: the database has not what it had
+   * The most urgent step: the list of photos, their files, the newest state (which the journal covers meanwhile), then
+   * the check. Copies of photos have time.
+   * @returns `lost`: the database lost data
    */
   async function stepOf(of: Ledger, base: Database): Promise<'on' | 'lost' | 'done'> {
     const { shot, due } = of;
@@ -422,8 +422,8 @@ export function createSaving({
   }
 
   /**
-   * Reads the state back, and looks for all that it refers to, by the keys alone.
-   * @returns whether it is there; what is not is going to be written
+   * Reads the state back, and checks that all keys that it refers to exist.
+   * @returns whether everything exists; missing data will be written
    */
   async function look(
     of: Ledger,
@@ -460,7 +460,7 @@ export function createSaving({
     );
   }
 
-  /** What there is now is in a file. */
+  /** Records that the current state was exported to a file. */
   function filed() {
     ledger.inFile = store.history.peek();
   }

@@ -1,6 +1,6 @@
 /**
- * A person's own styles, favourites and layouts in this browser's storage. All projects and all tabs share them: what
- * is written is what was changed, so that no tab takes back what another did.
+ * A person's own styles, favourites and layouts in this browser's storage. All projects and tabs share them. Only
+ * changes are written, so tabs do not revert each other.
  */
 
 import { effect, untracked } from '@preact/signals';
@@ -33,7 +33,7 @@ export function createShelves({
   messages: Pick<Messages, 'grave'>;
   box: () => Box;
 }) {
-  /** What is known to be kept; nothing is written before it was read. */
+  /** The stored lists; nothing is written before they were read. */
   let kept: SharedLists | null = null;
   /** The lists that were dealt with last. */
   let seen: Partial<SharedLists> = {};
@@ -46,13 +46,13 @@ export function createShelves({
 
   return { recall, restore, hear, lists };
 
-  /** Writes again what is there no more: nobody takes a list away, an empty one is written too. */
+  /** Writes lists again that are missing from storage. The app never removes lists; empty ones are stored as well. */
   function restore() {
     for (const field of SHARED)
       if (kept !== null && kept[field].length > 0 && isGone(field)) write(field, store.project.peek()[field], true);
   }
 
-  /** Reads what is kept. One that can no longer be read is left out; it is said nowhere, as nobody asked. */
+  /** Reads the stored lists. Damaged lists are ignored without a message. */
   function recall() {
     restore();
     const now = { mine: read('mine'), favourites: read('favourites'), ownLayouts: read('ownLayouts') };
@@ -72,18 +72,18 @@ export function createShelves({
     if (kept !== null && (key === null || SHARED.some((field) => KEYS[field] === key))) recall();
   }
 
-  /** @returns what was done between two states of a list, done to another */
+  /** @returns applies the changes between two states of a list to another state */
   function carried<Item>(list: readonly Item[], before: readonly Item[], after: readonly Item[]): readonly Item[] {
     return store.planner.peek()?.carried(list, before, after) ?? after;
   }
 
-  /** @returns what all projects have in common */
+  /** @returns the lists of all projects */
   function lists(): Partial<SharedLists> {
     const { mine, favourites, ownLayouts } = store.project.peek();
     return kept === null ? {} : { mine, favourites, ownLayouts };
   }
 
-  /** @param gone nothing of it is kept any more */
+  /** @param gone whether storage lost the list */
   function write(field: keyof SharedLists, list: readonly (Style | Template)[], gone: boolean = false) {
     if (kept === null || (list === seen[field] && !gone)) return;
     seen = { ...seen, [field]: list };

@@ -1,4 +1,4 @@
-/** What of the session is kept: the document with its history, and of the photos all that any of its states needs. */
+/** The saved part of the session: the document with its history, and the data of all photos that any state needs. */
 
 import type { Fact, Video } from '../document/album.ts';
 import type { History } from '../document/history.ts';
@@ -6,7 +6,7 @@ import type { Project } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
 import type { Place } from '../document/place.ts';
 
-/** `place` is where this history is kept, and no other. */
+/** `place` is the storage place of this history. */
 export type Snapshot = {
   place: Place;
   history: History;

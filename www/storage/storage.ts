@@ -1,16 +1,18 @@
 /**
- * Nothing is lost: the parts that keep the work of a person, joined.
+ * Storage: connects the parts that save the user's work.
  *
  * - `database.ts` the tables; `versions.ts` checks and migrates what comes out of them, or out of a file
- * - `snapshot.ts` what of the session is kept; `photo-records.ts` photos; `saving.ts` when and how; `journal.ts` the last edits
- * - `restoring.ts` the way back; `rehearsing.ts` tries a project before it is shown; `opening.ts` which project is on the page
- *   (`last-project.ts` at first), and which cannot be; `rescue.ts` makes a file of that; `projects.ts` the list of them
- * - `drawn-states.ts` the last states that were drawn, to go back to
- * - `pictures.ts` its thumbnails; `sweeping.ts` throws away what no project needs, a day after (`orphans.ts`)
- * - `locks.ts` keeps tabs apart; `shelves.ts` holds what all projects share
- * - `archive.ts` ZIP files; `project-file.ts` a project as one of them; `file-opening.ts` opens a file of any kind
- * - `page-files.ts` PNGs that carry their project: `page-json.ts` what they tell, `page-file.ts` where in the PNG it is
- * - `identity.ts` how a photo is recognised; `found-photos.ts` looks for it here; `absent-photos.ts` waits for it
+ * - `snapshot.ts` selects the data to save; `photo-records.ts` writes photos; `saving.ts` schedules writes;
+ *   `journal.ts` stores the last edits
+ * - `restoring.ts` reads a project; `rehearsing.ts` tries it before it is shown
+ * - `opening.ts` manages the open project; `last-project.ts` selects the first one; `projects.ts` is the project list
+ * - `rescue.ts` exports a project that cannot be opened
+ * - `drawn-states.ts` the last states that were drawn, as a fallback
+ * - `pictures.ts` thumbnails; `sweeping.ts` deletes data that no project needs, after a day (`orphans.ts`)
+ * - `locks.ts` locks between tabs; `shelves.ts` lists that all projects share
+ * - `archive.ts` ZIP files; `project-file.ts` a project as a ZIP file; `file-opening.ts` opens a file of any kind
+ * - `page-files.ts` PNGs with their project: `page-json.ts` is the text, `page-file.ts` the PNG chunks
+ * - `identity.ts` identifies photos; `found-photos.ts` and `absent-photos.ts` find missing ones
  *
  * The document is plain data and is saved whole: a field that is added to it needs nothing here.
  */
@@ -122,7 +124,7 @@ export function createKeeping({
     absentPhotos,
   });
   let opened: Promise<Database> | null = null;
-  /** The trouble that was told, and its message. */
+  /** The current problem and its message. */
   let told = { why: '', message: 0 };
   /** Whether the person had what could not be read tried again. */
   let tried = false;
@@ -173,7 +175,7 @@ export function createKeeping({
     event.preventDefault();
   }
 
-  /** Whether what is saved is still there, when the person comes back, or somebody has closed the database. */
+  /** Checks that saved data still exists, when the user returns or after the database was closed. */
   async function look() {
     shelves.restore();
     await saving.check();
@@ -207,7 +209,10 @@ export function createKeeping({
     }
   }
 
-  /** Closed for a newer page, or by the browser, which may have thrown all away: what is used next is opened again. */
+  /**
+   * Handles a database that was closed by a newer app version or by the browser, which may have deleted it. The next
+   * use opens it again.
+   */
   function onClosed() {
     opened = null;
     setTimeout(() => void look(), LOOK_AFTER);

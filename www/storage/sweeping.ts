@@ -1,6 +1,6 @@
 /**
- * Throws away projects that were deleted a day ago, and photos that no project has needed for a day. Where a project
- * cannot be read, what it needs is not known either: then all photos stay.
+ * Throws away projects that were deleted a day ago, and photos that no project has needed for a day. If a project
+ * cannot be read, its photos are unknown. Then all photos stay.
  */
 
 import { drawnId, isProjectId } from './drawn-states.ts';

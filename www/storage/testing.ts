@@ -78,7 +78,7 @@ export function allDie() {
 }
 
 /**
- * A browser: what its tabs share.
+ * A browser: the shared storage of its tabs.
  * @param before the same after all of its tabs have died
  */
 export function fakeBrowser({
@@ -102,7 +102,7 @@ export function fakeBrowser({
     },
   };
 
-  /** All of its tabs die: what they were about to do is not done. */
+  /** Kills all tabs without finishing their pending work. */
   function die() {
     // Whatever is written waits for a lock.
     locks.request = () => new Promise(() => {});
@@ -194,7 +194,7 @@ export function fakeBrowser({
   }
 }
 
-/** What a person can tell of a project. */
+/** The visible state of a project. */
 export function documentOf({ store }: { store: Store }) {
   return structuredClone(store.history.peek());
 }

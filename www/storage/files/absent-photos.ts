@@ -1,7 +1,7 @@
 /**
- * Photos that a page names and nobody has: an empty frame keeps the place of each. Files that are added are held against
- * them first, and one that is such a photo takes the place of its frame wherever that stands, in every state of the undo.
- * A message tells of them as long as there are any, and how many are left.
+ * Missing photos: a page shows them, but no project has their files. An empty frame represents each. Added files are
+ * compared with them first. A matching file replaces its frame in every undo state. A message shows the number of
+ * missing photos.
  */
 
 import { computed, effect, untracked } from '@preact/signals';
@@ -50,7 +50,7 @@ export function createAbsentPhotos({
   ]);
 
   const way = { label: strings.choosePhotos, run: chooseFiles };
-  /** What was told: the message, of which frames, and how many they were. */
+  /** The current message, its frames and their number. */
   let told: { id: number; frames: ReadonlySet<string>; count: number; more?: Way } | null = null;
   let telling: ReturnType<typeof setTimeout> | undefined;
 
@@ -93,7 +93,7 @@ export function createAbsentPhotos({
         : null;
   }
 
-  /** @returns those that no frame waits for */
+  /** @returns files that match no frame */
   async function fill(files: readonly File[]): Promise<File[]> {
     const frames = [...list.peek()];
     if (frames.length === 0 || files.length === 0) return [...files];

@@ -1,6 +1,6 @@
 /**
- * What opening has in common whatever kind of file it is: one after the other, with progress, and what is opened is read and
- * checked in full before anything on the page changes. It becomes a project of its own.
+ * Shared code for opening files: one at a time, with progress. A file is read and checked completely before anything in
+ * the app changes. It becomes a separate project.
  */
 
 import { signal } from '@preact/signals';
@@ -33,7 +33,7 @@ export type FileOpening = ReturnType<typeof createFileOpening>;
 type Take = (id: string, blob: Blob) => Promise<Imported['meta']>;
 /** A photo that could not be read. */
 type Failed = { name: string; why: string };
-/** `watch` is told of whatever arrives, so that a file of which nothing comes is given up. */
+/** `watch` receives all incoming data, so that a file without data times out. */
 export type Hands = {
   planner: Planner;
   photos: (wanted: readonly FilePhoto[], archive: Archive) => Promise<Fact[]>;
@@ -50,24 +50,24 @@ export function createFileOpening({
   messages: Pick<Messages, 'fileFailed' | 'alert'>;
   opening: Pick<Opening, 'enter'>;
 }) {
-  /** What is being read. */
+  /** Progress of the current file. */
   const progress: Signal<{ name: string; done: number; total: number } | null> = signal(null);
   let stop: AbortController | null = null;
-  /** The last of those that wait for each other. */
+  /** The last file in the queue. */
   let last: Promise<unknown> = Promise.resolve();
   /** How often a person has stopped it. */
   let stops = 0;
 
   return { progress, open, unpack, cancel, stops: () => stops };
 
-  /** Ends what is being read, and those that wait for it. */
+  /** Cancels the current file and the queue. */
   function cancel() {
     stops += 1;
     stop?.abort(stopped());
   }
 
   /**
-   * @param way what else can be done with the file, where it cannot be opened
+   * @param way another action for a file that cannot be opened
    * @returns whether it is on the page now
    */
   function open(file: File, read: (hands: Hands) => Promise<Content>, way?: Way): Promise<boolean> {
@@ -78,9 +78,9 @@ export function createFileOpening({
   }
 
   /**
-   * Looks into a file that is no project itself, in its turn, with progress.
-   * @param look `step` tells how far it is
-   * @returns null where it was stopped or cannot be read, which is said
+   * Reads a file that is not a project, in the same queue, with progress.
+   * @param look `step` reports progress
+   * @returns null if it was cancelled or cannot be read, after an error message
    */
   function unpack<T>(
     file: File,
@@ -165,7 +165,7 @@ export function createFileOpening({
     }
   }
 
-  /** @returns those that can be read; the others are named in `failed` */
+  /** @returns readable photos; `failed` lists the others */
   async function readPhotos(
     photos: readonly FilePhoto[],
     archive: Archive,

@@ -1,4 +1,4 @@
-/** Photos that a page names, looked for among those of this browser: on the table, then in all projects that are saved. */
+/** Finds the photos of a page in this browser: in the open project, then in all saved projects. */
 
 import { inBlobs } from '../database.ts';
 import { hashOf, looksLike } from '../../photos/identity.ts';

@@ -1,6 +1,6 @@
 /**
- * ZIP and CBZ files. Those of ours carry their storyboard beside the pages, as a project file of its own: programs that show
- * comics pass over what is no picture. Of others the pictures are photos.
+ * ZIP and CBZ files. Archives from Inkpanel contain their project as a project file next to the pages. Comic readers
+ * skip it. Images in other archives are imported as photos.
  */
 
 import { ARCHIVE, TEXT } from '../../engine/limits.ts';
@@ -36,8 +36,8 @@ const TYPES: Record<string, string> = {
 };
 
 /**
- * What is in an archive: a project of ours with its pages; a project file under another name; or pictures, the names of those that
- * are damaged, and how many more there are than a project holds.
+ * Content of an archive: pages with their project; a project file with another file name; or images, with the names of
+ * damaged ones and the number of images above the limit.
  */
 export type Inside = { page: PageFile } | { project: true } | { pictures: File[]; damaged: string[]; beyond: number };
 
@@ -46,7 +46,7 @@ export const isArchiveFile = ({ name, type }: File): boolean =>
   /\.(zip|cbz)$/i.test(name) ||
   ['application/zip', 'application/x-zip-compressed', 'application/vnd.comicbook+zip'].includes(type);
 
-/** @returns what an archive of pages carries of its project */
+/** @returns the project in an archive of pages */
 export async function projectEntry(
   json: string,
   photos: readonly { name: string; blob: Blob }[],
@@ -56,8 +56,9 @@ export async function projectEntry(
 }
 
 /**
- * @param step is told how many of the pictures are there
- * @returns rejects with `damaged-project` where it is no archive, `too-large-project` where it unpacks to more than it may
+ * @param step receives the number of extracted images
+ * @returns rejects with `damaged-project` if it is not an archive, `too-large-project` if its unpacked size exceeds the
+ *   limit
  */
 export async function readInside(
   file: File,

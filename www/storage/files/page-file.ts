@@ -1,6 +1,6 @@
 /**
- * A PNG that carries its project: in an `iTXt` chunk what `page-json.ts` tells, and, where it was asked for, the photos as
- * an archive in a chunk of their own behind the pixels. Every other program shows the picture and passes over both.
+ * A PNG with its project: the text of `page-json.ts` in an `iTXt` chunk and, if requested, the photos as an archive in
+ * another chunk after the pixels. Every other program shows the picture and passes over both.
  */
 
 import { chunkOf, chunksOf, dataOf, isPng, textChunk, textHead, textOf, withChunks } from '../../engine/png-chunks.ts';
@@ -45,7 +45,7 @@ export async function withProject(
   return withChunks(png, { before, after });
 }
 
-/** @returns null where it has no project, or is no PNG */
+/** @returns null if it has no project or is not a PNG */
 export async function pageFileOf(file: File): Promise<PageFile | null> {
   if (!(await isPng(file))) return null;
   const chunks = await chunksOf(file);
@@ -67,7 +67,7 @@ async function readChunks(file: File, text: Chunk, photos: Chunk | null, planner
   return { project, archive: photos ? await photosIn(file.slice(photos.at, photos.at + photos.length)) : new Map() };
 }
 
-/** @returns throws where it has no page */
+/** @returns throws if it has no page */
 export function withPage(json: string, planner: Pick<Planner, 'readProject'>): FileProject {
   const project = readProjectJson(json, planner);
   if (!project.history.present.page) throw damaged('page: is missing');

@@ -1,6 +1,6 @@
 /**
- * Pages that carry their project, out and in again. One that comes in becomes a project of its own, beside those that
- * there are; its photos are looked for on this device, then in the file, and what is missing keeps its place.
+ * Pages that carry their project, out and in again. An imported page becomes a separate project. Its photos are
+ * searched on this device, then in the file. Missing photos keep their places.
  */
 
 import { signal } from '@preact/signals';
@@ -30,7 +30,7 @@ import type { PageFile } from './page-file.ts';
 import type { FileProject } from './project-json.ts';
 import type { Signal } from '@preact/signals';
 
-/** What a PNG or an archive of pages carries: nothing, the project, or the photos too. */
+/** Data in a PNG or an archive of pages: nothing, the project, or the project with its photos. */
 export type Cargo = 'none' | 'project' | 'photos';
 export type PageFiles = ReturnType<typeof createPageFiles>;
 
@@ -58,12 +58,12 @@ export function createPageFiles({
   database: () => Promise<Database>;
   absentPhotos: Pick<AbsentPhotos, 'tell'>;
 }) {
-  /** What the next PNG carries. */
+  /** Data in the next PNG. */
   const cargo: Signal<Cargo> = signal('project');
 
   return { cargo, take, carrying, packed, among, allAmong, unpacked, open, openChosen };
 
-  /** What this PNG carries. Photos go with the one for which they were asked, no other. */
+  /** Returns the data for this PNG. Photos go with the one for which they were asked, no other. */
   function take(): Cargo {
     const now = cargo.peek();
     if (now === 'photos') cargo.value = 'project';
@@ -86,7 +86,7 @@ export function createPageFiles({
     return { png: await withProject(png, json, photos, work), unclean: what === 'photos' ? unclean : 0 };
   }
 
-  /** @returns the same for an archive of pages: what lies beside them; null where it carries nothing */
+  /** @returns the additional file in an archive of pages; null without a project */
   async function packed(
     what: Cargo,
     work: Work = {},
@@ -104,9 +104,9 @@ export function createPageFiles({
   }
 
   /**
-   * What is in an archive that was dropped or chosen.
-   * @returns the project that it carries, or one that it is itself under another name; and its pictures. What cannot be
-   * read is said
+   * Reads an archive that the user dropped or chose.
+   * @returns the project that it carries, or one that it is itself under another name; and its pictures. Errors are
+   *   shown
    */
   async function unpacked(file: File): Promise<{ page?: PageFile; project?: File; pictures: File[] }> {
     const inside = await fileOpening.unpack(file, (watch, step) => readInside(file, { ...watch, step }));
@@ -125,7 +125,7 @@ export function createPageFiles({
     return (await allAmong(files))[0] ?? null;
   }
 
-  /** @returns those that carry a project */
+  /** @returns files with a project */
   async function allAmong(files: readonly File[]): Promise<PageFile[]> {
     const found = [];
     for (const file of files) {
@@ -195,7 +195,7 @@ export function createPageFiles({
     return false;
   }
 
-  /** Back to what was there before, as if the page had not been opened. */
+  /** Restores the project that was open before the page. */
   async function leave(id: string | null) {
     const opened = opening.current.peek();
     if (id === opened) return;

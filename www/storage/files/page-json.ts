@@ -1,7 +1,7 @@
 /**
- * What a downloaded page tells of itself: the storyboard that it belongs to, each page with its layout, style, crops and
- * words, and of its photos how they are recognised. The shape is that of `project.json`, so the same checks and migrations hold. Names of files, ids and
- * times stay here: the same page gives the same text wherever it is made.
+ * Project data in a downloaded page: its storyboard with layouts, styles, crops and text, and fingerprints of its
+ * photos. The format is `project.json`, so the same checks and migrations apply. Names of files, ids and times stay
+ * here: the same page gives the same text wherever it is made.
  */
 
 import type { Album } from '../../document/album.ts';
@@ -16,8 +16,8 @@ import { projectJson } from './project-json.ts';
 /**
  * @param page the present one as it is drawn, which may be in another size than the project has it
  * @param photos `fileOf`: null of a photo that is not here; `onProgress` counts them
- * @returns `files`: the photos that are
- *   here under the names that the text has for them, without what cameras write; `unclean`: those of a kind that keeps it
+ * @returns `files`: the available photos by their names in the text, without metadata; `unclean`: photos whose format
+ *   keeps metadata
  */
 export async function pageJson(
   project: Project,

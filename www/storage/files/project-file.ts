@@ -1,6 +1,6 @@
 /**
- * A project as one file: a ZIP of `project.json` and the files of its photos and videos, with every pixel that they had
- * but without what cameras write beside them.
+ * A project as one file: a ZIP archive of `project.json` and the files of its photos and videos, with unchanged pixels
+ * but without metadata.
  */
 
 import { signal } from '@preact/signals';
@@ -87,7 +87,7 @@ export function createProjectFiles({
     return packedProject({ history, facts: read, videos }, blobs, { work });
   }
 
-  /** Opens a project file beside those that there are. */
+  /** Opens a project file as another project. */
   function open(file: File) {
     return fileOpening.open(file, async ({ planner, photos: read, absent, watch }) => {
       const archive = await readArchive(file);
@@ -119,7 +119,7 @@ export function createProjectFiles({
   }
 }
 
-/** @param key of a video, which is no id of a photo */
+/** @param key of a video; it is not a photo id */
 export function videoKey(key: string) {
   return `video ${key}`;
 }

@@ -1,6 +1,6 @@
 /**
- * `project.json` of a project file: the document, the pages shown, and what is told of each photo and video. The undo
- * stays behind. What a file says the core reads (`readProject`); what the photos say themselves is read from them again.
+ * `project.json` of a project file: the document, the page history, and metadata of each photo and video. Undo states
+ * are not included. The core reads it (`readProject`). The photos are measured again.
  */
 
 import { freshId } from '../../document/fresh-id.ts';
@@ -11,7 +11,7 @@ import type { History } from '../../document/history.ts';
 import type { FilePhoto, FileVideo, Likeness } from '../../engine/types.ts';
 
 export type { FilePhoto };
-/** `dropped`: what was left out, and why */
+/** `dropped`: the dropped parts with reasons */
 export type FileProject = {
   history: History;
   photos: readonly FilePhoto[];
@@ -23,7 +23,7 @@ const FORMAT = 'inkpanel';
 
 /**
  * @param facts with the types of their files
- * @param version of the history, where it is not the newest that there is
+ * @param version of the history, if it is not the newest version
  * @returns `paths`: where in the file each photo is, by its id, and each
  *   video, by `video` and its key
  */
@@ -67,7 +67,8 @@ export function projectJson(
 }
 
 /**
- * Reads a project. Its photos get ids that no photo of this browser has: the same file may be opened twice, or be made by hand.
+ * Reads a project. Its photos get new ids that are unique in this browser, because a file may be opened twice or
+ * edited.
  * @returns throws `damaged-project` or `newer-project`
  */
 export function readProjectJson(text: string, planner: Pick<Planner, 'readProject'>): FileProject {
@@ -81,7 +82,7 @@ function likenessOf({ hash, fingerprint, width, height }: Likeness): Likeness {
 }
 
 /**
- * @param taken what its file says, as those of older project files do
+ * @param taken capture time in the file, as in older project files
  * @returns something that sorts as the times do
  */
 export function takenBy({ rank }: FilePhoto, taken: string | null): string | null {

@@ -6,10 +6,10 @@ import type { Cargo } from './page-files.ts';
 
 export type Tab = Awaited<ReturnType<ReturnType<typeof fakeBrowser>['tab']>>;
 
-/** Of every panel. */
+/** The crop of every panel. */
 export const CROP = { x: 0.1, y: 0.2, width: 0.5, height: 0.25 };
 
-/** A PNG without pixels: nobody looks at them here. */
+/** A PNG without pixels, which are not needed here. */
 export const bare = async () =>
   pngOf([
     await chunkOf('IHDR', new Uint8Array(13)),
@@ -17,7 +17,7 @@ export const bare = async () =>
     await chunkOf('IEND', new Uint8Array(0)),
   ]);
 
-/** A browser with a page of three photos, cropped by hand. */
+/** A browser with a page of three photos with manual crops. */
 export async function tripTab(): Promise<Tab> {
   const tab = await fakeBrowser().tab();
   await tab.add('a.jpg', 'b.jpg', 'c.jpg');
@@ -35,7 +35,7 @@ export async function downloaded(tab: Tab, what: Cargo): Promise<File> {
   return new File([png], 'page.png', { type: 'image/png' });
 }
 
-/** What the page does with files. */
+/** Drops files on the app. */
 export async function dropped(tab: Tab, ...files: File[]) {
   const page = await tab.keeping.pageFiles.among(files);
   const opened = page !== null && (await tab.keeping.pageFiles.open(page));
@@ -44,7 +44,7 @@ export async function dropped(tab: Tab, ...files: File[]) {
   return { opened, rest };
 }
 
-/** @returns what it tells of its project */
+/** @returns its project data */
 export async function textIn(file: Blob): Promise<string> {
   const chunk = (await chunksOf(file))?.find(({ type }) => type === 'iTXt');
   const head = chunk && (await textHead(file.slice(chunk.at, chunk.at + chunk.length)));
