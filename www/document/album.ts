@@ -1,5 +1,5 @@
 /**
- * What is known of every photo that was ever added: facts that no edit changes, hence outside of undo.
+ * The album: measurements of every photo that was ever added. Edits do not change them, so they are not part of undo.
  */
 
 import type { Likeness, Measures, PhotoMeta, StartTimecode, Subject, Verdict } from '../engine/types.ts';
@@ -8,9 +8,13 @@ import type { TrayItem } from './project.ts';
 export type Absent = Likeness & { subjects: readonly Subject[] | null; measured: boolean };
 
 /**
- * `meta` and `measures` are null until the photo was read; `credit` names the author of a sample; a frame of a video
- * knows the video's key, its time in seconds and the number of its shot, from 1; `looked`: it was searched for subjects; `absent`: the photo that this one
- * keeps a place for, and what is known of it.
+ * Properties of a photo:
+ *
+ * - `meta` and `measures`: null until the photo was read
+ * - `credit`: the author of a sample
+ * - `video`, `time` and `shot` of a video frame: the video key, seconds, and the shot number from 1
+ * - `looked`: whether subject detection is done
+ * - `absent`: the missing photo that this frame represents, and its properties
  */
 export type Fact = {
   id: string;
@@ -41,7 +45,7 @@ export type Video = {
   timecode?: StartTimecode;
 };
 
-/** What the planner is told of a photo that is still being read, so that its place on the page is found at once. */
+/** Preliminary measurements of a photo that is still being read, so that the planner can place it at once. */
 export function unreadMeta(id: string): PhotoMeta {
   return {
     id,
@@ -65,8 +69,8 @@ function unlike(text: string) {
 }
 
 /**
- * Photos in the order they were taken when all of them say so, else in the order given. A part of the album being
- * dated orders nothing: the undated rest would have no place.
+ * Sorts photos by capture time if all have one. If not, the given order stays. A part of the album being dated orders
+ * nothing: the undated rest would have no place.
  */
 export function chronological(facts: readonly Fact[]): Fact[] {
   const when = (fact: Fact) => fact.meta?.taken ?? '';
@@ -74,7 +78,7 @@ export function chronological(facts: readonly Fact[]): Fact[] {
   return [...facts].sort((a, b) => (when(a) < when(b) ? -1 : when(a) > when(b) ? 1 : 0));
 }
 
-/** Frames of a film in the order of their times, in the places that they have together; all else stays where it is. */
+/** Sorts the frames of each video by time, within their positions. Everything else keeps its position. */
 export function inFilmOrder<Item extends { id: string }>(items: readonly Item[], album: Album): readonly Item[] {
   const films = new Map<string, { at: number; time: number }[]>();
   items.forEach(({ id }, at) => {
@@ -97,7 +101,7 @@ export function inFilmOrder<Item extends { id: string }>(items: readonly Item[],
 
 export type { Verdict };
 
-/** Whether a photo is used: the person's word, else the selection's, else yes. */
+/** Whether a photo is used: the user's choice, or the selection. Default: yes. */
 export function isUsed(item: TrayItem, verdicts: ReadonlyMap<string, Verdict>): boolean {
   return item.use ?? verdicts.get(item.id)?.kept ?? true;
 }

@@ -1,6 +1,6 @@
 /**
- * A project that is edited: the core does it, here is its history to be read. What an edit leaves as it was stays the very
- * same object, by which drawing, caches and the journal know it.
+ * The editor of a project. The core applies edits, and this module has a readable copy of the history. Unchanged parts
+ * keep their object identity, so drawing, caches and the journal can skip them.
  */
 
 import { joinedWith } from '../engine/interned.ts';
@@ -17,7 +17,7 @@ import type { PageDocument, Project } from './project.ts';
 export type Editing = ReturnType<typeof createEditing>;
 
 /**
- * @param editor of its own
+ * @param editor a dedicated editor
  * @param from throws where it cannot be edited
  */
 export function createEditing(editor: Editor, from: History = EMPTY_HISTORY) {

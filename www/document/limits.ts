@@ -1,4 +1,4 @@
-/** What keeps a project within what the core reads. */
+/** Keeps a project within the limits of the core. */
 
 export { MOST } from '../engine/bounds.ts';
 

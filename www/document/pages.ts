@@ -1,6 +1,4 @@
-/**
- * What a person does to the page: shuffle, choose, lock, set, walk through what was shown.
- */
+/** Page commands: shuffle, choose, lock, adjust, browse the page history. */
 
 import { position, versions } from './history.ts';
 import { photosOn, sheetsOf } from '../engine/sheets.ts';
@@ -68,7 +66,7 @@ export function createPages(
     redo,
   };
 
-  /** A new page from the photos in use that are free for it; null while there are none. */
+  /** Plans a new page from the photos in use that are free for it; null without photos. */
   function plan(wish: Wish): PageDocument | null {
     if (!canPlan()) return null;
     const page = store.project.peek().settings;
@@ -81,7 +79,7 @@ export function createPages(
     return store.planner.peek() !== null && store.photos.peek().length > 0;
   }
 
-  /** For pages whose layouts are drawn, if at all, by what the person likes. */
+  /** Learned preferences for the random choice of layouts. */
   function draw(): Draw {
     return { seed: seed(), taste: asked({ keep: { ...KEEP_ALL, layout: false } }).taste };
   }
@@ -96,19 +94,19 @@ export function createPages(
       store.change({ type: 'show-page', page, pageId: store.fresh().pageId, ...how });
   }
 
-  /** The page after a change by hand; what it does not touch stays. */
+  /** Sets the page after a manual change. */
   function amend(changed: PageDocument, how?: { gesture?: string }) {
     const page = plan({ keep: KEEP_ALL, current: changed, seed: changed.seed });
     if (page) store.change({ type: 'change-page', page, ...how });
   }
 
-  /** Fits the crops of the page to what is known of its photos by now. */
+  /** Updates the crops of the page to the current measurements of its photos. */
   function refine() {
     const better = refined();
     if (better) store.change({ type: 'change-page', page: better, silent: true });
   }
 
-  /** @returns the page with crops that fit what is known of its photos by now; null where it has them already */
+  /** @returns the page with updated crops; null if nothing changes */
   function refined(): PageDocument | null {
     const { page } = store.project.peek();
     const better = page && plan({ keep: KEEP_ALL, seed: page.seed });
@@ -156,13 +154,13 @@ export function createPages(
     return settledOr(page && narrated(page, store.project.peek().at + 1));
   }
 
-  /** All photos in use on as many pages as they need, in the place of the pages that there are. */
+  /** Distributes all photos in use over as many pages as needed, replacing the present pages. */
   function spread(): Sheet[] {
     const sheets = canPlan() ? store.plans().spread(draw()) : null;
     return (sheets ?? []).map((sheet, i) => ({ ...sheet, page: settled(narrated(sheet.page, i)) }));
   }
 
-  /** The pages with photos in use alone, and without pages that none is left for; null where they are so. */
+  /** Replaces missing photos on all pages and removes pages without photos; null if nothing changes. */
   function repaired(): { sheets: Sheet[]; at: number } | null {
     if (!store.planner.peek() || !store.plans().torn()) return null;
     const groups = Object.fromEntries([...store.verdicts.peek().values()].map(({ id, group }) => [id, group]));
@@ -185,7 +183,7 @@ export function createPages(
     shuffled();
   }
 
-  /** Now and then the photos fall where they were, which nobody takes for a shuffle. */
+  /** Avoids the previous arrangement of photos, which would not look like a shuffle. */
   function otherPhotos(page: PageDocument) {
     const places = ({ panels }: PageDocument) => panels.map(({ photo }) => photo).join();
     const another = () => plan({ keep: { ...KEEP_ALL, photos: false }, mode: 'photos' });
@@ -205,7 +203,7 @@ export function createPages(
     return prepared?.project === store.project.peek() && prepared.photos === store.photos.peek();
   }
 
-  /** Plans the page that the next shuffle shows. @returns null where there is nothing to shuffle */
+  /** Plans the page of the next shuffle. @returns null if there is nothing to shuffle */
   function prepare(): PageDocument | null {
     const project = store.project.peek();
     if (!isPrepared()) {
@@ -241,7 +239,10 @@ export function createPages(
     if (target) bringBack(target);
   }
 
-  /** Shows a page that was shown before, in its place in the storyboard, or where that is gone in the place of the present one. */
+  /**
+   * Restores a page of the page history, in its place in the storyboard. If that place is gone, it replaces the present
+   * page.
+   */
   function bringBack({ id, page, sheet = 0 }: Shown) {
     const sheets = sheetsOf(store.project.peek());
     const at = sheets.findIndex((other) => other.pageId === id || other.sheet === sheet);

@@ -1,10 +1,9 @@
 /**
- * The document that a person edits, and what can be done to it. The core does it (`src/document/edit.rs`).
- * Their types are those of the core.
+ * The document and its edits. The core does it (`src/document/edit.rs`). The types come from the core.
  *
- * A project is plain data: which photos are in the tray and used, the locks, the wanted number of panels, and the
- * page. What is known of a photo (its name, size, measures) never changes and lives in the album, so that undoing
- * an edit does not undo what was read meanwhile.
+ * A project is plain data: which photos are in the tray and used, the locks, the wanted number of panels, and the page.
+ * Properties of a photo (its name, size, measurements) never change and are stored in the album, so undo does not
+ * affect them.
  */
 
 import type { Edit, Part, Project, SharedLists, Styling, TrayItem } from '../engine/types.ts';

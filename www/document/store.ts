@@ -22,14 +22,14 @@ export type { Planner };
 export type Store = ReturnType<typeof createStore>;
 export type Progress = { done: number; total: number };
 
-/** @param onRefused is told of an edit that the core does not take */
+/** @param onRefused receives the error of an edit that the core rejects */
 export function createStore({ onRefused = () => {} }: { onRefused?: (error: Error) => void } = {}) {
   const history = signal(EMPTY_HISTORY);
-  /** Holds the history; none until the core is there. */
+  /** Contains the history; null until the core is loaded. */
   let editing: Editing | null = null;
-  /** What was done before that. */
+  /** Changes before the core was loaded. */
   let early: Change[] = [];
-  /** It changes in one step with the history, which so is never saved in the place of another. */
+  /** It changes together with the history, so a history is never saved in another place. */
   const place = signal(freshPlace());
   const album: Signal<Album> = signal(new Map());
   const planner: Signal<Planner | null> = signal(null);
@@ -61,19 +61,19 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   const version = computed(() => `${place.value.id} ${project.value.pageId}`);
   const others = computed(() => project.value.others);
   const at = computed(() => project.value.at);
-  /** All pages of the storyboard in order, the one that is edited among them; none while there is no page. */
+  /** All pages of the storyboard in order, including the current one; empty without pages. */
   const sheets = computed(() =>
     page.value ? others.value.map((sheet) => sheet.page).toSpliced(at.value, 0, page.value) : [],
   );
   let arranged: readonly TrayItem[] = [];
-  /** What lies on the table. A film's frames come in no order, those of its first page before the others. */
+  /** The photos in the tray. Frames of a video arrive unordered, because frames of the first page come first. */
   const tray = computed(() => {
     const items = inFilmOrder(project.value.tray, album.value);
     // An album that tells nothing new of their order leaves them the very same.
     if (items.length !== arranged.length || items.some((item, i) => item !== arranged[i])) arranged = items;
     return arranged;
   });
-  /** The videos of which a frame lies on the table: undo takes a film away with its frames. */
+  /** Videos with a frame in the tray. Undo removes a video together with its frames. */
   const films = computed(() => {
     const there = new Set(tray.value.map(({ id }) => id));
     return [...videos.value.values()].filter(({ ids }) => ids.some((id) => there.has(id)));
@@ -82,7 +82,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   /** Facts of the tray, in its order. */
   const facts = computed(() => tray.value.flatMap(({ id }) => album.value.get(id) ?? []));
 
-  /** Which part of each photo is its subject, as far as that is known: as a person corrected it, or else as it was found. */
+  /** Known subject masks by photo: corrected or detected. */
   const masks: ReadonlySignal<ReadonlyMap<string, string>> = computed(() => {
     const own = new Map(project.value.tray.map(({ id, mask }) => [id, mask]));
     return new Map(
@@ -93,7 +93,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     );
   });
 
-  /** What the selection compares of the photos that were read. */
+  /** Measurements of the photos that were read. */
   const measured = computed(() =>
     facts.value.flatMap(({ id, name, measures, video }) => (measures ? [{ id, name, film: video, ...measures }] : [])),
   );
@@ -125,12 +125,12 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   const own: ReadonlySignal<readonly Template[]> = computed(() => project.value.ownLayouts);
   /** The size of the page, the only part of its settings that says which layouts suit. */
   const size = computed(() => `${project.value.settings.width} ${project.value.settings.height}`);
-  /** The layouts to choose from: a person's own, and those that are good for the page. */
+  /** Layouts to choose from: custom ones, and built-in ones that are good for the page. */
   const layouts = computed(() => {
     const [width, height] = size.value.split(' ').map(Number);
     return planner.value?.listLayouts({ page: { width, height }, own: [...own.value] }) ?? [];
   });
-  /** What can be done to the layout of the page. */
+  /** Possible changes of the layout of the page. */
   const layoutFacts = computed(() => {
     if (!planner.value || !page.value) return null;
     return planner.value.layoutFacts(page.value.layout, page.value.page);
@@ -193,7 +193,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     },
   };
 
-  /** Throws `invalid-document` for what cannot be done; then all is as it was. */
+  /** Applies a change. Throws `invalid-document` for an invalid change, and changes nothing. */
   function change(change: Change) {
     if (editing === null && planner.peek() === null) early.push(change);
     else history.value = after(change);
@@ -211,9 +211,9 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   }
 
   /**
-   * Puts another document in the place of this one. Throws where it cannot be edited; then all is as it was.
-   * @param other `editing`: what holds its history already; `place`: where it is kept, left out where it goes on as the same
-   *   project
+   * Replaces the document. Throws if the new document is invalid, and changes nothing.
+   * @param other `editing`: its editor with the history; `place`: its storage place, omitted if the project stays the
+   *   same
    */
   function load(other: {
     history: History;

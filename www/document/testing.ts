@@ -18,7 +18,7 @@ const LAYOUTS = ['splash', 'grid-2', 'grid-3', 'grid-4', 'grid-6'].map(
   (wanted) => core.layouts().find(({ id }) => id === wanted) as Layout,
 );
 
-/** A page without photos that is told from others by its seed. */
+/** A page without photos, identified by its seed. */
 export function pageOf(seed: number): PageDocument {
   const panel = { photo: null, crop: null, locked: false, edited: false };
   return {
@@ -34,16 +34,16 @@ export function pageOf(seed: number): PageDocument {
   };
 }
 
-/** What the changes make of an empty project. */
+/** Applies changes to an empty project. */
 export function edited(...changes: readonly Change[]): Editing {
   const editing = createEditing(core.createEditor());
   changes.forEach(editing.apply);
   return editing;
 }
 
-/** The core, told what it is asked for. */
+/** The core, with a record of its calls. */
 export function fakePlanner() {
-  /** What pages were asked for, the last at the end. */
+  /** Planner requests, the latest last. */
   const wishes: Wish[] = [];
   const planner = {
     ...core,
