@@ -11,8 +11,8 @@ import type {
 import { createRequire } from 'node:module';
 
 /**
- * The packages that the browser tests use. The tests stand in `tests`, outside this folder's
- * `node_modules`, and reach them through this file.
+ * The packages that the browser tests use. The tests are in `tests`, outside this folder's `node_modules`, and import
+ * the packages through this file.
  */
 export { defineConfig, expect, test } from '@playwright/test';
 export type { Locator, TestInfo } from '@playwright/test';

@@ -1,11 +1,8 @@
-/**
- * What an album is called before a person names it: after the folder that all of its photos came in, else after the days
- * on which they were taken.
- */
+/** Default album name: the common folder of all photos, or the days on which they were taken. */
 
 /**
- * What is known of a photo. `folders`: from the outermost, none where it came alone; `taken` is what the camera wrote,
- * `YYYY:MM:DD HH:MM:SS`; `modified` the time of its file, in ms, where the file is at hand; `sample`: it ships with the page.
+ * Origin of a photo. `folders`: from the outermost, empty without a folder. `taken`: capture time, `YYYY:MM:DD
+ * HH:MM:SS`. `modified`: time of its file in ms, if the file is available. `sample`: whether it is a sample of the app.
  */
 export type Origin = {
   folders: readonly string[];
@@ -23,8 +20,8 @@ const DAY = 86_400_000;
 const FIRST_DAY = Date.UTC(1990, 0, 2);
 
 /**
- * @param how `now` in ms; `dates` writes a stretch of days, in ms of UTC, in the language of the page
- * @returns empty where nothing can be told
+ * @param how `now` in ms; `dates` formats a range of days, in ms of UTC, in the language of the app
+ * @returns empty without information
  */
 export function albumName(
   origins: readonly Origin[],

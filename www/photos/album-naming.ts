@@ -1,6 +1,6 @@
 /**
- * The project gets its name from its photos, until a person gives it one: where it comes from stands in `album-name.ts`. As
- * more photos come, the name follows them.
+ * Names the project after its photos, until the user gives it a name. `album-name.ts` has the rules. As more photos
+ * come, the name follows them.
  */
 
 import { strings } from '../strings/strings.ts';
@@ -13,14 +13,14 @@ import type { Store } from '../document/store.ts';
 const MOST = 80;
 
 export function createAlbumNaming({ store }: { store: Store }) {
-  /** Where photos of this visit came from, by their ids. */
+  /** Origin of the photos of this visit, by id. */
   const files: Map<string, { folders: readonly string[]; modified: number }> = new Map();
-  /** The name of the project that no person gave it; null where one did. */
+  /** The automatic name of the project; null if the user named it. */
   let free: { place: Place; name: string } | null = null;
 
   return { automatic, title, moments, begin, settle };
 
-  /** @returns what the project is called by its photos; empty where they tell nothing */
+  /** @returns the automatic name of the project; empty without information */
   function automatic(): string {
     return bounded(albumName(origins(), { samples: strings.sampleAlbum, dates: strings.dates, now: Date.now() }));
   }
@@ -51,7 +51,7 @@ export function createAlbumNaming({ store }: { store: Store }) {
     }));
   }
 
-  /** Photos are about to come. @param sources the files of which they are made, with the ids of the photos */
+  /** Prepares for new photos. @param sources their files, with the ids of the photos */
   function begin(sources: readonly { file: File; ids: readonly string[] }[]) {
     const { name } = store.project.peek();
     if (!isFree(name)) free = name === '' || name === automatic() ? { place: store.place.peek(), name } : null;

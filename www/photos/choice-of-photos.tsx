@@ -10,7 +10,7 @@ import type { Store } from '../document/store.ts';
 export function ChoiceOfPhotos() {
   const { store, choosing } = useApp();
   const { alike, order } = store.project.value;
-  /** Where the slider is while it is dragged. */
+  /** Position of the slider while it is dragged. */
   const [wish, setWish] = useState(null as number | null);
   const [open, setOpen] = useState(false);
   const shown = wish ?? alike;

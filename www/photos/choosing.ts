@@ -43,7 +43,7 @@ export function createChoosing({ store, pages, reading }: { store: Store; pages:
   }
 
   /**
-   * Takes one photo in place of those that look like it, on the page too.
+   * Uses one photo instead of its near-duplicates, on the page as well.
    * @param alike the whole stack
    */
   function take(id: string, alike: readonly string[]) {
@@ -54,7 +54,7 @@ export function createChoosing({ store, pages, reading }: { store: Store; pages:
     });
   }
 
-  /** A photo that a person wants to see large goes to the largest panel that is free, at once. */
+  /** Moves a starred photo to the largest free panel immediately. */
   function star(id: string, on: boolean) {
     reading.edit({ type: 'star-photo', id, on }, () => {
       const { page, locks } = store.project.peek();
@@ -82,7 +82,7 @@ export function createChoosing({ store, pages, reading }: { store: Store; pages:
  * takes its place.
  * @param sizes of the panels
  * @param starred the other starred photos
- * @returns the same page where there is no larger place
+ * @returns the same page without a larger panel
  */
 export function enlarged(
   page: PageDocument,

@@ -1,4 +1,4 @@
-/** The browser's own file dialog behind a button: an input that nobody sees and everybody can name. */
+/** A button for the browser's file dialog: a hidden input with an accessible name. */
 
 import type { RefObject } from 'preact';
 
@@ -35,5 +35,5 @@ export function ChosenFiles({
   );
 }
 
-/** What JSON files are called. */
+/** File types of JSON files. */
 export const JSON_FILES = '.json,application/json';

@@ -6,12 +6,12 @@ import type { Bounds } from '../engine/types.ts';
 /** of a photo; none while it is not read */
 type Size = { width: number; height: number } | null | undefined;
 
-/** A style without blocks shows the photo as it is. */
+/** A style without blocks, which does not change the photo. */
 export const PLAIN = Object.freeze({ id: 'plain', name: 'Plain', tags: [], background: [] });
 
 /**
- * A thumbnail of so many CSS pixels, filled by the middle of a photo.
- * @param height as wide as high unless told
+ * A thumbnail in CSS pixels, filled by the middle of a photo.
+ * @param height default: equal to the width
  */
 export function thumbnail(photo: Size, width: number, height: number = width) {
   return { width: screenPixels(width), height: screenPixels(height), crop: covering(photo, width / height) };

@@ -1,6 +1,6 @@
 /**
- * The first page. Until enough photos are read it is a sketch, empty panels that show what is to come; then it is planned anew,
- * once, on what is known of its photos.
+ * The first page. It is a sketch with empty panels until enough photos are read. Then it is planned once more with
+ * their measurements.
  */
 
 import { batch, effect, signal } from '@preact/signals';

@@ -1,4 +1,4 @@
-/** In which folders files came: the browser tells it apart from the files, and tells it once. */
+/** Folders of added files. The browser reports them separately and only once. */
 
 const known: WeakMap<File, readonly string[]> = new WeakMap();
 
@@ -8,7 +8,7 @@ export function noteFolders(file: File, folders: readonly string[]): File {
   return file;
 }
 
-/** @returns from the outermost; none where it came alone */
+/** @returns from the outermost; empty without a folder */
 export function foldersOf(file: File): readonly string[] {
   // Of a folder that was chosen in a dialog the file itself tells.
   return known.get(file) ?? (file.webkitRelativePath ?? '').split('/').slice(0, -1);

@@ -1,5 +1,5 @@
 /**
- * Films in: each becomes a number of frames that stand for its shots, of the whole of it or of a stretch. A frame is a photo
+ * Imports videos: each becomes representative frames of its shots, from the whole video or a part. A frame is a photo
  * from then on; the film stays known, so that other frames can be taken.
  */
 
@@ -84,7 +84,7 @@ export function createFrames({
     return came;
   }
 
-  /** What is asked of the film: frames that were there before are the same again, all else is chosen by its shots. */
+  /** The frames to request: existing frames are extracted again at their times, all others are selected by shots. */
   async function wishOf({ ids, duration, start, end, file }: Video, { count, moments }: How & { count?: number }) {
     const times = ids.map((id) => store.album.peek().get(id)?.time);
     if (duration !== null && times.some((time) => time !== undefined)) {
@@ -124,9 +124,9 @@ export function createFrames({
   }
 
   /**
-   * Takes other frames in place of those that are there.
+   * Replaces the frames of a video.
    * @param wish seconds, and how many
-   * @param how the step of the undo that it is
+   * @param how the undo group
    */
   async function resample(
     key: string,

@@ -15,7 +15,7 @@ export function useHero(): string | null {
   return hero.current;
 }
 
-/** The largest photo of the page as it is, or the first of the album. */
+/** The largest photo of the current page, or the first of the album. */
 export function heroOf(album: Album): string | null {
   const { page, geometry } = album.store;
   const usable = usableIn(album);

@@ -1,6 +1,6 @@
 /**
- * What a photo is known by, wherever it lies: the SHA-256 of its file without what cameras and programs write beside the
- * pixels. So a photo is the same before and after it went through a project file.
+ * Identity of a photo: the SHA-256 of its file without metadata. So a photo is the same before and after it went
+ * through a project file.
  */
 
 import { withoutMetadata } from '../engine/metadata/strip.ts';
@@ -8,8 +8,8 @@ import type { Stripped } from '../engine/metadata/strip.ts';
 import type { Likeness } from '../engine/types.ts';
 
 /**
- * How a photo is recognised: `hash` of 64 hex digits, empty where the browser makes none; `fingerprint` of 16, and the
- * sides in pixels, upright.
+ * Identity of a photo: `hash` of 64 hex digits, empty if the browser cannot compute it; `fingerprint` of 16; and the
+ * upright size in pixels.
  */
 export type { Likeness };
 
@@ -27,7 +27,7 @@ export function strippedOf(file: Blob): Promise<Stripped> {
   return known;
 }
 
-/** @returns 64 hex digits; empty where there is no telling, as on a page without https */
+/** @returns 64 hex digits; empty if hashing is not available, as on a site without https */
 export function hashOf(file: Blob): Promise<string> {
   const known = hashes.get(file) ?? hashed(file);
   hashes.set(file, known);

@@ -1,6 +1,4 @@
-/**
- * What becomes of a file: a photo of the album with its facts, or a message with the reason, and the count of both.
- */
+/** Imports files: each becomes a photo of the album with its measurements, or an error message. Both are counted. */
 
 import { batch } from '@preact/signals';
 import { CROWD, Priority } from '../engine/queue.ts';
@@ -22,7 +20,7 @@ export type Intake = ReturnType<typeof createIntake>;
 /** Milliseconds in which photos of a crowd are told of together: whatever depends on the album would else be computed and painted anew for each. */
 const TOGETHER = 300;
 
-/** @returns what the ids of photos begin with, so that no other session of any browser has the same */
+/** @returns a unique prefix of photo ids for this session */
 export function freshPhotoPrefix(): string {
   return `p${freshId(6)}-`;
 }
@@ -51,7 +49,7 @@ export function createIntake({
     return Array.from({ length: many }, () => `${prefix}${(lastId += 1)}`);
   }
 
-  /** Whether a photo is on the page, where somebody waits for it. */
+  /** Whether a photo is on the visible page. */
   function isShown(id: string): boolean {
     return !!store.page.peek()?.panels.some((panel) => panel.photo === id);
   }
@@ -91,7 +89,7 @@ export function createIntake({
     count(1, 0);
   }
 
-  /** Of a photo that was read before, and now cannot be: its place on the pages is kept. */
+  /** Replaces a photo that can no longer be read by an empty frame, which keeps its place. */
   async function emptyFrame(id: string) {
     const [{ fact, file }] = await emptyFrames([store.album.peek().get(id) as Fact]);
     const meta = await engine.importPhoto(id, file, { priority: isShown(id) ? Priority.PAGE : Priority.REST });
@@ -107,8 +105,8 @@ export function createIntake({
   }
 
   /**
-   * @param now whether somebody waits for it
-   * @returns when it was told
+   * @param now whether to update immediately
+   * @returns resolves after the update
    */
   function together(now: boolean, tell: () => void): Promise<void> {
     const { done, total } = progress();
@@ -170,7 +168,7 @@ export function createIntake({
   }
 
   /**
-   * Forgets those of some photos that did not come.
+   * Removes the photos that could not be read.
    * @returns the others
    */
   function leaveOut(ids: readonly string[]): string[] {

@@ -1,6 +1,6 @@
 /**
- * Which part of each photo is its subject, so that it may step out of its panel: looked for when the page is there and all else
- * was found, one photo after the other, those on pages first. Nobody waits for it.
+ * Detects subject masks, for panel breakouts. It runs after all other detection, one photo at a time, photos on pages
+ * first. It has low priority.
  */
 
 import { computed, effect, signal } from '@preact/signals';
@@ -16,8 +16,8 @@ export type Masks = ReturnType<typeof createMasks>;
 const BESIDE = 24;
 
 /**
- * @param app `ready`: whether nobody waits for anything else; not `wanted`, nothing is looked at; `onFound` hears when all photos
- * of the page were looked at, so that it may be cropped by their figures
+ * @param app `ready`: whether no other work is waiting. `wanted`: whether detection is enabled. `onFound` is called
+ *   when all photos of the page are done, so that its crops can use the masks.
  */
 export function createMasks({
   store,
@@ -53,7 +53,7 @@ export function createMasks({
     return [...ofPages, ...open.filter((id) => rank(id) === 2).slice(0, Math.max(0, spare))];
   });
 
-  /** The masks of which the engine was told. */
+  /** The masks that were passed to the engine. */
   let told: ReadonlyMap<string, string> = new Map();
 
   // Whatever is drawn from now on knows the subjects, also those that came with a project or were corrected.

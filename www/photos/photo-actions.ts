@@ -1,4 +1,4 @@
-/** What can be done with the photos as a whole. */
+/** Actions for all photos. */
 
 import { strings } from '../strings/strings.ts';
 import { openFiles } from './file-input.tsx';

@@ -1,2 +1,2 @@
-/** What a photo of the tray is dragged as. */
+/** Data type of a dragged photo. */
 export const PHOTO = 'text/x-inkpanel-photo';

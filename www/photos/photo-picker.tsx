@@ -1,4 +1,4 @@
-/** A row of the album's photos, one of which is chosen. */
+/** A row of the album's photos for choosing one. */
 
 import { PLAIN, thumbnail } from './cover.ts';
 import { Bitmap } from '../ui/bitmap.tsx';
@@ -18,7 +18,7 @@ export function useDrawnPhotos(): Shown[] {
   );
 }
 
-/** @param props `told`: what the button of a photo of this name is called */
+/** @param props `told`: label of the button of a photo with this name */
 export function PhotoPicker({
   label,
   facts,

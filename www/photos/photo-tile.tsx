@@ -14,7 +14,7 @@ import type { TrayItem } from '../document/project.ts';
 
 const SIDE = 96;
 
-/** @param props `stack`: how many it stands for, on top of a closed stack; `onTake`: to take it in place of the others */
+/** @param props `stack`: number of photos in its closed stack; `onTake`: uses it instead of the others */
 export function PhotoTile({
   item: { id, use, starred = false },
   used,

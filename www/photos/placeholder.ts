@@ -1,15 +1,15 @@
 /**
- * What stands in the place of a photo that is not there: an empty frame with its diagonals, as editors of pages draw it.
- * It is light, so that every style leaves it light, and has the shape of the photo, so that its crop stays what it was.
+ * Placeholder of a missing photo: an empty frame with diagonals, as in page layout programs. It is light in every
+ * style, and has the shape of the photo, so that its crop stays the same.
  */
 
 import { chunkOf, pngOf } from '../engine/png-chunks.ts';
 import type { Absent, Fact } from '../document/album.ts';
 
-/** Of a photo of which nobody knows how it looks. */
+/** The identity of an unknown photo. */
 export const UNLIKE = Object.freeze({ hash: '', fingerprint: '', width: 1500, height: 1000 });
 
-/** @returns how its photo is recognised when it comes back, and what was known of it */
+/** @returns the identity of its photo, and its properties */
 export function absentOf({ meta, measures, looked, absent }: Fact): Absent {
   if (absent) return absent;
   if (!meta) return { ...UNLIKE, subjects: null, measured: true };

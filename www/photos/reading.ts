@@ -47,14 +47,14 @@ export function createReading({
   let clicks = 0;
   /** The photos of the last plan, to see whether another is due. */
   let planned = '';
-  /** The step of the undo that the photos being read belong to; none for the first, which cannot be undone. */
+  /** The undo group of the photos being read; null for the first ones, which cannot be undone. */
   let gesture = null as string | null;
   /** The message that there is no page, which the next page takes away. */
   let complaint = 0;
-  /** Files of what is being read. */
+  /** Number of files being read. */
   let files = 0;
 
-  /** Stops what is being read. */
+  /** Cancels reading. */
   let stop: AbortController | null = null;
 
   const intake = createIntake({ store, pages, engine, messages, prefix });
@@ -84,7 +84,7 @@ export function createReading({
 
   /**
    * @param credits the authors to name, by file name
-   * @param moments seconds at which somebody speaks in a film
+   * @param moments times in seconds of dialogue in a video
    */
   async function addFiles(
     given: readonly File[],
@@ -103,8 +103,8 @@ export function createReading({
   }
 
   /**
-   * @param begin is given what is in the tray from now on, before any of it is drawn: drawing the sketch takes longer than to hand
-   *   out the files. Not called where there is no planner
+   * @param begin receives the new tray before any of it is drawn, because drawing the sketch takes longer than
+   *   distributing the files. Not called without a planner
    */
   async function onTable(
     given: readonly File[],
@@ -157,7 +157,7 @@ export function createReading({
 
   /**
    * @param pictures of an animation
-   * @returns the frames to take of it at first, none of a photo
+   * @returns the frames to extract at first, empty for a photo
    */
   function framesOf(pictures: number, film: boolean): number {
     return film || pictures > 0 ? Math.min(FRAMES, pictures || FRAMES) : 0;
@@ -171,7 +171,7 @@ export function createReading({
     return { file, ids, video };
   }
 
-  /** How what comes later joins what is being read. */
+  /** Undo group of later results of the same import. */
   function stepOf() {
     return gesture === null ? { silent: true as const } : { gesture };
   }
@@ -189,7 +189,7 @@ export function createReading({
   }
 
   /**
-   * Reads photos that are in the tray already: what was known of them stands.
+   * Reads photos that are already in the tray. Their measurements stay.
    * @param films keys of videos whose frames are taken once more
    */
   async function resume(photos: readonly { id: string; file: File }[], films: readonly string[] = []) {
@@ -208,7 +208,7 @@ export function createReading({
   }
 
   /**
-   * Takes other frames of a video in place of those that are there, as one step.
+   * Replaces the frames of a video, as one undo step.
    * @param wish seconds, and how many
    */
   async function resample(key: string, wish: { start: number; end: number; frames: number }) {
@@ -228,7 +228,7 @@ export function createReading({
     return stop.signal;
   }
 
-  /** Stops reading; what was read stays. */
+  /** Cancels reading. Finished photos stay. */
   function cancel() {
     stop?.abort();
   }
@@ -252,7 +252,7 @@ export function createReading({
     planned = inUse();
   }
 
-  /** Of look-alikes the one that is on the page stays in use, not one that was read later: the page was looked at. */
+  /** Keeps the near-duplicate on the page in use, instead of one that was read later. */
   function keepShown() {
     const shown = photosOn(store.sheets.peek());
     const verdicts = [...store.verdicts.peek().values()];

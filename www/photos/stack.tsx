@@ -1,4 +1,4 @@
-/** Photos that look alike: closed, the one that is used stands for all; open, each can be taken, or several kept. */
+/** A stack of near-duplicates: closed, the used photo represents all. Open, each photo can be used. */
 
 import { useEffect, useRef } from 'preact/hooks';
 import { isUsed } from '../document/album.ts';

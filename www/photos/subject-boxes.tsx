@@ -1,7 +1,4 @@
-/**
- * What was found, drawn where it is: over the panels as far as their crops show it, and over a photo of the tray with
- * the crops that the page takes of it.
- */
+/** Boxes of detected subjects: on the panels, clipped to their crops, and on a photo of the tray with its crops. */
 
 import { useApp } from '../ui/context.ts';
 import type { Bounds, Geometry, PageDocument } from '../engine/types.ts';

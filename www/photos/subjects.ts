@@ -1,7 +1,7 @@
 /**
- * What is in the photos: those on the page first, then those on other pages, faces and objects side by side. Faces are looked for
- * as soon as the first page's photos are read, where the nets are there by then (`expect`), all else once it is on the screen;
- * nobody waits for it.
+ * Subject detection: photos of the current page first, then other pages; faces and objects in parallel. Face detection
+ * starts when the photos of the first page are read, if its model is already loaded (`expect`). All other detection
+ * starts when the page is visible, at low priority.
  */
 
 import { computed, effect, signal } from '@preact/signals';
@@ -25,8 +25,8 @@ const REST = 300;
 const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
 
 /**
- * @param app `painted` reads signals: whether the page as it is now is on the screen; `onFound` is told when more is known of a photo
- *   on it; not `wanted`, nothing is looked at
+ * @param app `painted` reads signals: whether the current page is on the screen. `wanted`: whether detection is
+ *   enabled. `onFound` is called with new subjects of a photo on the page.
  */
 export function createSubjects({
   store,
@@ -49,11 +49,11 @@ export function createSubjects({
   const progress: Signal<Progress | null> = signal(null);
   const off = signal(!wanted);
   const running = signal(new Set() as ReadonlySet<Lane>);
-  /** Whether the detectors could not be loaded, and whether that was said. */
+  /** Whether the detectors could not be loaded, and whether a message was shown. */
   const lacking = { now: false, said: false };
   /** Bumped when `known` changes. */
   const round = signal(0);
-  /** Whether nobody is just going from page to page. */
+  /** Whether the user is not browsing pages. */
   const calm = signal(true);
 
   const photos = computed(() => {
@@ -105,7 +105,7 @@ export function createSubjects({
 
   return { progress, settled, searched, expect };
 
-  /** Photos are about to come, as far as one can see: the nets are made ready while somebody looks for them. */
+  /** Loads the models while the user chooses photos. */
   function expect() {
     if (!off.peek() && store.tray.peek().length === 0) engine.prepareDetectors(true);
   }
@@ -121,8 +121,8 @@ export function createSubjects({
   }
 
   /**
-   * The photo to look at next; a closer look waits until every photo was looked at. While photos are read nobody looks, but for the
-   * faces that a first page is planned on.
+   * The photo to look at next; a closer look waits until every photo was looked at. During reading, only faces for the
+   * first page are detected.
    */
   function due(lane: Lane): string | undefined {
     const looked = (id: string) => known.get(id) ?? {};
@@ -174,7 +174,7 @@ export function createSubjects({
     progress.value = left > 0 && running.peek().size > 0 ? { done: total - left, total } : null;
   }
 
-  /** @returns what is new */
+  /** @returns the new subjects */
   async function look(lane: Lane, id: string): Promise<Looked> {
     const before = known.get(id)?.faces;
     try {

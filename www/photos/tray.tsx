@@ -1,6 +1,4 @@
-/**
- * The photos: those on the table, and those set aside with the reason.
- */
+/** The photo tray: photos in use, and excluded photos with the reason. */
 
 import { useRef } from 'preact/hooks';
 import { isUsed } from '../document/album.ts';

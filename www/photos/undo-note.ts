@@ -3,8 +3,8 @@ import { strings } from '../strings/strings.ts';
 import type { Parts } from '../ui/context.ts';
 
 /**
- * Tells what was just done, with a button that undoes it. After another step, or an undo elsewhere, the button would undo
- * something else: the note goes then.
+ * Shows a message about the last action, with an undo button. After another step, or an undo elsewhere, the button
+ * would undo something else: the note goes then.
  */
 export function noteWithUndo({ messages, store, pages }: Pick<Parts, 'messages' | 'store' | 'pages'>, text: string) {
   const id = messages.note(text, { label: strings.undo, run: pages.undo });
