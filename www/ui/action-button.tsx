@@ -6,8 +6,8 @@ import type { Action } from './action.ts';
 
 /**
  * The button of an action: its name for everyone, on hovering what more there is to say.
- * @param props `text`: the name is shown beside the icon; `opens`: what it switches on appears by it, as a drawer does;
- * `children`: what is shown in the place of icon and text
+ * @param props `text`: shows the name next to the icon. `opens`: the switched part appears next to it, like a drawer.
+ *   `children`: replaces icon and text
  */
 export function ActionButton({
   action,

@@ -1,6 +1,6 @@
 /**
- * What a person can do, told once: its button, its shortcut and its line in the list of keys are made from it. The
- * tables stand with their features and are joined in `app/actions.ts`.
+ * An action of the user, defined once. Its button, its shortcut and its entry in the shortcut list are made from it.
+ * Each feature has a table of actions. `app/actions.ts` joins them.
  */
 
 import { Signal } from '@preact/signals';
@@ -14,30 +14,32 @@ export type Action = {
   label: Live<string>;
   /** The text of its button where the label is too long. */
   short?: string;
-  /** What its button tells on hovering, where that is more than the label. */
+  /** Tooltip of the button, if it differs from the label. */
   help?: Live<string>;
   icon?: Live<string>;
   /**
-   * Such as `L` or `Shift+Mod+Z`; `Mod` is Ctrl, on the keyboards of Apple Cmd. The first is told to people, the others
-   * do the same.
+   * Such as `L` or `Shift+Mod+Z`; `Mod` is Ctrl, on the keyboards of Apple Cmd. The first is shown to the user, the
+   * others are alternatives.
    */
   keys?: readonly string[];
-  /** Where the keys are heard: as long as nothing lies over the board, unless told; `panel` is the one with the focus. */
+  /** Scope of the keys. Default: the app, unless a dialog is open. `panel` is the focused panel. */
   heard?: 'board' | 'everywhere' | 'panel';
-  /** What the list of keys says in the place of the label; neighbours that say the same share a line. */
+  /** Entry in the shortcut list, if it differs from the label. Adjacent actions with equal entries share a line. */
   about?: string;
-  /** Whether it can be done now; always, unless told. */
+  /** Whether it is available. Default: yes. */
   enabled?: ReadonlySignal<boolean>;
-  /** The reason why it cannot, where one is told: an empty one when it can. */
+  /** The reason why it is not available; empty if it is. */
   why?: ReadonlySignal<string>;
-  /** Whether what it switches is on. */
+  /** State of a toggle. */
   on?: ReadonlySignal<boolean>;
   run: () => void;
-  /** How it counts in the undo: each time, or together with the times just before. What is not undone has no mark. */
+  /**
+   * How it counts in the undo: each time, or together with the times just before. Actions without undo have no value.
+   */
   undo?: 'step' | 'gesture';
 };
 
-/** Keys that a part of the page hears by itself, such as the arrows on its panels: for the list of keys. */
+/** Keys that a part of the app handles separately, such as arrows on panels, for the shortcut list. */
 export type OwnKeys = Required<Pick<Action, 'keys' | 'about'>>;
 
 export function now<T>(value: Live<T>): T {

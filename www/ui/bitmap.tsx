@@ -1,6 +1,6 @@
 /**
- * A canvas that shows what the engine draws for it, once it is in view. What it shows stays until the next picture
- * is there, so nothing flickers; before the first there is a skeleton.
+ * A canvas that shows what the engine draws for it, once it is in view. The old image stays until the new one is ready,
+ * so nothing flickers. The first image replaces a skeleton.
  */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
@@ -10,7 +10,7 @@ import type { Call } from '../engine/engine.ts';
 /** Thumbnails are asked for a little before they scroll into view. */
 const MARGIN = '160px';
 
-/** @param props `of`: what is drawn, `by`: what else the picture depends on; another value asks for another picture */
+/** @param props `of`: the drawn object, `by`: other dependencies of the image; a change of either draws a new image */
 export function Bitmap({
   of,
   by,
@@ -65,7 +65,7 @@ export function useInView(ref: { current: Element | null }): boolean {
   return inView;
 }
 
-/** @returns the pixels of the screen that they cover; more than two a side cost time that no eye sees */
+/** @returns the covered screen pixels; more than two per CSS pixel cost time without visible effect */
 export function screenPixels(cssPixels: number): number {
   return Math.max(1, Math.round(cssPixels * Math.min(2, globalThis.devicePixelRatio || 1)));
 }

@@ -1,4 +1,4 @@
-/** Lists of what has names. */
+/** Lists of named items. */
 
 /** Files in the order a person sees them in a folder: `photo2` before `photo10`. */
 export function byName<T extends { name: string }>(files: readonly T[]): T[] {

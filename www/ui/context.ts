@@ -1,6 +1,4 @@
-/**
- * What every view may reach: the state, what can be done to it, and the engine. Wired in `main.tsx` only.
- */
+/** Context of all views: the state, the actions and the engine. Wired in `main.tsx` only. */
 
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
@@ -43,7 +41,7 @@ import type { Actions } from '../app/actions.ts';
 import type { Messages } from './messages.ts';
 import type { Ui } from '../app/ui.ts';
 
-/** What the application is made of, before there is anything to do with it. */
+/** Parts of the app, without the actions. */
 export type Parts = {
   store: Store;
   pages: Pages;

@@ -1,4 +1,4 @@
-/** Pictures that stand in a document as data URLs. */
+/** Images in a document, as data URLs. */
 
 import { useEffect, useState } from 'preact/hooks';
 

@@ -1,4 +1,4 @@
-/** Names of files that every system takes: what a person would call them, without what Windows, macOS or Linux refuse. */
+/** File names for all systems: readable, without characters that Windows, macOS or Linux reject. */
 
 /** Most bytes of a name without its ending: systems take 255, and browsers put ` (1)` behind a name that is there. */
 const MOST_BYTES = 180;
@@ -11,9 +11,10 @@ const REFUSED = /[<>:"/\\|?*\p{Cc}\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069\u
 const DEVICE = /^(con|prn|aux|nul|conin\$|conout\$|com[0-9¹²³]|lpt[0-9¹²³])(?=\.|$)/i;
 
 /**
- * @param parts of the name, joined by ` - `; empty ones are left out. Where all of it is too long, the first is cut
+ * @param parts of the name, joined by ` - `; empty ones are left out. If the name is too long, the first part is
+ *   truncated
  * @param ending without its dot
- * @param fallback where nothing of the first part can stand in a name
+ * @param fallback used if the first part has no allowed characters
  */
 export function fileNameOf(parts: readonly string[], ending: string, fallback: string): string {
   const [first = '', ...rest] = parts;

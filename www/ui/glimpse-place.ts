@@ -1,15 +1,15 @@
-/** Where a larger view goes: near what it belongs to, inside the window, and never over it where there is room. */
+/** Position of a preview: close to its control, inside the window, and not over the control if there is space. */
 
 export type Box = { left: number; top: number; width: number; height: number };
 export type Size = { width: number; height: number };
 
-/** Between it and what it belongs to, and from the edges of the window, in CSS pixels. */
+/** Distance from the control and from the edges of the window, in CSS pixels. */
 export const GAP = 12;
 /** Below this width it shows no more than the thumbnail. */
 const LEAST = 160;
 
 /**
- * @param at what it belongs to
+ * @param at the control
  * @param size that it would like to have
  * @param edge the left edge of the list, which must not be hidden: it goes to the left of it
  */
@@ -21,7 +21,7 @@ export function besideList(at: Box, size: Size, edge: number, window: Size): Box
   };
 }
 
-/** To the right of what it belongs to or to the left, above it or below, wherever it is the largest. */
+/** On the side of the control with the most space: right, left, above or below. */
 export function beside(at: Box, size: Size, window: Size): Box {
   const sideways = Math.max(at.left, window.width - at.left - at.width) - 2 * GAP;
   const upright = Math.max(at.top, window.height - at.top - at.height) - 2 * GAP;
@@ -46,7 +46,7 @@ export function beside(at: Box, size: Size, window: Size): Box {
   return { width, height, left: middle.left, top: above ? at.top - GAP - height : at.top + at.height + GAP };
 }
 
-/** Above what it belongs to. */
+/** Above the control. */
 export function above(at: Box, size: Size, window: Size): Box {
   return {
     ...size,

@@ -1,6 +1,6 @@
 /**
- * A larger view of what a choice would make, seen while one points at it, has the focus on it, or holds a finger on it:
- * the whole page in that style or layout, or a photo. It is there for the eye only, and gone with Escape.
+ * A large preview of a choice on hover, keyboard focus or long press: the page in that style or layout, or a photo. It
+ * is there for the eye only, and gone with Escape.
  */
 
 import { useEffect, useState } from 'preact/hooks';
@@ -13,7 +13,7 @@ import type { PageDocument, Style } from '../engine/types.ts';
 import type { Point } from './pointing.ts';
 
 type Named = { id: string; name: string };
-/** What is seen: another `of` asks for another picture. */
+/** Content of a preview. Another `of` draws another image. */
 export type Glimpsed = {
   of: unknown;
   name: string;
@@ -30,7 +30,7 @@ const REST = 220;
 type Pointed = { id: string; at: DOMRect };
 
 /**
- * @param make what is seen of the choice of that id; null for nothing
+ * @param make returns the preview of the choice with that id; null for no preview
  * @param size that it covers at most, in CSS pixels
  */
 export function useGlimpse(
@@ -64,7 +64,7 @@ export function useGlimpse(
   };
 }
 
-/** @param make the page with the choice of that id; null for none */
+/** @param make returns the page with the choice of that id; null for no preview */
 export function usePageGlimpse(make: (id: string) => PageDocument | null, side: Side = 'left') {
   const { engine } = useApp();
   const nameOf = useNames();

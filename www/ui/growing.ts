@@ -6,7 +6,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 const PIECE = 24;
 
 /**
- * Which items to show now: those that were there, and some of the new ones; all of them some frames later.
+ * Items to show now: the old ones and some of the new ones. A few frames later all items are shown.
  * @param keys of all items, in order
  */
 export function useGrowing(keys: readonly string[]): ReadonlySet<string> {

@@ -1,6 +1,6 @@
 /**
- * Items of a list that are carried to another place, as pages in their strip and shots in their table: with a mouse at once, with
- * a finger or a pen after a long press, since a touch that moves scrolls the list. Near an end the list scrolls by itself.
+ * Drag and drop in lists, such as the page strip and the shot table. A mouse drags immediately. A finger or pen drags
+ * after a long press, because a moving touch scrolls the list. Near an end the list scrolls automatically.
  */
 
 import { useRef, useState } from 'preact/hooks';

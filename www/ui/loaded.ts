@@ -2,7 +2,7 @@
 
 import { useEffect, useState } from 'preact/hooks';
 
-/** @returns what `load` gives, null until it is there; `failed` hears that it cannot be had */
+/** @returns the result of `load`, null until then; `failed` is called on an error */
 export function useLoaded<Part>(load: () => Promise<Part>, failed: () => void): Part | null {
   const [part, setPart] = useState(null as { loaded: Part } | null);
   useEffect(() => {

@@ -1,7 +1,7 @@
 /**
- * What the page tells the person. What is grave stays, first of all, until it is over or closed; alerts and offers stay
- * until they are closed, notes go by themselves. Files that cannot be read are one message, with a list where they are
- * many.
+ * Messages of the app. Serious problems come first and stay until they are solved or closed. Alerts and offers stay
+ * until they are closed. Notes disappear automatically. Files that cannot be read are one message, with a list where
+ * they are many.
  */
 
 import { batch, signal } from '@preact/signals';
@@ -34,16 +34,16 @@ const GATHER_MS = 400;
 const COUNT_MS = 2_000;
 
 export function createMessages() {
-  /** In the order in which they were said. */
+  /** In order of appearance. */
   const list: Signal<readonly Message[]> = signal([]);
-  /** Files that could not be read, as they are told. */
+  /** Files that could not be read. */
   const failures: Signal<readonly Failure[]> = signal([]);
   /** How many more there are. */
   const unnamed = signal(0);
   /** Whether the list of those files is open. */
   const listed = signal(false);
   let last = 0;
-  /** The message about those files; 0 while there is none. */
+  /** The message about those files; 0 without one. */
   let summary = 0;
   /** All of them, by name and reason. */
   let failed: Map<string, Failure> = new Map();
@@ -63,7 +63,7 @@ export function createMessages() {
   }
 
   /**
-   * Tells a message anew, in its place.
+   * Updates a message in its place.
    * @returns whether it is still there
    */
   function change(id: number, text: string, way?: Way, more?: Way): boolean {
@@ -91,8 +91,8 @@ export function createMessages() {
   }
 
   /**
-   * A file that could not be read. It joins those of the message that is there.
-   * @param alone the sentence for it alone, and what can be done with it
+   * A file that could not be read. It is added to the existing message.
+   * @param alone the message for a single file, and its action
    */
   function fileFailed(
     name: string,
@@ -134,7 +134,7 @@ export function createMessages() {
     });
   }
 
-  /** What was said of a page, with what can be done about it there, goes when the page does. */
+  /** Closes the notes about a page when another page is shown. */
   function leaveNotes() {
     list.value = list.value.filter(({ kind, way }) => kind !== 'note' || !way);
   }

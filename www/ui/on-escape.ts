@@ -1,6 +1,6 @@
 /**
- * Gives up what is in hand, and nothing else, when Escape is pressed.
- * @param signal until when
+ * Cancels the current operation, and nothing else, on Escape.
+ * @param signal removes the listener
  */
 export function onEscape(end: () => void, signal: AbortSignal) {
   window.addEventListener(

@@ -1,9 +1,9 @@
 /**
- * Which of several choices a person looks at: the one under the pointer, the one with the focus of the keyboard, or the
- * one that a finger is held on, which does not choose it.
+ * Detects the choice that the user looks at: under the pointer, with keyboard focus, or with a long press, which does
+ * not select it.
  */
 
-/** Tells what is pointed at, and null when nothing is any more. */
+/** Receives the current choice, or null. */
 export type Point = (id: string | null, element?: Element) => void;
 
 /** Milliseconds that a finger stays, and how far it may move meanwhile, in CSS pixels. */

@@ -1,4 +1,4 @@
-/** Shortcuts, such as `Shift+Mod+Z`: as people read them, as assistive technology does, and as the keyboard sends them. */
+/** Keyboard shortcuts, such as `Shift+Mod+Z`: display form, form for assistive technology, and key events. */
 
 import { strings } from '../strings/strings.ts';
 
@@ -22,7 +22,7 @@ export function ariaShortcut(shortcut: string, apple: boolean = APPLE): string {
 }
 
 /**
- * What was pressed: Ctrl and Cmd are both taken for `Mod`, as keyboards travel.
+ * Shortcuts of a key event. Ctrl and Cmd both count as `Mod`, because keyboards are used with different systems.
  * @returns the shortcuts that it is, the nearest first: Shift may be what a character needs
  */
 export function pressed({ key, shiftKey, ctrlKey, metaKey }: KeyboardEvent): string[] {

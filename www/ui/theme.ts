@@ -1,5 +1,5 @@
 /**
- * Light or dark: what the person chose, else what the system wants, as it changes. `public/theme.js` has laid the choice on the
+ * Light or dark theme: the user's choice, or the current system setting. `public/theme.js` has laid the choice on the
  * document before the first paint.
  */
 
