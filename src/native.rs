@@ -61,8 +61,7 @@ pub fn sheet(document: &Document, photos: &Photos, fonts: &GivenFonts) -> Result
     Ok(sheet)
 }
 
-/// Like [`sheet`], in layers: the page without text, and each text item with its position in the stack, from
-/// back to front.
+/// Like [`sheet`], in layers: the page without text, and each text item with its index, from back to front.
 ///
 /// # Errors
 /// As [`sheet`].

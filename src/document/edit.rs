@@ -198,13 +198,13 @@ pub enum Edit {
     Undo,
     /// A step forth.
     Redo,
-    /// Lists that all projects share, as they are now outside of this one: no step, at no time undone.
+    /// Replaces lists that all projects share with their current version, without an undo step.
     Share {
         /// The lists that changed.
         #[cfg_attr(all(test, feature = "cli"), ts(type = "Partial<SharedLists>"))]
         lists: Vec<(Shelf, List<Value>)>,
     },
-    /// Like `Lists`, but other items of this project stay, at the end.
+    /// Like `Share`, but other items of this project stay, at the end.
     Join {
         /// The lists to merge.
         #[cfg_attr(all(test, feature = "cli"), ts(type = "Partial<SharedLists>"))]

@@ -178,8 +178,7 @@ impl PageOptions {
     /// `{"kind": "balloon", "text": "Look out!", "panel": 0}`; those without a place go where they hide no face.
     ///
     /// # Errors
-    /// `invalid-argument` if the text is not a JSON list. The album reports invalid text items. What breaks
-    /// the shape of a word is told by the album.
+    /// `invalid-argument` if the text is not a JSON list. The album reports invalid text items.
     pub fn words(mut self, json: &str) -> Result<Self, Failure> {
         self.words =
             serde_json::from_str(json).map_err(|error| Failure::argument("words", &error.to_string()))?;

@@ -30,13 +30,11 @@ impl Target {
     }
 }
 
-/// The crop of `photo` that suits the panel best. Its aspect in pixels of the photo is that of the panel, and
-/// it lies inside the photo.
+/// The crop of `photo` that suits the panel best. It lies inside the photo and has the aspect ratio of the panel, in pixels of the photo.
 ///
 /// `variant` 0 is the best crop. 1, 2, ... are the next best crops that differ from earlier ones, for a photo
 /// that is used again. They prefer other subjects, then another place or a closer crop. Without subjects and
-/// focus, the crop follows the energy of the photo. If any crop avoids it, hidden parts of the panel do not
-/// cut faces or heads. The focus is always inside.
+/// focus, the crop follows the energy of the photo. If possible, the edges and hidden parts of the panel cut no faces and no heads. The focus is always inside.
 #[must_use]
 pub fn frame(photo: &PhotoMeta, target: &Target, variant: u32) -> Crop {
     let search = if variant > 0 { Search::Closer } else { Search::Full };

@@ -17,20 +17,21 @@ use crate::raster::resize::{Region, resample};
 use crate::raster::{Matte, Plane, matte};
 use oorandom::Rand64;
 
-/// From this share on a pixel is seen: what is fainter is drawn as nothing, see `STEEP` of `compose`.
+/// Minimum visible value of the mask. Lower values are not drawn, see `STEEP` of `compose`.
 const SEEN: u8 = 96;
 /// How far a figure goes beyond an edge at most, in parts of the panel's shorter side.
 const MOST_REACH: f64 = 0.3;
-/// A figure that goes less far beyond an edge, in widths of its border, would only gnaw at that.
+/// Minimum overhang, in border widths. Below it the subject would only nick the border.
 const LEAST_REACH: f64 = 1.5;
-/// What it has to show outside for anybody to notice, in parts of the panel's area.
+/// Minimum area outside the panel, as a share of the panel's area.
 const LEAST_OUTSIDE: f64 = 0.008;
-/// The least sure border of a figure that is cut out without anybody asking.
+/// Minimum mask confidence for automatic breakouts.
 const SURE: f64 = 0.68;
-/// The same for what of a person or an animal is outside: nets are less sure of hair and of caps than of where these end. Of things they
-/// doubt the end itself, such as the foot of a tower in bushes, which would be a torn smudge over the neighbours.
+/// Minimum confidence outside the panel for a person or an animal. Models are less certain about hair and
+/// hats than about body outlines. The outline of things is often wrong, such as the foot of a tower in
+/// bushes, so they need the higher value.
 const SURE_OF_LIFE: f64 = 0.25;
-/// What is kept free about the faces of others, in parts of their size.
+/// Free distance around other faces, as a share of their size.
 const ABOUT_FACES: f64 = 0.15;
 
 /// Areas that a figure must not cover, in pixels of the page.
@@ -136,7 +137,7 @@ pub(super) fn figure(panel: &ScenePanel, shares: Plane, around: &Around) -> Opti
     Some(Figure { shares, closed, outside, share })
 }
 
-/// Where the pixels of a mask of a size are on the page.
+/// Maps pixels of a mask to the page.
 fn placed(panel: &ScenePanel, (width, height): (usize, usize)) -> impl Fn(usize, usize) -> Point {
     let (crop, bounds) = (panel.crop, panel.image_bounds);
     move |x, y| {
@@ -169,7 +170,7 @@ struct Cells<'a> {
 }
 
 impl Cells<'_> {
-    /// Those that hang together with the figure inside of the panel, over open edges.
+    /// Pixels that are connected with the figure inside the panel, through open edges.
     fn connected(&self, closed: &[bool]) -> Vec<bool> {
         let (width, height) = (self.shares.width(), self.shares.height());
         let within = |i: usize, inside: bool| {
@@ -193,7 +194,7 @@ impl Cells<'_> {
         kept
     }
 
-    /// Closes the edges over which a figure goes where it may not.
+    /// Closes the edges that the figure must not cross.
     fn close(&self, kept: &[bool], closed: &mut [bool], around: &Around, reach: f64) {
         let (width, height) = (self.shares.width(), self.shares.height());
         let Bounds { x: left, y: top, width: across, height: down } = around.room;
@@ -227,14 +228,14 @@ impl Cells<'_> {
 
 /// Pixels along the longer side of a mask that is good enough to look for a crop by.
 const COARSE: usize = 40;
-/// Crops that are tried are so much of the largest, on each side.
+/// Candidate crop sizes, as shares of the largest crop, per side.
 const ZOOMS: [f64; 4] = [0.92, 0.8, 0.68, 0.55];
 /// How much of a crop's height or width the figure is to stand over an edge.
 const STEPS: [f64; 3] = [0.08, 0.14, 0.2];
 /// Crops that are good in the coarse and looked at in the fine, the best first.
 const LOOKED_AT: usize = 6;
 
-/// Share of new pages on which a figure steps out where one can.
+/// Share of new pages with a breakout, if one is possible.
 const CHANCE: f64 = 0.35;
 /// Panels that are tried for that.
 const TRIED: usize = 2;
@@ -318,8 +319,8 @@ pub fn breaks(document: &Document) -> Result<Vec<bool>> {
     Ok(breaks)
 }
 
-/// `photos`: what is known of those on the page, where nobody asked for the figure. Then the upper halves of their living things are
-/// left alone, too, and its border has to be sure where it is outside.
+/// `photos`: properties of the photos on the page, for automatic breakouts. For these the upper halves of
+/// living subjects stay uncovered, and the border outside needs a minimum confidence.
 fn way_out(
     document: &Document,
     panel: usize,
@@ -348,9 +349,9 @@ fn way_out(
     Ok(stepping_out(&panels[panel], content, mask, &around[panel], sure))
 }
 
-/// How a panel shows its photo so that the figure steps out, as the panel does now where it does; none where there is no such
-/// way. A crop that was made by hand stays. The score says how good it is, 0 to 1. `sure`: the least confidence of its border
-/// outside of the panel, if that matters.
+/// Crop of the panel for a breakout, unchanged if it already has one. `None` if no crop works. A manual crop
+/// is never changed. The score rates the result, 0 to 1. `sure`: minimum confidence of the border outside the
+/// panel, if any.
 fn stepping_out(
     panel: &ScenePanel,
     content: &PanelContent,

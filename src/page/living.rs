@@ -14,16 +14,16 @@ use std::ops::Range;
 
 /// Side of the blocks that move or do not, in pixels of the source.
 const BLOCK: usize = 8;
-/// Mean difference of a block up to which it is what a coder makes of a picture that stands still, of 255 (2.6 at most for VP9 and
-/// H.264 as cameras and the web use them).
+/// Maximum mean difference of a still block, of 255. It covers coding noise: 2.6 at most for VP9 and H.264 as
+/// cameras and the web use them.
 const STILL: f64 = 4.0;
-/// Where a tenth of all blocks differ by more, as with the grain of a film or a sensor in the dark, so many times that.
+/// For noisy videos: the quantile of block differences that counts as grain, and the factor for still blocks.
 const GRAIN: (f64, f64) = (0.1, 1.5);
-/// A block that differs so many times more than what stands still moves in full; between the two it does in part.
+/// Ratio to the noise floor above which a block counts as fully moving. Blocks below it move in part.
 const MOVES: f64 = 2.25;
-/// Mean difference of two pictures, of 255, from which there may be a cut between them: where it is so many times the usual one.
+/// Criteria of a cut: the mean difference of two frames, of 255, and its ratio to the usual difference.
 const CUT: (f64, f64) = (22.0, 3.5);
-/// Fewer pictures are no motion.
+/// Minimum number of frames in a loop.
 const LEAST: usize = 6;
 /// Pictures in which the end goes over into the beginning: a part of all, and at most.
 const FADE: (usize, usize) = (5, 8);
@@ -99,7 +99,7 @@ fn held(before: &Patch, mut patch: Patch, share: &Spread<'_, impl Fn(usize) -> f
     patch
 }
 
-/// Lets the end go over into the beginning, so that the loop has no seam.
+/// Blends the end into the beginning, so that the loop has no seam.
 fn looped(mut patches: Vec<Patch>) -> Vec<Patch> {
     let fade = (patches.len() / FADE.0).min(FADE.1);
     let tail = patches.split_off(patches.len() - fade);
@@ -137,7 +137,7 @@ fn shot_around(still: usize, differences: &[f64]) -> Range<usize> {
     from..to + 1
 }
 
-/// A source of which what hardly changes is held.
+/// A source that holds blocks with small changes.
 struct Steady {
     width: usize,
     height: usize,
@@ -152,8 +152,8 @@ impl Steady {
         Image::from_interleaved_rgb(self.width, self.height, &self.rgb)
     }
 
-    /// Takes over what of a picture moved. Gives how much each block did, of 255; none where nothing did or the picture is the
-    /// first.
+    /// Copies the moving parts of a frame. Returns the motion of each block, of 255. `None` for the first
+    /// frame or without motion.
     fn follow(&mut self, next: &[u8]) -> Option<Plane> {
         if self.rgb.is_empty() {
             self.rgb = next.to_vec();
@@ -200,8 +200,8 @@ fn block_differences(a: &[u8], b: &[u8], width: usize) -> Vec<f64> {
     sums.into_iter().map(|(sum, count)| f64::from(sum) / f64::from(count.max(1))).collect()
 }
 
-/// The mean difference up to which a block of these pictures stands still, of 255. Even where all of a picture moves, a tenth of it
-/// is so plain that it shows the grain alone.
+/// The mean difference up to which a block of these pictures stands still, of 255. Even if the whole frame
+/// moves, a tenth of it is smooth and shows only the grain.
 fn stillness(sources: &[Vec<u8>], width: usize) -> f64 {
     let between = sources.windows(2).step_by(4).map(|pair| {
         let mut apart = block_differences(&pair[0], &pair[1], width);
@@ -213,7 +213,7 @@ fn stillness(sources: &[Vec<u8>], width: usize) -> f64 {
     STILL.max(GRAIN.1 * grain.get(grain.len() / 2).copied().unwrap_or(0.0))
 }
 
-/// Every block moves as much as the one beside it that moves most: lines reach beyond what they outline.
+/// Extends motion to neighbouring blocks, because lines extend past the shapes that they outline.
 fn grown(blocks: &Plane) -> Plane {
     let (width, height) = (blocks.width(), blocks.height());
     let near = |at: usize, side: usize| at.saturating_sub(1)..(at + 2).min(side);
@@ -226,13 +226,14 @@ fn grown(blocks: &Plane) -> Plane {
 /// Shares of blocks, spread over the pixels of a picture: bilinear between the middles of blocks.
 struct Spread<'a, Down> {
     blocks: &'a Plane,
-    /// Of each column the block to the left, the one to the right, and how much of the latter, of 256.
+    /// For each column: the block to the left, the block to the right, and the weight of the right one, of
+    /// 256.
     columns: Vec<(usize, usize, u32)>,
     down: Down,
 }
 
 impl<'a, Down: Fn(usize) -> f64> Spread<'a, Down> {
-    /// `across` and `down` tell where a pixel lies, in blocks.
+    /// `across` and `down` map pixels to blocks.
     fn new(blocks: &'a Plane, width: usize, across: impl Fn(usize) -> f64, down: Down) -> Self {
         let columns = (0..width).map(|x| between(across(x), blocks.width())).collect();
         Self { blocks, columns, down }

@@ -1,9 +1,7 @@
 //! Spot-colour separation: splits colours into inks, for risographs and screen printing, which need one gray
 //! image per ink. The inks come from the style's block of printing plates.
 //!
-//! Inks multiply (`style/blocks/plates.rs`), so a colour is the product over inks of `1 - a (1 - ink)`; the coverages `a` are
-//! found by least squares, one ink after the other, each exactly: the product is linear in it. A table of 33 x 33 x 33
-//! colours holds the answers, with lines between them.
+//! Inks multiply (`style/blocks/plates.rs`), so a colour is the product over inks of `1 - a (1 - ink)`. Least squares finds the coverages `a`, one ink after the other. Each step is exact, because the product is linear in one coverage. A table of 33 x 33 x 33 colours has the results, with linear interpolation.
 
 use crate::page::Document;
 use crate::style::Style;

@@ -48,10 +48,10 @@ const SPARE_PHOTOS = 500;
 
 const ADDRESS = new URL('../pkg/inkpanel_bg.wasm', import.meta.url);
 
-/** Longest wait for a first paint, in milliseconds: a tab in the background has none. */
+/** Maximum wait for the first paint, in milliseconds. A background tab never paints. */
 const UNPAINTED = 50;
 
-/** The first paint comes first: what is fetched and compiled before would hold it up, on a phone by seconds. */
+/** Waits for the first paint, which downloads and compilation would delay, by seconds on a phone. */
 function painted(): Promise<void> {
   return new Promise((done) => {
     setTimeout(done, UNPAINTED);
@@ -125,12 +125,12 @@ export function createPlanner() {
       JSON.parse(core.change_layout(JSON.stringify({ layout, change }))),
     plan: ({ photos, ...rest }: PlanRequest): PageDocument =>
       JSON.parse(album.of(photos).plan(JSON.stringify(rest), idsOf(photos))),
-    /** What frames of an aspect show of photos, in the order of their ids. */
+    /** Crops of photos for an aspect ratio, in the order of their ids. */
     frames: (photos: readonly PhotoMeta[], ids: readonly string[], aspect: number): BoardPicture[] =>
       JSON.parse(album.of(photos).frames(JSON.stringify(ids), aspect)),
     /**
      * @param mask the subject of the panel's photo
-     * @returns the page with that stepping out of the panel; null where it cannot
+     * @returns the page with a panel breakout; null if it is impossible
      */
     breakFrame: (page: PageDocument, panel: number, mask: string): PageDocument | null => {
       const broken = core.break_frame(JSON.stringify(page), panel, mask);
@@ -146,7 +146,7 @@ export function createPlanner() {
     /** @returns a draft that has no block */
     emptyDraft: (id: string, name: string): Draft => JSON.parse(core.empty_draft(id, name)),
     draftOf: (style: Style): Draft => JSON.parse(core.draft_of(JSON.stringify(style))),
-    /** @returns null where nothing changes, or where it cannot be done */
+    /** @returns null if nothing changes or the edit is impossible */
     editDraft: (draft: Draft, edit: DraftEdit): Draft | null =>
       JSON.parse(core.edit_draft(JSON.stringify(draft), JSON.stringify(edit))),
     draftFacts: (draft: Draft): DraftFacts => JSON.parse(core.draft_facts(JSON.stringify(draft))),
@@ -161,19 +161,19 @@ export function createPlanner() {
       JSON.parse(core.read_project(text, prefix)),
     readHistory,
     createEditor: () => createEditor(album),
-    /** @returns what was done between two states of a list, done to another state of it */
+    /** @returns applies the changes between two states of a list to another state */
     carried: <T>(list: readonly T[], before: readonly T[], after: readonly T[]): T[] =>
       JSON.parse(core.carried(JSON.stringify({ list, before, after }))),
   };
 }
 
-/** A project while it is edited, of which the page has a copy to read. */
+/** The editor of a project. The app has a readable copy of its history. */
 function createEditor(album: KnownPhotos) {
   const editor = new core.Editor();
   return {
     /**
-     * Puts a history in the place of what is there. Throws as `readHistory`, and then nothing changed.
-     * @returns what was left out, and ids for a new page and a new place in the storyboard
+     * Replaces the history. Throws as `readHistory`, and then nothing changed.
+     * @returns the dropped parts, and ids for a new page and a new sheet
      */
     load: (record: { version: number; history: History }): Loaded =>
       JSON.parse(editor.load(JSON.stringify({ ...record, history: interned(record.history) }))),
@@ -190,7 +190,7 @@ function createEditor(album: KnownPhotos) {
   };
 }
 
-/** Pages planned for a project from the photos in use, to be made edits of; null where there can be none. */
+/** Planned pages of a project, for use in edits; null if a plan is impossible. */
 function plansOf(editor: core.Editor, album: core.Album) {
   return {
     page: ({ photos, anew = false, ...wish }: Wish & Pick<PlanRequest, 'seed'>): PageDocument | null =>
@@ -207,19 +207,19 @@ function plansOf(editor: core.Editor, album: core.Album) {
     /** @returns a page that was shown before, as it can be shown now */
     broughtBack: (draw: Draw, current: PageDocument): PageDocument =>
       JSON.parse(editor.brought_back(album, JSON.stringify({ ...draw, current }))),
-    /** @returns the photos laid out over pages, in the place of those that there are */
+    /** @returns the photos distributed over new pages, which replace the present ones */
     spread: (draw: Draw): Sheet[] | null => JSON.parse(editor.spread(album, JSON.stringify(draw))),
     /** @returns a page to be added, of photos that no page shows as long as there are some */
     another: (draw: Draw): PageDocument | null => JSON.parse(editor.another(album, JSON.stringify(draw))),
     /** Whether one of the other pages shows a photo that is not in use. */
     torn: () => editor.torn(album),
     /**
-     * @param groups of look-alikes, by the ids of photos
-     * @returns the pages with photos in use alone
+     * @param groups near-duplicates, by photo id
+     * @returns the pages with only photos in use
      */
     repaired: (draw: Draw, groups: Record<string, number>): RepairedSheets | null =>
       JSON.parse(editor.repaired(album, JSON.stringify(draw), JSON.stringify(groups))),
-    /** @returns the ids of those that are free for the page, as text */
+    /** @returns ids of the photos that are free for the page, as text */
     freePhotos: () => editor.free_photos(album),
   };
 }
@@ -229,11 +229,10 @@ function idsOf(photos: readonly PhotoMeta[]): string {
 }
 
 /**
- * Reads a history out of the database and checks all of it. What states share they share again. Throws `damaged-project` or
- * `newer-project`.
+ * Reads a history out of the database and checks all of it. Shared parts of states stay shared. Throws
+ * `damaged-project` or `newer-project`.
  * @param record with `version` and `history`
- * @returns `dropped`: sentences about
- *   what was left out
+ * @returns `dropped`: sentences about dropped parts
  */
 function readHistory(
   record: { version?: unknown; history?: unknown } | null,
@@ -251,7 +250,7 @@ function readHistory(
 
 type KnownPhotos = ReturnType<typeof createAlbum>;
 
-/** The core's album, which is told of a photo once, and again when more is known of it. */
+/** The core's album. Each photo is passed once, and again when its measurements change. */
 function createAlbum() {
   const album = new core.Album();
   const told: Map<string, PhotoMeta> = new Map();

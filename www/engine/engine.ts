@@ -229,7 +229,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
    * Extracts frames of a video. Each becomes a photo with the id at its position.
    * @param wish one frame per id, between `start` and `end` in seconds, with the indices `leading` first, or at these
    *   `times`. With `shots`, `count` representative frames of the shots, or an automatic number; then `more` returns
-   *   additional ids, or `null`. `time` is where in the video the frame is, `shot` the number of its shot
+   *   additional ids, or `undefined`. `time` is the position of a frame in the video, `shot` the number of its shot
    */
   async function importVideo(
     file: Blob,

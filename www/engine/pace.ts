@@ -7,17 +7,17 @@ import { SHARES_CODE } from './shared-code.ts';
 
 /** Times as long as measured, until it is known better. */
 const FIRST = 4;
-/** Never less: what is busy now and then is no slower than it was. */
+/** Lower bound of the slowdown factor. */
 const LEAST = 1;
 const MOST = 20;
 /** In ms: of shorter work the clock and the messages are as much as the work. */
 const TOO_SHORT = 20;
 /**
- * Milliseconds for what is no work: messages on their way, a browser that tidies up. A worker that compiles the code for
- * itself may first wait seconds for that.
+ * Fixed allowance in ms for messaging and garbage collection. A worker that compiles its code may wait several seconds
+ * first.
  */
 const REST = SHARES_CODE ? 3_000 : 12_000;
-/** Work that takes this many times as long as work took here is given up. */
+/** Time limit of work, as a multiple of its expected duration on this device. */
 const MARGIN = 4;
 
 export function createPace() {

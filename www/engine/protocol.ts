@@ -43,7 +43,7 @@ export type Operations = {
   };
   /** Pictures of one panel in the order of their numbers: itself, the figure that steps out of it, its front. */
   panel: { args: PanelJob; ok: BitmapPatch[] };
-  /** Like `draw`, as pixels. */
+  /** Like `panel`, as pixels. */
   front: { args: PanelJob; ok: PixelPatch[] };
   page: { args: { document: string; width: number; tier: Tier; photos: PhotoHandle[] }; ok: BitmapPatch };
   compose: { args: { document: string; width: number; tier: Tier; photos: PhotoHandle[] }; ok: PixelPatch };

@@ -29,12 +29,15 @@ export function createQueue<T extends { priority: number; key?: string }>() {
       return waiting.length;
     },
 
-    /** @returns the priority of what comes next */
+    /** @returns priority of the next entry */
     get urgency(): number {
       return waiting[0]?.priority ?? Infinity;
     },
 
-    /** @returns whether there is nothing else but much that nobody waits for: with it on all cores, the page would wait for one */
+    /**
+     * @returns `true` if the queue holds only low-priority jobs, more than `CROWD` of them. Running them on all cores
+     *   would delay the next urgent job
+     */
     get crowded(): boolean {
       return waiting.length > CROWD && waiting[0].priority >= Priority.REST;
     },
@@ -50,7 +53,7 @@ export function createQueue<T extends { priority: number; key?: string }>() {
     },
 
     /**
-     * Takes the first entry, or, among those of the same priority, the one that suits best.
+     * Takes the first entry, or the most suitable entry of the same priority.
      * @param suits higher is better; the earlier of equals is taken
      */
     take(suits?: (entry: T) => number): T | undefined {

@@ -109,7 +109,7 @@ export function createWords() {
     return { ...page, bitmap: await run('over', args, { ...call, transfer: [bitmap, ...buffersOf(fronts)] }) };
   }
 
-  /** Like `draw` for pixels: draws the text on the pixels of an opaque page. */
+  /** Draws the text items on the pixels of an opaque page. */
   async function lay(document: PageDocument, width: number, page: PixelPatch, fronts: PixelPatch[], call?: Call) {
     for (const patch of await patches(document, width, fronts, call)) layPixels(page, patch);
     return page;

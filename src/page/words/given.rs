@@ -23,15 +23,16 @@ use std::sync::Arc;
 const MOST_BYTES: usize = 64 << 20;
 /// Font files.
 const MOST_FONTS: usize = 16;
-/// Corners of the outlines of a run; what has more is no letter.
+/// Maximum number of corners in the outlines of a run.
 const MOST_CORNERS: usize = 40_000;
-/// A word is longer than so many letters only in jest.
+/// Maximum number of characters in a word.
 const LONGEST: usize = 60;
-/// The font of the program of which all that is missing is missing in the others.
+/// Bundled font with the widest coverage, used to decide whether a glyph is missing.
 const OWN: &str = "comic-neue";
 
-/// Scripts that are shaped a word at a time, by their blocks: from Hebrew to Myanmar, from Tagalog to Mongolian, those of
-/// South and Southeast Asia beyond, forms of Hebrew and Arabic letters, and the same of the supplementary planes.
+/// Blocks of scripts that are shaped by word: Hebrew to Myanmar, Tagalog to Mongolian, other South and
+/// Southeast Asian scripts, presentation forms of Hebrew and Arabic, and such scripts in the supplementary
+/// planes.
 const JOINED: [(u32, u32); 10] = [
     (0x0590, 0x109f),
     (0x1700, 0x18af),
@@ -138,13 +139,13 @@ fn face(file: &[u8]) -> Option<Face<'_>> {
     Face::from_slice(file, 0)
 }
 
-/// What `work` on a file of strangers gives; nothing where it panics, which is a fault of the reader.
+/// Result of `work` on an untrusted file. `None` if the font reader panics.
 fn guarded<T>(work: impl FnOnce() -> Option<T>) -> Option<T> {
     // Nothing that the work may have left half done is looked at again.
     catch_unwind(AssertUnwindSafe(work)).ok().flatten()
 }
 
-/// The parts of a word that the fonts lack, those of scripts that join apart from others.
+/// Parts of a text that the fonts lack. Joining scripts are separate from others.
 fn stretches(letters: &Letters, word: &str) -> Vec<String> {
     let Some(font) = letters.font(OWN) else { return Vec::new() };
     let mut out: Vec<(bool, String)> = Vec::new();
@@ -179,7 +180,8 @@ fn is_joined(letter: char) -> bool {
     JOINED.iter().any(|(first, last)| (*first..=*last).contains(&u32::from(letter)))
 }
 
-/// Learns a stretch as a whole where its script joins, else each of its letters. A font that cannot be read on is given up.
+/// Adds the glyphs of a run: as a whole for joining scripts, otherwise by character. A font with errors is
+/// dropped.
 fn learn(letters: &mut Letters, faces: &mut [Option<Face<'_>>], stretch: &str) {
     let mut left = vec![stretch.to_owned()];
     for slot in faces {
@@ -217,8 +219,8 @@ fn stand(letters: &mut Letters, faces: &[Option<Face<'_>>], word: &str) {
     }
 }
 
-/// The form of a letter for columns in ems, from the left of its square and over the baseline; nothing where it has none but that
-/// for lines.
+/// Vertical alternate of a character in ems, from the left of its square and over the baseline. `None` if the
+/// font has no separate form.
 fn standing(face: &Face<'_>, run: &str) -> Option<Outline> {
     let shaped = |direction: Direction| {
         let mut buffer = UnicodeBuffer::new();
@@ -271,7 +273,7 @@ fn shaped<'t>(face: &Face<'_>, text: &'t str) -> Vec<(&'t str, Option<Outline>)>
     starts.iter().enumerate().filter_map(run).collect()
 }
 
-/// The outline of some glyphs in ems; nothing where the font lacks one of them or nothing of them is seen.
+/// Outline of some glyphs in ems. `None` if the font lacks one of them or nothing is visible.
 fn outline(
     face: &Face<'_>,
     glyphs: &GlyphBuffer,
@@ -312,7 +314,7 @@ struct Outline {
     advance: f64,
     /// How far it has moved down, in ems.
     length: f64,
-    /// Where the glyph at hand stands, in units of the font.
+    /// Position of the current glyph, in font units.
     pen: (f64, f64),
     corners: usize,
     leftward: bool,
@@ -358,8 +360,7 @@ impl OutlineBuilder for Outline {
         self.add(Some(self.place(x1, y1)), self.place(x, y));
     }
 
-    /// A cubic curve is cut into four, each of which the nearest quadratic one stands for: letters are off by less than a
-    /// thousandth of an em.
+    /// Splits a cubic curve into four quadratic curves. The error is below a thousandth of an em.
     fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
         const PARTS: i32 = 4;
         let Some(a) = self.end() else { return };
@@ -386,7 +387,7 @@ impl OutlineBuilder for Outline {
     fn close(&mut self) {}
 }
 
-/// Outer lines run clockwise, as those of the program's own letters: some fonts draw them the other way round.
+/// Makes outer contours clockwise, as in the bundled glyphs. Some fonts have the opposite direction.
 fn turn_clockwise(contours: &mut [Contour]) {
     let area = |contour: &Contour| {
         let ends: Vec<Point> =

@@ -71,7 +71,7 @@ pub(super) struct Manner {
     /// Width over height that looks best.
     pub(super) aspect: f64,
     largest: f64,
-    /// What is still read with ease.
+    /// Minimum size for easy reading.
     readable: f64,
     smallest: f64,
 }
@@ -210,8 +210,8 @@ fn lines(
     })
 }
 
-/// Lines that begin at the left: as large as was wished, or a little smaller where it does not fit its room else; of more
-/// the end is missing.
+/// Sets left-aligned lines at the requested size, or a little smaller to fit the room. If they still do not
+/// fit, the end is cut off.
 fn plain(setter: &Setter) -> Setting {
     let (room, wished) = (setter.wish.room, setter.wish.size.unwrap_or(setter.manner.largest));
     let whole = [1.0, STEP, STEP * STEP].into_iter().find_map(|by| setter.at(wished * by, room, false));
@@ -328,7 +328,7 @@ impl Setter<'_> {
         part.clone().map(|at| self.advance(at, next(at))).sum()
     }
 
-    /// False where a text has so many letters that no lines of it fit a room; true says nothing.
+    /// A quick test: `false` if the text is certainly too long.
     fn may_fit(&self, size: f64, room: (f64, f64)) -> bool {
         let area = room.0.max(self.wish.width.unwrap_or(0.0)) * room.1;
         // No letter of the fonts but the narrowest is less than a fifth of an em wide.
@@ -340,7 +340,7 @@ impl Setter<'_> {
         self.text[part].iter().map(|mark| (mark.letter, mark.strong)).unzip()
     }
 
-    /// The text at a size, if it fits the room; `cut` takes what fits.
+    /// Sets the text at a size, if it fits into `room`. `cut` truncates it instead.
     fn at(&self, size: f64, room: (f64, f64), cut: bool) -> Option<Setting> {
         let (pitch, capitals) = (self.pitch(), self.thickness());
         let (pad_x, pad_y) = self.manner.pad;

@@ -19,43 +19,45 @@ use crate::page::words::layout::{Ground, Laid};
 use crate::page::words::letters::Letters;
 use crate::page::words::model::{Craft, Kind, Word};
 
-/// Places that are tried along each side of a panel.
+/// Candidate positions along each side of a panel.
 const STEPS: usize = 15;
-/// Sets of places that are carried on where there are few words; of many, whose sets are large, fewer.
+/// Beam width of the placement search. Smaller for panels with many text items.
 const BEAM: usize = 24;
-/// More words of one panel than this are placed one after the other.
+/// Panels with more text items than this are filled one item after the other.
 const CROWD: usize = 12;
-/// Places of one word that are kept for the search.
+/// Candidate positions of one text item that enter the search.
 const PLACES: usize = 160;
-/// Where a tail ends on its way from the balloon to the mouth.
+/// End of the tail, as a share of the way from the balloon to the mouth.
 const REACH: f64 = 0.56;
-/// The shortest tail that still points, and one that no mouth asks for, in page widths.
+/// Minimum length of a tail that points, and default length without a mouth, in page widths.
 const TAIL: (f64, f64) = (0.014, 0.034);
-/// The least part of the way to a mouth that a tail goes before the face begins: nearer, a balloon leans on the head.
+/// Minimum length of a tail, as a share of the way to the mouth outside the face. Closer balloons lean on the
+/// head.
 const HALF_WAY: f64 = 0.5;
-/// What that costs beside a figure, whose body would else push balloons against its head: at once, and for all of the way.
+/// Extra cost of a short tail in a panel with subject masks: base, and weight of the missing length.
 const LEANING: (f64, f64) = (8.0, 24.0);
-/// What breaks a rule of letterers.
+/// Cost of breaking a rule.
 const FORBIDDEN: f64 = 400.0;
-/// What it costs to cover a body.
+/// Cost of covering a body.
 const BODY: f64 = 60.0;
-/// What it costs to cover a thing: one that was found, and one that is the figure of its photo.
+/// Cost of covering a thing: a detected one, and one that is the subject of its photo.
 const THING: (f64, f64) = (3.0, 12.0);
-/// Where a mouth is, in heights of a face's box: in its lower third.
+/// Position of the mouth in a face box, as a share of its height.
 const MOUTH: f64 = 0.78;
-/// The size of letters from which on they are read without effort, in page widths: 6 points on A4.
+/// Minimum size for easy reading, in page widths: 6 points on A4.
 const LEGIBLE: f64 = 0.0101;
-/// Faces that speak, of those in a panel.
+/// Maximum number of speaking faces in a panel.
 const SPEAKERS: usize = 6;
-/// Balloons that hang together, at most, where nobody asked for more.
+/// Maximum number of automatically linked balloons.
 const LONGEST_CHAIN: usize = 3;
-/// How much worse balloons may stand for being joined: two tails side by side are no better.
+/// Extra placement cost accepted for linking two balloons.
 const JOINING: f64 = 3.0;
-/// The longest neck between balloons that are joined by themselves, in page widths.
+/// Maximum length of an automatic connector, in page widths.
 const LONGEST_NECK: f64 = 0.03;
-/// How far a joined balloon stands aside and below the one before, in parts of what the two measure, and what less costs.
+/// Preferred offset of a linked balloon to the side and down, as shares of the sizes of both, and the cost of
+/// less.
 const STAGGER: (f64, f64, f64) = (0.2, 0.5, 2.0);
-/// What it costs that one face says what two people say.
+/// Cost of one face speaking for two speakers.
 const TWO_IN_ONE: f64 = 10.0;
 
 /// Placement of a text item.
@@ -69,7 +71,7 @@ pub(super) struct Place {
     pub(super) room: Option<(f64, f64)>,
     /// The foot of its tail.
     foot: Point,
-    /// The face that says it, among those of the panel.
+    /// Index of the speaking face in the panel.
     speaker: Option<usize>,
     /// Its text is round a balloon: corners are free.
     round: bool,
@@ -166,7 +168,7 @@ fn pairs(words: &[Word], group: &[usize], here: impl Fn(&Word) -> bool) -> Vec<(
     group.iter().filter(|&&later| is_balloon(&words[later])).filter_map(before).collect()
 }
 
-/// How many balloons hang together with one.
+/// Number of balloons linked with one.
 fn chain(joins: &[Option<usize>], one: usize) -> usize {
     let mut all = vec![one];
     let mut next = 0;
@@ -180,7 +182,7 @@ fn chain(joins: &[Option<usize>], one: usize) -> usize {
     all.len()
 }
 
-/// Whether the same mouth says two balloons: by their names, else by the face that each was given.
+/// Whether two balloons have the same speaker: by name, or by the assigned face.
 fn one_mouth(one: (&Word, &Place), other: (&Word, &Place), speakers: &[(usize, f64)]) -> bool {
     match (&one.0.by, &other.0.by) {
         (Some(name), Some(second)) => name == second,
@@ -203,7 +205,7 @@ fn speakers(seen: &[Seen]) -> Vec<(usize, f64)> {
 /// An area that is tried for a word.
 struct Spot {
     area: Bounds,
-    /// What it costs, but for a tail.
+    /// Cost without the tail.
     cost: f64,
     room: Option<(f64, f64)>,
     round: bool,
@@ -223,7 +225,7 @@ struct Room<'a> {
     panel: Option<&'a ResolvedPanel>,
     seen: &'a [Seen],
     figures: &'a [Figure],
-    /// Faces that may speak, and what it costs that they do.
+    /// Faces that may speak, and their costs.
     speakers: Vec<(usize, f64)>,
     page: Page<'a>,
     /// How many words are placed.
@@ -231,7 +233,7 @@ struct Room<'a> {
 }
 
 impl Room<'_> {
-    /// The best places of all words of a group together, where each hangs on another by `joins`.
+    /// The best placements of all items of a group together, with links in `joins`.
     fn searched(&self, group: &[usize], spots: &[Vec<Spot>], joins: &[Option<usize>]) -> Places {
         let words = self.page.words;
         let mut beam = vec![(0.0, Vec::<Place>::new())];
@@ -260,7 +262,7 @@ impl Room<'_> {
         beam.into_iter().next().unwrap_or_default()
     }
 
-    /// The best places of a word by itself. Of balloons that are joined the first alone has a tail: one mouth says them all.
+    /// The best placements of a single item. Only the first of several linked balloons has a tail.
     fn places(&self, index: usize, spots: &[Spot], joins: &[Option<usize>]) -> Vec<Place> {
         let mut places = Vec::new();
         for spot in spots {
@@ -284,14 +286,14 @@ impl Room<'_> {
         self.varied(places)
     }
 
-    /// Whether two words hang together in the document.
+    /// Whether two items are linked in the document.
     fn tied(&self, one: usize, other: usize) -> bool {
         let joins = self.page.joins;
         joins[one] == Some(other) || joins[other] == Some(one)
     }
 
-    /// Whether the balloons that are joined in `now` and were not `before` hang together as one would draw them: close, and
-    /// what joins them lies on no face and no other word.
+    /// Whether the balloons that are linked only in `now` look good: close together, and the connector covers
+    /// no face and no text.
     fn hang_well(
         &self,
         group: &[usize],
@@ -320,7 +322,7 @@ impl Room<'_> {
         group.iter().all(|&index| good(index))
     }
 
-    /// What is tried for a word. `rank`: how many of the panel's words come before it.
+    /// Candidates for an item. `rank`: how many of the panel's words come before it.
     fn weighed(&self, index: usize, rank: usize) -> Vec<Spot> {
         let Page { words, ground, letters, .. } = self.page;
         let word = &words[index];
@@ -358,7 +360,8 @@ impl Room<'_> {
         all
     }
 
-    /// The cheapest places, among them some in each part of the panel: what is best alone may not be best beside others.
+    /// The cheapest placements, with some from each part of the panel, because the best single placement may
+    /// not fit the others.
     fn varied(&self, places: Vec<Place>) -> Vec<Place> {
         let mut kept = Vec::with_capacity(PLACES);
         let mut counts = [0; 25];
@@ -395,7 +398,7 @@ impl Room<'_> {
         rows.iter().flat_map(|&y| columns.iter().map(move |&x| Bounds { x, y, width, height })).collect()
     }
 
-    /// What is bad about a place, but for its tail.
+    /// Cost of a position without the tail.
     fn cost(&self, index: usize, laid: &Laid, area: Bounds, rank: usize) -> f64 {
         let round = matches!(laid.word.kind, Kind::Balloon(_));
         let mut cost = self.outside(area, round);
@@ -429,7 +432,7 @@ impl Room<'_> {
         cost + self.manners(laid.word.kind, area, rank, nearest / size)
     }
 
-    /// What is usual: captions in corners, balloons high, sounds where there is room.
+    /// Cost of unusual positions. Usual are captions in corners, high balloons, and sounds in free areas.
     fn manners(&self, kind: Kind, area: Bounds, rank: usize, nearest: f64) -> f64 {
         let frame = self.frame;
         let part = |at: f64, start: f64, room: f64| if room > 1e-9 { (at - start) / room } else { 0.5 };
@@ -451,7 +454,7 @@ impl Room<'_> {
         }
     }
 
-    /// What a place costs that reaches beyond its panel.
+    /// Cost of extending past the panel.
     fn outside(&self, area: Bounds, round: bool) -> f64 {
         let Some(panel) = self.panel else { return 0.0 };
         let middle = center(area);
@@ -477,7 +480,7 @@ impl Room<'_> {
         FORBIDDEN * 0.5 * around.iter().filter(out).count() as f64
     }
 
-    /// Adds a place with the tail to each face that may say it; without one where nobody is seen.
+    /// Adds a placement with a tail to each face that may speak. Without faces the tail is omitted.
     fn aimed(&self, spot: &Spot, out: &mut Vec<Place>) {
         let (bare, area, cost) = (spot.bare(), spot.area, spot.cost);
         let size = self.frame.width.hypot(self.frame.height);
@@ -517,7 +520,7 @@ impl Room<'_> {
         }
     }
 
-    /// Where the head is of the largest person or animal, of the largest thing otherwise.
+    /// Position of the head of the largest person or animal, or else of the largest thing.
     fn largest(&self) -> Option<Point> {
         let size =
             |seen: &&Seen| seen.bounds.width * seen.bounds.height * if seen.person { 4.0 } else { 1.0 };
@@ -525,7 +528,7 @@ impl Room<'_> {
         Some(Point::new(largest.x + largest.width / 2.0, largest.y + 0.25 * largest.height))
     }
 
-    /// What a tail costs for all that it crosses, and for whom it seems to mean: others that its line leads to first.
+    /// Cost of everything that a tail crosses, and of pointing at another face first.
     fn crossed(&self, foot: Point, tip: Point, mouth: Point, speaker: usize) -> f64 {
         let mut cost = 0.0;
         let head = self.seen[speaker].bounds;
@@ -551,7 +554,8 @@ impl Room<'_> {
     }
 }
 
-/// What is bad about two words of a panel together; the first is written before the second, right before where they `follow`.
+/// Cost of two items of a panel together. The first precedes the second in the text, directly if they
+/// `follow`.
 fn together(one: (&Word, &Place), other: (&Word, &Place), joined: bool, follow: bool) -> f64 {
     let ((said, first), (says, second)) = (one, other);
     let (a, b) = (first.area, second.area);
@@ -590,7 +594,8 @@ fn together(one: (&Word, &Place), other: (&Word, &Place), joined: bool, follow: 
     cost
 }
 
-/// What it costs that a joined balloon hangs right below the one before, or right beside it: letterers step down and sideways.
+/// Cost of a linked balloon directly below or directly beside the one before. Letterers offset them in both
+/// directions.
 fn staggered(a: Bounds, b: Bounds) -> f64 {
     let (aside, below, weight) = STAGGER;
     let (from, to) = (center(a), center(b));
@@ -622,7 +627,7 @@ fn grown(bounds: Bounds, by: f64) -> Bounds {
     }
 }
 
-/// About what of a box a word covers; nothing where a balloon's roundness keeps clear of it.
+/// Approximate share of a box that an item covers. The rounded corners of balloons do not count.
 fn cover(area: Bounds, other: Bounds, round: bool) -> f64 {
     let part = shared(area, other);
     if part > 0.0 && round {
@@ -646,7 +651,7 @@ fn ovals_apart(a: Bounds, b: Bounds, near: f64) -> bool {
     across.powf(2.4) + down.powf(2.4) >= 1.0
 }
 
-/// Where the line from the middle of a balloon to a point leaves the balloon.
+/// Intersection of the outline of a balloon with the line from its centre to a point.
 fn edge(area: Bounds, to: Point) -> Point {
     let middle = center(area);
     let (x, y) = ((to.x - middle.x) * 2.0 / area.width, (to.y - middle.y) * 2.0 / area.height);
