@@ -1,4 +1,4 @@
-/** What can be done with the page among the others of the storyboard. */
+/** Actions for the current page of the storyboard. */
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';

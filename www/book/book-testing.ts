@@ -8,7 +8,7 @@ import type { PageDocument } from '../engine/types.ts';
 const names = (count: number) => Array.from({ length: count }, (_, i) => `${i}.jpg`);
 export const photosOfPage = (page: PageDocument) => page.panels.map(({ photo }) => photo);
 
-/** A storyboard of one page, with so many photos. */
+/** A storyboard of one page, with a number of photos. */
 export async function opened(count: number) {
   const app = fakeApp();
   const book = createBook(app);

@@ -1,7 +1,7 @@
 /**
- * What the other pages of a storyboard owe to the photos, while a person edits one of them: a photo that is no longer
- * in use leaves them at once, and their crops follow what is found in photos, when there is time. Neither is a step of
- * the undo: the one belongs to the step that took the photo away, the other is no edit.
+ * Keeps inactive pages of a storyboard consistent with the photos: an excluded photo is removed from all pages
+ * immediately. Their crops are updated to new detections in idle time. Neither is a separate undo step: the removal
+ * belongs to the step that excluded the photo, and the new crops are a silent edit.
  */
 
 import { effect, untracked } from '@preact/signals';
@@ -25,7 +25,7 @@ export function keepBook({
   pages: Pick<Pages, 'plan' | 'repaired'>;
   later?: (work: () => void) => void;
 }) {
-  /** What was known of the photos of a page when its crops were made. */
+  /** Measurements of the photos of a page when its crops were made. */
   const known: WeakMap<PageDocument, string> = new WeakMap();
   let waiting = false;
 
@@ -49,7 +49,7 @@ export function keepBook({
   /**
    * Notes pages that are new here.
    * @param photos in use
-   * @returns whether one has crops of what was known before
+   * @returns whether a page has crops from older measurements
    */
   function remember(photos: Map<string, PhotoMeta>): boolean {
     let stale = false;
@@ -60,7 +60,7 @@ export function keepBook({
     return stale;
   }
 
-  /** Makes the crops of one page anew; the change that it is asks for the next. */
+  /** Updates the crops of one page. The change triggers the next update. */
   function refineOne() {
     waiting = false;
     const project = store.project.peek();
@@ -77,7 +77,7 @@ export function keepBook({
     store.change({ type: 'set-sheets', sheets, at: project.at, silent: true });
   }
 
-  /** Puts other photos where one is gone, and takes out pages that none is left for. */
+  /** Replaces missing photos on all pages and removes pages without photos. */
   function repair() {
     const whole = pages.repaired();
     if (whole) store.change({ type: 'set-sheets', ...whole, silent: true });

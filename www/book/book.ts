@@ -23,7 +23,7 @@ export function createBook({
   store: Store;
   pages: Pick<Pages, 'another' | 'spread'>;
   messages: Pick<Messages, 'note'>;
-  /** Told of a page to which another is added. */
+  /** Called with the page before another is added. */
   onKept?: (page: PageDocument) => void;
 }) {
   /** The photos in use that no page shows. */
@@ -129,7 +129,7 @@ export function createBook({
     set(moved, moved.indexOf(edited));
   }
 
-  /** All photos in use on as many pages as they need, in the place of the pages that there are. */
+  /** Distributes all photos in use over as many pages as needed, replacing the present pages. */
   function spreadAlbum() {
     const project = store.project.peek();
     const before = sheetsOf(project);

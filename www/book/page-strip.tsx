@@ -1,6 +1,6 @@
 /**
- * The pages of the storyboard beside the one that is edited. One page alone has but a quiet way to more, and where many
- * photos are on no page an offer to spread them.
+ * The pages of the storyboard beside the one that is edited. A single page has only a small button to add pages, and an
+ * offer to distribute photos that are on no page.
  */
 
 import { useState } from 'preact/hooks';

@@ -1,4 +1,4 @@
-/** The pages shown so far, as a person looks through them: which came from which, and which are favourites. */
+/** The page history as the user sees it: the origin of each page, and favourites. */
 
 import { computed } from '@preact/signals';
 import { sheetsOf } from '../engine/sheets.ts';
@@ -7,8 +7,8 @@ import type { PageDocument } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
 
 /**
- * `from`: the number of the page it was made from, where that is not the one before it; `place`: which page of the
- * storyboard it is a version of, null where there is but one, or where that was removed.
+ * `from`: number of the page that it was made from, if it is not the one before. `place`: the page of the storyboard
+ * whose version it is; null if the storyboard has only one page, or the page was removed.
  */
 export type Entry = {
   id: number;
