@@ -1,6 +1,6 @@
 /**
- * A photo with its mask over it, and the brush: by a pointer, a finger or a pen, and by the keyboard. What the engine draws is put
- * on a canvas once a frame of the screen at most.
+ * A photo with its mask over it, and the brush: by a pointer, a finger or a pen, and by the keyboard. The canvas is
+ * updated at most once per screen frame.
  */
 
 import { useComputed, useSignalEffect } from '@preact/signals';

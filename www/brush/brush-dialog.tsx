@@ -1,4 +1,4 @@
-/** The subject of a photo is corrected by hand: the photo with its mask, and the tools beside it. */
+/** The mask editor: the photo with its mask, and tools next to it. */
 
 import { useEffect, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
@@ -32,7 +32,7 @@ export function BrushDialog({ id }: { id: string }) {
     keep(steps);
   }
 
-  /** Escape and a click beside the dialog leave it, too: what was painted till then is at hand for a while. */
+  /** Escape and a click outside also close the dialog. The discarded changes can be restored for a while. */
   function cancel() {
     // A dialog that is taken away says that it was closed.
     if (typeof ui.dialog.peek() !== 'object' || ui.dialog.peek() === null) return;

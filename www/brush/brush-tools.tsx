@@ -1,4 +1,4 @@
-/** The tools of the brush, each a button with its name, and what is told of the mask. */
+/** Tools of the brush as labelled buttons, and information about the mask. */
 
 import { strings } from '../strings/strings.ts';
 import { SIZES, TOOLS } from './retouching.ts';

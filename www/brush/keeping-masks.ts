@@ -4,8 +4,8 @@ import { batch } from '@preact/signals';
 import type { Store } from '../document/store.ts';
 
 /**
- * Makes each step that was taken one of the document, so that each is undone by itself.
- * @param steps the mask after each; null where it is what was found
+ * Adds each correction step to the document as a separate undo step.
+ * @param steps the mask after each step; null for the detected mask
  */
 export function keepSteps(
   store: Pick<Store, 'album' | 'tray' | 'change'>,

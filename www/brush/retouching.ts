@@ -1,6 +1,6 @@
 /**
- * The subject of a photo while a person corrects it: the mask is in the hand of the engine, here is what the views show of it, and
- * how a person works on it. Nothing of it is part of the document until it is kept.
+ * State of the mask editor: the engine has the mask, this module has the state for the views and the commands. The
+ * document changes only when the user accepts the result.
  */
 
 import { signal } from '@preact/signals';
@@ -8,7 +8,7 @@ import type { Hand, Mending } from '../engine/brush-module.ts';
 import type { Signal } from '@preact/signals';
 
 export type Retouching = ReturnType<typeof createRetouching>;
-/** What a press does: paints, paints away, or keeps the figure that is there alone. */
+/** Action of a press: paint, erase, or keep only the figure at that point. */
 export type Tool = 'add' | 'take' | 'choose';
 export type Point = { x: number; y: number };
 
@@ -24,10 +24,10 @@ const LARGE_STEP = 0.1;
 export function createRetouching(hand: Hand) {
   const tool: Signal<Tool> = signal('add');
   const size = signal(SIZES.first);
-  /** Where the brush is, in parts of the photo; null until it is somewhere. */
+  /** Position of the brush, in fractions of the photo; null before the first move. */
   const at: Signal<Point | null> = signal(null);
   const told = signal(hand.told());
-  /** Counts what is to be drawn anew; `fine` while no stroke is under way. */
+  /** Counts the changes to draw; `fine` if no stroke is in progress. */
   const seen = signal({ count: 0, fine: true });
   /** Why the last command did nothing. */
   const vain: Signal<'onlyOne' | 'noneHere' | 'softest' | null> = signal(null);
@@ -86,7 +86,7 @@ export function createRetouching(hand: Hand) {
     show(true);
   }
 
-  /** What a press and its end do where the brush is; in the middle where it was nowhere yet. */
+  /** Paints at the position of the brush, or in the middle if it was never moved. */
   function dab(): boolean {
     const chooses = tool.peek() === 'choose';
     const pressed = press(at.peek() ?? { x: 0.5, y: 0.5 });
@@ -121,7 +121,7 @@ export function createRetouching(hand: Hand) {
     show(false);
   }
 
-  /** @param reason what is told where nothing changed */
+  /** @param reason message if nothing changed */
   function changed(whether: boolean, reason: typeof vain.value = null): boolean {
     vain.value = whether ? null : reason;
     told.value = hand.told();
