@@ -1,8 +1,8 @@
 /**
  * Cards of the designer that are carried to another place, also in the other layer, and blocks that are carried there
- * from the palette. A mouse carries cards by their heads and blocks by their pictures; a finger or a pen takes them by
- * their handles, as it scrolls elsewhere, or stays on a block until it is lifted. Near an edge the lanes scroll by
- * themselves.
+ * from the palette. A mouse drags cards by their headers and blocks by their images. A finger or pen drags cards by
+ * their handles, or blocks after a long press, because it scrolls elsewhere. Near an edge the lanes scroll
+ * automatically.
  */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
@@ -23,10 +23,10 @@ const HOLD = 300;
 const EDGE = 56;
 const SPEED = 12;
 
-/** @param onDrop `to`: before which card, of those that were there */
+/** @param onDrop `to`: index among the existing cards */
 export function useCardDrag(onDrop: (source: Source, to: Place) => void) {
   const [carried, setCarried] = useState(null as Carried | null);
-  /** Ends what is under way, without dropping. */
+  /** Cancels the drag. */
   const cancel = useRef(() => {});
   /** Whether a block is off the palette: no finger scrolls then, and no click follows. */
   const lifted = useRef(false);

@@ -47,7 +47,7 @@ export function Card({
   const block = designer.blocks.value.find(({ id }) => id === step.block);
   if (!block) return null;
 
-  /** Moves the card and keeps the focus where it was, which the browser takes from what is moved. */
+  /** Moves the card and restores its focus, which the browser removes from moved elements. */
   function move(to: number) {
     const focused = document.activeElement as HTMLElement | null;
     designer.change({ type: 'move', layer, at, toLayer: layer, to });
@@ -85,7 +85,7 @@ export function Card({
     event.stopPropagation();
   }
 
-  /** Colours of one's own are asked for where one's own are wanted, as many as there are. */
+  /** Custom colours are shown only if the parameter uses them, in the required number. */
   const asked = ({ id, kind }: BlockParam) => {
     if (kind !== 'colour') return true;
     const place = /^color_(\d)$/.exec(id)?.[1];

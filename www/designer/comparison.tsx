@@ -26,7 +26,7 @@ const STEPS: Record<string, number> = {
   End: 1,
 };
 
-/** @param props `split`: the part that shows it as it is, while it is compared */
+/** @param props `split`: the unstyled part during a comparison */
 export function Comparison({
   subject,
   style,

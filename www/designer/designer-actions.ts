@@ -1,4 +1,4 @@
-/** What can be done with the designed style as a whole. */
+/** Actions for the whole designed style. */
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';

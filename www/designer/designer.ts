@@ -1,7 +1,6 @@
 /**
  * The designer: the draft on its table, what is done to it, and where it goes. The draft is a part of the project, so
- * undo and redo walk through its edits as through all others; while a slider is dragged it is held apart, and the
- * whole drag is one step.
+ * undo and redo include its edits. While a slider is dragged the draft is separate, and the whole drag is one step.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -38,7 +37,7 @@ export function createDesigner({
 
   const draft = computed(() => held.value ?? store.project.value.draft);
   const facts = computed(() => (draft.value && store.planner.value?.draftFacts(draft.value)) ?? null);
-  /** What the preview shows: blocks that lack something are passed over. */
+  /** The style for the preview. Blocks without their input are skipped. */
   const shown = computed(() => facts.value?.shown ?? null);
   /** Whether the page is in this very style, so that it follows each edit. */
   const onPage = computed(() => {
@@ -46,7 +45,7 @@ export function createDesigner({
     return typeof style === 'object' && style.id !== undefined && style.id === store.project.value.draft?.id;
   });
 
-  /** Where the next block goes that is chosen from the palette: before that one, at the end unless told. */
+  /** Position of the next block from the palette. Default: at the end. */
   const place: Signal<{ layer: Layer; at: number | null }> = signal({ layer: 'background', at: null });
 
   return {
@@ -75,7 +74,7 @@ export function createDesigner({
     checked,
   };
 
-  /** @param style to begin with; the draft as it was left unless told */
+  /** @param style the first style; default: the last draft */
   function open(style?: Style) {
     if (style) begin(style);
     else if (!store.project.peek().draft) begin(null, { silent: true });
@@ -88,8 +87,8 @@ export function createDesigner({
   }
 
   /**
-   * A new draft. A designed style is copied under an id of its own, so that it stays as it is in the catalogue.
-   * @param style nothing begins with an empty one
+   * A new draft. A built-in style is copied with a new id, so that the original does not change.
+   * @param style null begins with an empty style
    */
   function begin(style: Style | null, how?: { silent?: boolean }) {
     release();
@@ -124,8 +123,8 @@ export function createDesigner({
   }
 
   /**
-   * Puts a block before another one, with what it needs before it there.
-   * @returns where it is now; null where the layer has no room
+   * Inserts a block before another one, and the blocks that it needs before it.
+   * @returns its position; null if the layer is full
    */
   function insert(block: string, { layer, at }: Place): Place | null {
     const count = draft.peek()?.[layer].length ?? 0;
@@ -151,7 +150,7 @@ export function createDesigner({
     if (after) held.value = after;
   }
 
-  /** @returns null where nothing changes */
+  /** @returns null if nothing changes */
   function edited(before: Draft | null, change: DraftEdit): Draft | null {
     const whole = change.type === 'name' ? { ...change, name: wellFormed(change.name) } : change;
     return before && (store.planner.peek()?.editDraft(before, whole) ?? null);
@@ -173,7 +172,7 @@ export function createDesigner({
     if (follows && page) pages.amend({ ...page, style: known.style }, { gesture });
   }
 
-  /** @returns the draft as a style file that the core has checked; what is wrong is said */
+  /** @returns the draft as a style file that the core has checked; errors are shown */
   function checked(): Style | null {
     release();
     const now = store.project.peek().draft;

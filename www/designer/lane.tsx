@@ -1,7 +1,7 @@
 /**
- * One layer: its blocks as cards joined by arrows, in the order in which they run. Cards are moved by dragging, also
- * to the other layer, by buttons, and by Alt with the arrow keys; blocks are dragged in from the palette, and put in
- * between by the buttons there.
+ * One layer: its blocks as cards joined by arrows, in the order in which they run. Cards are moved by dragging, also to
+ * the other layer, by buttons, and by Alt with the arrow keys. Blocks are dragged from the palette, or inserted with
+ * the buttons between cards.
  */
 
 import { FOREGROUND } from '../engine/design.ts';
@@ -32,7 +32,7 @@ export function Lane({
 }) {
   const { designer } = useApp();
   const { carried, take } = drag;
-  /** Where a dragged card would go. */
+  /** Drop position of a dragged card. */
   const gap = carried?.gap?.layer === layer ? carried.gap.at : -1;
   const steps = draft[layer];
   const misfits = designer.facts.value?.[layer].misfits ?? [];

@@ -1,6 +1,6 @@
 /**
- * The blocks that can be added, each as a picture of what it does to the person's own photo at its place in the layer.
- * A press adds one there, at the end unless a place was named; dragging puts it anywhere.
+ * The palette of blocks. Each block shows its effect on the user's photo at the insert position. A press adds one
+ * there, at the end unless a place was named; dragging puts it anywhere.
  */
 
 import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';

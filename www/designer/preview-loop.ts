@@ -1,7 +1,7 @@
 /**
- * Keeps a preview true to the style: one picture is drawn and one waits, and the next begins with what is wanted by
- * then, so that the worker never idles during a drag and no work piles up. When the hand rests the cards get their pictures, and the preview the
- * full size of its place.
+ * Keeps a preview up to date. One image is drawn at a time, and the next one uses the latest style. So the worker is
+ * never idle during a drag, and requests do not queue up. After the drag, the cards get their images, and the preview
+ * is drawn in full size.
  */
 
 import type { Designed } from '../engine/design.ts';
@@ -36,7 +36,7 @@ export function createPreviewLoop({
   onError: (error: Error) => void;
 }) {
   let wanted: Wish | null = null;
-  /** What was sent last. */
+  /** The last request. */
   let sent: Wish | null = null;
   let flying = 0;
   let timer: ReturnType<typeof setTimeout> | undefined;

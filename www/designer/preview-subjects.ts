@@ -1,4 +1,4 @@
-/** What the designer shows its style on: a photo of the album, or the page. */
+/** Subjects of the designer's preview: a photo of the album, or the page. */
 
 import { strings } from '../strings/strings.ts';
 import type { Call, Engine } from '../engine/engine.ts';
@@ -12,7 +12,7 @@ export type Subject = {
   /** Another one asks for another picture. */
   of: unknown;
   name: string;
-  /** Of the live preview. */
+  /** Size of the live preview. */
   size: Size;
   /** The most pixels in width that are worth drawing. */
   most: number;
@@ -52,7 +52,7 @@ export function photoSubject(engine: Drawing, { id, name, meta }: Shown, small: 
 }
 
 /**
- * @param of what tells the page from others, whatever its style
+ * @param of identifies the page, without its style
  * @param cards the photo that the cards show
  */
 export function pageSubject(engine: Drawing, of: string, page: PageDocument, cards: Shown): Subject {

@@ -1,6 +1,4 @@
-/**
- * What the style does to a photo of the album, to four at once, or to the page, beside the same as it is.
- */
+/** Preview of the style on one photo, four photos, or the page, next to the original. */
 
 import { useSignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';

@@ -1,4 +1,4 @@
-/** What can be done with the designed style as a whole. */
+/** Controls for the whole designed style. */
 
 import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';

@@ -1,6 +1,6 @@
 /**
- * A picture file as the texture of a style: a data URL. What is told here is told in the language of the page; what is
- * wrong inside a picture only the core can see, which reads it.
+ * A picture file as the texture of a style: a data URL. Messages here are in the language of the app. Only the core can
+ * detect errors inside an image.
  */
 
 import { MOST } from '../document/limits.ts';
