@@ -1,6 +1,6 @@
 /**
- * Colours for invented styles. The rules that invent a chain of blocks leave the colours to the photo, so that a whole
- * wall would have those of one photo: three of four get a printer's colour behind their chain, spread evenly over the
+ * Colours for invented styles. The rules for new styles leave colours to the photo, so a whole wall would have the
+ * colours of one photo. Three of four styles therefore get a print colour after their chain, spread evenly over the
  * colour wheel and from dark to light. The same seed gives the same colours.
  */
 
@@ -13,7 +13,7 @@ const WAYS = 4;
 
 /**
  * @param style as it was invented from the seed
- * @param blocks what tells whether the chain ends in gray
+ * @param blocks determine whether the chain ends in gray
  * @returns the style itself where it keeps the colours of the photo
  */
 export function coloured(style: Style, seed: number, blocks: readonly Block[]): Style {

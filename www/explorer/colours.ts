@@ -1,6 +1,6 @@
 /**
- * What colour and how light a picture is on the whole, told from its signature: what the wall is filtered by. Hues and
- * lightness are those of Oklab, in which equal steps look equal.
+ * Main colour and lightness of an image, from its signature. The wall can be filtered by them. Hue and lightness are in
+ * Oklab, which is perceptually uniform.
  */
 
 /** Around the colour wheel; `mixed` has several, `gray` none. */
@@ -30,7 +30,7 @@ const [DARK, LIGHT] = [0.45, 0.72];
 /** Bytes of a cell: red, green, blue and roughness. */
 const CELL = 4;
 
-/** @param signature of a picture, as the core tells it: 4 bytes a cell */
+/** @param signature of an image, from the core: 4 bytes per cell */
 export function coloursOf(signature: Uint8Array): { hue: Hue; lightness: Lightness } {
   const weights = new Map<Hue, number>();
   let [light, chroma, cells] = [0, 0, 0];

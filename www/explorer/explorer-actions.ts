@@ -1,4 +1,4 @@
-/** What can be done with the wall of styles as a whole. */
+/** Actions for the whole wall of styles. */
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';

@@ -1,7 +1,7 @@
 /**
  * The score of each style on the explorer's wall, one figure from 0 to 100. It follows from simple measures of the
- * picture until the net has judged it. The net is asked one style after the other once a person has sorted the wall,
- * those in sight first; the wall itself stays as it is until it is sorted again.
+ * picture until the net has judged it. The model scores one style at a time after the user has sorted the wall, visible
+ * styles first. The order does not change until the user sorts again.
  */
 
 import { effect, signal } from '@preact/signals';
@@ -31,14 +31,14 @@ export function createScores({
   items: ReadonlySignal<readonly Item[]>;
   wanted: boolean;
 }) {
-  /** Scores from 1 to 10 times the picture's novelty, by style; what failed is null. */
+  /** Scores from 1 to 10 times the novelty of the image, by style; null after an error. */
   const known: Map<string, number | null> = new Map();
-  /** Those that the wall is sorted by. */
+  /** The scores in the current order. */
   const judged: Signal<ReadonlyMap<string, number | null>> = signal(new Map());
   const progress: Signal<Progress | null> = signal(null);
   const off = signal(!wanted || !engine.judges);
   const asked = signal(false);
-  /** Styles that are in sight, told by the view. */
+  /** Visible styles, from the view. */
   const visible: Set<string> = new Set();
   let running: AbortController | null = null;
 

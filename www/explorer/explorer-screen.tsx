@@ -1,6 +1,4 @@
-/**
- * The style explorer: a wall of styles that nobody designed, on a photo of the person's own, that keeps growing.
- */
+/** The style explorer: a growing wall of generated styles on one of the user's photos. */
 
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';

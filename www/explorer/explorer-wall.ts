@@ -1,7 +1,7 @@
 /**
- * The wall of the explorer: the styles that hang there and their thumbnails. What looks like another that hangs
- * already, or like nothing, is turned away. What hangs stays in its place: new styles go behind all others or behind the
- * one that they were bred from, and only a person's own wish sorts the wall.
+ * The wall of the explorer: the styles that hang there and their thumbnails. Styles whose image is similar to another
+ * one, or almost empty, are rejected. Styles keep their position. New styles are added at the end or after their
+ * parent, and only the user sorts the wall.
  */
 
 import { signal } from '@preact/signals';
@@ -13,8 +13,8 @@ import type { Photo } from './explorer.ts';
 import type { Signal } from '@preact/signals';
 
 /**
- * A style that hangs there: its light score from 0 to 1, how new its picture is, which any score is multiplied by, its
- * kind and its colours, and the photo that it is on.
+ * A style on the wall: its simple score from 0 to 1, the novelty of its image (a factor of any score), its kind, its
+ * colours and its photo.
  */
 export type Item = {
   style: Style;
@@ -37,15 +37,15 @@ export function createWall(stays: (id: string) => boolean) {
   const dropped = signal(0);
   /** The thumbnails, outside of the state, as pixels are. */
   const pictures: Map<string, ImageBitmap> = new Map();
-  /** Those of two photos say nothing of each other. */
+  /** Signatures of different photos are not comparable. */
   const signatures: Map<string, { photo: string; signature: Uint8Array }> = new Map();
 
   return { items, dropped, pictures, hang, redraw, sort, clear };
 
   /**
-   * @param how `choosy`: what is alike or empty is left out; `behind`: after which style, at the end unless told;
-   * `most`: so many and no more
-   * @returns the ids of those that hang now
+   * @param how `choosy`: rejects similar and empty images; `behind`: inserts after this style (default: at the end);
+   *   `most`: maximum number
+   * @returns ids of the added styles
    */
   function hang(
     photo: Photo,
@@ -71,7 +71,7 @@ export function createWall(stays: (id: string) => boolean) {
     return fresh.map(({ style }) => style.id);
   }
 
-  /** Puts pictures on another photo in the place of those that hang, as long as they are not alike there. */
+  /** Redraws the wall with another photo, unless images would be similar. */
   function redraw(photo: Photo, styles: readonly Style[], explored: readonly Explored[]) {
     const after = new Map<string, Item | null>();
     for (const one of explored) {

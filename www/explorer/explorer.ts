@@ -1,6 +1,7 @@
 /**
- * The explorer: styles invented from seeds, or bred from others, tried out on a photo of the person's as they come. What
- * looks like another, or like nothing, is left out. The wall belongs to the session; favourites are kept.
+ * The explorer: styles invented from seeds, or bred from others, tried out on a photo of the person's as they come.
+ * Styles whose image is similar to another one, or almost empty, are rejected. The wall belongs to the session;
+ * favourites are saved.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -20,11 +21,11 @@ import type { Signal } from '@preact/signals';
 
 export type { Item };
 type Parent = Pick<Style, 'id' | 'name'>;
-/** What a style was bred from, the same twice where it is more like one; a litter shares it. */
+/** Parents of a combined style, twice the same for a variation. A litter shares them. */
 export type Parents = readonly [Parent, Parent];
-/** what the styles are tried on, and how large */
+/** the photo of the wall, and its size */
 export type Photo = { id: string; width: number; height: number };
-/** What is under way: `redraw` puts the wall on another photo. */
+/** The current task: `redraw` draws the wall with another photo. */
 export type Doing = Progress & { what: 'invent' | 'redraw' };
 export type Explorer = ReturnType<typeof createExplorer>;
 
@@ -66,7 +67,7 @@ export function createExplorer({
   /** The style that waits for another to breed with. */
   const parent: Signal<Style | null> = signal(null);
   const first = signal(seed());
-  /** What bred styles come from. */
+  /** Parents of combined styles. */
   const parents: Map<string, Parents> = new Map();
   /** The parents of the last litter, whose children are shown whatever the wall is filtered by. */
   const lastParents: Signal<Parents | null> = signal(null);
@@ -85,7 +86,7 @@ export function createExplorer({
       (item) => wanted(item) || (litter !== null && parents.get(item.style.id) === litter),
     );
   });
-  /** Whether what was sorted is out of order by now, by new styles or new scores. */
+  /** Whether new styles or scores have made the order outdated. */
   const unsorted = computed(
     () => sorted.value && shown.value.some((item, i, all) => i > 0 && scores.points(item) > scores.points(all[i - 1])),
   );
@@ -132,7 +133,9 @@ export function createExplorer({
     wasFavourite.value = new Set(ownStyles.favourites.peek().map(({ id }) => id));
   }
 
-  /** Has the wall on this photo: first the favourites, then what hangs, and where nothing does a first round. */
+  /**
+   * Shows the wall on this photo: favourites first, then existing styles. An empty wall gets a first round of styles.
+   */
   async function open(photo: Photo) {
     const missing = ownStyles.favourites.peek().filter(({ id }) => !wall.pictures.has(id));
     if (missing.length > 0 && !(await run(photo, missing.length, (i) => missing[i], { choosy: false }))) return;
@@ -165,14 +168,14 @@ export function createExplorer({
     made = 0;
   }
 
-  /** Puts the best first, of what is known of them by now. */
+  /** Sorts by the known scores, the best first. */
   function sort() {
     scores.ask();
     sorted.value = true;
     wall.sort(scores.points);
   }
 
-  /** Chooses a parent, or, where one is chosen, breeds the two. */
+  /** Chooses the first parent, or combines it with this style. */
   async function breed(style: Style, photo: Photo) {
     const other = parent.peek();
     parent.value = other ? null : style;
@@ -198,7 +201,7 @@ export function createExplorer({
     await run(photo, TRIES, child, { choosy: true, behind: b.id, enough: LITTER });
   }
 
-  /** Puts what hangs on another photo, each style in its place. */
+  /** Redraws the wall with another photo. Styles keep their position. */
   async function redraw(photo: Photo): Promise<boolean> {
     const stale = wall.items.peek().filter((item) => item.photo.id !== photo.id);
     if (stale.length === 0) return true;
@@ -216,8 +219,8 @@ export function createExplorer({
   }
 
   /**
-   * @param how `choosy`: what is alike or empty is left out; `behind`: the style that they hang behind, at the end unless
-   * told; `enough`: how many are to hang, all unless told
+   * @param how `choosy`: rejects similar and empty images; `behind`: inserts after this style (default: at the end);
+   *   `enough`: number of styles to add (default: all)
    */
   function run(
     photo: Photo,
@@ -237,8 +240,8 @@ export function createExplorer({
   }
 
   /**
-   * Has styles drawn parcel by parcel.
-   * @param take what is done with them; tells how many hang
+   * Draws styles in batches.
+   * @param take handles a batch and returns the number of added styles
    * @returns whether it went to its end
    */
   async function work(

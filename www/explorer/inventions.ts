@@ -1,7 +1,7 @@
 /**
- * Invented styles that a shuffle may draw. Nobody has looked at them, so each is tried first, on three photos of the page at
- * 448 pixels: one that shows nothing on any of them, or that is worth less than most designed ones, is never drawn. A few
- * are kept ready, made while nothing else is to be done.
+ * Invented styles that a shuffle may draw. Each style is tested on three photos of the page at 448 pixels. A style is
+ * rejected if an image is almost empty, or if its score is below most built-in styles. A few tested styles are cached,
+ * made in idle time.
  */
 
 import { effect, signal } from '@preact/signals';
@@ -26,7 +26,7 @@ const LEAST_JUDGED = 4.5;
 /** Milliseconds after the last change for which nobody is going from page to page. */
 const CALM = 3000;
 
-/** @param app `idle`: whether nothing else is under way; not `judged`, the net is not asked, as by who wants no nets */
+/** @param app `idle`: whether no other task is running; `judged`: whether to use the aesthetics model */
 export function createInventions({
   store,
   engine,
@@ -77,7 +77,7 @@ export function createInventions({
     }
   }
 
-  /** @returns those of some new styles that are worth being drawn, on all photos */
+  /** @returns the good styles of a new batch, on all photos */
   async function parcel(photos: readonly Tried[], stop: AbortSignal): Promise<Style[]> {
     const planner = store.planner.peek();
     if (!planner) return [];

@@ -1,6 +1,6 @@
 /**
- * One line over the wall: what is under way, with the way to end it, or what can be done next. It is always as high, so
- * that the wall below never moves.
+ * Status line above the wall: the current task with a cancel button, or the next possible action. It is always as high,
+ * so that the wall below never moves.
  */
 
 import { strings } from '../strings/strings.ts';

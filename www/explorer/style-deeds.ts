@@ -1,4 +1,4 @@
-/** What can be done with a style of the wall, on its tile and where it is seen large. */
+/** Actions for a style of the wall, on its tile and in its large view. */
 
 import { useApp } from '../ui/context.ts';
 import type { Style } from '../engine/types.ts';

@@ -11,8 +11,8 @@ import type { Point } from '../ui/pointing.ts';
 import type { Item, Parents, Photo } from './explorer.ts';
 
 /**
- * @param props `points`: its score; `parent`: it waits for another to breed with; `parents`: what it was bred from;
- * `family`: what it is of the last litter
+ * @param props `points`: its score; `parent`: it is the first parent of a combination; `parents`: its parents;
+ *   `family`: its relation to the last litter
  */
 export function WallItem({
   item,
