@@ -1,4 +1,4 @@
-/** Help: what can be done, topic by topic, and by which keys; all of it found by a word. */
+/** Help: searchable topics and keyboard shortcuts. */
 
 import { useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';

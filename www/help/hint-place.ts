@@ -1,4 +1,4 @@
-/** Where a hint stands: beside what it is about, and over no control and no message. */
+/** Position of a hint: next to its subject, and over no control and no message. */
 
 export type Box = { left: number; top: number; width: number; height: number };
 export type Side = 'above' | 'below' | 'after' | 'before';
@@ -17,13 +17,12 @@ const ROUND = 20;
 const SHIFTS = [0.5, 0.25, 0.75, 0.1, 0.9];
 
 /**
- * @param anchor what it is about
+ * @param anchor the subject of the hint
  * @param size its own
  * @param room where it may be
- * @param taken `controls`: it touches none of them, or where there is no such place lies over the middle of none; `messages`: it
- * touches none of them
+ * @param taken `controls`: must stay uncovered, or at least their centres; `messages`: must stay uncovered
  * @param sides the best first
- * @returns null where there is no such place
+ * @returns null if there is no such position
  */
 export function placeHint(
   anchor: Box,

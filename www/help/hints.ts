@@ -21,7 +21,7 @@ const KEY = 'inkpanel.hints';
 /** Who has shuffled so often may have seen something to keep. */
 const ENOUGH = 2;
 
-/** @param parts `box`: where it is kept what was seen; it may be refused */
+/** @param parts `box`: storage of the hints that were shown; it may be unavailable */
 export function createHints({
   store,
   selection,

@@ -10,7 +10,7 @@ export function allTopics(): Topic[] {
 }
 
 /**
- * @param sought words; what has all of them is found, nothing is asked for by none
+ * @param sought search words; topics with all of them match, and an empty search matches nothing
  * @returns topics that have them in the title first
  */
 export function searchHelp(
