@@ -35,12 +35,12 @@ export function createImitation({
   freshId: () => string;
 }) {
   const picture: Signal<Picture | null> = signal(null);
-  /** How far the search is, 0 to 1; null while there is none. */
+  /** Progress of the search, 0 to 1; null without a search. */
   const progress: Signal<number | null> = signal(null);
   const proposals: Signal<readonly Style[]> = signal([]);
-  /** Why there are none, as a sentence. */
+  /** Error of the search, as a sentence. */
   const fault: Signal<string | null> = signal(null);
-  /** Whether the picture was refused for what a person may know better. */
+  /** Whether the picture was rejected for a reason that the user may override. */
   const doubted = signal(false);
   /** The proposal that is seen large. */
   const shown: Signal<string | null> = signal(null);
@@ -48,7 +48,7 @@ export function createImitation({
   const photo: Signal<string | null> = signal(null);
   let running: AbortController | null = null;
   let pictures = 0;
-  /** What the picture was found to look like. */
+  /** The measured look of the picture. */
   let look: string | null = null;
   let anyway = false;
 
@@ -77,7 +77,7 @@ export function createImitation({
   }
 
   /**
-   * Does what every search on a photo begins with, so that less is left when a picture comes.
+   * Runs the survey of a photo in advance, which makes the search faster.
    * @returns ends it
    */
   function prepare(id: string): () => void {
@@ -106,7 +106,7 @@ export function createImitation({
     ui.work.value = 'imitation';
   }
 
-  /** Looks for styles on a photo: with what is known of the picture, or after it is read. */
+  /** Searches styles for a photo, and reads the picture first if necessary. */
   async function search(id: string) {
     const wanted = picture.peek();
     if (!wanted) return;
@@ -154,13 +154,13 @@ export function createImitation({
     }
   }
 
-  /** Searches for what seemed to be a plain photo. */
+  /** Searches even if the picture seems to be a plain photo. */
   function insist(id: string) {
     anyway = true;
     void search(id);
   }
 
-  /** A style of a name of its own, under an id that no other has. The score is of this search alone. */
+  /** Gives a style a name and a unique id. The score applies to only this search. */
   function named({ score: _, ...style }: Style, file: string, place: number): Style {
     return { ...style, id: freshId(), name: strings.imitationName(file.replace(/\.[^.]*$/, '').slice(0, 40), place) };
   }
