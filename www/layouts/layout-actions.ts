@@ -1,4 +1,4 @@
-/** What can be done with the layout as a whole. */
+/** Actions for the whole layout. */
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';

@@ -1,4 +1,4 @@
-/** What can be done with the layout as a whole: a surprise, changes by hand, files. */
+/** Layout controls: random layout, manual changes, files. */
 
 import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';

@@ -1,6 +1,6 @@
 /**
- * The layouts as drawn thumbnails, filtered by family and number of panels: the page's own one when it is in no
- * list, the person's, and those that are good for the page.
+ * The layouts as thumbnails, filtered by family and number of panels: the layout of the page if it is in no list,
+ * custom layouts, and built-in layouts that are good for the page.
  */
 
 import { useSignal } from '@preact/signals';
@@ -51,7 +51,7 @@ export function LayoutsList() {
     id === current?.id ? null : pages.plan({ keep: KEEP, layout: layoutOf(id) }),
   );
 
-  /** What a page says of a layout: a person's own one whole, one of the catalogue by its id. */
+  /** The layout in page data: a complete custom layout, or the id of a built-in one. */
   function layoutOf(id: string): string | Template {
     const own = layouts.find((layout) => layout.id === id)?.own ?? null;
     return own === null ? id : store.own.value[own];

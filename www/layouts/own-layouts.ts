@@ -1,6 +1,6 @@
 /**
- * `My layouts`: kept in this browser (`storage/shelves.ts`), saved as files, opened from files. They are a part of the
- * project, so a layout that was removed comes back by undo.
+ * `My layouts`: stored in this browser (`storage/shelves.ts`), saved to files, opened from files. They are a part of
+ * the project, so a layout that was removed comes back by undo.
  */
 
 import { readText } from '../engine/text-file.ts';
