@@ -21,7 +21,7 @@ const DISSOLVE = 0.5;
 /** While a slider is dragged nothing is planned. */
 const REST_MS = 150;
 
-/** `of`: what is filmed; `children`: the choice of the format, which stands above the others. */
+/** `of`: the source; `children`: the format control, above the others. */
 export type AnimaticProps = { of: AnimaticWish['of']; close: () => void; children: ComponentChildren };
 
 export function AnimaticPanel({ of, close, children }: AnimaticProps) {

@@ -1,4 +1,4 @@
-/** The film, played in the page: its pictures are drawn from what is in memory of the photos, each when it is due. */
+/** Preview of an animatic: its images are drawn on time from photos in memory. */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';

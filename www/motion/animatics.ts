@@ -1,6 +1,6 @@
 /**
- * The album as a film: the shots of the board one after the other (an animatic), or the pages read panel by panel (a motion page).
- * The core plans it; here its pictures are drawn by the engine, and a worker of its own makes a file of them.
+ * The album as a film: the shots of the board one after the other (an animatic), or the pages read panel by panel (a
+ * motion page). The core plans it, the engine draws its images, and a separate worker encodes the file.
  */
 
 import { ANIMATIC_SIZES } from '../engine/bounds.ts';
@@ -25,8 +25,8 @@ import type { Kind } from './kinds.ts';
 
 export type SizeId = (typeof ANIMATIC_SIZES)[number]['id'];
 /**
- * `seconds` of a shot that does not say how long it is, or of a panel that says nothing; `dissolve` in seconds, 0 cuts; `living`:
- * panels that come from a film move.
+ * `seconds`: default duration of a shot, or of a panel without text; `dissolve`: in seconds, 0 for hard cuts; `living`:
+ * whether panels from videos are animated.
  */
 export type AnimaticWish = {
   of: 'shots' | 'pages';
@@ -39,7 +39,7 @@ export type AnimaticWish = {
   living: boolean;
   sound: File | null;
 };
-/** `table`: what each frame shows (`frames.ts`). */
+/** `table`: content of each frame (`frames.ts`). */
 export type Planned = { plan: Animatic; table: Float32Array };
 export type Animatics = ReturnType<typeof createAnimatics>;
 type Call = { signal?: AbortSignal };
@@ -104,7 +104,7 @@ export function createAnimatics({
   }
 
   /**
-   * What may move of pages, or of shots: those whose photos are frames of a film that is at hand.
+   * Which panels of pages or shots can be animated: photos that are frames of an available video.
    * @returns `apart`: it would, but its style draws subjects apart, which are known of one picture alone
    */
   function living(of: AnimaticWish['of']): 'none' | 'apart' | 'some' {
@@ -158,7 +158,7 @@ export function createAnimatics({
     };
   }
 
-  /** A clip as the preview shows it, from what is in memory of its photos. @param width of the frames of the preview, in pixels */
+  /** A clip of the preview, from photos in memory. @param width of the frames of the preview, in pixels */
   async function preview({ plan }: Planned, clip: number, width: number, call?: Call): Promise<Drawn> {
     const { picture, caption, reading } = plan.clips[clip];
     const wide = pictureWidth(plan, clip, width);
@@ -206,7 +206,7 @@ export function createAnimatics({
 
   /**
    * The file. Pictures are drawn from the photos at full size, each when its first frame is due, and forgotten behind it.
-   * @throws as `failure`: `animatic-empty`, `animatic-encoder`, `animatic-long`, `sound-unread`, and those of photos
+   * @throws as `failure`: `animatic-empty`, `animatic-encoder`, `animatic-long`, `sound-unread`, and errors of photos
    */
   async function film(wish: AnimaticWish, { signal, onProgress }: Work): Promise<Blob> {
     const { plan, table } = await planned(wish, { signal });

@@ -1,4 +1,4 @@
-/** What lies on a page, as a picture with its place, whatever size the page is then drawn at. */
+/** A text item of a page as an image with its position, independent of the page size. */
 
 import type { Engine } from '../engine/engine.ts';
 import type { Bounds, PageDocument } from '../engine/types.ts';

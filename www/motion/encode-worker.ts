@@ -1,6 +1,6 @@
 /**
- * Makes the file of an animatic and ends with it: asks the page for the pictures that the next frames show, draws each frame,
- * and hands it to the browser's encoder by mediabunny, or to gifenc.
+ * Encodes the file of an animatic and ends: requests the images for the next frames, draws each frame, and passes it to
+ * the browser's encoder through mediabunny, or to gifenc.
  */
 
 import {
@@ -31,7 +31,7 @@ type Begin = {
   sound: Sound | null;
 };
 export type ToEncoder = Begin | (Drawn & { clip: number });
-/** The clip whose picture is wanted; frames that are done; the file; what went wrong. */
+/** A request for the image of a clip, the number of encoded frames, the file, or an error. */
 export type FromEncoder =
   | { wants: number }
   | { done: number }

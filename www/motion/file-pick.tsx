@@ -3,7 +3,7 @@ import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
 
-/** A button that opens the choice of one file, and what was chosen, which can be taken away again. */
+/** A button that chooses one file, and the name of the file with a button to remove it. */
 export function FilePick({
   label,
   file,

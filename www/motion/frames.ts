@@ -1,4 +1,4 @@
-/** What a frame of a film shows, out of the table that the core made, and how it is drawn. */
+/** Content of a frame, from the table of the core, and its drawing. */
 
 import { ANIMATIC } from '../engine/bounds.ts';
 import type { Bounds } from '../engine/types.ts';
@@ -7,8 +7,9 @@ import type { Bounds } from '../engine/types.ts';
 type View = Bounds;
 export type Shown = { clip: number; view: View };
 /**
- * One clip, and in a dissolve another over it, of which so much is seen. Of the one below, a page that is read: how many of its
- * words are there, the panel that is read (-1 for none) and how dark all else is. `beat` counts the pictures of panels that move.
+ * One clip, and in a dissolve a second one above it with its opacity. For a page below: the number of visible text
+ * items, the current panel (-1 for the whole page) and the darkness of the others. `beat` is the frame number of
+ * animated panels.
  */
 export type Frame = {
   under: Shown;
@@ -23,8 +24,8 @@ export type DrawnWord = { bitmap: ImageBitmap; panel: number; place: Bounds };
 /** The pictures of a panel that moves; the place in fractions of the picture. */
 export type DrawnLoop = { bitmaps: ImageBitmap[]; place: Bounds };
 /**
- * The picture of a clip, what stands below it, and the panels that move in it. Of a page also its words in the order in which they
- * appear, and the outlines of its panels, in fractions of it.
+ * The image of a clip, its caption, and its animated panels. Pages also have their text items in order of appearance,
+ * and the outlines of their panels, in fractions of the page.
  */
 export type Drawn = {
   picture: ImageBitmap;
@@ -68,7 +69,7 @@ export function clipsOf({ under, over }: Pick<Frame, 'under' | 'over'>): number[
   return over ? [under.clip, over.clip] : [under.clip];
 }
 
-/** Lets go of all pictures. */
+/** Frees all images. */
 export function closeDrawn({ picture, caption, loops = [], page }: Drawn) {
   picture.close();
   caption?.close();
@@ -82,9 +83,7 @@ export function bitmapsOf({ picture, caption, loops = [], page }: Drawn): ImageB
   return [picture, ...(caption ? [caption] : []), ...loops.flatMap(({ bitmaps }) => bitmaps), ...words];
 }
 
-/**
- * @param drawn what is there of a clip; its caption was made for frames `captionWidth` wide
- */
+/** @param drawn available parts of a clip; its caption fits frames of `captionWidth` */
 export function drawFrame(
   context: Context,
   { under, over, beat, ...told }: Frame,

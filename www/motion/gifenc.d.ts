@@ -1,4 +1,4 @@
-/** What is used of gifenc 1.0.3, which brings no types. */
+/** Types of the used parts of gifenc 1.0.3, which has no type definitions. */
 declare module 'gifenc' {
   type Palette = number[][];
   type Format = 'rgb565' | 'rgb444' | 'rgba4444';

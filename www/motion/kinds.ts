@@ -10,7 +10,9 @@ export const KINDS: Record<Kind, { ending: string; type: string; codec?: Codec }
   gif: { ending: 'gif', type: 'image/gif' },
 };
 
-/** The longer side of a GIF file in pixels, and its frames a second: more would be files that nobody can send. */
+/**
+ * Limits of a GIF file: the longer side in pixels, frames per second, and duration. Larger files are too big to share.
+ */
 export const GIF = { side: 640, fps: 12, mostSeconds: 60 } as const;
 
 /** Bits a second for each pixel of a frame: lines and flat areas are clean from here on. */
@@ -19,12 +21,12 @@ const BITS_A_PIXEL = 3.6;
 const GIF_BYTES_A_PIXEL = 0.45;
 export const AUDIO_BITRATE = 160_000;
 
-/** @returns bits a second */
+/** @returns bits per second */
 export function bitrateOf({ width, height }: { width: number; height: number }): number {
   return Math.round(width * height * BITS_A_PIXEL);
 }
 
-/** @returns about how many bytes a file will have */
+/** @returns the approximate file size in bytes */
 export function bytesOf(
   kind: Kind,
   { width, height, seconds, sound }: { width: number; height: number; seconds: number; sound: boolean },
@@ -44,7 +46,7 @@ export function gifSize({ width, height }: { width: number; height: number }): {
 export const CODECS = { avc: 'avc1.64002a', vp9: 'vp09.00.41.08' } as const;
 
 /**
- * Encodes a frame: what a browser says of itself before it has tried is not always so.
+ * Tests the encoder with a frame, because browsers may report unsupported formats.
  * @returns the kinds that it makes; GIF is made without it
  */
 export async function kindsHere(size: { width: number; height: number }): Promise<Kind[]> {

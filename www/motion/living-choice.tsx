@@ -2,7 +2,10 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import type { AnimaticWish } from './animatics.ts';
 
-/** Whether panels that come from films move; nothing where there are none. @param props `note` stands below where they may */
+/**
+ * Switch for animated panels; hidden without panels from videos. @param props `note` is shown below if they are
+ * possible
+ */
 export function LivingChoice({
   of,
   on,

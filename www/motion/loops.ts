@@ -1,4 +1,4 @@
-/** The panels of a picture that move: those whose photos are frames of a film that is at hand. */
+/** Animated panels of an image: panels whose photos are frames of an available video. */
 
 import { byPanel, picturesOf } from '../engine/figures.ts';
 import { LIVING } from '../engine/living.ts';
@@ -23,7 +23,10 @@ export function createLoops({
 }) {
   return { known, of };
 
-  /** Whether a photo is a frame of a film that can be read. Who shows it follows: a film's length may be told after its frames. */
+  /**
+   * Whether a photo is a frame of a film that can be read. It reads signals, because a video's duration may be known
+   * after its frames.
+   */
   function known(photo: string | null): boolean {
     return momentOf(photo, store.album.value, store.videos.value) !== null;
   }
@@ -38,7 +41,8 @@ export function createLoops({
   /**
    * @param pixels of all pictures of all panels, at most
    * @param call `onDrawn` hears what there is after each panel
-   * @returns the panels that move and what lies over them, in paint order; one whose film cannot be read any more stays as it is
+   * @returns the animated panels and the panels above them, in paint order; a panel without a readable video stays
+   *   still
    */
   async function of(
     document: PageDocument,

@@ -1,7 +1,4 @@
-/**
- * The panels of a page that move, as pictures that lie over that of the page: what lies over such a panel, other panels and words,
- * is in its picture.
- */
+/** Animated panels as images over the image of the page. Each includes the panels and text above it. */
 
 import { paintOrder } from '../engine/figures.ts';
 import { LIVING } from '../engine/living.ts';

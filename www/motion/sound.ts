@@ -10,7 +10,7 @@ const RATE = 48_000;
 const FADE = 1.5;
 
 /**
- * @param seconds of the film: what is longer is cut, with a fade
+ * @param seconds duration of the video: longer sound is cut, with a fade
  * @throws `sound-unread`
  */
 export async function soundOf(file: File, seconds: number): Promise<Sound> {
@@ -24,7 +24,7 @@ export async function soundOf(file: File, seconds: number): Promise<Sound> {
   return fitted({ channels, sampleRate: decoded.sampleRate }, seconds);
 }
 
-/** @returns a copy, cut to a length; what is cut fades */
+/** @returns a copy, cut to a length with a fade */
 export function fitted({ channels, sampleRate }: Sound, seconds: number): Sound {
   const length = Math.round(seconds * sampleRate);
   const fade = Math.min(length, Math.round(FADE * sampleRate));
