@@ -2,7 +2,7 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 
-/** Makes the page a program of the device; not there where the browser has no such way. */
+/** Installs the app on the device; hidden if the browser does not support it. */
 export function InstallButton() {
   const { installing } = useApp();
   if (!installing.possible.value) return null;

@@ -1,6 +1,6 @@
 /**
- * The site without a connection: a service worker keeps its files (`service-worker/`), and a new version of them is taken
- * when the person says so. Where there are no service workers the page is as it is without.
+ * Offline use: a service worker caches the files of the site (`service-worker/`), and a new version is activated when
+ * the user accepts it. Without service workers the app works only online.
  */
 
 import { effect } from '@preact/signals';

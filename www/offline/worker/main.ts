@@ -1,7 +1,7 @@
 /**
  * The service worker: the site without a connection, and files shared with it. It is built with the list of the site's
- * files in it, so that each build has another. A new one waits until the pages of the one before are closed, or until a
- * person asks for it.
+ * files in it, so that each build has another. A new version waits until all tabs with the old version are closed, or
+ * the user accepts it.
  */
 
 import { SHARE, createShares } from './shares.ts';

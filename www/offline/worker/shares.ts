@@ -3,7 +3,7 @@
  * cache for the page that is opened next. The page's half is `app/arrivals.ts`.
  */
 
-/** Where the browser posts to, as the manifest says. */
+/** Target of shared files, as in the manifest. */
 export const SHARE = 'share';
 export const SHARED = 'inkpanel-shared';
 const FOLDER = 'shared/';

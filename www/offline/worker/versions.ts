@@ -1,16 +1,16 @@
 /**
- * The builds of the site that this browser keeps, each in a cache of its own and whole or not at all. A page that is
- * open goes on with the files of its build when a newer one has taken over: its cache stays until the last such page is
- * closed. Files of different builds cannot meet, as scripts name other files by their content.
+ * The cached builds of the site. Each has a separate cache that is filled atomically. A page that is open goes on with
+ * the files of its build when a newer one has taken over: its cache stays until the last such page is closed. Files of
+ * different builds cannot meet, as scripts name other files by their content.
  *
  * Not by Workbox: it keeps one cache for all builds, and would bring Babel and a second Rollup into the build.
  */
 
 import type { Site, SiteFile } from './worker-types.ts';
 
-/** Of the locks that pages hold as long as they are open; the address of the page's script follows. */
+/** Prefix of the locks that open tabs hold; the address of their script follows. */
 export const PAGE_LOCK = 'inkpanel.page ';
-/** What the engine keeps of the files in `onUse`. */
+/** Cache of the engine for files in `onUse`. */
 export const NETS = 'inkpanel-nets';
 /** Files loaded side by side: the page may be loading too. */
 const AT_ONCE = 4;
@@ -61,7 +61,7 @@ export function createVersions({
     }
   }
 
-  /** What is still missing of the files that are good to have. */
+  /** Caches missing optional files. */
   async function keepExtras() {
     const cache = await caches.open(name);
     for (const file of site.extras) await keep(cache, file);
@@ -102,12 +102,12 @@ export function createVersions({
     return mode === 'navigate' && path === 'index.html' ? '' : path;
   }
 
-  /** Whether `answer` may know a file; one in `onUse` is looked after by who uses it. */
+  /** Whether `answer` handles a file. Files in `onUse` are cached by their users. */
   function has(path: string) {
     return known.has(path) || (path.startsWith(HASHED) && !site.onUse.includes(path));
   }
 
-  /** @returns from this build, else from the build that has it, else from the host */
+  /** @returns from this build, or from another cached build, or from the server */
   async function answer(path: string, request: Request): Promise<Response> {
     const url = new URL(path, scope).href;
     const kept = await find(path, url).catch(() => undefined);
@@ -135,7 +135,7 @@ export function createVersions({
     if (alone) await sweepNets();
   }
 
-  /** @returns the scripts of the pages that are open; null where nobody can tell */
+  /** @returns scripts of the open tabs; null if they are unknown */
   async function openPages(): Promise<string[] | null> {
     if (!locks) return (await windows()) > 1 ? null : [];
     const { held = [] } = await locks.query();

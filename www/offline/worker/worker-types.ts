@@ -1,4 +1,4 @@
-/** What TypeScript's library for pages lacks of service workers. */
+/** Service worker types that TypeScript's DOM library lacks. */
 
 export type WorkEvent = Event & { waitUntil: (work: Promise<unknown>) => void };
 export type OrderEvent = WorkEvent & { data: { op?: string; extras?: boolean } | null };
@@ -21,7 +21,7 @@ export type WorkerScope = {
 
 /** The files of one build, by their path in the site; `''` is the page itself. */
 export type SiteFile = [path: string, integrity: string];
-/** `needed`: the page does not work without; `extras`: good to have; `onUse`: kept by whoever uses them first */
+/** `needed`: the app does not work without them; `extras`: optional; `onUse`: cached on first use */
 export type Site = {
   version: string;
   needed: SiteFile[];
