@@ -1,5 +1,5 @@
 /**
- * `My styles` and the favourites: kept in this browser (`storage/shelves.ts`), saved as files, shared as links. They are
+ * `My styles` and favourites: stored in this browser (`storage/shelves.ts`), saved to files, shared as links. They are
  * a part of the project, so a style that was deleted comes back by undo.
  */
 
@@ -45,7 +45,7 @@ export function createOwnStyles({
     return [...mine.peek(), ...favourites.peek()].find((style) => style.id === id);
   }
 
-  /** Keeps a style, in the place of the one with its id. */
+  /** Saves a style, or replaces the style with its id. */
   function save(style: Style) {
     put(style);
     messages.note(strings.styleSaved(style.name));

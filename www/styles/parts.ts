@@ -1,8 +1,8 @@
-/** Styles that are for a part of the photo: for its subject, or for what is behind it. */
+/** Styles for a part of the photo: the subject or the background. */
 
 import type { Style } from '../engine/types.ts';
 
-/** @returns whether what is drawn depends on what is known of the subject */
+/** @returns whether the drawing depends on the subject mask */
 export function hasParts(style: Style | undefined): boolean {
   if (!style) return false;
   const { background, foreground = [], where } = style;

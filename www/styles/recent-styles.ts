@@ -1,4 +1,4 @@
-/** The styles that a person chose last, on this device: the first in the list of styles. */
+/** Recently used styles on this device, the first in the list of styles. */
 
 import { signal } from '@preact/signals';
 

@@ -1,4 +1,4 @@
-/** What can be done with the style of the page. */
+/** Actions for the style of the page. */
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';

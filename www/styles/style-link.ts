@@ -1,6 +1,6 @@
 /**
- * A style as a link: its JSON, deflated, in the letters of base64url, behind `#style=`. What comes in may come from
- * anyone, so it is bounded before it is read: the core then checks it like any file.
+ * A style as a link: its JSON, deflated, in the letters of base64url, behind `#style=`. Links are untrusted, so their
+ * size is limited. The core then checks the style like a file.
  */
 
 const MARK = '#style=';
@@ -13,7 +13,7 @@ export function isStyleLink(hash: string): boolean {
   return hash.startsWith(MARK);
 }
 
-/** @returns what stands behind the page's address */
+/** @returns the fragment for the app's address */
 export async function linkOf(style: object): Promise<string> {
   const packed = await gathered(
     new Blob([JSON.stringify(style)]).stream().pipeThrough(new CompressionStream('deflate-raw')),

@@ -1,4 +1,4 @@
-/** What can be done with the style of the page, and how Shuffle chooses the next. */
+/** Style controls of the page, and the options of Shuffle for styles. */
 
 import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';

@@ -1,6 +1,6 @@
 /**
- * The styles, as pictures of the person's own photo, found by name or by kind: the page's own one when it is in no list,
- * the favourites, those that were chosen last, the person's, and the designed ones by their families.
+ * The styles as images of the user's photo, searched by name or kind: the style of the page if it is in no list,
+ * favourites, recent styles, custom styles, and built-in styles by family.
  */
 
 import { useSignal } from '@preact/signals';

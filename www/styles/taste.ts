@@ -1,6 +1,6 @@
 /**
- * What a person likes, learnt from the pages that they love, download or add a page to: families of layouts and styles that
- * were kept are drawn more often. It decays, stays on this device, and can be switched off and forgotten.
+ * Learned preferences, from pages that the user favours, downloads or continues. The layout and style families of these
+ * pages are chosen more often. It decays, stays on this device, and can be switched off and forgotten.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -44,13 +44,13 @@ export function createTaste({ planner, box }: { planner: () => Pick<Planner, 'la
     setOn,
   };
 
-  /** A wish that tells what the person likes, where there is something to choose. */
+  /** Adds the preferences to a wish with a random choice. */
   function asked(wish: Wish): Wish {
     const free = (!wish.keep.layout && wish.layout === undefined) || !wish.keep.style;
     return free && on.peek() ? { ...wish, taste: liking.peek() } : wish;
   }
 
-  /** A page was kept. */
+  /** Learns from a page. */
   function learn(page: PageDocument) {
     if (!on.peek()) return;
     // Another tab may have learnt meanwhile.
