@@ -30,9 +30,7 @@ const LONGEST: usize = 60;
 /// Bundled font with the widest coverage, used to decide whether a glyph is missing.
 const OWN: &str = "comic-neue";
 
-/// Blocks of scripts that are shaped by word: Hebrew to Myanmar, Tagalog to Mongolian, other South and
-/// Southeast Asian scripts, presentation forms of Hebrew and Arabic, and such scripts in the supplementary
-/// planes.
+/// Blocks of scripts that are shaped by word. They include Hebrew to Myanmar, Tagalog to Mongolian, other South and Southeast Asian scripts, and presentation forms of Hebrew and Arabic.
 const JOINED: [(u32, u32); 10] = [
     (0x0590, 0x109f),
     (0x1700, 0x18af),

@@ -210,7 +210,7 @@ fn lines(
     })
 }
 
-/// Sets left-aligned lines at the requested size, or a little smaller to fit the room. If they still do not
+/// Sets left-aligned lines at the requested size, or a little smaller to fit. If they still do not
 /// fit, the end is cut off.
 fn plain(setter: &Setter) -> Setting {
     let (room, wished) = (setter.wish.room, setter.wish.size.unwrap_or(setter.manner.largest));
