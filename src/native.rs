@@ -22,11 +22,11 @@ pub const QUALITY: u8 = 90;
 pub struct Photo {
     /// At its full size.
     pub image: Image,
-    /// Which part of it is its subject, where that is known.
+    /// Subject mask, if known.
     pub subject: Option<Matte>,
 }
 
-/// Photos by their ids.
+/// Photos by id.
 pub type Photos = HashMap<String, Photo>;
 
 impl From<Image> for Photo {
@@ -44,7 +44,7 @@ pub fn photos_of(document: &Document) -> Result<BTreeSet<String>> {
     Ok(scene.panels.into_iter().filter_map(|panel| panel.photo).collect())
 }
 
-/// Whether a page shows a photo in a style somewhere, and not as it is alone.
+/// Whether any panel of the page shows the photo in a style.
 #[must_use]
 pub fn is_styled(document: &Document, photo: &str) -> bool {
     document.panels.iter().any(|panel| !panel.plain && panel.photo.as_deref() == Some(photo))

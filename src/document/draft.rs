@@ -45,7 +45,7 @@ pub struct Place {
     ts(tag = "type", rename_all = "kebab-case", rename_all_fields = "camelCase")
 )]
 pub enum DraftEdit {
-    /// Blocks come in.
+    /// Adds blocks.
     Add {
         /// Before which block.
         #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
@@ -53,34 +53,34 @@ pub enum DraftEdit {
         /// Ids of blocks.
         blocks: Vec<String>,
     },
-    /// A block goes to another place.
+    /// Moves a block.
     Move {
         /// Which.
         #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
         place: Place,
-        /// The layer that it goes to.
+        /// The target layer.
         to_layer: Layer,
-        /// Its place there; the end where that is beyond it.
+        /// Index in the target layer, limited to its end.
         to: usize,
     },
-    /// A block goes.
+    /// Removes a block.
     Remove {
         /// Which.
         #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
         place: Place,
     },
-    /// A second one comes behind it.
+    /// Duplicates a block. The copy follows it.
     Duplicate {
         /// Position to insert after.
         #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
         place: Place,
     },
-    /// It is left out of the chain, or no longer.
+    /// Bypasses a block, or enables it again.
     Bypass {
         /// Which.
         #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
         place: Place,
-        /// Whether it is left out.
+        /// Whether it is bypassed.
         on: bool,
     },
     /// A parameter gets a value.
@@ -94,19 +94,19 @@ pub enum DraftEdit {
         #[cfg_attr(all(test, feature = "cli"), ts(type = "ParamValue"))]
         value: Value,
     },
-    /// A block is for a part of the picture.
+    /// Sets the part of the image for a block.
     Where {
         /// Which block.
         #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
         place: Place,
-        /// For all of it where it is null.
+        /// Null for the whole image.
         part: Option<Part>,
     },
-    /// A layer is for a part of the picture.
+    /// Sets the part of the image for a layer.
     LayerWhere {
         /// Which layer.
         layer: Layer,
-        /// For all of it where it is null.
+        /// Null for the whole image.
         part: Option<Part>,
     },
     /// All values are usual again.
@@ -120,7 +120,7 @@ pub enum DraftEdit {
         /// It.
         name: String,
     },
-    /// It takes care of faces, or no longer.
+    /// Turns face protection on or off.
     Faces {
         /// Whether it does.
         on: bool,
@@ -136,14 +136,14 @@ pub enum DraftEdit {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "Lack", rename_all = "lowercase"))]
 pub enum Misfit {
-    /// Gray: [`Misfit::remedy`] gives it.
+    /// Grayscale input: [`Misfit::remedy`] provides it.
     Luma,
     /// Colour.
     Color,
 }
 
 impl Misfit {
-    /// The block that gives what is lacking.
+    /// The block that provides the missing input.
     #[must_use]
     pub fn remedy(self) -> &'static str {
         match self {
@@ -170,7 +170,7 @@ impl Misfit {
 }
 
 impl Draft {
-    /// A style of nothing.
+    /// A style without blocks.
     #[must_use]
     pub fn empty(id: &str, name: &str) -> Self {
         Self {
@@ -230,8 +230,8 @@ impl Draft {
         }
     }
 
-    /// The style file of a draft, without default values. `tolerant`: blocks that cannot take what comes
-    /// before them are bypassed.
+    /// The style file of a draft, without default values. `tolerant`: blocks that cannot process their input
+    /// are bypassed.
     #[must_use]
     pub fn style(&self, tolerant: bool) -> Value {
         let layer = |steps: &[DraftStep]| -> Vec<Value> {

@@ -25,7 +25,7 @@ use std::sync::Arc;
     ts(tag = "type", rename_all = "kebab-case", rename_all_fields = "camelCase")
 )]
 pub enum Edit {
-    /// Photos come onto the table.
+    /// Adds photos to the tray.
     AddPhotos {
         /// Their ids.
         ids: Vec<String>,
@@ -46,11 +46,11 @@ pub enum Edit {
         #[cfg_attr(all(test, feature = "cli"), ts(type = "Record<string, boolean>"))]
         uses: Vec<(String, bool)>,
     },
-    /// A photo takes the place of another, wherever that was.
+    /// Replaces a photo everywhere.
     ExchangePhoto {
-        /// The one that goes.
+        /// The replaced photo.
         id: String,
-        /// The one that comes.
+        /// The new photo.
         by: String,
     },
     /// Sets how photos are selected and ordered. Missing fields stay unchanged.
@@ -66,7 +66,7 @@ pub enum Edit {
     FocusPhoto {
         /// The photo.
         id: String,
-        /// None takes the mark away.
+        /// `None` removes the focus point.
         focus: Option<Focus>,
     },
     /// Stars a photo, which gets a large panel, or removes the star.
@@ -83,7 +83,7 @@ pub enum Edit {
         /// `None` restores the detected mask.
         #[cfg_attr(all(test, feature = "cli"), ts(type = "string | null"))]
         mask: Option<Matte>,
-        /// That, for the figures of the photo that step out of their panels.
+        /// The detected mask, for the panel breakouts of the photo.
         #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
         found: Option<Matte>,
     },
@@ -115,7 +115,7 @@ pub enum Edit {
     ShowPage {
         /// It.
         page: Arc<Document>,
-        /// Names it among those shown.
+        /// Id of the page in the page history.
         page_id: u64,
     },
     /// The page changes.
@@ -123,7 +123,7 @@ pub enum Edit {
         /// The new page.
         page: Arc<Document>,
     },
-    /// Page settings, and the page on such paper.
+    /// Sets the page settings, with the page on the new paper.
     ChangeSettings {
         /// The settings.
         settings: Arc<PageSettings>,
@@ -137,7 +137,7 @@ pub enum Edit {
         /// Which is edited from now on.
         at: usize,
     },
-    /// Words that are new, laid over pages and photos.
+    /// Adds new text items to pages and photos.
     AddWords {
         /// Each has its page index as `sheet` and its `panel`, or its `photo`. `joins` continues the text
         /// item before.
@@ -147,7 +147,7 @@ pub enum Edit {
         )]
         words: Vec<Value>,
     },
-    /// Words that wait are no longer wanted.
+    /// Deletes unplaced text items.
     DropWaiting {
         /// Their numbers.
         words: Vec<usize>,
@@ -159,7 +159,7 @@ pub enum Edit {
         /// `None` for an empty designer.
         draft: Option<Arc<Draft>>,
     },
-    /// A person's own styles.
+    /// Sets the custom styles.
     OwnStyles {
         /// All of them.
         #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::style::Style>"))]
@@ -171,7 +171,7 @@ pub enum Edit {
         #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::style::Style>"))]
         favourites: List<Value>,
     },
-    /// A person's own layouts.
+    /// Sets the custom layouts.
     OwnLayouts {
         /// All of them.
         #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::layout::Template>"))]
@@ -194,9 +194,9 @@ pub enum Edit {
         /// Its settings.
         styling: Styling,
     },
-    /// A step back.
+    /// One undo step back.
     Undo,
-    /// A step forth.
+    /// One redo step forward.
     Redo,
     /// Replaces lists that all projects share with their current version, without an undo step.
     Share {
@@ -227,11 +227,11 @@ pub enum Part {
 /// A list that all projects share.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shelf {
-    /// A person's own styles.
+    /// Custom styles.
     Mine,
     /// Favourite styles.
     Favourites,
-    /// A person's own layouts.
+    /// Custom layouts.
     Layouts,
 }
 
@@ -263,10 +263,10 @@ impl Shelf {
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct How {
-    /// It amends the present without a step, as for a page that is still growing.
+    /// Amends the present state without an undo step, for example while a page is still being completed.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub silent: bool,
-    /// Names the edit that it belongs to, such as one drag of a slider: a step with the gesture of the step before joins
+    /// Name of a coalesced edit, such as one drag of a slider. A step with the name of the step before joins
     /// it.
     #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub gesture: Option<String>,

@@ -25,10 +25,10 @@ use std::sync::Arc;
 /// What says that it is of this program.
 const FORMAT: &str = "inkpanel";
 
-/// A project file without its pictures.
+/// A project file without its images.
 #[derive(Debug, Clone)]
 pub struct ProjectFile {
-    /// The document and the pages shown; nothing to undo.
+    /// The document and the page history, without undo states.
     pub history: History,
     /// Its photos.
     pub photos: Vec<FilePhoto>,
@@ -68,12 +68,12 @@ pub struct FilePhoto {
     /// Detected subjects; `None` before detection.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<crate::framing::Subject>>"))]
     pub subjects: Option<Vec<Value>>,
-    /// Which part of it is its subject.
+    /// Subject mask.
     #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub mask: Option<Matte>,
     /// Its place in time among the photos.
     pub rank: Option<u64>,
-    /// How it is recognised where its file is not at hand.
+    /// Identity, to find the photo without its file.
     pub like: Option<Likeness>,
     /// Whether an empty frame replaces the photo.
     pub absent: bool,
@@ -106,7 +106,7 @@ pub struct FileVideo {
     /// The type of its file.
     #[cfg_attr(all(test, feature = "cli"), ts(rename = "type"))]
     pub kind: String,
-    /// Photos that are frames of it.
+    /// Ids of photos that are frames of the video.
     pub ids: Vec<String>,
     /// Duration in seconds; `None` until the file was opened.
     pub duration: Option<f64>,
@@ -114,7 +114,7 @@ pub struct FileVideo {
     pub start: f64,
     /// to here.
     pub end: Option<f64>,
-    /// The timecode of its first picture.
+    /// Timecode of the first frame.
     #[cfg_attr(all(test, feature = "cli"), ts(optional))]
     pub timecode: Option<StartTimecode>,
 }

@@ -38,7 +38,7 @@ pub struct Shown {
     /// Its place in the storyboard; 0 in a project of one page.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub sheet: u64,
-    /// Fields that this program does not know.
+    /// Unknown fields, preserved for newer programs.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }

@@ -17,11 +17,13 @@ pub const HISTORY: Bounds = Bounds { bytes: 128 << 20, values: 8_000_000, text: 
 pub const PAGE_TEXT: usize = PROJECT.bytes;
 /// Files in a project file. Pages that were shown before may need more photos than a project has at a time.
 pub const ARCHIVE_ENTRIES: usize = 20_000;
-/// Bytes to which one file in a project file may unpack: it is held whole, and once more where it is decoded.
+/// Maximum unpacked size of one file in a project file, in bytes. The file is in memory, and once more during
+/// decoding.
 pub const ENTRY: u64 = 128 << 20;
 /// Chunks of a PNG file: one of more was not made to be looked at.
 pub const PNG_CHUNKS: usize = 100_000;
-/// Texts of others in a PNG file that are looked at before it is taken for a picture like others.
+/// Maximum number of other text chunks before the project in a PNG file. Files with more are treated as
+/// images.
 pub const PNG_TEXTS: usize = 64;
 /// Characters of a name: of a project, a photo, a video, an author.
 pub const LONGEST_NAME: usize = 1_000;

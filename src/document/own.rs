@@ -1,4 +1,4 @@
-//! The lists that all projects have in common: a person's own styles, favourites and layouts.
+//! Lists that all projects share: custom styles, favourites and custom layouts.
 
 use super::invalid;
 use super::limits::{MOST_LAYOUTS, MOST_STYLES, PROJECT};
@@ -55,7 +55,7 @@ pub fn first_of_each(mut items: Vec<Arc<Value>>) -> List<Value> {
     items.into()
 }
 
-/// A list, of the very items of another where these are alike.
+/// Returns the list with equal items replaced by the objects of `before`.
 #[must_use]
 pub fn reusing(before: &List<Value>, list: &List<Value>) -> List<Value> {
     let known = by_id(before);

@@ -41,7 +41,7 @@ pub fn check(page: &Document) -> Read<()> {
     Ok(())
 }
 
-/// Reads a word that waits for its photo.
+/// Reads an unplaced text item.
 ///
 /// # Errors
 /// With the field that is wrong.

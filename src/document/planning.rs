@@ -23,7 +23,7 @@ const MOST_PANELS: usize = 9;
 /// All parts of the page stay.
 pub const KEEP_ALL: Keep = Keep { layout: true, style: true, photos: true };
 
-/// A photo, and what plans found out about it.
+/// A photo with cached results of plans.
 #[derive(Debug, Clone, Copy)]
 pub struct Known<'p> {
     /// Measurements of the photo.
@@ -69,7 +69,7 @@ impl Seeds {
 }
 
 impl<'p> Planning<'p> {
-    /// One of photos that nothing was found out about.
+    /// Creates a plan context from photos without cached results.
     #[must_use]
     pub fn new(project: &'p Project, photos: &'p [PhotoMeta]) -> Self {
         let photos = photos.iter().map(|meta| Known { meta, place: None }).collect();
@@ -203,7 +203,7 @@ impl<'p> Planning<'p> {
         self.on_paper(&page, settings)
     }
 
-    /// The photos in use that are free for a page, in the same order; all where it is the only page.
+    /// The photos in use that are free for a page, in the same order. For the only page, all photos in use.
     #[must_use]
     #[inline(never)]
     pub fn free(&self, elsewhere: &[&Document], current: Option<&Document>) -> Vec<Known<'p>> {
@@ -217,7 +217,7 @@ impl<'p> Planning<'p> {
         self.photos.iter().filter(|photo| !taken.contains(photo.id())).copied().collect()
     }
 
-    /// The pages beside the one that is edited.
+    /// All pages except the current one.
     #[must_use]
     pub fn elsewhere(&self) -> Vec<&'p Document> {
         self.project.others.iter().map(|sheet| &*sheet.page).collect()

@@ -44,29 +44,29 @@ pub struct Project {
     pub settings: Arc<PageSettings>,
     /// The page that is edited; `None` without pages.
     pub page: Option<Arc<Document>>,
-    /// Names the page among those shown.
+    /// Id of the page in the page history.
     pub page_id: u64,
     /// Names its place in the storyboard through all its versions.
     pub sheet: u64,
     /// The other pages of the storyboard, in order.
     pub others: List<Sheet>,
-    /// How many of these come before the page.
+    /// Number of pages before the current page.
     pub at: usize,
     /// The style in the designer.
     pub draft: Option<Arc<Draft>>,
-    /// Words of photos that no page shows: they come back with these.
+    /// Unplaced text items. They return with their photos.
     #[cfg_attr(all(test, feature = "cli"), ts(type = "ReadonlyArray<Word>", optional))]
     pub waiting: List<Value>,
-    /// A person's own styles, which all projects share.
+    /// Custom styles, which all projects share.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::style::Style>"))]
     pub mine: List<Value>,
     /// Styles that are favourites, which all projects share.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::style::Style>"))]
     pub favourites: List<Value>,
-    /// A person's own layouts, which all projects share.
+    /// Custom layouts, which all projects share.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<Template>"))]
     pub own_layouts: List<Value>,
-    /// The favourites among the pages shown, by their ids.
+    /// Favourite pages of the page history, by id.
     pub loved: Arc<[u64]>,
     /// How a shuffle draws styles.
     pub styling: Styling,
@@ -90,7 +90,7 @@ pub struct TrayItem {
     /// The focus point that the user set.
     #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable))]
     pub focus: Option<Focus>,
-    /// A person wants to see it large.
+    /// Whether the user wants it in a large panel.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub starred: bool,
     /// The corrected subject mask. `None` uses the detected mask.
@@ -99,12 +99,12 @@ pub struct TrayItem {
     /// Shot metadata.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub shot: Shot,
-    /// Fields that this program does not know.
+    /// Unknown fields, preserved for newer programs.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
 
-/// A point of a photo, in parts of it.
+/// A point of a photo, in fractions of its sides.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Focus {
@@ -135,7 +135,7 @@ pub struct Locks {
     pub style: bool,
     /// The photos.
     pub photos: bool,
-    /// Fields that this program does not know.
+    /// Unknown fields, preserved for newer programs.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
@@ -150,7 +150,7 @@ pub struct Styling {
     pub keep_lines: bool,
     /// The colour layer stays.
     pub keep_colours: bool,
-    /// Fields that this program does not know.
+    /// Unknown fields, preserved for newer programs.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
@@ -171,7 +171,7 @@ pub struct Sheet {
     pub page_id: u64,
     /// Names its place through all its versions.
     pub sheet: u64,
-    /// Fields that this program does not know.
+    /// Unknown fields, preserved for newer programs.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
@@ -193,13 +193,13 @@ pub struct Draft {
     pub foreground: Vec<DraftStep>,
     /// Colour of the lines, `#rrggbb`.
     pub ink: String,
-    /// Whether it takes no care of faces.
+    /// Whether face protection is off.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub careless: bool,
-    /// The parts of the picture that the layers are for.
+    /// The parts of the image that the layers apply to.
     #[cfg_attr(all(test, feature = "cli"), ts(rename = "where", as = "Option<LayerParts>", optional))]
     pub parts: LayerParts,
-    /// Fields that this program does not know.
+    /// Unknown fields, preserved for newer programs.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
@@ -215,12 +215,12 @@ pub struct DraftStep {
     /// Its values by the ids of the parameters.
     #[cfg_attr(all(test, feature = "cli"), ts(type = "Record<string, ParamValue>"))]
     pub values: Map<String, Value>,
-    /// Left out of the chain.
+    /// Whether the block is bypassed.
     pub bypass: bool,
     /// The part of the image that it applies to. `None`: the whole image.
     #[cfg_attr(all(test, feature = "cli"), ts(rename = "where", optional))]
     pub part: Option<Part>,
-    /// Fields that this program does not know.
+    /// Unknown fields, preserved for newer programs.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }

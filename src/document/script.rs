@@ -126,8 +126,8 @@ fn is_heading(line: &str) -> bool {
         && rest.chars().filter(|letter| letter.is_alphabetic()).count() <= 10
 }
 
-/// Lays the paragraphs of a script over panels in order. Returns JSON, `{words, unplaced, lines}`: the text items, the number
-/// of text items that no panel has room for, and the number of lines that were read. See [`placed`].
+/// Lays the paragraphs of a script over panels in order. Returns JSON, `{words, unplaced, lines}`: the text
+/// items, the number of text items without a panel, and the number of lines that were read. See [`placed`].
 #[must_use]
 pub fn told(text: &str, panels: usize, taking: Taking) -> String {
     let text = text.char_indices().nth(MOST_SCRIPT).map_or(text, |(end, _)| &text[..end]);

@@ -61,7 +61,7 @@ pub struct Shot {
         ts(as = "Option<std::collections::BTreeMap<String, String>>", optional)
     )]
     pub more: Map<String, Value>,
-    /// Fields that this program does not know.
+    /// Unknown fields, preserved for newer programs.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
@@ -94,7 +94,7 @@ pub struct Board {
     pub logo: String,
     /// Photos that the user ordered. The other photos keep their automatic position.
     pub order: Vec<String>,
-    /// Fields that this program does not know.
+    /// Unknown fields, preserved for newer programs.
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }

@@ -4,7 +4,7 @@
 use super::subtitles::{is_space, trimmed};
 use serde_json::{Value, json};
 
-/// Letters that a balloon holds before its text is parted: some six short lines.
+/// Maximum length of a balloon's text in characters, about six short lines. Longer texts are split.
 pub const LONG: usize = 96;
 /// Letters of a part of a long text, at most, where its words allow it.
 const PART: usize = 72;
@@ -40,14 +40,14 @@ pub struct Said {
     pub speaker: Option<String>,
     /// Whether another person speaks than before, marked by a dash.
     pub turn: bool,
-    /// What.
+    /// Text.
     pub text: String,
 }
 
 /// Options for speech and sounds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Taking<'a> {
-    /// The kind of word that speech becomes: `caption` or `balloon`.
+    /// Kind of the text items: `caption` or `balloon`.
     pub kind: &'a str,
     /// Whether sounds become sound effects. If not, they are dropped.
     pub sounds: bool,
@@ -154,8 +154,8 @@ fn undashed(text: &str) -> (bool, &str) {
     }
 }
 
-/// The name before a colon, and what follows. `loud`: names must be in capitals, as in subtitles. There a
-/// colon in a sentence does not mark a name.
+/// Returns the name before a colon, and the text after it. `loud`: names must be in capitals, as in
+/// subtitles. There a colon in a sentence does not mark a name.
 #[must_use]
 pub fn named(text: &str, loud: bool) -> Option<(&str, &str)> {
     let (name, rest) = text.split_once([':', '：'])?;

@@ -1,4 +1,4 @@
-//! An album laid out over pages: how many, which photos on each, and words that go with their photos.
+//! Distributes an album over pages: number of pages, photos of each page, and text items with their photos.
 
 use super::limits::{MOST_SHEETS, MOST_WORDS};
 use super::planning::{Known, Planning, Seeds, places_of};

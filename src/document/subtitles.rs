@@ -9,14 +9,14 @@ use serde_json::{Value, json};
 
 /// Most bytes of a file.
 pub const MOST_BYTES: usize = 5_000_000;
-/// Most subtitles of a film: one of ten hours with one every other second has fewer.
+/// Maximum number of subtitles. Ten hours with one every two seconds have fewer.
 pub const MOST_CUES: usize = 20_000;
 /// Most characters of a subtitle; two lines on the screen have some eighty.
 pub const MOST_LETTERS: usize = 1_000;
 /// Maximum distance in seconds between a frame and a subtitle. Only a few frames of a video are used, and
 /// each represents its surroundings.
 pub const REACH: f64 = 20.0;
-/// Words of one frame, in a panel that is still to be seen.
+/// Maximum number of text items per frame, so that they do not cover its panel.
 pub const MOST_OF_FRAME: usize = 3;
 /// Frames on either side of a subtitle that are looked at for it.
 const NEAREST: usize = 8;
@@ -95,7 +95,7 @@ impl Flaw {
 /// Result of the parser.
 pub type Result<T> = std::result::Result<T, Flaw>;
 
-/// A frame of a film.
+/// A video frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
     /// Its time in seconds.
@@ -173,7 +173,7 @@ impl Subtitles {
     }
 }
 
-/// The text of a file, and whether its letters were guessed.
+/// Returns the text of a file, and whether its encoding was guessed.
 #[must_use]
 pub fn decoded(bytes: &[u8]) -> Option<(String, bool)> {
     let wide = |order: fn([u8; 2]) -> u16| {

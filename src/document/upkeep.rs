@@ -16,7 +16,7 @@ use std::sync::Arc;
 pub type Groups = Map<String, Value>;
 
 impl Planning<'_> {
-    /// Whether one of the other pages shows what is not in use, or nothing, in a panel.
+    /// Whether another page has an empty panel or a photo that is not in use.
     #[must_use]
     pub fn torn(&self) -> bool {
         let used = self.used();

@@ -33,7 +33,7 @@ pub(super) fn id(place: usize) -> String {
 }
 
 impl Album {
-    /// Reads photos side by side, in the order of the story.
+    /// Reads photos in parallel, in the order of the story.
     ///
     /// # Errors
     /// Returns the error of the first photo that cannot be read: `not-found`, `unreadable`, `unknown-format`,
@@ -120,8 +120,8 @@ impl Album {
     /// Splits the album into at most `most` pages of one style, at changes of time or scene.
     ///
     /// # Errors
-    /// `no-photos`; `invalid-argument` where `most` is not from 1 to 1000; `invalid-document` for a setting out of its range or words
-    /// that break their shape.
+    /// `no-photos`; `invalid-argument` if `most` is outside 1 to 1000; `invalid-document` for a setting out
+    /// of range or an invalid text item.
     pub fn pages(&self, options: &PageOptions, most: usize) -> Result<Vec<Page>, Failure> {
         self.planned(options, Some(most))
     }

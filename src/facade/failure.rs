@@ -4,7 +4,7 @@ use crate::error::Error;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Why something could not be done: a sentence for people, a code for programs, and the photo that it is about.
+/// An error: a message, a stable code, and the photo, if any.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Failure {
     code: &'static str,
@@ -33,7 +33,7 @@ impl Failure {
         self.code
     }
 
-    /// The name of the photo that it is about, where it is about one.
+    /// Name of the photo that caused the error, if any.
     #[must_use]
     pub fn photo(&self) -> Option<&str> {
         self.photo.as_deref()

@@ -1,4 +1,4 @@
-//! The nets that find faces and objects.
+//! Detection models for faces and objects.
 
 use super::failure::Failure;
 use crate::detect::Detectors;

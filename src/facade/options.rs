@@ -174,8 +174,9 @@ impl PageOptions {
         self.checked()
     }
 
-    /// Captions, balloons and sound effects of the first page, as a JSON list of such as
-    /// `{"kind": "balloon", "text": "Look out!", "panel": 0}`; those without a place go where they hide no face.
+    /// Captions, balloons and sound effects of the first page, as a JSON list. An item is for example
+    /// `{"kind": "balloon", "text": "Look out!", "panel": 0}`. Items without a position are placed
+    /// automatically, away from faces.
     ///
     /// # Errors
     /// `invalid-argument` if the text is not a JSON list. The album reports invalid text items.

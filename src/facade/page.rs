@@ -24,8 +24,8 @@ pub(super) struct Book {
     pub(super) notes: Vec<String>,
 }
 
-/// A storyboard page that is planned. It is drawn from its photos, which are read again at their full size, each time its pixels
-/// or a file of it are asked for.
+/// A storyboard page that is planned. Each image or file is drawn from its photos, which are read again at
+/// full size.
 #[derive(Clone)]
 pub struct Page {
     book: Arc<Book>,
@@ -67,7 +67,7 @@ impl Page {
         &self.book.notes
     }
 
-    /// The page as plain data, in JSON: layout, style, crops, words and settings; the photo of each panel by its name.
+    /// The page as JSON: layout, style, crops, text and settings. Photo names replace ids.
     #[must_use]
     pub fn plan(&self) -> String {
         let photos = self.book.photos.iter().enumerate();
@@ -91,7 +91,7 @@ impl Page {
         Ok(Pixels { width, height, rgb: sheet.into_rgb(), dpi })
     }
 
-    /// A PNG file of it.
+    /// Returns the page as a PNG file.
     ///
     /// # Errors
     /// As [`Self::pixels`]; `encode`.
@@ -99,7 +99,7 @@ impl Page {
         self.pixels()?.png()
     }
 
-    /// A JPEG file of it, of a quality from 1 to 100.
+    /// Returns the page as a JPEG file. `quality` is from 1 to 100.
     ///
     /// # Errors
     /// As [`Self::pixels`]; `invalid-argument`; `encode`.

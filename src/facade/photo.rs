@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 
 /// A photo that is given to an [`Album`](super::Album), which reads it.
 ///
-/// The bytes may be JPEG, PNG or BMP, with the feature `rare` also WebP, TIFF or GIF, whatever the file is called; of at most 120
-/// million pixels.
+/// The bytes may be JPEG, PNG or BMP, and with the feature `rare` also WebP, TIFF or GIF. The content
+/// determines the format. The limit is 120 million pixels.
 pub struct Photo {
     name: String,
     source: Source,
@@ -32,16 +32,17 @@ impl Photo {
         Self { name: path.display().to_string(), source: Source::File(path) }
     }
 
-    /// The bytes of a file, and what failures and notes call it.
+    /// Creates a photo from the bytes of a file. `name` appears in failures and notes.
     #[must_use]
     pub fn from_bytes(name: impl Into<String>, bytes: impl AsRef<[u8]> + Send + Sync + 'static) -> Self {
         Self { name: name.into(), source: Source::Bytes(Box::new(bytes)) }
     }
 
-    /// Pixels in sRGB, row by row, three bytes each, and what failures and notes call them.
+    /// Creates a photo from sRGB pixels, row by row, three bytes each. `name` appears in failures and notes.
     ///
     /// # Errors
-    /// `damaged` where a side is 0; `too-large`; `buffer-size` where `rgb` has not `3 * width * height` bytes.
+    /// `damaged` if a side is 0; `too-large`; `buffer-size` if `rgb` does not have `3 * width * height`
+    /// bytes.
     pub fn from_rgb(
         name: impl Into<String>,
         width: usize,

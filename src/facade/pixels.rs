@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::page::{jpeg, png};
 use crate::raster::Image;
 
-/// A picture in sRGB.
+/// An image in sRGB.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Pixels {
@@ -23,7 +23,7 @@ impl Pixels {
     /// Pixels of an image at 96 PPI.
     ///
     /// # Errors
-    /// `buffer-size` where `rgb` has not `3 * width * height` bytes.
+    /// `buffer-size` if `rgb` does not have `3 * width * height` bytes.
     pub fn new(width: usize, height: usize, rgb: Vec<u8>) -> Result<Self, Failure> {
         let (expected, actual) = (width.saturating_mul(height).saturating_mul(3), rgb.len());
         if expected == 0 || actual != expected {

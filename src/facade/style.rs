@@ -62,7 +62,8 @@ impl Style {
         Ok(Self(style::Style::from_value("style", &value)?))
     }
 
-    /// A picture drawn in the style, of the same size. Widths of lines and the like are as on a panel of that size.
+    /// Draws an image in the style, in the same size. Widths of lines and the like are as on a panel of that
+    /// size.
     ///
     /// # Errors
     /// `buffer-size` if the number of bytes does not match the size.

@@ -1,5 +1,5 @@
-//! Lettering in photos: signs, titles, names on boats. A crop that cuts through a word looks like a mistake, so lines of letters
-//! count as subjects.
+//! Lettering in photos: signs, titles, names on boats. A crop that cuts through text looks like a mistake, so
+//! lines of text count as subjects.
 //!
 //! Letters are strokes of even width, darker or lighter than their surroundings, of similar height, side by
 //! side. These observations are from Epshtein, Ofek, Wexler 2010, "Detecting text in natural scenes with
@@ -95,9 +95,10 @@ impl Piece {
     }
 }
 
-/// Lines of letters, in fractions of the image; at most four.
+/// Finds lines of text, in fractions of the image; at most four.
 ///
-/// `image`: the small copy of a photo, some hundred pixels along the longer side; letters lower than 7 of its pixels are not found.
+/// `image`: the small copy of a photo, some hundred pixels along the longer side. Text lower than 7 of its
+/// pixels is not found.
 #[must_use]
 pub fn lettering(image: &Image) -> Vec<Subject> {
     let (width, height) = (image.width(), image.height());

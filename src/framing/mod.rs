@@ -1,8 +1,8 @@
 //! Framing: which photo goes into which panel, and the crop that fits it.
 //!
-//! [`PhotoMeta`] is all that framing knows of a photo: measures, an energy map, and, once detection has run,
-//! its subjects. [`crate::plan`] gives every panel a photo, [`frame()`] finds the crop. Both are pure functions;
-//! pixels never come here, except once at import, in [`EnergyMap::of`], [`Facts::of`] and [`lettering()`].
+//! [`PhotoMeta`] is the input from a photo: measurements, an energy map and, after detection, its subjects.
+//! [`crate::plan`] gives every panel a photo, [`frame()`] finds the crop. Both are pure functions. Pixels are
+//! used only at import, in [`EnergyMap::of`], [`Facts::of`] and [`lettering()`].
 
 mod candidates;
 pub mod energy;

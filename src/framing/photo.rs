@@ -47,15 +47,15 @@ pub struct PhotoMeta {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub facts: Option<Facts>,
-    /// Which part of it is its subject, once that was looked for.
+    /// Subject mask, after detection.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "mask")]
     #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub mask: Option<Matte>,
-    /// Marked by a person as one that matters: it gets the large panel.
+    /// Whether the user starred it: it gets a large panel.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub starred: bool,
-    /// Whether words on the page belong to it: they stay where it stays. Valid for one plan only.
+    /// Whether text items on the page belong to it. They move together. Valid for one plan only.
     #[serde(skip)]
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub spoken: bool,
@@ -150,13 +150,13 @@ impl Subject {
         !self.is_alive() && (self.width * self.height > 0.5 || self.width > 0.9 || self.height > 0.9)
     }
 
-    /// Whether it is a face, a person or an animal.
+    /// Whether the subject is a face, a person or an animal.
     #[must_use]
     pub fn is_alive(&self) -> bool {
         self.label == FACE || self.label == "person" || ANIMALS.contains(&self.label.as_str())
     }
 
-    /// Whether the middle of the other lies in it.
+    /// Whether the centre of the other box is inside this box.
     #[must_use]
     pub fn surrounds(&self, other: &Self) -> bool {
         let within = |at: f64, low: f64, side: f64| at >= low && at <= low + side;

@@ -1,4 +1,4 @@
-//! The part of a panel's rectangle that is seen: inside its outline, not under what is painted later, not in the
+//! The visible part of a panel's rectangle: inside its outline, not covered by later panels, not in the
 //! gutters of a merge.
 //!
 //! It is sampled once on a grid and summed up, so that any of the many crops of a photo asks in constant time how much
@@ -85,8 +85,8 @@ impl Region {
         self.core.unwrap_or(Bounds { x: 0.0, y: 0.0, width: 1.0, height: 1.0 })
     }
 
-    /// The parts of a box that are seen: in all windows together, and in the one that shows most of it. Whatever of the
-    /// box lies outside of the rectangle is not seen.
+    /// The visible shares of a box: in all windows together, and in the window that shows most of it. The
+    /// part outside of the rectangle is not visible.
     #[must_use]
     pub fn shares(&self, inner: Bounds) -> (f64, f64) {
         let area = (inner.width * inner.height).max(f64::MIN_POSITIVE);

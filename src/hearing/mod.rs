@@ -81,7 +81,7 @@ pub enum Kind {
     Music,
 }
 
-/// Names of words of sound, which languages write as they do.
+/// Names of sound effects. Each language has its own spelling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "SoundWord"))]
 #[serde(rename_all = "lowercase")]
@@ -156,7 +156,7 @@ impl Word {
     }
 }
 
-/// A sound of a film.
+/// A sound of a video.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "SoundEvent"))]
 pub struct Event {
@@ -168,7 +168,7 @@ pub struct Event {
     pub kind: Kind,
     /// Loudness in whole dB below full scale, -42 to about 0: of the loudest frame, or the mean for music.
     pub loudness: i32,
-    /// Words that it may be written with, the best first.
+    /// Suggested sound effects, the best first.
     pub words: [Word; 3],
 }
 

@@ -26,7 +26,7 @@ pub(super) struct Frame {
     pub centroid: f32,
     /// The geometric by the arithmetic mean of the power: the spectral flatness, 0 for a tone, about 0.5 for noise.
     pub flatness: f32,
-    /// How alike the magnitudes are to those a tenth of a second before, as the cosine of their angle, 0 to 1.
+    /// Similarity of the magnitudes to those a tenth of a second earlier, as a cosine, 0 to 1.
     pub steadiness: f32,
 }
 

@@ -1,4 +1,4 @@
-//! Which words a sound may be written with: a small table of its loudness, its length and its pitch.
+//! Selects sound effects for a sound, from a small table by loudness, length and pitch.
 
 use super::{Kind, Word};
 use Word::{

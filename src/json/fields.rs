@@ -25,13 +25,13 @@ impl Fields {
         self.0.remove(name)
     }
 
-    /// Takes a field that may be null, which is as if it were missing.
+    /// Takes a field. Null counts as missing.
     #[inline(never)]
     pub fn told(&mut self, name: &str) -> Option<Value> {
         self.take(name).filter(|value| !value.is_null())
     }
 
-    /// Takes a field, which must be there.
+    /// Takes a required field.
     ///
     /// # Errors
     /// When it is missing.
@@ -156,7 +156,7 @@ impl Fields {
         }
     }
 
-    /// Nothing else may be there.
+    /// Checks that no fields are left.
     ///
     /// # Errors
     /// For a field that was not taken.

@@ -86,7 +86,7 @@ impl Wrong {
         Self(Box::new(Fault { place: String::new(), reason: reason.to_owned(), kind }))
     }
 
-    /// A part of a version that this program does not know.
+    /// An error for a newer version.
     #[must_use]
     pub fn newer(version: u64, known: u64) -> Self {
         Self::of_kind(Kind::Newer, &format!("{version} is newer than {known}"))
@@ -144,7 +144,7 @@ impl Wrong {
         &self.0.place
     }
 
-    /// In words that follow the place.
+    /// The reason, a phrase that follows the path.
     #[must_use]
     pub fn reason(&self) -> &str {
         &self.0.reason

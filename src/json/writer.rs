@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-/// Text that grows. Who writes closes what was opened.
+/// Text that grows. The caller must close what it opens.
 #[derive(Debug, Default, Clone)]
 pub struct Writer(Vec<u8>);
 
@@ -65,7 +65,7 @@ impl Writer {
         self.0.extend(if flag { &b"true"[..] } else { b"false" });
     }
 
-    /// Nothing.
+    /// Writes null.
     #[inline(never)]
     pub fn null(&mut self) {
         self.0.extend(b"null");
@@ -106,7 +106,7 @@ impl Writer {
         self.close(b']');
     }
 
-    /// Whether nothing was written.
+    /// Whether the output is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()

@@ -11,7 +11,7 @@ const SPREAD: f64 = 0.42;
 /// Edges nearer than this, in page widths, that do not line up look like a mistake.
 const NEAR_MISS: f64 = 0.06;
 
-/// The score of a template on a page of that aspect (width over height): 0 (poor) to 1. Overlays are left out.
+/// The score of a template on a page of that aspect (width over height): 0 (poor) to 1. Overlays are ignored.
 #[must_use]
 pub fn score(template: &Template, page_aspect: f64) -> f64 {
     let on_page = |p: &Point| Point::new(p.x, p.y / page_aspect);

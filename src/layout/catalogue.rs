@@ -10,7 +10,7 @@ include!(concat!(env!("OUT_DIR"), "/layouts.rs"));
 
 /// All templates, sorted by family (in the order of [`FAMILIES`](super::FAMILIES)), number of panels and id.
 ///
-/// A test reads every file; one that its schema refuses would be left out here.
+/// Invalid files would be skipped, but a test reads every file.
 #[must_use]
 pub fn catalogue() -> &'static [Template] {
     static TEMPLATES: OnceLock<Vec<Template>> = OnceLock::new();

@@ -35,8 +35,8 @@ pub struct Cut {
     pub length: f64,
 }
 
-/// All cuts of a template on a page of that aspect, outer ones before those inside; empty for a template of
-/// polygons and for a single panel.
+/// All dividers of a template on a page of this aspect ratio, outer ones before inner ones. Empty for polygon
+/// templates and for a single panel.
 #[must_use]
 pub fn cuts(template: &Template, page_aspect: f64, settings: &PageSettings) -> Vec<Cut> {
     let page = Page::new(page_aspect, settings);
@@ -52,7 +52,7 @@ pub fn cuts(template: &Template, page_aspect: f64, settings: &PageSettings) -> V
 /// limited by the neighbouring dividers.
 ///
 /// # Errors
-/// `invalid-layout` when there is no such cut or a number is not finite.
+/// `invalid-layout` if there is no such divider or a number is not finite.
 pub fn move_cut(template: &Template, cut: usize, fraction: f64, slant: f64) -> Result<Template> {
     if !fraction.is_finite() || !slant.is_finite() {
         return Err(refused(template, format!("cut {cut}"), "needs a finite place and slant"));
@@ -78,11 +78,11 @@ pub fn move_cut(template: &Template, cut: usize, fraction: f64, slant: f64) -> R
     rebuilt(template, node, template.order.clone(), base_weights(template))
 }
 
-/// The template with a base panel cut in two equal halves, below one another (`Axis::Rows`) or side by side.
-/// The halves follow each other in the reading order.
+/// Splits a base panel in two equal halves, stacked (`Axis::Rows`) or side by side. The halves follow each
+/// other in the reading order.
 ///
 /// # Errors
-/// `invalid-layout` when there is no such panel, or the page would be cut too finely.
+/// `invalid-layout` if there is no such panel, or the panels would be too small.
 pub fn split_panel(template: &Template, panel: usize, axis: Axis) -> Result<Template> {
     let mut node = tree(template)?.clone();
     let at = in_tree(template, panel)?;
@@ -98,10 +98,10 @@ pub fn split_panel(template: &Template, panel: usize, axis: Axis) -> Result<Temp
     rebuilt(template, node, order, weights)
 }
 
-/// The template without a panel; the cells beside a base panel take its room, what lay below an overlay shows.
+/// Removes a panel. The neighbours of a base panel fill its area. Removing an overlay shows the panels below.
 ///
 /// # Errors
-/// `invalid-layout` when there is no such panel, or it is the only one that the page has below overlays.
+/// `invalid-layout` if there is no such panel, or it is the only base panel.
 pub fn remove_panel(template: &Template, panel: usize) -> Result<Template> {
     if panel >= template.base_count() && panel < template.panels.len() {
         let mut changed = template.clone();

@@ -1,4 +1,4 @@
-//! A walk through a JSON value that always knows where it is, so that an error can name the field.
+//! A cursor in a JSON value that knows its path, so that an error can name the field.
 
 use std::ops::RangeInclusive;
 

@@ -1,5 +1,5 @@
-//! Merges: one photo across panels that touch, each panel showing its own window of it, so that the gutter
-//! seems to lie on the picture.
+//! Merges: one photo across adjacent panels. Each panel shows a window of it, so that the gutter seems to be
+//! on top of the photo.
 
 use super::polygon::{Bounds, Point, area, edges, hull};
 use super::resolve::ResolvedPanel;

@@ -1,8 +1,7 @@
 //! Layout: page templates and their geometry.
 //!
-//! A [`Template`] comes from a file of `layouts/` ([`catalogue`]), from a person or from a generator. It
-//! lives in unit coordinates and knows neither gutters nor pixels; [`resolve`] lays it on a page with
-//! [`PageSettings`].
+//! A [`Template`] comes from a file of `layouts/` ([`catalogue`]), from the user or from a generator. It is
+//! in unit coordinates, without gutters and pixels. [`resolve`] places it on a page with [`PageSettings`].
 
 mod aesthetics;
 mod catalogue;

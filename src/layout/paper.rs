@@ -9,7 +9,7 @@ const INCH: f64 = 25.4;
 /// A paper size as the user enters it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PaperSize {
-    /// One that has a name.
+    /// A named size.
     Known(PagePreset),
     /// Width and height in pixels.
     Pixels(u32, u32),

@@ -1,4 +1,4 @@
-//! Convex polygons in the plane: area, hull, clipping and erosion. Knows nothing of pages or templates.
+//! Convex polygons in the plane: area, hull, clipping and erosion. Independent of pages and templates.
 //!
 //! A polygon is a list of corners in order round its edge, clockwise on the screen (y grows downward),
 //! without a repeated last corner. [`normalised`] brings any convex outline into that form.
@@ -163,8 +163,8 @@ pub fn intersection(a: &[Point], b: &[Point]) -> Vec<Point> {
     rest
 }
 
-/// The convex polygon with every edge moved inward by `distance`, at least 0. Edges that vanish on the way
-/// are left out, so the result is never inverted; it is `None` when nothing is left.
+/// The convex polygon with every edge moved inward by `distance`, at least 0. Edges that vanish are removed,
+/// so the result is never inverted. It is `None` if nothing remains.
 #[must_use]
 pub fn eroded(polygon: &[Point], distance: f64) -> Option<Vec<Point>> {
     let mut rest = polygon.to_vec();

@@ -33,7 +33,7 @@ pub struct ResolvedPanel {
     pub bounds: Bounds,
     /// How much the panel draws the eye.
     pub weight: f32,
-    /// True when it lies on top of others.
+    /// Whether the panel is an overlay.
     pub overlay: bool,
     /// Width of the paper-coloured outline around the panel, in page widths. 0 without an outline.
     pub halo: f64,

@@ -35,7 +35,7 @@ pub struct PageSettings {
     pub paper: String,
     /// Colour of the line round a panel, `#rrggbb`.
     pub border_color: String,
-    /// How far what ends at the edge goes on beyond it, 0..=0.1: for a file that is printed and cut, never saved.
+    /// Bleed in page widths, 0 to 0.1. For print files only; it is never saved.
     #[serde(skip_serializing_if = "is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<f64>", optional))]
     pub bleed: f64,
@@ -100,7 +100,7 @@ pub struct PagePreset {
     /// Safe distance of faces and text from the edge in pixels: left and right, then top and bottom. Closer
     /// content may be trimmed or covered by the controls of other apps.
     pub safe: [u32; 2],
-    /// How far they stay from the middle, where two pages are bound, to each side; 0 for a single page.
+    /// Safe distance from the fold between two pages, to each side; 0 for a single page.
     pub fold: u32,
 }
 

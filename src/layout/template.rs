@@ -9,7 +9,7 @@ use super::tree::{Node, PAGE};
 use super::write::Descriptor;
 use crate::error::Result;
 
-/// The least thickness of a panel, in page widths, where a template is still offered.
+/// Minimum thickness of a panel, in page widths. Templates with thinner panels are not offered.
 pub const LEAST_THICKNESS: f64 = 0.12;
 /// The most elongated panels (width over height, height over width) where a template is still offered: near
 /// the aspect that it was drawn for, and on pages of quite another aspect, where nobody chose them.
@@ -39,7 +39,7 @@ pub struct Panel {
     pub shape: Shape,
     /// How much it draws the eye: the strongest photo belongs into the panel of the greatest weight.
     pub weight: f32,
-    /// True for a panel that lies on top of others; the rest tile the page.
+    /// Whether the panel is an overlay. Other panels tile the page.
     pub overlay: bool,
     /// Width of the paper-coloured outline that separates an overlay from the panels below, in gutters. 0 for
     /// the rest.

@@ -1,4 +1,4 @@
-//! Split trees: a page cut into rows and columns, those cut again, with straight or slanted cuts.
+//! Split trees: a page divided into rows and columns recursively, with straight or slanted dividers.
 
 use super::polygon::Point;
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,4 @@
-//! A template back to the text of a layout file, and to what the page draws thumbnails from.
+//! Writes a template as the text of a layout file, and as data for thumbnails.
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -61,7 +61,7 @@ pub struct LayoutPanel<'a> {
     pub shape: Outline<'a>,
     /// How much it draws the eye.
     pub weight: f32,
-    /// It lies on top of others.
+    /// Whether the panel is an overlay.
     pub overlay: bool,
 }
 
@@ -105,7 +105,7 @@ pub struct PlacedPanel<'a> {
     pub circle: Option<Circle>,
     /// The rectangle round the outline.
     pub bounds: Bounds,
-    /// It lies on top of others.
+    /// Whether the panel is an overlay.
     pub overlay: bool,
     /// Width of the paper-coloured outline around the panel. 0 without an outline.
     pub halo: f64,

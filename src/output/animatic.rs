@@ -53,20 +53,20 @@ pub struct Request {
     pub captions: bool,
     /// Frames per second of animated panels from videos; 0 for stills.
     pub living: u32,
-    /// The style of the pictures: an id, or a style in full.
+    /// The style: an id, or a complete style.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<crate::page::document::StyleChoice>"))]
     pub style: Value,
 }
 
-/// The picture of a shot.
+/// The image of a shot.
 #[derive(Debug, Clone, Deserialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "AnimaticPicture"))]
 pub struct Picture {
     /// Id of the photo.
     pub photo: String,
-    /// The part of it that a frame shows, of the aspect of the frames.
+    /// The crop, with the aspect ratio of the frames.
     pub crop: Crop,
-    /// Faces of it, which the style takes care of.
+    /// Faces of the photo, which the style protects.
     #[serde(default)]
     pub faces: Vec<Crop>,
     /// Detected subjects. The camera prefers faces, then people and animals, then things.
@@ -80,13 +80,13 @@ pub struct Picture {
 pub struct Animatic {
     /// Frames of a counted second.
     pub fps: u32,
-    /// Frames of a second of the clock: fewer where the list's seconds pass slower (23.976 of 24).
+    /// Frames per second of real time. Lower than the frame rate for NTSC (23.976 instead of 24).
     pub rate: f64,
     /// Width and height of the frames in pixels.
     pub size: [u32; 2],
     /// How many frames there are.
     pub frames: u32,
-    /// Pictures a second of panels that move, 0 where none does.
+    /// Frames per second of animated panels, 0 without any.
     pub living: u32,
     /// The shots, or the pages, without gaps between them.
     pub clips: Vec<Clip>,
@@ -106,13 +106,13 @@ pub struct Clip {
     pub frames: u32,
     /// First frame, including the dissolve from the shot before.
     pub from: u32,
-    /// The frame behind its last, a dissolve into the next one counted.
+    /// Index after the last frame, including the dissolve to the next shot.
     pub to: u32,
     /// View of the camera at `from`, in fractions of the image. Equal to `last` without a camera move.
     pub first: Crop,
     /// View of the camera at the end.
     pub last: Crop,
-    /// The picture as a page of one panel, as large as the narrowest view wants it.
+    /// The image as a page of one panel, large enough for the closest view.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Document"))]
     pub picture: Value,
     /// An empty page of the frame size with only the caption, if the shot has one. The caption is centred,
@@ -128,7 +128,7 @@ pub struct Clip {
 pub struct Shown {
     /// Which clip.
     pub clip: usize,
-    /// The part of its picture that fills the frame.
+    /// The part of the image that fills the frame.
     pub view: Crop,
     /// Opacity over the clip below, 0 to 1.
     pub share: f64,
@@ -151,7 +151,8 @@ impl Request {
     /// The shots in their times.
     ///
     /// # Errors
-    /// `invalid-document` for no shots, pictures that are not as many, sizes, rates and lengths out of bounds.
+    /// `invalid-document` without shots, for a wrong number of images, or for sizes, rates and durations out
+    /// of range.
     pub fn planned(&self) -> Result<Animatic> {
         let (size, fps) = self.checked()?;
         let lengths = self.lengths(fps)?;
@@ -283,7 +284,7 @@ impl Animatic {
         shown.map_or_else(Told::default, |reading| reading.told(frame))
     }
 
-    /// Which of the pictures of panels that move a frame shows, counted through all of the film.
+    /// Index of the current frame of animated panels, counted from the start of the video.
     #[must_use]
     pub fn beat(&self, frame: u32) -> u32 {
         (u64::from(frame) * u64::from(self.living) / u64::from(self.fps.max(1))) as u32

@@ -61,7 +61,7 @@ pub struct Request {
     pub author: String,
     /// When.
     pub date: String,
-    /// A picture in the head of every sheet.
+    /// Logo in the header of every sheet.
     pub logo: Option<Logo>,
     /// Whether the paper is US Letter instead of A4.
     pub letter: bool,
@@ -72,22 +72,22 @@ pub struct Request {
     pub labels: Labels,
 }
 
-/// The picture of a shot.
+/// The image of a shot.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "BoardPicture"))]
 pub struct PictureOf {
     /// Id of the photo.
     pub photo: String,
-    /// The part of it that the frame shows.
+    /// The crop of the frame.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "crate::framing::Crop"))]
     pub crop: Value,
-    /// Faces of it, which the style takes care of.
+    /// Faces of the photo, which the style protects.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::framing::Crop>"))]
     pub faces: Value,
 }
 
-/// The picture in the heads.
+/// The logo in the headers.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "BoardLogo"))]

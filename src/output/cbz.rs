@@ -1,5 +1,5 @@
-//! A comic archive: a picture a page, `ComicInfo.xml` (version 2.0) for libraries of comics, and `comic.acbf` (ACBF 1.1) for readers
-//! that go from panel to panel and show words as text.
+//! A comic archive: one image per page, `ComicInfo.xml` (version 2.0) for comic libraries, and `comic.acbf`
+//! (ACBF 1.1) for readers with guided view and text.
 
 use super::comic::{Comic, File, Piece};
 use super::markup::{escaped, points};

@@ -18,7 +18,7 @@ pub struct Comic {
     /// BCP 47 tag, such as `en`. The reader's interface uses this language, or English if it is not
     /// available.
     pub language: String,
-    /// The files that its pictures are.
+    /// File format of the images.
     pub picture: PictureKind,
     /// Its pages in order.
     pub pages: Vec<ComicPage>,
@@ -29,7 +29,7 @@ pub struct Comic {
 #[serde(deny_unknown_fields)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct ComicPage {
-    /// The page; its picture is as large as that.
+    /// The page. Its image has the page's size.
     pub document: Document,
     /// Content of each panel, such as `two people and a dog`, in paint order. Empty if unknown.
     pub shows: Vec<String>,
@@ -39,7 +39,7 @@ pub struct ComicPage {
     pub moving: Vec<Crop>,
 }
 
-/// A kind of picture.
+/// An image format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
@@ -74,15 +74,15 @@ impl PictureKind {
     }
 }
 
-/// A part of a file: text, or the picture of the page of that number, from 0. The animated panels follow
-/// after the images of all pages, page by page.
+/// A part of a file: text, or the image of the page with this index. The animated panels follow after the
+/// images of all pages, page by page.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub enum Piece {
     /// Text.
     Text(String),
-    /// The number of a page whose picture stands here.
+    /// Image of the page with this index.
     Picture(usize),
 }
 

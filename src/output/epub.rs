@@ -20,7 +20,7 @@ const MADE: &str = "1980-01-01T00:00:00Z";
 const STYLE: &str = include_str!("epub.css");
 const XML: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 
-/// The files of the book in their order; `mimetype` is the first, which nothing may pack.
+/// The files of the book in order. `mimetype` is the first and must be stored uncompressed.
 ///
 /// # Errors
 /// As [`tell`].

@@ -1,6 +1,6 @@
 //! One HTML file with a comic and its reader. Images are data URLs. Every panel is a region with its content
 //! and text, in reading order. Its Content-Security-Policy blocks all network requests and allows only its
-//! script, its style and embedded images. Without a script it is a long page of pictures and text.
+//! script, its style and embedded images. Without JavaScript it is a long page of images and text.
 
 use super::comic::{Comic, Piece};
 use super::markup::{escaped, points, short, with_readings};

@@ -16,8 +16,8 @@
 //! | [`shots`] | the shots of a board as lists that spreadsheets and cutting rooms read |
 //! | `markup` | text in XML and HTML |
 //!
-//! No picture passes through here: a page at print size has megabytes, which the browser keeps as Blobs. The
-//! output contains placeholders for images, and the caller inserts the image data.
+//! No image passes through this module: a page at print size has megabytes, which the browser stores as
+//! blobs. The output contains placeholders for images, and the caller inserts the image data.
 
 pub mod animatic;
 pub mod board;

@@ -1,5 +1,5 @@
-//! Pages as a film: each is seen as a whole, then read panel by panel, then seen as a whole again. The camera
-//! moves from panel to panel in reading order, and the other panels are dimmed. Text appears item by item, at
+//! Motion comics: each page is shown completely, then panel by panel, then completely again. The camera moves
+//! from panel to panel in reading order, and the other panels are dimmed. Text appears item by item, at
 //! reading speed. The result is an [`Animatic`] whose clips are pages, so both use one renderer.
 
 use super::animatic::{Animatic, Clip, MOST_FRAMES, between, eased, framed, invalid, page_value};
@@ -20,7 +20,7 @@ pub const FPS: u32 = 24;
 const USUAL_SECONDS: f64 = 2.0;
 /// And at most.
 pub const MOST_SECONDS: f64 = 60.0;
-/// How long one page goes over into the next at most, in seconds.
+/// Maximum duration of a dissolve between pages, in seconds.
 pub const MOST_DISSOLVE: f64 = 1.0;
 /// How long a page is seen as a whole, before it is read and after.
 const WHOLE: (f64, f64) = (1.2, 0.9);
@@ -53,7 +53,7 @@ pub struct Request {
     pub size: [u32; 2],
     /// Frames per second, 1 to 60.
     pub fps: u32,
-    /// How long a panel is seen at least, in seconds; two where it is 0.
+    /// Minimum duration of a panel in seconds; 0 for the default of two.
     pub seconds: f64,
     /// Duration of a dissolve between two pages in seconds; 0 for hard cuts.
     pub dissolve: f64,
@@ -72,7 +72,7 @@ pub struct Reading {
     /// The page with its text items, which are drawn one by one over its image. Null without text.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Document>"))]
     pub words: Value,
-    /// Its words in the order in which they appear.
+    /// Its text items in order of appearance.
     pub said: Vec<Said>,
     /// Stops of the camera, in order. The first and the last stop show the whole page.
     pub stops: Vec<Stop>,
@@ -80,11 +80,11 @@ pub struct Reading {
     fade: u32,
 }
 
-/// A word that appears.
+/// A text item that appears.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Said {
-    /// Its place among the words of the page.
+    /// Index of the text item on the page.
     pub word: usize,
     /// The panel that it is read with.
     pub panel: usize,
@@ -92,7 +92,7 @@ pub struct Said {
     pub from: u32,
 }
 
-/// A place where the camera stays.
+/// A stop of the camera.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Stop {
@@ -100,7 +100,7 @@ pub struct Stop {
     pub panel: Option<usize>,
     /// The first frame in which the camera is there.
     pub from: u32,
-    /// The frame behind the last one.
+    /// Index after the last frame.
     pub to: u32,
     /// View at `from`, in fractions of the page image. It may extend beyond the page.
     pub first: Crop,
@@ -111,7 +111,7 @@ pub struct Stop {
 /// How far a page is read in a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Told {
-    /// How many words are there, in the order in which they appear; of one that is just appearing, a part.
+    /// Number of visible text items, in order of appearance. A fraction for an item that is appearing.
     pub words: f64,
     /// The panel that is read.
     pub panel: Option<usize>,

@@ -16,23 +16,23 @@ const LANGUAGES: [(&str, &str); 6] = [
     ("pt", include_str!("languages/pt.json")),
 ];
 
-/// The words of a language. `{page}`, `{panel}` and `{panels}` are placeholders for numbers.
+/// The texts of a language. `{page}`, `{panel}` and `{panels}` are placeholders for numbers.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Phrases {
-    /// The way of reading that goes from panel to panel.
+    /// Button of the guided view, panel by panel.
     pub panels: String,
-    /// The one that shows whole pages.
+    /// Button of the view of whole pages.
     pub pages: String,
     /// Button that shows all content as text.
     pub text: String,
-    /// Whether pictures that move do so.
+    /// Switch of animated panels.
     pub motion: String,
     /// Name of the group of three views.
     pub view: String,
-    /// Back by a panel or a page.
+    /// Button to the previous panel or page.
     pub previous: String,
-    /// On by a panel or a page.
+    /// Button to the next panel or page.
     pub next: String,
     /// The name of a page.
     pub page: String,

@@ -23,9 +23,9 @@ const SLANT: f64 = 0.3;
 /// A page.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ToldPage {
-    /// Width of its picture in pixels.
+    /// Width of its image in pixels.
     pub width: u32,
-    /// Height of its picture in pixels.
+    /// Height of its image in pixels.
     pub height: u32,
     /// Its panels in the order in which they are read.
     pub panels: Vec<ToldPanel>,
@@ -46,14 +46,14 @@ pub struct ToldPanel {
     pub words: Vec<ToldWord>,
 }
 
-/// A word.
+/// A text item.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ToldWord {
     /// Kind.
     pub kind: WordKind,
     /// Text on one line.
     pub text: String,
-    /// Its place among the words of the document.
+    /// Index in the text items of the document.
     pub place: usize,
     /// The text in segments, with a reading for segments that have one.
     pub pieces: Vec<(String, Option<String>)>,
@@ -95,7 +95,7 @@ pub(super) fn within(bounds: Bounds, page: &ToldPage) -> Bounds {
 /// All pages of a comic.
 ///
 /// # Errors
-/// `invalid-document` for panels that do not fit the layout and for words that break their shape; `unknown-layout`,
+/// `invalid-document` for panels that do not fit the layout, or invalid text items; `unknown-layout`,
 /// `invalid-layout`.
 pub fn tell(comic: &Comic, letters: &Letters, phrases: &Phrases) -> Result<Vec<ToldPage>> {
     comic

@@ -1,4 +1,4 @@
-//! Near-duplicates put together.
+//! Groups of near-duplicates.
 
 use super::fingerprint::distance;
 

@@ -21,7 +21,7 @@ const TITLE: f32 = 0.72;
 /// Largest mean distance of the chroma of a title from its own mean.
 const COLOURLESS: f32 = 6.0;
 
-/// One channel of a frame as a decoder gives it.
+/// One channel of a decoded frame.
 #[derive(Debug, Clone, Copy)]
 pub struct Samples<'a> {
     /// The channel's first sample and all that follows.
@@ -37,7 +37,7 @@ pub struct Samples<'a> {
 }
 
 impl<'a> Samples<'a> {
-    /// A channel whose last sample lies within `bytes`.
+    /// A channel whose last sample is within `bytes`.
     ///
     /// # Errors
     /// `buffer-size`.
@@ -121,7 +121,7 @@ impl<'a> Samples<'a> {
     }
 }
 
-/// A frame as it is remembered.
+/// Stored data of a frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Look {
     luma: Vec<u8>,
@@ -132,9 +132,9 @@ pub struct Look {
     pub deviation: f32,
     /// Mean of luma.
     pub mean: f32,
-    /// It shows nothing: black, white, one colour.
+    /// Whether the frame is blank: black, white or one colour.
     pub flat: bool,
-    /// It shows letters on an even ground, or hardly more.
+    /// Whether the frame is a title: mainly text on an even background.
     pub title: bool,
 }
 

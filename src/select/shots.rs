@@ -32,7 +32,7 @@ const FADED: f32 = 0.5;
 /// and how far such a frame may be away, in seconds: half of the longest fade.
 const FADE: f64 = 3.0;
 
-/// The film as far as it was looked at.
+/// The samples of a video.
 #[derive(Debug, Default)]
 pub struct Film {
     times: Vec<f64>,
@@ -48,7 +48,7 @@ pub struct Shot {
     pub end: f64,
     /// Indices of the sampled frames that may represent the shot. Black and fading frames are excluded.
     pub usable: Vec<usize>,
-    /// It shows letters on an even ground.
+    /// Whether the shot is a title: text on an even background.
     pub title: bool,
 }
 

@@ -22,7 +22,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
 use timecode::{Pace, Rate, StartTimecode};
 
-/// Shots in their order. In JSON what is empty may be missing.
+/// Shots in their order. In JSON, empty fields may be missing.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(optional_fields))]
@@ -61,16 +61,16 @@ pub struct ListedShot {
     pub frames: Option<u32>,
     /// Values of custom columns.
     pub more: BTreeMap<String, String>,
-    /// The name of its picture.
+    /// File name of the photo.
     pub name: String,
-    /// The film that it is a frame of.
+    /// The video, if the photo is a frame.
     pub film: Option<Film>,
 }
 
 /// Tolerance in frames at the end of a source, because its length was rounded to milliseconds.
 const ROUNDED: f64 = 0.1;
 
-/// A place in a film.
+/// A position in a video.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(optional_fields))]
@@ -79,11 +79,11 @@ pub struct Film {
     pub key: String,
     /// The name of its file.
     pub name: String,
-    /// Seconds from its first picture.
+    /// Seconds from the first frame.
     pub time: f64,
-    /// How long it is, in seconds, where that is known.
+    /// Duration in seconds, if known.
     pub length: Option<f64>,
-    /// The timecode of its first picture.
+    /// Timecode of the first frame.
     pub timecode: Option<StartTimecode>,
 }
 

@@ -1,5 +1,5 @@
-//! An `OpenTimelineIO` timeline of one picture track, its fields in the metadata of the clips. Source times
-//! are the source timecodes. Source: the schema of `OpenTimelineIO` 0.15 (`Timeline.1`, `Clip.2`,
+//! An `OpenTimelineIO` timeline of one video track. Shot fields are in the metadata of the clips. Source
+//! times are the source timecodes. Source: the schema of `OpenTimelineIO` 0.15 (`Timeline.1`, `Clip.2`,
 //! `ExternalReference.1`).
 
 use super::timecode::Rate;

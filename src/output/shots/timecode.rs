@@ -47,9 +47,9 @@ impl Pace {
 /// How frames are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Rate {
-    /// Frames of a counted second; 24, 30 where the clock's are 23.976, 29.97.
+    /// Frames per counted second, such as 24 for 23.976 or 30 for 29.97.
     pub base: u32,
-    /// How fast such a second passes.
+    /// Timecode pace.
     pub pace: Pace,
 }
 
@@ -61,7 +61,7 @@ impl Rate {
         f64::from(self.base) * slower
     }
 
-    /// Whether frame numbers are left out.
+    /// Whether the timecode is drop-frame.
     #[must_use]
     pub fn drops(self) -> bool {
         self.pace == Pace::Drop
@@ -155,7 +155,7 @@ impl StartTimecode {
         Some(Self { frame: u32::try_from(frame).ok()?, fps, drop }).filter(|start| start.is_valid())
     }
 
-    /// Whether there is such a rate and the time is within a day.
+    /// Whether the rate is supported and the time is within a day.
     #[must_use]
     pub fn is_valid(self) -> bool {
         (1..=MAX_FPS).contains(&self.fps)

@@ -1,4 +1,5 @@
-//! XML of Final Cut Pro 7: a sequence of one picture track. Source: Apple, Final Cut Pro XML Interchange Format, version 5.
+//! Final Cut Pro 7 XML: a sequence of one video track. Source: Apple, Final Cut Pro XML Interchange Format,
+//! version 5.
 
 use super::timecode::{Pace, Rate};
 use super::{Cut, ShotList};
