@@ -1,7 +1,7 @@
 //! wasm bindings of glyphs, shared by the words and exports modules: the fonts and the traced glyphs. The app
 //! loads the fonts once, as a separate file for both.
 //!
-//! Errors are as in the module of words.
+//! Errors are like in the words module.
 
 use inkpanel::page::words::Letters;
 use inkpanel::page::words::learning::Drawing;

@@ -12,14 +12,14 @@ const SIDE: usize = 224;
 /// The scores that people could give are 1 to this.
 const MOST: usize = 10;
 
-/// The judge of pictures, ready to run.
+/// The image-aesthetics model, loaded.
 pub struct Aesthetics(Net<1>);
 
 impl Aesthetics {
-    /// Reads the net (an ONNX file).
+    /// Loads the model (an ONNX file).
     ///
     /// # Errors
-    /// `detector` when the file is not the net that it should be.
+    /// `detector` if the file is not the expected model.
     pub fn new(onnx: &[u8]) -> Result<Self> {
         Net::new(onnx, SIDE).map(Self)
     }
@@ -27,7 +27,7 @@ impl Aesthetics {
     /// The predicted mean rating of an image by people, from 1 to 10. Most photos are near 5.
     ///
     /// # Errors
-    /// `detector` when the net fails.
+    /// `detector` if the model fails.
     pub fn score(&self, picture: &Image) -> Result<f64> {
         let [logits] = self.0.run(&stretched(picture))?;
         if logits.len() != MOST {

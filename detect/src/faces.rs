@@ -1,5 +1,5 @@
 //! Faces: `BlazeFace` (Bazarevsky et al., "Sub-millisecond Neural Face Detection on Mobile GPUs"), the
-//! full-range net, which looks at 192 x 192 pixels and knows faces from about a tenth of that side.
+//! full-range model. Its input is 192 x 192 pixels, and it finds faces from about a tenth of that side.
 
 use super::Detection;
 use super::letterbox::letterbox;
@@ -37,10 +37,10 @@ pub struct Faces {
 }
 
 impl Faces {
-    /// Reads the net (an ONNX file).
+    /// Loads the model (an ONNX file).
     ///
     /// # Errors
-    /// `detector` when the file is not the net that it should be.
+    /// `detector` if the file is not the expected model.
     pub fn new(onnx: &[u8]) -> Result<Self> {
         Ok(Self { net: Net::new(onnx, SIDE)? })
     }
@@ -48,7 +48,7 @@ impl Faces {
     /// The faces that the whole photo shows at once, the surest first.
     ///
     /// # Errors
-    /// `detector` when the net fails.
+    /// `detector` if the model fails.
     pub fn look(&self, photo: &Image) -> Result<Vec<Detection>> {
         let whole = Region::whole(photo.width(), photo.height());
         Ok(detections(suppress(self.candidates(photo, whole, THRESHOLD)?, SAME)))
@@ -58,7 +58,7 @@ impl Faces {
     /// replaces `first`.
     ///
     /// # Errors
-    /// `detector` when the net fails.
+    /// `detector` if the model fails.
     pub fn look_closer(&self, photo: &Image, first: &[Detection]) -> Result<Vec<Detection>> {
         let mut all: Vec<Candidate> = first
             .iter()

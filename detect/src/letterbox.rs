@@ -1,4 +1,4 @@
-//! A part of a photo in the square that a net looks at: scaled to fit, centred, black round it.
+//! Scales a part of a photo to fit the square input of a model, centred on black.
 
 use inkpanel_pixels::raster::Image;
 use inkpanel_pixels::raster::resize::{Region, resample_image};

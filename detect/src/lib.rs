@@ -3,10 +3,10 @@
 //! Faces and objects in a photo, by two single-shot detectors that run on this device. A third model scores
 //! the aesthetics of an image, and a fourth finds the subject mask of a photo.
 //!
-//! A stage beside `select`: it looks at a photo's pixels once and gives boxes, which framing works with. It
+//! The module is on the level of `select`: it reads a photo's pixels once and returns boxes for framing. It
 //! is a separate crate, so that its wasm module contains no page code, and builds without models do not need
 //! tract. The models are files (`www/models/`, made by `cargo xtask models`); the caller reads them.
-//! Everything is in fractions of the photo, so that a reduced copy gives the answer for the original.
+//! Coordinates are fractions of the photo, so that results of a reduced copy are valid for the original.
 
 mod aesthetics;
 mod enlarge;
@@ -67,19 +67,19 @@ pub struct Detectors {
 }
 
 impl Detectors {
-    /// Reads the two nets (ONNX files).
+    /// Loads both models (ONNX files).
     ///
     /// # Errors
-    /// `detector` when a file is not the net that it should be.
+    /// `detector` if a file is not the expected model.
     pub fn new(faces: &[u8], objects: &[u8]) -> Result<Self> {
         Ok(Self { faces: Faces::new(faces)?, objects: Objects::new(objects)? })
     }
 
-    /// Finds faces and objects in a photo in colour, faces first, each from the surest to the least sure; a copy of
-    /// 600 pixels or more a side is enough. Looks closer for small faces where that is worth it.
+    /// Finds faces and objects in a photo in colour, faces first, each from the surest to the least sure; a
+    /// copy of 600 pixels or more a side is enough. Also searches small faces if it is worthwhile.
     ///
     /// # Errors
-    /// `detector` when a net fails.
+    /// `detector` if a model fails.
     pub fn detect(&self, photo: &Image) -> Result<Vec<Detection>> {
         let first = self.faces.look(photo)?;
         let mut found =

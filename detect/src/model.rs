@@ -1,4 +1,4 @@
-//! A net from an ONNX file, run by tract.
+//! A model from an ONNX file, run by tract.
 
 use std::collections::HashSet;
 use std::io::Cursor;

@@ -21,10 +21,10 @@ pub struct Objects {
 }
 
 impl Objects {
-    /// Reads the net (an ONNX file).
+    /// Loads the model (an ONNX file).
     ///
     /// # Errors
-    /// `detector` when the file is not the net that it should be.
+    /// `detector` if the file is not the expected model.
     pub fn new(onnx: &[u8]) -> Result<Self> {
         Ok(Self { net: Net::new(onnx, SIDE)?, anchors: mobilenet_anchors() })
     }
@@ -32,7 +32,7 @@ impl Objects {
     /// The objects of a photo, the surest first.
     ///
     /// # Errors
-    /// `detector` when the net fails.
+    /// `detector` if the model fails.
     pub fn look(&self, photo: &Image) -> Result<Vec<Detection>> {
         let (input, place) = letterbox(photo, Region::whole(photo.width(), photo.height()), self.net.side());
         let [boxes, logits] = self.net.run(&input)?;

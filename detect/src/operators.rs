@@ -1,5 +1,4 @@
-//! The operators of our nets, and no others: a list of all that ONNX has would bring all of them into the
-//! browser's module.
+//! The operators of the models. A full ONNX registry would add all operators to the wasm module.
 
 use tract_onnx::Onnx;
 use tract_onnx::model::{OnnxOpRegister, ParsingContext};

@@ -1,4 +1,4 @@
-//! Which pixels of a photo are its subject, whatever that is: `U²-Net` in its small size, at 320 x 320 pixels.
+//! Subject masks by the small `U²-Net`, at 320 x 320 pixels, for any kind of subject.
 //!
 //! X. Qin et al., "U²-Net: Going Deeper with Nested U-Structure for Salient Object Detection" (2020). It was trained on
 //! stretched photos.
@@ -9,20 +9,20 @@ use inkpanel_pixels::error::{Error, Result};
 use inkpanel_pixels::raster::resize::{Region, resample_image};
 use inkpanel_pixels::raster::{Image, Matte, Plane};
 
-/// Side of the net's input and output in pixels.
+/// Side of the model's input and output in pixels.
 pub const SIDE: usize = 320;
 /// Means and standard deviations of the photos that it was trained on, by channel.
 const MEANS: [f32; 3] = [0.485, 0.456, 0.406];
 const DEVIATIONS: [f32; 3] = [0.229, 0.224, 0.225];
 
-/// The net of subjects, ready to run.
+/// The subject model, loaded.
 pub struct Segmenter(Net<1>);
 
 impl Segmenter {
-    /// Reads the net (an ONNX file).
+    /// Loads the model (an ONNX file).
     ///
     /// # Errors
-    /// `detector` when the file is not the net that it should be.
+    /// `detector` if the file is not the expected model.
     pub fn new(onnx: &[u8]) -> Result<Self> {
         Net::new(onnx, SIDE).map(Self)
     }
@@ -31,7 +31,7 @@ impl Segmenter {
     /// enough.
     ///
     /// # Errors
-    /// `detector` when the net fails.
+    /// `detector` if the model fails.
     pub fn look(&self, photo: &Image) -> Result<Matte> {
         matte(&self.shares(photo)?, (photo.width(), photo.height()))
     }
@@ -55,14 +55,14 @@ impl Segmenter {
     }
 }
 
-/// A look at a photo that goes on step by step.
+/// A detection in progress, step by step.
 pub struct Look {
     run: Run<1>,
     size: (usize, usize),
 }
 
 impl Look {
-    /// One step; gives what the photo shows with the last.
+    /// Runs one step. The last step returns the mask.
     ///
     /// # Errors
     /// As [`Segmenter::look`].

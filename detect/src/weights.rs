@@ -1,4 +1,4 @@
-//! Weights in half precision, as the files of our nets have them, as the single precision that the nets run with.
+//! Converts weights from half precision, as in the model files, to single precision.
 
 use std::collections::HashMap;
 

@@ -25,7 +25,7 @@ pub enum Error {
     MostlyDamaged {
         /// Common name of the format.
         format: &'static str,
-        /// Share of the picture that can be decoded.
+        /// Share of the image that can be decoded.
         percent: u8,
     },
     /// A sound file of a kind that we do not read.
@@ -43,7 +43,7 @@ pub enum Error {
         width: u64,
         /// Announced height in pixels.
         height: u64,
-        /// The limit that was passed, in words.
+        /// The exceeded limit, as text.
         limit: String,
     },
     /// A pixel buffer does not have the size that its width and height ask for.
@@ -63,7 +63,7 @@ pub enum Error {
     InvalidStyle {
         /// File name or id of the style.
         file: String,
-        /// Where: `background[2] (gaussian), sigma`.
+        /// Location: `background[2] (gaussian), sigma`.
         location: String,
         /// The problem and the expected value.
         reason: String,
@@ -94,7 +94,7 @@ pub enum Error {
         /// The problem.
         reason: String,
     },
-    /// A saved project is of a version that this program does not know yet.
+    /// A saved project has a version that this program does not support.
     #[error("{location}: {reason}")]
     NewerProject {
         /// Path of the field.
@@ -127,10 +127,10 @@ pub enum Error {
     /// A page refers to a photo whose pixels are not at hand.
     #[error("the photo \"{0}\" is not loaded")]
     MissingPhoto(String),
-    /// Nothing to make a page of.
+    /// There are no photos for a page.
     #[error("there is no usable photo")]
     NoPhotos,
-    /// A picture whose style is wanted has too few pixels.
+    /// A picture for a style search has too few pixels.
     #[error("the picture is too small: {width} x {height} pixels, each side needs at least {least}")]
     SmallPicture {
         /// Width in pixels.
@@ -140,16 +140,16 @@ pub enum Error {
         /// Minimum number of pixels per side.
         least: usize,
     },
-    /// A picture whose style is wanted shows next to nothing.
+    /// A picture for a style search is almost blank.
     #[error("the picture is blank, so it has no style")]
     BlankPicture,
-    /// A picture whose style is wanted is a photo as a camera makes it.
+    /// A picture for a style search is a plain photo.
     #[error("the picture looks like a plain photo; choose a drawing, a print or a painting")]
     PlainPhoto,
     /// The caller asked to stop.
     #[error("cancelled")]
     Cancelled,
-    /// A net is damaged, is another one, or failed.
+    /// A model is damaged, unexpected, or failed.
     #[error("the detector failed: {0}")]
     Detector(String),
     /// A page could not be encoded.
@@ -189,7 +189,7 @@ impl Error {
     }
 
     #[cfg(feature = "pages")]
-    /// A damaged file of the given format, with the decoder's own words.
+    /// A damaged file of the given format, with the message of the decoder.
     pub fn damaged(format: &'static str, reason: impl std::fmt::Display) -> Self {
         Self::Damaged { format, reason: reason.to_string() }
     }

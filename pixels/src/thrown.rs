@@ -1,4 +1,4 @@
-//! How errors cross to the page, out of every module of it: as a JavaScript `Error` with a `code` beside its `message`.
+//! Errors for the app, from all modules: a JavaScript `Error` with a `code` and a `message`.
 
 use crate::error::Error;
 use wasm_bindgen::prelude::*;

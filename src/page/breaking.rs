@@ -43,7 +43,7 @@ pub struct Around {
     pub faces: Vec<Bounds>,
     /// Width of the panels' borders.
     pub border: f64,
-    /// Whether another panel may lie over this one, so that all of the figure has to be drawn once more, over that.
+    /// Whether another panel may cover this one. Then the whole figure is drawn again above it.
     pub covered: bool,
 }
 

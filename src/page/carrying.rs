@@ -1,4 +1,5 @@
-//! Words and the photos that they belong to: a word on a panel is of the photo there, and its field `photo` names it.
+//! Text items and their photos: an item on a panel belongs to the photo there, and stores its id in the field
+//! `photo`.
 
 use super::document::PanelContent;
 use serde_json::{Value, json};
@@ -26,7 +27,7 @@ pub fn tie(word: &mut Value, panels: &[PanelContent]) {
     }
 }
 
-/// The word with the name of its photo.
+/// Returns the text item with the id of its photo.
 #[must_use]
 pub fn tied(word: &Value, panels: &[PanelContent]) -> Value {
     let mut word = word.clone();

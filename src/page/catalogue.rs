@@ -10,13 +10,13 @@ use crate::style::params::{Kind, Param};
 use serde::{Deserialize, Serialize};
 use serde_json::{Number, Value};
 
-/// A filter block, as the page makes its controls of it.
+/// A filter block, as data for its controls.
 #[derive(Debug, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "Block"))]
 pub struct BlockEntry {
     /// Name in style files.
     pub id: &'static str,
-    /// Name for people.
+    /// Display name.
     pub label: &'static str,
     /// Description in one line.
     pub help: &'static str,
@@ -36,7 +36,7 @@ pub struct ParamEntry {
     pub id: &'static str,
     /// Name of the control.
     pub label: &'static str,
-    /// One line for people.
+    /// Description in one line.
     pub help: &'static str,
     /// Type and range.
     pub kind: ParamKind,
@@ -55,7 +55,7 @@ pub struct ParamEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<f64>"))]
     pub step: Option<Number>,
-    /// Sign behind it.
+    /// Unit symbol.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<&'static str>,
     /// The names to choose from.
@@ -76,7 +76,7 @@ pub enum ParamKind {
     Boolean,
     /// One of some names.
     Choice,
-    /// A person's own picture: its data URL, or an empty text.
+    /// A custom image: its data URL, or an empty text.
     Texture,
     /// `#rrggbb`.
     Colour,
@@ -157,7 +157,7 @@ pub struct MeasuresEntry {
     pub fingerprint: String,
     /// Sharpness, comparable between photos that show the same.
     pub gradient: f32,
-    /// How much of it is paper.
+    /// Sharpness by the measure of Garcia-Dorado et al., see `select::sharpness::paper`.
     pub paper: f32,
     /// Sharpness, comparable across an album.
     pub laplacian: f32,
@@ -204,7 +204,7 @@ pub(crate) struct Candidate {
     film: Option<String>,
 }
 
-/// The selection's word on a photo.
+/// The selection's verdict on a photo.
 #[derive(Debug, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "Verdict"))]
 pub struct VerdictEntry<'a> {
@@ -214,7 +214,7 @@ pub struct VerdictEntry<'a> {
     pub group: usize,
     /// Whether it is used.
     pub kept: bool,
-    /// In a few words.
+    /// The reason, in a few words.
     pub why: String,
 }
 

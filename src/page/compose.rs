@@ -1,7 +1,7 @@
 //! Panels rendered to patches, patches laid on paper.
 //!
-//! A patch is a panel with its mask and its border as straight-alpha RGBA. Painting all patches in their order
-//! over the paper colour gives the page; the browser does that on a canvas, [`Sheet`] does it for files.
+//! A patch is a panel with its mask and its border as straight-alpha RGBA. All patches in order over the
+//! paper colour give the page. The browser draws them on a canvas, [`Sheet`] does it for files.
 
 use super::bleed;
 use super::breaking::{self, Figure};
@@ -53,7 +53,7 @@ impl Patch {
     }
 }
 
-/// Renders one panel, figure or front, as [`render_together`] does.
+/// Renders one panel, breakout or foreground, like [`render_together`].
 ///
 /// # Errors
 /// `invalid-document` for an index that the page does not have; `cancelled`.
@@ -67,8 +67,8 @@ pub fn render_panel(
 }
 
 /// Renders images of one panel: the panel, the breakout of its figure, its foreground. All are cut out of one
-/// drawing of constant size, so their pixels are equal where they meet. `photo` is what the panel's `photo`
-/// names, at any resolution; without one it is an empty frame.
+/// drawing of constant size, so their pixels are equal where they meet. `photo` is the photo of the panel, at
+/// any resolution. Without it the panel is an empty frame.
 ///
 /// # Errors
 /// `invalid-document` for an index that the page does not have; `cancelled`.
@@ -367,7 +367,7 @@ impl Sheet {
         Self { width, height, rgb }
     }
 
-    /// Draws a patch on the sheet. Pixels outside of the page are left out.
+    /// Draws a patch on the sheet. Pixels outside of the page are ignored.
     ///
     /// # Errors
     /// `buffer-size` when the patch does not hold the pixels of its area.
@@ -445,7 +445,7 @@ fn lay_row(rgb: &mut [u8], rgba: &[u8]) {
 /// Renders a whole page. `photo` finds the pixels of an id.
 ///
 /// # Errors
-/// `missing-photo` for an id that `photo` does not know; `cancelled`.
+/// `missing-photo` if `photo` does not return an id; `cancelled`.
 pub fn compose<'p>(
     scene: &Scene,
     photo: impl Fn(&str) -> Option<&'p Image>,

@@ -15,14 +15,14 @@ use crate::order::sort_by;
 pub struct Contour {
     /// Corners in page pixels, in either direction.
     pub points: Vec<Point>,
-    /// False takes the area off.
+    /// Whether the area is added instead of removed.
     pub adds: bool,
 }
 
 /// Pixels whose changes are noted together.
 const BLOCK: usize = 32;
 
-/// Coverage 0..=255 of the pixels of `area`. Contours may overlap only to take off what others add.
+/// Coverage 0..=255 of the pixels of `area`. Contours may overlap only if one removes area of another.
 #[must_use]
 pub fn coverage(contours: &[Contour], area: PixelRect) -> Vec<u8> {
     let mut waiting: Vec<Segment> = contours.iter().flat_map(|contour| segments(contour, area)).collect();

@@ -1,5 +1,5 @@
-//! The page as plain data. The front end holds these documents, undoes to earlier ones and saves them; a
-//! document and the photos that it names make exactly one picture.
+//! The page as plain data. The front end stores, undoes and saves these documents. A document and its photos
+//! give exactly one image.
 
 use super::words::model::MOST_WORDS;
 use crate::error::{Error, Result};
@@ -40,7 +40,7 @@ pub struct Document {
     /// Id of a style, or a style in full.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "StyleChoice"))]
     pub style: Value,
-    /// Photos in reading order; there may be more than panels.
+    /// Photos in reading order, possibly more than panels.
     pub order: Vec<String>,
     /// Content of each panel, in paint order.
     pub panels: Vec<PanelContent>,
@@ -48,7 +48,7 @@ pub struct Document {
     pub merges: Vec<Vec<usize>>,
     /// Size, gutters and colours.
     pub page: PageSettings,
-    /// Words on the page, as [`Word`](super::words::Word) has them, in paint order. The renderer checks them.
+    /// Text items on the page, see [`Word`](super::words::Word), in paint order. The renderer checks them.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::typescript::Word>"))]
     pub words: Vec<Value>,
     /// Unknown fields, preserved for newer programs.
@@ -214,7 +214,7 @@ impl Document {
         style_of(&self.style)
     }
 
-    /// Whether the figure of a panel is to step out of it.
+    /// Whether a panel has a breakout.
     #[must_use]
     pub fn breaks_frame(&self, index: usize) -> bool {
         self.panels.get(index).is_some_and(|panel| panel.figure.is_some() && panel.photo.is_some())

@@ -1,5 +1,4 @@
-//! A file turned into what the page needs of a photo: two reduced copies and the facts that selection and
-//! framing work with.
+//! Imports a photo: two reduced copies, and the measurements for selection and framing.
 
 use super::catalogue::MeasuresEntry;
 use super::png;
@@ -89,7 +88,7 @@ pub fn import(id: &str, bytes: &[u8], limits: &Limits) -> Result<Imported> {
     Ok(Imported { damage: decoded.damage, ..described(id, decoded.image, facts) })
 }
 
-/// Reduces and measures pixels that come from no file, upright and in sRGB.
+/// Reduces and measures upright sRGB pixels without a file.
 ///
 /// # Errors
 /// `too-large` beyond `limits`.
@@ -101,7 +100,7 @@ pub fn import_image(id: &str, image: &Image, limits: &Limits) -> Result<Imported
     Ok(described(id, work, Facts { size, format: "pixels", taken: None }))
 }
 
-/// A frame of a video as a decoder gives it.
+/// A decoded frame of a video.
 #[derive(Debug, Clone, Copy)]
 pub struct Frame<'a> {
     /// Width and height in pixels, as they are stored.

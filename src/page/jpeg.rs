@@ -1,12 +1,12 @@
-//! Pictures as JPEG files: pages, and the panels in a PDF file.
+//! JPEG files of pages, and of panels in a PDF file.
 
 use super::srgb;
 use crate::error::{Error, Result};
 use image::codecs::jpeg::{JpegEncoder, PixelDensity};
 use image::{ExtendedColorType, ImageEncoder};
 
-/// Encodes interleaved RGB with a quality from 1 to 100, as a file that says its resolution, that its colours are sRGB, and
-/// nothing else of where it comes from.
+/// Encodes interleaved RGB with a quality from 1 to 100, with its resolution and sRGB profile, and without
+/// other metadata.
 ///
 /// # Errors
 /// `encode` when `rgb` does not hold `3 * width * height` bytes, or a side is longer than 65,535 pixels.

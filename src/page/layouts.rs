@@ -44,7 +44,7 @@ pub struct LayoutEntry<'a> {
     pub family: &'a str,
     /// Panels.
     pub count: usize,
-    /// Its place among a person's own; null for one of the catalogue.
+    /// Index among the custom layouts; null for a built-in layout.
     pub own: Option<usize>,
     /// Its panels as an SVG path on a page 1000 wide.
     pub base: String,
@@ -92,7 +92,7 @@ pub struct Geometry<'a> {
 /// layouts that are good for the page.
 ///
 /// # Errors
-/// `invalid-document`, and `invalid-layout` for an own one that is not a template.
+/// `invalid-document`, and `invalid-layout` for an invalid custom layout.
 pub fn list(json: &str) -> Result<String> {
     let LayoutsRequest { page, own } = parse(json)?;
     page.validate()?;
@@ -188,10 +188,10 @@ pub(crate) enum LayoutChange {
     Split {
         /// Which.
         panel: usize,
-        /// Which way they lie.
+        /// Direction of the division.
         axis: Axis,
     },
-    /// A panel goes.
+    /// Removes a panel.
     Remove {
         /// Which.
         panel: usize,

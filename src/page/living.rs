@@ -2,8 +2,8 @@
 //!
 //! A style draws each frame independently, so its lines and dots flicker if the video changes slightly. Still
 //! areas are therefore drawn once. A recursive, motion-adaptive filter (like temporal noise reduction in
-//! video coders) holds the source blocks that hardly change, and holds their drawing as well. Between the two
-//! lies a ramp. A still source gives a loop without any change.
+//! video coders) holds the source blocks that hardly change, and holds their drawing as well. Between still
+//! and moving areas the mix is gradual. A still source gives a still loop.
 
 use super::compose::{Patch, mix, render_panel};
 use super::scene::Scene;

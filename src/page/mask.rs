@@ -7,7 +7,7 @@ use std::f64::consts::{PI, TAU};
 /// Whole pixels of the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PixelRect {
-    /// Left edge; negative where a border reaches over the page's edge.
+    /// Left edge; negative if a border extends past the page edge.
     pub x: i64,
     /// Top edge.
     pub y: i64,

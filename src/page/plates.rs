@@ -39,7 +39,7 @@ impl Separation {
         self.inks
     }
 
-    /// How much of the plate of an ink is covered where the page has a colour, 0..=255.
+    /// Coverage of an ink's plate for a page colour, 0 to 255.
     #[must_use]
     pub fn cover(&self, rgb: [u8; 3], ink: usize) -> u8 {
         let scaled = rgb.map(|tone| f32::from(tone) * (SIDE - 1) as f32 / 255.0);
@@ -74,8 +74,7 @@ pub fn colours(inks: &[Ink]) -> Vec<[u8; 3]> {
     inks.iter().map(|ink| ink.rgb).collect()
 }
 
-/// The page as it is drawn for plates: no plate misses the others, and neither grain nor paper is on them, which the press
-/// brings.
+/// The page for drawing plates: without misregistration, grain and paper, which the press adds.
 ///
 /// # Errors
 /// `unknown-style`, `invalid-style`.

@@ -51,15 +51,15 @@ pub struct Scene {
 /// The content of a panel image.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Shows {
-    /// The panel, as far as its shape goes.
+    /// The panel, clipped to its shape.
     Panel,
-    /// The figure that steps out of it.
+    /// Its breakout.
     Figure,
     /// Its subject, before an effect.
     Front,
 }
 
-/// One picture of a panel, in pixels.
+/// One image of a panel, in pixels.
 #[derive(Clone)]
 pub struct ScenePanel {
     /// Which panel of the document it belongs to.
@@ -76,11 +76,12 @@ pub struct ScenePanel {
     pub area: PixelRect,
     /// Id of the photo; `None` for an empty panel.
     pub photo: Option<String>,
-    /// Part of the photo that fills `image_bounds`; beyond the photo where the page has bleed and the photo ends.
+    /// The crop that fills `image_bounds`. It extends past the photo if the page has bleed and the photo
+    /// ends.
     pub crop: Crop,
-    /// Faces of the photo, in fractions of it.
+    /// Faces of the photo, in fractions of its sides.
     pub faces: Vec<Crop>,
-    /// Which part of the photo is its subject, where that is known and the style or a front asks for it.
+    /// Subject mask of the photo, if it is known and the style or a foreground needs it.
     pub subject: Option<Matte>,
     /// The subject for a panel breakout, and the areas that it must not cover.
     pub figure: Option<(Matte, Around)>,
@@ -137,7 +138,7 @@ impl Scene {
         }
     }
 
-    /// The pictures of each panel by their numbers: itself, then its figure, then its front, as far as there are any.
+    /// Image indices of each panel: the panel, its breakout, its foreground.
     #[must_use]
     pub fn by_panel(&self) -> Vec<Vec<usize>> {
         let mut groups: Vec<Vec<usize>> = Vec::new();
@@ -150,7 +151,7 @@ impl Scene {
         groups
     }
 
-    /// A panel, a figure or a front by its number.
+    /// A panel, breakout or foreground by its index.
     ///
     /// # Errors
     /// `invalid-document` for a number that the page does not have.

@@ -1,4 +1,4 @@
-//! The pixels of a figure that steps out of its panel.
+//! The pixels of panel breakouts.
 
 use super::breaking::{Edges, Figure, widened_panel};
 use super::compose::{Drawing, Patch, fill_image, lay_under};

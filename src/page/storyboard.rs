@@ -22,8 +22,8 @@ pub struct Choice {
     pub as_given: bool,
 }
 
-/// The photos that pages are made of, in their order, and the verdict on each that was given. `names` are what the verdicts
-/// call them.
+/// The photos that pages are made of, in their order, and the verdict on each that was given. `names` are the
+/// names in the verdicts.
 #[must_use]
 pub fn chosen(names: &[&str], photos: &[&Imported], choice: Choice) -> (Vec<PhotoMeta>, Vec<Verdict>) {
     let measures: Vec<Measures> = photos.iter().map(|photo| photo.measures.clone()).collect();
@@ -42,7 +42,8 @@ pub fn chosen(names: &[&str], photos: &[&Imported], choice: Choice) -> (Vec<Phot
     (used, verdicts)
 }
 
-/// Pages of an album: one from all photos, or several from their stretches, cut where time or scene changes, in one style.
+/// Pages of an album in one style: one page of all photos, or several pages, split at changes of time or
+/// scene.
 ///
 /// # Errors
 /// As [`planned`].

@@ -1,4 +1,4 @@
-//! Pages, and pictures with alpha, as WebP files without loss, for browsers that encode none themselves.
+//! Lossless WebP files of pages and of images with alpha, for browsers without a WebP encoder.
 
 use crate::error::{Error, Result};
 use image::ExtendedColorType;

@@ -44,7 +44,7 @@ pub struct Still {
     pub shot: usize,
 }
 
-/// How many frames a film of these shots asks for: [`FEWEST`] to [`MOST`].
+/// Default number of frames of a video with these shots: [`FEWEST`] to [`MOST`].
 #[must_use]
 pub fn usual(film: &Film, shots: &[Shot]) -> usize {
     shots.iter().map(|shot| asked(film, shot)).sum::<usize>().clamp(FEWEST, MOST)

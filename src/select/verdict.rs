@@ -27,7 +27,7 @@ const FEWEST_OF_FILM: usize = 8;
 /// How photos are chosen.
 #[derive(Debug, Clone)]
 pub struct Settings {
-    /// Largest distance of two fingerprints of the same picture; see [`THRESHOLDS`].
+    /// Maximum fingerprint distance of near-duplicates; see [`THRESHOLDS`].
     pub threshold: u32,
     /// Index of the video of each photo that is a video frame. Empty without videos.
     pub films: Vec<Option<usize>>,
@@ -52,7 +52,7 @@ pub struct Verdict {
     pub group: usize,
     /// Whether it is used.
     pub kept: bool,
-    /// A few words: `only one like it`, `sharpest of 5`, `same as NAME`, `blurred`.
+    /// The reason, in a few words: `only one like it`, `sharpest of 5`, `same as NAME`, `blurred`.
     pub why: String,
 }
 

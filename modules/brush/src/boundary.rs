@@ -20,17 +20,17 @@ fn start() {
 #[wasm_bindgen]
 #[derive(Clone, Copy)]
 pub enum Mend {
-    /// The border goes outward.
+    /// Grows the mask.
     Grow,
-    /// The border goes inward.
+    /// Shrinks the mask.
     Shrink,
-    /// The border gets softer, as long as it is one.
+    /// Softens the border, while the mask has a visible border.
     Feather,
-    /// The subject is what was not.
+    /// Inverts the mask.
     Invert,
     /// All that was found, or all of the photo.
     Everything,
-    /// Nothing is the subject.
+    /// Empties the mask.
     Nothing,
     /// The detected mask.
     Found,
@@ -77,7 +77,7 @@ impl Retouch {
         self.view.size().1
     }
 
-    /// The view as RGBA, with the edges of the photo where it is to be `fine`.
+    /// The view as RGBA. `fine` uses the edges of the photo.
     #[must_use]
     pub fn draw(&mut self, fine: bool) -> Vec<u8> {
         self.view.draw(self.session.mask(), fine).to_vec()
@@ -94,7 +94,7 @@ impl Retouch {
         self.session.end()
     }
 
-    /// Takes back a stroke that is not ended.
+    /// Discards the current stroke.
     pub fn abandon(&mut self) {
         self.session.abandon();
     }
@@ -123,26 +123,26 @@ impl Retouch {
         self.session.undo()
     }
 
-    /// One step forth; whether there was one.
+    /// Redoes one step. Returns whether there was one.
     pub fn redo(&mut self) -> bool {
         self.session.redo()
     }
 
-    /// Whether there is a step back.
+    /// Whether undo is possible.
     #[must_use]
     #[wasm_bindgen(getter)]
     pub fn undoable(&self) -> bool {
         self.session.can().0
     }
 
-    /// Whether there is a step forth.
+    /// Whether redo is possible.
     #[must_use]
     #[wasm_bindgen(getter)]
     pub fn redoable(&self) -> bool {
         self.session.can().1
     }
 
-    /// Whether the mask is what was found.
+    /// Whether the mask is the detected mask.
     #[must_use]
     #[wasm_bindgen(getter)]
     pub fn found(&self) -> bool {
@@ -156,7 +156,7 @@ impl Retouch {
         self.session.coverage()
     }
 
-    /// The mask after each step that counts, as text; an empty one where it is what was found.
+    /// The masks after each step up to the current one, as text. Empty text means the detected mask.
     #[must_use]
     pub fn steps(&self) -> Vec<String> {
         self.session

@@ -71,8 +71,8 @@ fn listed(list: &impl Serialize) -> String {
     serde_json::to_string(list).unwrap_or_default()
 }
 
-/// Reads a style file and gives it back normalised. One of the page's own from before blocks had a choice keeps its look.
-/// Throws `invalid-style`.
+/// Checks a style file and returns it normalised. One of the page's own from before blocks had a choice keeps
+/// its look. Throws `invalid-style`.
 #[wasm_bindgen]
 pub fn check_style(json: &str, file: &str) -> std::result::Result<String, JsValue> {
     let check = || -> Result<String> {
@@ -85,7 +85,7 @@ pub fn check_style(json: &str, file: &str) -> std::result::Result<String, JsValu
     check().map_err(thrown)
 }
 
-/// Reads a layout file and gives it back normalised. Throws `invalid-layout`.
+/// Checks a layout file and returns it normalised. Throws `invalid-layout`.
 #[wasm_bindgen]
 pub fn check_layout(json: &str, file: &str) -> std::result::Result<String, JsValue> {
     Template::parse(file, json).map(|template| template.to_json()).map_err(thrown)
@@ -171,7 +171,7 @@ impl Studio {
         Self::default()
     }
 
-    /// Decodes a file into `ID/work` and `ID/small`; gives the photo's facts as JSON.
+    /// Decodes a file into `ID/work` and `ID/small`. Returns the photo's measurements as JSON.
     pub fn import_photo(&mut self, id: &str, bytes: &[u8]) -> std::result::Result<String, JsValue> {
         let photo = import(id, bytes, &Limits::default()).map_err(thrown)?;
         self.take_in(photo)
@@ -183,7 +183,7 @@ impl Studio {
         Ok(image.planes().iter().flat_map(Plane::samples).copied().collect())
     }
 
-    /// Takes over the planes of a photo.
+    /// Stores the planes of a photo.
     pub fn put_photo(
         &mut self,
         key: &str,
@@ -242,8 +242,8 @@ impl Studio {
         self.photos.values().flat_map(Image::planes).map(|plane| plane.samples().len()).sum()
     }
 
-    /// Pictures of one panel of a page that is `width` pixels wide, with its border or without, from the photos of a tier
-    /// (`small`, `work`, `full`).
+    /// Images of one panel of a page that is `width` pixels wide, with or without border, from the photos of
+    /// a tier (`small`, `work`, `full`).
     pub fn render_panel(
         &mut self,
         document: &str,
@@ -279,7 +279,7 @@ impl Studio {
         render().map_err(thrown)
     }
 
-    /// A photo, or a crop of it (JSON, or empty for the whole), in a style.
+    /// Draws a photo, or a crop of it (JSON, or empty for the whole), in a style.
     pub fn stylize_photo(
         &mut self,
         key: &str,

@@ -51,14 +51,14 @@ impl Converted {
         self.taken.clone()
     }
 
-    /// Share of the picture that is missing and drawn grey, from 0 to 1.
+    /// Missing share of the image, drawn grey, from 0 to 1.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn missing(&self) -> f64 {
         self.damage.map_or(0.0, |damage| damage.missing)
     }
 
-    /// Share of the picture that lacks detail, from 0 to 1.
+    /// Share of the image without detail, from 0 to 1.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn coarse(&self) -> f64 {
@@ -72,7 +72,7 @@ impl Converted {
     }
 }
 
-/// An animated GIF or WebP file, picture by picture.
+/// An animated GIF or WebP file, frame by frame.
 #[wasm_bindgen]
 pub struct Animation {
     pictures: animation::Animation,
@@ -93,14 +93,14 @@ impl Animation {
         self.pictures.advance().map_err(thrown)
     }
 
-    /// The picture that was gone on to, laid on white, in sRGB.
+    /// The current frame, on white, in sRGB.
     pub fn picture(&mut self) -> std::result::Result<Picture, JsValue> {
         let image = self.pictures.picture().map_err(thrown)?;
         Ok(Picture { width: image.width(), height: image.height(), rgba: image.to_rgba() })
     }
 }
 
-/// One picture of an animation.
+/// One frame of an animation.
 #[wasm_bindgen]
 pub struct Picture {
     /// In pixels.

@@ -28,7 +28,7 @@ pub struct FaceDetector {
 
 #[wasm_bindgen]
 impl FaceDetector {
-    /// Reads the net.
+    /// Loads the model.
     #[wasm_bindgen(constructor)]
     pub fn new(onnx: &[u8]) -> std::result::Result<Self, JsValue> {
         Ok(Self { net: Faces::new(onnx).map_err(thrown)? })
@@ -68,7 +68,7 @@ pub struct ObjectDetector {
 
 #[wasm_bindgen]
 impl ObjectDetector {
-    /// Reads the net.
+    /// Loads the model.
     #[wasm_bindgen(constructor)]
     pub fn new(onnx: &[u8]) -> std::result::Result<Self, JsValue> {
         Ok(Self { net: Objects::new(onnx).map_err(thrown)? })
@@ -89,7 +89,7 @@ pub struct SubjectNet {
 
 #[wasm_bindgen]
 impl SubjectNet {
-    /// Reads the net.
+    /// Loads the model.
     #[wasm_bindgen(constructor)]
     pub fn new(onnx: &[u8]) -> std::result::Result<Self, JsValue> {
         Ok(Self { net: Segmenter::new(onnx).map_err(thrown)? })
@@ -115,13 +115,13 @@ pub struct SubjectLook {
 
 #[wasm_bindgen]
 impl SubjectLook {
-    /// One step. Gives the subject of the photo with the last, as text, which `raster::Matte` reads.
+    /// One step. The last step returns the subject mask as text for `raster::Matte`.
     pub fn advance(&mut self) -> std::result::Result<Option<String>, JsValue> {
         self.look.advance().map(|matte| matte.map(Into::into)).map_err(thrown)
     }
 }
 
-/// The judge of pictures.
+/// The image-aesthetics model.
 #[wasm_bindgen]
 pub struct AestheticsNet {
     net: Aesthetics,
@@ -129,13 +129,13 @@ pub struct AestheticsNet {
 
 #[wasm_bindgen]
 impl AestheticsNet {
-    /// Reads the net.
+    /// Loads the model.
     #[wasm_bindgen(constructor)]
     pub fn new(onnx: &[u8]) -> std::result::Result<Self, JsValue> {
         Ok(Self { net: Aesthetics::new(onnx).map_err(thrown)? })
     }
 
-    /// The mean score of a picture, 1 to 10, given as RGBA.
+    /// The predicted mean rating of an RGBA image, 1 to 10.
     pub fn score(&self, width: usize, height: usize, rgba: &[u8]) -> std::result::Result<f64, JsValue> {
         let score = || self.net.score(&Image::from_rgba(width, height, rgba, [255; 3])?);
         score().map_err(thrown)

@@ -1,7 +1,7 @@
-//! The web boundary of boards, a part of the module of other files: their sheets as pages, the lists of their shots, and the plans of
-//! films, of shots and of pages.
+//! wasm bindings of storyboards in the exports module: sheets as pages, edit lists, and plans of animatics
+//! and motion comics.
 //!
-//! Errors are as in the module of words.
+//! Errors are like in the words module.
 
 use crate::letters::Lettering;
 use inkpanel::error::{Error, Result};
@@ -42,7 +42,7 @@ pub fn board_sheets(request: &str) -> std::result::Result<String, JsValue> {
     made().map_err(thrown)
 }
 
-/// An animatic: its shots in their times, and what each of its frames shows.
+/// An animatic: its timed shots, and the content of each frame.
 #[wasm_bindgen]
 pub struct AnimaticPlan {
     plan: Animatic,

@@ -1,7 +1,7 @@
-//! The web boundary of the module of files other than PNG: pages as JPEG, WebP and PDF.
-//! The core makes the pixels; they come from there as patches.
+//! The web boundary of the module of files other than PNG: pages as JPEG, WebP and PDF. The core draws the
+//! pixels, which arrive as patches.
 //!
-//! Errors are as in the module of words.
+//! Errors are like in the words module.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
@@ -58,13 +58,13 @@ impl Print {
     }
 }
 
-/// A picture with straight alpha as a WebP file without loss.
+/// Encodes an image with straight alpha as a lossless WebP file.
 #[wasm_bindgen(js_name = losslessPicture)]
 pub fn lossless_picture(width: usize, height: usize, rgba: &[u8]) -> std::result::Result<Vec<u8>, JsValue> {
     webp::encode_rgba(width, height, rgba).map_err(thrown)
 }
 
-/// The picture of a panel for a [`Book`].
+/// The image of a panel for a [`Book`].
 #[wasm_bindgen]
 pub struct Cut {
     /// Left edge in pixels of the page.
@@ -123,7 +123,7 @@ fn no_plate() -> Error {
 
 #[wasm_bindgen]
 impl Cut {
-    /// Makes it of the patch of a panel without a border; see `page::pdf::picture::cut`.
+    /// Makes it from the patch of a panel without a border; see `page::pdf::picture::cut`.
     #[wasm_bindgen(constructor)]
     #[allow(clippy::too_many_arguments)] // The fields of a patch, which cross one by one.
     pub fn new(
@@ -146,7 +146,7 @@ impl Cut {
         std::mem::take(&mut self.jpeg)
     }
 
-    /// Moves out how much of each pixel of a figure is seen, packed.
+    /// Moves out the opacity of each pixel of a figure, packed.
     #[must_use]
     pub fn take_alpha(&mut self) -> Option<Vec<u8>> {
         self.alpha.take()
@@ -191,7 +191,7 @@ impl Book {
         Ok(())
     }
 
-    /// Adds a picture to the page that was added last.
+    /// Adds an image to the last page.
     #[allow(clippy::too_many_arguments)] // The fields of a picture, which cross one by one.
     pub fn add_picture(
         &mut self,

@@ -1,7 +1,7 @@
 //! The wasm module of export formats other than PNG.
 //!
-//! The page loads it with the first such export.
-//! The crate contains only the bindings, so the engine is compiled once for all modules.
+//! The app loads it with the first such export. The crate contains only the bindings, so the engine is
+//! compiled once for all modules.
 
 #[cfg(target_arch = "wasm32")]
 pub mod boards;

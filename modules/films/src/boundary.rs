@@ -1,5 +1,5 @@
 //! wasm bindings of the films module: selects representative frames of a video from frames that the browser
-//! decodes, and analyses its sound. It is loaded with the first film, into the worker that reads it.
+//! decodes, and analyses its sound. The worker that reads videos loads it with the first video.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
@@ -17,7 +17,7 @@ fn start() {
     console_error_panic_hook::set_once();
 }
 
-/// A film as far as it was looked at.
+/// The samples of a video.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Looking {

@@ -1,6 +1,6 @@
-//! The web boundary of the module of styles from a picture, which is loaded with the first such picture. A
-//! worker measures the picture and tries styles on a photo, the page leads the search. Photos come from the
-//! core as planes. The measurements are JSON that only this module reads.
+//! wasm bindings of the module for styles from a picture, loaded with the first such picture. A worker
+//! measures the picture and tries styles on a photo. The main thread controls the search. Photos come from
+//! the core as planes. The measurements are JSON that only this module reads.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]

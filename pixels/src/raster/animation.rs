@@ -1,4 +1,4 @@
-//! Animated GIF and WebP: their pictures one after the other, each laid on those before it.
+//! Animated GIF and WebP: frames in sequence, each composed over the frames before.
 
 use std::borrow::Cow;
 use std::io::Cursor;
@@ -13,7 +13,7 @@ use super::decode::{Limits, check_memory, explained, out_of_memory, records_of_w
 use super::samples::{Alpha, Channels, Pixels};
 use crate::error::{Error, Result};
 
-/// An animation that is gone through from its first picture to its last.
+/// An animation that is read from its first frame to its last.
 pub struct Animation(Kind);
 
 enum Kind {
@@ -48,7 +48,7 @@ impl Animation {
         }
     }
 
-    /// The picture that was last gone on to: in sRGB, transparency flattened on white.
+    /// The current frame: in sRGB, transparency flattened on white.
     ///
     /// # Errors
     /// `damaged` before the first.

@@ -59,9 +59,9 @@ impl Limits {
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Damage {
-    /// Share of the picture that is missing and drawn grey, from 0 to 1.
+    /// Missing share of the image, drawn grey, from 0 to 1.
     pub missing: f64,
-    /// Share of the picture that lacks detail, from 0 to 1.
+    /// Share of the image without detail, from 0 to 1.
     pub coarse: f64,
 }
 
@@ -115,7 +115,7 @@ pub struct Decoded {
 /// Decodes a file at its full size; of an animation the first frame.
 ///
 /// # Errors
-/// `unknown-format`, `unsupported`, `damaged` if less than half of the picture can be decoded, `too-large`.
+/// `unknown-format`, `unsupported`, `damaged` if less than half of the image can be decoded, `too-large`.
 pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded> {
     decode_fit(bytes, limits, usize::MAX)
 }

@@ -22,7 +22,7 @@ const BEYOND: u8 = 6;
 /// Nothing is lacking.
 const NOTHING: i32 = 128;
 
-/// A region of a photo at `width` x `height`, where that is larger than it is.
+/// Enlarges a region of a photo to `width` x `height`, if that is larger than the region.
 #[must_use]
 pub fn enlarged(photo: &Image, region: Region, width: usize, height: usize) -> Image {
     let whole = |length: f64| (length.round() as usize).max(1);

@@ -1,7 +1,7 @@
-//! The guided filter: a mask takes the edges of the picture that it belongs to.
+//! The guided filter: aligns the edges of a mask with the edges of its image.
 //!
 //! In every window, the mask is fitted by a linear function of the guide's luma. Each pixel gets the mean of
-//! the fits of all windows that contain it. Windows end at the picture's edge.
+//! the fits of all windows that contain it. Windows end at the edge of the image.
 //!
 //! Source: He, Sun and Tang, "Guided Image Filtering", 2013.
 
@@ -19,8 +19,8 @@ const EPSILON: f32 = 1e-4;
 /// Side in pixels of the parts of a mask that are filtered by themselves.
 const TILE: usize = 64;
 
-/// A region of a small mask at the size of `guide`, the picture of the same region, with its edges. `scale`
-/// is the scale of lengths: 1 for an image of 1920 x 1080.
+/// Enlarges a region of a small mask to the size of `guide`, an image of the same region, with its edges.
+/// `scale` is the scale of lengths: 1 for an image of 1920 x 1080.
 #[must_use]
 pub fn refined(mask: &Plane, region: Region, guide: &Image, scale: f32) -> Plane {
     let (width, height) = (guide.width(), guide.height());

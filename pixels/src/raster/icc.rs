@@ -2,9 +2,8 @@
 //!
 //! Profiles of a matrix and three curves (Display P3, Adobe RGB), or of one curve, are read here: within a
 //! rounding of the exact colour, and the same on every machine. LUT-based profiles (scanners, presses, inks)
-//! are read by `qcms`, the colour management of Firefox. (`moxcms`, which `image` brings, does both; it would
-//! add 76 kB to what a visitor loads, `qcms` a third of that, and both are within 1 of 255 of littlecms on
-//! average.)
+//! are read by `qcms`, the colour management of Firefox. (`moxcms`, which `image` uses, does both. It would
+//! add 76 kB to the download, `qcms` a third of that, and both are within 1 of 255 of littlecms on average.)
 //!
 //! A damaged profile, or one of another device class, is ignored: the samples are used unchanged. Colours are
 //! matched relative to the paper (ICC.1:2022, section 6.2.3). Source: ICC.1:2022, sections 7 to 10; sRGB from

@@ -144,7 +144,7 @@ impl Image {
         self.chroma.as_ref()
     }
 
-    /// Takes the image apart: its planes and the saved chroma.
+    /// Returns the planes and the saved chroma.
     #[must_use]
     pub fn into_parts(self) -> (Vec<Plane>, Option<[Plane; 2]>) {
         (self.planes, self.chroma)

@@ -1,5 +1,4 @@
-//! Which part of a photo is its subject: a small picture of shares, as a net or a person made it, and as text, which is how a
-//! project keeps it.
+//! The subject mask of a photo: a small plane from a model or the user, and its text form in projects.
 
 use std::sync::{Arc, OnceLock};
 
@@ -57,7 +56,7 @@ pub struct MatteFacts {
     pub coverage: f64,
     /// Left, top, width and height of the bounding box; all 0 without a subject.
     pub bounds: [f64; 4],
-    /// How sure its border is, 0 to 1: 1 where it is as sharp as pixels allow.
+    /// Confidence of its border, 0 to 1: 1 for the sharpest possible border.
     pub confidence: f64,
 }
 
@@ -140,7 +139,8 @@ fn facts_of(plane: &Plane) -> MatteFacts {
     }
 }
 
-/// How sure the border of some shares is, 0 to 1, by the pixels that count: 1 where it is as sharp as pixels allow.
+/// Confidence of the border of a plane, 0 to 1, from the pixels that count: 1 for the sharpest possible
+/// border.
 #[must_use]
 pub fn confidence(shares: &Plane, counts: impl Fn(usize, usize) -> bool) -> f64 {
     let (width, height) = (shares.width(), shares.height());

@@ -1,4 +1,4 @@
-//! Pixels: containers, decoding, resampling and colour. Lies under every stage and knows none of them.
+//! Pixels: containers, decoding, resampling and colour. This is the lowest layer, independent of all others.
 
 #[cfg(feature = "rare")]
 pub mod animation;

@@ -1,4 +1,4 @@
-//! Turns and mirrors of EXIF and of videos: from the way the sensor saw it to the way a person sees it.
+//! Rotations and reflections of EXIF and of videos: from sensor orientation to display orientation.
 
 use super::{Image, Plane};
 use crate::error::Result;

@@ -65,7 +65,7 @@ impl Plane {
         &mut self.samples
     }
 
-    /// Gives the samples away.
+    /// Returns the samples.
     #[must_use]
     pub fn into_samples(self) -> Vec<u8> {
         self.samples
@@ -89,7 +89,7 @@ impl Plane {
     }
 }
 
-/// The places to the left, right, above and below of one, of samples that lie row by row.
+/// Indices of the samples to the left, right, above and below of a sample, in row order.
 pub fn neighbours(at: usize, (width, height): (usize, usize)) -> impl Iterator<Item = usize> {
     let (x, y) = (at % width, at / width);
     let beside = [

@@ -1,5 +1,5 @@
-//! Samples as decoders give them, of any depth and with or without alpha, as 8 bits a sample on white paper, and the
-//! picture in sRGB that they are.
+//! Converts decoded samples of any depth, with or without alpha, to 8 bits per sample on white, and to an
+//! sRGB image.
 
 use ::image::ColorType;
 

@@ -1,7 +1,7 @@
-//! TIFF: the samples as the `tiff` crate unpacks them, put together and given their meaning here.
+//! TIFF: reads samples with the `tiff` crate, and combines and interprets them here.
 //!
-//! The crate (0.11.3) is asked for chunks (strips or tiles) of bare samples, which is what it does well. The
-//! crate and `image` handle these cases wrongly or not at all:
+//! The crate (0.11.3) only reads chunks (strips or tiles) of raw samples, which works well. The crate and
+//! `image` handle these cases wrongly or not at all:
 //!
 //! - A tiled image with separate planes causes a panic if the tiles do not divide the height: `get_padding`
 //!   uses the tile number over all planes as one of the first plane. Each chunk is correct, but longer than

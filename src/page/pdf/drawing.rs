@@ -1,5 +1,5 @@
-//! The panels of a page in a PDF file: paper, pictures inside of their shapes, borders. The origin is the upper left
-//! corner, the unit a pixel of the page.
+//! The panels of a page in a PDF file: paper, images clipped to their shapes, borders. The origin is the
+//! upper left corner, the unit a pixel of the page.
 
 use super::color::Colours;
 use super::tags::{Tags, artifact, end};

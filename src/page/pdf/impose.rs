@@ -1,4 +1,4 @@
-//! Pages on sheets that are folded or cut: which page goes where, so that all is in order once it is bound.
+//! Imposition: the order of pages on sheets that are folded or cut.
 //!
 //! The orders are standard in printing. `tests/oracles/impose.py` compares them with another program.
 
@@ -14,7 +14,7 @@ pub enum Imposition {
     /// Eight on one side of one sheet, which is cut once in its middle and folded.
     #[serde(rename = "zine")]
     Zine,
-    /// Two beside each other, to be cut apart.
+    /// Two pages next to each other, to be cut apart.
     #[serde(rename = "2up")]
     TwoUp,
     /// One page on the first sheet, then two pages per sheet, like an open book.
@@ -23,7 +23,7 @@ pub enum Imposition {
 }
 
 impl Imposition {
-    /// All of them by their names.
+    /// All kinds by name.
     pub const ALL: [(&'static str, Self); 4] =
         [("booklet", Self::Booklet), ("zine", Self::Zine), ("2up", Self::TwoUp), ("spreads", Self::Spreads)];
 }

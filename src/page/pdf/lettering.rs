@@ -1,5 +1,5 @@
-//! The words of a page in a PDF file: balloons as lines, letters as text that can be found and copied. The letters of
-//! a bent line are bent themselves, which text cannot be: they are drawn as lines, with unseen text straight across them.
+//! Lettering in a PDF file: balloons as vectors, text as text for search and copy. Arched text has bent
+//! glyphs, which PDF text cannot have. They are drawn as vectors, with invisible straight text above.
 
 use super::color::Colours;
 use super::drawing::{Ground, path};

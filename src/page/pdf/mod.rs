@@ -45,11 +45,11 @@ pub use picture::Picture;
 use sheet::Sheet;
 use tags::Tags;
 
-/// A page with the pictures of its panels.
+/// A page with the images of its panels.
 pub struct Leaf {
     /// The page.
     pub document: Document,
-    /// Pictures of its panels; a panel without one is empty.
+    /// Images of its panels. A panel without an image is empty.
     pub pictures: Vec<Picture>,
     /// Alternative texts of the panels, in their order. Missing ones become the number of the panel.
     pub alts: Vec<String>,

@@ -18,7 +18,7 @@ pub struct Options {
     /// Language of the text, as a tag such as `pt-BR`. Empty: not specified.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<String>"))]
     pub language: String,
-    /// Lines beyond the corners that say where to cut and fold.
+    /// Crop marks and fold marks.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>"))]
     pub marks: bool,
     /// How pages share sheets.

@@ -1,4 +1,4 @@
-//! The picture of a panel, as a PDF file holds it.
+//! The image of a panel for a PDF file.
 
 use crate::error::{Error, Result};
 use crate::page::document::Document;
@@ -9,11 +9,11 @@ use crate::page::scene;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::{Filter, Pdf, Ref};
 
-/// A picture in its place.
+/// An image with its position.
 pub struct Picture {
-    /// The panel that shows it; from the number of panels on, a figure that steps out of one, then a front.
+    /// Index of the panel. Indices from the number of panels are breakouts, then foregrounds.
     pub index: usize,
-    /// Pixels of the page that it covers; the panel shows what is inside of its shape.
+    /// Covered pixels of the page. The panel clips the image to its shape.
     pub area: PixelRect,
     /// The file.
     pub jpeg: Vec<u8>,

@@ -1,5 +1,5 @@
-//! A side of a sheet of paper with its pages in their places: how large it is, and where everything goes. By
-//! default lengths are in points of 1/72 inch, from the upper left corner of the trimmed area.
+//! A side of a sheet of paper with its pages: its size and all positions. By default lengths are in points of
+//! 1/72 inch, from the upper left corner of the trimmed area.
 
 use super::Leaf;
 use super::impose::{Imposition, Side};

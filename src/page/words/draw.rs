@@ -1,4 +1,4 @@
-//! A word as pixels: a patch of straight-alpha RGBA that lies on the panels.
+//! A text item as pixels: a patch of straight-alpha RGBA above the panels.
 
 use super::balloons::neck;
 use super::layout::{Body, Chain, Ground, Laid, lay_all};
@@ -57,7 +57,7 @@ pub fn render(document: &Document, index: usize, width: usize, letters: &Letters
     Ok(draw(&laid, width as f64, letters))
 }
 
-/// Lays all words of a document on its sheet, in their order.
+/// Draws all text items of a document on its sheet, in order.
 ///
 /// # Errors
 /// As [`render`].
@@ -65,7 +65,7 @@ pub fn lay_words(sheet: &mut Sheet, document: &Document, letters: &Letters) -> R
     lay_words_behind(sheet, document, letters, &[])
 }
 
-/// Lays all words of a document on its sheet, as [`drawn_behind`] gives them.
+/// Draws all text items of a document on its sheet, in the order of [`drawn_behind`].
 ///
 /// # Errors
 /// As [`render`].
@@ -176,7 +176,7 @@ fn plain(laid: &Laid, width: f64, letters: &Letters) -> Lines {
     Lines { body, united: false, text, heavy, ringed: false, half: RULE * width, dash: None }
 }
 
-/// Draws a word on a page of `width` pixels.
+/// Draws a text item on a page of `width` pixels.
 #[must_use]
 pub fn draw(laid: &Laid, width: f64, letters: &Letters) -> Patch {
     let Lines { body, united, text, heavy, ringed, half: line, dash } = lines(laid, width, letters);

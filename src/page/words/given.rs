@@ -44,7 +44,7 @@ const JOINED: [(u32, u32); 10] = [
     (0x1_e800, 0x1_efff),
 ];
 
-/// The font files of a person, in the order in which they are asked for letters.
+/// The user's font files, in order of priority.
 #[derive(Clone, Default)]
 pub struct GivenFonts {
     files: Vec<Arc<[u8]>>,

@@ -11,7 +11,7 @@ use crate::layout::{Bounds, Point, ResolvedPanel, resolve};
 use crate::page::Document;
 use serde::Serialize;
 
-/// A word with its place.
+/// A text item with its position.
 pub struct Laid {
     /// The text item.
     pub word: Word,
@@ -131,7 +131,7 @@ impl Ground {
         word
     }
 
-    /// A word set and put into its place. It never leaves the page.
+    /// Sets a text item and computes its position. It never leaves the page.
     #[must_use]
     pub fn lay(&self, word: Word, letters: &Letters) -> Laid {
         let word = self.coloured(word);
@@ -191,7 +191,7 @@ impl Ground {
     }
 }
 
-/// Half the width and height that a word takes on the page, without its tail.
+/// Half the width and height of a text item on the page, without its tail.
 #[must_use]
 pub fn extent(word: &Word, setting: &Setting) -> (f64, f64) {
     let reach = reach(word.kind);
@@ -283,9 +283,9 @@ pub struct WordBox {
     pub size: f64,
     /// Whether the end of the text was cut off.
     pub cut: bool,
-    /// Colour of its letters, `#rrggbb`.
+    /// Text colour, `#rrggbb`.
     pub color: String,
-    /// Colour inside of its outline, or around its letters.
+    /// Fill colour of its outline, or of the line around its glyphs.
     pub fill: String,
     /// Id of its font.
     pub font: String,

@@ -8,7 +8,7 @@
 use super::letters::Contour;
 use crate::layout::Point;
 
-/// Most letters that are learnt: they take the places of letters for private use.
+/// Maximum number of traced glyphs. They use private-use characters.
 pub const MOST_LEARNT: usize = 6_000;
 /// The first of these places.
 const FIRST: u32 = 0xe000;
@@ -32,7 +32,7 @@ pub struct Drawing<'a> {
     pub em: f64,
     /// From the top to the baseline.
     pub baseline: f64,
-    /// From the left edge to where the pen starts.
+    /// Distance from the left edge to the glyph origin.
     pub left: f64,
     /// How far the pen moves.
     pub advance: f64,

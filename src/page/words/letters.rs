@@ -1,4 +1,4 @@
-//! The table of letters: outlines, advances and kerning of the fonts, as `fonts/pack.rs` writes them.
+//! The glyph table: outlines, advances and kerning of the fonts, as `fonts/pack.rs` writes them.
 
 use super::learning::{self, Drawing, Learnt};
 use crate::error::{Error, Result};
@@ -13,7 +13,7 @@ pub fn spoken(letter: char) -> char {
     if letter == STEM { 'I' } else { letter }
 }
 
-/// The fonts of the page, and which accents their letters take.
+/// The fonts of the page, and the combinations of letters and accents.
 #[derive(Default)]
 pub struct Letters {
     /// The composed character, its base and its mark, in ascending order of the first.
@@ -28,7 +28,7 @@ pub struct Font {
     pub(super) id: String,
     /// Font units per em. All lengths are integers in these units.
     pub(super) units: u16,
-    /// Ascent of the highest letters over the baseline.
+    /// Ascent of the highest glyphs over the baseline.
     pub ascent: f64,
     /// Descent of the lowest, positive.
     pub descent: f64,
@@ -118,7 +118,7 @@ impl Letters {
         out
     }
 
-    /// Makes a run of text a letter of all fonts, as a picture shows it; `leftward` where it is read from right to left.
+    /// Adds a traced run of text as one glyph of all fonts. `leftward` marks right-to-left text.
     ///
     /// Returns whether it is one now.
     pub fn learn(&mut self, run: &str, leftward: bool, drawing: Drawing) -> bool {
@@ -184,7 +184,7 @@ impl Letters {
         self.learnt(letter).map_or_else(|| spoken(letter).to_string(), str::to_owned)
     }
 
-    /// Whether some letters of a text were learnt.
+    /// Whether a text has traced glyphs.
     #[must_use]
     pub fn foreign(&self, text: &str) -> bool {
         self.cleaned(text)
@@ -199,7 +199,7 @@ impl Letters {
         runs.filter(|(_, run)| text.starts_with(run)).max_by_key(|(_, run)| run.len())
     }
 
-    /// The letters of a line from left to right, where some of it is read the other way.
+    /// The characters of a line in visual order, if a part of it is right-to-left.
     #[must_use]
     pub fn ordered(&self, line: &[char]) -> Vec<char> {
         learning::ordered(line, |letter| {
@@ -247,7 +247,7 @@ impl Letters {
         font.step(left) + kern
     }
 
-    /// Width of a run of letters in ems.
+    /// Width of a run of text in ems.
     #[must_use]
     pub fn width(&self, font: &Font, run: &[char]) -> f64 {
         (0..run.len()).map(|i| self.advance(font, run[i], run.get(i + 1).copied())).sum()
@@ -265,7 +265,7 @@ impl Font {
         self.glyphs.get(self.glyphs.binary_search_by_key(&code, |glyph| glyph.letter).unwrap_or(0))
     }
 
-    /// Whether it has a letter.
+    /// Whether the font has a character.
     #[must_use]
     pub fn has(&self, letter: char) -> bool {
         self.glyphs.binary_search_by_key(&u32::from(letter), |glyph| glyph.letter).is_ok()
@@ -313,13 +313,13 @@ impl Font {
         &self.id
     }
 
-    /// How far the pen moves over a letter that stands alone, in ems.
+    /// Advance of a single character, in ems.
     #[must_use]
     pub fn step(&self, letter: char) -> f64 {
         self.glyph(letter).map_or(0.0, |glyph| glyph.advance)
     }
 
-    /// The contours of a letter in ems, y up, curves cut into segments that are off by `within` ems at most.
+    /// The contours of a glyph in ems, y up. Curves become segments with an error of at most `within` ems.
     #[must_use]
     pub fn outline(&self, letter: char, within: f64) -> Vec<Vec<Point>> {
         let contours = self.glyph(letter).map_or(&[][..], |glyph| &glyph.contours);

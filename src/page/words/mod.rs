@@ -1,5 +1,5 @@
-//! Words on the page: captions, speech balloons and sound effects, set in the fonts of `fonts/` and drawn as patches
-//! that lie on the panels. Everything is measured in page widths, so that preview and print break the same lines.
+//! Lettering: captions, speech balloons and sound effects, set in the fonts of `fonts/` and drawn as patches
+//! above the panels. Everything is measured in page widths, so that preview and print break the same lines.
 //!
 //! | module | for |
 //! |---|---|

@@ -7,17 +7,17 @@
 use crate::error::{Error, Result};
 use serde_json::Value;
 
-/// Most characters of one word: far more than a page holds.
+/// Maximum number of characters of one text item, far more than a page holds.
 pub const MOST_LETTERS: usize = 10_000;
-/// Most words of a page.
+/// Maximum number of text items per page.
 pub const MOST_WORDS: usize = 200;
-/// Most characters of the name of a word, and of its language.
+/// Maximum length of the id of a text item, and of its language, in characters.
 pub const LONGEST_ID: usize = 64;
-/// Degrees that the letters of an effect may lean to either side.
+/// Maximum slant of an effect to either side, in degrees.
 pub const STEEPEST: f64 = 45.0;
-/// The widest line around the letters of an effect, in ems.
+/// Maximum width of the outline of an effect, in ems.
 pub const WIDEST_OUTLINE: f64 = 0.4;
-/// A place of a word, in widths and heights of its panel to either side.
+/// Maximum distance of a position from its panel, in widths and heights of the panel.
 pub const FARTHEST: f64 = 10.0;
 
 /// Kind of a text item.
@@ -27,7 +27,7 @@ pub enum Kind {
     Caption,
     /// Speech or thought.
     Balloon(Shape),
-    /// A sound, in large letters without a box.
+    /// A sound effect: large text without a box.
     Effect,
 }
 
@@ -75,9 +75,9 @@ pub struct Word {
     pub tail: Option<(f64, f64)>,
     /// Id of a font of the table.
     pub font: String,
-    /// Colour of the letters, and of the outline of a balloon.
+    /// Text colour, and outline colour of a balloon.
     pub color: [u8; 3],
-    /// Colour inside of a balloon or a box; of the line around the letters of an effect.
+    /// Fill colour of a balloon or a box; outline colour of an effect.
     pub fill: [u8; 3],
     /// Degrees that an effect is turned clockwise.
     pub angle: f64,
@@ -87,7 +87,7 @@ pub struct Word {
     pub auto: bool,
     /// The conventions that it follows.
     pub craft: Craft,
-    /// A caption without a box: its letters lie on the picture, with a line around them.
+    /// Whether a caption has no box. Its text is on the image, with an outline.
     pub boxless: bool,
     /// Whether the caption is only left-aligned text from the top of its room.
     pub plain: bool,
@@ -95,7 +95,7 @@ pub struct Word {
     pub ruled: bool,
     /// Whether it is set in capitals.
     pub capitals: bool,
-    /// Degrees that the letters of an effect lean to the right, up to [`STEEPEST`].
+    /// Slant of an effect to the right in degrees, up to [`STEEPEST`].
     pub slant: f64,
     /// Half the width of the outline around the glyphs of an effect, in ems; `None` for the default.
     pub outline: Option<f64>,
@@ -111,7 +111,7 @@ pub struct Word {
     pub apart: bool,
     /// Name of the speaker, if known. Balloons of different speakers are never linked automatically.
     pub by: Option<String>,
-    /// The language of its text, such as `en` or `pt-BR`: long words part by its rules. None: they part nowhere.
+    /// Language of the text, such as `en` or `pt-BR`, for hyphenation. None: they part nowhere.
     pub language: Option<String>,
     /// Its lines are columns, read from the top down and from right to left.
     pub vertical: bool,
@@ -122,7 +122,7 @@ pub struct Word {
 }
 
 impl Word {
-    /// Reads one word; `index` is its place, for the message.
+    /// Reads one text item; `index` is its index, for the message.
     ///
     /// # Errors
     /// `invalid-document` naming the field.
@@ -224,10 +224,10 @@ impl Word {
         fronts.iter().position(|front| *front == panel)
     }
 
-    /// Reads the words of a document.
+    /// Reads the text items of a document.
     ///
     /// # Errors
-    /// `invalid-document` naming the word and the field; for more than [`MOST_WORDS`].
+    /// `invalid-document` with the item and the field, or for more than [`MOST_WORDS`].
     pub fn parse_all(values: &[Value]) -> Result<Vec<Self>> {
         if values.len() > MOST_WORDS {
             let reason = "has more than 200 entries".to_owned();

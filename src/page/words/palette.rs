@@ -8,15 +8,15 @@ use serde_json::Value;
 /// Colours as red, green and blue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Palette {
-    /// Letters and outlines.
+    /// Text and outlines.
     pub ink: [u8; 3],
     /// Inside of balloons.
     pub paper: [u8; 3],
     /// Inside of captions.
     pub note: [u8; 3],
-    /// Letters of sounds.
+    /// Text of sound effects.
     pub accent: [u8; 3],
-    /// The line around the letters of sounds.
+    /// Outline of sound effects.
     pub edge: [u8; 3],
 }
 

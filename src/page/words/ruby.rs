@@ -29,7 +29,7 @@ pub(super) const THICKER: (f64, f64) = (0.7, SIZE + AIR);
 pub struct Under {
     /// Number of its reading, from 1; 0 without a reading.
     pub reading: u16,
-    /// How much further the pen goes over it, in ems: one half before the letter, the other behind it.
+    /// Extra advance of the character in ems: half before it, half after it.
     pub apart: f64,
 }
 
@@ -54,7 +54,7 @@ struct Notes {
 pub(super) enum Part {
     /// It is set; with the number of its reading, from 1, or 0.
     Base(u16),
-    /// It is a letter of that reading.
+    /// A character of the reading with this number.
     Reading(u16),
     /// A sign of the notation.
     Sign,

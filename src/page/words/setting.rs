@@ -34,7 +34,7 @@ pub struct Wish {
     pub size: Option<f64>,
     /// Width and height that the shape should not exceed, in page widths.
     pub room: (f64, f64),
-    /// Width and height that it may have before letters become too small to be read with ease.
+    /// Maximum width and height before the text becomes too small for easy reading.
     pub most: (f64, f64),
     /// Width and height that it must not exceed.
     pub page: (f64, f64),
@@ -53,7 +53,7 @@ pub struct Setting {
     pub strong: Vec<Vec<bool>>,
     /// Ruby of each line by character; empty without readings.
     pub under: Vec<Vec<Under>>,
-    /// The readings, by their numbers less one.
+    /// The readings, by number minus one.
     pub readings: Vec<Vec<char>>,
     /// Whether columns begin at the same height. If not, lines are centred.
     pub flush: bool,
@@ -125,7 +125,7 @@ const STEP: f64 = 0.93;
 /// Most lines of a word.
 const MOST_LINES: usize = 60;
 
-/// Sets a text whose letters are [`marks`](super::wording::marks), with their [`readings`](super::wording::readings).
+/// Sets a text of [`marks`](super::wording::marks), with its [`readings`](super::wording::readings).
 #[must_use]
 pub fn set(letters: &Letters, font: &Font, text: (&[Mark], &[Vec<char>]), wish: &Wish) -> Setting {
     let mut manner = manner(wish.kind, wish.craft, wish.width);

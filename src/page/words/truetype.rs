@@ -1,5 +1,5 @@
-//! Letters of the table as a TrueType font, for files that hold text: the table's curves are quadratic and in whole
-//! units, as TrueType has them, so nothing is lost. The font has what a PDF file asks for and no more.
+//! Writes glyphs of the table as a TrueType font, for files with text. The table's curves are quadratic and
+//! in integer units, like TrueType, so nothing is lost. The font has only the tables that a PDF file needs.
 //!
 //! Source: the OpenType specification 1.9.1, tables `glyf`, `head`, `hhea`, `hmtx`, `loca`, `maxp`.
 

@@ -14,39 +14,39 @@ const AROUND_HYPHEN: (usize, usize) = (5, 3);
 /// Stands for a place at which the text itself lets a word part, while it is worked on.
 const SOFT: char = '\u{f8f1}';
 
-/// Whether a word may part before a letter.
+/// Whether a word may be broken before a character.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
     /// It may not.
     No,
     /// With a hyphen.
     Hyphen,
-    /// As it is: behind a hyphen or a dash of the text.
+    /// Without a hyphen: after a hyphen or a dash of the text.
     Free,
 }
 
-/// A letter to be set.
+/// A character to set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Mark {
     /// The drawn character.
     pub letter: char,
     /// It is emphasised.
     pub strong: bool,
-    /// Whether the word may part before it.
+    /// Whether the word may be broken before it.
     pub part: Part,
     /// Number of its reading in the text, from 1; 0 without a reading.
     pub reading: u16,
 }
 
 impl Mark {
-    /// A letter like any other.
+    /// A character without special properties.
     #[must_use]
     pub fn plain(letter: char) -> Self {
         Self { letter, strong: false, part: Part::No, reading: 0 }
     }
 }
 
-/// The letters of a word, by its conventions.
+/// The characters of a text item, by its lettering rules.
 #[must_use]
 pub fn marks(word: &Word, letters: &Letters, font: &Font) -> Vec<Mark> {
     if word.craft == Craft::First {
@@ -63,7 +63,7 @@ pub fn marks(word: &Word, letters: &Letters, font: &Font) -> Vec<Mark> {
     marks
 }
 
-/// The readings of a word's letters, by their numbers less one.
+/// The readings of a text item, by number minus one.
 #[must_use]
 pub fn readings(word: &Word, letters: &Letters) -> Vec<Vec<char>> {
     if word.craft == Craft::First || !word.text.contains('《') {

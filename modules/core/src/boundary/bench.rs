@@ -21,7 +21,7 @@ pub fn bench_facts(width: usize, height: usize, rgba: &[u8]) -> std::result::Res
     Ok(energy.values().len() + Facts::of(&small).spread().0 as usize + lettering(&small).len())
 }
 
-/// One style, one picture, and the scratch memory that a worker would keep.
+/// One style, one image, and the scratch memory of a worker.
 #[wasm_bindgen]
 pub struct Bench {
     style: Style,
@@ -55,12 +55,12 @@ impl Bench {
         make().map_err(thrown)
     }
 
-    /// Copies the picture for the next [`Bench::run`], which changes it in place.
+    /// Copies the image for the next [`Bench::run`], which changes it in place.
     pub fn prepare(&mut self) {
         self.next = Some(self.picture.clone());
     }
 
-    /// Runs the other blocks of the background once on the prepared copy; does nothing without one.
+    /// Runs the other blocks of the background once on the copy. Does nothing without a copy.
     pub fn run(&mut self) -> std::result::Result<(), JsValue> {
         let Some(picture) = self.next.take() else { return Ok(()) };
         let steps = &self.style.background[self.done..];
@@ -90,8 +90,8 @@ impl BenchPage {
         make().map_err(thrown)
     }
 
-    /// Draws the inside, the border and the halo of every panel as [`render_panel`](inkpanel::page::compose) does;
-    /// gives the pixels drawn.
+    /// Draws the inside, the border and the outline of every panel, like
+    /// [`render_panel`](inkpanel::page::compose). Returns the number of pixels.
     #[must_use]
     pub fn draw_masks(&self) -> usize {
         let Scene { corner_radius, border, ref panels, .. } = self.scene;

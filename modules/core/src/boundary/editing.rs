@@ -24,8 +24,8 @@ impl Editor {
     }
 
     /// Replaces the project by a history with tables (see `document::kept`). Throws `damaged-project`,
-    /// `newer-project` or `too-large-project`, and then nothing changed. Returns `{dropped, pageId, sheet}`
-    /// as JSON: the dropped parts, and ids for a new page and a new sheet.
+    /// `newer-project` or `too-large-project`, without any change. Returns `{dropped, pageId, sheet}` as
+    /// JSON: the dropped parts, and ids for a new page and a new sheet.
     pub fn load(&mut self, json: &str) -> std::result::Result<String, JsValue> {
         let (history, dropped) = kept::parse(json).map_err(thrown)?;
         let mut out = json::Writer::default();
@@ -40,12 +40,12 @@ impl Editor {
     }
 
     /// Applies an edit: an object with a `type`, see `document::edit::Edit`. Returns the changes as JSON, see
-    /// `document::kept::difference`. Throws `invalid-document`, and then nothing changed.
+    /// `document::kept::difference`. Throws `invalid-document`, without any change.
     pub fn apply(&mut self, edit: &str) -> std::result::Result<String, JsValue> {
         self.hands.apply_json(edit).map_err(thrown)
     }
 
-    /// The whole history with tables of its parts, which `load` takes.
+    /// The complete history with tables, as input of `load`.
     #[must_use]
     pub fn save(&self) -> String {
         kept::write(self.hands.history(), &Dropped::new())

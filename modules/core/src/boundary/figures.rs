@@ -1,4 +1,4 @@
-//! Figures that step out of their panels.
+//! Panel breakouts.
 
 use super::thrown;
 use inkpanel::error::Result;

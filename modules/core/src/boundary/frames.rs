@@ -37,7 +37,8 @@ impl Studio {
         std::mem::take(&mut self.file)
     }
 
-    /// A frame of a video as RGBA, as `import_frame` takes it, upright and with a long side of `longest` pixels at most.
+    /// Rotates a frame of a video, in the form of `import_frame`, and reduces it to a long side of at most
+    /// `longest` pixels. Returns RGBA.
     #[allow(clippy::too_many_arguments, reason = "JavaScript passes numbers, not structs")]
     pub fn small_frame(
         &self,
@@ -54,7 +55,7 @@ impl Studio {
         Ok(Patch::whole(image.width(), image.height(), image.to_rgba()))
     }
 
-    /// Gives one frame more of the film to the panel that is drawn next by `draw_living`.
+    /// Adds a frame of the video for the next call of `draw_living`.
     pub fn add_living(
         &mut self,
         width: usize,

@@ -4,7 +4,7 @@ use super::thrown;
 use inkpanel::page::layouts;
 use wasm_bindgen::prelude::*;
 
-/// The layouts to choose from, with pictures: `{page, own}`.
+/// The layouts to choose from, with thumbnails: `{page, own}`.
 #[wasm_bindgen]
 pub fn list_layouts(json: &str) -> std::result::Result<String, JsValue> {
     layouts::list(json).map_err(thrown)

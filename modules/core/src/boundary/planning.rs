@@ -1,5 +1,5 @@
-//! Pages planned for a project while it is edited: which photos each may show, and how it follows what is changed. Each
-//! answer is a proposal; the page makes an edit of it.
+//! Plans pages of the edited project: the photos for each page, and updates after changes. Each result is a
+//! proposal. The app makes an edit of it.
 //!
 //! Every request is a `page::request::Request` in JSON with a seed and optional preferences. Each function
 //! documents the other fields that it uses. A page is null if it is impossible.
@@ -40,7 +40,8 @@ impl Editor {
         })
     }
 
-    /// The page after the photos in use changed: as it was where it can be. `grow`: there are more photos than before.
+    /// Returns the page after the photos in use changed, with as few changes as possible. `grow`: there are
+    /// more photos than before.
     pub fn refitted(&self, album: &Album, request: &str, grow: bool) -> std::result::Result<String, JsValue> {
         self.asked(album, request, &mut |planning, request| Ok(told(planning.refitted(grow, request.seed)?)))
     }

@@ -32,8 +32,8 @@ pub fn invent_style(seed: u32) -> String {
     procedural::invent(seed).to_value().to_string()
 }
 
-/// The inks that the style of a document prints, the strongest last, and the document as it is drawn for their plates:
-/// `{inks: [{name, rgb}], document}` as JSON. `null` where it prints none.
+/// The inks of a document's style, the strongest last, and the document for drawing plates: `{inks: [{name,
+/// rgb}], document}` as JSON. `null` if the style has no printing plates.
 #[wasm_bindgen]
 pub fn plates_of(document: &str) -> std::result::Result<String, JsValue> {
     let told = || -> Result<String> {
@@ -103,7 +103,7 @@ impl Explored {
         self.signature.clone()
     }
 
-    /// The picture.
+    /// The image.
     #[must_use]
     pub fn patch(&self) -> Patch {
         patch(&self.picture)
@@ -112,8 +112,8 @@ impl Explored {
 
 #[wasm_bindgen]
 impl Studio {
-    /// Sets a style for a photo at a size. Only changed blocks run again. Follow with `design_step` until
-    /// there is nothing left.
+    /// Sets a style for a photo at a size. Only changed blocks run again. Call `design_step` until it returns
+    /// -1.
     pub fn design(
         &mut self,
         key: &str,
@@ -137,7 +137,7 @@ impl Studio {
         begin().map_err(thrown)
     }
 
-    /// Runs the next block of the design: its place, plus 256 in the foreground; -1 when nothing is left.
+    /// Runs the next block of the design. Returns its index, plus 256 in the foreground, or -1 at the end.
     pub fn design_step(&mut self) -> std::result::Result<i32, JsValue> {
         let Some((_, stages)) = self.designs.0.first_mut() else { return Ok(-1) };
         let step = stages.advance(&mut self.context).map_err(thrown)?;

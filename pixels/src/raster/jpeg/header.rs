@@ -1,4 +1,4 @@
-//! The segments of a JPEG file that decoding takes: frame, tables and scans. Source: ITU-T T.81, annex B.
+//! The segments of a JPEG file that decoding needs: frame, tables and scans. Source: ITU-T T.81, annex B.
 
 use super::huffman::Table;
 use super::{HUFFMAN_TABLES, QUANTIZATION_TABLES, RESTART_INTERVAL};

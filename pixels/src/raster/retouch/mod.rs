@@ -31,9 +31,9 @@ const SOFT: f32 = 4.0;
 /// A soft round brush.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Brush {
-    /// In pixels of the mask; beyond it nothing changes.
+    /// In pixels of the mask. Nothing changes outside of it.
     pub radius: f32,
-    /// Adds to the subject, or takes away from it.
+    /// Whether it adds to the subject instead of removing from it.
     pub adds: bool,
 }
 
@@ -95,8 +95,8 @@ pub fn grown(mask: &Plane, radius: f32) -> Plane {
     extreme(mask, radius, u8::max)
 }
 
-/// The mask with its border moved inward: of each pixel the least in a disc about it. Nothing comes in over the photo's edges,
-/// where a figure goes on that the photo cuts off.
+/// The mask with its border moved inward: of each pixel the least in a disc about it. The border does not
+/// move inward at the edges of the photo, because the figure may continue there.
 #[must_use]
 pub fn shrunk(mask: &Plane, radius: f32) -> Plane {
     extreme(mask, radius, u8::min)

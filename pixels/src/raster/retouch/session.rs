@@ -17,17 +17,17 @@ const ROUNDINGS: [u8; 4] = [1, 51, 85, 255];
 /// A correction of the whole mask.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Mending {
-    /// The border goes outward.
+    /// Grows the mask.
     Grow,
-    /// The border goes inward.
+    /// Shrinks the mask.
     Shrink,
-    /// The border gets softer, as long as it is one.
+    /// Softens the border, while the mask has a visible border.
     Feather,
-    /// The subject is what was not.
+    /// Inverts the mask.
     Invert,
     /// The subject is everything that was found, or the whole photo if nothing was found.
     Everything,
-    /// Nothing is.
+    /// Empties the mask.
     Nothing,
     /// The detected mask, without corrections.
     Found,
@@ -72,7 +72,7 @@ impl Session {
         Self { found, states, at: 0, mask }
     }
 
-    /// The mask as it is to be seen.
+    /// The current mask.
     #[must_use]
     pub fn mask(&self) -> &Plane {
         &self.mask
@@ -85,7 +85,7 @@ impl Session {
         sum as f64 / (255 * self.mask.samples().len()) as f64
     }
 
-    /// Whether there is a step back, and one forth.
+    /// Whether undo and redo are possible.
     #[must_use]
     pub fn can(&self) -> (bool, bool) {
         (self.at > 0, self.at + 1 < self.states.len())
@@ -103,14 +103,15 @@ impl Session {
         self.states[1..=self.at].iter().map(|state| state.own.then_some(&state.mask)).collect()
     }
 
-    /// Paints on: places in parts of the photo, the radius in photo widths. A step once it is [ended](Self::end).
+    /// Paints on: places in parts of the photo, the radius in photo widths. [`Self::end`] makes it an undo
+    /// step.
     pub fn paint(&mut self, path: &[[f32; 2]], radius: f32, adds: bool) {
         let (width, height) = (self.mask.width() as f32, self.mask.height() as f32);
         let path: Vec<[f32; 2]> = path.iter().map(|[x, y]| [x * width, y * height]).collect();
         Brush { radius: radius * width, adds }.paint(&mut self.mask, &path);
     }
 
-    /// Ends a stroke, which is a step.
+    /// Ends a stroke, as one undo step.
     ///
     /// Returns whether anything changed.
     pub fn end(&mut self) -> bool {
@@ -118,12 +119,12 @@ impl Session {
         self.step(&self.mask.clone(), others, true)
     }
 
-    /// Takes back a stroke that is not ended.
+    /// Discards the current stroke.
     pub fn abandon(&mut self) {
         self.mask = self.states[self.at].mask.plane();
     }
 
-    /// Does something to the mask as a whole, a step.
+    /// Applies a correction to the whole mask, as one undo step.
     ///
     /// Returns whether anything changed.
     pub fn mend(&mut self, mending: Mending) -> bool {
@@ -164,7 +165,7 @@ impl Session {
         before.is_some_and(|at| self.go(at))
     }
 
-    /// One step forth. Returns whether there was one.
+    /// Redoes one step. Returns whether there was one.
     pub fn redo(&mut self) -> bool {
         self.at + 1 < self.states.len() && self.go(self.at + 1)
     }

@@ -33,8 +33,8 @@ impl View {
         (self.photo.width(), self.photo.height())
     }
 
-    /// The mask over the photo, RGBA row by row. `fine`: with the photo's own edges, as pages are drawn; that takes longer than a
-    /// stroke that is on its way may wait.
+    /// The mask over the photo, RGBA row by row. `fine` uses the photo's own edges, as on pages. It is too
+    /// slow during a stroke.
     pub fn draw(&mut self, mask: &Plane, fine: bool) -> &[u8] {
         let (width, height) = self.size();
         let whole = Region::whole(mask.width(), mask.height());

@@ -1,9 +1,9 @@
 //! Placement rules of letterers. Captions are flush in corners. Balloons are high in the panel, close to the
 //! mouth, in reading order, never on a face, and off bodies if possible.
 //!
-//! The words of a panel are placed together. For each item, some shapes (natural, flat, narrow, small) are
-//! tried on a grid of positions. One cost rates a single position, another rates two positions together. A
-//! beam search extends the best sets item by item, so that the first balloon leaves space for the second.
+//! The text items of a panel are placed together. For each item, some shapes (natural, flat, narrow, small)
+//! are tried on a grid of positions. One cost rates a single position, another rates two positions together.
+//! A beam search extends the best sets item by item, so that the first balloon leaves space for the second.
 //!
 //! Consecutive balloons of one speaker are linked automatically: the search is repeated with each such pair
 //! as one. The pair stays if the cost is not higher and the connector covers no subject.

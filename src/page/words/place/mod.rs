@@ -30,7 +30,7 @@ const SAME: f64 = 0.15;
 pub struct Known<'s> {
     /// Lettering, faces and objects in it.
     pub subjects: &'s [Subject],
-    /// Which part of it is its subject, where that was looked for.
+    /// Subject mask, after detection.
     pub mask: Option<&'s Matte>,
 }
 
@@ -65,8 +65,8 @@ struct Scenery {
     figures: Vec<Figure>,
 }
 
-/// Puts words on a page that it does not have yet: those without a place are set as letterers do, and go where they hide no
-/// face. `known` knows what is in a photo.
+/// Adds text items to a page. Items without a position get the rules of letterers and are placed away from
+/// faces. `known` returns the properties of a photo.
 ///
 /// # Errors
 /// As [`settle`].

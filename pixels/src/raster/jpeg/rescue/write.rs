@@ -1,4 +1,4 @@
-//! Writes the blocks of a picture as a sequential JPEG file. Source: ITU-T T.81, annexes B and F.1.
+//! Writes the blocks of an image as a sequential JPEG file. Source: ITU-T T.81, annexes B and F.1.
 
 use super::super::{END_OF_IMAGE, HUFFMAN_TABLES, START_OF_SCAN};
 use super::{Block, Picture, Read};
