@@ -31,8 +31,8 @@ export type Fact = {
 export type Album = ReadonlyMap<string, Fact>;
 
 /**
- * A video whose frames are photos: `ids`, taken between `start` and `end`. Seconds from its first picture; `duration` and
- * `end` are null until the file was opened. `timecode`: the timecode of its first picture.
+ * A video whose frames are photos: `ids`, taken between `start` and `end`. Seconds from its first frame; `duration` and
+ * `end` are null until the file was opened. `timecode`: the timecode of its first frame.
  */
 export type Video = {
   key: string;
@@ -69,8 +69,8 @@ function unlike(text: string) {
 }
 
 /**
- * Sorts photos by capture time if all have one. If not, the given order stays. A part of the album being dated orders
- * nothing: the undated rest would have no place.
+ * Sorts photos by capture time if all have one. If not, the given order stays. If only some photos are dated, the
+ * undated ones would have no place in the order.
  */
 export function chronological(facts: readonly Fact[]): Fact[] {
   const when = (fact: Fact) => fact.meta?.taken ?? '';

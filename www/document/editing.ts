@@ -18,7 +18,7 @@ export type Editing = ReturnType<typeof createEditing>;
 
 /**
  * @param editor a dedicated editor
- * @param from throws where it cannot be edited
+ * @param from throws if it is invalid
  */
 export function createEditing(editor: Editor, from: History = EMPTY_HISTORY) {
   const { dropped, ...ids } = editor.load({ version: VERSION, history: from });

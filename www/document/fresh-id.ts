@@ -1,4 +1,4 @@
-/** @returns an id that nothing else has, anywhere: random bits (`randomUUID` is missing on plain http) */
+/** a globally unique id of random bits (`randomUUID` is missing on plain http) */
 export function freshId(bytes: number = 16): string {
   return Array.from(crypto.getRandomValues(new Uint8Array(bytes)), (byte) => byte.toString(16).padStart(2, '0')).join(
     '',

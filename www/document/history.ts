@@ -9,10 +9,10 @@ import type { Edit, History, How, Shown } from '../engine/types.ts';
 export type { History, Shown };
 
 /**
- * A change of the history: an edit with its recording mode, or undo and redo. `silent` amends the present without a
- * step (a page that is still growing); a step with the `gesture` of the step before joins it. `share` replaces lists
- * that all projects share with their current version, without an undo step. `join` does the same, but items of this
- * project stay.
+ * A change of the history: an edit with its recording mode, or undo and redo. `silent` amends the present without an
+ * undo step, for example while a page is still being completed. A step joins the step before if both have the same
+ * `gesture`. `share` replaces lists that all projects share with their current version, without an undo step. `join`
+ * does the same, but items of this project stay.
  */
 export type Change = Edit & How;
 

@@ -114,7 +114,7 @@ export function createPages(
   }
 
   /**
-   * A page after the photos in use changed: as it was where it can be.
+   * Returns the page after the photos in use changed, with as few changes as possible.
    * @param how whether there are more photos than before
    */
   function refit({ grow }: { grow: boolean }): PageDocument | null {
@@ -148,7 +148,7 @@ export function createPages(
     store.change({ type: 'set-sheets', sheets, at, silent: true });
   }
 
-  /** A page behind this one, of photos that no page shows as long as there are some, in the style of this one. */
+  /** Plans a page to follow this one, in its style. It uses unplaced photos as long as there are any. */
   function another(): PageDocument | null {
     const page = canPlan() ? store.plans().another(draw()) : null;
     return settledOr(page && narrated(page, store.project.peek().at + 1));

@@ -49,7 +49,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   /** The photos in which faces were looked for before there was a page. */
   const faced: Signal<ReadonlySet<string>> = signal(new Set());
 
-  /** Files that were chosen and are not on the table yet, as nothing can be laid out so far. */
+  /** Number of chosen files that are not in the tray yet, because the planner is not ready. */
   const arriving = signal(0);
 
   /** Whether the sample album is on its way. */
@@ -99,7 +99,9 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   );
 
   let judged: ReadonlyMap<string, Verdict> = new Map();
-  /** The selection's word on each photo; it waits until all are read, so that no photo comes and goes. */
+  /**
+   * The verdict on each photo. It is available after all photos are read, so that photos do not change back and forth.
+   */
   const verdicts = computed(() => {
     if (!planner.value || reading.value) return judged;
     judged = new Map(planner.value.choose(measured.value, project.value.alike).map((verdict) => [verdict.id, verdict]));
@@ -121,7 +123,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     });
   });
 
-  /** A person's own layouts, in full. */
+  /** Custom layouts, in full. */
   const own: ReadonlySignal<readonly Template[]> = computed(() => project.value.ownLayouts);
   /** The size of the page, the only part of its settings that says which layouts suit. */
   const size = computed(() => `${project.value.settings.width} ${project.value.settings.height}`);

@@ -1,4 +1,4 @@
-/** The worker of the net that scores pictures: the detectors' module and the net, loaded with the first job. */
+/** The worker of the image-aesthetics model. It loads the detector module and the model with the first job. */
 
 import { detach } from './blobs.ts';
 import { net } from './detector-module.ts';

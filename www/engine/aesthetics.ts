@@ -1,7 +1,7 @@
 /**
  * Aesthetic score of a photo in a style. The core draws the style, and a separate worker scores the image with a model.
- * The worker and the model are loaded with the first call and unloaded some time after the last. The net is optional
- * when the site is built.
+ * The worker and the model are loaded with the first call and unloaded some time after the last. The model is an
+ * optional part of the site.
  */
 
 import { NET } from './aesthetics-net.ts';

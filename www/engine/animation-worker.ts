@@ -1,7 +1,7 @@
 /**
- * Takes pictures out of one animated GIF or WebP file and ends with it. It is a separate worker, so that it can be
- * stopped at any moment. The protocol is in `frame-sender.ts`. The worker decodes frames itself, because Safari returns
- * only the first frame.
+ * Extracts frames of one animated GIF or WebP file and ends. It is a separate worker, so that it can be stopped at any
+ * moment. The protocol is in `frame-sender.ts`. The worker decodes frames itself, because Safari returns only the first
+ * frame.
  */
 
 import { endsOf } from './animation-times.ts';

@@ -3,7 +3,7 @@
  * without a browser sets a reader, because `fetch` does not read local files there.
  */
 
-/** As `fetch`, of an address beside the engine's modules. */
+/** Like `fetch`, for an address next to the engine's modules. */
 export type AssetReader = (address: string | URL) => Promise<Response>;
 
 let read: AssetReader = (address) => fetch(address);

@@ -30,7 +30,7 @@ async function load(): Promise<Brushing> {
 
 /**
  * A mask in hand; to be freed.
- * @param own the mask as it was corrected before, `found` as the net found it
+ * @param own the corrected mask; `found` is the detected mask
  */
 export async function takeInHand(
   { width, height, planes }: Omit<PhotoHandle, 'key'>,

@@ -84,12 +84,12 @@ export type Editor = ReturnType<typeof createEditor>;
  */
 export type Wish = Partial<Omit<PlanRequest, 'current'>> &
   Pick<PlanRequest, 'keep'> & { current?: PageDocument; anew?: boolean };
-/** A seed, and what the person likes where something is drawn. */
+/** A seed, and the learned preferences for random choices. */
 export type Draw = Pick<Request, 'seed' | 'taste'>;
 
 /**
- * The pure functions of the core, with plain objects in place of JSON. Each takes well under a millisecond or
- * two and throws an error with a `code`.
+ * The pure functions of the core, with plain objects in place of JSON. Each call takes at most a few milliseconds and
+ * throws an error with a `code`.
  */
 export function createPlanner() {
   const album = createAlbum();

@@ -8,7 +8,7 @@ const TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
   return value;
 });
 
-/** @returns read piece by piece, so that it may be large */
+/** read piece by piece, so it may be large */
 export async function crcOf(blob: Blob, { signal, beat = () => {} }: Watch = {}): Promise<number> {
   let crc = 0xffffffff;
   const reader = blob.stream().getReader();

@@ -1,7 +1,4 @@
-/**
- * The worker of a detector, of the one for faces or of the one for objects: the module that both have, and one net,
- * loaded with the first job.
- */
+/** The worker of a detector, for faces or for objects. It loads the shared module and one model with the first job. */
 
 import { detach } from './blobs.ts';
 import { net } from './detector-module.ts';

@@ -30,13 +30,13 @@ export function createDetector(
   idle?: number,
 ) {
   const pools: Partial<Record<Net, Pool<Looking>>> = {};
-  /** Nets that are made, or in line to be. */
+  /** Models that are loaded or queued for loading. */
   const made: Partial<Record<Net, Promise<unknown>>> = {};
   /** The end of that line. */
   let last: Promise<unknown> = Promise.resolve();
   let running = 0;
   let facesMade = false;
-  /** When the last worker was started, or had a net: without a connection that is long after. */
+  /** Time when the last worker was started or got its model. On a slow connection the model arrives much later. */
   let opened = 0;
   /** Photos are on their way. */
   let expected = false;
@@ -159,8 +159,8 @@ export function createDetector(
   }
 
   /**
-   * One net after the other: the browser compiles the module's code while the first is made, and two at a time wait for
-   * each other's share of the cores.
+   * Loads one model after the other. The browser compiles the module during the first one, and parallel loading would
+   * be slower.
    */
   function make(net: Net) {
     // Fetching takes no core from whoever works.

@@ -1,6 +1,6 @@
 /**
- * The engine: everything that makes pixels, behind promises. It knows nothing of the page that uses it, so that
- * benchmarks and other sites use the same.
+ * The engine: all functions that make pixels, behind promises. It is independent of the app, so benchmarks and other
+ * sites can use it.
  */
 
 import { createAesthetics } from './aesthetics.ts';
@@ -168,7 +168,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
 
   /**
    * A whole page as pixels.
-   * @param options `photos`: files by id, for those not imported yet
+   * @param options `photos`: files by id, for photos that are not imported yet
    */
   async function compose(
     document: PageDocument,

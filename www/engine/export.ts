@@ -1,6 +1,7 @@
 /**
  * Pages at print size. The photos are decoded again from their files, each once a page, by as many workers as there
- * are; one worker puts the panels together and encodes. Many pages are made one after the other: one of A4 takes 35 MB.
+ * are; one worker puts the panels together and encodes. Pages are exported one after the other, because an A4 page
+ * takes 35 MB.
  */
 
 import { byPanel, frontPictures, panelOf, picturesOf } from './figures.ts';
@@ -174,7 +175,7 @@ export function createExports({ run, photos, words, files }: Parts) {
 
   /**
    * The isolated subject of a photo, at the photo's own size.
-   * @param mask which part of it that is
+   * @param mask its subject mask
    * @returns a PNG with alpha
    */
   async function exportSubject(id: string, mask: string, { signal, onProgress }: Call = {}): Promise<Blob> {
@@ -185,7 +186,7 @@ export function createExports({ run, photos, words, files }: Parts) {
     return png;
   }
 
-  /** @param encode of the panels and the words, in their order */
+  /** @param encode of panels and text items, in order */
   async function whole(
     document: PageDocument,
     { signal: stop, onProgress }: Call | undefined = {},

@@ -14,12 +14,12 @@ export function figuresOf({ panels, merges }: Panels): number[] {
   return panels.flatMap(({ photo, figure }, index) => (figure && photo !== null && out(index) ? [index] : []));
 }
 
-/** @returns the number of each picture */
+/** @returns the index of each image */
 export function picturesOf(document: Panels): number[] {
   return Array.from({ length: document.panels.length + figuresOf(document).length }, (_, index) => index);
 }
 
-/** @returns the panel that a picture belongs to */
+/** @returns the panel of an image */
 export function panelOf(document: Page, picture: number): number {
   const count = document.panels.length;
   if (picture < count) return picture;
@@ -37,7 +37,7 @@ export function byPanel(document: Page, pictures: readonly number[]): number[][]
   return [...panels.values()];
 }
 
-/** @returns the panel of a picture, and the figure that steps out of it */
+/** @returns the panel of an image, and its breakout */
 export function drawnWith(document: Page, picture: number): number[] {
   const panel = panelOf(document, picture);
   const figure = figuresOf(document).indexOf(panel);
@@ -55,7 +55,7 @@ export function standsBehind({ kind, behind, panel }: Word): number | null {
   return kind === 'effect' && behind ? (panel ?? null) : null;
 }
 
-/** @returns the number of the picture of each front */
+/** @returns the image index of each foreground */
 export function frontPictures(document: Page): number[] {
   const first = picturesOf(document).length;
   return frontsOf(document).map((_, index) => first + index);

@@ -50,7 +50,7 @@ export function createFiles() {
   }
 
   /**
-   * A page, of the patches that lie on it.
+   * Encodes a page from its patches.
    * @param size in pixels
    * @param patches are handed over
    * @param quality from 1 to 100
@@ -79,7 +79,7 @@ export function createFiles() {
   }
 
   /**
-   * A page without loss, of the patches that lie on it: for browsers that encode no WebP.
+   * Encodes a page from its patches without loss, for browsers without a WebP encoder.
    * @param size in pixels
    * @param patches are handed over
    */
@@ -97,7 +97,7 @@ export function createFiles() {
     );
   }
 
-  /** A picture with its alpha as a WebP file without loss. @param picture is handed over */
+  /** Encodes an image with alpha as a lossless WebP file. @param picture is transferred */
   async function losslessPicture(
     picture: Making['losslessPicture']['args'],
     call?: Call,
@@ -108,7 +108,7 @@ export function createFiles() {
   /**
    * Panels as a PDF file has them.
    * @param patches panels drawn without borders at full width; they are handed over
-   * @param wish `quality` from 1 to 100; `inks`: there is a picture of each of them, or one in colours
+   * @param wish `quality` from 1 to 100; `inks`: one image for each ink, or one in colours
    */
   async function pictures(
     document: PageDocument,
@@ -120,7 +120,7 @@ export function createFiles() {
     return run('pictures', args, buffersOf(patches), call);
   }
 
-  /** @param pages the pictures are handed over */
+  /** the images are transferred */
   async function pdf(
     pages: { document: PageDocument; alts: readonly string[]; pictures: Picture[] }[],
     options: PdfOptions,
@@ -158,12 +158,12 @@ export function createFiles() {
     return run('shots', { ending, list: JSON.stringify(list) }, [], call);
   }
 
-  /** @returns the shots in their times, and of each frame what it shows (`Animatic::table` of the core) */
+  /** the timed shots, and the content of each frame (`Animatic::table` of the core) */
   async function animatic(request: AnimaticRequest, call?: Call): Promise<{ plan: Animatic; table: Float32Array }> {
     return laidOut('animatic', request, call);
   }
 
-  /** @returns pages that are read panel by panel, as a film */
+  /** pages as a motion comic */
   async function motion(request: MotionRequest, call?: Call): Promise<{ plan: Animatic; table: Float32Array }> {
     return laidOut('motion', request, call);
   }

@@ -1,13 +1,13 @@
 /**
- * Seconds of a film start with its first picture. In its file that picture may have any time: transport streams begin with a
- * random one, and an edit list can start the pictures after the sound.
+ * Times of a video start at its first frame. In the file that frame may have any time: transport streams begin with a
+ * random one, and an edit list can start the frames after the sound.
  */
 
 import type { Wish } from './video.ts';
 
 export type FilmClock = ReturnType<typeof createFilmClock>;
 
-/** @param first when the first picture is shown, in seconds of the file */
+/** time of the first frame, in seconds of the file */
 export function createFilmClock(first: number) {
   const inFile = (time: number) => time + first;
   const inFilm = (time: number) => Math.max(0, time - first);

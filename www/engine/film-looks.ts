@@ -1,5 +1,5 @@
 /**
- * Looks through a film for its shots. Short videos are decoded completely. For long videos, some key frames come first,
+ * Samples a video for shot detection. Short videos are decoded completely. For long videos, some key frames come first,
  * for the first page. Then follow all key frames and the frames between them, starting where most changes happen, until
  * the time is used up.
  */
@@ -38,7 +38,7 @@ export function createLooks(track: InputVideoTrack, looking: Looking, { from, to
     return (to - from) * averagePacketRate <= SHORT;
   }
 
-  /** Looks at some key frames all over the film. */
+  /** Samples some key frames of the whole video. */
   async function glance() {
     const found = new Set<number>();
     for (let i = 0; i < GLANCE; i += 1) {

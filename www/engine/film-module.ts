@@ -1,4 +1,4 @@
-/** The wasm module that finds the shots of films, loaded with the first of them. */
+/** The wasm module that finds the shots of videos, loaded with the first video. */
 
 import { moduleBytes } from './module-bytes.ts';
 

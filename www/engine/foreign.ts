@@ -1,6 +1,6 @@
 /**
- * Photos that the core has no decoder for: HEIC and AVIF, decoded by the browser. WebCodecs gives the pixels; reading
- * them back from a canvas would not do, since browsers that guard against fingerprinting alter them there.
+ * Photos that the core has no decoder for: HEIC and AVIF, decoded by the browser. WebCodecs decodes the pixels. Reading
+ * them back from a canvas is not reliable, because browsers that guard against fingerprinting alter them.
  */
 
 import { rgbaOf } from './frame-pixels.ts';
@@ -26,7 +26,7 @@ export function foreignKind(bytes: Uint8Array): 'AVIF' | 'HEIC' | null {
 
 /**
  * Converts the whole photo to a file that the core reads: a BMP file from the browser's decoded image, upright, in sRGB
- * and on white. So nothing else has to be known of such photos, and every limit holds for them too.
+ * and on white. So all limits apply to such photos as well.
  */
 export async function asBmp(kind: 'AVIF' | 'HEIC', bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
   const frame = (await decoded(kind, bytes)) as VideoFrame & { rotation?: number; flip?: boolean };

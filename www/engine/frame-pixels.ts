@@ -1,4 +1,4 @@
-/** The pixels of a picture that the browser decoded. */
+/** The pixels of an image that the browser decoded. */
 
 import { failure } from './protocol.ts';
 

@@ -1,6 +1,6 @@
 /**
- * Styles that look like a picture: one worker measures the picture, all of them try styles on a photo, a few in a call, and
- * the planner leads the search. It takes the same steps whatever the number of workers.
+ * Styles that look like a picture: one worker measures the picture, all workers try styles on a photo in batches, and
+ * the planner controls the search. The steps do not depend on the number of workers.
  *
  * Every search begins with the same survey of a photo in the built-in styles. The survey does not depend on the
  * picture, so it runs while the user chooses one, and is cached for the next search.
@@ -38,8 +38,8 @@ export function createImitating({ run, photos }: { run: Run; photos: ReturnType<
   return { readLook, surveyLooks, imitate };
 
   /**
-   * The look of a picture, to be searched for. Throws `small-picture`, `blank-picture` or `plain-photo` if the picture
-   * has no style.
+   * Measures the look of a picture for a search. Throws `small-picture`, `blank-picture` or `plain-photo` if the
+   * picture has no style.
    * @param id of an imported picture
    * @param call `anyway` accepts all pictures that are large enough
    */
@@ -127,7 +127,7 @@ export function createImitating({ run, photos }: { run: Run; photos: ReturnType<
   }
 
   /**
-   * Three to six styles that give a photo that look, the nearest first, each with a score from 0 to 1.
+   * Finds three to six styles that give a photo that look, the closest first, each with a score from 0 to 1.
    * @param id of an imported photo
    * @param how `onProgress` gets the progress, 0 to 1
    */

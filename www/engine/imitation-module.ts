@@ -12,7 +12,7 @@ const MODULE = new URL('../pkg-imitation/inkpanel_bg.wasm', import.meta.url);
 
 type Imitating = typeof import('../pkg-imitation/inkpanel.js');
 
-/** The module; loaded once, and tried again where it did not come. Rejects with `imitation-missing`. */
+/** The module. It is loaded once, and again after an error. Rejects with `imitation-missing`. */
 export const { get: imitating } = onceMore(load);
 
 async function load(): Promise<Imitating> {
@@ -26,14 +26,14 @@ async function load(): Promise<Imitating> {
   return module;
 }
 
-/** The first trials of most searches, whatever the picture. */
+/** The first trials of most searches, independent of the picture. */
 export async function surveyed(): Promise<Trial[]> {
   return JSON.parse((await imitating()).survey());
 }
 
 /**
- * A search for styles that look like a picture; to be freed.
- * @param look of the picture, as a worker read it
+ * A search for styles that look like a picture. Free it after use.
+ * @param look of the picture, from a worker
  */
 export async function beginSearch(look: string, seed: number) {
   const search = new (await imitating()).Imitation(look, seed);

@@ -15,7 +15,7 @@ const STEP = 8 * 2 ** 10;
 export type Watch = { signal?: AbortSignal; beat?: () => void };
 
 /**
- * @param how `take` is asked for each piece whether there is room for it
+ * @param how `take` receives the size of each piece and returns whether it is within the limit
  * @returns rejects with `damaged`, with `too-large` if a limit is exceeded, and if `signal` is aborted
  */
 export async function inflated(

@@ -52,7 +52,7 @@ const TABLES: readonly (keyof Tables)[] = [
 ];
 
 /**
- * @param history of a record, which may be anything
+ * @param history of a record, not validated
  * @returns with `parts`
  */
 export function interned(history: unknown): unknown {
@@ -104,8 +104,8 @@ export function interned(history: unknown): unknown {
 }
 
 /**
- * @param history as the core gives it
- * @returns in which states share what they shared
+ * @param history from the core
+ * @returns with shared parts
  */
 export function expanded({ parts, past, present, future, shown }: TabledHistory): History {
   const { state, withPage } = joinedWith(parts);
@@ -117,7 +117,7 @@ export function expanded({ parts, past, present, future, shown }: TabledHistory)
 export type Known = Partial<Omit<Tables, 'sheets'>> & { sheets?: readonly Sheet[] };
 
 /**
- * @param told tables as the core gives them
+ * @param told tables from the core
  * @param known parts with which they begin
  * @returns functions that replace indices by parts: in a state or some of its fields, and in objects with a page
  */

@@ -1,6 +1,6 @@
 /**
- * The letters of the fonts: a file beside the modules of words and of other files, which both are given. It is packed, as hosts
- * pack no file whose kind they do not know.
+ * The glyphs of the fonts: a separate file for the words and exports modules. It is compressed, because servers do not
+ * compress unknown file types.
  */
 
 import { moduleBytes } from './module-bytes.ts';

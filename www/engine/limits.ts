@@ -14,8 +14,8 @@ export const ARCHIVE = Object.freeze({
   /** Bytes of the list of files. */
   directory: 16 * MB,
   /**
-   * Bytes that one file may unpack to: it is held whole, and once more where it is decoded. Uncompressed files in an
-   * archive need no additional memory.
+   * Maximum unpacked size of one file, in bytes. The file is in memory, and once more during decoding. Uncompressed
+   * files in an archive need no additional memory.
    */
   entry: 128 * MB,
   /**
@@ -27,7 +27,7 @@ export const ARCHIVE = Object.freeze({
 
 /** Limits of `project.json`. The core checks its content. */
 export const TEXT = Object.freeze({
-  /** Bytes in a project file: a thousand pages take a fifth. */
+  /** Maximum size of the text in a project file, in bytes: five times the size of a thousand pages. */
   project: MOST.text,
   /** Bytes of the text in a page PNG, which contains all pages of its storyboard. */
   page: MOST.text,
@@ -38,7 +38,7 @@ export const PNG = Object.freeze({
   chunks: 100_000,
   /** Bytes of a chunk, by the format. */
   longest: 2 ** 31 - 1,
-  /** Texts of others that are looked at before it is taken for a picture like others. */
+  /** Maximum number of other text chunks before the project. Files with more are treated as images. */
   texts: 64,
   /** Bytes of the keyword and the other fields before the text of an `iTXt` chunk. */
   textHead: 512,

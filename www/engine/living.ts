@@ -1,7 +1,7 @@
 /**
- * Panels that move: a few seconds of the film that a photo was taken from, drawn in the style of its panel. The frames
- * are decoded as usual and reduced by the pool. One worker draws them all in sequence, because still areas are copied
- * from frame to frame.
+ * Animated panels: a few seconds of the video around a photo, drawn in the style of its panel. The frames are decoded
+ * as usual and reduced by the pool. One worker draws them all in sequence, because still areas are copied from frame to
+ * frame.
  */
 
 import { buffersOf } from './protocol.ts';
@@ -18,10 +18,10 @@ export const LIVING = { rate: 12, seconds: 3 } as const;
 /** Long side of the frames in pixels, as they are drawn from: so many of what a panel shows, within bounds. */
 const FRAME = { shown: 960, least: 480, most: 1280 } as const;
 
-/** The film of a photo: seconds. */
+/** The video of a photo; times in seconds. */
 export type Moment = { file: File; time: number; duration: number };
 
-/** @returns where in the film frames are taken, rising, and which of them is nearest to the photo */
+/** @returns times of the frames in the video, rising, and the index of the frame closest to the photo */
 export function livingTimes({ time, duration }: Pick<Moment, 'time' | 'duration'>): { times: number[]; still: number } {
   const count = LIVING.rate * LIVING.seconds;
   const step = 1 / LIVING.rate;

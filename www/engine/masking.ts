@@ -1,6 +1,6 @@
 /**
  * Subject masks of photos, by a model in a separate worker. The worker and the model are loaded with the first call and
- * unloaded some time after the last. The net is optional when the site is built.
+ * unloaded some time after the last. The model is an optional part of the site.
  *
  * Detection takes one to two seconds at low priority. It runs in slices, and the worker pauses while a page is drawn
  * and a moment after, so that pages appear without delay.
@@ -55,7 +55,7 @@ export function createMasking(photos: ReturnType<typeof createPhotos>) {
     looking -= 1;
   }
 
-  /** Gives the net up, if no photo is looked at. */
+  /** Unloads the model if it is idle. */
   function rest() {
     if (looking === 0) pool.rest();
   }

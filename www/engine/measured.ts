@@ -1,6 +1,6 @@
 /**
- * How long the work of a worker takes, in milliseconds: as measured in Chromium on one thread of an AMD EPYC (2 cores),
- * what is slow of its kind. Not for anyone to see: a worker that takes many times as long hangs (`pace.ts`).
+ * Durations of worker jobs in milliseconds: slow examples, measured in Chromium on one thread of an AMD EPYC (2 cores).
+ * They are only for detecting workers that hang (`pace.ts`).
  */
 
 import { announcedPixels } from './announced-pixels.ts';
@@ -23,7 +23,10 @@ const WORD = 20;
 /** What costs the same whatever the size. */
 const CALL = 20;
 
-/** A look of a net, a look at parts of a photo, and a part of a look for its subject, which may be one large convolution. */
+/**
+ * Face detection, detection in parts of a photo, object detection, and one slice of subject detection, which may be one
+ * large convolution.
+ */
 export const LOOKS = { faces: 40, closer: 600, objects: 160, judge: 110, mask: 1000 };
 
 const millions = (pixels: number) => pixels / 1e6;
@@ -35,7 +38,7 @@ const millions = (pixels: number) => pixels / 1e6;
 export const photoMs = (bytes: Uint8Array, foreign: string | null) =>
   CALL + PHOTO * millions(foreign ? FOREIGN_PIXELS : announcedPixels(bytes));
 
-/** A frame of a film, which is also made a PNG file. */
+/** A video frame, including its PNG file. */
 export const frameMs = (pixels: number) => CALL + (PHOTO + PNG) * millions(pixels);
 
 export const pngMs = (pixels: number) => CALL + PNG * millions(pixels);
@@ -51,7 +54,7 @@ export const blocksMs = (pixels: number, blocks: number) => CALL + BLOCK * block
 export const styleMs = (style: string, pixels: number) => blocksMs(pixels, blocksOf(parsed(style)));
 
 /**
- * A page, or some panels of it.
+ * A page, or some of its panels.
  * @param document as JSON
  * @param width in pixels
  * @param panels number of panels; default: all

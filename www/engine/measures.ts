@@ -22,7 +22,7 @@ export function createMeasures({
 
   /**
    * @param wish `width` of the page in pixels
-   * @returns the size of the file, and of the picture in it
+   * @returns the size of the file and of its image
    */
   async function measureFile(
     document: PageDocument,

@@ -236,7 +236,7 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
     return { key, width, height, planes: await blobOf(planes) };
   }
 
-  /** Reads into the studio what it lacks. */
+  /** Reads missing photos into the studio. */
   async function fetchPhotos(photos: PhotoHandle[], tell: Tell) {
     if (photos.some(({ key }) => !studio.has_photo(key))) tell.waits(STORING);
     await Promise.all(

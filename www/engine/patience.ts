@@ -8,7 +8,7 @@ const PARTS = 6;
 /**
  * @param limit ms
  * @param over called after the limit
- * @returns call it when there is nothing left to wait for
+ * @returns ends the limit; call it when the work is done
  */
 export function patience(limit: number, over: () => void): () => void {
   let left = PARTS;

@@ -1,6 +1,6 @@
 /**
  * The photos of an album as the main thread holds them: the original file and two Blobs of planes each. The browser
- * keeps Blobs outside this page's memory; workers read what a job needs. It also stores the subject masks, because
+ * stores blobs outside of JavaScript memory, and workers read them on demand. It also stores the subject masks, because
  * styles may apply to only the subject.
  */
 

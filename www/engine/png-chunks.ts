@@ -60,7 +60,7 @@ export async function dataOf(file: Blob, { at, length }: Chunk): Promise<Blob | 
 }
 
 /**
- * @param type of four letters
+ * @param type four letters
  * @param data below 2 GB
  * @returns a chunk
  */
@@ -79,7 +79,7 @@ export function pngOf(chunks: readonly Blob[]): Blob {
 
 /**
  * @param file that is a PNG
- * @param more chunks to put before and after the pixels
+ * @param more chunks to insert before and after the pixels
  * @returns the file, unchanged if it has no chunks
  */
 export async function withChunks(

@@ -102,7 +102,7 @@ export function createPool<Ops extends Table = Operations>({
 
   /**
    * Holds low-priority work until the page is drawn. A worker that reads a large photo would be available too late. A
-   * page that does not come holds nothing for long.
+   * time limit ends the hold.
    */
   function hold(on: boolean) {
     if (on === held) return;
@@ -246,12 +246,12 @@ export function createPool<Ops extends Table = Operations>({
     dispatch();
   }
 
-  /** Not where a buffer was handed over, which is gone with its worker. */
+  /** Jobs with transferred buffers cannot be retried, because the buffers are lost with the worker. */
   function mayTryAgain(entry: Entry) {
     return entry.tries === 0 && !entry.transfer?.length;
   }
 
-  /** Gives a slot a fresh worker. */
+  /** Starts a new worker in a slot. */
   function open(slot: Partial<Slot>): Slot {
     slot.worker?.terminate();
     const worker = spawn();

@@ -1,4 +1,4 @@
-/** A project that is edited, for pages of other people: the editor of the core with its history as plain data. */
+/** A project for other sites: the editor of the core with its history as plain data. */
 
 import { VERSION } from './versions.ts';
 import type { Draw, Planner, Wish } from './core.ts';
@@ -7,7 +7,7 @@ import type { Edit, History, How, PageDocument, PhotoMeta, Project } from './typ
 export type ProjectEditor = ReturnType<typeof createProject>;
 
 /**
- * An empty project, or one that was saved.
+ * An empty project, or a saved one.
  * @param planner `await engine.ready`
  * @param history as `history()` gave it; throws `damaged-project` or `newer-project`
  */
@@ -50,8 +50,8 @@ export function createProject(planner: Planner, history?: History) {
   };
 
   /**
-   * Does something; throws `invalid-document`, and then nothing changed.
-   * @param change `silent`: without a step of undo; `gesture`: one step with those before of the same name
+   * Applies an edit. Throws `invalid-document`, without any change.
+   * @param change `silent`: without an undo step; `gesture`: joins earlier steps with the same name
    * @returns the project after it
    */
   function edit(change: Edit & How): Project {

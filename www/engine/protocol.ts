@@ -2,9 +2,9 @@
  * Every message between the page and its workers, defined once.
  *
  * To a worker: optionally `{ start }`, then `{ id, op, args }`. Back: `{ id, ok, memory }` or `{ id, error: { code,
- * message }, memory }`, and before that how long it may take: `{ id, expects }` or `{ id, waits }`. A worker that is
- * ready sends `{ id: 0 }`. Pixels travel in transferred buffers and bitmaps, photos as Blob handles, which cost nothing
- * to send.
+ * message }, memory }`, and before that the expected duration: `{ id, expects }` or `{ id, waits }`. A worker that is
+ * ready sends `{ id: 0 }`. Pixels are transferred as buffers and bitmaps. Photos are blob handles, which are cheap to
+ * send.
  */
 
 import type { Designed } from './design.ts';
@@ -41,7 +41,7 @@ export type Operations = {
     args: { document: string; index: number; width: number; frames: PixelPatch[]; still: number };
     ok: BitmapPatch[];
   };
-  /** Pictures of one panel in the order of their numbers: itself, the figure that steps out of it, its front. */
+  /** Images of one panel in order of their indices: the panel, its breakout, its foreground. */
   panel: { args: PanelJob; ok: BitmapPatch[] };
   /** Like `panel`, as pixels. */
   front: { args: PanelJob; ok: PixelPatch[] };
@@ -112,16 +112,16 @@ export type Wording = {
 };
 type Lettered = { document: string; width: number; fronts: PixelPatch[] };
 
-/** A panel in a PDF file, or on the plate of an ink; `alpha` of a figure that steps out of one, and of a front. */
+/** A panel in a PDF file, or on a plate; `alpha` for breakouts and foregrounds. */
 export type Picture = Bounds & {
   index: number;
   jpeg: Uint8Array<ArrayBuffer>;
   alpha?: Uint8Array<ArrayBuffer>;
   plate?: number;
 };
-/** A page of a PDF file as JSON, what its panels show, and their pictures. */
+/** A page of a PDF file as JSON, the alternative texts of its panels, and their images. */
 export type PdfPage = { document: string; alts: readonly string[]; pictures: Picture[] };
-/** The inks of a page, the strongest last, and the page as it is drawn for their plates. */
+/** The inks of a page, the strongest last, and the page for drawing plates. */
 export type Plates = { inks: { name: string; rgb: Rgb }[]; document: PageDocument };
 export type Rgb = [number, number, number];
 
@@ -136,7 +136,7 @@ export type Making = {
     args: { document: string; size: { width: number; height: number }; patches: PixelPatch[]; dpi: number };
     ok: Blob;
   };
-  /** a picture without loss, with its alpha, as a WebP file */
+  /** a lossless WebP image with alpha */
   losslessPicture: { args: Omit<PixelPatch, 'x' | 'y'>; ok: Uint8Array<ArrayBuffer> };
   pictures: {
     args: { document: string; patches: (PixelPatch & { index: number })[]; quality: number; inks: readonly Rgb[] };
@@ -147,7 +147,7 @@ export type Making = {
   /** the pages of a board, and a list of its shots */
   board: { args: { request: string }; ok: string };
   shots: { args: { ending: ListKind; list: string }; ok: string };
-  /** the plan of an animatic, and what each of its frames shows; the same of pages that are read */
+  /** the plan of an animatic, and the content of its frames; likewise for motion comics */
   animatic: { args: { request: string }; ok: { plan: string; table: Float32Array } };
   motion: { args: { request: string }; ok: { plan: string; table: Float32Array } };
 };

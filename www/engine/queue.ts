@@ -1,6 +1,6 @@
 /**
- * The order of waiting work: lower priority numbers first, then first come, first served. At most one entry per key is
- * waiting: a newer one replaces the older one.
+ * The queue of jobs: lower priority numbers first, then in order of arrival. At most one entry per key is waiting: a
+ * newer one replaces the older one.
  */
 
 /** Priorities of jobs. Visible content comes first. */

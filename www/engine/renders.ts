@@ -36,7 +36,7 @@ export function createRenders({
   }
 
   /**
-   * A panel and the figure that steps out of it, or one of them, which is the very same then.
+   * A panel with its breakout, or one of them. The pixels are equal in both cases.
    * @param pictures of one panel
    * @param width of the page, in pixels
    */
@@ -50,7 +50,7 @@ export function createRenders({
   }
 
   /**
-   * One word of a page.
+   * One text item of a page.
    * @param width of the page, in pixels
    */
   async function renderWord(document: PageDocument, index: number, width: number, call?: Call): Promise<BitmapPatch> {

@@ -1,6 +1,6 @@
 /**
- * A pool of one worker with a net, which comes with its first job and goes a while after the last: a net takes a hundred
- * megabytes.
+ * A pool of one worker with a model. It starts with its first job and ends some time after the last, because a model
+ * takes a hundred megabytes.
  */
 
 import { KEEPING } from './kept.ts';
@@ -38,7 +38,7 @@ export function createRestingPool<Ops extends Table>(spawn: () => Worker): Resti
     }
   }
 
-  /** Gives the worker up before its time, unless it may still have to keep its net. */
+  /** Ends the idle worker early, unless it may still have to cache its model. */
   function rest() {
     if (performance.now() - opened > KEEPING) dispose();
   }

@@ -25,7 +25,7 @@ export function sampleTimes({
 /**
  * The order of frame extraction: urgent frames first, each group in order of time, because videos are decoded forwards.
  * @param leading the indices of the urgent frames
- * @returns the numbers of all frames, as one or two runs through the film
+ * @returns the indices of all frames, as one or two passes through the video
  */
 export function runs(count: number, leading: readonly number[] = []): number[][] {
   const all = Array.from({ length: count }, (_, i) => i);

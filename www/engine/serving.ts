@@ -19,7 +19,7 @@ export const STORING = 30_000;
 /** A file of a person may lie on a disk elsewhere that gives half a megabyte a second. */
 const BYTES_A_MS = 500;
 
-/** @returns ms that reading it may take */
+/** maximum milliseconds for reading it */
 export function readingOf({ size }: Blob): number {
   return STORING + size / BYTES_A_MS;
 }

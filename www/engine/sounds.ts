@@ -10,7 +10,7 @@ import type { SoundEvent } from './types.ts';
 /** Samples a second: what is above 8 kHz tells no sound from another. */
 const RATE = 16_000;
 
-/** Bytes of a film, and seconds of its sound, that are decoded at most: both lie in memory as a whole. */
+/** Maximum size of a video in bytes, and of its sound in seconds. Both are completely in memory. */
 export const MOST_SOUND = { bytes: 256e6, seconds: 20 * 60 };
 
 /** The current step. */

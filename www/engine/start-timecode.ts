@@ -1,6 +1,6 @@
 /**
- * The timecode of the first picture of an MP4 or QuickTime file: the first sample of its timecode track is the number of frames
- * since midnight. Source: QuickTime File Format, "Timecode Media".
+ * The timecode of the first frame of an MP4 or QuickTime file: the first sample of its timecode track is the number of
+ * frames since midnight. Source: QuickTime File Format, "Timecode Media".
  */
 
 import { boxAt, typeAt } from './metadata/boxes.ts';
@@ -44,7 +44,7 @@ export async function startTimecode(file: Blob): Promise<StartTimecode | null> {
     return startOf(sample.getUint32(0), description);
   }
 
-  /** @param path types of boxes, each in the one before @returns what the first of them holds */
+  /** @param path types of nested boxes @returns the content of the first match */
   async function read(within: Content, ...path: string[]): Promise<DataView | null> {
     for await (const { inner, end } of boxesIn(within, path))
       return new DataView(await file.slice(inner, Math.min(end, inner + MOST_BYTES)).arrayBuffer());

@@ -111,7 +111,7 @@ export function createStyleOperations({
     return { ok, transfer: [] };
   }
 
-  /** A photo in some styles, each with its score, look and signature; a style that fails is left out. */
+  /** A photo in some styles, each with its score, look and signature. Styles with errors are skipped. */
   async function explore(
     { photo, styles, width, height }: Operations['explore']['args'],
     tell: Tell,

@@ -1,6 +1,7 @@
 /**
  * The slow way to the frames of a video, for browsers without WebCodecs or without the codec there: a hidden muted
- * `<video>` is wound to each time. `seeked` comes before the frame is there, so the frame's own callback is waited for.
+ * `<video>` is wound to each time. `seeked` fires before the frame is available, so the code waits for the frame
+ * callback.
  */
 
 import { cancelled, failure } from './protocol.ts';

@@ -1,7 +1,7 @@
 /**
  * Extracts frames of one video and ends. mediabunny finds the packets, and WebCodecs decodes them from the nearest key
- * frame. The file is read in pieces, and a frame is closed as soon as it is copied, so a long film takes no more memory
- * than a short one. It is a separate worker, so that it can be stopped at any moment. The protocol is in
+ * frame. The file is read in pieces, and a frame is closed as soon as it is copied. So memory does not depend on the
+ * length of the video. It is a separate worker, so that it can be stopped at any moment. The protocol is in
  * `frame-sender.ts`. Frames are taken at given times, or selected by the shots of the video.
  */
 

@@ -1,6 +1,4 @@
-/**
- * The worker that draws words: their wasm module and the letters, loaded with the first job.
- */
+/** The worker that draws text. It loads its wasm module and the glyphs with the first job. */
 
 import initWords, { Lettering } from '../pkg-words/inkpanel.js';
 import { WORDS_MISSING, loadLetters } from './letters.ts';

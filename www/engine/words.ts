@@ -16,7 +16,7 @@ import type { Call } from './engine.ts';
 import { buffersOf } from './protocol.ts';
 import type { BitmapPatch, PixelPatch, Wording } from './protocol.ts';
 
-/** A word out of speech: the number of its frame, or of its place among panels; `joins` goes on with the one before. */
+/** A text item from speech, with the index of its frame or of its panel; `joins` continues the item before. */
 export type Spoken = Word & { frame?: number; place?: number; joins?: boolean };
 /** Speech laid over panels: text without a `place` is unplaced, and `unplaced` counts all of it, even what is not listed. */
 type LaidSpeech = { words: Spoken[]; unplaced: number };
@@ -68,7 +68,7 @@ export function createWords() {
   }
 
   /**
-   * One word of a page.
+   * One text item of a page.
    * @param width of the page, in pixels
    * @param fronts the subjects in front of effects, in the order of `frontsOf`; transferred, as in all functions below
    */
@@ -83,7 +83,7 @@ export function createWords() {
     return run('word', args, { ...call, transfer: buffersOf(fronts) });
   }
 
-  /** All words of a page in the order in which they are drawn, as pixels. */
+  /** All text items of a page in paint order, as pixels. */
   async function patches(
     document: PageDocument,
     width: number,
@@ -95,7 +95,7 @@ export function createWords() {
     return run('words', args, { ...call, transfer: buffersOf(fronts) });
   }
 
-  /** The picture of a page with its words over it. */
+  /** The image of a page with its text. */
   async function over(
     document: PageDocument,
     width: number,

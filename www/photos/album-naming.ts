@@ -1,6 +1,6 @@
 /**
- * Names the project after its photos, until the user gives it a name. `album-name.ts` has the rules. As more photos
- * come, the name follows them.
+ * Names the project after its photos, until the user gives it a name. `album-name.ts` has the rules. The name changes
+ * with the photos.
  */
 
 import { strings } from '../strings/strings.ts';
@@ -32,7 +32,7 @@ export function createAlbumNaming({ store }: { store: Store }) {
     return bounded(albumTitle(origins(), { samples: strings.sampleAlbum, dates: strings.dates, now: Date.now() }));
   }
 
-  /** @returns when and where each photo was taken, by id */
+  /** time and place of each photo, by id */
   function moments(): Map<string, { at: number | null; place: string }> {
     const now = Date.now();
     const found = origins().map((origin) => [origin.id, momentOf(origin, now)] as const);

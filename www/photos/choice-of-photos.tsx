@@ -1,4 +1,4 @@
-/** How photos are chosen: how alike two may be before one is set aside, and their order. */
+/** Selection settings: maximum similarity of photos, and their order. */
 
 import { useState } from 'preact/hooks';
 import { ALIKE } from '../engine/bounds.ts';

@@ -1,6 +1,6 @@
 /**
- * Which photos are used and in which order: how alike two may be, which of a stack, by time or by name. The page
- * shows the answer at once, and each change is one step of the undo.
+ * Selects photos and their order: similarity, choice within a stack, order by time or name. The page shows the answer
+ * at once, and each change is one step of the undo.
  */
 
 import type { Pages } from '../document/pages.ts';
@@ -78,8 +78,8 @@ export function createChoosing({ store, pages, reading }: { store: Store; pages:
 }
 
 /**
- * The page with a photo in its largest panel that is neither locked nor has another starred photo; the photo that was there
- * takes its place.
+ * Moves a photo to its largest panel that is neither locked nor has another starred photo. The other photo takes its
+ * place.
  * @param sizes of the panels
  * @param starred the other starred photos
  * @returns the same page without a larger panel

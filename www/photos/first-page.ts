@@ -17,7 +17,7 @@ const LONGER_WAIT = 250;
 const PATIENCE = 250;
 const ALL_NEW = Object.freeze({ layout: false, style: false, photos: false });
 
-/** @param app `facesReady`: whether a look for faces takes no longer than a moment */
+/** `facesReady`: whether face detection can start immediately */
 export function createFirstPage({
   store,
   pages,
@@ -27,7 +27,7 @@ export function createFirstPage({
   pages: Pick<Pages, 'plan' | 'show'>;
   facesReady?: () => boolean;
 }) {
-  /** Whether its photos are on their way, or it is about to be planned: not while others must take the place of some. */
+  /** Whether its photos are being read, or planning is about to start. Not while photos replace others. */
   const near = signal(false);
   let timer: ReturnType<typeof setTimeout> | undefined;
   /** The page that is the sketch, and since when. */
@@ -60,7 +60,7 @@ export function createFirstPage({
 
   return { sketch, compose, near };
 
-  /** @returns the milliseconds in which all others are read, if they take as long as the first */
+  /** estimated milliseconds for the remaining photos */
   function restOf(read: number): number {
     return ((performance.now() - since) / read) * (store.tray.peek().length - read);
   }

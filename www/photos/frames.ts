@@ -1,6 +1,6 @@
 /**
- * Imports videos: each becomes representative frames of its shots, from the whole video or a part. A frame is a photo
- * from then on; the film stays known, so that other frames can be taken.
+ * Imports videos: each becomes representative frames of its shots, from the whole video or a part. Frames are photos.
+ * The video stays available for other frames.
  */
 
 import { batch } from '@preact/signals';
@@ -15,7 +15,7 @@ import type { About } from '../engine/video.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Intake } from './intake.ts';
 
-/** Frames that a film is given places for until it was looked through; it then has as many as its shots ask for. */
+/** Number of reserved frames before the shots of a video are known. Their final number follows the shots. */
 export const FRAMES = 24;
 
 /** How a change is entered: silently with a first page, else as a part of a step of the undo. */
@@ -45,7 +45,7 @@ export function createFrames({
     return video;
   }
 
-  /** @returns the frames that came: a short film has fewer than were asked for */
+  /** the extracted frames; short videos have fewer */
   async function read(video: Video, how: How & { count?: number }): Promise<string[]> {
     const { key, file, start, end } = video;
     const all = [...video.ids];

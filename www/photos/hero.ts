@@ -1,4 +1,4 @@
-/** The photo that pictures of styles show. */
+/** The photo for previews of styles. */
 
 import { useRef } from 'preact/hooks';
 import { useApp } from '../ui/context.ts';
@@ -7,7 +7,7 @@ import type { Engine } from '../engine/engine.ts';
 
 type Album = { store: Pick<Store, 'photos' | 'page' | 'geometry'>; engine: Pick<Engine, 'hasPhoto'> };
 
-/** The page's largest photo, for as long as it is in use, so that the pictures stay while pages come and go. */
+/** The page's largest photo. It stays the same as long as it is in use, so that previews do not change with pages. */
 export function useHero(): string | null {
   const app = useApp();
   const hero = useRef(null as string | null);

@@ -1,4 +1,4 @@
-/** A photo on the table: its picture, whether it is used and why not, and what can be done with it. */
+/** A photo in the tray: its thumbnail, its status with the reason, and its actions. */
 
 import { useComputed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';

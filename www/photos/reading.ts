@@ -1,6 +1,6 @@
 /**
- * Photos in: the page is laid out for all of them at once and its panels fill as they are read, so that nothing
- * jumps. A file that cannot be read is named, and the rest go on.
+ * Imports photos. The page is laid out for all of them at once, and its panels fill while they are read, so that
+ * nothing jumps. A file that cannot be read is named, and the rest go on.
  */
 
 import { batch } from '@preact/signals';
@@ -49,7 +49,7 @@ export function createReading({
   let planned = '';
   /** The undo group of the photos being read; null for the first ones, which cannot be undone. */
   let gesture = null as string | null;
-  /** The message that there is no page, which the next page takes away. */
+  /** The message about a missing page, closed by the next page. */
   let complaint = 0;
   /** Number of files being read. */
   let files = 0;

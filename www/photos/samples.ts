@@ -1,4 +1,4 @@
-/** The sample album, fetched from beside the page. */
+/** The sample album, fetched from the site. */
 
 import { strings } from '../strings/strings.ts';
 

@@ -1,4 +1,4 @@
-/** Files that systems and programs store next to photos. Nothing in them is for a page. */
+/** Files that systems and programs store next to photos. They contain no photos. */
 
 /** Hidden files such as `._photo.jpg` and `.DS_Store`, indexes of Windows and Picasa, folder icons of macOS. */
 const SYSTEM = /^(?:\.|(?:thumbs\.db|ehthumbs\.db|desktop\.ini|picasa\.ini|icon\r)$)/i;

@@ -158,7 +158,7 @@ export function createSubjects({
     return !faces || !objects;
   }
 
-  /** @param missing whether they may be there later */
+  /** whether a later attempt may succeed */
   function giveUp(missing: boolean) {
     const away = missing && window?.navigator.onLine === false;
     if (!lacking.said) messages.note(away ? strings.noDetectorOffline : strings.noDetector);

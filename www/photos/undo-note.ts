@@ -3,8 +3,8 @@ import { strings } from '../strings/strings.ts';
 import type { Parts } from '../ui/context.ts';
 
 /**
- * Shows a message about the last action, with an undo button. After another step, or an undo elsewhere, the button
- * would undo something else: the note goes then.
+ * Shows a message about the last action, with an undo button. The message closes after another step or undo, because
+ * its button would undo something else.
  */
 export function noteWithUndo({ messages, store, pages }: Pick<Parts, 'messages' | 'store' | 'pages'>, text: string) {
   const id = messages.note(text, { label: strings.undo, run: pages.undo });

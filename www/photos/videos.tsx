@@ -1,6 +1,4 @@
-/**
- * The videos on the table: how many frames each gave, and the stretch that they come from, which can be changed.
- */
+/** The videos in the tray: number of frames, and the part of the video, which can be changed. */
 
 import { useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';

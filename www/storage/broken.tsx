@@ -2,7 +2,7 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 
-/** Says that a project cannot be shown, and what can be done about it. */
+/** Message about a project that cannot be opened, with possible actions. */
 export function Broken() {
   const { keeping, ui } = useApp();
   const project = keeping.broken.value;

@@ -80,7 +80,7 @@ const VERSION = 1;
 
 /**
  * @param options `onClosed`: it can no longer be used
- * @returns rejects where the browser refuses storage
+ * @returns rejects if the browser blocks storage
  */
 export async function openDatabase({
   name = NAME,
@@ -114,7 +114,7 @@ async function open(name: string, onClosed: () => void) {
   return database;
 }
 
-/** A photo as a database keeps it that takes no Blob. */
+/** Converts a photo record for databases that cannot store blobs. */
 export async function inBytes(record: PhotoRecord): Promise<PhotoRecord> {
   const bytesOf = async (blob: Blob) =>
     // Whoever reads a record asks `inBlobs` first.

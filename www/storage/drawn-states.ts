@@ -36,7 +36,10 @@ export function createDrawnStates({ store }: { store: Pick<Store, 'project' | 'p
 
   return { note, know, of };
 
-  /** The page is drawn as it is now. Photos that are still being read may turn out to be none: no way back leads to them. */
+  /**
+   * Records that the current page was drawn. Photos that are still being read may turn out to be none: no way back
+   * leads to them.
+   */
   function note() {
     const project = store.project.peek();
     if (project.page && store.facts.peek().every(({ meta }) => meta !== null))

@@ -2,7 +2,7 @@
  * The journal: edits that are not in the database yet, written immediately. An edit right before the tab closes is not
  * lost. Each project has one entry in local storage: the difference between its history and the last written one,
  * identified by its stamp. During a write, the entry also has the difference to the history being written, because
- * either may be in the database later. The entry goes when there is no difference any more.
+ * either may be in the database later. An entry without a difference is removed.
  *
  * The journal is untrusted: entries that do not match, or give no valid history, are ignored.
  */
@@ -45,7 +45,7 @@ const MOST = 400_000;
 /** Of a list. */
 const MOST_ITEMS = 10_000;
 
-/** @param app `box` may throw where storage is refused */
+/** `box` may throw if storage is blocked */
 export function createJournal({ box, most = MOST }: { box: () => Box; most?: number }) {
   return { note, clear, recall, names, tidy };
 
@@ -81,8 +81,8 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
 
   /**
    * @param id of a project
-   * @param base it as it is in the database
-   * @param readHistory reads what may be a history
+   * @param base the project in the database
+   * @param readHistory validates a history
    * @returns its latest state in the app; null without a matching entry
    */
   function recall(id: string, base: Base, readHistory: Read): Told | null {
@@ -129,7 +129,7 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
   }
 
   /**
-   * Throws away what fits no project any more.
+   * Removes entries that match no project.
    * @param stampOf of a project in the database
    */
   async function tidy(stampOf: (id: string) => Promise<string | undefined>) {
@@ -148,7 +148,7 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
   }
 }
 
-/** @param now made from it by edits, so that what is the same in both is the very same object */
+/** made from it by edits, so that equal parts are the same objects */
 export function patchOf(base: History, now: History): Patch {
   const known = new Map([...base.past, base.present, ...base.future].map((state, i) => [state, i]));
   const pages: Map<unknown, number> = new Map();

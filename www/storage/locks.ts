@@ -35,7 +35,7 @@ export function createLocks(manager: Pick<LockManager, 'request'> | undefined) {
   }
 
   /**
-   * Holds a lock for as long as a piece of work takes.
+   * Holds a lock during an operation.
    * @returns null if the lock is taken and waiting was not requested
    */
   async function during<T>(name: string, options: LockOptions, work: () => Promise<T>): Promise<T | null> {

@@ -39,7 +39,7 @@ const PATIENCE = 2_000;
  * there are states of it to go back to.
  */
 type Broken = { id: string; name: string; why: string; detail: string; back: boolean };
-/** `drawn` waits until the views have drawn what is in the store and rejects where they cannot; `retry` has them try again. */
+/** `drawn` resolves when the views have drawn the store, and rejects on an error; `retry` draws again. */
 export type Views = { drawn: () => Promise<void>; retry: () => void };
 
 /** Reasons that are not the project's. */
@@ -322,7 +322,7 @@ export function createOpening({
     arrived(next, lock);
   }
 
-  /** The views cannot draw what is on the page. */
+  /** Handles an error of the views while drawing the project. */
   function failedToShow(error: unknown) {
     // The one that is tried is taken back.
     if (trying) return;

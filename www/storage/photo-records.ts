@@ -29,7 +29,7 @@ const COPIES_TOGETHER = 4;
 /** So few that wait are written with their copies at once, where they were decoded by now. */
 const FEW = 8;
 
-/** @param app `room`: bytes that the browser would still take */
+/** `room`: free storage in bytes */
 export function createPhotoRecords({
   photos,
   originals,
@@ -48,7 +48,7 @@ export function createPhotoRecords({
   /** Photos that the user agreed to lose. */
   const forgone: Set<string> = new Set();
 
-  /** Whether the database was seen to take no Blob. */
+  /** Whether the database rejects blobs. */
   let plain = false;
 
   /** Written records that must still be read back. */

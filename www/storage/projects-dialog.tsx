@@ -1,4 +1,4 @@
-/** The projects of this browser, as thumbnails, and what can be done with them. */
+/** The project list of this browser, with thumbnails and actions. */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { EXTENSION } from './files/project-file.ts';

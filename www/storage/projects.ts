@@ -1,4 +1,4 @@
-/** The projects of this browser, and what can be done with them in the list. */
+/** The projects of this browser, and the actions of the project list. */
 
 import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
@@ -86,7 +86,7 @@ export function createProjects({
   }
 
   /**
-   * Gives a project another name, without opening it. A state that cannot be read keeps its own.
+   * Renames a project without opening it. A state that cannot be read keeps its own.
    * @returns whether it has it
    */
   async function rename(id: string, wanted: string): Promise<boolean> {
@@ -115,7 +115,10 @@ export function createProjects({
     }
   }
 
-  /** In all of its states: to undo an edit brings no name back that was not undone. The stamp stays, as the journal goes by it. */
+  /**
+   * In all of its states: to undo an edit brings no name back that was not undone. The stamp stays, because the journal
+   * depends on it.
+   */
   async function writeName(id: string, name: string) {
     const all = (await database()).transaction(['projects', 'states'], 'readwrite');
     const [projects, states] = [all.objectStore('projects'), all.objectStore('states')];

@@ -1,7 +1,4 @@
-/**
- * A project is tried before it takes the place of the one on the page, and the change of places is one step that can be
- * taken back.
- */
+/** Tests a project before it is opened. The exchange is one step that can be reverted. */
 
 import { Priority } from '../engine/queue.ts';
 import { unreadMeta } from '../document/album.ts';

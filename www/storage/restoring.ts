@@ -1,6 +1,6 @@
 /**
- * A project out of the database. Nothing that comes out of it is trusted: the core reads the document, and of the records
- * beside it what is no such record counts as missing.
+ * A project out of the database. Stored data is untrusted: the core checks the document, and invalid records count as
+ * missing.
  */
 
 import { inBlobs } from './database.ts';
@@ -88,7 +88,7 @@ export async function readState(
   return { place, content: await contentOf(database, beginningWith(state), { state: kept }) };
 }
 
-/** @returns of this state and nothing before it */
+/** with only this state */
 export function beginningWith(state: Project): History {
   const shown = sheetsOf(state).map(({ page, pageId, sheet }) =>
     sheet === 0 ? { id: pageId, page } : { id: pageId, page, sheet },
@@ -96,7 +96,7 @@ export function beginningWith(state: Project): History {
   return { past: [], present: state, future: [], shown };
 }
 
-/** @returns whether there is such a project, and not deleted */
+/** whether the project exists and is not deleted */
 export async function isThere(database: Database, id: string): Promise<boolean> {
   const project = await database.get('projects', id);
   return project ? !isGone(project) : (await database.getKey('states', id)) !== undefined;
@@ -111,7 +111,7 @@ export async function nameOf(database: Database, id: string): Promise<string> {
   return textOr((await database.get('projects', id))?.name, '');
 }
 
-/** Keeps the photos of a state that cannot be shown as long as the project is there, whatever state it goes on with. */
+/** Keeps the photos of a state that cannot be drawn until the project is deleted. */
 export async function holdPhotos(database: Database, id: string) {
   const all = database.transaction(['projects', 'states'], 'readwrite');
   const [project, state] = await Promise.all([all.objectStore('projects').get(id), all.objectStore('states').get(id)]);

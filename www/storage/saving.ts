@@ -98,7 +98,7 @@ export function createSaving({
   const progress: Signal<{ done: number; total: number } | null> = signal(null);
   /** Whether something would be lost if the page closed now. */
   const unsaved = signal(false);
-  /** Photos and films that the database has not, and that can be read no more. */
+  /** Photos and videos that are neither in the database nor readable. */
   const missing: Signal<readonly Fact[]> = signal([]);
   /** Save states by place, so that a project keeps its state after a temporary exchange. */
   const ledgers: WeakMap<Place, Ledger> = new WeakMap();
@@ -192,7 +192,7 @@ export function createSaving({
     timer = setTimeout(save, Math.max(0, Math.min(quiet, ledger.since + LONGEST - performance.now())));
   }
 
-  /** Into the journal, what is not in the database. */
+  /** Writes unsaved changes to the journal. */
   function tell({ place: { id }, clean, base, next, facts }: Ledger) {
     const history = store.history.peek();
     if (store.history.peek() === clean[0]) {
@@ -217,7 +217,7 @@ export function createSaving({
     if (ledger.dirty || !['saved', 'empty', 'missing'].includes(status.peek())) await save();
   }
 
-  /** Looks whether the database still has what is saved, as after it was closed, and sees to it that it has. */
+  /** Checks that saved data still exists, for example after the database was closed, and restores it. */
   async function check(): Promise<void> {
     if (ledger.place.stamp === '') return;
     ledger.shot ??= moment().shot;
@@ -225,7 +225,7 @@ export function createSaving({
     await run();
   }
 
-  /** Tries once more what could not be read. */
+  /** Retries unreadable photos. */
   function again(): Promise<void> {
     records.retry();
     return save();
@@ -451,7 +451,7 @@ export function createSaving({
     return !of.due && lost === 0;
   }
 
-  /** Whether nothing is lost when another project takes the place of this one. */
+  /** Whether replacing this project loses no data. */
   function isSafe() {
     if (store.tray.peek().length === 0 && ledger.place.stamp === '') return true;
     return (

@@ -1,5 +1,5 @@
 /**
- * A person's own styles, favourites and layouts in this browser's storage. All projects and tabs share them. Only
+ * Custom styles, favourites and custom layouts in this browser's storage. All projects and tabs share them. Only
  * changes are written, so tabs do not revert each other.
  */
 
@@ -23,7 +23,7 @@ const KEYS: Record<keyof SharedLists, string> = {
   ownLayouts: 'inkpanel.layouts',
 };
 
-/** @param app `box` may throw where storage is refused */
+/** `box` may throw if storage is blocked */
 export function createShelves({
   store,
   messages,

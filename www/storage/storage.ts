@@ -1,7 +1,7 @@
 /**
  * Storage: connects the parts that save the user's work.
  *
- * - `database.ts` the tables; `versions.ts` checks and migrates what comes out of them, or out of a file
+ * - `database.ts` the tables; `versions.ts` checks and migrates data from the database or from files
  * - `snapshot.ts` selects the data to save; `photo-records.ts` writes photos; `saving.ts` schedules writes;
  *   `journal.ts` stores the last edits
  * - `restoring.ts` reads a project; `rehearsing.ts` tries it before it is shown
@@ -14,7 +14,7 @@
  * - `page-files.ts` PNGs with their project: `page-json.ts` is the text, `page-file.ts` the PNG chunks
  * - `identity.ts` identifies photos; `found-photos.ts` and `absent-photos.ts` find missing ones
  *
- * The document is plain data and is saved whole: a field that is added to it needs nothing here.
+ * The document is plain data and is saved completely: new fields need no changes here.
  */
 
 import { effect } from '@preact/signals';
@@ -126,7 +126,7 @@ export function createKeeping({
   let opened: Promise<Database> | null = null;
   /** The current problem and its message. */
   let told = { why: '', message: 0 };
-  /** Whether the person had what could not be read tried again. */
+  /** Whether the user retried unreadable photos. */
   let tried = false;
   let asked = false;
 
@@ -181,7 +181,7 @@ export function createKeeping({
     await saving.check();
   }
 
-  /** Gives the project that cannot be shown to the person as a file. */
+  /** Saves the project that cannot be opened as a file for the user. */
   async function saveBroken() {
     const project = opening.broken.peek();
     if (!project) return;

@@ -108,7 +108,7 @@ export function fakeBrowser({
     locks.request = () => new Promise(() => {});
   }
 
-  /** @param of a tab that is loaded again has the session it had; `prepare` comes before it opens anything, `early` while it does */
+  /** a reloaded tab keeps its session; `prepare` runs before it opens a project, `early` while it does */
   async function tab({
     session = boxOf(),
     views,

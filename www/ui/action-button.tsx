@@ -5,7 +5,7 @@ import type { ComponentChildren } from 'preact';
 import type { Action } from './action.ts';
 
 /**
- * The button of an action: its name for everyone, on hovering what more there is to say.
+ * The button of an action, with its accessible name and a tooltip.
  * @param props `text`: shows the name next to the icon. `opens`: the switched part appears next to it, like a drawer.
  *   `children`: replaces icon and text
  */

@@ -12,7 +12,7 @@ export type Live<T> = T | ReadonlySignal<T>;
 export type Action = {
   /** Its accessible name. */
   label: Live<string>;
-  /** The text of its button where the label is too long. */
+  /** Button text if the label is too long. */
   short?: string;
   /** Tooltip of the button, if it differs from the label. */
   help?: Live<string>;

@@ -1,6 +1,6 @@
 /**
- * A canvas that shows what the engine draws for it, once it is in view. The old image stays until the new one is ready,
- * so nothing flickers. The first image replaces a skeleton.
+ * A canvas that the engine draws when it becomes visible. The old image stays until the new one is ready, so nothing
+ * flickers. The first image replaces a skeleton.
  */
 
 import { useEffect, useRef, useState } from 'preact/hooks';

@@ -2,7 +2,7 @@ import { Icon } from './icon.tsx';
 
 /**
  * A button that is only an icon to the eye and has its name for everyone: read aloud, and shown on hover.
- * @param props `help`: more than its name, shown in place of it
+ * @param props `help`: tooltip, instead of the name
  */
 export function IconButton({
   icon,

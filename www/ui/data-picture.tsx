@@ -7,7 +7,7 @@ export function urlOf(bytes: Uint8Array, type: string): string {
   return `data:${type};base64,${btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''))}`;
 }
 
-/** @returns the picture of a data URL, as a file: images of data URLs are not allowed on the page */
+/** the image of a data URL, as a file, because the policy blocks images with data URLs */
 export function pictureOf(url: string): Blob {
   const [head, letters = ''] = url.split(',');
   const type = /^data:(image\/\w+);/.exec(head)?.[1];

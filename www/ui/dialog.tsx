@@ -3,7 +3,7 @@ import { strings } from '../strings/strings.ts';
 import { IconButton } from './button.tsx';
 import type { ComponentChildren } from 'preact';
 
-/** A modal dialog: the browser keeps the focus inside, Escape closes, so does a click beside it. */
+/** A modal dialog. The browser keeps the focus inside. Escape and a click outside close it. */
 export function Dialog({
   title,
   onClose,

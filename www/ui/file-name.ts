@@ -11,7 +11,7 @@ const REFUSED = /[<>:"/\\|?*\p{Cc}\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069\u
 const DEVICE = /^(con|prn|aux|nul|conin\$|conout\$|com[0-9¹²³]|lpt[0-9¹²³])(?=\.|$)/i;
 
 /**
- * @param parts of the name, joined by ` - `; empty ones are left out. If the name is too long, the first part is
+ * @param parts parts of the name, joined by ` - `; empty ones are skipped. If the name is too long, the first part is
  *   truncated
  * @param ending without its dot
  * @param fallback used if the first part has no allowed characters

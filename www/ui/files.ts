@@ -1,4 +1,4 @@
-/** Files that the page gives to the person. */
+/** Saves files for the user. */
 
 export function save(blob: Blob, name: string) {
   const link = document.createElement('a');

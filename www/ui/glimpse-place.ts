@@ -11,7 +11,7 @@ const LEAST = 160;
 /**
  * @param at the control
  * @param size that it would like to have
- * @param edge the left edge of the list, which must not be hidden: it goes to the left of it
+ * @param edge the left edge of the list, which must stay visible: the preview is left of it
  */
 export function besideList(at: Box, size: Size, edge: number, window: Size): Box {
   return {

@@ -1,6 +1,4 @@
-/**
- * A list box of pictures in a grid: one tab stop, arrows move, Enter or Space or a click chooses.
- */
+/** A list box of images in a grid: one tab stop; arrows move; Enter, Space or a click selects. */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useInView } from './bitmap.tsx';

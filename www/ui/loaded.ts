@@ -1,4 +1,4 @@
-/** Parts of the page that come when they are first asked for. */
+/** Parts of the app that are loaded on demand. */
 
 import { useEffect, useState } from 'preact/hooks';
 

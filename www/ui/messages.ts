@@ -1,7 +1,7 @@
 /**
  * Messages of the app. Serious problems come first and stay until they are solved or closed. Alerts and offers stay
- * until they are closed. Notes disappear automatically. Files that cannot be read are one message, with a list where
- * they are many.
+ * until they are closed. Notes disappear automatically. Files that cannot be read share one message. If there are many,
+ * it has a list.
  */
 
 import { batch, signal } from '@preact/signals';
@@ -9,7 +9,7 @@ import { strings } from '../strings/strings.ts';
 import { byName } from './by-name.ts';
 import type { Signal } from '@preact/signals';
 
-/** Something that can be done about it; the message goes with it unless it `stays`. */
+/** An action of a message; it closes the message unless it `stays`. */
 export type Way = { label: string; run: () => void; stays?: boolean };
 /** `grave`: work or photos are lost if nothing is done. */
 type Kind = 'grave' | 'alert' | 'offer' | 'note';

@@ -23,7 +23,7 @@ export function ariaShortcut(shortcut: string, apple: boolean = APPLE): string {
 
 /**
  * Shortcuts of a key event. Ctrl and Cmd both count as `Mod`, because keyboards are used with different systems.
- * @returns the shortcuts that it is, the nearest first: Shift may be what a character needs
+ * @returns the matching shortcuts, the closest first: a character may need Shift
  */
 export function pressed({ key, shiftKey, ctrlKey, metaKey }: KeyboardEvent): string[] {
   const name = key === ' ' ? 'Space' : key.length === 1 ? key.toUpperCase() : key;

@@ -3,7 +3,7 @@ import { strings } from '../strings/strings.ts';
 import { IconButton } from './button.tsx';
 import type { ComponentChildren } from 'preact';
 
-/** A workspace that lies over the board; the page stays drawn beneath. */
+/** A workspace above the board. The page stays drawn below it. */
 export function Workspace({
   title,
   tools,

@@ -3,7 +3,7 @@
  * such a file are absolute, so metadata is blanked in place. Sources: ISO/IEC 14496-12; QuickTime File Format.
  */
 
-/** `start` is where the box begins, `inner` where its content does. */
+/** `start` is the start of the box, `inner` the start of its content. */
 export type Box = { type: string; start: number; inner: number; end: number };
 
 /** Boxes that hold others. */
@@ -86,7 +86,7 @@ const MOST_BYTES = 256 * 2 ** 20;
 const NOTHING = new Uint8Array(2 ** 20);
 
 /**
- * @param file a film
+ * @param file a video
  * @returns `clean`: false if a track contains other data, which stays; null if the file is incomplete
  */
 export async function filmParts(file: Blob): Promise<{ parts: BlobPart[]; clean: boolean } | null> {

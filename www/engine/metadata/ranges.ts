@@ -1,6 +1,6 @@
-/** Which bytes of a file stay: all that is on no list is gone, wherever it lies. */
+/** Preserved ranges of a file. Everything else is removed. */
 
-/** From the first byte to the one behind the last. */
+/** From the first byte to the byte after the last. */
 export type Range = readonly [from: number, to: number];
 
 /** @returns in order, without overlaps */

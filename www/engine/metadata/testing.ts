@@ -13,7 +13,7 @@ const ascii = (text: string) => [...text].map((letter) => letter.charCodeAt(0));
 
 /**
  * A record of two directories: camera, date, orientation, place and EXIF, and then a thumbnail.
- * @param how `pixels`: with the fields of a TIFF picture of 2 x 2
+ * @param how `pixels`: with the fields of a TIFF image of 2 x 2 pixels
  */
 export function record({
   orientation = 6,
@@ -145,7 +145,7 @@ export function segment(marker: number, ...content: (Uint8Array<ArrayBuffer> | s
 
 /**
  * @param photo a JPEG
- * @returns the same with all that a telephone writes, and a film behind its end
+ * @returns the same photo with metadata as phones write it, and a video after its end
  */
 export function loaded(photo: Blob): Blob {
   const said = [
@@ -171,7 +171,7 @@ function number(value: number, size: number, little: boolean = false) {
 
 const SECRET = 'SECRET of the camera, Phone 99';
 
-/** A file of our oracles with words wherever its format has room for them and no picture needs it. */
+/** A reference file with text wherever its format allows it and the image does not need it. */
 export function soiled(file: Uint8Array): Uint8Array<ArrayBuffer> {
   const text = String.fromCharCode(...file.subarray(0, 12));
   if (text.startsWith('II*') || text.startsWith('MM\0*')) return soiledTiff(file);
@@ -327,8 +327,8 @@ function soiledGif(file: Uint8Array) {
 }
 
 /**
- * A HEIC file as telephones write them: two pictures, the record of the camera and words, each somewhere in the data.
- * @param how `version` of the list of places; `inside`: the record lies in the list itself
+ * A HEIC file as phones write it: two images, camera metadata and text, in different places of the data.
+ * @param how `version` of the item location box; `inside`: the metadata is in the list itself
  */
 export function heic({
   version = 1,
@@ -368,7 +368,7 @@ export function heic({
   const head = box('ftyp', 'heic\0\0\0\0mif1heic');
   const wide = version === 2 ? 4 : 2;
   const ways = version > 0;
-  /** @param data where the pieces begin */
+  /** offsets of the pieces */
   const metaAt = (data: number) => {
     const gap = SECRET.length;
     const second = data + gap + 400 + gap;

@@ -55,7 +55,7 @@ export function createFileOpening({
   let stop: AbortController | null = null;
   /** The last file in the queue. */
   let last: Promise<unknown> = Promise.resolve();
-  /** How often a person has stopped it. */
+  /** Number of cancellations. */
   let stops = 0;
 
   return { progress, open, unpack, cancel, stops: () => stops };

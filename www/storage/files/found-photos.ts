@@ -10,7 +10,7 @@ import type { FilePhoto } from './project-json.ts';
 /** `exact`: its file has the same hash; else it looks the same, in the same size. */
 type Found = { fact: Fact; record: PhotoRecord | null; exact: boolean };
 
-/** @returns by the ids of those wanted; each photo for one of them */
+/** by the ids of the wanted photos; each photo is used once */
 export async function foundPhotos(
   wanted: readonly FilePhoto[],
   {

@@ -1,6 +1,6 @@
 /**
  * A PNG with its project: the text of `page-json.ts` in an `iTXt` chunk and, if requested, the photos as an archive in
- * another chunk after the pixels. Every other program shows the picture and passes over both.
+ * another chunk after the pixels. Other programs show the image and ignore both.
  */
 
 import { chunkOf, chunksOf, dataOf, isPng, textChunk, textHead, textOf, withChunks } from '../../engine/png-chunks.ts';
@@ -18,7 +18,7 @@ import type { Archive } from './file-opening.ts';
 import type { FileProject } from './project-json.ts';
 
 /**
- * A file that was found to have a project. `read` gives it with its photos, and rejects with `damaged-project`,
+ * A file that was found to have a project. `read` returns it with its photos, and rejects with `damaged-project`,
  * `newer-project` or `too-large-project`.
  */
 export type PageFile = {

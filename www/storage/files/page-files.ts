@@ -72,7 +72,7 @@ export function createPageFiles({
 
   /**
    * @param page that it shows
-   * @returns `unclean`: photos in it that keep what their files say
+   * @returns `unclean`: number of photos with metadata
    */
   async function carrying(
     png: Blob,
@@ -105,7 +105,7 @@ export function createPageFiles({
 
   /**
    * Reads an archive that the user dropped or chose.
-   * @returns the project that it carries, or one that it is itself under another name; and its pictures. Errors are
+   * @returns its project, or the archive itself if it is a project file under another name; and its images. Errors are
    *   shown
    */
   async function unpacked(file: File): Promise<{ page?: PageFile; project?: File; pictures: File[] }> {

@@ -1,7 +1,7 @@
 /**
  * Project data in a downloaded page: its storyboard with layouts, styles, crops and text, and fingerprints of its
- * photos. The format is `project.json`, so the same checks and migrations apply. Names of files, ids and times stay
- * here: the same page gives the same text wherever it is made.
+ * photos. The format is `project.json`, so the same checks and migrations apply. File names, ids and times are not
+ * included: the same page gives the same text on every device.
  */
 
 import type { Album } from '../../document/album.ts';
@@ -14,7 +14,7 @@ import type { Work } from '../../engine/archive.ts';
 import { projectJson } from './project-json.ts';
 
 /**
- * @param page the present one as it is drawn, which may be in another size than the project has it
+ * @param page the present page as drawn, possibly in another size than in the project
  * @param photos `fileOf`: null of a photo that is not here; `onProgress` counts them
  * @returns `files`: the available photos by their names in the text, without metadata; `unclean`: photos whose format
  *   keeps metadata
@@ -101,7 +101,7 @@ function wordOf({ photo, ...word }: Word, ids: ReadonlyMap<string, string>): Wor
   return name === undefined ? word : { ...word, photo: name };
 }
 
-/** Pages as the storyboard of a project, with numbers that tell nothing of how it came to be. */
+/** Pages as the storyboard of a project, with ids that do not reveal its history. */
 export function numbered(pages: readonly PageDocument[], at: number) {
   const sheets = pages.map((page, i) => ({ page, pageId: i + 1, sheet: i }));
   return { ...sheets[at], others: sheets.toSpliced(at, 1), at };

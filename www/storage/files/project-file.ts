@@ -51,7 +51,7 @@ export function createProjectFiles({
 
   return { save, open, saving, cancelSaving: () => stop?.abort() };
 
-  /** Gives the project to the person as a file. */
+  /** Saves the project as a file for the user. */
   async function save() {
     // A second press would only make the same file again.
     if (stop) return;
@@ -125,8 +125,8 @@ export function videoKey(key: string) {
 }
 
 /**
- * @param blobs the files of its photos, by their ids, and of its videos
- * @param how `version` of the history; `work`: each file counts twice, as it is read twice
+ * @param blobs the files of its photos by id, and of its videos
+ * @param how `version` of the history; `work`: each file counts twice, because it is read twice
  * @returns `unclean`: files whose place and date could not be taken out
  */
 export async function packedProject(

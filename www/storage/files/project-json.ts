@@ -24,8 +24,7 @@ const FORMAT = 'inkpanel';
 /**
  * @param facts with the types of their files
  * @param version of the history, if it is not the newest version
- * @returns `paths`: where in the file each photo is, by its id, and each
- *   video, by `video` and its key
+ * @returns `paths`: path of each photo in the file by id, and of each video by `video` and its key
  */
 export function projectJson(
   { present, shown }: Pick<History, 'present' | 'shown'>,
