@@ -462,7 +462,7 @@ pub fn misfits(steps: &[DraftStep]) -> Vec<Option<Misfit>> {
     steps.iter().map(one).collect()
 }
 
-/// What a block would lack at the end of some steps.
+/// Missing input of a block after some steps.
 fn misfit_at_end(steps: &[DraftStep], block: &str) -> Option<Misfit> {
     let (values, rest) = (Map::new(), Map::new());
     let end = DraftStep { key: 0, block: block.into(), values, bypass: false, part: None, rest };

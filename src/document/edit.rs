@@ -396,7 +396,7 @@ impl Project {
         Some(next)
     }
 
-    /// Without some photos, on the table and on the pages. A page shows none that is not on the table.
+    /// Without some photos, on the table and on the pages. Pages never show photos that are not in the tray.
     fn without(&self, ids: &[String]) -> Option<Self> {
         Without::new(ids).state(self)
     }
@@ -408,7 +408,7 @@ impl Project {
         }
     }
 
-    /// The tray with photos that come onto the table; none where all are there already, or there is no room.
+    /// The tray with new photos. `None` if all exist or the tray is full.
     fn with_photos(&self, ids: &[String]) -> Option<List<TrayItem>> {
         let mut known: HashSet<&str> = self.tray.iter().map(|item| item.id.as_str()).collect();
         let mut tray = self.tray.to_vec();
@@ -417,7 +417,7 @@ impl Project {
         (tray.len() > self.tray.len()).then(|| tray.into())
     }
 
-    /// The tray with the mask of a photo corrected, or no longer; none where it is as it was.
+    /// The tray with the corrected mask of a photo set or removed. `None` if nothing changes.
     fn with_mask(&self, id: &str, mask: Option<&Matte>) -> Option<List<TrayItem>> {
         let changed = |item: &TrayItem| item.id == id && item.mask.as_ref() != mask;
         self.tray.iter().any(|item| changed(item)).then(|| {
@@ -425,7 +425,7 @@ impl Project {
         })
     }
 
-    /// The tray with what is told of photos as shots; none where it is as it was.
+    /// The tray with shot metadata. `None` if nothing changes.
     fn with_shots(&self, shots: &[(String, Shot)]) -> Option<List<TrayItem>> {
         let told: HashMap<&str, &Shot> = shots.iter().map(|(id, shot)| (id.as_str(), shot)).collect();
         let fresh = |item: &TrayItem| told.get(item.id.as_str()).copied().filter(|shot| **shot != item.shot);
@@ -434,7 +434,7 @@ impl Project {
         })
     }
 
-    /// Puts a photo in the place of another. One that is on the table already comes into the place of the other.
+    /// Replaces a photo. A new photo that is already in the tray moves to the position of the old one.
     fn exchange(&mut self, id: &str, by: &str) {
         let others: Vec<_> = self.tray.iter().filter(|item| item.id != by || id == by).cloned().collect();
         if others.iter().any(|item| item.id == id) {
@@ -458,7 +458,7 @@ impl Project {
         }
     }
 
-    /// The favourites with one more or less; none where it is as it was.
+    /// Adds or removes a favourite. `None` if nothing changes.
     fn with_love(&self, page_id: u64, on: bool) -> Option<Arc<[u64]>> {
         if self.loved.contains(&page_id) == on {
             return None;
@@ -518,7 +518,7 @@ impl<'a> Without<'a> {
     }
 }
 
-/// What was made of the part of that address.
+/// Returns the cached result for the part at that address, or makes it.
 fn once<T: Clone>(made: &mut Vec<(usize, T)>, address: usize, make: impl FnOnce() -> T) -> T {
     if let Some((_, made)) = made.iter().find(|(of, _)| *of == address) {
         return made.clone();

@@ -150,8 +150,8 @@ impl Editor {
         changed
     }
 
-    /// What another project or another tab did to the lists that all have in common, carried into every state, so that no
-    /// undo here takes it back.
+    /// Applies changes of shared lists by another project or tab to every state, so that undo does not revert
+    /// them.
     fn share(&mut self, lists: &[(Shelf, super::project::List<Value>)]) -> bool {
         let history = &mut self.history;
         let present = history.present.clone();

@@ -22,7 +22,7 @@ use serde_json::Value;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-/// What says that it is of this program.
+/// Identifies files of this program.
 const FORMAT: &str = "inkpanel";
 
 /// A project file without its images.
@@ -422,7 +422,7 @@ impl FileVideo {
     }
 }
 
-/// Parts that stand where they are needed.
+/// Parts that are inside the state.
 #[derive(Default)]
 struct Inline {
     dropped: Dropped,

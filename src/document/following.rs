@@ -78,7 +78,7 @@ fn settle(next: &mut Project, away: Vec<Arc<Value>>, seen: &HashMap<String, usiz
     }
 }
 
-/// The page with words that come to photos of it, and those that it has no room for; none where nothing comes.
+/// The page with the text items for its photos, and the items that do not fit. `None` without new items.
 fn with(page: &Document, words: Vec<Value>) -> Option<(Document, Vec<Value>)> {
     if words.is_empty() {
         return None;

@@ -31,7 +31,7 @@ use serde_json::Value;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Entries of one table: every state may have a hundred parts of its own.
+/// Maximum number of entries per table: a hundred parts for every state.
 const MOST_PARTS: usize = (2 * MOST_STEPS + 1 + MOST_SHOWN) * 100;
 
 /// Reads a history with its tables.
@@ -131,12 +131,12 @@ pub fn difference(history: &History, was: &History) -> String {
     out.finish()
 }
 
-/// Numbers of things in lists, which it knows by their addresses: those that were there in their order, and behind them
-/// those that are fresh, each with the number of the one that it was made of.
+/// Numbers of list items, found by address: old items in order, then new ones with the number of the item
+/// that they were made from.
 struct Numbers {
     known: Vec<usize>,
     fresh: Vec<(usize, usize)>,
-    /// Most lists go on as they were.
+    /// Expected next item, because most lists are unchanged.
     next: usize,
 }
 
@@ -157,7 +157,7 @@ impl Numbers {
         at
     }
 
-    /// Writes a list as runs of numbers. `first`: the number of what was in the place of its first.
+    /// Writes a list as runs of numbers. `first`: the number of the first old item.
     fn runs(&mut self, out: &mut Writer, list: &[usize], first: usize) {
         let mut runs: Vec<(usize, u64)> = Vec::new();
         for (i, item) in list.iter().enumerate() {
@@ -185,7 +185,7 @@ fn addresses<'a, T: 'a>(list: impl Iterator<Item = &'a Arc<T>>) -> Vec<usize> {
     list.map(address).collect()
 }
 
-/// Tables that were read. What is wrong with a part is told where it is used.
+/// Tables that were read. An error of a part is reported where the part is used.
 #[derive(Default)]
 struct Tables {
     trays: Table<List<TrayItem>>,
@@ -263,7 +263,7 @@ impl Parts for Tables {
     }
 }
 
-/// Each part of a table, or what is wrong with it.
+/// Each part of a table, or its error.
 fn all<T>(values: Vec<Value>, read: &dyn Fn(Value) -> Read<T>) -> Table<T> {
     let mut all = Vec::with_capacity(values.len());
     for value in values {
@@ -272,7 +272,7 @@ fn all<T>(values: Vec<Value>, read: &dyn Fn(Value) -> Read<T>) -> Table<T> {
     all
 }
 
-/// Styles or layouts of one's own: one that is not right is told, and null wherever it is used.
+/// Custom styles or layouts. Invalid ones are reported, and are null in every state.
 fn own_parts(
     values: Vec<Value>,
     name: &str,
@@ -373,9 +373,7 @@ impl Interner {
         Self { inline: true, ..Self::default() }
     }
 
-    /// One whose tables begin with the parts that its reader has, in this order: of the present its photos, its page, those
-    /// of the other sheets and those shown, the other sheets, its own styles and favourites, its layouts, settings and draft, the words that wait, and
-    /// its board, also where nobody made it.
+    /// An interner whose tables begin with the parts that its reader has. The order: photos and page of the present, pages of the other sheets, pages of the page history, the other sheets, custom styles and favourites. Custom layouts, settings, draft, unplaced text items and storyboard settings follow.
     fn knowing(history: &History) -> Self {
         let mut parts = Self::default();
         let present = &history.present;

@@ -71,7 +71,7 @@ pub const VERSION: u64 = 1;
 /// Dropped parts, as sentences with their location.
 pub type Dropped = Vec<String>;
 
-/// Tells what is left out, as long as the list is not too long to be read.
+/// Reports a dropped part, unless the list is already too long.
 fn leave_out(dropped: &mut Dropped, wrong: &Wrong) {
     if dropped.len() < limits::MOST_TOLD {
         dropped.push(wrong.to_string());
@@ -87,13 +87,13 @@ fn version(fields: &mut Fields) -> Read<()> {
     Ok(())
 }
 
-/// What a page of the program is told of an edit that is none.
+/// Error returned to the front end for an invalid edit.
 #[cold]
 fn invalid(wrong: &Wrong) -> Error {
     Error::InvalidDocument { location: wrong.place().into(), reason: wrong.reason().into() }
 }
 
-/// What a page of the program is told.
+/// Error returned to the front end for invalid saved data.
 #[cold]
 fn refusal(wrong: &Wrong) -> Error {
     let location = if wrong.place().is_empty() { "project" } else { wrong.place() }.to_owned();

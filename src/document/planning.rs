@@ -141,7 +141,7 @@ impl<'p> Planning<'p> {
         self.plan(request, None)
     }
 
-    /// The same for a page among others: what is new goes to no page by itself, and a page loses but what is gone.
+    /// Same for one page of several: never adds new photos, removes only deleted ones.
     fn refitted_among(&self, page: &Document) -> Result<Option<Document>> {
         let free = self.free(&self.elsewhere(), Some(page)).len();
         let layout = free == 0 || free >= places_of(page);

@@ -23,7 +23,7 @@ use zip::result::ZipError;
 use zip::{CompressionMethod, ZipArchive};
 
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
-/// Where a ZIP file begins: with its first file, or with its end where it has none.
+/// First bytes of a ZIP file: of its first file, or of its end record if it is empty.
 const ARCHIVES: [&[u8]; 2] = [b"PK\x03\x04", b"PK\x05\x06"];
 /// The project file in an archive of pages.
 const BESIDE: &str = "project.inkpanel";
@@ -130,7 +130,8 @@ impl Saved {
     }
 }
 
-/// A chunk of a PNG file: its type, and where its data are. Length and type stand before them, a checksum behind.
+/// A chunk of a PNG file: its type, and where its data are. Length and type precede the data, a checksum
+/// follows.
 struct Chunk {
     kind: [u8; 4],
     at: Range<usize>,
@@ -141,14 +142,15 @@ impl Chunk {
         &bytes[self.at.clone()]
     }
 
-    /// The data are those that were written.
+    /// Whether the checksum matches.
     fn is_whole(&self, bytes: &[u8]) -> bool {
         let told = bytes.get(self.at.end..self.at.end + 4);
         told == Some(&crc32fast::hash(&bytes[self.at.start - 4..self.at.end]).to_be_bytes())
     }
 }
 
-/// The chunks to the end of a PNG file; none where they make no whole file. Source: PNG Specification (Third Edition), 5.3.
+/// All chunks of a PNG file. `None` if the file is incomplete. Source: PNG Specification (Third Edition),
+/// 5.3.
 fn chunks(bytes: &[u8]) -> Option<Vec<Chunk>> {
     let mut chunks = Vec::new();
     let mut at = SIGNATURE.len();
@@ -191,7 +193,7 @@ fn archive(bytes: Vec<u8>) -> Result<Archive> {
     Ok(archive)
 }
 
-/// A file of an archive; nothing where there is none of that name.
+/// A file of an archive, or `None` if the name does not exist.
 fn entry(archive: &mut Archive, name: &str, most: u64) -> Result<Option<Vec<u8>>> {
     let wrong = |error: &ZipError| damaged(name, &told(error));
     let file = match archive.by_name(name) {

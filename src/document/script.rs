@@ -12,7 +12,7 @@ pub const MOST_SCRIPT: usize = 200_000;
 /// Maximum number of text items that a script puts on one panel.
 pub const MOST_OF_PANEL: usize = 6;
 
-/// Names that stand for the narrator, without accents being looked at, in the languages of the page.
+/// Names of the narrator in the languages of the app, without accents.
 const NARRATORS: [&str; 14] = [
     "CAPTION",
     "CAP",
@@ -29,10 +29,10 @@ const NARRATORS: [&str; 14] = [
     "LEGENDA",
     "ナレーション",
 ];
-/// Names that stand for a sound.
+/// Names that mark a sound.
 const SOUNDS: [&str; 10] =
     ["SFX", "SOUND", "SOUND EFFECT", "GERÄUSCH", "SONIDO", "BRUIT", "SOM", "EFECTO", "EFFET", "効果音"];
-/// What begins the heading of a page or a panel, which says nothing.
+/// Words that begin the heading of a page or a panel. Headings are skipped.
 const HEADINGS: [&str; 13] = [
     "PAGE",
     "PANEL",
@@ -48,7 +48,7 @@ const HEADINGS: [&str; 13] = [
     "ページ",
     "コマ",
 ];
-/// How something is said, by what begins a word in round brackets behind the name.
+/// Manner of speech, by the beginning of a word in round brackets after the name.
 const MANNERS: [(Manner, &[&str]); 3] = [
     (Manner::Thought, &["think", "thought", "denk", "piens", "pens", "心"]),
     (Manner::Whisper, &["whisper", "flüster", "susurr", "chuchot", "sussurr", "ささや", "小声"]),
@@ -93,7 +93,7 @@ pub fn read(text: &str) -> Vec<Vec<Said>> {
     groups
 }
 
-/// Who says something, how, and what: none where nobody is named.
+/// Speaker, manner and text of a line. `None` without a name.
 fn voice(line: &str) -> Option<Said> {
     let (front, back) = line.split_at(line.find([':', '：'])?);
     let (name, how) = match front.split_once(['(', '（']) {

@@ -52,7 +52,7 @@ impl Project {
     }
 }
 
-/// What becomes of the page of a number; none where it stays as it is.
+/// Changes the page with that index. `None` leaves it unchanged.
 type NumberedChange<'c> = dyn FnMut(usize, &Arc<Document>) -> Option<Arc<Document>> + 'c;
 
 impl Project {

@@ -170,7 +170,7 @@ impl Shot {
     }
 }
 
-/// What stands in columns of one's own; an empty text is as if it were not told.
+/// Reads the values of custom columns. Empty texts are dropped.
 fn more(value: Value) -> Read<Map<String, Value>> {
     let told = Fields::of(value)?.rest();
     if told.len() > MOST_COLUMNS {
@@ -270,7 +270,7 @@ impl Board {
         (shot != item.shot).then(|| TrayItem { shot, ..item.clone() })
     }
 
-    /// The name of a column that was called otherwise; none where it is gone.
+    /// The new name of a renamed column. `None` if it was deleted.
     fn column(&self, before: &Self, name: String) -> Option<String> {
         if self.columns.contains(&name) {
             return Some(name);

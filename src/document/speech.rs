@@ -105,7 +105,7 @@ enum Piece<'l> {
     Sound(&'l str),
 }
 
-/// A line cut at its brackets; what is between round ones is a sound where nothing else is on the line.
+/// Splits a line at its brackets. Text in round brackets is a sound if the line has nothing else.
 fn pieces(line: &str) -> Vec<Piece<'_>> {
     let is_note = |letter: char| matches!(letter, '♪' | '♫' | '♬' | '♩');
     let bare = line.trim_start_matches(['-', '–', '—', ' ']);
@@ -134,7 +134,7 @@ fn pieces(line: &str) -> Vec<Piece<'_>> {
     all
 }
 
-/// What is before, in and behind the first square brackets.
+/// The text before, inside and after the first square brackets.
 fn bracketed(line: &str) -> Option<(&str, &str, &str)> {
     let (before, rest) = line.split_once('[')?;
     let (inside, after) = rest.split_once(']')?;
@@ -194,7 +194,7 @@ pub fn parted(text: &str) -> Vec<&str> {
     parts
 }
 
-/// Where a text is best cut for a part of so many letters: behind the byte that is told.
+/// The best position to split a text after about `wanted` characters, as a byte index.
 fn cut(text: &str, wanted: usize) -> usize {
     let least = wanted / 2;
     let most = wanted + wanted / 4;

@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 /// Default number of panels of later pages, and maximum of a first page. At this size photos are easy to see.
 pub const USUAL: usize = 6;
-/// Fewer photos than this that no page shows make no page of their own.
+/// Minimum number of unplaced photos for another page.
 const FEWEST: usize = 2;
 /// Seeds are tried this often for a layout that the two pages before do not have.
 const TRIES: usize = 6;
@@ -128,7 +128,7 @@ impl Planning<'_> {
     }
 }
 
-/// The page with the words that were on its photos before; those of a whole page stay on the first photo of theirs.
+/// The page with the previous text items of its photos. Items of a whole page stay with their first photo.
 #[inline(never)]
 fn with_words(page: Document, before: &[Arc<Sheet>]) -> Document {
     // What waited for its photos is there already.

@@ -20,7 +20,7 @@ pub const REACH: f64 = 20.0;
 pub const MOST_OF_FRAME: usize = 3;
 /// Frames on either side of a subtitle that are looked at for it.
 const NEAREST: usize = 8;
-/// What is wrong with single subtitles is told of so many.
+/// Maximum number of reported errors of single subtitles.
 const MOST_SKIPPED: usize = 3;
 
 /// A timed subtitle.
@@ -71,7 +71,7 @@ pub enum Flaw {
 }
 
 impl Flaw {
-    /// Writes the fields of it: `kind, line, text`, the line and the text where they are told.
+    /// Writes its fields: `kind, line, text`, the line and the text if they are known.
     fn write(&self, out: &mut Writer) {
         let (kind, line, text) = match self {
             Self::Large => ("large", None, None),
@@ -197,7 +197,8 @@ pub fn decoded(bytes: &[u8]) -> Option<(String, bool)> {
     few.then_some((text, guessed))
 }
 
-/// A letter of Windows-1252, in which old files of Western Europe are: a table of 32 entries is no library's work.
+/// A character of Windows-1252, the encoding of old Western European files. A table of 32 entries needs no
+/// library.
 fn western(byte: u8) -> char {
     const HIGH: [char; 32] = [
         '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}',
@@ -209,7 +210,7 @@ fn western(byte: u8) -> char {
     }
 }
 
-/// How far a time is from what is said, in seconds.
+/// Distance of a time from a subtitle, in seconds.
 fn away(cue: &Cue, time: f64) -> f64 {
     (cue.start - time).max(time - cue.end).max(0.0)
 }
@@ -349,7 +350,7 @@ fn is_word(letter: char) -> bool {
     letter.is_ascii_alphanumeric() || letter == '_'
 }
 
-/// When a block is said, and its lines.
+/// Times and lines of a block.
 fn cue(lines: &[&str], from: usize, end: usize) -> Result<(f64, f64, String)> {
     // A number or a name may stand before the times.
     let at = if lines[from].contains("-->") { from } else { from + 1 };
@@ -403,7 +404,7 @@ fn voices(line: &str) -> String {
     line.replace("<v ", "\n- <v ").replace("<v.", "\n- <v.")
 }
 
-/// Without what stands between these; what is not closed stays.
+/// Removes text between these marks. Text without a closing mark stays.
 fn without(line: &str, open: &str, close: &str) -> String {
     let mut kept = String::new();
     let mut rest = line;
@@ -416,7 +417,7 @@ fn without(line: &str, open: &str, close: &str) -> String {
     kept + rest
 }
 
-/// With the letters that entities of `WebVTT` stand for.
+/// Decodes `WebVTT` entities.
 fn entities(text: &str) -> String {
     let mut told = String::new();
     let mut rest = text;
@@ -585,7 +586,7 @@ mod tests {
         assert_eq!(Subtitles::read(&vec![b' '; MOST_BYTES + 1], false), Err(Flaw::Large));
     }
 
-    /// Where words go: their texts, and the numbers of their frames.
+    /// Text items by content, with the indices of their frames.
     fn homes(cues: &[Cue], frames: &[(f64, bool)]) -> (Vec<(String, u64)>, usize) {
         let frames: Vec<Frame> = frames.iter().map(|&(time, shown)| Frame { time, shown }).collect();
         let (words, homeless) = matched(cues, &frames, TAKING);

@@ -72,7 +72,7 @@ impl Planning<'_> {
         self.photos.iter().map(Known::id).collect()
     }
 
-    /// The page with photos in use only; nothing when there is none for it.
+    /// The page with only photos in use. `None` if there are no photos for it.
     #[inline(never)]
     fn mended(
         &self,

@@ -18,9 +18,9 @@ pub const SIZES: [(&str, [u32; 2]); 4] =
     [("1080p", [1920, 1080]), ("720p", [1280, 720]), ("square", [1080, 1080]), ("upright", [1080, 1920])];
 /// Frames of an animatic at most: four hours of thirty a second.
 pub const MOST_FRAMES: u64 = 4 * 3600 * 30;
-/// How long a shot is that says nothing, in seconds.
+/// Default duration of a shot in seconds.
 const USUAL_SECONDS: f64 = 2.0;
-/// What is shown at the narrow end of a move, as a part of the wide end: so much less a second, and so much at least.
+/// Zoom of a camera move per second, and minimum size of its narrow end, as shares of the wide end.
 const CLOSER: f64 = 0.035;
 const NARROWEST: f64 = 0.84;
 /// A thing that was found with less confidence leads no camera.
@@ -207,8 +207,8 @@ impl Request {
         framed(self.size, fps)
     }
 
-    /// How many frames each shot has. At another rate than that of the list it is the ends that are rounded, so that the whole is
-    /// as long as it was.
+    /// How many frames each shot has. At another rate than the list's, the end times are rounded, so that the
+    /// total duration stays the same.
     fn lengths(&self, fps: u32) -> Result<Vec<u32>> {
         let rate = u64::from(if self.list.fps == 0 { 24 } else { self.list.fps });
         let seconds = if self.seconds > 0.0 { self.seconds.min(3600.0) } else { USUAL_SECONDS };
@@ -358,8 +358,8 @@ pub(super) fn framed(size: [u32; 2], fps: u32) -> Result<([u32; 2], u32)> {
     Ok((size.map(|side| side & !1), fps))
 }
 
-/// Where the camera begins and ends. Where there is somebody or something it goes nearer, or back, and keeps them in view;
-/// else it glides along the longer side. Which of the two ways follows from the number of the shot.
+/// Start and end of the camera move. With subjects the camera zooms in or out and keeps them visible. Without
+/// subjects it pans along the longer side. The index of the shot decides the direction.
 fn journey(picture: &Picture, seconds: f64, index: usize) -> (Crop, Crop) {
     let wide = picture.crop;
     let narrow = (1.0 - CLOSER * seconds).clamp(NARROWEST, 1.0);
@@ -429,14 +429,14 @@ fn around(a: &Crop, b: &Crop) -> Crop {
     Crop { x, y, width: right - x, height: bottom - y }
 }
 
-/// A view in fractions of what is seen.
+/// A view in fractions of the visible area.
 fn within(view: &Crop, seen: &Crop) -> Crop {
     let (x, y) = ((view.x - seen.x) / seen.width, (view.y - seen.y) / seen.height);
     let (width, height) = (view.width / seen.width, view.height / seen.height);
     inside(&Crop { x, y, width, height })
 }
 
-/// The crop without what rounding put beyond the photo.
+/// The crop, limited to the photo after rounding.
 fn inside(crop: &Crop) -> Crop {
     let (width, height) = (crop.width.clamp(0.0, 1.0), crop.height.clamp(0.0, 1.0));
     Crop { x: crop.x.clamp(0.0, 1.0 - width), y: crop.y.clamp(0.0, 1.0 - height), width, height }

@@ -14,7 +14,7 @@ const MOST_FRAMES: usize = 12;
 /// Widths and heights of upright paper in millimetres.
 const A4: (f64, f64) = (210.0, 297.0);
 const LETTER: (f64, f64) = (215.9, 279.4);
-/// Dots an inch.
+/// Resolution in DPI.
 const DPI: u32 = 300;
 /// Around a sheet, between frames, and between a frame and its text, in millimetres.
 const MARGIN: f64 = 11.0;
@@ -23,17 +23,17 @@ const NEAR: f64 = 1.8;
 /// Height of the head, and of its letters, in millimetres.
 const HEAD: f64 = 11.0;
 const TITLE: f64 = 4.9;
-/// Width of which sheet it is.
+/// Width of the sheet number.
 const NUMBER: f64 = 25.0;
 /// Most width and height of a logo, and the most that one of them is of the other.
 const LOGO: (f64, f64) = (30.0, 9.0);
 const FLATTEST: f64 = 30.0;
-/// How much lower the words of the head stand beside a logo, whose middle is theirs then.
+/// Offset of the header text next to a logo, which aligns their centres.
 const LOWER: f64 = 2.8;
 /// The part of the height of a cell that belongs to the text under a frame, at least; of its width to a frame with text beside it, at most.
 const UNDER: f64 = 0.27;
 const BESIDE: f64 = 0.56;
-/// Frames on a sheet up to which letters are so many millimetres high, from the largest on.
+/// Text height in millimetres by the maximum number of frames per sheet.
 const LETTERS: [(usize, f64); 4] = [(2, 4.0), (4, 3.6), (6, 3.2), (MOST_FRAMES, 2.75)];
 /// Half the width of the line around a frame, in millimetres.
 const LINE: f64 = 0.35;
@@ -229,7 +229,7 @@ impl Request {
         parts.into_iter().flatten().collect()
     }
 
-    /// What stands with a frame: its number, scene and length in one line, below that what is told.
+    /// The fields of a frame: number, scene and duration on one line, and the others below.
     fn told(
         &self,
         grid: &Grid,

@@ -5,7 +5,7 @@ use crate::framing::{Crop, Subject};
 use crate::page::Document;
 use std::collections::HashMap;
 
-/// What the net is less sure of is often something else.
+/// Minimum detection score. Lower scores are often wrong.
 const SURE: f64 = 0.5;
 /// The most kinds of things that are named.
 const MOST: usize = 4;
@@ -28,7 +28,7 @@ pub fn described<'s>(document: &Document, subjects: impl Fn(&str) -> &'s [Subjec
         .collect()
 }
 
-/// What is in view, people first, then what is largest: `two people and a dog`.
+/// Description of the visible subjects, people first, then by size: `two people and a dog`.
 fn seen(subjects: &[Subject], crop: Option<Crop>) -> String {
     let mut kinds: HashMap<&str, (usize, f64)> = HashMap::new();
     for subject in subjects.iter().filter(|subject| subject.score >= SURE && holds(crop, subject)) {

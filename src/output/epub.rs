@@ -149,7 +149,7 @@ impl Book<'_> {
         self.document(&self.comic.title, "", &body)
     }
 
-    /// The way from panel to panel: rectangles in parts of the page. What is within them is told too.
+    /// Region-based navigation: rectangles of the panels in fractions of the page. Their content is included.
     fn regions(&self) -> String {
         let mut body = "<nav epub:type=\"region-based\" id=\"regions\">\n<ol>\n".to_owned();
         for (number, page) in self.pages.iter().enumerate() {
@@ -224,7 +224,7 @@ impl Book<'_> {
     }
 }
 
-/// What schema.org knows of how a book can be used.
+/// Accessibility metadata of schema.org.
 fn access<'p>(pages: &[ToldPage], phrases: &'p Phrases) -> Vec<(&'static str, &'p str)> {
     let all = pages.iter().flat_map(|page| &page.panels);
     let mut access = vec![
@@ -248,7 +248,7 @@ fn access<'p>(pages: &[ToldPage], phrases: &'p Phrases) -> Vec<(&'static str, &'
     access
 }
 
-/// An identifier that is the same for the same book: a UUID of version 8, which leaves its bits to who makes it (RFC 9562).
+/// A stable identifier of the book: a UUID of version 8, whose bits are free to use (RFC 9562).
 fn identifier(comic: &Comic, texts: &[String]) -> String {
     let mut hash = FNV_OFFSET;
     let parts = [&comic.title, &comic.language].into_iter().chain(texts);
@@ -267,6 +267,6 @@ fn identifier(comic: &Comic, texts: &[String]) -> String {
     )
 }
 
-/// Of FNV-1a with 128 bits.
+/// Offset basis of FNV-1a with 128 bits.
 const FNV_OFFSET: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
 const FNV_PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;

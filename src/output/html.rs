@@ -89,7 +89,7 @@ fn head(comic: &Comic) -> String {
     )
 }
 
-/// `moves`: there are pictures that move, which whoever reads must be able to stop.
+/// `moves`: there are animated panels, so the reader needs a stop button.
 fn foot(text: &mut String, phrases: &Phrases, moves: bool) {
     let say = |phrase: &str| escaped(phrase);
     let motion = if moves {
@@ -134,7 +134,7 @@ fn open_shapes(text: &mut String, ToldPage { width, height, .. }: &ToldPage) {
     );
 }
 
-/// What dims the page but for one panel, and the shapes of panels and of their words: those that are read are holes in it.
+/// The mask that dims the page. Its holes are the current panel and its text.
 fn shapes(text: &mut String, page: &ToldPage, id: usize) {
     let ToldPage { width, height, panels } = page;
     let _ = writeln!(

@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 
 /// Default frames per second.
 pub const FPS: u32 = 24;
-/// How long a panel is seen that says nothing, in seconds, unless told.
+/// Default duration of a panel without text, in seconds.
 const USUAL_SECONDS: f64 = 2.0;
 /// And at most.
 pub const MOST_SECONDS: f64 = 60.0;
@@ -28,7 +28,7 @@ const WHOLE: (f64, f64) = (1.2, 0.9);
 const WAY: f64 = 0.7;
 /// How long a panel is seen before the first word appears, and after the last one was read.
 const BREATH: (f64, f64) = (0.3, 0.5);
-/// Reading a word of the page takes so many seconds, and so many more a letter: about 180 words of a text a minute.
+/// Reading time of a text item in seconds: base, and per character. About 180 words per minute.
 const READ: (f64, f64) = (0.5, 0.055);
 /// How long a word takes to appear.
 const FADE: f64 = 0.2;
@@ -294,7 +294,7 @@ impl Reading {
     }
 }
 
-/// Where the camera is.
+/// Position of the camera.
 enum Place<'a> {
     At(&'a Stop),
     Between(&'a Stop, &'a Stop),
@@ -305,8 +305,7 @@ fn part(frame: u32, from: u32, to: u32) -> f64 {
     (f64::from(frame.saturating_sub(from)) / f64::from(to.saturating_sub(from).max(1))).min(1.0)
 }
 
-/// What the camera sees where a part of a page fills the frame, in fractions of the page: of the frame's aspect, with room about
-/// the part, and on the page as far as that is large enough.
+/// View in which a part of a page fills the frame with a margin, in fractions of the page. It has the aspect ratio of the frame, and is inside the page if the page is large enough.
 fn view(seen: Bounds, room: f64, page: &ToldPage, size: [u32; 2]) -> Crop {
     let aspect = f64::from(size[0]) / f64::from(size[1]);
     let (wide, high) = (f64::from(page.width), f64::from(page.height));

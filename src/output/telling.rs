@@ -147,12 +147,12 @@ pub(super) fn told(
     Ok(ToldPage { width, height, panels })
 }
 
-/// Where a word comes when it is read.
+/// Reading position of a text item.
 fn place(laid: &Laid) -> f64 {
     laid.middle.y + SLANT * laid.middle.x
 }
 
-/// The panel that a word is read with: its own, else the one that it lies on or is nearest to.
+/// The panel of a text item: its own, or the panel under it, or the closest one.
 fn panel_of(laid: &Laid, ground: &Ground) -> Option<usize> {
     let last = ground.panels.len().checked_sub(1)?;
     if let Some(panel) = laid.word.panel {
@@ -193,7 +193,7 @@ fn scaled(bounds: Bounds, by: f64) -> Bounds {
     Bounds { x: bounds.x * by, y: bounds.y * by, width: bounds.width * by, height: bounds.height * by }
 }
 
-/// The outline of a panel in pixels; a circle has so many corners that none can be seen.
+/// The outline of a panel in pixels. A circle is a polygon with invisible corners.
 fn outline(shape: &ResolvedShape, scale: f64) -> Vec<(f64, f64)> {
     match shape {
         ResolvedShape::Polygon(points) => points.iter().map(|p| (p.x * scale, p.y * scale)).collect(),

@@ -8,7 +8,7 @@ use crate::raster::{Image, Plane};
 
 /// How far from the edge a side may lie and still end there, in parts of the page's width: numbers are rounded.
 const NEAR: f64 = 1e-6;
-/// What panels reach beyond, in bleeds: the line around them ends up outside of what is kept.
+/// Extension of panels past the edge, in bleeds. The border ends up outside of the trimmed area.
 const REACH: f64 = 1.5;
 /// The sharpest corner whose sides are followed outwards, as the sine of its angle.
 const SHARPEST: f64 = 0.1;
@@ -42,7 +42,7 @@ pub(super) fn extended(
     Some(ResolvedShape::Polygon((0..count).map(corner).collect()))
 }
 
-/// Where the two sides of a corner meet after each moved outward, clockwise on the screen.
+/// New corner after its two sides moved outward, clockwise on the screen.
 fn crossing([from, at, to]: [Point; 3], [first, second]: [f64; 2]) -> Point {
     let side = |a: Point, b: Point| {
         let (dx, dy) = (b.x - a.x, b.y - a.y);

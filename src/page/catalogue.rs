@@ -188,7 +188,7 @@ pub(crate) struct ChoiceRequest {
 pub(crate) struct Candidate {
     /// Its id.
     id: String,
-    /// What people call it.
+    /// Display name.
     name: String,
     /// See [`MeasuresEntry`].
     fingerprint: String,

@@ -161,13 +161,14 @@ fn framed(scene: &Scene, panel: &ScenePanel, picture: Option<(&Image, PixelRect)
     Patch { area, rgba }
 }
 
-/// Coverage of the border of a panel; none where borders are none.
+/// Coverage mask of the panel border, or `None` without borders.
 fn line(scene: &Scene, panel: &ScenePanel) -> Option<Vec<u8>> {
     let drawn = scene.border >= 0.05;
     drawn.then(|| mask::border(&panel.shape, scene.corner_radius, scene.border, panel.area))
 }
 
-/// The subject of a panel alone, as the panel shows it; nothing where it is not known. Its border is left out.
+/// The isolated subject of a panel, as the panel shows it. Transparent if it is unknown. Its border is left
+/// out.
 fn front(scene: &Scene, panel: &ScenePanel, Drawing { shown, image, .. }: &Drawing) -> Patch {
     let Some(subject) = &shown.subject else { return Patch::nothing(panel.area) };
     let area = panel.area;
@@ -257,8 +258,8 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
     Shown { image: mirrored(&image), subject, region, at }
 }
 
-/// The stylised image of a panel. That of a merged group is stylised as a whole, so that tones agree across the gutter, and
-/// then cut.
+/// The stylised image of a panel. A merged group is stylised as a whole, so that tones match across the
+/// gutter, and then cut.
 fn drawn(
     shown: &Shown,
     (panel, photo): (&ScenePanel, &Image),

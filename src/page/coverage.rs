@@ -48,7 +48,7 @@ pub fn coverage(contours: &[Contour], area: PixelRect) -> Vec<u8> {
 struct Changes {
     width: f32,
     at: Vec<f32>,
-    /// Which blocks have changes: most of a row has none, and is filled without looking at it.
+    /// Blocks with changes. Blocks without changes are filled quickly.
     touched: Vec<bool>,
 }
 

@@ -8,7 +8,7 @@ use crate::raster::resize::{Region, fit, resample, resample_image};
 use crate::raster::{Image, Matte, Plane};
 use crate::style::context::scale_of;
 
-/// Edges are looked for in a copy of so many pixels along its longer side: what is finer is drawn between them.
+/// Maximum side of the copy for edge detection, in pixels. Finer detail is interpolated.
 const LONGEST: usize = 1600;
 
 /// The mask at a size, with the edges of the photo. `photo` may be a smaller copy.

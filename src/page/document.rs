@@ -288,7 +288,7 @@ impl PanelContent {
     }
 }
 
-/// The box of a face, of which a part may lie beyond the photo.
+/// The box of a face, which may extend past the photo.
 fn read_face(value: Value) -> Read<Crop> {
     let mut fields = Fields::of(value)?;
     let mut side = |name: &str, least: f64| {

@@ -18,9 +18,9 @@ pub(super) struct Stage {
     pub(super) merges: Vec<Vec<usize>>,
     /// The places for photos: a slot for each panel, or group of panels.
     pub(super) candidate: Candidate,
-    /// The panel that each slot stands for.
+    /// The panel of each slot.
     heads: Vec<usize>,
-    /// Slots that a person locked.
+    /// Slots that the user locked.
     locked: Vec<bool>,
     panels: usize,
     same_layout: bool,
@@ -137,12 +137,12 @@ fn faces_of(photo: &PhotoMeta) -> Vec<Crop> {
     faces
 }
 
-/// The panel that stands for `panel`: the first of its group.
+/// The first panel of the group of `panel`.
 fn leader_of(merges: &[Vec<usize>], panel: usize) -> usize {
     merges.iter().find(|group| group.contains(&panel)).map_or(panel, |group| group[0])
 }
 
-/// A slot for each panel that stands for itself or for a group; a group wants a crop for all of it, gutters included.
+/// A slot for each panel or group. The crop of a group covers all its panels and gutters.
 fn merged_slots(resolved: &[ResolvedPanel], merges: &[Vec<usize>], heads: &[usize], width: f64) -> Vec<Slot> {
     let group = |head: usize| merges.iter().find(|group| group.first() == Some(&head));
     let wanted = |&head: &usize| match group(head) {
@@ -152,16 +152,16 @@ fn merged_slots(resolved: &[ResolvedPanel], merges: &[Vec<usize>], heads: &[usiz
     heads.iter().filter_map(wanted).collect()
 }
 
-/// The panels that stand for themselves or for a group, in reading order.
+/// Single panels and first panels of groups, in reading order.
 fn heads_of(page: &Document) -> Vec<(usize, &PanelContent)> {
     let all = page.panels.iter().enumerate();
     all.filter(|(i, _)| leader_of(&page.merges, *i) == *i).collect()
 }
 
-/// Panels that a person locked keep photo and crop. In another layout the photo goes to the panel of the same
+/// Panels that the user locked keep photo and crop. In another layout the photo goes to the panel of the same
 /// place in the reading order, or to the nearest that is free.
 ///
-/// `own` tells the place of a panel where the layout is the same. Returns which heads of the page have one.
+/// `own` returns the index of a panel if the layout is the same. Returns which heads of the page have one.
 fn lock_slots(
     slots: &mut [Slot],
     current: &Document,
@@ -187,9 +187,9 @@ fn lock_slots(
     placed
 }
 
-/// The photos of the current page in their order, to be framed anew for these panels, but where a person made the crop
-/// and the layout is the same. A panel beyond the order, and one whose photo is gone, stays open. Those of the heads
-/// `placed` have their panel already.
+/// Places the photos of the current page in their order, with new crops for these panels. Manual crops stay
+/// if the layout is the same. A panel beyond the order, and one whose photo is gone, stays open. The heads in
+/// `placed` already have their panel.
 fn keep_photos(
     slots: &mut [Slot],
     current: &Document,
@@ -222,7 +222,7 @@ fn keep_photos(
     }
 }
 
-/// The photos of the panels, then those of the order before that have no panel now.
+/// The photos of the panels, then the other photos of the old order.
 fn order_of(panels: &[PanelContent], current: Option<&Document>, photos: &[PhotoMeta]) -> Vec<String> {
     let before = current.map(|current| current.order.clone()).unwrap_or_default();
     let in_use = |id: &String| photos.iter().any(|photo| &photo.id == id);

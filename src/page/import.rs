@@ -147,7 +147,7 @@ fn upright(frame: &Frame, limits: &Limits) -> Result<Image> {
     turned_clockwise(image, frame.rotation)
 }
 
-/// What the file says, besides its pixels.
+/// Metadata of the file.
 struct Facts {
     size: (u32, u32),
     format: &'static str,

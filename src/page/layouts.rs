@@ -150,7 +150,7 @@ pub fn file(json: &str) -> Result<String> {
 #[derive(Deserialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub(crate) struct GenerateRequest {
-    /// Of all that is left to chance.
+    /// Random seed.
     seed: u32,
     /// The page that it is for.
     page: PageSettings,

@@ -267,7 +267,7 @@ mod tests {
 
     const SIZE: (usize, usize) = (160, 96);
 
-    /// A busy wall; a square that stands at `x`; noise of a coder.
+    /// A detailed wall, a square at `x`, and coding noise.
     fn frame(x: usize, noise: u32) -> Image {
         let mut rgb = Vec::with_capacity(3 * SIZE.0 * SIZE.1);
         for at in 0..SIZE.0 * SIZE.1 {

@@ -10,7 +10,7 @@ use crate::style::file::Step;
 
 /// Colours along each side of the table.
 const SIDE: usize = 33;
-/// Rounds over all inks: what is left then is less than a level.
+/// Rounds over all inks. The remaining error is below one level.
 const ROUNDS: usize = 40;
 
 /// Ink coverages of each colour.

@@ -226,7 +226,7 @@ pub(super) fn panels(
     Ok(resolved.into_iter().enumerate().zip(further).map(panel).collect())
 }
 
-/// The figures that are to step out, in the order of their panels, which get to know of them. Panels that share an image have none.
+/// The panel breakouts in panel order. They are also stored in their panels. Merged panels cannot break out.
 fn figures(document: &Document, panels: &mut [ScenePanel], size: (usize, usize)) -> Vec<ScenePanel> {
     let broken: Vec<usize> = (0..panels.len()).filter(|&i| document.breaks_frame(i)).collect();
     if broken.is_empty() {
@@ -241,7 +241,7 @@ fn figures(document: &Document, panels: &mut [ScenePanel], size: (usize, usize))
     broken.into_iter().filter_map(figure).collect()
 }
 
-/// The panels whose subjects stand before an effect.
+/// The panels whose subjects are in front of an effect.
 fn fronts(document: &Document, panels: &[ScenePanel]) -> Vec<ScenePanel> {
     let front = |i: usize| ScenePanel { shows: Shows::Front, ..panels[i].clone() };
     document.fronts().into_iter().map(front).collect()

@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 const HEADER: usize = 128;
 /// Entries of the curve.
 const ENTRIES: u16 = 256;
-/// What the profile is called where its name is shown.
+/// Display name of the profile.
 const NAME: &[u8] = b"sRGB IEC61966-2.1\0";
 const RIGHTS: &[u8] = b"No rights reserved (CC0)\0";
 /// White of the connection space, in 1/65536.
@@ -76,7 +76,7 @@ fn header(size: u32) -> Vec<u8> {
     header
 }
 
-/// The name in ASCII; there is none in other scripts.
+/// The name in ASCII, without other scripts.
 fn description() -> Vec<u8> {
     let mut body = b"desc\0\0\0\0".to_vec();
     body.extend((NAME.len() as u32).to_be_bytes());

@@ -9,7 +9,7 @@ use crate::raster::Plane;
 use crate::raster::guided::{refined, softened, steepen};
 use crate::raster::resize::{Region, resample_image};
 
-/// How much steeper the border of a figure is drawn than its mask is: over other panels, what nobody is sure of would be a ghost.
+/// Factor for the steepness of a breakout's border. Over other panels a soft border would look like a ghost.
 const STEEP: i32 = 4;
 /// The line of paper about a figure is as wide as the border, and at least this in page widths.
 const OUTLINE: f64 = 0.002;
@@ -88,7 +88,7 @@ fn shares(figure: &Figure, Drawing { shown, photo, .. }: &Drawing, part: PixelRe
     refined(mask, region, &guide, scale)
 }
 
-/// What two rectangles have in common, at least a pixel of the first.
+/// Intersection of two rectangles, at least one pixel of the first.
 fn common(one: PixelRect, other: PixelRect) -> PixelRect {
     let span = |a: i64, long: usize, b: i64, other: usize| {
         let end = a + long as i64;
@@ -128,7 +128,7 @@ fn part(share: u8, open: f64) -> u8 {
     (f64::from(share) * open.clamp(0.0, 1.0)) as u8
 }
 
-/// Where anything is seen of shares that lie in `whole`, with room on all sides.
+/// Bounds of the visible shares in `whole`, with a margin.
 fn seen(shares: &Plane, whole: PixelRect, room: usize) -> PixelRect {
     let (mut left, mut top, mut right, mut bottom) = (whole.width, whole.height, 0, 0);
     for y in 0..whole.height {

@@ -8,7 +8,7 @@ use crate::framing::PhotoMeta;
 use crate::plan::{Shelf, spread};
 use crate::select::{self, Measures, Verdict};
 
-/// Photos beyond which a page of a storyboard does not show all of its own.
+/// Maximum number of photos per page. Pages with more do not show all of them.
 const MOST_OF_A_PAGE: usize = 9;
 
 /// Which photos are taken, and in which order.

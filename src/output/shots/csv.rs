@@ -3,7 +3,7 @@
 
 use super::{Cut, HEADINGS, ShotList};
 
-/// What begins a formula. Source: OWASP, CSV Injection.
+/// Characters that begin a formula. Source: OWASP, CSV Injection.
 const FORMULA: [char; 6] = ['=', '+', '-', '@', '\t', '\r'];
 
 pub(super) fn write(list: &ShotList) -> String {

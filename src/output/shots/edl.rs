@@ -6,7 +6,7 @@ use super::{Cut, ShotList, line};
 use std::collections::HashMap;
 use std::fmt::Write as _;
 
-/// What stands for material without a reel, and for black.
+/// Reel name of material without a reel, and of black.
 const AUXILIARY: &str = "AX";
 const BLACK: &str = "BL";
 /// Characters of the name of a reel.

@@ -244,7 +244,7 @@ struct Cut<'a> {
     origin: u64,
     /// Rate and drop-frame flag of the timecode of its source.
     counting: Rate,
-    /// Where it begins among the others.
+    /// Start among the other shots.
     at: u64,
 }
 
@@ -269,7 +269,7 @@ impl Cut<'_> {
         self.counting.timecode(self.origin + frame)
     }
 
-    /// What it is called: its scene and number.
+    /// Title: scene and number.
     fn title(&self) -> String {
         let ListedShot { scene, number, .. } = self.shot;
         if scene.is_empty() { number.clone() } else { format!("{} / {number}", line(scene)) }

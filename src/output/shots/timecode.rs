@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 /// The programme starts at one hour, by convention, which leaves room for leaders. In seconds of the time
 /// code.
 pub const PROGRAMME: u64 = 3_600;
-/// What no film reaches, in seconds.
+/// Upper limit of times, in seconds.
 const LONGEST: f64 = 1e9;
 /// Frame numbers that are left out in a minute, of thirty, and minutes from one that leaves none out to the next.
 const DROPPED: u64 = 2;

@@ -56,7 +56,7 @@ impl About {
     }
 }
 
-/// The same as XMP. Source: ISO 16684-1.
+/// The metadata as XMP. Source: ISO 16684-1.
 fn metadata(options: &Options) -> String {
     let title = escaped(&options.title);
     let language = match escaped(&options.language) {
@@ -73,7 +73,7 @@ fn metadata(options: &Options) -> String {
     )
 }
 
-/// A text as XML has it, without what XML cannot have.
+/// Escapes a text for XML, without characters that XML does not allow.
 fn escaped(text: &str) -> String {
     let mut out = String::new();
     for letter in text.chars() {

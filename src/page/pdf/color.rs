@@ -13,7 +13,7 @@ pub(super) enum Colours {
 }
 
 impl Colours {
-    /// The gray that stands for a colour, where it is none of three channels.
+    /// The gray value of a colour on a plate, or if its channels are equal. `None` for other colours.
     fn gray(&self, rgb: [u8; 3]) -> Option<u8> {
         match self {
             Self::Own => (rgb[0] == rgb[1] && rgb[1] == rgb[2]).then_some(rgb[0]),

@@ -11,7 +11,7 @@ use crate::page::mask;
 use crate::page::scene::{self, ScenePanel};
 use pdf_writer::{Content, Name, Ref};
 
-/// What is thinner is not drawn, as on the page of pixels.
+/// Minimum width of a drawn border, like on the page of pixels.
 const THINNEST: f64 = 0.05;
 
 /// A page in its place.
@@ -73,7 +73,7 @@ pub(super) fn draw_front(content: &mut Content, ground: &Ground, front: usize) {
     }
 }
 
-/// A picture with a mask of its own.
+/// An image with a separate mask.
 fn draw_alone(content: &mut Content, ground: &Ground, picture: &Picture) {
     artifact(content);
     content.save_state();

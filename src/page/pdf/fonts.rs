@@ -21,7 +21,7 @@ pub(super) struct Fonts<'a>(Vec<Face<'a>>);
 /// A font with the letters that are used of it, in ascending order; the code of a letter is its place and one.
 pub(super) struct Face<'a> {
     font: &'a Font,
-    /// What its letters are as text.
+    /// The glyph table, for the text of glyphs.
     words: &'a Letters,
     letters: Vec<char>,
     id: Ref,

@@ -17,8 +17,7 @@ use crate::page::words::wording::read;
 use pdf_writer::types::{LineCapStyle, LineJoinStyle, TextRenderingMode};
 use pdf_writer::{Content, Name, Ref, Str, TextStr};
 
-/// What a step to the right counts where words of one panel are read, in steps down: of two that begin about as high the
-/// left one comes first.
+/// Weight of a step to the right in reading order, in steps down. If two items are at about the same height, the left one comes first.
 const ASIDE: f64 = 0.35;
 
 /// Reading order of text items: the panel before the item, and the rank among the items of that panel. An

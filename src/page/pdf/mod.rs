@@ -83,7 +83,7 @@ pub fn write(leaves: &[Leaf], options: &Options, letters: &Letters) -> Result<Ve
     Ok(pdf.finish())
 }
 
-/// What all sheets are made of.
+/// Shared resources of all sheets.
 struct Book<'a> {
     leaves: &'a [Leaf],
     words: &'a [Vec<Laid>],
@@ -172,7 +172,7 @@ impl Book<'_> {
     }
 }
 
-/// What becomes of the colours of a page.
+/// Colour conversion of a page.
 fn colours_of(document: &Document, options: &Options) -> Result<Colours> {
     let Some(ink) = options.plate else { return Ok(Colours::Own) };
     if ink >= options.inks.len() {

@@ -71,7 +71,7 @@ pub fn cut(
     Ok(Picture { index, area: PixelRect { x: left, y: top, width, height }, jpeg, alpha })
 }
 
-/// The part of a patch of which anything is seen.
+/// The visible part of a patch.
 fn seen(area: PixelRect, rgba: &[u8]) -> PixelRect {
     let (mut left, mut top, mut right, mut bottom) = (area.width, area.height, 0, 0);
     for (i, _) in rgba.chunks_exact(4).enumerate().filter(|(_, pixel)| pixel[3] > 0) {

@@ -24,7 +24,7 @@ pub(super) struct Cell {
     place: (f64, f64),
     /// Its size.
     size: (f64, f64),
-    /// It stands on its head.
+    /// Whether the page is upside down.
     turned: bool,
     /// Points a pixel.
     scale: f64,
@@ -112,7 +112,7 @@ impl Sheet {
         [scale, 0.0, 0.0, -scale, left, top].map(|value| value as f32)
     }
 
-    /// The upper left corner of what is left after cutting, in units.
+    /// The upper left corner of the trimmed area, in units.
     fn corner(&self) -> (f64, f64) {
         let rest = |paper: f64, own: f64| (paper - own * self.fit) / 2.0;
         let (left, above) = (rest(self.media.0, self.size.0), rest(self.media.1, self.size.1));
@@ -163,7 +163,7 @@ impl Sheet {
     }
 }
 
-/// The paper, turned as what is on it is, and how much larger or smaller that is put there.
+/// The paper in the orientation of its content, and the scale of the content.
 fn fitted(own: (f64, f64), paper: [f64; 2]) -> ((f64, f64), f64) {
     let [short, long] = {
         let mut sides = paper.map(|side| side.clamp(20.0, 5_000.0) * MILLIMETRE);

@@ -13,7 +13,7 @@ struct Element {
     /// Its place there: the panel, then down and across.
     rank: (i64, f64),
     role: StructRole,
-    /// What stands for a figure, or what a paragraph says.
+    /// Alternative text of a figure, or text of a paragraph.
     text: String,
     /// The sheet that it is drawn on.
     page: Ref,

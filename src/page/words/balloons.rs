@@ -13,7 +13,7 @@ use std::f64::consts::{PI, TAU};
 const FOOT: f64 = 0.2;
 /// How far a tail bends aside, as a part of its length.
 const BEND: f64 = 0.13;
-/// Lengths of spikes and sizes of bumps that look drawn by hand, the same for every balloon.
+/// Lengths of spikes and sizes of bumps that look hand-drawn, equal for every balloon.
 const UNEVEN: [f64; 11] = [0.5, 0.05, 0.85, 0.3, 1.0, 0.15, 0.7, 0.0, 0.55, 0.95, 0.25];
 
 /// Outlines of a balloon with half width `a` and half height `b`. Its tail ends at `tip` and is part of the

@@ -18,13 +18,13 @@ use crate::page::scene::MAX_SIDE;
 
 /// Half the width of outlines, in page widths.
 const LINE: f64 = 0.0014;
-/// The same of a letterer's, about half a millimetre in all on A4.
+/// Width of the outline by the rules of letterers, about half a millimetre in total on A4.
 const FINER: f64 = 0.0011;
 /// The line around the letters of a caption without a box, in ems.
 const HALO: f64 = 0.1;
 /// How much emphasised letters lean, as a part of their height.
 pub(in crate::page) const LEAN: f64 = 0.21;
-/// Half of what the strokes of emphasised letters gain in width, in ems, where the font has no bolder one.
+/// Half of the additional stroke width of emphasised glyphs, in ems, for fonts without a bolder style.
 const HEAVIER: f64 = 0.016;
 /// Lengths of a whisper's dashes and of the gaps between, in page widths.
 const DASH: (f64, f64) = (0.0085, 0.007);
@@ -161,7 +161,7 @@ pub(in crate::page) fn lines(laid: &Laid, width: f64, letters: &Letters) -> Line
     Lines { body, united, text, heavy, ringed, half: half * width, dash }
 }
 
-/// A plain word: its letters alone, or lines to write on.
+/// A plain text item: only its glyphs, or ruled lines.
 fn plain(laid: &Laid, width: f64, letters: &Letters) -> Lines {
     let Laid { middle, setting, .. } = laid;
     let count =
@@ -308,7 +308,8 @@ fn small(font: &Font, baseline: f64) -> Row<'_> {
     Row { baseline, turned: false, letters, font, strong: false, heavy: false, scale: ruby::SIZE }
 }
 
-/// The readings over a line, each with where its letters begin and end; `spans` are those of all letters.
+/// The readings over a line, each with the start and end of its base text. `spans` are the spans of all
+/// characters.
 fn read<'s>(setting: &'s Setting, line: usize, spans: &[(f64, f64)]) -> Vec<(&'s [char], (f64, f64))> {
     let Some(under) = setting.under.get(line).filter(|under| !under.is_empty()) else { return Vec::new() };
     let mut all = Vec::new();
@@ -325,8 +326,8 @@ fn read<'s>(setting: &'s Setting, line: usize, spans: &[(f64, f64)]) -> Vec<(&'s
     all
 }
 
-/// The cells of the columns of a word on a page of `width` pixels, from right to left, and the readings beside them. What is
-/// emphasised is heavier, and does not lean.
+/// The cells of the columns of a word on a page of `width` pixels, from right to left, and the readings
+/// beside them. Emphasised text is bolder and not slanted.
 fn columns<'a>(laid: &Laid, width: f64, (letters, font): (&'a Letters, &'a Font)) -> Vec<Row<'a>> {
     let setting = &laid.setting;
     let size = setting.size * width;
@@ -370,7 +371,7 @@ fn columns<'a>(laid: &Laid, width: f64, (letters, font): (&'a Letters, &'a Font)
     rows
 }
 
-/// Where letters stand below each other, in pixels.
+/// A column of characters, in pixels.
 #[derive(Clone, Copy)]
 struct Column<'a> {
     letters: &'a Letters,
@@ -383,8 +384,9 @@ struct Column<'a> {
 }
 
 impl<'a> Column<'a> {
-    /// Adds the rows of a column, and answers where each letter begins and ends. `apart`: how much further the pen goes over each,
-    /// half of it before the letter; `row` gives what else is told of the row that begins with a letter.
+    /// Adds the rows of a column, and answers where each letter begins and ends. `apart`: extra advance of
+    /// each character, half of it before the character. `row` returns the other fields of the row that begins
+    /// with a character.
     fn stand(
         &self,
         run: &[char],
@@ -433,7 +435,7 @@ impl<'a> Column<'a> {
     }
 }
 
-/// The outlines of the letters in pixels, and once more of those that are drawn heavier.
+/// The outlines of all glyphs in pixels, and the outlines of bolder glyphs separately.
 fn contours(laid: &Laid, width: f64, letters: &Letters) -> (Vec<Vec<Point>>, Vec<Vec<Point>>) {
     let size = laid.setting.size * width;
     let bend = Bend::new(laid, width);
@@ -530,7 +532,7 @@ impl Bend {
     }
 }
 
-/// Outer lines run clockwise on the screen, as the fonts and the shapes have them; what runs the other way is a hole.
+/// Outer contours are clockwise on the screen, in fonts and in shapes. Counter-clockwise contours are holes.
 fn contoured(shapes: &[Vec<Point>]) -> Vec<Contour> {
     let contour = |points: &Vec<Point>| {
         let next = points.iter().cycle().skip(1);
@@ -576,7 +578,7 @@ fn stroke(mask: &mut [u8], area: PixelRect, points: &[Point], radius: f64, dash:
     }
 }
 
-/// Covers what is nearer than `radius` to a segment. What is covered more already stays.
+/// Covers the pixels within `radius` of a segment. A higher existing coverage stays.
 fn capsule(mask: &mut [u8], area: PixelRect, (from, to): (Point, Point), radius: f64) {
     let (x0, y0) = (from.x - area.x as f64, from.y - area.y as f64);
     let (dx, dy) = (to.x - from.x, to.y - from.y);

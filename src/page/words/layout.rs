@@ -110,7 +110,7 @@ impl Ground {
         panel.map_or(Bounds { x: 0.0, y: 0.0, width: 1.0, height: self.height }, |panel| panel.bounds)
     }
 
-    /// A word with the colours of the page, where it has none of its own.
+    /// A text item with the colours of the page for unset colours.
     fn coloured(&self, mut word: Word) -> Word {
         if word.craft == Craft::Letterer {
             let Palette { ink, paper, note, accent, edge } = self.palette;

@@ -18,7 +18,7 @@ const MOST_PIXELS: usize = 4_000_000;
 const WITHIN: f64 = 0.22;
 /// No crossing.
 const NONE: usize = usize::MAX;
-/// Outlines around less than so many pixels are dust.
+/// Minimum area of an outline in pixels. Smaller ones are noise.
 const DUST: f64 = 1.5;
 
 /// An image of glyphs, with their metrics in pixels.
@@ -96,13 +96,13 @@ impl Drawing<'_> {
     }
 }
 
-/// Where a contour crosses the sides of a square between four pixels.
+/// Crossings of a contour with the sides of a square between four pixels.
 const TOP: usize = 0;
 const RIGHT: usize = 1;
 const BOTTOM: usize = 2;
 const LEFT: usize = 3;
 
-/// The outlines of what is covered by half or more, in pixels, outer ones clockwise on the screen.
+/// The outlines of the area with at least half coverage, in pixels, outer ones clockwise on the screen.
 fn traced(width: usize, ink: &[u8]) -> Vec<Vec<Point>> {
     let height = ink.len() / width;
     // There is nothing around the picture.
@@ -153,8 +153,8 @@ fn traced(width: usize, ink: &[u8]) -> Vec<Vec<Point>> {
     outlines
 }
 
-/// The ways through a square whose corners are covered or not, from the upper left one clockwise, with what is covered to
-/// the right of them. `joined`: so is the middle.
+/// Contour segments in a square with covered and uncovered corners, clockwise from the upper left one. The
+/// covered area is to the right. `joined`: the centre is covered.
 fn segments(covered: [bool; 4], joined: bool) -> &'static [(usize, usize)] {
     match (covered.map(u8::from), joined) {
         ([1, 0, 0, 0], _) => &[(TOP, LEFT)],

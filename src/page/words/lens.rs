@@ -8,17 +8,17 @@
 use super::setting::{FULLNESS, Setter, Setting};
 use super::wording::Part;
 
-/// A text of more pieces than this is no speech: it is filled line by line.
+/// Maximum number of pieces for optimal breaks. Longer texts are filled line by line.
 const MOST_PIECES: usize = 220;
 /// Most lines.
 const MOST_LINES: usize = 24;
-/// What a hyphen costs: as much as a line that is two fifths off its length.
+/// Cost of a hyphen: like a line that is two fifths off its length.
 const HYPHEN: f64 = 1.6;
-/// What a word costs that parts where it must not.
+/// Cost of breaking a word at a forbidden position.
 const TORN: f64 = 12.0;
-/// What a line costs that is longer than the one before it, after one that was shorter.
+/// Cost of a line that is longer than the line before, after lines have become shorter.
 const HOURGLASS: f64 = 9.0;
-/// Differences of lengths that nobody sees, as a part of the longest line.
+/// Invisible differences of lengths, as a share of the longest line.
 const UNSEEN: f64 = 0.04;
 
 /// A text in pieces that lines are made of.
@@ -52,7 +52,7 @@ enum After {
     Torn,
 }
 
-/// Breaks of lines, with what they cost.
+/// Line breaks and their cost.
 struct Broken {
     cost: f64,
     /// The first piece and the one after the last of each line.
@@ -187,8 +187,8 @@ impl<'a> Lens<'a> {
         (0..count).map(part).collect()
     }
 
-    /// The best breaks into `count` lines, none wider than `widest`; nothing where there are none. Where a width was
-    /// chosen, lines are as long as it lets them.
+    /// The best breaks into `count` lines, at most `widest` wide. `None` if there are no such breaks. With a
+    /// set width, lines are as long as the width allows.
     fn broken(&self, count: usize, widest: f64, chosen: bool) -> Option<Broken> {
         if self.pieces.is_empty() {
             return (count == 1).then(|| Broken { cost: 0.0, lines: Vec::new(), widths: Vec::new() });
@@ -220,7 +220,7 @@ impl<'a> Lens<'a> {
         Some(broken)
     }
 
-    /// All lines that may follow those of a row. `left`: how many lines come after.
+    /// All possible next lines after a row of states. `left`: how many lines come after.
     fn next_row(&self, before: &[State], goal: &Goal, left: usize) -> Vec<State> {
         let mut row: Vec<State> = Vec::new();
         let count = self.pieces.len();
@@ -310,7 +310,7 @@ impl<'a> Lens<'a> {
     }
 }
 
-/// A line that ends at some piece, the best of those with the same start, end and trend.
+/// A line that ends at a piece, the best among lines with the same start, end and trend.
 struct State {
     start: usize,
     end: usize,
@@ -322,7 +322,7 @@ struct State {
     from: usize,
 }
 
-/// What a line should be.
+/// Target of a line.
 struct Goal {
     length: f64,
     /// The longest line should be as long.
@@ -332,7 +332,7 @@ struct Goal {
 }
 
 impl Goal {
-    /// What it costs that a line follows another, and whether lines have become shorter by then.
+    /// Cost of a line after another, and whether lines have become shorter.
     fn follow(&self, before: &State, width: f64, round: bool) -> (f64, bool) {
         let first = before.end == 0;
         let grown = (width - before.width) / self.scale;

@@ -19,7 +19,7 @@ pub struct Letters {
     /// The composed character, its base and its mark, in ascending order of the first.
     compositions: Vec<[u32; 3]>,
     fonts: Vec<Font>,
-    /// What the fonts did not have.
+    /// Traced glyphs.
     learnt: Vec<Learnt>,
 }
 

@@ -63,7 +63,7 @@ fn paper(blocks: &[&Value], runs: &impl Fn(&str) -> Option<usize>) -> [u8; 3] {
     }
 }
 
-/// What stands out in the colours of a style.
+/// The accent colour of a style.
 fn accent(blocks: &[&Value], runs: &impl Fn(&str) -> Option<usize>) -> [u8; 3] {
     let inks = runs("plates").map(|at| blocks[at]["inks"].as_str().unwrap_or("red-blue"));
     match inks {

@@ -17,7 +17,8 @@ use std::ops::Range;
 pub(super) const SIZE: f64 = 0.5;
 /// Room between letters and their reading, in ems.
 const AIR: f64 = 0.05;
-/// Most letters of a reading, and of what it is of: more between such brackets is a title, or a quotation.
+/// Maximum length of a reading and of its base text, in characters. Longer text in such brackets is a title
+/// or a quotation.
 const LONGEST: usize = 40;
 /// Extra space between lines of a text with ruby, and between columns, in ems.
 pub(super) const ROOM: (f64, f64) = (0.46, 0.36);
@@ -42,7 +43,7 @@ struct Note {
     bar: Option<usize>,
 }
 
-/// What a text is, apart from its letters.
+/// Notation of a text, separate from its characters.
 struct Notes {
     notes: Vec<Note>,
     /// Backslashes that take the sense of a sign away.
@@ -66,7 +67,7 @@ fn is_han(letter: char) -> bool {
         || matches!(u32::from(letter), 0x3400..=0x4dbf | 0x4e00..=0x9fff | 0xf900..=0xfaff | 0x2_0000..=0x3_ffff)
 }
 
-/// Whether a letter tells how another is read: kana and bopomofo. What else stands in such brackets is a title in Chinese.
+/// Whether a character is phonetic: kana or bopomofo. Other text in such brackets is a title in Chinese.
 fn is_phonetic(letter: char) -> bool {
     matches!(u32::from(letter), 0x3041..=0x309f | 0x30a0..=0x30ff | 0x3105..=0x312f | 0x31f0..=0x31ff | 0xff66..=0xff9f)
 }
@@ -102,7 +103,7 @@ fn notes(text: &[char]) -> Notes {
     Notes { notes, escapes }
 }
 
-/// The reading whose bracket opens at a place; none where it is no reading.
+/// The reading whose bracket opens at a position. `None` for other brackets.
 fn note(text: &[char], open: usize, free: usize, bar: Option<usize>) -> Option<Note> {
     let length = text[open + 1..].iter().take(LONGEST + 1).position(|&letter| "》《\n".contains(letter))?;
     let reading = open + 1..open + 1 + length;

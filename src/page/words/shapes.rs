@@ -6,7 +6,7 @@ use super::setting::FULLNESS;
 use crate::layout::Point;
 use std::f64::consts::{PI, TAU};
 
-/// Most that a polygon is off the curve that it stands for, in pixels.
+/// Maximum distance of a polygon from its curve, in pixels.
 const WITHIN: f64 = 0.08;
 
 /// A body with half the width `a` and half the height `b` around `(x, y)`; the tail is a part of it, or

@@ -20,7 +20,7 @@ const SMALL: (f64, f64) = (0.1, 0.1);
 /// The side of the square of a letter, in ems.
 const SQUARE: f64 = 1.0;
 
-/// How a letter stands in a column.
+/// Orientation of a character in a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Stand {
     Upright,
@@ -146,7 +146,7 @@ pub(super) fn cells(letters: &Letters, font: &Font, column: &[char]) -> Vec<Cell
     cells
 }
 
-/// What of turned letters is in the middle of their column: that of their square, of capitals, or of a sign.
+/// The centre of rotated characters: of their square, of capitals, or of a sign.
 fn middle(letters: &Letters, font: &Font, run: &[char]) -> f64 {
     if run.iter().any(|&letter| letters.learnt(letter).is_some()) {
         return BASELINE - SQUARE / 2.0;
@@ -159,7 +159,8 @@ fn middle(letters: &Letters, font: &Font, run: &[char]) -> f64 {
     if low > high { 0.0 } else { f64::midpoint(low, high) }
 }
 
-/// How far a full stop moves from its corner of the square to the other; those of Chinese stay in the middle.
+/// Offset of a full stop from its corner of the square to the opposite corner. Chinese full stops stay in the
+/// middle.
 fn across(font: &Font, letter: char) -> (f64, f64) {
     let points: Vec<Point> = font.outline(letter, 0.02).concat();
     let middle = |axis: fn(&Point) -> f64| {
@@ -200,7 +201,7 @@ mod tests {
     use super::super::letters::Contour;
     use super::*;
 
-    /// Letters that know those of a text as squares.
+    /// A glyph table with squares for the characters of a text.
     fn knowing(text: &str) -> Letters {
         let mut letters = Letters::bundled().unwrap();
         let corners = [(0.0, 0.8), (0.8, 0.8), (0.8, 0.0)].map(|(x, y)| (None, Point::new(x, y)));

@@ -9,9 +9,9 @@ use super::ruby;
 use super::vertical;
 use hypher::Lang;
 
-/// How many letters of a word stand at least before and after its hyphen.
+/// Minimum number of characters before and after a hyphen in a word.
 const AROUND_HYPHEN: (usize, usize) = (5, 3);
-/// Stands for a place at which the text itself lets a word part, while it is worked on.
+/// Marks a soft hyphen of the text during processing.
 const SOFT: char = '\u{f8f1}';
 
 /// Whether a word may be broken before a character.
@@ -127,7 +127,7 @@ pub fn said_apart(word: &Word) -> Vec<(String, Option<String>)> {
     ruby::stretches(&emphasised(&text).into_iter().map(|mark| mark.letter).collect::<String>())
 }
 
-/// Takes the stars off, and marks what stood between them.
+/// Removes the emphasis marks, and marks the emphasised text.
 fn emphasised(text: &[char]) -> Vec<Mark> {
     let opens = |at: usize| {
         let before = at.checked_sub(1).and_then(|i| text.get(i));
@@ -199,7 +199,7 @@ fn quotes(marks: &mut [Mark], language: &str) {
     }
 }
 
-/// Whether a text begins with a word that is said without its first letters.
+/// Whether a text begins with an elided word, whose first characters are omitted.
 fn elided(marks: &[Mark]) -> bool {
     let word: String = marks
         .iter()
@@ -259,7 +259,7 @@ fn beside(marks: &mut [Mark], letters: &Letters) {
     }
 }
 
-/// Where a word may part by the rules of its language, in letters from its start.
+/// Hyphenation points of a word by the rules of its language, in characters from its start.
 fn breaks(word: &str, language: &str) -> Vec<usize> {
     if language == "en" {
         return english(word);

@@ -10,8 +10,8 @@ use super::center;
 use crate::layout::Bounds;
 use crate::raster::Matte;
 
-/// The bands that a balloon counts as, from its upper end to its lower one: each a fifth of its height, and so much of its
-/// width, as a superellipse with the exponent 2.4 is wide in the middle of the band.
+/// Bands of a balloon from top to bottom, each a fifth of its height. Values are widths relative to its
+/// width, for a superellipse with the exponent 2.4 at the middle of the band.
 const BANDS: [f64; 5] = [0.693, 0.952, 1.0, 0.952, 0.693];
 
 /// The figure of a photo on the page. Lengths are in page widths.
@@ -19,11 +19,12 @@ const BANDS: [f64; 5] = [0.693, 0.952, 1.0, 0.952, 0.693];
 pub(super) struct Figure {
     /// Pixels of the mask, across and down.
     size: (usize, usize),
-    /// How many pixels of the figure are above and left of each corner, row by row; one corner more than pixels a side.
+    /// Number of subject pixels above and left of each corner, row by row. There is one more corner than
+    /// pixels per side.
     sums: Vec<u32>,
     /// The whole photo.
     photo: Bounds,
-    /// What of the page its panel takes.
+    /// Bounds of its panel on the page.
     panel: Bounds,
     /// The area of the figure in that.
     pub(super) area: f64,
@@ -145,7 +146,7 @@ mod tests {
         }
     }
 
-    /// Boxes all over the photo and beyond it, none with an edge where a place that is counted is.
+    /// Boxes inside and outside of the photo, without edges at pixel centres.
     fn boxes() -> Vec<Bounds> {
         let part = |i: usize, k: usize, modulus: usize| ((i * k) % modulus) as f64;
         let place = |i: usize| Bounds {

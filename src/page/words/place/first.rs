@@ -29,7 +29,7 @@ pub(super) fn place(
     (area, tip)
 }
 
-/// The face that says it: one that has said least so far, from left to right.
+/// The speaking face: the one with the fewest balloons so far, from left to right.
 fn speaker(word: &Word, seen: &[Seen], spoken: &[Point]) -> Option<Bounds> {
     if !matches!(word.kind, Kind::Balloon(_)) {
         return None;
@@ -110,8 +110,8 @@ fn best(
         .map_or(first, |(_, place)| place)
 }
 
-/// Where the tail of a balloon ends: before the mouth of its speaker, or a little out of it towards what is largest in
-/// the panel.
+/// End of a balloon's tail: in front of the mouth of its speaker, or a short way towards the largest subject
+/// in the panel.
 fn tip(place: Bounds, speaker: Option<Bounds>, seen: &[Seen], frame: Bounds) -> Point {
     let from = center(place);
     let Some(face) = speaker else {

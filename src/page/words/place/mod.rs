@@ -53,11 +53,11 @@ struct Seen {
     face: bool,
     person: bool,
     score: f64,
-    /// A mask shows it: its box says nothing more of what a word would cover.
+    /// A mask covers it, so its box is not needed for the cover of text.
     masked: bool,
 }
 
-/// What words are placed around.
+/// Content that text is placed around.
 #[derive(Debug, Default)]
 struct Scenery {
     seen: Vec<Seen>,
@@ -174,7 +174,7 @@ pub fn settle<'s>(
     Ok(())
 }
 
-/// Balloons that were joined by themselves are free again, but for those that hang on one that stays.
+/// Removes automatic links, except to balloons with a fixed position.
 fn unlink(words: &mut [Word]) {
     let targets = joined(&words.iter());
     let free: Vec<bool> =
@@ -186,7 +186,7 @@ fn unlink(words: &mut [Word]) {
     }
 }
 
-/// The name of a word, by which another hangs on it: one that no other word has.
+/// The id of a text item for links, unique on the page.
 fn named(words: &mut [Value], index: usize) -> String {
     let holder = |name: &str| words.iter().position(|word| word["id"] == name);
     let own = words[index]["id"].as_str().filter(|name| !name.is_empty());
@@ -200,12 +200,12 @@ fn named(words: &mut [Value], index: usize) -> String {
     name
 }
 
-/// The panel that a word stands on: the last one where the page has fewer.
+/// The panel of a text item: the last one if the page has fewer.
 fn panel_of(word: &Word, ground: &Ground) -> Option<usize> {
     word.panel.map(|panel| panel.min(ground.panels.len().saturating_sub(1)))
 }
 
-/// What the document keeps of a place.
+/// Stored fields of a placement.
 fn placed(frame: Bounds, middle: Point, tip: Option<Point>) -> Value {
     let part =
         |at: Point| (rounded((at.x - frame.x) / frame.width), rounded((at.y - frame.y) / frame.height));
@@ -228,7 +228,7 @@ fn covered(laid: &Laid) -> Bounds {
     Bounds { x: laid.middle.x - a, y: laid.middle.y - b, width: 2.0 * a, height: 2.0 * b }
 }
 
-/// Adds what is seen of the subjects in a panel, and its figure for words of letterers.
+/// Adds the visible subjects of a panel, and its figure for items with the rules of letterers.
 fn see<'s>(
     document: &Document,
     ground: &Ground,
