@@ -99,7 +99,7 @@ fn is_picture(path: &Path) -> bool {
     ending.is_some_and(|ending| PICTURES.contains(&ending.as_str()))
 }
 
-/// The order of files in a folder as people see it: `photo2` before `photo10`, capitals like small letters.
+/// Natural order of file names: `photo2` before `photo10`, ignoring case.
 fn by_name(a: &str, b: &str) -> Ordering {
     let (mut a, mut b) = (a.chars().peekable(), b.chars().peekable());
     loop {

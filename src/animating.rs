@@ -90,7 +90,7 @@ pub(crate) fn animate(asked: &Animate) -> Result<(), Complaint> {
     film(&shots.plan, (&shots.steps(), &|clip| shots.drawn(clip)), ("shots", shots.told()), asked)
 }
 
-/// Writes the frames of a plan, and tells what was made.
+/// Writes the frames of a plan, and reports the result.
 fn film(
     plan: &Animatic,
     (steps, draw): (&[Step], &(dyn Fn(usize) -> Result<Drawn, Complaint> + Sync)),
@@ -107,7 +107,7 @@ fn film(
     tell(plan, told, asked)
 }
 
-/// What was made: as JSON, else how ffmpeg makes a film of it.
+/// Prints the result as JSON, or the ffmpeg command for a video.
 fn tell(plan: &Animatic, (of, told): (&str, Value), asked: &Animate) -> Result<(), Complaint> {
     let pattern = asked.output.join("frame-%05d.png").display().to_string();
     if !asked.json {

@@ -60,11 +60,11 @@ fn told(number: usize, shot: &Shot, chosen: &[Still], about: &About) -> Value {
     told
 }
 
-/// What a film says of itself.
+/// Properties of a video.
 struct About {
     width: usize,
     height: usize,
-    /// Frames a second.
+    /// Frames per second.
     frame_rate: f64,
     /// Frames a second that are looked at.
     rate: f64,

@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use crate::{Complaint, decode_file_fit, telling};
 
-/// Long side of what is measured: more shows no more of a screen.
+/// Long side of the measured image. More pixels add no information about a screen pattern.
 const SIDE: usize = 1600;
 
 /// Styles that give `photo` the look of `picture`, as an array of style files with a score each. Progress

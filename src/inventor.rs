@@ -42,7 +42,7 @@ fn judge(models: Option<&Path>) -> Option<Aesthetics> {
     }
 }
 
-/// What fails to draw or to be judged is worth nothing.
+/// A style that cannot be drawn or scored gets 0.
 fn score(photo: &Image, style: &Style, net: Option<&Aesthetics>) -> f64 {
     let Ok(drawn) = stylize(photo, style, &mut Context::for_image(photo)) else { return 0.0 };
     let judgement = aesthetic::judge(photo, &drawn);

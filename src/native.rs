@@ -79,7 +79,7 @@ pub fn layers(
     Ok((sheet, words))
 }
 
-/// The page without its words, and the subjects that stand before some of them.
+/// The page without text, and the subjects in front of effects.
 fn bare(document: &Document, photos: &Photos) -> Result<(compose::Sheet, Vec<Patch>)> {
     let scene = Scene::new(document, document.page.width as usize)?;
     let mut sheet = compose::Sheet::new(&scene);

@@ -16,7 +16,7 @@ use std::collections::HashSet;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Corners of the polygon that a circle is told as.
+/// Number of corners of a circle in JSON.
 const CORNERS: usize = 64;
 /// Most panels and pages that a plan may have.
 const MOST_PANELS: usize = 200;
@@ -294,7 +294,7 @@ pub(crate) fn all_exist(output: &Output, pages: usize) -> bool {
     (1..=pages).all(|number| own(number).exists())
 }
 
-/// The name of a page's file: the number at `%d` or `%02d`, else before the ending.
+/// File name of a page: the number replaces `%d` or `%02d`, or precedes the extension.
 fn numbered(output: &Path, number: usize) -> PathBuf {
     let file = name(output);
     let place = |text: &str| {

@@ -127,7 +127,7 @@ impl Album<'_> {
         Ok(text)
     }
 
-    /// Where in the archive the photos are, by their ids.
+    /// Paths of the photos in the archive, by id.
     fn places(&self) -> HashMap<&str, String> {
         let place = |i: usize, path: &Path| {
             let plain = |c: char| if c.is_alphanumeric() || "._-".contains(c) { c } else { '-' };

@@ -73,7 +73,7 @@ pub(crate) fn write(
     Ok(vec![output.path.clone()])
 }
 
-/// Makes a comic of pages. `subjects`: what was found in a photo, by its id; `picture` draws a page as JPEG.
+/// Makes a comic of pages. `subjects` returns the subjects of a photo id; `picture` draws a page as JPEG.
 fn made<D: Borrow<Document>>(
     kind: Kind,
     told_of: Telling<'_>,
@@ -137,8 +137,8 @@ fn joined(pieces: &[Piece], pictures: &[Vec<u8>]) -> Vec<u8> {
     out.into_bytes()
 }
 
-/// A ZIP file whose files are all of the first day that it can name. The first is stored as it is, as EPUB wants it, and so are
-/// pictures, which are packed already.
+/// A ZIP file with the earliest possible date for all files. The first file is stored uncompressed, as EPUB
+/// requires, and so are images.
 fn packed(files: &[File], pictures: &[Vec<u8>]) -> Result<Vec<u8>, zip::result::ZipError> {
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     let options = |method| {

@@ -15,7 +15,7 @@ use inkpanel::raster::decode::{Limits, decode};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-/// What says that a file is meant as a project.
+/// File name extension of projects.
 const EXTENSION: &str = "inkpanel";
 
 /// Reads a project file, or a PNG with its project.
@@ -115,7 +115,7 @@ fn drawn(
     }
 }
 
-/// The pages that are drawn: `all` of them where none is told, else that one, or the present one.
+/// The pages to draw: the one with this number. By default the present one, or all pages if `all` is set.
 fn wanted(saved: &Saved, number: Option<u32>, all: bool) -> Result<Vec<Document>, Complaint> {
     let (pages, present) = saved.pages();
     if all && number.is_none() && !pages.is_empty() {
@@ -142,7 +142,7 @@ pub(crate) fn masks(saved: &Saved) -> Masks {
     Masks::new(known.map(|(id, mask)| (id.to_owned(), mask.clone())).collect(), None)
 }
 
-/// What the file says was found in a photo, as far as it can be read.
+/// Readable subjects of a photo in the file.
 fn subjects(photo: &FilePhoto) -> Vec<Subject> {
     let told = photo.subjects.iter().flatten();
     told.filter_map(|subject| serde_json::from_value(subject.clone()).ok()).collect()

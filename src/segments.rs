@@ -133,7 +133,7 @@ fn names(photos: &[(PathBuf, Imported)], folder: &Path) -> Vec<PathBuf> {
     photos.iter().map(name).collect()
 }
 
-/// Makes one mask, and tells of it.
+/// Makes one mask, and reports it.
 fn cut_out(net: &Segmenter, path: &Path, photo: &Imported, file: &Path) -> Result<Value, Complaint> {
     let matte = net.look(&photo.work).map_err(|error| error.to_string())?;
     let facts = matte.facts();

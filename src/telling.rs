@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex, PoisonError};
 
 static AS_JSON: AtomicBool = AtomicBool::new(false);
-/// How often something was not as it was asked for.
+/// Number of warnings.
 static NOTES: AtomicUsize = AtomicUsize::new(0);
 /// Names of the files whose damage was reported.
 static DAMAGED: LazyLock<Mutex<HashSet<String>>> = LazyLock::new(Mutex::default);

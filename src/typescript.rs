@@ -59,12 +59,12 @@ use ts_rs::{Config, TS};
 pub(crate) struct Word {
     #[ts(type = "'caption' | 'balloon' | 'effect'")]
     kind: String,
-    /// What it says.
+    /// Text.
     text: String,
     /// The outline of a balloon.
     #[ts(type = "'oval' | 'thought' | 'shout' | 'whisper' | 'radio'", optional)]
     shape: Option<String>,
-    /// The panel that it stands on.
+    /// Its panel.
     #[ts(optional = nullable)]
     panel: Option<usize>,
     x: Option<f64>,
@@ -75,7 +75,7 @@ pub(crate) struct Word {
     /// Height of an em in page widths; `auto` or null fits the text.
     #[ts(type = "number | 'auto' | null", optional)]
     size: Option<f64>,
-    /// Where the tail of a balloon points.
+    /// Target of the tail of a balloon.
     #[ts(optional = nullable)]
     tail: Option<Focus>,
     /// Id of a font.
@@ -88,7 +88,7 @@ pub(crate) struct Word {
     angle: Option<f64>,
     /// How far the line of an effect bends, -1 to 1.
     arc: Option<f64>,
-    /// Nobody has moved it: it goes where it hides no face.
+    /// Whether the item is placed automatically, away from faces.
     auto: Option<bool>,
     /// Shuffle made it: the next shuffle replaces it.
     made: Option<bool>,
@@ -98,8 +98,8 @@ pub(crate) struct Word {
     /// The subtitle that it was made of: none is added twice.
     #[ts(optional = nullable)]
     cue: Option<String>,
-    /// The conventions that it follows: 2 are those of letterers, which new words get; words without are those of
-    /// earlier pages, and look as they did.
+    /// Lettering rules: 2 for the rules of letterers, for all new items. Items without it are from old pages
+    /// and keep their look.
     #[ts(type = "1 | 2", optional)]
     craft: Option<u8>,
     /// A caption without a box.
@@ -112,20 +112,20 @@ pub(crate) struct Word {
     /// Half the width of the line around the letters of an effect, in ems, 0 to 0.4; null is as usual.
     #[ts(optional = nullable)]
     outline: Option<f64>,
-    /// An effect that stands behind the figures.
+    /// Whether an effect is behind the subjects.
     behind: Option<bool>,
-    /// Its name, for those that are joined to it.
+    /// Id, for links of other balloons.
     #[ts(optional = nullable)]
     id: Option<String>,
     /// The name of the balloon that this one is joined to.
     #[ts(optional = nullable)]
     joined: Option<String>,
-    /// The same, found when the balloon was placed by itself.
+    /// Automatically linked balloon.
     #[ts(optional = nullable)]
     linked: Option<String>,
-    /// It is joined to no balloon by itself.
+    /// Whether this balloon is never linked automatically.
     apart: Option<bool>,
-    /// Who says it, where that is known.
+    /// Name of the speaker, if known.
     by: Option<String>,
     /// The language of its text: long words part by its rules.
     #[ts(optional = nullable)]
@@ -137,7 +137,7 @@ pub(crate) struct Word {
     room: Option<(f64, f64)>,
 }
 
-/// Of a page that stands in a table, its number there.
+/// Index of a page in a table.
 type Number = usize;
 
 /// The tables that states name their parts of.
@@ -169,7 +169,7 @@ struct Tables {
     boards: Vec<Value>,
 }
 
-/// What an edit changed: `difference` in `src/document/kept.rs` says how it is read.
+/// The difference after an edit, see `difference` in `src/document/kept.rs`.
 #[derive(TS, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 struct Difference {
@@ -192,7 +192,7 @@ struct Difference {
     sheet: u64,
 }
 
-/// What a block needs and does not get.
+/// Missing input of a block.
 #[derive(TS, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Misfit {
@@ -202,25 +202,25 @@ struct Misfit {
     remedy: String,
 }
 
-/// What is known of a layer of a draft.
+/// Analysis of a layer of a draft.
 #[derive(TS, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct LayerFacts {
-    /// Of each of its blocks,
+    /// For each of its blocks,
     misfits: Vec<Option<Misfit>>,
     /// and by its id of each block that could come behind them.
     #[ts(type = "Record<string, Misfit | null>")]
     brings: HashMap<String, Option<Misfit>>,
 }
 
-/// What is known of a draft.
+/// Analysis of a draft.
 #[derive(TS, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct DraftFacts {
     /// Its file.
     #[ts(as = "Style")]
     style: Value,
-    /// The same with blocks passed over that cannot work where they are.
+    /// The same with unusable blocks bypassed.
     #[ts(as = "Style")]
     shown: Value,
     /// Whether all can.
@@ -247,7 +247,7 @@ type Runs = Vec<(usize, usize)>;
 #[derive(TS)]
 #[ts(rename_all = "camelCase")]
 struct Loaded {
-    /// What was left out, as sentences.
+    /// Dropped parts, as sentences.
     dropped: Vec<String>,
     /// An id for a new page,
     page_id: u64,
@@ -276,7 +276,7 @@ struct TabledHistory {
 struct ReadHistory {
     version: u64,
     history: TabledHistory,
-    /// What was left out, as sentences.
+    /// Dropped parts, as sentences.
     dropped: Vec<String>,
 }
 
@@ -289,11 +289,11 @@ struct ReadProject {
     history: Value,
     photos: Vec<FilePhoto>,
     videos: Vec<FileVideo>,
-    /// What was left out, as sentences.
+    /// Dropped parts, as sentences.
     dropped: Vec<String>,
 }
 
-/// What is asked for a child of two styles.
+/// Request to combine two styles.
 #[derive(TS)]
 struct BreedRequest {
     a: StyleChoice,
@@ -303,7 +303,7 @@ struct BreedRequest {
     surprise: f64,
 }
 
-/// What of TypeScript has no type of its own in Rust.
+/// TypeScript types without a type in Rust.
 const MORE: &str = "\
 /** A value of a parameter: a number, an entry of its choices, or whether it is on. */
 export type ParamValue = number | string | boolean;
@@ -513,7 +513,7 @@ fn formatted(text: &str) -> String {
     out.join("\n") + "\n"
 }
 
-/// One of each edit, as the page tells it.
+/// One of each edit, in the form that the app sends.
 fn edits(page: &Value) -> Vec<Value> {
     let style = json!({ "id": "a", "name": "A", "tags": ["ink"], "background": [{ "block": "posterize", "levels": 5, "bypass": true }], "foreground": [{ "block": "to_gray" }], "ink": "#102030", "score": 0.5 });
     let layout = json!({ "id": "b", "name": "B", "family": "custom", "aspect": 1, "tree": { "rows": ["panel", { "columns": ["panel", "panel"] }] }, "weights": [1, 2, 3] });
@@ -557,7 +557,7 @@ fn edits(page: &Value) -> Vec<Value> {
     told.as_array().unwrap().clone()
 }
 
-/// One of each edit of a draft, as the page tells it.
+/// One of each edit of a draft, in the form that the app sends.
 fn draft_edits() -> Vec<Value> {
     let told = json!([
         { "type": "add", "layer": "background", "at": 0, "blocks": ["pattern", "posterize"] },
@@ -576,7 +576,7 @@ fn draft_edits() -> Vec<Value> {
     told.as_array().unwrap().clone()
 }
 
-/// The module of what the core wrote.
+/// The module with sample output of the core.
 fn written() -> String {
     let settings = serde_json::to_value(PageSettings::default()).unwrap();
     let photo = PhotoMeta { starred: true, ..PhotoMeta::unmeasured("p", 1600, 1200) };
@@ -674,7 +674,7 @@ fn written() -> String {
     )
 }
 
-/// With `BLESS=1` a module is written anew, and the test fails for once.
+/// With `BLESS=1` the module is written again, and the test fails once.
 fn check(file: &str, expected: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
     let found = std::fs::read_to_string(&path).unwrap_or_default();

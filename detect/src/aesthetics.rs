@@ -9,7 +9,7 @@ use inkpanel_pixels::raster::Image;
 
 /// Side of the net's input in pixels.
 const SIDE: usize = 224;
-/// The scores that people could give are 1 to this.
+/// Highest rating. Ratings start at 1.
 const MOST: usize = 10;
 
 /// The image-aesthetics model, loaded.

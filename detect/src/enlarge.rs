@@ -85,7 +85,8 @@ impl Work for Enlarged {
     }
 }
 
-/// Of a place along an enlarged line: the pixels before and after it, and the share of the latter.
+/// Interpolation of a position on an enlarged line: the pixels before and after it, and the weight of the
+/// second.
 struct Between {
     pixels: [usize; 2],
     share: f32,

@@ -15,18 +15,20 @@ pub(super) const LABEL: &str = "face";
 const SIDE: usize = 192;
 /// Cells along each side, with one anchor each.
 const CELLS: usize = 48;
-/// Numbers a cell: the box, and six points of the face, which nobody here needs.
+/// Numbers per anchor: the box, and six points of the face, which are not used.
 const NUMBERS: usize = 16;
 const THRESHOLD: f64 = 0.5;
 /// In parts of a photo there is more that merely looks like a face.
 const CLOSER_THRESHOLD: f64 = 0.7;
 const SAME: f64 = 0.3;
 
-/// Sides of a part in sides of the photo; two a side, so neighbours share a fifth of the photo.
+/// Side of a part as a share of the photo. With two parts per side, neighbours overlap by a fifth of the
+/// photo.
 const PART: f64 = 0.6;
 /// A photo of fewer pixels on its longer side has nothing more to show in parts.
 const LARGE: usize = 2 * SIDE;
-/// A face below this many sides of the photo is small: where one is, others may be too small for the first look.
+/// A face below this share of the photo is small. If there is one, others may be too small for the first
+/// search.
 const SMALL: f64 = 0.12;
 /// A box of a part that ends this near to an inner edge is cut by it, in sides of the photo.
 const EDGE: f64 = 0.004;

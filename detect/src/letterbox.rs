@@ -6,7 +6,7 @@ use inkpanel_pixels::raster::resize::{Region, resample_image};
 /// How a net's square lies on the photo. Points of the square are in 0..1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Letterbox {
-    /// Where the square's left edge is on the photo, in widths of the photo; the top edge, in its heights.
+    /// Position of the square on the photo: left edge in widths of the photo, top edge in heights.
     origin: [f64; 2],
     /// Sides of the square in widths and heights of the photo.
     scale: [f64; 2],

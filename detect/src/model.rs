@@ -99,7 +99,7 @@ impl<const OUTPUTS: usize> Run<OUTPUTS> {
     }
 }
 
-/// An operator, and those whose values nobody needs after it.
+/// An operator, and the values that are not needed after it.
 struct Step {
     node: usize,
     done: Vec<usize>,
@@ -119,8 +119,8 @@ fn steps(plan: &TypedRunnableModel) -> Arc<[Step]> {
     steps.into()
 }
 
-/// As `into_optimized`, by the same passes and to the same plan, with an eighth of the changes of axes: weights that are
-/// only given another shape are folded before the passes that would look at each of them once more.
+/// Like `into_optimized`, with the same passes and the same plan, and an eighth of the axis changes. Reshaped
+/// weights are folded before the passes that would visit them again.
 fn optimised(mut model: TypedModel) -> TractResult<TypedModel> {
     /// tract folds constants first; here once more before pass `before`.
     fn folding_again(mut optimizer: Optimizer, before: usize) -> Optimizer {

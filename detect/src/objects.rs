@@ -9,7 +9,7 @@ use inkpanel_pixels::raster::Image;
 use inkpanel_pixels::raster::resize::Region;
 
 const SIDE: usize = 300;
-/// Scores an anchor: the background, then COCO's numbers 1 to 90, of which ten name nothing.
+/// Scores per anchor: the background, then COCO's classes 1 to 90. Ten of these numbers are unused.
 const CLASSES: usize = 91;
 const THRESHOLD: f64 = 0.4;
 const SAME: f64 = 0.5;
@@ -76,7 +76,7 @@ fn detection(label: &'static str, kept: Candidate) -> Detection {
     }
 }
 
-/// The name of a class; none where COCO left a number out.
+/// The name of a class; `None` for unused numbers.
 fn label(class: usize) -> Option<&'static str> {
     let name = *NAMES.get(class.checked_sub(1)?)?;
     (!name.is_empty()).then_some(name)

@@ -133,8 +133,8 @@ impl Expansion for Pad {
     }
 }
 
-/// Another shape, which a constant says in full. tract has this too, by way of a conversion between all its types of
-/// numbers, which the browser would take longer to compile than any other function of the module.
+/// A reshape with a constant shape. tract's own operator converts between all number types, and would take
+/// longer to compile in the browser than any other function of the module.
 #[derive(Debug, Clone)]
 struct Reshape;
 

@@ -10,10 +10,10 @@ use tract_onnx::tract_hir::internal::*;
 pub(super) trait Work: Debug + Send + Sync + 'static {
     const NAME: &'static str;
 
-    /// How many planes of which height and width it makes of so many of such.
+    /// Number, height and width of the output planes for these input planes.
     fn shape(&self, input: [usize; 3]) -> [usize; 3];
 
-    /// One plane after the other, row by row; `sides` are the height and width of those of the input.
+    /// Planes in sequence, row by row; `sides` are height and width of the input.
     fn run(&self, input: &[f32], sides: (usize, usize)) -> Vec<f32>;
 }
 
@@ -75,7 +75,7 @@ impl<W: Work> TypedOp for OfPlanes<W> {
     as_op!();
 }
 
-/// Of one picture.
+/// Planes, height and width of a single image.
 fn sides(shape: &[usize]) -> TractResult<[usize; 3]> {
     let &[1, channels, height, width] = shape else { bail!("planes were expected, not {shape:?}") };
     Ok([channels, height, width])

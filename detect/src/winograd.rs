@@ -29,8 +29,8 @@ const STRETCH: usize = 40;
 const LEAST_CHANNELS: usize = 16;
 const LEAST_SIDE: usize = 80;
 
-/// Where this is faster: in a browser, whose registers hold four numbers and which multiplies and adds one after the other. Elsewhere tract
-/// has kernels for wider registers that do both at once.
+/// Whether this is faster: in a browser, with registers of four numbers and without fused multiply-add.
+/// Elsewhere tract has kernels for wider registers that do both at once.
 const WORTH_IT: bool = cfg!(target_arch = "wasm32");
 
 /// The weights of a convolution, transformed.
@@ -38,7 +38,7 @@ const WORTH_IT: bool = cfg!(target_arch = "wasm32");
 pub(super) struct Filter {
     /// By value, four of the outputs, input and output.
     weights: Vec<f32>,
-    /// What is added to each output.
+    /// Added to each output.
     bias: Vec<f32>,
     inputs: usize,
 }

@@ -12,7 +12,7 @@ use inkpanel::page::mask::PixelRect;
 use inkpanel::raster::resize::{Region, resample, resample_image};
 use inkpanel::raster::{Image, Plane};
 
-/// What is beside a page, and what veils it.
+/// Colour around a page, and of the dimming.
 const GROUND: [u8; 3] = [0x15, 0x15, 0x1a];
 /// How much of it a whole veil is.
 const VEIL: f64 = 0.8;
@@ -40,7 +40,7 @@ impl Drawn {
     }
 }
 
-/// The part of a picture that fills a frame. Where that is the picture itself, it is that to the last bit.
+/// The part of a picture that fills a frame. If that is the whole image, it is copied exactly.
 fn filled(picture: &Image, view: &Crop, [width, height]: [usize; 2]) -> Vec<u8> {
     let (wide, high) = (picture.width() as f64, picture.height() as f64);
     let region =
@@ -107,7 +107,7 @@ impl Page {
         frame.rgb
     }
 
-    /// Lays the words that are there by now: those of the panel that is read, or all others.
+    /// Draws the visible text: of the current panel, or all other text.
     fn say(&self, frame: &mut Frame, told: &Told, read: bool) {
         for Word { plate, turn, panel } in &self.words {
             let there = (told.words - *turn as f64).clamp(0.0, 1.0);
@@ -118,11 +118,11 @@ impl Page {
     }
 }
 
-/// A picture with its place on a page, with some room about it, in which nothing is: so its edges are smoothed like all else.
+/// An image with its position on a page, and a transparent margin for smooth edges.
 struct Plate {
-    /// Red, green and blue; then how much is there, by which they are multiplied, unless all is.
+    /// Red, green and blue, and optionally alpha. The colours are premultiplied.
     planes: Vec<Plane>,
-    /// Its place with the room, in pixels of the page.
+    /// Bounds with the margin, in pixels of the page.
     place: Region,
     room: usize,
     /// Sides of the page in pixels.
@@ -161,12 +161,12 @@ impl Plate {
 struct Frame {
     rgb: Vec<u8>,
     size: [usize; 2],
-    /// What it shows of the page, in fractions of it.
+    /// The visible part of the page, in fractions of the page.
     view: Crop,
 }
 
 impl Frame {
-    /// Lays so much of a plate on what is there, 0 to 1.
+    /// Draws a plate with an opacity of 0 to 1.
     fn lay(&mut self, plate: &Plate, share: f64) {
         let Crop { x, y, width, height } = self.view;
         let along = |axis: usize, (from, length): (f64, f64), (start, long): (f64, f64)| {
@@ -196,7 +196,7 @@ impl Frame {
         }
     }
 
-    /// Veils all but what an outline holds, in fractions of the page; `depth` 0 to 1.
+    /// Dims everything outside an outline, in fractions of the page; `depth` is 0 to 1.
     fn veil(&mut self, outline: &[(f64, f64)], depth: f64) {
         let [width, height] = self.size;
         let Crop { x, y, width: wide, height: high } = self.view;
@@ -216,9 +216,9 @@ impl Frame {
     }
 }
 
-/// Along one axis, the whole pixels of a frame that a plate fills, as their first and how many, and the stretch of the plate that they
-/// show; none where they show nothing of it. `view` is what the frame shows in fractions of the page, `place` where the plate is in
-/// pixels of it, each as its start and length.
+/// Pixels of a frame that a plate covers on one axis, as start and length, and the shown part of the plate.
+/// `None` if they do not overlap. `view` is what the frame shows in fractions of the page, `place` where the
+/// plate is in pixels of it, each as its start and length.
 fn stretch(
     pixels: usize,
     page: f64,

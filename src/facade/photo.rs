@@ -17,7 +17,7 @@ pub struct Photo {
     source: Source,
 }
 
-/// Where its pixels come from.
+/// Source of its pixels.
 enum Source {
     File(PathBuf),
     Bytes(Box<dyn AsRef<[u8]> + Send + Sync>),

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 /// The layers of a style, as style files name them.
 const LAYERS: [&str; 2] = ["background", "foreground"];
-/// What blocks call the parameter that leaves something to chance.
+/// Name of the seed parameter of blocks.
 const SEED: &str = "seed";
 
 /// A style: a chain of filter blocks for the background, and an optional chain for the lines.
@@ -85,7 +85,7 @@ impl Style {
     }
 }
 
-/// The largest seed that a block takes; none where it leaves nothing to chance.
+/// The largest seed of a block; `None` if it has no seed.
 fn most_seed(block: &blocks::Block) -> Option<u32> {
     match block.params.iter().find(|param| param.id == SEED)?.kind {
         Kind::Integer { max, .. } => u32::try_from(max).ok(),

@@ -11,7 +11,7 @@ use super::photo::{Crop, FACE, PhotoMeta, Subject};
 use crate::layout::Bounds;
 use crate::order::sort_by;
 
-/// Where the centre of a face stands in the height of a crop.
+/// Vertical position of a face's centre in a crop.
 const EYE_LINE: f64 = 0.42;
 /// The paper's 40 pixels, as a fraction of the photo's longer side.
 const FIXED_EXPANSION: f64 = 0.04;
@@ -165,7 +165,7 @@ impl<'a> View<'a> {
         Crop { x: place(x, self.width, across), y: place(y, self.height, down), width: across, height: down }
     }
 
-    /// A crop of that width about a point, which comes to stand at `level` of its height.
+    /// A crop with this width around a point, which is at `level` of its height.
     fn about(&self, at: (f64, f64), width: f64, level: f64) -> Crop {
         let width = width.min(self.widest_width());
         self.crop(at.0 - width / 2.0, at.1 - width / self.aspect * level, width)
@@ -254,7 +254,7 @@ pub(super) fn all(view: &View, search: Search) -> Vec<Crop> {
     crops
 }
 
-/// Crops that show a box in the part of the panel where nothing is hidden.
+/// Crops that show a box in the completely visible part of the panel.
 fn into_core(view: &View, inner: Area, steps: &[f64], crops: &mut Vec<Crop>) {
     let core = view.target.region.core();
     let (cx, cy) = (inner.x + inner.width / 2.0, inner.y + inner.height / 2.0);
@@ -280,7 +280,7 @@ fn into_core(view: &View, inner: Area, steps: &[f64], crops: &mut Vec<Crop>) {
     }
 }
 
-/// What a crop may be drawn round: each subject, all faces, as many of them as fit, all subjects.
+/// Boxes for crops: each subject, all faces, the largest fitting group of faces, all subjects.
 fn boxes(view: &View, faces: &[Area], most: usize) -> Vec<Area> {
     let all: Vec<Area> = view.subjects.iter().map(|(area, _)| *area).collect();
     let mut boxes: Vec<Area> = all.iter().copied().take(most).collect();

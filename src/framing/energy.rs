@@ -86,7 +86,7 @@ impl EnergyMap {
     }
 }
 
-/// What is summed up over the samples of a cell.
+/// Sums over the samples of a cell.
 #[derive(Clone, Copy, Default)]
 struct Cell {
     gradient: u64,
@@ -108,9 +108,9 @@ impl Cell {
     }
 }
 
-/// How far each colour is from all others, on average: large for what stands out, small for sky, grass and
-/// walls. Histogram-based contrast after Cheng et al., "Global Contrast Based Salient Region Detection"
-/// (2011), with the colours of the cells counted in a few steps of R, G and B.
+/// Mean distance of each colour to all others: high for outstanding colours, low for sky, grass and walls.
+/// Histogram-based contrast after Cheng et al., "Global Contrast Based Salient Region Detection" (2011), with
+/// the colours of the cells counted in a few steps of R, G and B.
 fn contrast(colours: &[[f64; 3]]) -> Vec<f64> {
     let step = |value: f64| ((value * LEVELS as f64 / 256.0) as usize).min(LEVELS - 1);
     let bin = |rgb: &[f64; 3]| rgb.iter().fold(0, |index, value| index * LEVELS + step(*value));

@@ -104,7 +104,7 @@ mod tests {
         }
     }
 
-    /// A photo of which a disc is known, about a place across it.
+    /// A photo with a disc as its mask, centred at a horizontal position.
     fn masked(across: f64, subjects: Vec<Subject>) -> PhotoMeta {
         let shares = Plane::from_fn(320, 240, |x, y| {
             let far = (x as f64 - 320.0 * across).hypot(y as f64 - 120.0);

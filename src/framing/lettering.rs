@@ -15,9 +15,9 @@ use crate::raster::sets::Sets;
 /// The label of lettering among the subjects.
 pub const LETTERING: &str = "lettering";
 
-/// Lines that are told of a photo, the largest first.
+/// Maximum number of lines per photo, the largest first.
 const MOST: usize = 4;
-/// How sure it is, beside detectors that say so themselves.
+/// Score of lettering, comparable with detection scores.
 const SCORE: f64 = 0.6;
 /// Letters of a line at least.
 const LEAST_LETTERS: usize = 4;
@@ -174,7 +174,7 @@ impl Tone {
     }
 }
 
-/// The pixels that are darker, and those that are lighter, than the mean of their neighbourhood.
+/// The pixels that are darker, and the pixels that are lighter, than the mean of their neighbourhood.
 fn strokes(lumas: &[u8], width: usize, height: usize) -> (Vec<bool>, Vec<bool>) {
     let mut sums = vec![0u32; (width + 1) * (height + 1)];
     for y in 0..height {
@@ -274,8 +274,8 @@ fn lines_of(mut letters: Vec<Piece>) -> Vec<Piece> {
     lines
 }
 
-/// Whether pieces in a row are letters: enough of them, on one base or under one line, and unlike each other, as the pickets of
-/// a fence and the windows of a house are not.
+/// Whether pieces in a row are text: enough pieces, on a common base line or top line, and of different
+/// shapes. Fences and windows have equal shapes.
 fn is_line(row: &[Piece]) -> bool {
     if row.len() < LEAST_LETTERS {
         return false;

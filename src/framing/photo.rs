@@ -94,8 +94,8 @@ impl PhotoMeta {
         self.subjects.iter().map(Cow::Borrowed).chain(self.figure().map(Cow::Owned))
     }
 
-    /// The box of the mask: of a photo without faces, persons and animals, as detectors know few things; none where
-    /// the mask is vague, or the figure fills so much that no crop could be drawn round it.
+    /// The box of the mask, for a photo without faces, people and animals. `None` if the mask confidence is
+    /// too low, or the figure is too large for a crop.
     fn figure(&self) -> Option<Subject> {
         if self.subjects.iter().any(Subject::is_alive) {
             return None;
@@ -114,7 +114,7 @@ impl PhotoMeta {
     }
 }
 
-/// A mask that is none counts as one that was not made.
+/// An invalid mask counts as missing.
 fn mask<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Matte>, D::Error> {
     let text = Option::<String>::deserialize(deserializer)?;
     Ok(text.and_then(|text| Matte::try_from(text).ok()))

@@ -19,7 +19,7 @@ const SLACK: f64 = 1e-6;
 /// The visible part of a rectangle, in coordinates from 0 to 1.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Region {
-    /// One for each panel that shows a part of the image; none when all of the rectangle is seen.
+    /// One part for each panel that shows a part of the image. Empty if the whole rectangle is visible.
     parts: Vec<Part>,
     /// The largest upright rectangle in which everything is seen, in one part.
     core: Option<Bounds>,

@@ -12,7 +12,7 @@ use super::sums::Sums;
 
 /// More enlargement than this is only taken when nothing else fits.
 const MOST_ENLARGED: f64 = 2.0;
-/// What a crop's area costs against the energy that it holds: the less, the less crops zoom in.
+/// Cost of a crop's area relative to its energy. Lower values zoom in less.
 const AREA_COST: f64 = 0.35;
 /// The weight of all subjects together from which on they have their full say. A speck that some detector calls a
 /// sheep is no reason to show a stone in place of the mountains.
@@ -21,7 +21,7 @@ const STRONG: f64 = 0.25;
 const LEAST_KEPT: f64 = 0.44;
 /// The least part of a photo that a subject covers which must not be cut.
 const SOME_SIZE: f64 = 0.01;
-/// What one edge through a place of ordinary energy costs.
+/// Cost of one edge through an area of average energy.
 const CUT_COST: f64 = 0.022;
 
 /// Scores the crops of one photo for one panel.

@@ -5,7 +5,7 @@ use super::photo::Crop;
 
 /// Width of the band along the edges of a crop, as part of its side.
 const BAND: f64 = 0.05;
-/// Where the prior has its middle in the height of a photo: heads and gables are above the centre.
+/// Vertical centre of the prior in a photo: heads and gables are above the middle.
 const LEVEL: f64 = 0.44;
 /// A summed-area table of energy, weighted toward the centre of the photo.
 pub(super) struct Sums {

@@ -21,7 +21,7 @@ const FAINT: f32 = -42.0;
 const APART: usize = 3;
 /// and how many times as far as that before those are looked at whose mean it exceeds (Dixon 2006, section 2.6),
 const BEFORE: usize = 3 * APART;
-/// by so much at least.
+/// Minimum rise above the average.
 const ABOVE: f32 = 0.02;
 /// How many dB louder a sound is once it began.
 const RISE: f32 = 9.0;
@@ -44,7 +44,7 @@ const VOICES: Range<f32> = 250.0..2500.0;
 const TONAL: f32 = 0.1;
 /// How alike a tone that holds is to itself a tenth of a second before.
 const HELD: f32 = 0.7;
-/// Frames of which it is asked whether they are music, and from one such question to the next.
+/// Number of frames per test for music, and interval of the tests.
 const PART: usize = 100;
 const NEXT: usize = 25;
 /// Share of tones that hold in music, and in music with a beat.
@@ -52,18 +52,18 @@ const MUSIC: f32 = 0.6;
 const BEATEN: f32 = 0.35;
 /// How alike the flux is to itself a beat before: its correlation.
 const BEAT: f32 = 0.4;
-/// Frames from one beat to the next: 60 to 200 a minute.
+/// Frames per beat: 60 to 200 beats per minute.
 const BEATS: Range<usize> = 30..100;
 /// Seconds of music that are worth a sign.
 const LASTING: f32 = 2.0;
-/// dB by which a hit is louder than the music, or the speech, that it stands in.
+/// Minimum level of an impact over music or speech, in dB.
 const OVER: f32 = 10.0;
-/// Frames from one to the next of which it is asked whether a voice is in them.
+/// Interval of the tests for voices, in frames.
 const ASKED: usize = 3;
 /// and dB that it gets fainter by from one to the next at most.
 const HELD_BY: f32 = 1.5;
-/// Seconds before and after a sound in which there is speech where voices are heard for so much of them, the sound itself and what
-/// is so near left out.
+/// Seconds before and after a sound that are tested for speech. Speech is assumed if voices take a minimum
+/// share of them.
 const ABOUT: f64 = 1.5;
 const VOICED: f64 = 0.07;
 const ITSELF: f64 = 0.05;
@@ -299,7 +299,7 @@ impl Hearing<'_> {
         onset..end
     }
 
-    /// Frames that stand out of what is about them and have no sudden beginning.
+    /// Frames that are louder than their surroundings and have no sudden start.
     fn swells(&self, spans: &[Range<usize>]) -> Vec<Range<usize>> {
         let usual = self.usual();
         let heard = |frame: &Frame| frame.level > FAINT.max((usual + 8.0).min(FAINT + 24.0));
@@ -331,7 +331,7 @@ impl Hearing<'_> {
         -(counts.iter().position(half).unwrap_or_default() as f32)
     }
 
-    /// What the sound of these frames is, if it is none of a voice.
+    /// The sound of these frames, if it is not a voice.
     fn event(&self, span: Range<usize>, sudden: bool) -> Option<Event> {
         let frames = &self.frames[span.clone()];
         let peak = frames.iter().map(|frame| frame.level).fold(f32::NEG_INFINITY, f32::max);
@@ -386,8 +386,9 @@ impl Hearing<'_> {
         (first + at * block) as f64 / f64::from(self.rate)
     }
 
-    /// Whether the samples from a frame on repeat themselves as those of a voice do, 80 to 400 times a second: by their normalised
-    /// autocorrelation (L. Rabiner, *On the use of autocorrelation analysis for pitch detection*, 1977).
+    /// Whether the samples from a frame on are periodic like a voice, 80 to 400 times per second: by their
+    /// normalised autocorrelation (L. Rabiner, *On the use of autocorrelation analysis for pitch detection*,
+    /// 1977).
     fn is_pitched(&self, frame: usize) -> bool {
         let lags = (self.rate / 400.0) as usize..(self.rate / 80.0) as usize;
         let from = frame * self.step + self.size / 2;
@@ -404,7 +405,7 @@ impl Hearing<'_> {
         lags.map(alike).fold(0.0, f32::max) > 0.75
     }
 
-    /// Where voices are heard: seconds and levels.
+    /// Times of voices in seconds, and their levels.
     fn voices(&self) -> Vec<(f64, f32)> {
         let asked = (0..self.frames.len()).step_by(ASKED);
         // What is struck may have a tone, but fades; a voice holds.
@@ -418,7 +419,7 @@ impl Hearing<'_> {
         voiced.map(|i| (self.seconds(i), self.frames[i].level)).collect()
     }
 
-    /// Where music runs.
+    /// Passages of music.
     fn music(&self) -> Vec<Event> {
         let frames = self.frames;
         let holds = |frame: &&Frame| frame.flatness < TONAL && frame.steadiness > HELD && frame.level > FAINT;
@@ -461,8 +462,8 @@ impl Hearing<'_> {
     }
 }
 
-/// How loud the voices about a sound are on average, in dB, where there is speech: syllables begin as suddenly as what hits, and
-/// many have no tone, but between others that have one.
+/// Mean level of voices around a sound in dB, if there is speech. Syllables begin as suddenly as impacts, and
+/// many have no tone, but they occur between syllables with a tone.
 fn speech_about(sound: &Event, voices: &[(f64, f32)]) -> Option<f32> {
     let within = |time: f64, by: f64| (sound.start - by..sound.end + by).contains(&time);
     let about: Vec<f32> = voices
@@ -474,7 +475,7 @@ fn speech_about(sound: &Event, voices: &[(f64, f32)]) -> Option<f32> {
     (seconds >= VOICED * 2.0 * ABOUT).then(|| about.iter().sum::<f32>() / about.len() as f32)
 }
 
-/// How many octaves the centroid goes up, or down, where it goes straight; else 0.
+/// Change of the centroid in octaves, if it is monotonic; otherwise 0.
 fn wandering(frames: &[&Frame]) -> f32 {
     let count = frames.len() as f32;
     let pitch = |frame: &Frame| frame.centroid.max(20.0).ln() / std::f32::consts::LN_2;

@@ -15,7 +15,7 @@ const LONG: f32 = 0.4;
 const LOW: f32 = 600.0;
 const HIGH: f32 = 2500.0;
 
-/// Hits that are loud and those that are not, by their length, then by their pitch; the word that fits best first.
+/// Sound effects of loud and quiet impacts, by length, then by pitch. The best one is first.
 const HITS: [[[[Word; 3]; 3]; 3]; 2] = [
     [
         [[Thud, Bang, Boom], [Bang, Crack, Slam], [Clap, Crack, Snap]],

@@ -47,7 +47,7 @@ pub fn parse(json: &str, bounds: Bounds) -> Read<Value> {
     })
 }
 
-/// The text with `\ufffd` in the place of escapes that are half a character.
+/// The text with `\ufffd` instead of lone surrogates.
 fn whole_characters(json: &str) -> Cow<'_, str> {
     let bytes = json.as_bytes();
     let unit = |at: usize| {
@@ -78,7 +78,7 @@ fn whole_characters(json: &str) -> Cow<'_, str> {
     Cow::Owned(mended)
 }
 
-/// What may still come, and where the reader is.
+/// Remaining limits, and the position of the reader.
 struct Budget {
     bounds: Bounds,
     left: Cell<usize>,
@@ -105,7 +105,7 @@ impl Budget {
         Err(self.error(&format!("is a text of more than {} KB", self.bounds.text >> 10)))
     }
 
-    /// One more value; what fails inside of it leaves its step on the path.
+    /// Counts one value. On an error its step stays on the path.
     fn step<T, E>(&self, step: Step, read: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
         self.path.borrow_mut().push(step);
         let value = read()?;

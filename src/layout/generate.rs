@@ -122,7 +122,7 @@ fn clear(node: &Node, page: &Quad, aspect: f64) -> bool {
     })
 }
 
-/// Rows of nearly as many panels each: what is left when chance finds nothing.
+/// Rows with almost equal numbers of panels, if random attempts find nothing.
 fn even(count: usize, aspect: f64) -> Node {
     let rows = ((count as f64 / aspect).sqrt().round() as usize).clamp(1, count);
     let split = |axis, children: Vec<Node>| match children.len() {

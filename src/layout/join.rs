@@ -41,8 +41,8 @@ pub fn join_panels(template: &Template, panels: &[usize]) -> Result<Template> {
     rebuilt(template, node, order, weights)
 }
 
-/// The cell with the leaves of that group as one, and the old number of each leaf, that of the joined one being its least.
-/// `before` leaves come before those of the cell.
+/// The cell with the leaves of that group joined, and the old number of each leaf. The joined leaf has the
+/// smallest number of the group. `before` is the number of leaves before the cell.
 fn joined(node: &Node, before: usize, group: &[usize]) -> Option<(Node, Vec<usize>)> {
     let Node::Split(split) = node else { return None };
     let starts: Vec<usize> = split
@@ -108,7 +108,7 @@ impl Rect {
         }
     }
 
-    /// Where it begins and ends along an axis.
+    /// Start and end along an axis.
     fn extent(&self, axis: Axis) -> (f64, f64) {
         match axis {
             Axis::Rows => (self.top, self.bottom),
@@ -145,8 +145,8 @@ fn is_slanted(node: &Node) -> bool {
     split.slants.iter().any(|slant| slant.abs() > f64::EPSILON) || split.children.iter().any(is_slanted)
 }
 
-/// Cuts a rectangle that is made of some others between them, all the way across; none where no cut leaves all of them
-/// whole. The numbers of the leaves come in the order of the tree.
+/// Divides a rectangle that consists of other rectangles, with dividers across its whole side. `None` if
+/// every divider would split one of them. The numbers of the leaves come in the order of the tree.
 fn partition(rects: &[Rect], ids: &mut Vec<usize>) -> Option<Node> {
     if let [only] = rects {
         ids.push(only.id);
@@ -165,7 +165,7 @@ fn partition(rects: &[Rect], ids: &mut Vec<usize>) -> Option<Node> {
     Some(Node::Split(split))
 }
 
-/// The rectangles by what lies between two neighbouring cuts all the way across.
+/// Groups the rectangles by the dividers across the whole side.
 fn bands(rects: &[Rect], axis: Axis) -> Vec<Vec<Rect>> {
     let mut sorted = rects.to_vec();
     sort_by(&mut sorted, |a, b| a.extent(axis).0.total_cmp(&b.extent(axis).0));

@@ -95,7 +95,7 @@ impl PageSettings {
     }
 }
 
-/// A size with as many pixels as another number of dots an inch makes of it.
+/// A size converted to another resolution.
 fn at_dpi(width: f64, height: f64, dpi: u32, wanted: Option<u32>) -> (f64, f64, u32) {
     let by = wanted.map_or(1.0, |wanted| f64::from(wanted) / f64::from(dpi));
     (width * by, height * by, wanted.unwrap_or(dpi))

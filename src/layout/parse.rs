@@ -125,7 +125,7 @@ fn node(field: &Field, depth: usize) -> Result<Node> {
     Ok(Node::Split(split))
 }
 
-/// Cuts must stay inside their cell and must not cross, else a panel would be turned inside out.
+/// Checks that dividers stay inside their cell and do not cross, because a panel would be inverted.
 fn check_cuts(field: &Field, split: &Split) -> Result<()> {
     let mut before = (0.0, 0.0);
     for (i, cut) in split.cuts().into_iter().chain([(1.0, 1.0)]).enumerate() {

@@ -52,7 +52,7 @@ fn is_none(bleed: &f64) -> bool {
 }
 
 impl Default for PageSettings {
-    /// A4 upright at 300 dots an inch.
+    /// A4 portrait at 300 DPI.
     fn default() -> Self {
         Self {
             width: 2480,
@@ -104,12 +104,12 @@ pub struct PagePreset {
     pub fold: u32,
 }
 
-/// Pixels of so many tenths of a millimetre at 300 dots an inch.
+/// Pixels of a length in tenths of a millimetre, at 300 DPI.
 const fn tenths(length: u32) -> u32 {
     (length * 300 + 127) / 254
 }
 
-/// A size in pixels at 300 dots an inch whose edge may be cut off by so many tenths of a millimetre.
+/// A size in pixels at 300 DPI, with a trim tolerance in tenths of a millimetre.
 const fn printed(
     id: &'static str,
     name: &'static str,
@@ -120,7 +120,7 @@ const fn printed(
     PagePreset { id, name, purpose, width, height, dpi: 300, safe: [tenths(safe); 2], fold: 0 }
 }
 
-/// A size of screens, with what apps lay over its sides, and its top and bottom.
+/// A screen size, with the controls of other apps at its sides, and at its top and bottom.
 const fn screen(
     id: &'static str,
     name: &'static str,

@@ -11,8 +11,8 @@ use crate::error::Result;
 
 /// Minimum thickness of a panel, in page widths. Templates with thinner panels are not offered.
 pub const LEAST_THICKNESS: f64 = 0.12;
-/// The most elongated panels (width over height, height over width) where a template is still offered: near
-/// the aspect that it was drawn for, and on pages of quite another aspect, where nobody chose them.
+/// Maximum elongation of panels (width over height, height over width): near the intended aspect ratio of the
+/// template, and on other pages, where the layout is only chosen automatically.
 const MOST_ELONGATED: [(f64, f64); 2] = [(4.6, 3.2), (3.2, 2.1)];
 /// How far an aspect may be from another and still be near.
 const NEAR: f64 = 1.35;

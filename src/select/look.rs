@@ -10,7 +10,7 @@ const CELLS: [usize; 2] = [64, 36];
 const CHROMA: [usize; 2] = [32, 18];
 /// Cells of each channel of a [`Coarse`] copy.
 const COARSE: [usize; 2] = [16, 9];
-/// Sharpness is measured on no more pixels across than these: what a larger frame has beyond is seen in no panel.
+/// Maximum width for measuring sharpness, in pixels. Finer detail is invisible in panels.
 const ACROSS: usize = 640;
 /// Below this standard deviation of luma a frame shows nothing: black, white, a colour.
 const FLAT: f32 = 6.0;

@@ -23,7 +23,7 @@ const FAR: f32 = 22.0;
 /// or this far, where its tones are other ones, too.
 const FARTHER: f32 = 14.0;
 const OTHER_TONES: f32 = 0.3;
-/// Seconds that a shot takes at least: what comes sooner is a flash.
+/// Minimum duration of a shot in seconds. Shorter ones are flashes.
 const SHORTEST: f64 = 0.5;
 /// A frame after a flash lies no farther from the one before than this part of the flash.
 const BACK: f32 = 0.4;
@@ -183,7 +183,7 @@ impl Film {
         distance >= LEAST && distance >= RATIO * mean
     }
 
-    /// The first frame after a flash that began at `i`, where the picture is as it was.
+    /// The first frame after a flash that began at `i`, with the image of before.
     fn flash(&self, distance: f32, i: usize) -> Option<usize> {
         let before = &self.looks[i - 1];
         let soon = |&j: &usize| self.times[j] - self.times[i] < SHORTEST;

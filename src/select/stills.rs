@@ -9,11 +9,11 @@ use crate::order::sort_by;
 pub const FEWEST: usize = 8;
 /// See [`FEWEST`].
 pub const MOST: usize = 120;
-/// Of one shot no more than these are asked for by themselves.
+/// Maximum number of automatic frames per shot.
 const MOST_OF_SHOT: usize = 6;
 /// Seconds of a shot that each further frame of it takes.
 const SECONDS: f64 = 2.0;
-/// Grey steps by which a frame differs that shows something else of the same shot.
+/// Difference in grey steps at which a frame of the same shot shows something else.
 const ANOTHER: f32 = 10.0;
 /// Looks of a shot that are asked how much it changes.
 const ASKED: usize = 60;
@@ -70,7 +70,7 @@ pub fn choose(film: &Film, shots: &[Shot], wish: &Wish) -> Vec<Still> {
     stills
 }
 
-/// How many frames a shot asks for: one for each look it has, as far as it is long enough.
+/// Number of frames of a shot: one for each distinct image, limited by its duration.
 fn asked(film: &Film, shot: &Shot) -> usize {
     if shot.usable.is_empty() || shot.title {
         return 0;
@@ -86,8 +86,8 @@ fn asked(film: &Film, shot: &Shot) -> usize {
     leaders.len().min(1 + ((shot.end - shot.start) / SECONDS) as usize)
 }
 
-/// How many frames each of the open shots gives: one each as far as there are enough, those that are long first; then more
-/// to those that ask for more and are longer, as seats go to parties (D'Hondt).
+/// Number of frames of each open shot. Each gets one if there are enough, long shots first. The rest is
+/// distributed by length and demand, like seats among parties (D'Hondt).
 fn quotas(film: &Film, shots: &[Shot], open: &[usize], count: usize) -> Vec<usize> {
     let length = |k: usize| (shots[open[k]].end - shots[open[k]].start).max(0.04);
     let room = |k: usize| shots[open[k]].usable.len();
@@ -181,7 +181,7 @@ fn of_shot(film: &Film, shot: &Shot, quota: usize, wish: &Wish) -> Vec<f64> {
     chosen.into_iter().map(|i| times[i]).collect()
 }
 
-/// Frames by equal parts of the time; by equal numbers where a part of the time would have none.
+/// Splits frames by equal times, or by equal numbers if a time span would be empty.
 fn parts<'a>(usable: &'a [usize], times: &[f64], quota: usize) -> Vec<&'a [usize]> {
     let (Some(&first), Some(&last)) = (usable.first(), usable.last()) else { return Vec::new() };
     let (from, span) = (times[first], times[last] - times[first]);
@@ -206,7 +206,7 @@ mod tests {
     use super::super::shots::tests::{dissolving, film, look};
     use super::*;
 
-    /// The same picture with what is fine in it gone.
+    /// The image without fine detail.
     fn blurred(look: Look) -> Look {
         let mut look = look;
         look.sharpness /= 3.0;

@@ -5,11 +5,11 @@ use super::fingerprint::distance;
 use super::groups::leaders_by;
 use crate::order::sort_by;
 
-/// Below this part of the album's median [`laplacian`](super::sharpness::laplacian) a photo counts as blurred.
-/// Of 150 varied photos one lies below (a bare pyramid in the haze), and every one of them once it is blurred
-/// with a sigma of 2 pixels of 640.
+/// Below this part of the album's median [`laplacian`](super::sharpness::laplacian) a photo counts as
+/// blurred. In a set of 150 varied photos, one is below (a bare pyramid in haze). Each of them is below after
+/// blurring with a sigma of 2 pixels of 640.
 const BLURRED: f32 = 0.04;
-/// So few photos have no median to speak of.
+/// Minimum number of photos for a meaningful median.
 const FEW: usize = 4;
 
 /// Default maximum fingerprint distance of near-duplicates, in bits. A test set of 2145 pairs of different
@@ -18,10 +18,11 @@ pub const THRESHOLD: u32 = 10;
 /// The strictest and the loosest that make sense.
 pub const THRESHOLDS: [u32; 2] = [4, 16];
 
-/// Frames of one film look alike within this part of the threshold: they were chosen for what is different in them, and what
-/// moves in a film is often small.
+/// Divisor of the threshold for frames of one video. They were selected for their differences, and movements
+/// in a video are often small.
 const OF_A_FILM: u32 = 4;
-/// Frames of a film that are kept at least, as long as no two are the same: a page has so many panels.
+/// Minimum number of frames per video, without exact duplicates. This is about the number of panels of a
+/// page.
 const FEWEST_OF_FILM: usize = 8;
 
 /// How photos are chosen.
@@ -97,7 +98,7 @@ pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec
     verdicts
 }
 
-/// Frames of a film of which hardly any is kept are used all the same, those first that differ most from what is kept.
+/// Adds more frames of videos with too few selected frames, the most different ones first.
 fn keep_some_of_films(verdicts: &mut [Verdict], measures: &[Measures], settings: &Settings) {
     let floor = blur_floor(measures);
     let count = settings.films.iter().flatten().max().map_or(0, |most| most + 1);

@@ -39,7 +39,7 @@ pub struct Limits {
 }
 
 impl Default for Limits {
-    /// 120 megapixels (more than any phone but a few makes by default), 32768 a side, 1 GiB.
+    /// 120 megapixels (more than most phones produce by default), 32768 pixels per side, 1 GiB.
     fn default() -> Self {
         Self { max_pixels: 120_000_000, max_side: 32_768, max_bytes: 1 << 30 }
     }

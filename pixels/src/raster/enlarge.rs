@@ -37,7 +37,7 @@ pub fn enlarged(photo: &Image, region: Region, width: usize, height: usize) -> I
     large
 }
 
-/// Of each pixel the least and the most that its place may have.
+/// Minimum and maximum allowed value of each pixel.
 fn bounds(small: &Plane) -> Vec<(u8, u8)> {
     let (width, height) = (small.width(), small.height());
     let mut bounds = Vec::with_capacity(width * height);

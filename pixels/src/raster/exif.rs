@@ -150,7 +150,7 @@ impl<'a> Tiff<'a> {
         self.record.get(self.u32(field + 8)? as usize..)?.get(..length)
     }
 
-    /// The text of a date field, where it is one.
+    /// The text of a date field, if it is valid.
     fn date(&self, field: u32) -> Option<String> {
         let at = self.u32(field + 8)? as usize;
         let text = self.record.get(at..at.checked_add(19)?)?;

@@ -16,7 +16,7 @@ const RADIUS: f32 = 8.0;
 /// How much of the guide's variance counts as noise, for luma of 0 to 1.
 const EPSILON: f32 = 1e-4;
 
-/// Side in pixels of the parts of a mask that are filtered by themselves.
+/// Side in pixels of the tiles of a mask that are filtered separately.
 const TILE: usize = 64;
 
 /// Enlarges a region of a small mask to the size of `guide`, an image of the same region, with its edges.
@@ -68,8 +68,8 @@ impl Part {
     }
 }
 
-/// A mask of which all that lies within `reach` of anything else is what `filter` makes of it, tile by tile. Where it is even all
-/// about, every mean of it is the same.
+/// Filters only the tiles of a mask within `reach` of a change, with `filter`. In constant areas every mean
+/// is equal to the mask.
 fn where_uneven(mask: &Plane, reach: usize, filter: &dyn Fn(&Part) -> Vec<u8>) -> Plane {
     let mut out = mask.clone();
     let tiles = |side: usize| (0..side).step_by(TILE).map(move |start| start..(start + TILE).min(side));
@@ -109,8 +109,8 @@ fn guided_part((guide, mask): (&Plane, &Plane), part: &Part, radius: usize, epsi
     fitted.map(|share| (share * 255.0 + 0.5) as u8).collect()
 }
 
-/// The means of the window of each pixel, which is square and cut off at the edges, of several pictures at once: the sums of one
-/// do not wait for those of the others.
+/// Means of the square window of each pixel, clipped at the edges, for several planes at once. Their sums are
+/// independent, so they run in parallel.
 fn means<const N: usize>(
     values: &[[f32; N]],
     (width, height): (usize, usize),

@@ -25,14 +25,14 @@ const SRGB_OF_XYZ: [[f32; 3]; 3] = [
     [0.071_945, -0.228_991, 1.405_243],
 ];
 const D50: [f32; 3] = [0.9642, 1.0, 0.8249];
-/// How far a profile's white may lie from that; further away it is no colour of light.
+/// Maximum distance of a profile's white from D50. Beyond it the profile is invalid.
 const WHITE_TOLERANCE: f32 = 0.05;
 /// Entries of the table from linear light to sRGB: fine enough for the steep beginning.
 const ENTRIES: usize = 8192;
 /// Pixels that go through a table at a time.
 #[cfg(feature = "rare")]
 const PIXELS: usize = 4096;
-/// White may not come out of a table darker than this in any channel; a profile that has it so is none of pictures.
+/// Minimum value of white in each channel of a table. Profiles below it are not for images.
 #[cfg(feature = "rare")]
 const DARKEST_WHITE: u8 = 200;
 
@@ -68,7 +68,7 @@ pub(super) fn correction(profile: &[u8], channels: Channels) -> Result<Option<Co
     }
 }
 
-/// What a profile is made of.
+/// Kind of a profile.
 enum Wanted {
     Curves,
     Tables,
@@ -106,7 +106,7 @@ fn by_curves(profile: &[u8], channels: Channels) -> Option<Correction> {
     }
 }
 
-/// The curves of a profile stand in for tables that cannot be read.
+/// Correction by tables, or by the profile's curves if its tables cannot be read.
 #[cfg(feature = "rare")]
 #[expect(clippy::unnecessary_wraps, reason = "a build without tables has none to give")]
 fn tables(profile: &[u8], channels: Channels) -> Result<Option<Correction>> {
@@ -161,7 +161,7 @@ impl Correction {
     }
 }
 
-/// Turns the first three planes, by what stands in all of them.
+/// Transforms the first three planes, with the values of all planes as input.
 #[cfg(feature = "rare")]
 fn through_tables(transform: &Transform, planes: &mut [Plane]) {
     let count = planes.len();
@@ -286,7 +286,7 @@ impl<'a> Curve<'a> {
         })
     }
 
-    /// The five formulas of section 10.18, all of the form of the last: what a formula lacks is 0.
+    /// The five formulas of section 10.18, in the form of the last. Missing parameters are 0.
     fn parametric(data: &'a [u8]) -> Option<Self> {
         let kind = u16::from_be_bytes(*data.get(8..)?.first_chunk()?);
         let mut values = [1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
@@ -343,7 +343,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// A profile out of a JPEG file of the tests, where it has one part.
+    /// The profile in a JPEG file of the tests, if it has one part.
     fn embedded(file: &[u8]) -> Vec<u8> {
         let mark = b"ICC_PROFILE\0\x01\x01";
         let start = file.windows(mark.len()).position(|window| window == mark).unwrap() + mark.len();

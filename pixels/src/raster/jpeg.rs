@@ -23,11 +23,11 @@ use zune_jpeg::zune_core::options::DecoderOptions;
 
 /// A file whose headers were read.
 pub(super) struct Decoder {
-    /// Of the very type that `tiff` uses for JPEG in TIFF: another one would be in the module a second time.
+    /// The same type as `tiff` uses for JPEG in TIFF. Another type would be compiled a second time.
     file: JpegDecoder<ZCursor<Vec<u8>>>,
     size: (usize, usize),
     channels: Channels,
-    /// Whether the inks stand as brightness and differences of colour.
+    /// Whether the inks are stored as luma and chroma.
     is_ycck: bool,
     name: &'static str,
 }
@@ -150,7 +150,7 @@ pub(super) struct Markers<'a> {
     pub(super) exif: Option<&'a [u8]>,
     /// True when the end of the image is there.
     pub(super) complete: bool,
-    /// Where the image ends; the end of the file where its end is missing.
+    /// End of the image, or end of the file if the end marker is missing.
     end: usize,
     /// The parts of the ICC profile: a number from 1, how many there are, and bytes.
     parts: Vec<&'a [u8]>,
@@ -226,8 +226,7 @@ impl<'a> Markers<'a> {
         Some(profile)
     }
 
-    /// The image alone: without the segments before the pixels that only say something about it, and without what
-    /// follows its end.
+    /// The image without metadata segments, and without data after its end.
     fn without_records(&self, bytes: &[u8]) -> Vec<u8> {
         let mut image = bytes[..2.min(bytes.len())].to_vec();
         let mut at = 2;

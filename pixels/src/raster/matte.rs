@@ -9,7 +9,7 @@ use super::resize::{Region, fit, resample};
 
 /// Pixels along the longer side.
 pub const LONGEST: usize = 320;
-/// Steps of a share that are kept: what comes of it is refined by the photo's own edges.
+/// Number of stored levels. Masks are refined by the edges of the photo later.
 const LEVELS: u8 = 16;
 /// From one to the next.
 const STEP: u8 = 255 / (LEVELS - 1);
@@ -18,7 +18,7 @@ const STEP: u8 = 255 / (LEVELS - 1);
 pub const MOST_TEXT: usize = 65_536;
 /// From here on a pixel counts as the subject.
 const WITHIN: u8 = 128;
-/// A subject of less than this share of its photo is none.
+/// Minimum share of the photo that a subject covers.
 const LEAST_COVERAGE: f64 = 0.01;
 /// The least sure border of a subject that anything is made by: below it are crowds, landscapes and mist.
 pub const LEAST_CONFIDENCE: f64 = 0.35;
@@ -34,7 +34,7 @@ const UNSURE: std::ops::Range<u8> = 26..230;
 #[serde(try_from = "String", into = "String")]
 pub struct Matte(Arc<Kept>);
 
-/// The text, and what is known by it once somebody asked: whoever draws and plans asks again and again.
+/// The text and cached properties, which drawing and planning use repeatedly.
 #[derive(Debug)]
 struct Kept {
     text: Box<str>,

@@ -128,7 +128,7 @@ fn checksum(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(!0, |crc, &byte| (0..8).fold(crc ^ u32::from(byte), step))
 }
 
-/// What a file says besides its pixels.
+/// Metadata of a file.
 #[derive(Default)]
 struct Records {
     exif: Exif,
@@ -160,7 +160,7 @@ fn chunk(bytes: &[u8]) -> Option<(&[u8; 4], &[u8], &[u8])> {
     Some((kind, body, rest.get(4..)?))
 }
 
-/// The profile of an `iCCP` chunk: a name, a zero, the one method, the stream. One that is too large is none.
+/// The profile of an `iCCP` chunk: a name, a zero, the one method, the stream. `None` if it is too large.
 fn inflated(body: &[u8]) -> Option<Vec<u8>> {
     let name = body.iter().take(80).position(|&byte| byte == 0)?;
     let stream = body[name + 1..].strip_prefix(&[0])?;

@@ -135,7 +135,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The same in plain f64, without rounding between the passes.
+    /// The resampling in plain f64, without rounding between the passes.
     fn naive(source: &Plane, region: Region, width: usize, height: usize) -> Vec<f64> {
         let row = |y: usize| source.row(y).iter().map(|&v| f64::from(v)).collect::<Vec<_>>();
         let rows: Vec<Vec<f64>> = (0..source.height()).map(row).collect();

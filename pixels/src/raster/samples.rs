@@ -83,7 +83,7 @@ impl Pixels {
         }
     }
 
-    /// Inks as light, where no profile says how they look: each takes away its own third of it.
+    /// Converts inks to light without a profile: each ink removes its complementary third.
     fn without_inks(mut self) -> Self {
         if self.channels == Channels::Cmyk {
             let mut kept = 0;

@@ -73,7 +73,7 @@ pub(super) fn read(file: &[u8], name: &'static str, limits: &Limits) -> Result<P
     layout.finished(samples, &mut decoder, name)
 }
 
-/// What is looked at before the crate sees the file.
+/// Fields that are checked before the crate reads the file.
 struct Header {
     photometric: u32,
     fill_order: u32,
@@ -122,7 +122,7 @@ impl Header {
     }
 }
 
-/// A file in which some fields read otherwise than they stand there.
+/// A file with some fields replaced.
 struct Patched<'a> {
     file: Cursor<&'a [u8]>,
     fields: &'a [(u64, [u8; 12])],
@@ -153,7 +153,7 @@ impl Seek for Patched<'_> {
     }
 }
 
-/// What the colours of a pixel are.
+/// Colour model of a pixel.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Colors {
     Grey { white_is_zero: bool },
@@ -163,7 +163,7 @@ enum Colors {
     YCbCr,
 }
 
-/// Where the samples are and what they mean.
+/// Positions and meanings of the samples.
 struct Layout {
     size: (usize, usize),
     chunk: (usize, usize),
@@ -174,7 +174,7 @@ struct Layout {
     compression: u16,
     colors: Colors,
     alpha: Alpha,
-    /// How many samples of a pixel are kept: colours, then alpha.
+    /// Number of used samples per pixel: colours, then alpha.
     used: usize,
 }
 
@@ -261,7 +261,7 @@ impl Layout {
         })
     }
 
-    /// The chunks that hold samples which are kept.
+    /// The chunks with used samples.
     fn chunks(&self) -> impl Iterator<Item = Place> {
         let (across, down) = (self.size.0.div_ceil(self.chunk.0), self.size.1.div_ceil(self.chunk.1));
         let planes = if self.planar { self.used } else { 1 };
@@ -394,8 +394,8 @@ fn painted(entries: &[u8], map: &[u16]) -> Option<Vec<u8>> {
     Some(rgb)
 }
 
-/// JPEG chunks are images of their own, which the crate decodes at the size that they announce, all their bytes read:
-/// they may not be larger than a chunk, nor all together than the file allows.
+/// Checks JPEG chunks. They are separate images, which the crate decodes at their announced size. They must
+/// not be larger than a chunk, and their total must not exceed the limits of the file.
 fn check_jpegs(file: &[u8], decoder: &mut Decoder<Patched>, name: &'static str) -> Result<()> {
     let failed = |error| explained(error, name);
     let [offsets, counts] = match decoder.get_chunk_type() {

@@ -150,7 +150,7 @@ const SMOOTHING: [f32; TAPS / 2] = [
 /// Products d1 d1, d1 d2 and d2 d2 of Roberts' differences between two rows, in three stretches of equal
 /// length. Each is divided by the gradient and scaled. The first and the last add up to the gradient.
 pub fn products(upper: &[f32], lower: &[f32], out: &mut [f32]) {
-    /// Where nothing changes, there is nothing to divide.
+    /// Avoids division by zero in constant areas.
     const TINY: f32 = 1e-3;
     let count = upper.len() - 1;
     let (a, rest) = out.split_at_mut(upper.len());

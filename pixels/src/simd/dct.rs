@@ -7,7 +7,7 @@ use wide::f32x4;
 /// The coefficients of a block, by rows. Horizontal frequency grows from left to right.
 pub type Block = [[f32; 8]; 8];
 
-/// By sides of 1, 2, 4 and 8, and by coefficient: what it gives to each sample.
+/// Contribution of each coefficient to each sample, for sides of 1, 2, 4 and 8.
 static WEIGHTS: [Block; 4] = [weights(1), weights(2), weights(4), weights(8)];
 
 /// Cosines of 0 to 8 sixteenths of pi.

@@ -42,7 +42,7 @@ const MEETING: u8 = 180;
 pub struct Screen {
     /// Steps of both turned coordinates for a pixel to the right.
     across: [u32; 2],
-    /// The same for a pixel down.
+    /// The phase step for one pixel down.
     down: [u32; 2],
     /// Phases of a segment's pixels relative to its first, both coordinates in turn, for four pixels at a time; even.
     phases: [[[i16; 8]; STEP / 4]; SEGMENT / STEP],
@@ -52,7 +52,7 @@ pub struct Screen {
     zoom: i16,
     /// Slope of the ramp for inks of 0..16 and, by sixteens, for the others; units of 1/128 of the steepest.
     slopes: [u8x16; 2],
-    /// What the ink above [`MEETING`] adds to the size, in 1/128, and its fourth power, in 1/2^26.
+    /// Size added for ink above [`MEETING`], in 1/128, and for its fourth power, in 1/2^26.
     meeting: [i16; 2],
 }
 
@@ -100,14 +100,14 @@ impl Screen {
         self.run::<true>(y, ink, row);
     }
 
-    /// The paper, or what is there multiplied by it where `OVER`.
+    /// Writes the paper, or multiplies the existing values by it if `OVER`.
     fn run<const OVER: bool>(&self, y: usize, ink: &[u8], out: &mut [u8]) {
         for (i, (ink, out)) in ink.chunks(SEGMENT).zip(out.chunks_mut(SEGMENT)).enumerate() {
             self.segment::<OVER>(self.start(i * SEGMENT, y), 0, ink, out);
         }
     }
 
-    /// The same for pixels of a segment, from the one `at` pixels into it on. `start` are the phases of its first.
+    /// Draws pixels of a segment, beginning `at` pixels into it. `start` are the phases of its first.
     fn segment<const OVER: bool>(&self, start: i16x8, at: usize, ink: &[u8], out: &mut [u8]) {
         let (inks, ink_tail) = ink.as_chunks::<STEP>();
         let (outs, out_tail) = out.as_chunks_mut::<STEP>();
@@ -188,8 +188,8 @@ impl Screen {
     }
 }
 
-/// The polynomial for inks above [`MEETING`], fitted to the coverage at pitches of 4 to 120: wide ramps meet earlier.
-/// What an ink really covers is then within 2.5 of 255 steps.
+/// The polynomial for inks above [`MEETING`], fitted to the coverage at pitches of 4 to 120: wide ramps meet
+/// earlier. The covered area is then within 2.5 of 255 steps of the ink.
 fn meeting(pitch: f64) -> [i16; 2] {
     let ramps = 1.0 / (pitch * pitch);
     let first = (500.0 * ramps - 0.7).min(40.0) * 128.0;
@@ -286,8 +286,8 @@ mod tests {
         (0..n).map(|_| random.rand_u32() as u8).collect()
     }
 
-    /// What is left white of a pixel, in plain floats: the formulas of the module's head with the size and the slope of
-    /// an ink as the lanes have them.
+    /// White share of a pixel, in plain floats: the formulas of the module's documentation, with size and
+    /// slope of an ink like the SIMD code.
     fn white(turn: (f64, f64), pitch: f64, (x, y): (usize, usize), ink: u8) -> f64 {
         match ink {
             0 => return 255.0,

@@ -8,7 +8,7 @@ use wide::{i16x8, u8x16, u16x8};
 /// Samples before and after a row that its first and last outputs take: see [`double_columns`].
 pub const MARGIN: usize = 2;
 
-/// What is sixteen samples at a time, as two halves of sixteen bits.
+/// Sixteen samples as two halves of sixteen bits.
 type Wide = [u16x8; 2];
 
 #[inline]

@@ -92,7 +92,7 @@ impl Wide {
 }
 
 impl Wide {
-    /// Samples from one to the other that is so many steps to the right and down, cut to the margin.
+    /// Offset in samples for a step to the right and down, limited to the margin.
     fn step(&self, (x, y): (isize, isize)) -> isize {
         let most = self.margin as isize;
         y.clamp(-most, most) * self.stride as isize + x.clamp(-most, most)

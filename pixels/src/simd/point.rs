@@ -30,7 +30,7 @@ pub fn map3(
     });
 }
 
-/// The same on sixteen bytes.
+/// Like `map3`, on sixteen bytes.
 #[inline]
 fn map3_bytes(a: &mut [u8], b: &mut [u8], c: &mut [u8], f: impl Fn(u8x16, u8x16, u8x16) -> [u8x16; 3]) {
     let step = |a: &mut [u8; STEP], b: &mut [u8; STEP], c: &mut [u8; STEP]| {
@@ -71,8 +71,8 @@ pub fn round<const BITS: u32>(value: i16x8) -> i16x8 {
     value.saturating_add(i16x8::splat(1 << (BITS - 1))) >> BITS
 }
 
-/// The upper bytes of lanes. A value that was clipped by saturating in them needs no clamp here, which LLVM would write
-/// beside the one that narrowing does by itself.
+/// The upper bytes of lanes. Saturated values need no clamp here. LLVM would add one to the saturation of the
+/// narrowing instruction.
 #[inline]
 fn upper(low: i16x8, high: i16x8) -> u8x16 {
     let byte = |lanes: i16x8| cast::<u16x8, i16x8>(cast::<i16x8, u16x8>(lanes) >> 8u32);

@@ -112,7 +112,7 @@ impl Table {
 }
 
 impl Levels {
-    /// The form of a table with so many values, if it has it.
+    /// The form of a table with this number of values, if it applies.
     fn of(entries: &[u8; 256], count: usize) -> Option<Self> {
         if !(2..=64).contains(&count) {
             return None;

@@ -10,7 +10,7 @@ const STEP: usize = 16;
 /// Tones that one pass tries.
 const TRIED: usize = 4;
 
-/// Of so many groups of samples one is looked at for a first guess.
+/// Sampling interval of the first estimate, in groups of samples.
 const SPARSE: usize = 29;
 
 /// Below this many samples the histogram of all of them costs next to nothing.

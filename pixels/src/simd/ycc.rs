@@ -4,7 +4,7 @@ use super::lanes::{widen_high, widen_low};
 use super::mix::{LANES, load_part};
 use wide::{i16x8, u8x16};
 
-/// What is sixteen samples at a time, as two halves of sixteen bits.
+/// Sixteen samples as two halves of sixteen bits.
 type Wide = [i16x8; 2];
 
 /// Turns rows of one length in place: from Y, Cb and Cr to R, G and B, each rounded to the nearest.

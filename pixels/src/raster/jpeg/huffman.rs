@@ -8,12 +8,13 @@ const LOOK: u32 = 10;
 
 /// A Huffman table.
 pub(super) struct Table {
-    /// By the next bits; 0 where the code is longer. Else from the lowest bit on: eight bits for how many are taken, eight for the
-    /// symbol, sixteen for the number that follows it, where all of it is among the bits, or 0.
+    /// By the next bits; 0 where the code is longer. Other values, from the lowest bit: eight bits for the
+    /// number of consumed bits, eight for the symbol, sixteen for the number that follows it. The number is 0
+    /// if it is not completely in the bits.
     short: [i32; 1 << LOOK],
-    /// By length: codes of so many bits are below, aligned to the top of 16 bits.
+    /// By length: upper limit of the codes of this length, aligned to the top of 16 bits.
     ends: [u32; 17],
-    /// By length: what is added to a code for its place among the symbols.
+    /// By length: offset from a code to its symbol index.
     firsts: [i32; 17],
     symbols: Vec<u8>,
 }
@@ -91,7 +92,7 @@ fn known(symbol: u8, length: u32, behind: u32, rest: u32) -> i32 {
     number << 16 | i32::from(symbol) << 8 | taken as i32
 }
 
-/// The number that `size` bits stand for, 1 to 15: one below 0 begins with a 0.
+/// The number in `size` bits, 1 to 15. Negative numbers begin with a 0.
 #[inline]
 fn signed(bits: u32, size: u32) -> i32 {
     let below = if bits >> (size - 1) == 0 { (1 << size) - 1 } else { 0 };

@@ -24,7 +24,7 @@ pub(super) struct Reduced {
     pub(super) height: usize,
 }
 
-/// Where coefficients stand in a block, in the order of the file.
+/// Positions of coefficients in a block, in file order.
 const ZIGZAG: [u8; 64] = [
     0, 1, 8, 16, 9, 2, 3, 10, 17, 24, 32, 25, 18, 11, 4, 5, 12, 19, 26, 33, 40, 48, 41, 34, 27, 20, 13, 6, 7,
     14, 21, 28, 35, 42, 49, 56, 57, 50, 43, 36, 29, 22, 15, 23, 30, 37, 44, 51, 58, 59, 52, 45, 38, 31, 39,
@@ -108,9 +108,9 @@ pub(super) fn reduced(bytes: &[u8], longest: usize) -> Option<Reduced> {
     Some(Reduced { size: header.size, of_eight, planes, width, height })
 }
 
-/// Reads the coefficients of a block behind its first, by the order of the file.
+/// Reads the coefficients of a block after its first, in file order.
 ///
-/// Gives the last that is not 0; 0 where there is none.
+/// Returns the index of the last coefficient that is not 0, or 0.
 #[inline]
 fn coefficients(
     bits: &mut Bits<'_>,

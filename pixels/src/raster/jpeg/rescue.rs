@@ -277,7 +277,7 @@ impl Picture {
         })
     }
 
-    /// Reads units of a scan that adds detail, the first of which is damaged, if the others lead to the end of the data.
+    /// Reads the other units of a refinement scan after a damaged unit, if they lead to the end of the data.
     fn read_on(&mut self, scan: &Scan, state: &State<'_>, units: Range<usize>) -> bool {
         // Whether they do is seen without a change.
         [false, true].into_iter().all(|writes| {

@@ -21,7 +21,7 @@ use std::cmp::Reverse;
 
 /// From here on a pixel counts as the subject, as in [`super::matte`].
 const WITHIN: u8 = 128;
-/// What is at least this much of the subject belongs to the soft border of a figure.
+/// Minimum value of the soft border of a figure.
 const FAINT: u8 = 8;
 /// The part of a brush's radius that paints in full at least.
 const HARD: f32 = 0.6;
@@ -43,7 +43,8 @@ impl Brush {
         (self.radius - SOFT).max(HARD * self.radius)
     }
 
-    /// What it paints at a distance from its path, 0 to 255: all within, then falling to nothing along a smooth curve.
+    /// Opacity of the brush at a distance from its path, 0 to 255: constant inside, then falling to 0 along a
+    /// smooth curve.
     fn strength(self, distance: f32) -> u8 {
         let full = self.full();
         let beyond = (distance - full) / (self.radius - full);
@@ -142,7 +143,7 @@ pub fn joined(mask: &Plane, other: &Plane) -> Plane {
     mapped(mask, |at, share| share.max(other.samples()[at]))
 }
 
-/// The shares of a mask, each by its place and what it was.
+/// Computes each value of a mask from its index and its old value.
 fn mapped(mask: &Plane, share: impl Fn(usize, u8) -> u8) -> Plane {
     let mut out = mask.clone();
     out.samples_mut().iter_mut().enumerate().for_each(|(at, sample)| *sample = share(at, *sample));
@@ -151,13 +152,13 @@ fn mapped(mask: &Plane, share: impl Fn(usize, u8) -> u8) -> Plane {
 
 /// The connected components of a mask, each with the soft border around it.
 pub struct Figures {
-    /// Of each pixel the number of its figure; [`NONE`] beside all.
+    /// Number of the figure of each pixel; [`NONE`] outside all figures.
     labels: Vec<u32>,
     /// Pixels of each figure.
     areas: Vec<usize>,
 }
 
-/// The label of what is beside all figures.
+/// Label of pixels outside all figures.
 const NONE: u32 = u32::MAX;
 
 impl Figures {
@@ -211,7 +212,7 @@ impl Figures {
     }
 }
 
-/// What is faint goes to the figure that is nearest by way of what is faint.
+/// Assigns faint pixels to the closest figure, through faint pixels.
 fn flood(mask: &Plane, labels: &mut [u32]) {
     let size = (mask.width(), mask.height());
     let mut front: Vec<usize> = (0..labels.len()).filter(|at| labels[*at] != NONE).collect();

@@ -5,13 +5,13 @@ use crate::raster::matte::{LEAST_CONFIDENCE, MOST_TEXT};
 use crate::raster::resize::fit;
 use crate::raster::{Matte, Plane, matte};
 
-/// What growing and shrinking move the border by, and feathering is wide, in photo widths.
+/// Distance of growing and shrinking, and width of feathering, in photo widths.
 const STEP: f32 = 0.008;
 /// A figure of less than this part of the photo is passed over by [`Mending::NextFigure`].
 const LEAST_FIGURE: f64 = 0.001;
 /// Steps that can be undone.
 const MOST_STEPS: usize = 200;
-/// What the shares of a mask are rounded to, one after the other, until its text may be read again.
+/// Rounding steps of mask values. Coarser ones are tried until the text is short enough.
 const ROUNDINGS: [u8; 4] = [1, 51, 85, 255];
 
 /// A correction of the whole mask.
@@ -41,7 +41,7 @@ pub enum Mending {
 #[derive(Clone, PartialEq)]
 struct State {
     mask: Matte,
-    /// What was the subject before one figure of several was chosen.
+    /// The subject before one of several figures was selected.
     others: Matte,
     /// Whether a hand corrected it.
     own: bool,
@@ -176,7 +176,8 @@ impl Session {
         true
     }
 
-    /// The figure that is chosen, and all others. Those that are not the subject now can be chosen as well.
+    /// The figure that is chosen, and all others. Figures outside of the current subject can be selected as
+    /// well.
     fn chosen(&self, mending: Mending) -> Option<(Plane, Plane)> {
         let all = joined(&self.mask, &self.states[self.at].others.plane());
         let figures = Figures::of(&all);
@@ -191,7 +192,7 @@ impl Session {
         Some((figures.only(&all, |other| other == number), figures.only(&all, |other| other != number)))
     }
 
-    /// The largest figure where several are the subject, else the one behind it in size; none where there is only one.
+    /// The largest figure if several are the subject, or the next smaller one. `None` with only one figure.
     fn next(&self, figures: &Figures) -> Option<usize> {
         let least = (LEAST_FIGURE * self.mask.samples().len() as f64) as usize;
         let count = figures.areas().iter().filter(|area| **area >= least).count();
@@ -205,7 +206,7 @@ impl Session {
         }
     }
 
-    /// Keeps a mask as the next step, unless nothing is different; what was undone is gone then.
+    /// Adds a mask as the next step, unless nothing changed. This clears redo.
     fn step(&mut self, mask: &Plane, others: Matte, own: bool) -> bool {
         let Some(mask) = kept(mask) else {
             self.abandon();
@@ -237,7 +238,8 @@ fn apart(mask: &Plane, other: &Plane) -> Plane {
     figures.only(mask, |number| !met[number])
 }
 
-/// The mask as it is kept: in fewer steps of shares where its text would else be too long to be read; none where it is in any.
+/// The mask in storage form, with fewer levels if its text would be too long. `None` if no number of levels
+/// is small enough.
 fn kept(mask: &Plane) -> Option<Matte> {
     ROUNDINGS.into_iter().find_map(|to| {
         let mut rounded = mask.clone();
