@@ -206,9 +206,9 @@ struct Misfit {
 #[derive(TS, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct LayerFacts {
-    /// For each of its blocks,
+    /// For each of its blocks.
     misfits: Vec<Option<Misfit>>,
-    /// and by its id of each block that could come behind them.
+    /// For each block that could be added at the end, by id.
     #[ts(type = "Record<string, Misfit | null>")]
     brings: HashMap<String, Option<Misfit>>,
 }
@@ -220,10 +220,10 @@ struct DraftFacts {
     /// Its file.
     #[ts(as = "Style")]
     style: Value,
-    /// The same with unusable blocks bypassed.
+    /// The file with unusable blocks bypassed.
     #[ts(as = "Style")]
     shown: Value,
-    /// Whether all can.
+    /// Whether all blocks are usable.
     whole: bool,
     background: LayerFacts,
     foreground: LayerFacts,

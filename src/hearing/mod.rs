@@ -13,21 +13,21 @@ use serde::Serialize;
 use spectrum::{Frame, Frames, STEP};
 use std::ops::Range;
 
-/// Samples a second that sound may have.
+/// Supported sample rates, in samples per second.
 const RATES: std::ops::RangeInclusive<f32> = 4000.0..=192_000.0;
-/// Loudness in dB below full scale under which nothing is heard.
+/// Minimum loudness of a sound, in dB relative to full scale.
 const FAINT: f32 = -42.0;
-/// Frames on either side of the highest flux,
+/// A start has the highest flux within this number of frames on either side.
 const APART: usize = 3;
-/// and how many times as far as that before those are looked at whose mean it exceeds (Dixon 2006, section 2.6),
+/// Number of frames before a start for the mean flux that it must exceed (Dixon 2006, section 2.6).
 const BEFORE: usize = 3 * APART;
-/// Minimum rise above the average.
+/// Minimum flux above that mean.
 const ABOVE: f32 = 0.02;
-/// How many dB louder a sound is once it began.
+/// Minimum rise in level after a start, in dB.
 const RISE: f32 = 9.0;
-/// dB that a sound falls until it is over.
+/// Decrease in level at which a sound ends, in dB.
 const FALL: f32 = 20.0;
-/// Frames that a sound takes at most.
+/// Maximum length of a sound in frames.
 const LONGEST: usize = 300;
 /// Frames that a sound without a sudden beginning takes at least.
 const SWELL: usize = 15;

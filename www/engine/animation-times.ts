@@ -8,7 +8,7 @@ const MOST_PICTURES = 3000;
 const MOST_PIXELS = 1.5e9;
 /** A file of more bytes is not looked into. */
 const MOST_BYTES = 256 * 2 ** 20;
-/** What browsers take for a delay of 10 ms or less, in seconds. */
+/** Delay in seconds that browsers use for delays of 10 ms or less. */
 const SHORTEST = 0.1;
 
 /** Whether a file is worth a look. */

@@ -12,7 +12,7 @@ import { runs, sampleTimes } from './sample-times.ts';
 import type { Animation } from '../pkg-decoders/inkpanel.js';
 import type { FileWish } from './frame-sender.ts';
 
-/** Pictures that one passes on the way to those wanted first are kept up to so many bytes, or decoded again. */
+/** Maximum size in bytes of cached frames before the urgent ones. Other frames are decoded again. */
 const MOST_KEPT = 64 * 2 ** 20;
 
 type Picture = { width: number; height: number; data: Uint8Array<ArrayBuffer> };

@@ -3,9 +3,9 @@
  * the number and the limits.
  */
 
-/** What the core takes at most; more it refuses, which is quickly done. */
+/** Limit of the core. It rejects larger photos quickly. */
 const MOST = 120_000_000;
-/** Of a file that does not say it in a way known here. */
+/** Estimate for files without a known header. */
 const PIXELS_A_BYTE = 10;
 
 /** @param bytes of a file */
@@ -21,7 +21,7 @@ export function announcedPixels(bytes: Uint8Array): number {
   return Math.min(MOST, pixels);
 }
 
-/** null: it is no file of that kind */
+/** null: a file of another kind */
 type Size = [number, number] | null;
 
 function says(view: DataView, at: number, text: string) {

@@ -17,11 +17,11 @@ type Entry = { name: string; blob: Blob };
 /** How long work is followed and stopped. */
 export type Work = { signal?: AbortSignal; onProgress?: (done: number, total: number) => void };
 /**
- * A file in it. `packed`: it has to be unpacked, which takes memory. `read` rejects with `damaged-project` where the bytes
- * are not those that were put in, with `too-large-project` where they are more than `most` or than they may be.
+ * A file in it. `packed`: it has to be unpacked, which takes memory. `read` rejects with `damaged-project` if the
+ * checksum does not match, with `too-large-project` if the size exceeds `most` or a limit.
  */
 type Found = { name: string; packed: boolean; read: (how?: { most?: number } & Watch) => Promise<Blob> };
-/** What the list of files says of one; it lies before `end`. */
+/** Fields of a file in the central directory; `end` is the offset of the directory. */
 type Told = {
   name: Uint8Array;
   flags: number;
@@ -37,15 +37,15 @@ const LOCAL = 0x04034b50;
 const CENTRAL = 0x02014b50;
 const END = 0x06054b50;
 const [LOCAL_SIZE, CENTRAL_SIZE, END_SIZE] = [30, 46, 22];
-/** The end of a file can have a comment of at most so many bytes. */
+/** Maximum length of the comment at the end of a file. */
 const MOST_COMMENT = 0xffff;
 const MOST_BYTES = 0xffffffff;
-/** In the place of a number that is too large for its field: it is told elsewhere. */
+/** Marks a number that is too large for its field, in ZIP64 files. */
 const [ELSEWHERE_SHORT, ELSEWHERE] = [0xffff, 0xffffffff];
 /** Names are UTF-8. */
 const UTF8 = 0x0800;
 const ENCRYPTED = 1;
-/** The length stands behind the file. */
+/** The length follows after the file. */
 const LATER = 8;
 const [STORED, DEFLATED] = [0, 8];
 
@@ -227,7 +227,7 @@ function agrees(local: DataView, { name, flags, method, crc, length, size }: Tol
   );
 }
 
-/** What another program has packed. */
+/** Unpacks a compressed file. */
 async function unpacked(
   raw: Blob,
   size: number,
@@ -235,7 +235,7 @@ async function unpacked(
 ) {
   const own = roomFor(size);
   let more = false;
-  /** It unpacks to more than it says: whatever it is, it is no photo. */
+  /** More data than stated means a damaged file. */
   const take = (bytes: number) => room(bytes) && !(more = !own(bytes));
   try {
     return await inflated(raw, 'deflate-raw', { take, ...watch });

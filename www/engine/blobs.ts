@@ -36,7 +36,7 @@ export async function blobOf(
   }
 }
 
-/** Where bytes go that nobody needs: what is handed to a port whose other end is closed is let go of. */
+/** Target of unneeded buffers. A message to a port is freed if its other end is closed. */
 let drain: MessagePort | undefined;
 
 /**

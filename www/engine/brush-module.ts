@@ -47,7 +47,7 @@ export function createHand(
 ) {
   const retouch = new Retouch(...begin);
   return {
-    /** Of the picture that `draw` gives, in pixels. */
+    /** Of the image from `draw`, in pixels. */
     width: retouch.width,
     height: retouch.height,
     /** @param fine with the photo's own edges, for which a stroke under way may not wait @returns RGBA */
@@ -64,7 +64,7 @@ export function createHand(
     /** Takes back the stroke that is not ended. */
     abandon: () => retouch.abandon(),
     mend: (how: Mending) => retouch.mend(Mend[how]),
-    /** Keeps the figure at a place alone, in parts of the photo. */
+    /** Selects only the figure at a position, in fractions of the photo. */
     choose: (x: number, y: number) => retouch.choose(x, y),
     undo: () => retouch.undo(),
     redo: () => retouch.redo(),
@@ -75,7 +75,7 @@ export function createHand(
       redoable: retouch.redoable,
       found: retouch.found,
     }),
-    /** @returns the mask after each step; null where it is what was found */
+    /** @returns the mask after each step; null for the detected mask */
     steps: (): (string | null)[] => retouch.steps().map((mask) => mask || null),
     free: () => retouch.free(),
   };

@@ -34,17 +34,17 @@ export type Engine = ReturnType<typeof createEngine>;
 
 const MB = 2 ** 20;
 /**
- * Workers at most, the bytes of photos that they keep at hand, all together and one at least, and the memory that one may
- * keep where nothing waits; `nets`: milliseconds until those that find faces are given up. A phone ends a tab that takes too
- * much, and each worker keeps the room that its largest photo once took; code that is compiled for each worker takes much, too.
+ * Limits: number of workers; bytes of cached photos, in total and at least per worker; memory of an idle worker.
+ * `nets`: milliseconds until the face detector is unloaded. A phone closes a tab that uses too much memory. Each worker
+ * keeps the memory of its largest photo, and code that is compiled per worker needs much memory as well.
  */
 const USUAL = { workers: 8, photos: 256 * MB, least: 64 * MB, rest: undefined, nets: SHARES_CODE ? undefined : 30_000 };
 const SPARING = { workers: 4, photos: 64 * MB, least: 16 * MB, rest: 64 * MB, nets: 5_000 };
 
 /**
- * How many workers suit the device: one a core. Where each compiles the code for itself half as many, since the compiler has
- * threads of its own, and WebKit tells four cores where there are two: there the first page of twelve photos came after 8
- * to 24 s with four workers, after 3 to 8 with two.
+ * Suitable number of workers: one per core. If each worker compiles the code, half as many, because the compiler has
+ * separate threads, and WebKit reports four cores instead of two. There the first page of twelve photos took 8 to 24 s
+ * with four workers, 3 to 8 s with two.
  */
 function suitable(): number {
   const cores = globalThis.navigator?.hardwareConcurrency || 2;
@@ -101,16 +101,16 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
     findFaces: detector.findFaces,
     findMoreFaces: detector.findMoreFaces,
     findObjects: detector.findObjects,
-    /** Whether the subjects of photos can be found, and that of one. */
+    /** Whether subject detection is available, and the detection for one photo. */
     masks: masking.masks,
     // One net at a time: each takes a hundred megabytes.
     findMask: (id: string, call?: Call) => {
       detector.rest();
       return masking.findMask(id, call);
     },
-    /** Tells which part of a photo is its subject, for styles that are for a part. */
+    /** Sets the subject mask of a photo, for styles with a part. */
     knowMask: photos.know,
-    /** The subject of an imported photo, to be corrected by hand. @param masks as text: corrected before, and found */
+    /** Opens the mask editor for an imported photo. @param masks as text: corrected before, and detected */
     takeInHand: (id: string, masks: { own?: string; found?: string }) => takeInHand(photos.get(id).work, masks),
     forgetPhoto: photos.forget,
     warm: warming.warm,

@@ -16,10 +16,10 @@ import type { Picture, PixelPatch, Plates, Rgb } from './protocol.ts';
 import type { createWords } from './words.ts';
 
 type PanelPatch = PixelPatch & { index: number };
-/** `bordered`: with the borders of panels, which a PDF file has as lines of its own. */
+/** `bordered`: with panel borders, which a PDF file has as vectors. */
 type Drawn = { signal: AbortSignal; bordered?: boolean };
 type Call = { signal?: AbortSignal; onProgress?: (done: number, total: number) => void };
-/** `quality` from 1 to 100; `alts`: of each page what its panels show, for who does not see them. */
+/** `quality` from 1 to 100; `alts`: alternative texts of the panels of each page. */
 type PdfCall = Call & { quality: number; title: string; alts?: readonly (readonly string[])[]; options?: PdfOptions };
 type Parts = {
   run: Run;
@@ -28,10 +28,10 @@ type Parts = {
   files: ReturnType<typeof createFiles>;
 };
 
-/** In the place of an id: no photo. */
+/** Marks a panel without a photo. */
 const EMPTY = '';
 
-/** What stands on the page of a single panel; its patch brings the rest. */
+/** The page of a single panel; its patch has everything else. */
 const ALONE = {
   layout: 'grid-2',
   panels: [
@@ -255,7 +255,7 @@ function steps(total: number, onProgress: Call['onProgress'] = () => {}) {
   return (count: number) => onProgress((done += count), total);
 }
 
-/** Of the panels with photos of all pages, and of the file. */
+/** Progress of the panels with photos of all pages, and of the file. */
 function stepsOf(documents: readonly PageDocument[], { onProgress }: Call) {
   return steps(
     documents.reduce((sum, document) => sum + withPhoto(document).length + frontsWithPhoto(document).length, 1),
@@ -263,7 +263,7 @@ function stepsOf(documents: readonly PageDocument[], { onProgress }: Call) {
   );
 }
 
-/** @returns the photo of a panel's picture; panels that share an image show that of the first */
+/** @returns the photo of a panel's image; merged panels show the photo of the first */
 function photoOf(document: PageDocument, picture: number): string {
   const { panels, merges } = document;
   const index = panelOf(document, picture);

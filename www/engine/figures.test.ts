@@ -13,7 +13,7 @@ import type { PageDocument, Word } from './types.ts';
 
 const word = (kind: string, more: Partial<Word> = {}) => ({ kind, text: 'x', panel: 1, ...more }) as Word;
 
-/** A page of three panels, the figure of the last of which steps out. */
+/** A page of three panels; the last one has a breakout. */
 function paged(...words: Word[]): PageDocument {
   const panel = (photo: string, figure?: string) => ({ photo, figure });
   return { panels: [panel('a'), panel('b'), panel('c', '1x1:p')], merges: [], words } as unknown as PageDocument;

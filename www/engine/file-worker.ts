@@ -27,7 +27,7 @@ import type { Making, Picture, PixelPatch } from './protocol.ts';
 import type { MotionRequest } from './types.ts';
 import type { Tell, Work } from './serving.ts';
 
-/** What is said where the module or the letters could not be loaded. */
+/** Errors if the module or the glyphs could not be loaded. */
 const MISSING = [
   'files-missing',
   'The part of the program that makes this kind of file could not be loaded. Try again, or save a PNG.',
@@ -77,7 +77,7 @@ async function start() {
   }
 }
 
-/** The letters of one file, which learns others of its own. */
+/** The glyphs of one file, with separate traced glyphs. */
 async function lettering(tell: Tell) {
   tell.waits(LOADING);
   table ??= await loadLetters(MISSING);
@@ -132,7 +132,7 @@ async function webp({ picture, quality, dpi }: Args<'webp'>, tell: Tell) {
   return { ok: withDpi(new Uint8Array(await made.arrayBuffer()), { width, height, dpi }), transfer: [] };
 }
 
-/** @param args `inks`: each panel has a picture of its own for each of them; none for one in colour */
+/** @param args `inks`: each panel has a separate image for each of them; null for one in colour */
 async function pictures({ document, patches, quality, inks }: Args<'pictures'>, tell: Tell) {
   const ok: Picture[] = [];
   const colours = Uint8Array.from(inks.flat());

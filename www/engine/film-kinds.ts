@@ -10,7 +10,7 @@ const FOREIGN: readonly [name: string, at: number, bytes: readonly number[]][] =
   ['MPEG-PS', 0, [0x00, 0x00, 0x01, 0xba]],
   ['MPEG-2', 0, [0x00, 0x00, 0x01, 0xb3]],
 ];
-/** Codes of codecs as AVI, MP4 and MOV files write them, and what people call them. */
+/** Codec codes in AVI, MP4 and MOV files, and their display names. */
 const CODECS: readonly [name: string, codes: RegExp][] = [
   ['HEVC (H.265)', /hvc1|hev1|hevc|dvh1|dvhe/i],
   ['ProRes', /prores|ap(?:cn|ch|cs|co|4h|4x)/i],
@@ -40,7 +40,7 @@ export function isFilmStart(bytes: Uint8Array): boolean {
   return containerOf(bytes) !== null;
 }
 
-/** Of so many files each is opened; of more those alone that do not say that they are photos. */
+/** Up to this number, every file is opened. Of more files, only those without an image type are opened. */
 const FEW = 24;
 
 /**
@@ -88,7 +88,7 @@ function containerOf(bytes: Uint8Array): string | null {
   return FOREIGN.find(([, at, wanted]) => wanted.every((byte, i) => bytes[at + i] === byte))?.[0] ?? null;
 }
 
-/** What a sample description or a stream header says. */
+/** Codec in a sample description or a stream header. */
 function codecOf(bytes: Uint8Array): string | null {
   const text = latin(bytes);
   const [, code] = /(?:stsd.{12}|vids)(\w{4})/s.exec(text) ?? [];

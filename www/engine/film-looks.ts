@@ -12,12 +12,12 @@ import type { Looking } from '../pkg-films/inkpanel.js';
 
 /** Frames of a film that is decoded as a whole. */
 const SHORT = 1500;
-/** Of a long one: key frames for a first look, and key frames in all. */
+/** For long videos: number of key frames in the first pass, and in total. */
 const GLANCE = 24;
 const MOST_KEYS = 2000;
 /** Milliseconds in which what lies between key frames is looked at. */
 const BETWEEN = 18_000;
-/** Milliseconds after which a short film is left as it is. */
+/** Time limit for short videos in milliseconds. */
 const WHOLE = 30_000;
 /** Seconds of frames after each key frame that are looked at first of all that lies between, and how often a second. */
 const AFTER = 0.6;

@@ -34,10 +34,7 @@ export async function asBmp(kind: 'AVIF' | 'HEIC', bytes: Uint8Array<ArrayBuffer
   return bmp({ ...(await rgbaOf(frame)), rotation, flip });
 }
 
-/**
- * @param picture RGBA, to be turned
- *   clockwise by so many degrees and then mirrored
- */
+/** @param picture RGBA; rotate clockwise by this many degrees, then mirror */
 function bmp({
   width,
   height,
@@ -52,7 +49,7 @@ function bmp({
   flip: boolean;
 }) {
   const [columns, rows] = rotation % 180 === 0 ? [width, height] : [height, width];
-  /** Where the pixel of the upright picture lies. */
+  /** Position of a pixel of the upright image. */
   const place = (x: number, y: number) => {
     const across = flip ? columns - 1 - x : x;
     if (rotation === 90) return 4 * ((height - 1 - across) * width + y);

@@ -4,7 +4,7 @@ import { failure } from './protocol.ts';
 
 export type Pixels = { width: number; height: number; data: Uint8Array<ArrayBuffer> };
 
-/** Where the channels of a pixel stand in the formats that have one byte for each. */
+/** Positions of the channels in pixel formats with one byte per channel. */
 const ORDERS: Record<string, [red: number, green: number, blue: number]> = {
   RGBA: [0, 1, 2],
   RGBX: [0, 1, 2],
@@ -34,7 +34,7 @@ async function copied(frame: VideoFrame): Promise<Pixels> {
 
 let asked: Promise<boolean> | undefined;
 
-/** Whether the browser gives the format that it is asked for: WebKit gives what it has, and says nothing. */
+/** Whether the browser converts to the requested format. WebKit returns its own format without an error. */
 function converts(): Promise<boolean> {
   asked ??= probe().catch(() => true);
   return asked;
@@ -57,7 +57,7 @@ async function probe(): Promise<boolean> {
   }
 }
 
-/** What a browser has, put in order by hand where it has RGB, and drawn where it has anything else. */
+/** Reorders RGB formats manually, and draws other formats. */
 async function rearranged(frame: VideoFrame): Promise<Pixels> {
   const { width, height } = frame.visibleRect as DOMRectReadOnly;
   const order = ORDERS[frame.format ?? ''];

@@ -15,20 +15,23 @@ import type { Run } from './pool.ts';
 import type { PhotoHandle, Trial } from './protocol.ts';
 import type { Style } from './types.ts';
 
-/** Trials in a call of a worker, some tens of milliseconds: it is soon free for what is waited for, and stops as soon. */
+/**
+ * Trials per call of a worker, some tens of milliseconds. Workers are soon free for urgent jobs, and cancellation is
+ * fast.
+ */
 const PARCEL = 2;
-/** Calls of a survey that wait for workers at once: what is waited for is put before all others. */
+/** Maximum number of waiting calls of a survey. Urgent jobs overtake them. */
 const WAITING = 8;
 
 type Tried = (string | null)[];
-/** Told how many trials of a question have been made. */
+/** Receives the number of finished trials of a request. */
 type OnTried = (count: number) => void;
 type Survey = {
-  /** Of the photo. */
+  /** Key of the photo. */
   key: string;
   asks: string;
   tried: Promise<Tried>;
-  /** Lets all that has not begun be done as what is waited for, and tells of it. */
+  /** Raises the priority of all waiting calls, and reports their progress. */
   hurry: (onTried: OnTried) => void;
 };
 

@@ -38,11 +38,11 @@ export async function surveyed(): Promise<Trial[]> {
 export async function beginSearch(look: string, seed: number) {
   const search = new (await imitating()).Imitation(look, seed);
   return {
-    /** @returns the next trials; none when it is done */
+    /** @returns the next trials; empty at the end */
     ask: (): Trial[] => JSON.parse(search.ask()),
-    /** @param trials what came of them, in their order */
+    /** @param trials results of the trials, in order */
     tell: (trials: readonly (string | null)[]) => search.tell(`[${trials.map((one) => one ?? 'null').join()}]`),
-    /** How far it is, 0 to 1, with so many of the trials that were asked for last. */
+    /** Progress, 0 to 1, after `tried` of the last requested trials. */
     progress: (tried: number) => search.progress(tried),
     proposals: (): Style[] => JSON.parse(search.proposals()),
     free: () => search.free(),

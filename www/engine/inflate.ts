@@ -2,7 +2,7 @@
 
 import { failure } from './protocol.ts';
 
-/** Pieces are small; so many bytes of them become a blob, which the browser can lay on the disk. */
+/** Small pieces are combined to blobs of this many bytes, which the browser can store on disk. */
 const PART = 4 * 2 ** 20;
 
 /**

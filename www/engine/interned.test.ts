@@ -4,7 +4,7 @@ import { expanded, interned } from './interned.ts';
 import type { Change } from '../document/history.ts';
 import type { TabledHistory } from './types.ts';
 
-/** A history of five states that share most of what is in them. */
+/** A history of five states that share most of their parts. */
 function worked() {
   const changes: Change[] = [
     { type: 'add-photos', ids: ['a', 'b', 'c'] },

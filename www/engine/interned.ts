@@ -18,14 +18,14 @@ import type {
 
 type Plain = Record<string, unknown>;
 
-/** What of a state stands in a table. */
+/** Fields of a state that are in a table. */
 const PARTS: readonly [field: Tabled, table: keyof Tables][] = [
   ['settings', 'settings'],
   ['page', 'pages'],
   ['draft', 'drafts'],
   ['board', 'boards'],
 ];
-/** Which lists of a state stand in a table, and what is in them. */
+/** Lists of a state that are in a table, and the tables of their items. */
 const LISTS: readonly [field: Tabled, table: keyof Tables, entries: keyof Tables][] = [
   ['tray', 'trays', 'items'],
   ['others', 'books', 'sheets'],

@@ -8,7 +8,7 @@ import type { AssetReader } from './assets.ts';
 
 /** The service worker throws away what no build of the site names any more (`offline/worker/versions.ts`). */
 const STORE = 'inkpanel-nets';
-/** Milliseconds until what was loaded is kept: it was loaded to be used now, and keeping it would take a core from that. */
+/** Milliseconds until a loaded file is cached, so that caching does not delay its use. */
 const LATER = 5_000;
 /** Milliseconds after its start in which a worker may still have to keep something. */
 export const KEEPING = LATER + 3_000;

@@ -15,7 +15,7 @@ import type { Frame } from './video.ts';
 
 /** Frames per second, and duration in seconds. */
 export const LIVING = { rate: 12, seconds: 3 } as const;
-/** Long side of the frames in pixels, as they are drawn from: so many of what a panel shows, within bounds. */
+/** Long side of the source frames in pixels, relative to the visible part, with limits. */
 const FRAME = { shown: 960, least: 480, most: 1280 } as const;
 
 /** The video of a photo; times in seconds. */

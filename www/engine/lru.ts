@@ -28,7 +28,7 @@ export function createLru(budget: number) {
     /**
      * Forgets the oldest entries until the rest fit.
      * @param needed entries that must stay, whatever they weigh
-     * @returns what was forgotten
+     * @returns the evicted keys
      */
     evict(needed: (key: string) => boolean = () => false): string[] {
       const gone = [];

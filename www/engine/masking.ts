@@ -16,7 +16,7 @@ import type { Masking, PhotoHandle } from './protocol.ts';
 
 /** Milliseconds after a page was drawn in which the next may be asked for. */
 const CALM = 1_000;
-/** Milliseconds after which a look is done all the same: whoever shuffles on and on shall have figures, too. */
+/** Maximum pause in milliseconds, so that detection also ends during continuous shuffling. */
 const LONGEST_REST = 6_000;
 
 export function createMasking(photos: ReturnType<typeof createPhotos>) {

@@ -8,11 +8,11 @@ import type { PageDocument, Style } from './types.ts';
 
 /** A million pixels of a photo, decoded, reduced and measured: JPEG 20, TIFF and WebP 60. */
 const PHOTO = 60;
-/** What the browser decodes says its size in ways that are not read here: a large one. */
+/** Assumed size of photos that the browser decodes, because their headers are not read: a large one. */
 const FOREIGN_PIXELS = 25_000_000;
 /** A million pixels through a block: 5 to 50. */
 const BLOCK = 50;
-/** Of a designed style, of which only the name is known. */
+/** Assumed number of blocks of a built-in style, which is known only by id. */
 const BLOCKS = 8;
 /** A million pixels of a PNG file. */
 const PNG = 100;
@@ -20,7 +20,7 @@ const PNG = 100;
 const FILE = 60;
 /** A million pixels of a page on which a word is drawn. */
 const WORD = 20;
-/** What costs the same whatever the size. */
+/** Constant costs. */
 const CALL = 20;
 
 /**
@@ -67,7 +67,7 @@ export function pageMs(document: string, width: number, panels?: number) {
   return blocksMs(share * width * width * (Number.isFinite(tall) ? tall : 1.5), blocksOf(style));
 }
 
-/** @returns what is wrong with it the core tells */
+/** @returns ignores errors, which the core reports */
 function parsed(json: string): unknown {
   try {
     return JSON.parse(json);

@@ -16,7 +16,7 @@ import type { PageDocument } from './types.ts';
 
 /** Pixels of a drawn page's width: more no screen shows, fewer show on none. */
 const WIDTHS = [320, 2400] as const;
-/** Milliseconds without a change of size until it is drawn anew. */
+/** Milliseconds without a change of size until it is drawn again. */
 const SETTLED = 150;
 
 let shared: Engine | undefined;

@@ -51,7 +51,7 @@ type Entry = Omit<Job, 'op' | 'args'> & {
   over: boolean;
   release: () => void;
 };
-/** `here`: it has said that it is there; `expected`: what it is about, in ms where that was measured, and `since` when. */
+/** `here`: the worker is ready; `expected`: expected milliseconds of the current part, and `since`: its start. */
 type Slot = {
   worker: Worker;
   entry: Entry | null;
@@ -64,11 +64,14 @@ type Slot = {
   since: number;
 };
 
-/** Milliseconds until a worker has said that it is there: its script may come over a slow line. */
+/** Maximum milliseconds until a worker is ready. Its script may arrive over a slow connection. */
 const STARTING = 30_000;
-/** How much more patience there is where nothing comes after it: a device may be slower than it ever was before. */
+/** Factor of the time limit for the last attempt, because a device may become slower. */
 const LAST_CHANCE = 2;
-/** Milliseconds that an aborted job still has: what is nearly done costs no worker. A person waits for less than 100. */
+/**
+ * Grace period of an aborted job in milliseconds, so that an almost finished job costs no worker. Delays below 100 ms
+ * are not noticeable.
+ */
 const GRACE = 50;
 /** Milliseconds that work may be held. */
 const LONGEST_HOLD = 3_000;

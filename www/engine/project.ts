@@ -20,14 +20,14 @@ export function createProject(planner: Planner, history?: History) {
   return {
     /** The project as it is: its photos, pages, settings. */
     project: (): Project => now.present,
-    /** All of it with what can be undone and redone, plain data to be saved. */
+    /** The complete history as plain data for saving. */
     history: (): History => now,
     edit,
     undo: () => edit({ type: 'undo' }),
     redo: () => edit({ type: 'redo' }),
     /**
-     * Takes photos in.
-     * @param fresh as `importPhoto` tells them
+     * Adds photos.
+     * @param fresh from `importPhoto`
      */
     addPhotos: (fresh: readonly PhotoMeta[]) => {
       photos = [...photos, ...fresh];
@@ -35,8 +35,8 @@ export function createProject(planner: Planner, history?: History) {
     },
     /**
      * Plans a page of the photos in use and shows it, as one step of undo.
-     * @param wish a seed, and what stays: the layout, the style, the photos; all else by chance
-     * @returns null where there is no photo
+     * @param wish a seed, and the locked parts: layout, style, photos; everything else is random
+     * @returns null without photos
      */
     shuffle: ({
       keep = { layout: false, style: false, photos: false },

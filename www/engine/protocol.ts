@@ -60,7 +60,7 @@ export type Operations = {
   tryLooks: { args: { photo: PhotoHandle; asks: Trial[] }; ok: (string | null)[] };
   stylize: { args: { style: string; width: number; height: number; data: Uint8Array }; ok: PixelPatch };
   fullPanels: {
-    /** Pictures by their panels; without a file those of panels that have no photo. In a PDF file panels have no border. */
+    /** Images by panel. Without a file, images of panels without a photo. In a PDF file panels have no border. */
     args: {
       id: string;
       file: Blob | null;

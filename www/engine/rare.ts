@@ -19,7 +19,7 @@ export type Converted = {
   damage: Damage | null;
 };
 
-/** What a RIFF file says at its ninth byte. */
+/** Bytes of a WebP file from offset 8. */
 const WEBP = [0x57, 0x45, 0x42, 0x50];
 
 /**

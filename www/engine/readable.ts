@@ -5,7 +5,7 @@ import { converted, rareKind } from './rare.ts';
 import { takenOf } from './taken.ts';
 import type { Damage } from './types.ts';
 
-/** What the file that the core reads no longer says of the photo; nothing where it is the photo's own. */
+/** Properties that a converted file no longer has; empty for an unconverted file. */
 type Told = { format?: string; taken?: string | null; damage?: Damage | null };
 
 /**

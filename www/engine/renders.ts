@@ -151,7 +151,7 @@ export function createRenders({
   }
 }
 
-/** @returns the photo that a panel shows: those that share an image have that of the first */
+/** @returns the photo of a panel; merged panels have the photo of the first */
 function shownBy({ panels, merges }: PageDocument, panel: number): string | null {
   return panels[merges.find((group) => group.includes(panel))?.[0] ?? panel].photo;
 }

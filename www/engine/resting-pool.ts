@@ -8,7 +8,7 @@ import { createPool } from './pool.ts';
 import type { Job, Pool, Run } from './pool.ts';
 import type { Table } from './protocol.ts';
 
-/** Milliseconds after the last job until the worker is given up. */
+/** Milliseconds after the last job until the worker is terminated. */
 const REST = 10_000;
 
 export type RestingPool<Ops extends Table> = {

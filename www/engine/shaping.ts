@@ -7,7 +7,7 @@
 import type { Lettering } from '../pkg-words/inkpanel.js';
 import type { PageDocument } from './types.ts';
 
-/** What of the letters is needed. */
+/** The used functions of the glyph table. */
 type Learner = Pick<Lettering, 'learn' | 'missing'>;
 type Drawn = { ink: Uint8Array; width: number; baseline: number; left: number; advance: number };
 
@@ -16,21 +16,21 @@ const EM = 144;
 const AIR = 4;
 /** Fonts of systems that draw signs in black, and whatever the system has. */
 const FAMILY = `"Noto Emoji", "Segoe UI Symbol", "Noto Sans", system-ui, sans-serif`;
-/** A word is longer than so many letters only in jest. */
+/** Maximum number of characters in a word. */
 const LONGEST = 60;
 /** Scripts that are shaped a word at a time. */
 const JOINED =
   /[\p{Script=Arabic}\p{Script=Hebrew}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}\p{Script=Devanagari}\p{Script=Bengali}\p{Script=Gurmukhi}\p{Script=Gujarati}\p{Script=Oriya}\p{Script=Tamil}\p{Script=Telugu}\p{Script=Kannada}\p{Script=Malayalam}\p{Script=Sinhala}\p{Script=Thai}\p{Script=Lao}\p{Script=Tibetan}\p{Script=Myanmar}\p{Script=Khmer}\p{Script=Mongolian}]/u;
 const LEFTWARD = /[\p{Script=Arabic}\p{Script=Hebrew}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}]/u;
 const EMOJI = /\p{Extended_Pictographic}/u;
-/** What has a shape of its own: all but marks, joiners, controls and spaces. */
+/** Characters with a shape: all except marks, joiners, controls and spaces. */
 const SEEN = /[^\p{M}\p{Cf}\p{Cc}\p{Z}]/u;
 /**
- * No font has letters for these: what is drawn for them is drawn for all that are missing, but for the number of the letter that
- * Firefox writes into its box, of four digits or of six.
+ * Characters without a glyph in any font. Their image is the sign for missing glyphs. Firefox draws the code of the
+ * character into it, with four or six digits.
  */
 const NOBODY = ['\u{10fffd}', '\uf8fd'];
-/** The font of which all that is missing is missing in the others. */
+/** Bundled font with the widest coverage, used to decide whether a glyph is missing. */
 const FONT = 'comic-neue';
 
 /**
@@ -82,7 +82,7 @@ function pieces(word: string, length: number): string[] {
   );
 }
 
-/** @returns what draws a run, or null for one that the system has no font for; null where pixels are not handed over */
+/** @returns draws a run, or returns null without a system font for it; null if pixels cannot be read */
 function createPen(): ((run: string) => Drawn | null) | null {
   if (typeof OffscreenCanvas === 'undefined') return null;
   const canvas = new OffscreenCanvas(8, 8);
@@ -97,7 +97,7 @@ function createPen(): ((run: string) => Drawn | null) | null {
     return picture;
   };
 
-  /** Whether the system has a sign for what it has no letter for, and draws that. */
+  /** Whether the system draws its sign for missing glyphs. */
   function isUnknown(letter: string) {
     if (!SEEN.test(letter)) return false;
     const picture = drawn(context as OffscreenCanvasRenderingContext2D, letter);
@@ -146,7 +146,7 @@ function drawn(context: OffscreenCanvasRenderingContext2D, run: string): Drawn |
   return { ink, width, baseline, left, advance: size.width };
 }
 
-/** A picture in colours becomes a drawing: its edge, and what is dark in it. */
+/** Converts a coloured image to a drawing: its edges and its dark areas. */
 function line(ink: Uint8Array, data: Uint8ClampedArray, width: number) {
   const reach = Math.round(EM / 26);
   const alpha = Uint8Array.from(ink);

@@ -7,7 +7,7 @@ import { cancelled, failure } from './protocol.ts';
 import type { SoundQuestion, SoundTrack } from './sound-worker.ts';
 import type { SoundEvent } from './types.ts';
 
-/** Samples a second: what is above 8 kHz tells no sound from another. */
+/** Sample rate in samples per second. Frequencies above 8 kHz do not help to distinguish sounds. */
 const RATE = 16_000;
 
 /** Maximum size of a video in bytes, and of its sound in seconds. Both are completely in memory. */

@@ -15,7 +15,7 @@ const DROP = 1;
 const COUNTER = 8;
 const MAX_FPS = 120;
 
-/** Where the content of a box begins and ends. */
+/** Start and end of the content of a box. */
 type Content = { inner: number; end: number };
 
 /** @returns null for a file without a timecode, and for any other file */

@@ -5,7 +5,7 @@
 
 const EXIF_DIRECTORY = 0x8769;
 const DATES = [0x9003, 0x9004];
-/** Records are looked for in so many bytes at the beginning and at the end. */
+/** Number of bytes at the beginning and at the end that are searched for records. */
 const REACH = 2 ** 20;
 
 /**

@@ -8,11 +8,11 @@ import { cancelled, failure } from './protocol.ts';
 import { runs, sampleTimes } from './sample-times.ts';
 import type { Listener, Wish } from './video.ts';
 
-/** A frame that does not come within this time, in ms, is taken as it is. */
+/** Maximum wait for a frame in milliseconds. After that the current image is used. */
 const PATIENCE = 1500;
-/** Frames where nobody says how many. */
+/** Default number of frames. */
 const USUAL = 24;
-/** A video that does not open within this time, in ms, is given up. */
+/** Maximum milliseconds for opening a video. */
 const OPENING = 10_000;
 
 /** @param why the fast way failed */

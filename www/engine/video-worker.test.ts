@@ -1,6 +1,6 @@
 import { beforeEach, expect, test, vi } from 'vitest';
 
-/** A file whose pictures are shown from 11.4 s to 23.4 s, one a second; seconds of the file that the libraries are asked for. */
+/** A file whose frames are from 11.4 s to 23.4 s, one per second; requested times in seconds of the file. */
 const FIRST = 11.4;
 const asked = vi.hoisted(() => ({ times: [] as number[], stretch: {}, chosen: [] as unknown[] }));
 
@@ -52,7 +52,7 @@ vi.mock('./film-module.ts', () => ({
 const messages: any[] = [];
 const send = (data: object) => (globalThis as any).onmessage({ data });
 
-/** What the worker answers. */
+/** The answer of the worker. */
 async function answer(wish: object) {
   await import('./video-worker.ts');
   const file = new File([new Uint8Array(64)], 'film.ts');

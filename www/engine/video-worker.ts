@@ -18,10 +18,10 @@ import type { FilmClock } from './film-clock.ts';
 import type { FileWish } from './frame-sender.ts';
 import type { InputVideoTrack, VideoSample } from 'mediabunny';
 
-/** Frames of a long film that are taken before it was looked through: those of a first page, and some that may be better. */
+/** Frames of a long video before shot detection: for a first page, and some spare ones. */
 const FIRST = 8;
 
-/** Frames of a film at most where nobody says how many. */
+/** Maximum automatic number of frames per video. */
 const MOST = 120;
 /** Frames by the clock, where shots cannot be found. */
 const WITHOUT = 24;
@@ -109,7 +109,7 @@ async function byShots(track: InputVideoTrack, sender: Sender, wish: Spread, dur
 
 /**
  * @param chosen seconds and shots by turns
- * @param taken those that are there already, and count; where there are too many, shots that have one go without another
+ * @param taken existing frames, which count; if there are too many, shots with a frame get no other one
  */
 function freshOf(chosen: Float64Array, taken: readonly number[], most: number): Place[] {
   const all = Array.from({ length: chosen.length / 2 }, (_, i) => ({ time: chosen[2 * i], shot: chosen[2 * i + 1] }));
@@ -125,7 +125,7 @@ function freshOf(chosen: Float64Array, taken: readonly number[], most: number): 
   return kept.slice(0, Math.max(0, most - taken.length)).map((place, i) => ({ ...place, index: taken.length + i }));
 }
 
-/** @returns `reaches`: seconds that the file has; less than it says where it breaks off */
+/** @returns `reaches`: readable duration in seconds, less than stated for a truncated file */
 async function lengthOf(track: InputVideoTrack): Promise<{ duration: number; reaches: number }> {
   const packets = new EncodedPacketSink(track);
   const told = (await track.getDurationFromMetadata().catch(() => null)) ?? 0;
@@ -165,7 +165,7 @@ async function open(input: Input, file: Blob) {
   return track;
 }
 
-/** A file that breaks off before the list of its frames has none of them. */
+/** A file without an index, which is truncated. */
 async function trackOf(input: Input) {
   const tracks = await input.getTracks().catch(() => []);
   if (tracks.length === 0) throw failure('film-cut', 'The file is incomplete: its index is missing.');

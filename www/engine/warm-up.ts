@@ -6,14 +6,14 @@ import type { Studio } from '../pkg/inkpanel.js';
 import type { Operations } from './protocol.ts';
 import type { Tell } from './serving.ts';
 
-/** One that is decoded whole, and one of those that are decoded at half their sides (`decode_reduced` in Rust). */
+/** A size that is decoded completely, and one that is decoded at half size (`decode_reduced` in Rust). */
 const SIZES = [
   [1500, 1000],
   [3200, 480],
 ];
 /** The width of the page, in pixels. */
 const PAGE = 480;
-/** Of random numbers that are asked for at once, the most that browsers give. */
+/** Maximum number of random bytes per call in browsers. */
 const AT_ONCE = 65_536;
 
 export function createWarmUp(studio: Studio) {
@@ -36,7 +36,7 @@ export function createWarmUp(studio: Studio) {
   };
 }
 
-/** A file with edges and grain, as those of cameras have: smooth colour would leave out most of the decoder. */
+/** A file with edges and grain, like camera files. Smooth colours would skip most of the decoder. */
 async function grainy([width, height]: number[]): Promise<Uint8Array> {
   const { data } = new ImageData(width, height);
   for (let at = 0; at < data.length; at += AT_ONCE) crypto.getRandomValues(data.subarray(at, at + AT_ONCE));

@@ -16,7 +16,7 @@ export function createWarming(run: Run, workers = 1) {
 
   return {
     warm,
-    /** There is real work: what is under way ends by itself, in a moment. */
+    /** Ends the warm-up for real work. The current job ends shortly after. */
     stop: () => over.abort(),
   };
 

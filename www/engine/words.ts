@@ -142,8 +142,9 @@ async function open() {
   const shape = createShaping(letters);
   return {
     /**
-     * @param photos what is known of them, by their ids
-     * @returns the words of the document, those placed by themselves where they hide no face, and as little of bodies as they can
+     * @param photos properties of photos by id
+     * @returns the text items of the document, with automatic items away from faces, and covering as little of bodies
+     *   as possible
      */
     settle: (document: PageDocument, photos: Record<string, KnownPhoto>): Word[] => {
       shape(document);
@@ -159,8 +160,8 @@ async function open() {
     missing: (text: string, font: string): string => letters.missing(text, font),
     /**
      * @param bytes of a file, WebVTT or SubRip
-     * @param frames their times in seconds, and whether a page shows them; where there are none, the words are laid over so many
-     * `panels` in order
+     * @param frames their times in seconds, and whether a page shows them; without frames, text items are placed on
+     *   `panels` in order
      */
     subtitles: (
       bytes: Uint8Array,
@@ -172,7 +173,7 @@ async function open() {
       const places = Float64Array.from(frames.flatMap(({ time, shown }) => [time, Number(shown)]));
       return JSON.parse(subtitles(bytes, vtt, places, panels, kind, sounds));
     },
-    /** @returns a script laid over panels in order, and how many lines it has; null for what is no text */
+    /** @returns a script placed on panels in order, and its number of lines; null if the file is not text */
     script: (bytes: Uint8Array, panels: number, { kind, sounds }: Taking): (LaidSpeech & { lines: number }) | null =>
       JSON.parse(script(bytes, panels, kind, sounds)),
   };

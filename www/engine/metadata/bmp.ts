@@ -79,7 +79,7 @@ function rowOf(width: number, bits: number): number {
 }
 
 /**
- * Blanks the bits of each row that are no pixels.
+ * Blanks the unused bits of each row.
  * @param bytes are changed
  * @param lengths bytes of a row, and bits of it that are pixels
  */
@@ -94,7 +94,7 @@ function blankEnds(bytes: Uint8Array, start: number, rows: number, { row, used }
 
 /**
  * @param told how long the file says that they are
- * @returns bytes of the runs to their end, as long as is told where they have none; 0 where they are cut short
+ * @returns bytes of the runs to their end, or the stated length without an end mark; 0 if they are truncated
  */
 function lengthOfRuns(bytes: Uint8Array, start: number, packing: number, told: number): number {
   for (let at = start; at + 1 < bytes.length; ) {

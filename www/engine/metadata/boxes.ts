@@ -67,12 +67,12 @@ const NEEDED = new Set([
   'tfra',
   'mfro',
 ]);
-/** What may stand beside them at the top of a film; of the last three the content is nothing. */
+/** Allowed boxes at the top level of a video. The content of the last three is removed. */
 const AT_TOP = new Set(['ftyp', 'styp', 'sidx', 'ssix', 'mdat', 'free', 'skip', 'wide']);
 const EMPTY = new Set(['free', 'skip', 'wide']);
 /** Boxes that begin with when they were made and changed. */
 const DATED = new Set(['mvhd', 'tkhd', 'mdhd']);
-/** Tracks of pictures and sounds. Others tell of places, or of the time of day. */
+/** Tracks of video and sound. Others may contain places or times of day. */
 const SEEN_OR_HEARD = new Set(['vide', 'auxv', 'pict', 'soun']);
 const COMPRESSED = 'cmov';
 /** In the head of how pictures are coded: who made the coder, and its name. */
@@ -82,7 +82,7 @@ const CODER = [
 ];
 /** No part of a film that is read as a whole is larger. */
 const MOST_BYTES = 256 * 2 ** 20;
-/** So much of a box that is not read is put in the place of one that goes. */
+/** Zeros that replace removed boxes, in chunks of this size. */
 const NOTHING = new Uint8Array(2 ** 20);
 
 /**
@@ -125,7 +125,7 @@ export async function filmParts(file: Blob): Promise<{ parts: BlobPart[]; clean:
   return { parts: parts.slice(0, last), clean };
 }
 
-/** @returns so many bytes of nothing, which are held once */
+/** @returns zero bytes that share one buffer */
 function nothing(length: number): BlobPart[] {
   const whole = Array(Math.floor(length / NOTHING.length)).fill(NOTHING);
   return [...whole, NOTHING.subarray(0, length % NOTHING.length)];
@@ -213,9 +213,9 @@ export function blankHandler(bytes: Uint8Array, { inner, end }: Box) {
 }
 
 /**
- * Where its pictures and sounds lie: in this very file, for which some writers give the names of disk and folder too.
+ * Removes file names from data references. Some writers store disk and folder names.
  * @param bytes are changed
- * @returns false where they lie elsewhere
+ * @returns false if the data is in other files
  */
 function scrubPlaces(bytes: Uint8Array, view: DataView, { inner, end }: Box): boolean {
   const places = boxesIn(view, inner + 8, end);

@@ -6,7 +6,7 @@
 const ORIENTATION = 0x0112;
 const FIELD = 12;
 
-/** @returns null where it is no TIFF file */
+/** @returns null if it is not a TIFF file */
 function opened(record: Uint8Array): { view: DataView; little: boolean } | null {
   const view = new DataView(record.buffer, record.byteOffset, record.byteLength);
   const mark = record.length < 8 ? 0 : view.getUint32(0);

@@ -33,7 +33,7 @@ export function gifParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[]
   return null;
 }
 
-/** @returns where each block ends, the last, which is empty, too; null where they are cut short */
+/** @returns the end of each block, including the last, empty one; null if they are truncated */
 function blocksAt(bytes: Uint8Array, at: number): number[] | null {
   const ends: number[] = [];
   while (at < bytes.length) {

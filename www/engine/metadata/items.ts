@@ -31,7 +31,7 @@ const PICTURES = new Set([
   'tmap',
 ]);
 const [EXIF, WORDS] = ['Exif', 'mime'];
-/** What is told of the items: which is the picture, where they lie, how they belong together. */
+/** Boxes about items: the primary image, locations, relations. */
 const ABOUT = new Set(['hdlr', 'pitm', 'iinf', 'iloc', 'iprp', 'iref', 'idat', 'grpl', 'dinf']);
 /** Properties that the pixels depend on: sides, coders, colours, turns. */
 const PROPERTIES = new Set([
@@ -67,7 +67,7 @@ const PROPERTIES = new Set([
   'a1op',
   'a1lx',
 ]);
-/** Of the file itself; the content of the last three is nothing. */
+/** Allowed boxes at the top level. The content of the last three is removed. */
 const AT_TOP = new Set(['ftyp', 'meta', 'mdat', 'moov', 'moof', 'free', 'skip', 'wide']);
 const [PICTURE_BOX, FILM] = ['mdat', new Set(['moov', 'moof'])];
 const BLANK = 0x20;
@@ -133,7 +133,7 @@ export function itemParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[]; 
   return { parts: [whole], clean };
 }
 
-/** @returns the boxes of the file, to its end or to what is none */
+/** @returns the boxes of the file, up to the first invalid one */
 function topOf(view: DataView): Box[] {
   const found: Box[] = [];
   for (let at = 0; ; ) {
@@ -144,7 +144,7 @@ function topOf(view: DataView): Box[] {
   }
 }
 
-/** @returns by id; null where they are told of in a way that is not known here */
+/** @returns by id; null for an unknown format of the list */
 function itemsOf(view: DataView, { inner, end }: Box): Map<number, Item> | null {
   const entries = boxesIn(view, inner + (view.getUint8(inner) === 0 ? 6 : 8), end);
   const items: Map<number, Item> = new Map();
@@ -163,8 +163,8 @@ function itemsOf(view: DataView, { inner, end }: Box): Map<number, Item> | null 
 }
 
 /**
- * @param data where the items begin that lie in the list itself
- * @returns by id; null where they lie elsewhere, or in a way that is not known here
+ * @param data start of items inside the list itself
+ * @returns by id; null for items in other files, or an unknown format of the list
  */
 function placesOf(view: DataView, { inner, end }: Box, data: number): Map<number, Range[]> | null {
   const version = view.getUint8(inner);

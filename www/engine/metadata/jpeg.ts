@@ -11,7 +11,7 @@ const NEEDED: Record<number, { begins: string; most: number }> = {
   [APP2]: { begins: 'ICC_PROFILE\0', most: 0xffff },
   [APP14]: { begins: 'Adobe', most: 12 },
 };
-/** Where the sides of the small picture of `APP0` stand in it. */
+/** Offsets of the thumbnail size in `APP0`. */
 const SMALL_SIDES = [12, 13];
 
 /**
@@ -54,7 +54,7 @@ export function jpegParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[
   }
 }
 
-/** Frames, tables, scans and how often the coder begins anew. */
+/** Frames, tables, scans and restart intervals. */
 function isPicture(marker: number) {
   return (marker >= 0xc0 && marker <= 0xcf && marker !== 0xc8) || (marker >= SCAN && marker <= 0xdf);
 }

@@ -20,7 +20,7 @@ import { webpParts } from './webp.ts';
 /** `clean`: false if the file still contains metadata, because its format is unknown or it is damaged. */
 export type Stripped = { blob: Blob; clean: boolean };
 
-/** Chunks of a PNG that change how its pixels look, and those of an animation. Others go, whatever they are. */
+/** PNG chunks that change the look of pixels, and chunks of animations. Others go, whatever they are. */
 const PNG_CHUNKS = [
   'IHDR',
   'PLTE',
@@ -72,7 +72,7 @@ function whole(parts: BlobPart[] | null) {
   return parts && { parts, clean: true };
 }
 
-/** @returns null where it is not whole */
+/** @returns null if the file is incomplete */
 async function pngParts(file: Blob): Promise<BlobPart[] | null> {
   const chunks = await chunksOf(file);
   if (!chunks) return null;

@@ -185,7 +185,7 @@ export function soiled(file: Uint8Array): Uint8Array<ArrayBuffer> {
   throw new Error('no such kind');
 }
 
-/** Tags of nobody in a directory that is moved to the end, and what it was is words. */
+/** Unknown tags in a directory that is moved to the end. Text replaces the old directory. */
 function soiledTiff(file: Uint8Array) {
   const little = file[0] === 0x49;
   const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
@@ -246,7 +246,7 @@ function soiledBmp(file: Uint8Array) {
   return made;
 }
 
-/** A small picture, segments of programs and of nobody, between segments, and behind the end. */
+/** A thumbnail, application segments and unknown segments, data between segments and after the end. */
 function soiledJpeg(file: Uint8Array) {
   const part = (marker: number, ...content: (Uint8Array | number[] | string)[]) => {
     const body = bytesOf(...content);
@@ -293,7 +293,7 @@ function crc32(bytes: Uint8Array) {
   return (crc ^ 0xffffffff) >>> 0;
 }
 
-/** Chunks of nobody, in the frames of an animation too, and behind the end. */
+/** Unknown chunks, in animation frames as well, and data after the end. */
 function soiledWebp(file: Uint8Array) {
   const part = (type: string, content: Uint8Array) =>
     bytesOf(type, number(content.length, 4, true), content, content.length % 2 ? [0] : []);
@@ -309,7 +309,7 @@ function soiledWebp(file: Uint8Array) {
   return bytesOf('RIFF', number(body.length, 4, true), body, SECRET);
 }
 
-/** Extensions of others and of nobody, longer blocks than a known one has, and behind the end. */
+/** Application extensions and unknown ones, oversized blocks, and data after the end. */
 function soiledGif(file: Uint8Array) {
   const part = (label: number, ...blocks: string[]) =>
     bytesOf([0x21, label], ...blocks.map((block) => bytesOf([block.length], block)), [0]);

@@ -7,12 +7,12 @@
 import { blankAround, joined, meet } from './ranges.ts';
 import type { Range } from './ranges.ts';
 
-/** `at` is where its value lies, in the field or elsewhere; `length` is that of the value in bytes. */
+/** `at` is the offset of its value, inside or outside of the field; `length` is the size of the value in bytes. */
 type Field = { tag: number; type: number; count: number; at: number; length: number };
 /** `place` is where it lies. */
 type Directory = { place: number; end: number; fields: Field[]; next: number };
 
-/** What each picture of the file needs, by tag. */
+/** Tags that each image needs. */
 const NEEDED = new Set([
   254,
   255, // which kind of picture it is
@@ -67,7 +67,7 @@ const NEEDED = new Set([
 ]);
 
 const [KIND, COMPRESSION, SUB_DIRECTORIES, DNG] = [254, 259, 330, 50706];
-/** Where the pixels are, and how long: of strips, of tiles. */
+/** Tags of offsets and lengths of pixels: strips, tiles. */
 const PIXELS = [
   [273, 279],
   [324, 325],
@@ -82,7 +82,7 @@ const [SHORT, LONG] = [3, 4];
 const FIELD = 12;
 /** Pictures in a file; a scanned book has hundreds. */
 const MOST_DIRECTORIES = 4096;
-/** Fields, strips and tiles of all of them: what overlaps could make millions of a few. */
+/** Maximum number of fields, strips and tiles. Overlaps could make millions of them. */
 const MOST_PIECES = 2 ** 20;
 
 /**
@@ -170,7 +170,7 @@ function tableOf(view: DataView, little: boolean, { fields }: Directory, next: n
   return table;
 }
 
-/** @returns those of the pictures one after the other; null where they are not whole */
+/** @returns the directories of the images in sequence; null if they are incomplete */
 function directoriesOf(view: DataView, little: boolean): Directory[] | null {
   const found: Map<number, Directory> = new Map();
   let pieces = 0;
@@ -184,7 +184,7 @@ function directoriesOf(view: DataView, little: boolean): Directory[] | null {
   return found.size === 0 ? null : [...found.values()];
 }
 
-/** @returns null where it is cut short */
+/** @returns null if it is truncated */
 function directoryAt(view: DataView, little: boolean, place: number): Directory | null {
   if (place < 8 || place + 2 > view.byteLength) return null;
   const end = place + 2 + FIELD * view.getUint16(place, little);
@@ -210,7 +210,7 @@ function directoryAt(view: DataView, little: boolean, place: number): Directory 
   };
 }
 
-/** @returns none where it is not there, or no list of numbers */
+/** @returns empty if the tag is missing or not a list of numbers */
 function numbersOf(view: DataView, little: boolean, fields: readonly Field[], tag: number): number[] {
   const field = fields.find((other) => other.tag === tag);
   if (!field || ![SHORT, LONG].includes(field.type) || field.at + field.length > view.byteLength) return [];
@@ -220,7 +220,7 @@ function numbersOf(view: DataView, little: boolean, fields: readonly Field[], ta
   );
 }
 
-/** @returns 0 where it is not said */
+/** @returns 0 if the tag is missing */
 function numberOf(view: DataView, little: boolean, fields: readonly Field[], tag: number): number {
   return numbersOf(view, little, fields, tag)[0] ?? 0;
 }

@@ -3,7 +3,7 @@
 import { orientationOf, recordOf } from './exif.ts';
 
 const NEEDED = ['VP8X', 'VP8 ', 'VP8L', 'ALPH', 'ANIM', 'ANMF', 'ICCP'];
-/** What a frame of an animation is made of, behind its place and time. */
+/** Chunks of an animation frame, after its position and duration. */
 const FRAME = 'ANMF';
 const FRAME_HEAD = 16;
 const NEEDED_IN_FRAME = ['VP8 ', 'VP8L', 'ALPH'];
@@ -49,8 +49,8 @@ export function webpParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[
 }
 
 /**
- * @param end of what it is in
- * @returns null where it is cut short
+ * @param end end of the parent
+ * @returns null if it is truncated
  */
 function chunkAt(view: DataView, at: number, end: number): { type: string; length: number; next: number } | null {
   if (at + 8 > end) return null;
@@ -59,12 +59,12 @@ function chunkAt(view: DataView, at: number, end: number): { type: string; lengt
   return at + 8 + length > end ? null : { type, length, next: at + 8 + length + (length % 2) };
 }
 
-/** @returns a chunk, of which a last byte that only fills is nothing */
+/** @returns a chunk, with a zero padding byte if necessary */
 function whole(file: Blob, at: number, length: number): Blob {
   return new Blob([file.slice(at, at + 8 + length), new Uint8Array(length % 2)]);
 }
 
-/** @returns a frame of an animation without all that is no picture */
+/** @returns an animation frame with only image chunks */
 function frame(view: DataView, at: number, file: Blob, length: number): Blob | null {
   const end = at + 8 + length;
   const parts: Blob[] = [];
