@@ -60,7 +60,7 @@ export function unreadMeta(id: string): PhotoMeta {
   };
 }
 
-/** A fingerprint that is far from any other, so that photos that nobody has seen do not count as alike (FNV-1a). */
+/** A fingerprint that is far from all others, so that unread photos do not count as near-duplicates (FNV-1a). */
 function unlike(text: string) {
   let hash = 0xcbf29ce484222325n;
   for (const character of text)

@@ -27,7 +27,7 @@ export function createEditing(editor: Editor, from: History = EMPTY_HISTORY) {
 
   return {
     history: () => history,
-    /** What plans pages of the present from photos in use. */
+    /** Plans pages of the present from photos in use. */
     plans: editor.plans,
     /** Ids that were never used, nor any above them: of a page, and of a place in the storyboard. */
     fresh: () => ({ pageId, sheet }),
@@ -44,14 +44,14 @@ export function createEditing(editor: Editor, from: History = EMPTY_HISTORY) {
   };
 }
 
-/** Halves of letters, which a person can paste, are none for the core. */
+/** Replaces lone surrogates, which the user can paste and the core rejects. */
 function jsonOf(edit: object): string {
   const text = JSON.stringify(edit);
   if (!text.includes('\\ud')) return text;
   return JSON.stringify(edit, (_, value) => (typeof value === 'string' ? wellFormed(value) : value));
 }
 
-/** @returns with the pages that the core has told by their ids alone */
+/** @returns with only the ids of pages that the core already has */
 function withoutKnown(change: Change, { present, shown }: History): object {
   const pages = new Map([...shown.map(({ id, page }) => [id, page] as const), ...ownPages(present)]);
   const spared = <T extends { page: PageDocument; pageId: number }>(one: T) =>
@@ -91,7 +91,7 @@ function laidOver(was: History, told: Difference, given: readonly PageDocument[]
   return Object.entries(now).every(([part, value]) => was[part as keyof History] === value) ? was : now;
 }
 
-/** Where no word waits nothing is told of them, nor of a board that nobody made. */
+/** Removes empty unplaced text and default storyboard settings. */
 function bare(project: Project): Project {
   const { waiting, board, ...rest } = project;
   if (waiting?.length !== 0 && board !== null) return project;
@@ -121,7 +121,7 @@ function knownParts({ present, shown }: History): Known {
   };
 }
 
-/** @returns the list before where it is as it was */
+/** @returns the old list if nothing changed */
 function listed<T>(runs: Runs, all: readonly T[], before: readonly T[]): readonly T[] {
   const list = runs.flatMap(([first, count]) => all.slice(first, first + count));
   return list.length === before.length && list.every((one, i) => one === before[i]) ? before : list;

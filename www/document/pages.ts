@@ -11,7 +11,7 @@ import type { Store } from './store.ts';
 
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
-/** Seeds tried for photos in other places: of one photo there are none. */
+/** Number of seeds that are tried for another arrangement of photos. A single photo has only one arrangement. */
 const MOST_TRIES = 5;
 
 /** @returns a seed that was likely never used */

@@ -149,13 +149,13 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
 
   return {
     history: computed(() => history.value) as ReadonlySignal<History>,
-    /** The history with what edits it, for who puts another in its place and may take that back. */
+    /** The history and its editor, for replacing and restoring them. */
     editing: () => editing,
-    /** What plans pages of the project from the photos in use. Throws while there is no planner. */
+    /** Plans pages of the project from the photos in use. Throws while there is no planner. */
     plans: () => (editing ?? begun()).plans(photos.peek()),
     /** Ids that were never used, nor any above them: of a page, and of a place in the storyboard. */
     fresh: () => (editing ?? begun()).fresh(),
-    /** Where the history is kept. */
+    /** Storage place of the history. */
     place: computed(() => place.value) as ReadonlySignal<Place>,
     album,
     videos,
@@ -186,7 +186,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     geometry,
     change,
     load,
-    /** Forgets what is known of photos that are in no state of the history. */
+    /** Drops the measurements of photos that are in no state of the history. */
     unknow: (ids: readonly string[]) => {
       album.value = new Map([...album.value].filter(([id]) => !ids.includes(id)));
     },

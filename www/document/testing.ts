@@ -50,7 +50,7 @@ export function fakePlanner() {
     wishes,
     /** The photos in use that the last was planned from. */
     used: [] as readonly PhotoMeta[],
-    /** What becomes of a page that the core has planned. */
+    /** Replaces a page that the core planned. */
     planned: (page: PageDocument | null, _wish: Wish) => page,
     styles: () => [],
     blocks: () => [],

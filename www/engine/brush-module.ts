@@ -47,7 +47,7 @@ export function createHand(
 ) {
   const retouch = new Retouch(...begin);
   return {
-    /** Of the image from `draw`, in pixels. */
+    /** Width of the image from `draw`, in pixels. */
     width: retouch.width,
     height: retouch.height,
     /** @param fine with the photo's own edges, for which a stroke under way may not wait @returns RGBA */

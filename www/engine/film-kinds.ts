@@ -40,7 +40,7 @@ export function isFilmStart(bytes: Uint8Array): boolean {
   return containerOf(bytes) !== null;
 }
 
-/** Up to this number, every file is opened. Of more files, only those without an image type are opened. */
+/** Up to this number, every file is opened. Beyond it, files with an image type are skipped. */
 const FEW = 24;
 
 /**

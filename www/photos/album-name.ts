@@ -11,12 +11,12 @@ export type Origin = {
   sample?: boolean;
 };
 
-/** What cameras, systems and programs call folders, which says nothing of what is in them. */
+/** Folder names of cameras, systems and programs, which do not describe the content. */
 const EMPTY_NAMES =
   /^(dcim|\d{3}[a-z0-9_]{5}|camera( roll)?|downloads?|desktop|documents?|pictures?|photos?|images?|fotos?|bilder|imágenes|imagens|descargas|téléchargements|ダウンロード|画像|写真|new folder.*|neuer ordner.*|tmp|temp)$/i;
 
 const DAY = 86_400_000;
-/** Before that nobody took photos with a camera that writes the day: its clock was not set. */
+/** Earliest plausible capture date. Earlier dates mean that the clock was not set. */
 const FIRST_DAY = Date.UTC(1990, 0, 2);
 
 /**

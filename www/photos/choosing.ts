@@ -11,7 +11,7 @@ import type { Reading } from './reading.ts';
 
 export type Choosing = ReturnType<typeof createChoosing>;
 
-/** A panel is large from so many times the mean. */
+/** Size of a large panel, relative to the mean. */
 const LARGE = 1.3;
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 

@@ -3,7 +3,7 @@
 import { screenPixels } from '../ui/bitmap.tsx';
 import type { Bounds } from '../engine/types.ts';
 
-/** of a photo; none while it is not read */
+/** of a photo; null until it is read */
 type Size = { width: number; height: number } | null | undefined;
 
 /** A style without blocks, which does not change the photo. */

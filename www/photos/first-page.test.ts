@@ -3,7 +3,7 @@ import { edited, fakeApp, pageOf } from '../document/testing.ts';
 
 vi.useFakeTimers();
 
-/** @param slow files of which no end is seen */
+/** @param slow files that are never finished */
 function app(slow: (name: string) => boolean, odd: Parameters<typeof fakeApp>[0] = {}) {
   const made = fakeApp(odd);
   const go: (() => void)[] = [];

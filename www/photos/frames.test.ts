@@ -5,7 +5,7 @@ import { createFrames } from './frames.ts';
 
 const VIDEOS = new URL('../../tests/videos/', import.meta.url);
 
-/** What is known of a film after its frames were read. */
+/** The properties of a video after its frames were read. */
 async function readFilm(name: string) {
   const store = createStore();
   let next = 0;

@@ -18,9 +18,9 @@ import type { Intake } from './intake.ts';
 /** Number of reserved frames before the shots of a video are known. Their final number follows the shots. */
 export const FRAMES = 24;
 
-/** How a change is entered: silently with a first page, else as a part of a step of the undo. */
+/** How a change is recorded: silently with a first page, otherwise in an undo group. */
 type Step = { silent: true } | { gesture: string };
-/** `moments`: seconds at which somebody speaks; `step` of what comes beyond the first places */
+/** `moments`: times in seconds of dialogue; `step` of frames beyond the reserved ones */
 type How = { signal: AbortSignal; step?: () => Step; moments?: readonly number[] };
 
 export function createFrames({

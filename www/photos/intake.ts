@@ -17,7 +17,7 @@ import type { Damage } from '../engine/types.ts';
 
 export type Intake = ReturnType<typeof createIntake>;
 
-/** Milliseconds in which photos of a crowd are told of together: whatever depends on the album would else be computed and painted anew for each. */
+/** Interval in milliseconds for updates of many photos, so that dependent views are not updated for each photo. */
 const TOGETHER = 300;
 
 /** @returns a unique prefix of photo ids for this session */

@@ -4,7 +4,7 @@ import { createMasks } from './masks.ts';
 import { fakeApp } from '../document/testing.ts';
 import { failure } from '../engine/protocol.ts';
 
-/** @param find what the net answers for a photo */
+/** @param find returns the mask of a photo */
 function app(find: (id: string, signal?: AbortSignal) => Promise<string>, has = true) {
   const made = fakeApp();
   const asked: string[] = [];

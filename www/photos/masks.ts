@@ -12,7 +12,7 @@ import type { ReadonlySignal, Signal } from '@preact/signals';
 
 export type Masks = ReturnType<typeof createMasks>;
 
-/** Photos beside those of pages that are looked at, too: the next shuffle may bring them. */
+/** Number of photos outside of pages that are processed as well, because the next shuffle may use them. */
 const BESIDE = 24;
 
 /**
@@ -73,7 +73,7 @@ export function createMasks({
     there: computed(() => !off.value),
     progress,
     settled: computed(() => stopped.value || due.value.length === 0),
-    /** Whether a person stopped the search before its end: then nothing begins it again but `goOn`. */
+    /** Whether the user stopped the search. Only `goOn` continues it. */
     held: computed(() => stopped.value && due.value.length > 0),
     stop,
     goOn: () => {

@@ -174,7 +174,7 @@ export function PhotoTile({
   );
 }
 
-/** Where the storyboard shows a photo: as text, so that a tile is drawn anew only where it changes. */
+/** Pages and panels that show a photo, as text, so that a tile is only drawn again after a change. */
 function shownOn(pages: readonly PageDocument[], id: string, long: boolean): string {
   const several = pages.length > 1;
   const say = (page: number, panel: number) => {

@@ -11,7 +11,7 @@ const alerts = ({ messages }: ReturnType<typeof fakeApp>) => messages.list.value
 describe('the first photos', () => {
   test('are laid out before any is read, in the order of their names', async () => {
     const app = fakeApp();
-    /** What is there when the first photo was read. */
+    /** The state after the first photo was read. */
     let first: unknown = null;
     app.store.reading.subscribe((reading) => {
       if (reading?.done === 1) first ??= names(app);

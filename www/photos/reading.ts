@@ -74,7 +74,7 @@ export function createReading({
     edit,
     freshIds: intake.freshIds,
     count: intake.count,
-    /** What the project is called by its photos; empty where they tell nothing. */
+    /** The automatic name of the project; empty without information. */
     automaticName: naming.automatic,
     title: naming.title,
     moments: naming.moments,

@@ -15,7 +15,7 @@ import type { Signal } from '@preact/signals';
 
 export type Subjects = ReturnType<typeof createSubjects>;
 
-/** What was found in a photo so far; what failed counts as nothing found. `closer`: a look for small faces is due. */
+/** Detected subjects of a photo. A failure counts as no result. `closer`: a look for small faces is due. */
 type Looked = { faces?: readonly Detection[]; objects?: readonly Detection[]; closer?: boolean };
 type Lane = 'faces' | 'objects';
 

@@ -95,7 +95,7 @@ function useTiles(): (item: TrayItem, used: boolean, stack: number) => VNode {
   };
 }
 
-/** A film that is looked through: its frames come when that is done, those of the first page before. */
+/** A video during analysis. Its frames follow afterwards, except the frames of the first page. */
 function Looking({ name, part }: { name: string; part: number }) {
   const label = strings.lookingThrough(name, strings.percent(part));
   return (
@@ -106,7 +106,7 @@ function Looking({ name, part }: { name: string; part: number }) {
   );
 }
 
-/** A line alone: faces and figures refine what is there already, and nobody waits for them. */
+/** A single line, because faces and masks only improve existing pages. */
 function Finding({ label, done, total }: Progress & { label: string }) {
   return <progress class="progress finding" aria-label={label} title={label} value={done} max={total} />;
 }

@@ -57,5 +57,5 @@ export function Broken() {
   );
 }
 
-/** Characters of what the program says about it. */
+/** Maximum length of the error message in characters. */
 const MOST = 200;

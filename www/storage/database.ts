@@ -46,9 +46,9 @@ export type StateRecord = {
 };
 /** The states of a project that were drawn (`drawn-states.ts`). */
 type DrawnRecord = { id: string; version: number; drawn: readonly Project[]; facts: string[] };
-/** Since when photos are needed by nobody (`orphans.ts`), in ms by their keys. */
+/** Dates since when photos are unused (`orphans.ts`), in ms by key. */
 type OrphansRecord = { id: string; since: Map<string, number> };
-/** What stands in the table of states, none of which is trusted before it was looked at. */
+/** A record in `states`, not validated. */
 type AnyState = { id: string } & Partial<StateRecord & DrawnRecord & OrphansRecord>;
 type FactRecord = { id: string; fact: Fact };
 
@@ -75,7 +75,7 @@ export type Database = IDBPDatabase<Schema>;
 
 const TABLES = ['projects', 'states', 'facts', 'photos'] as const;
 const NAME = 'inkpanel';
-/** Of the tables; what is in them has a version of its own (`versions.ts`). */
+/** Version of the tables; their content has a separate version (`versions.ts`). */
 const VERSION = 1;
 
 /**

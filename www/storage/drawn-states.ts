@@ -10,7 +10,7 @@ import type { Place } from '../document/place.ts';
 
 export type DrawnStates = ReturnType<typeof createDrawnStates>;
 
-/** So many are kept. */
+/** Number of stored states. */
 const MOST = 3;
 
 /**

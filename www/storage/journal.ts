@@ -17,11 +17,11 @@ export type Base = { stamp: string; history: History };
 /** Photos that the database does not know: their ids and names. */
 type Names = readonly (readonly [string, string])[];
 type Told = { history: History; photos: Names };
-/** Stretches of a list: where it begins, and how many. */
+/** Runs of list items: start and length. */
 type Runs = [number, number][];
 /**
- * States by their numbers: those of the base count from 0, `past`, `present` and `future` in a row; those in `states`
- * from -1 down. `shown` likewise, with `pages`. A state tells the fields that differ from the base's present.
+ * States by number: states of the base count from 0, `past`, `present` and `future` in sequence; states in `states`
+ * count from -1 down. `shown` likewise, with `pages`. A state tells the fields that differ from the base's present.
  */
 type Patch = {
   states: Partial<Project>[];
@@ -31,7 +31,7 @@ type Patch = {
   pages: (Omit<Shown, 'page'> & { page: unknown })[];
   shown: Runs;
 };
-/** What stands under the id of a project. */
+/** The entry of a project. */
 type Entry = { version: number; bases: { stamp: string; patch: Patch }[]; photos: [string, string][] };
 /** The core's reading of a history. */
 type Read = (kept: { version: number; history: unknown }) => { history: History; dropped: readonly string[] };
@@ -40,9 +40,9 @@ export type Journal = ReturnType<typeof createJournal>;
 const VERSION = 1;
 const PREFIX = 'inkpanel.journal.';
 
-/** Characters of an entry: more would hold up the hand that edits, and crowd out what else is kept there. */
+/** Maximum length of an entry in characters. Longer ones would slow down editing and fill local storage. */
 const MOST = 400_000;
-/** Of a list. */
+/** Maximum length of a list. */
 const MOST_ITEMS = 10_000;
 
 /** `box` may throw if storage is blocked */
@@ -200,7 +200,7 @@ function patched(base: History, { states, past, present, future, pages, shown }:
 }
 
 /**
- * @param from what it was read from, made of the base
+ * @param from the input of the reader, made from the base
  * @returns with the states and pages of the base where they are the same
  */
 function kinOf(read: History, from: History, base: History): History {

@@ -31,7 +31,7 @@ import type { Signal } from '@preact/signals';
 
 export type Opening = ReturnType<typeof createOpening>;
 
-/** A page that is loaded again waits so long for its former self to let go, in ms. */
+/** Time in ms that a reloaded tab waits for its previous self to release the lock. */
 const PATIENCE = 2_000;
 
 /**
@@ -118,7 +118,7 @@ export function createOpening({
     busy,
     current: computed(() => store.place.value.id),
     begin,
-    /** Resolves once no project is about to take the place of this one, that of the last visit included. */
+    /** Resolves when no other project is about to be opened, including the first one. */
     turned: () => begun.then(() => queue).then(() => {}),
     open,
     create,

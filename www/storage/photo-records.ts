@@ -12,9 +12,9 @@ import type { Fact, Video } from '../document/album.ts';
 import type { createPhotos } from '../engine/photos.ts';
 import type { Database, KeptVideo, PhotoRecord } from './database.ts';
 
-/** What a project refers to. */
+/** References of a project. */
 type Wanted = { facts: readonly Fact[]; videos: readonly Video[] };
-/** What the page holds of a photo or a film: `entry` once it was decoded. */
+/** A photo or video in memory: `entry` after decoding. */
 type Held = { id: string; name: string; file: Blob; entry: ReturnType<ReturnType<typeof createPhotos>['get']> | null };
 export type PhotoRecords = ReturnType<typeof createPhotoRecords>;
 

@@ -87,7 +87,7 @@ function stateText({ status, progress }: Keeping) {
     : strings.saveState[state];
 }
 
-/** @param props `dot`: it says, too, that not all is saved, where there is no room for words */
+/** @param props `dot`: it also marks unsaved changes, if there is no space for text */
 function ProjectsButton({ small = false, dot = false }: { small?: boolean; dot?: boolean }) {
   const { ui, keeping } = useApp();
   const on = ui.work.value === 'projects';

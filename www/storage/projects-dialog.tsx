@@ -123,7 +123,9 @@ function Project({ project: { id, name, changed, photos, picture } }: { project:
   );
 }
 
-/** In the place of the name, with the whole of it chosen. Enter takes it, and so does going elsewhere; Escape does not. */
+/**
+ * Replaces the name by an input with selected text. Enter and leaving the input accept the name, Escape discards it.
+ */
 function NewName({ id, name, title, close }: { id: string; name: string; title: string; close: () => void }) {
   const { keeping } = useApp();
   const field = useRef(null as HTMLInputElement | null);

@@ -20,7 +20,7 @@ export type Projects = ReturnType<typeof createProjects>;
 /** The greatest that a date can be, in ms. */
 const LAST_TIME = 8.64e15;
 
-/** The page that is to be deleted may still be writing, so long in ms. */
+/** Maximum wait in ms for another tab that still writes the project. */
 const PATIENCE = 2_000;
 
 export function createProjects({
@@ -195,8 +195,8 @@ export function createProjects({
 }
 
 /**
- * What the list shows of a project, whatever its record holds.
- * @returns none of what can be no project
+ * The list entry of a project, from any record.
+ * @returns an empty list for invalid records
  */
 function entryOf({
   id,

@@ -18,7 +18,7 @@ type Photos = ReturnType<typeof createPhotos>;
 export type Rehearsed = Content & { editing: Editing };
 
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
-/** Pixels of a page that nobody sees. */
+/** Width of the invisible page in pixels. */
 const WIDTH = 64;
 /** The project is at fault, not a photo of it nor the device. */
 const FAULTS = /^(?:(?:invalid|unknown)-(?:document|layout|style)|worker-lost)$/;
@@ -113,7 +113,7 @@ export function exchanged(
   return { settle, takeBack };
 }
 
-/** @returns the ids of those that were not there */
+/** @returns the ids of the added photos */
 function addTo(photos: Photos, records: Content['records']): string[] {
   return records.flatMap(({ id, name, file, work, small }) => {
     if (!work || !small || photos.has(id)) return [];

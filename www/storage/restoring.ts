@@ -137,9 +137,10 @@ async function placeOf(database: Database, id: string): Promise<Place> {
 }
 
 /**
- * Every photo of the history, whatever became of it: what was not decoded, or lost what was known of it, is read again from
- * its file, a frame from its film; where there is neither, an empty frame keeps its place until somebody brings it back.
- * @param about `drawn`: states whose photos are needed, too; `state` as it is kept; `names` what the journal tells of photos
+ * Restores every photo of the history. Photos without copies or measurements are read again from their files, frames
+ * from their videos. If the file is missing, an empty frame keeps their place.
+ * @param about `drawn`: states whose photos are needed as well; `state`: the stored state; `names`: photo names in the
+ *   journal
  */
 async function contentOf(
   database: Database,

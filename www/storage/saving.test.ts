@@ -19,7 +19,7 @@ const thrownAway = (factory: IDBFactory) =>
     request.onerror = () => reject(request.error);
   });
 
-/** What the database has, by its tables. */
+/** Numbers of records by table. */
 async function counts() {
   const base = await openDatabase();
   const found = await Promise.all(
@@ -40,7 +40,7 @@ async function without(tab: Tab, ...names: string[]) {
 const rename = (tab: Tab, name: string) => tab.store.change({ type: 'rename', name });
 const saved = (tab: Tab) => vi.waitFor(() => expect(tab.keeping.status.value).toBe('saved'), { timeout: 5000 });
 const alerts = (tab: Tab) => tab.messages.list.value.filter(({ kind }) => kind === 'grave');
-/** The photos that an empty frame stands for. */
+/** The photos that are empty frames. */
 const absent = (tab: Tab) => tab.store.facts.value.filter((fact) => fact.absent).map(({ name }) => name);
 
 /** Fails whatever is written as `wrong` says. */
@@ -524,7 +524,7 @@ describe('a tab that closes', () => {
 });
 
 describe('a film', () => {
-  /** Frames of it come one after the other, at most so many. */
+  /** Delivers its frames one by one, up to a number. */
   function films(tab: Tab, most: number) {
     tab.engine.importVideo = async (file: File, { ids, onAbout, onPhoto }: any) => {
       onAbout({ duration: 24 });

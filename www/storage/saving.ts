@@ -33,14 +33,20 @@ import type { Signal } from '@preact/signals';
 
 /** `missing`: some photos cannot be read, everything else is saved. */
 export type Status = 'empty' | 'saving' | 'saved' | 'missing' | 'full' | 'refused' | 'failed';
-/** What there was at one moment: all of it, what of it is saved, and how many photos it had. */
+/** State at one moment: everything, the snapshot, and the number of photos. */
 type Moment = { now: unknown[]; shot: Snapshot; known: number };
 /**
- * What is known of the saving of one project: `facts` as they were written; `clean` is what there was when nothing needed
- * saving; `dirty`: something does; `due` is to be written now; `base` is the history that the database has, `next` the one on its way there;
- * `shot` is what was written last, `complete`: with all of its photos, which were `looked` for; `known` photos were there
- * then; `covered`: the journal tells all else; `inFile` is what was saved as a file, `since` when the first change came that
- * is not written.
+ * Save state of one project:
+ *
+ * - `facts`: as written
+ * - `clean`: the last state without unsaved changes; `dirty`: there are unsaved changes; `due`: they are to be written
+ *   now
+ * - `base`: the history in the database; `next`: the history that is being written
+ * - `shot`: the last written snapshot; `complete`: all its photos are written; `looked`: they were checked
+ * - `known`: number of photos at that time
+ * - `covered`: the journal has all other changes
+ * - `inFile`: the state that was saved as a file
+ * - `since`: time of the first unsaved change
  */
 type Ledger = {
   place: Place;
@@ -68,7 +74,7 @@ const LONGEST = 1000;
 /** Pauses before what could not be saved is tried again: the first, each twice the one before, and the longest. */
 const PAUSE = 1000;
 const LONGEST_PAUSE = 60_000;
-/** How often what the database lost is written again before it is said that it keeps nothing. */
+/** Number of repairs of lost records before the storage counts as unreliable. */
 const MOST_REPAIRS = 3;
 
 /** @param app `onWritten`: the state is in the database; `onSaved`: its photos are, too */
@@ -471,7 +477,7 @@ function alike(one: History, other: History) {
   return size(one) === size(other) && JSON.stringify(one.present) === JSON.stringify(other.present);
 }
 
-/** All of it or nothing: what was asked for before the fault would else be written. */
+/** Aborts the transaction, because its earlier requests would be written otherwise. */
 function abort(transaction: { abort: () => void }) {
   try {
     transaction.abort();

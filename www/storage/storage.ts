@@ -49,9 +49,9 @@ import type { Shelves } from './shelves.ts';
 
 export type Keeping = ReturnType<typeof createKeeping>;
 
-/** Milliseconds after the start until what nobody needs is thrown away. */
+/** Milliseconds after the start until unused data is deleted. */
 const SWEEP_AFTER = 8_000;
-/** Milliseconds until a database that was closed from outside is looked at: whoever closed it comes first. */
+/** Delay in milliseconds until a closed database is checked, so that the other tab comes first. */
 const LOOK_AFTER = 300;
 
 /** @param app `chooseFiles` opens the browser's file dialog */

@@ -11,7 +11,7 @@ const HOUR = 3600 * 1000;
 
 let tab: Awaited<ReturnType<ReturnType<typeof fakeBrowser>['tab']>>;
 let base: Database;
-/** Throws away what is unneeded so many hours from now. */
+/** Deletes unused data at a time in hours from now. */
 let sweptAt: (hours: number) => Promise<string[]>;
 
 beforeEach(async () => {

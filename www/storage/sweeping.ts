@@ -10,7 +10,7 @@ import type { Database, ProjectRecord } from './database.ts';
 import type { Locks } from './locks.ts';
 import type { States } from './orphans.ts';
 
-/** How long a deleted project can be brought back, and how long a photo is kept that nobody needs, in ms. */
+/** Time in ms until deleted projects and unused photos are removed. */
 const GRACE = 24 * 3600 * 1000;
 
 export async function sweep(database: Database, locks: Pick<Locks, 'during'>, now: number = Date.now()) {
@@ -50,7 +50,7 @@ export async function sweep(database: Database, locks: Pick<Locks, 'during'>, no
   });
 }
 
-/** @returns the photos that somebody needs; null where that is not known */
+/** @returns the photos in use; null if they are unknown */
 async function neededBy(projects: readonly ProjectRecord[], states: States): Promise<Set<string> | null> {
   const needed = new Set() as Set<string>;
   const need = (keys: unknown) => {

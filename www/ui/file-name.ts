@@ -3,8 +3,8 @@
 /** Most bytes of a name without its ending: systems take 255, and browsers put ` (1)` behind a name that is there. */
 const MOST_BYTES = 180;
 /**
- * Refused by Windows, or a path elsewhere; control characters; marks that turn the direction of what follows, by which an
- * ending can be made to look like another.
+ * Characters that Windows rejects, path separators, control characters, and direction marks, which can disguise an
+ * extension.
  */
 const REFUSED = /[<>:"/\\|?*\p{Cc}\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069\ufeff]+/gu;
 /** Names of devices on Windows, whatever ending they have. */

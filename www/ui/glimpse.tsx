@@ -21,7 +21,7 @@ export type Glimpsed = {
   aspect: number;
   draw: (width: number, call: Call) => Promise<{ bitmap: ImageBitmap }>;
 };
-/** Where there is room for it: left of the list, above the strip, or wherever it is largest. */
+/** Position of the preview: left of the list, above the strip, or on the side with the most space. */
 type Side = 'left' | 'above' | 'beside';
 
 /** Milliseconds that one stays with a choice before it is drawn: who moves across a list wants to see the list. */
@@ -121,7 +121,7 @@ function placed(side: 'left' | 'above', at: DOMRect, size: Size, whole: Size) {
   return side === 'left' ? besideList(at, size, leftEdge(at), whole) : above(at, size, whole);
 }
 
-/** What the layout and the style of a page are called. */
+/** Names of the layout and the style of a page. */
 function useNames() {
   const { store, ownStyles } = useApp();
   return ({ layout, style }: PageDocument): string => {
@@ -134,7 +134,7 @@ function useNames() {
   };
 }
 
-/** Of the side that the list is in, so that nothing of the list is hidden. */
+/** Left edge of the panel with the list, so that the list stays visible. */
 function leftEdge(at: DOMRect) {
   const list = document.elementFromPoint(at.left + at.width / 2, at.top + at.height / 2)?.closest('aside');
   return list?.getBoundingClientRect().left ?? at.left;

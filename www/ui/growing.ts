@@ -2,7 +2,7 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 
-/** What is made in one task: well below 50 ms, and more than a screen shows at first. */
+/** Items per task: well below 50 ms, and more than the first screen shows. */
 const PIECE = 24;
 
 /**

@@ -5,8 +5,8 @@ import type { Messages, Way } from './messages.ts';
 
 type Reporter = Pick<Messages, 'fileFailed'>;
 /**
- * `reasons`: sentences by error code, which are used before the general ones; `text`: the message if only this file
- * fails; `way`: what the user can do about it.
+ * `reasons`: sentences by error code that override the general ones; `text`: the message if only this file fails;
+ * `way`: the action for the user.
  */
 type How = { reasons?: Readonly<Record<string, string>>; text?: (why: string) => string; way?: Way };
 

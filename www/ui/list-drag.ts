@@ -8,18 +8,18 @@ import { onEscape } from './on-escape.ts';
 
 /** an item, and before which one it would land */
 type Carried = { from: number; gap: number | null };
-/** Selectors: what scrolls, with all items in it, and each of them. */
+/** Selectors of the scrolling list, and of its items. */
 type Where = { list: string; item: string };
 export type ListDrag = ReturnType<typeof useListDrag>;
 
-/** What a shaking hand moves, in CSS pixels. */
+/** Tolerance for unsteady hands, in CSS pixels. */
 const SLACK = 5;
-/** A touch that rests for so long takes the item, in ms. */
+/** Duration of a long press in ms. */
 const PRESS = 350;
-/** How near to an end the list scrolls, and how fast at most, in CSS pixels a frame. */
+/** Distance from an end at which the list scrolls, and maximum speed in CSS pixels per frame. */
 const EDGE = 40;
 const SPEED = 10;
-/** How far beside the list an item may be let go, in CSS pixels. */
+/** Maximum distance from the list for a drop, in CSS pixels. */
 const BESIDE = 60;
 
 /** @param onDrop `to`: its place once it was taken out */
@@ -105,7 +105,7 @@ function isColumn(list: Element) {
   return !display.includes('flex') || flexDirection === 'column';
 }
 
-/** @returns before which item one that is let go there belongs; nowhere far from the list */
+/** @returns insert position of a drop; null far from the list */
 function gapAt(list: HTMLElement, itemOf: string, x: number, y: number): number | null {
   const box = list.getBoundingClientRect();
   const column = isColumn(list);

@@ -15,22 +15,22 @@ export type Way = { label: string; run: () => void; stays?: boolean };
 type Kind = 'grave' | 'alert' | 'offer' | 'note';
 /** `more`: another way */
 export type Message = { id: number; kind: Kind; text: string; way?: Way; more?: Way };
-/** a file that could not be read; `text` tells of it alone */
+/** a file that could not be read; `text` is the message for a single file */
 type Failure = { name: string; why: string; text: string; way?: Way };
 export type Messages = ReturnType<typeof createMessages>;
 
 const NOTE_MS = 4_000;
 /** Time to find the button, and to press it. */
 const WAY_MS = 12_000;
-/** Messages that are kept; what is grave is kept beyond it. */
+/** Maximum number of messages. Serious problems do not count. */
 const MOST = 24;
-/** What gives way first where there are more. */
+/** Kinds that are removed first if there are too many. */
 const GIVES_WAY: readonly Kind[] = ['note', 'alert', 'offer'];
 /** Files of the list; beyond it they are counted. */
 export const MOST_NAMED = 2_000;
-/** Files fail a few at a time: so many ms after the first all of them are counted. */
+/** Time in ms to collect failed files into one message. */
 const GATHER_MS = 400;
-/** After that the count is told anew so often at most, in ms: it is read aloud each time. */
+/** Minimum interval in ms for updates of the count, because screen readers announce each update. */
 const COUNT_MS = 2_000;
 
 export function createMessages() {
@@ -149,7 +149,7 @@ export function createMessages() {
     grave: (text: string, way?: Way, more?: Way) => say('grave', text, way, more),
     alert: (text: string, way?: Way, more?: Way) => say('alert', text, way, more),
     note: (text: string, way?: Way, more?: Way) => say('note', text, way, more),
-    /** What can be done now or later. */
+    /** An action for now or later. */
     offer: (text: string, way?: Way) => say('offer', text, way),
     fileFailed,
     change,

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { createTheme } from './theme.ts';
 
-/** A window of a system that turns dark, with what it keeps. */
+/** A window of a system that becomes dark, with its storage. */
 function fakeWindow({ dark = false, kept = {} as Record<string, string>, refuses = false } = {}) {
   const root = { dataset: {} as Record<string, string> };
   const metas = ['light', 'dark'].map((own) => ({

@@ -3,7 +3,7 @@
 import { orientationOf, recordOf } from './exif.ts';
 
 const NEEDED = ['VP8X', 'VP8 ', 'VP8L', 'ALPH', 'ANIM', 'ANMF', 'ICCP'];
-/** Chunks of an animation frame, after its position and duration. */
+/** Animation frame: position and duration, then image chunks. */
 const FRAME = 'ANMF';
 const FRAME_HEAD = 16;
 const NEEDED_IN_FRAME = ['VP8 ', 'VP8L', 'ALPH'];

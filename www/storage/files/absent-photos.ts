@@ -125,7 +125,7 @@ export function createAbsentPhotos({
     }
     return files.filter((file) => !matches.has(file));
 
-    /** @param known the frame that waits for it, where its bytes say so */
+    /** @param known the matching frame, if the hash is equal */
     async function tried(file: File, known?: Fact) {
       const [id] = reading.freshIds(1);
       // What cannot be read is named where it is added as a photo.

@@ -29,7 +29,7 @@ import type { Signal } from '@preact/signals';
 export type Archive = Awaited<ReturnType<typeof readArchive>>;
 export type FileOpening = ReturnType<typeof createFileOpening>;
 
-/** Reads a photo into the engine; all that it took is let go when the opening fails. */
+/** Reads a photo into the engine. It is freed if opening fails. */
 type Take = (id: string, blob: Blob) => Promise<Imported['meta']>;
 /** A photo that could not be read. */
 type Failed = { name: string; why: string };
@@ -220,8 +220,8 @@ async function inTurns<T, R>(list: readonly T[], atOnce: number, work: (item: T)
 }
 
 /**
- * Gives up what shows no sign of life for a minute.
- * @returns `beat`: something came; `over` rejects when it is given up, or stopped
+ * Times out after a minute without data.
+ * @returns `beat`: resets the timer; `over` rejects after a timeout or cancellation
  */
 function silence(stop: AbortController): { beat: () => void; over: Promise<never>; end: () => void } {
   let relax = () => {};
@@ -249,7 +249,7 @@ function silence(stop: AbortController): { beat: () => void; over: Promise<never
 }
 
 /**
- * An empty frame in the place of a photo that is not here.
+ * An empty frame for a missing photo.
  * @param number from 1
  */
 async function placeFor(photo: FilePhoto, number: number, take: Take): Promise<Fact> {

@@ -7,7 +7,7 @@ import type { createPhotos } from '../../engine/photos.ts';
 import type { Database, PhotoRecord } from '../database.ts';
 import type { FilePhoto } from './project-json.ts';
 
-/** `exact`: its file has the same hash; else it looks the same, in the same size. */
+/** `exact`: its file has the same hash. If not, it has a similar fingerprint and the same size. */
 type Found = { fact: Fact; record: PhotoRecord | null; exact: boolean };
 
 /** by the ids of the wanted photos; each photo is used once */

@@ -16,7 +16,7 @@ vi.mock('../../ui/files.ts', () => ({ save: vi.fn() }));
 let tab: Tab;
 /** The saved project, as JSON. */
 let json: any;
-/** What is there before a file is opened. */
+/** The state before a file is opened. */
 let before: string;
 
 beforeEach(async () => {
@@ -39,8 +39,8 @@ const fileOf = (bytes: Buffer<ArrayBuffer>) => new File([bytes], 'x.inkpanel');
 const MB = 2 ** 20;
 
 /**
- * A project of so many photos.
- * @param how `bytes`: what each file is
+ * A project with a number of photos.
+ * @param how `bytes`: content of each file
  */
 function projectOf(
   count: number,
@@ -235,7 +235,7 @@ describe('photos of a project file', () => {
 
 describe('a file of which nothing comes', () => {
   const forever = () => new Promise(() => {});
-  /** Files are read in a time of their own. */
+  /** Waits for files, which are read asynchronously. */
   const until = async (isSo: () => boolean) => {
     while (!isSo())
       await new Promise((resolve) => {

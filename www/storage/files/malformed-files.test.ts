@@ -43,7 +43,7 @@ async function goodFiles(tab: Tab) {
   return { project: { document: enriched(document), photos }, page: { document: enriched(page), photos: packed } };
 }
 
-/** Returns all records of a project, with the text of files in the place of Blobs. */
+/** Returns all records of a project, with the text of files instead of blobs. */
 async function recordsOf(id: string) {
   const base = await openDatabase();
   const plain = async (value: unknown): Promise<unknown> => {

@@ -11,7 +11,7 @@ import type { Tab } from './testing-pages.ts';
 
 vi.mock('../../ui/files.ts', () => ({ save: vi.fn() }));
 
-/** Where a storyboard of two pages was made. */
+/** The tab that made a storyboard of two pages. */
 let tab: Tab;
 
 const pages = (of: Tab) =>

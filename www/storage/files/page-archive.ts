@@ -16,7 +16,7 @@ import type { Archive } from './file-opening.ts';
 import type { PageFile } from './page-file.ts';
 import type { Work } from '../../engine/archive.ts';
 
-/** Its name in an archive; whoever takes it out has a project file. */
+/** Name of the project file in an archive. */
 const PROJECT = 'project.inkpanel';
 /** The text of a project file. */
 const TEXT_NAME = 'project.json';
@@ -100,7 +100,7 @@ async function readProject(
   return { project: withPage(await text.text(), planner), archive };
 }
 
-/** Whether a path is that of a photo or video, and not of a sidecar file. */
+/** Whether a path is of a photo or video, and not of a sidecar file. */
 function isPicture(path: string): boolean {
   const folders = path.split('/');
   const name = folders.pop() as string;

@@ -9,7 +9,7 @@ import type { Tab } from './testing-pages.ts';
 
 vi.mock('../../ui/files.ts', () => ({ save: vi.fn() }));
 
-/** Where the page was made. */
+/** The tab that made the page. */
 let tab: Tab;
 
 beforeEach(async () => {
@@ -17,7 +17,7 @@ beforeEach(async () => {
   tab = await tripTab();
 });
 
-/** A page, without what differs from one browser to another. */
+/** A page, without data that depends on the browser. */
 function look(of: Tab) {
   const { name, page, tray, settings } = of.store.project.value;
   const ids = tray.map(({ id }) => id);

@@ -139,7 +139,7 @@ export function createPageFiles({
   async function open(page: PageFile): Promise<boolean> {
     const { file } = page;
     const picture = !isArchiveFile(file);
-    /** What was there when its turn came, if anything. */
+    /** The project that was open before its turn, if any. */
     const there: { id: string; name: string }[] = [];
     let missing = 0;
     const unread = [] as Content['unread'];

@@ -95,7 +95,9 @@ export async function pageJson(
   return { json, files, unclean };
 }
 
-/** A word with the name that its photo has in the file; one whose photo is not on the pages stays on its panel alone. */
+/**
+ * A text item with the name of its photo in the file. If its photo is on no page, the item belongs only to its panel.
+ */
 function wordOf({ photo, ...word }: Word, ids: ReadonlyMap<string, string>): Word {
   const name = ids.get(photo ?? '');
   return name === undefined ? word : { ...word, photo: name };
@@ -108,8 +110,8 @@ export function numbered(pages: readonly PageDocument[], at: number) {
 }
 
 /**
- * The pages of a project with the present one as it is drawn. Where that has more or fewer pixels on the same paper the
- * others have as many, so that they still are one storyboard.
+ * The pages of a project with the present one as it is drawn. If its resolution differs on the same paper, the other
+ * pages are converted, so that they stay one storyboard.
  */
 function pagesWith(project: Project, page: PageDocument): PageDocument[] {
   const sheets = sheetsOf(project).map((sheet) => sheet.page);

@@ -169,9 +169,9 @@ export function projectFileName(name: string) {
 }
 
 /**
- * Photos on pages that are not in the file keep their places, as they may come back; thousands that never were have none.
+ * Keeps the places of missing photos on pages, up to a limit.
  * @param facts of the photos that are there
- * @returns `waiting`: the photos whose places are kept
+ * @returns `waiting`: missing photos with reserved places
  */
 function withoutLost(
   history: import('../../document/history.ts').History,
@@ -188,7 +188,7 @@ function withoutLost(
   return { history: editing.apply({ type: 'forget-photos', ids: gone }), waiting: [...waits] };
 }
 
-/** @returns of a photo of which nothing is told */
+/** @returns an entry for a photo without metadata */
 function unknown(id: string): FilePhoto {
   return { id, name: id, path: '', type: '', subjects: null, measured: true, rank: null, like: null, absent: true };
 }

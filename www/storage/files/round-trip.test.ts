@@ -35,7 +35,7 @@ async function reading(tab: Tab, ...files: File[]) {
   await tab.keeping.flush();
 }
 
-/** The project as a person sees it: with the names of photos and videos instead of their ids. */
+/** The visible project: with names of photos and videos instead of ids. */
 async function look({ store, photos }: Tab) {
   const album = store.album.value;
   const name = (id: string | null | undefined) => album.get(id ?? '')?.name ?? null;

@@ -71,7 +71,7 @@ async function everything() {
 }
 
 const alerts = () => tab.messages.list.value.filter(({ kind }) => kind === 'alert').map(({ text }) => text);
-/** What the page shows is worked out whenever something changes. */
+/** Computes the state of the views after each change. */
 const watch = () => effect(() => void tab.store.photos.value);
 
 describe('a project that fails to open', () => {
