@@ -442,7 +442,11 @@ fn rust(run: &Run) -> Result<Outcome> {
 
 /// The tests of the tools that no other suite compiles.
 fn release_tools(run: &Run) -> Result<Outcome> {
-    cargo_tests(run, &["--package", "inkpanel-models", "--package", "inkpanel-rate", "--package", "inkpanel-release"], &[])
+    cargo_tests(
+        run,
+        &["--package", "inkpanel-models", "--package", "inkpanel-rate", "--package", "inkpanel-release"],
+        &[],
+    )
 }
 
 /// The tests that need epubcheck and Ace.

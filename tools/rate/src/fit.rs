@@ -76,7 +76,15 @@ fn value(terms: &Map<String, Value>, name: &str) -> f64 {
 /// The part of the pairs whose better page has the higher sum. An equal sum counts half.
 fn agreement(weights: &[f64], rows: &[&[f64]]) -> f64 {
     let sums = rows.iter().map(|row| row.iter().zip(weights).map(|(x, w)| x * w).sum::<f64>());
-    let points = sums.map(|sum| if sum > 0.0 { 1.0 } else if sum < 0.0 { 0.0 } else { 0.5 });
+    let points = sums.map(|sum| {
+        if sum > 0.0 {
+            1.0
+        } else if sum < 0.0 {
+            0.0
+        } else {
+            0.5
+        }
+    });
     points.sum::<f64>() / rows.len().max(1) as f64
 }
 
@@ -135,7 +143,9 @@ mod tests {
         let pairs = pairs(4000, [2.0, -3.0]);
         let rows: Vec<Vec<f64>> = pairs
             .iter()
-            .map(|pair| ["fit", "hero"].map(|name| value(&pair.better, name) - value(&pair.worse, name)).to_vec())
+            .map(|pair| {
+                ["fit", "hero"].map(|name| value(&pair.better, name) - value(&pair.worse, name)).to_vec()
+            })
             .collect();
         let found = fitted(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>());
         assert!((found[0] - 2.0).abs() < 0.3 && (found[1] + 3.0).abs() < 0.4, "{found:?}");
@@ -144,7 +154,10 @@ mod tests {
     #[test]
     fn the_report_has_a_cross_validation_and_few_pairs_are_refused() -> Result<()> {
         let text = report(&pairs(200, [3.0, 1.0]))?;
-        assert!(text.starts_with("200 pairs of 6 albums") && text.contains("left out of the fit: "), "{text}");
+        assert!(
+            text.starts_with("200 pairs of 6 albums") && text.contains("left out of the fit: "),
+            "{text}"
+        );
         assert!(report(&pairs(FEWEST - 1, [1.0, 1.0])).is_err());
         Ok(())
     }

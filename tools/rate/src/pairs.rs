@@ -37,7 +37,8 @@ pub(crate) fn read(file: &Path) -> Result<Vec<Pair>> {
     let lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
     lines
         .map(|(i, line)| {
-            serde_json::from_str(line).with_context(|| format!("{}: line {} is not a pair", file.display(), i + 1))
+            serde_json::from_str(line)
+                .with_context(|| format!("{}: line {} is not a pair", file.display(), i + 1))
         })
         .collect()
 }

@@ -19,7 +19,8 @@ const MOST: u64 = 100;
 /// # Errors
 /// If the port is taken, or a pair cannot be stored.
 pub(crate) fn serve(pages: &[Page], duels: &[[usize; 2]], file: &Path, port: u16) -> Result<()> {
-    let server = Server::http(("127.0.0.1", port)).map_err(|error| anyhow!("cannot use port {port}: {error}"))?;
+    let server =
+        Server::http(("127.0.0.1", port)).map_err(|error| anyhow!("cannot use port {port}: {error}"))?;
     println!("Rate {} pairs at http://127.0.0.1:{port}/ (stop with Ctrl+C)", duels.len());
     for mut request in server.incoming_requests() {
         let url = request.url().to_owned();
