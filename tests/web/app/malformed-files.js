@@ -10,7 +10,7 @@ import { archiveOf } from '../../../www/engine/archive.ts';
 import { withProject } from '../../../www/storage/files/page-file.ts';
 
 /** @typedef {{ name: string, blob: Blob }} Entry */
-/** `what`: what was done to it. @typedef {{ seed: number, name: string, bytes: Buffer, what: string }} Malformed */
+/** `what`: the damage. @typedef {{ seed: number, name: string, bytes: Buffer, what: string }} Malformed */
 /** @typedef {{ next: () => number, below: (n: number) => number, of: <T>(list: readonly T[]) => T }} Chance */
 
 /** @param {number} seed @returns {Chance} the same numbers for the same seed (mulberry32) */
@@ -40,7 +40,7 @@ const STYLE = {
 const LAYOUTS = new URL('../../../layouts/', import.meta.url);
 
 const LONG = 100_000;
-/** Characters that one deed may add: what is larger than any project is another test's (`traps.spec.js`). */
+/** Maximum number of characters that one change adds. `traps.spec.js` tests larger files. */
 const MOST_TEXT = 2_000_000;
 const NUMBERS = [
   -1,
@@ -115,7 +115,7 @@ function placesIn(document) {
   return places;
 }
 
-/** What is done to a place. @type {Record<string, (chance: Chance, place: { parent: any, key: any }, document: any) => void>} */
+/** Changes of one place. @type {Record<string, (chance: Chance, place: { parent: any, key: any }, document: any) => void>} */
 const DEEDS = {
   swap: (chance, { parent, key }) => {
     parent[key] = structuredClone(chance.of([...OTHERS, ...NUMBERS, ...TEXTS]));
@@ -185,7 +185,7 @@ function spoiltDocument(chance, good) {
   return { text, what: what.join(', ') };
 }
 
-/** What is done to the text itself. @type {[string, (chance: Chance, text: string) => string][]} */
+/** Changes of the text. @type {[string, (chance: Chance, text: string) => string][]} */
 const TEXT_DEEDS = [
   ['cut', (chance, text) => text.slice(0, chance.below(text.length))],
   [

@@ -1,4 +1,4 @@
-/** A thousand malformed project files and pages: each is opened or rejected, and the open project stays as it was, byte for byte. */
+/** A thousand malformed project files and pages: each is opened or rejected, and no byte of the open project changes. */
 
 import { afterEach, expect, it, vi } from 'vitest';
 import {

@@ -32,9 +32,9 @@ async function resize(page, width, height) {
 }
 
 /**
- * Checks a screen, and leaves it as it was.
+ * Checks a screen in all settings, and restores the settings.
  * @param {Page} page
- * @returns {Promise<Record<string, unknown>>} what is wrong, by check; empty if nothing is wrong
+ * @returns {Promise<Record<string, unknown>>} the faults by check
  */
 async function faults(page) {
   const { width, height } = /** @type {{ width: number, height: number }} */ (page.viewportSize());

@@ -29,7 +29,6 @@ const scores = (page) =>
 
 test('styles are invented, sorted, filtered, favoured, bred and used', async ({ page }) => {
   await explore(page);
-  // The first wall may be there before one can look; a round of its own is twice as long.
   await expect(region(page)).toHaveAttribute('aria-busy', 'false');
   await page.getByRole('button', { name: 'Generate' }).click();
   await expect(region(page)).toHaveAttribute('aria-busy', 'true');
@@ -145,7 +144,7 @@ test('a shuffle keeps the layer that is locked, and mixes invented styles in', a
     .getByRole('group', { name: 'This page' })
     .getByRole('option', { selected: true });
   await expect(unlisted).toHaveCount(0);
-  // Those that are worth it are found while nothing else is to be done.
+  // Idle time is used to find good styles.
   await expect(async () => {
     await press(page, 'Shuffle style');
     await expect(unlisted).toHaveCount(1, { timeout: 10 });

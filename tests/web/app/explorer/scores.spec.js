@@ -1,5 +1,5 @@
 // @ts-check
-/** Styles sorted by the net, where the site was built with it; without it this file has nothing to say. */
+/** Styles sorted by the model, if the site was built with it. */
 import { existsSync } from 'node:fs';
 import { invent } from '../designer-hands.js';
 import { accessible, detectingTest as test, expect } from '../support.js';

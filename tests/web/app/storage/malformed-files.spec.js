@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * Malformed project files and pages: each one is opened or rejected, the open project stays as it was, byte for byte, and the app
- * loads again within its memory. `www/storage/files/malformed-files.test.ts` opens a thousand of them without a browser.
+ * Malformed project files and pages: each one is opened or rejected, no byte of the open project changes, and the app loads again
+ * within its memory. `www/storage/files/malformed-files.test.ts` opens a thousand of them without a browser.
  * `INKPANEL_SEED` sets the first seed, `INKPANEL_MALFORMED` the number of files of each kind.
  */
 
@@ -181,7 +181,7 @@ async function backToFirst(page) {
 test.use({ trace: 'off' });
 
 /**
- * Opens malformed files, and checks that the open project and the memory of the app stay as they were.
+ * Opens malformed files, and checks that the open project does not change, and that the app stays within its memory.
  * @param {Page} page
  * @param {number} count of files of each kind
  */

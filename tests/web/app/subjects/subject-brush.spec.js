@@ -25,7 +25,7 @@ const panel = (/** @type {Page} */ page, /** @type {number} */ n) =>
 const dialog = (/** @type {Page} */ page) => page.getByRole('dialog', { name: /^Subject of/ });
 const area = (/** @type {Page} */ page) => page.getByRole('application', { name: /^Subject of/ });
 
-/** A page of four equal panels, none of which lies over another. @param {Page} page @param {...string} names of photos */
+/** Opens a page of four equal panels that do not overlap. @param {Page} page @param {...string} names of photos */
 async function four(page, ...names) {
   await openBoard(page, names);
   await choose(page, 'grid', 'Four');
@@ -101,7 +101,7 @@ test('a painted subject is drawn in its own layer, undone stroke by stroke, and 
   await expect.poll(async () => different(before, await picture(page))).toBeGreaterThan(500);
   await idle(page);
   const after = await picture(page);
-  // Each of the three strokes is a step of its own.
+  // Each of the three strokes is one undo step.
   for (let i = 0; i < 3; i += 1) await page.getByRole('button', { name: 'Undo' }).first().click();
   await expect.poll(async () => different(before, await picture(page))).toBe(0);
   for (let i = 0; i < 3; i += 1) await page.getByRole('button', { name: 'Redo' }).first().click();
@@ -123,7 +123,7 @@ test('a painted mask breaks the panel border, and each correction updates the pa
   const breaks = page.getByRole('button', { name: 'Break out of panel' });
   await panel(page, 1).click();
   await expect(breaks).toBeDisabled();
-  /** Until one lets its figure out: by its shape a panel may have no room. */
+  /** Paints subjects until one breaks the border of its panel. A panel may have no room for this. */
   const broken = async () => {
     for (let n = 1; n <= (await page.getByRole('group', { name: /^Panel \d+ of/ }).count()); n += 1) {
       await openBrush(page, n);
@@ -185,7 +185,7 @@ test('keyboard: the brush is moved, paints and undoes', async ({ page }) => {
   await expect(page.getByRole('button', { name: 'Undo', exact: true }).first()).toBeAttached();
   await page.keyboard.press('Escape');
   await expect(dialog(page)).toBeHidden();
-  // What was painted is at hand for a while.
+  // The painted mask can be restored for a while.
   await page.getByRole('button', { name: 'Restore changes' }).click();
   await pick.focus();
   if ((await pick.getAttribute('aria-pressed')) === 'false') await page.keyboard.press('Enter');
@@ -242,7 +242,7 @@ test.describe('on a phone', () => {
 test('a new balloon avoids a painted subject', async ({ page }) => {
   await four(page, 'macaw.jpg');
   const balloon = word(page, /^Balloon: HELLO THERE/);
-  /** Where a balloon goes that is added, and then taken away. */
+  /** Adds and removes a balloon, and returns its place. */
   const place = async () => {
     await write(page, 'balloon', 'HELLO THERE');
     const { x, y, width, height } = await box(balloon);
