@@ -1,5 +1,5 @@
-//! Writes `src/plan/looks.txt` anew: what luma each designed style makes of each sixteenth of luma. The ratings in it
-//! are a person's and stay; a style without one gets 6.5.
+//! Writes the luma that each designed style makes of each sixteenth of luma to `src/plan/marks.txt`. Marks and uses in
+//! the file stay as they are. A style without a mark gets 6.5.
 //!
 //!     cargo run --release --example style_tones
 
@@ -42,13 +42,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             }
             write!(response, "{:02x}", sum / count)?;
         }
-        lines.push((tones::rating(&style.id).unwrap_or(6.5), style.id.clone(), response));
+        let uses = tones::uses(&style.id);
+        lines.push((tones::rating(&style.id).unwrap_or(6.5), style.id.clone(), format!("{response} {uses}")));
     }
     lines.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.cmp(&b.1)));
     let mut text = String::new();
     for (rating, id, response) in &lines {
-        writeln!(text, "{id} {rating} {response}")?;
+        writeln!(text, "{}", format!("{id} {rating} {response}").trim_end())?;
     }
-    std::fs::write("src/plan/looks.txt", text)?;
+    std::fs::write("src/plan/marks.txt", text)?;
     Ok(())
 }

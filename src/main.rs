@@ -28,7 +28,7 @@ use clap::builder::PossibleValuesParser;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use inkpanel::document::shots::FRAMES;
-use inkpanel::framing::PhotoMeta;
+use inkpanel::framing::{PhotoMeta, Subject};
 use inkpanel::layout::{self, Template};
 use inkpanel::native::QUALITY;
 use inkpanel::page::import::{Imported, import};
@@ -39,6 +39,7 @@ use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::raster::resize::Region;
 use inkpanel::select::{self, Measures};
+use inkpanel::style::faces::FaceBox;
 use inkpanel::style::part::subject_in;
 use inkpanel::style::{Context, Style, stylize};
 use inkpanel::{Error, style};
@@ -655,7 +656,7 @@ fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMet
     used
 }
 
-/// Writes a photo in a style, in which its subject is looked for where it `detects` and the style asks for it.
+/// Writes a photo in a style. If it `detects`, the style protects the faces, and knows the subject if it asks for it.
 fn stylize_photo(
     style: &str,
     (input, detects): (&Path, bool),
@@ -670,6 +671,9 @@ fn stylize_photo(
     let style = read_style(style)?;
     let image = decode_file(input)?;
     let mut context = Context::for_image(&image);
+    if detects && style.faces {
+        context.show_faces(faces_in(&image)?);
+    }
     if let Some(matte) = segments::Masks::default().detecting(detects).asked_by(&style, "", &image) {
         let size = (image.width(), image.height());
         context.show_subject(subject_in(
@@ -682,6 +686,28 @@ fn stylize_photo(
     let drawn = stylize(&image, &style, &mut context).map_err(|error| error.to_string())?;
     let size = (drawn.width(), drawn.height());
     output.write(&drawing::encoded(kind, size, &drawn.to_rgb(), (96, QUALITY))?)
+}
+
+/// The faces of a photo in its pixels, or its animals if it has no faces. None without the models, which is printed.
+fn faces_in(photo: &Image) -> Result<Vec<FaceBox>, Complaint> {
+    let detectors = match detectors::load(None) {
+        Ok(detectors) => detectors,
+        Err(complaint) => {
+            telling::note(None, &format!("{complaint}; the style protects no face"));
+            return Ok(Vec::new());
+        }
+    };
+    let found = detectors.detect(photo).map_err(|error| error.to_string())?;
+    let mut found: Vec<Subject> = found.into_iter().map(Into::into).collect();
+    found.sort_by(|a, b| b.height.total_cmp(&a.height));
+    let (across, down) = (photo.width() as f64, photo.height() as f64);
+    let face = |subject: &Subject| FaceBox {
+        x: subject.x * across,
+        y: subject.y * down,
+        width: subject.width * across,
+        height: subject.height * down,
+    };
+    Ok(Subject::protected(&found).map(face).collect())
 }
 
 fn select_photos(files: &[PathBuf], as_json: bool, threshold: u32) -> Result<(), Complaint> {

@@ -153,7 +153,21 @@ impl Subject {
     /// Whether the subject is a face, a person or an animal.
     #[must_use]
     pub fn is_alive(&self) -> bool {
-        self.label == FACE || self.label == "person" || ANIMALS.contains(&self.label.as_str())
+        self.label == FACE || self.label == "person" || self.is_animal()
+    }
+
+    /// Whether it is an animal.
+    #[must_use]
+    pub fn is_animal(&self) -> bool {
+        ANIMALS.contains(&self.label.as_str())
+    }
+
+    /// The subjects that styles protect: faces, or animals in photos without faces.
+    pub fn protected(subjects: &[Self]) -> impl Iterator<Item = &Self> {
+        let faces = subjects.iter().any(|subject| subject.label == FACE);
+        subjects
+            .iter()
+            .filter(move |subject| if faces { subject.label == FACE } else { subject.is_animal() })
     }
 
     /// Whether the centre of the other box is inside this box.

@@ -11,6 +11,7 @@ use super::stepping;
 use crate::error::{Error, Result};
 use crate::framing::Crop;
 use crate::layout::Bounds;
+use crate::raster::balance::Balance;
 use crate::raster::enlarge::enlarged;
 use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Plane};
@@ -242,11 +243,17 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
     let region = Region { x: left, y: top, width: region_width, height: region_height };
     // So many pixels of the photo there are for one of the page.
     let share = (region.width / inner.width as f64).min(region.height / inner.height as f64);
-    let image = if share < scene.enlarge_below && !panel.plain {
+    let mut image = if share < scene.enlarge_below && !panel.plain {
         enlarged(photo, region, inner.width, inner.height)
     } else {
         resample_image(photo, region, inner.width, inner.height)
     };
+    if scene.balanced
+        && !panel.plain
+        && let Some(balance) = Balance::of(photo)
+    {
+        balance.apply(&mut image);
+    }
     let size = (photo.width(), photo.height());
     let known = panel.subject.as_ref();
     let subject = known.and_then(|matte| subject_in(matte, region, size, (&image, scene.scale)));

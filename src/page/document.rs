@@ -48,6 +48,9 @@ pub struct Document {
     pub merges: Vec<Vec<usize>>,
     /// Size, gutters and colours.
     pub page: PageSettings,
+    /// The photos get one white point. Pages that were saved before this field have the colours of each photo.
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub balanced: bool,
     /// Text items on the page, see [`Word`](super::words::Word), in paint order. The renderer checks them.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::typescript::Word>"))]
     pub words: Vec<Value>,
@@ -155,6 +158,7 @@ impl Document {
             // A panel shares its image with others, or with none.
             merges: merges.into_iter().filter(|group| group.len() > 1).collect(),
             page,
+            balanced: fields.nullable("balanced").flag("balanced")?,
             words: fields.list("words", MOST_WORDS)?,
             rest: fields.rest(),
         };
@@ -185,6 +189,9 @@ impl Document {
         out.key("merges")
             .list(&self.merges, &|out, group| out.list(group, &|out, panel| out.whole(*panel as u64)));
         out.key("page").put(&self.page);
+        if self.balanced {
+            out.key("balanced").flag(true);
+        }
         out.key("words").list(&self.words, &|out, word| out.value(word));
         out.rest(&self.rest);
         out.close(b'}');

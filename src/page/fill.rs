@@ -2,7 +2,7 @@
 
 use super::document::{Document, MOST_FACES, PanelContent};
 use super::request::Request;
-use crate::framing::{Crop, FACE, PhotoMeta, Target, frame};
+use crate::framing::{Crop, PhotoMeta, Subject, Target, frame};
 use crate::json::Writer;
 use crate::layout::{FAMILIES, ResolvedPanel, Template, resolve};
 use crate::order::sort_by;
@@ -118,12 +118,11 @@ pub fn framed_json<'p>(photos: impl Iterator<Item = &'p PhotoMeta>, aspect: f64)
     out.finish()
 }
 
-/// The faces of a photo, the largest first.
+/// The faces of a photo, or its animals if it has no faces, the largest first.
 fn faces_of(photo: &PhotoMeta) -> Vec<Crop> {
     // As few digits as say where a pixel is: a project holds many.
     let rounded = |part: f64| (part.clamp(-1.0, 2.0) * 1e4).round() / 1e4;
-    let faces = photo.subjects.iter().filter(|subject| subject.label == FACE);
-    let mut faces: Vec<Crop> = faces
+    let mut faces: Vec<Crop> = Subject::protected(&photo.subjects)
         .map(|face| Crop {
             x: rounded(face.x),
             y: rounded(face.y),

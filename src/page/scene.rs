@@ -44,6 +44,8 @@ pub struct Scene {
     pub corner_radius: f64,
     /// Photo pixels per page pixel below which a photo is upscaled with edge enhancement; 0 for never.
     pub enlarge_below: f64,
+    /// Whether the photos get one white point.
+    pub balanced: bool,
     /// Whether borders are drawn on panels. A PDF file draws them as vectors.
     pub bordered: bool,
 }
@@ -123,6 +125,7 @@ impl Scene {
             } else {
                 0.0
             },
+            balanced: document.balanced,
             bordered: true,
         })
     }

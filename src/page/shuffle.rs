@@ -5,7 +5,7 @@ use super::carrying::{carried, tied};
 use super::document::{Document, VERSION, style_of, template_of};
 use super::fill::{Stage, contents};
 use super::request::{Mode, Request};
-use super::styling::choose_style;
+use super::styling::{choose_style, papered};
 use crate::error::{Error, Result};
 use crate::layout::Template;
 use crate::layout::merge::{can_merge, mergeable};
@@ -72,11 +72,13 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
         version: VERSION,
         seed: request.seed,
         layout: stage.layout.clone(),
+        page: papered(&request.page, &style),
+        // A page that only changes its style or layout looks as before otherwise.
+        balanced: current.is_none_or(|current| current.balanced || !request.keep.photos),
         style,
         order,
         panels,
         merges: stage.merges.clone(),
-        page: request.page.clone(),
         words,
         rest: current.map(|current| current.rest.clone()).unwrap_or_default(),
     };

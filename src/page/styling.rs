@@ -5,6 +5,7 @@ use super::document::style_of;
 use super::fill::Stage;
 use super::request::Request;
 use crate::error::{Error, Result};
+use crate::layout::PageSettings;
 use crate::plan::Plan;
 use crate::plan::layouts::is_within;
 use crate::plan::tones::{self, Shown};
@@ -12,6 +13,14 @@ use crate::style::{Style, catalogue, procedural};
 use oorandom::Rand64;
 use serde::Deserialize;
 use serde_json::Value;
+
+/// Share of shuffles whose style keeps the colours of the photos.
+const IN_COLOUR: f64 = 0.5;
+/// The same for first pages.
+const FIRST_IN_COLOUR: f64 = 0.75;
+/// Colours of paper and borders for a dark style.
+const DARK_PAPER: &str = "#15141a";
+const DARK_BORDER: &str = "#07070a";
 
 /// How a style is drawn. As JSON `{extra, invented, inventions, keepLines, keepColours}`, each of which may be missing.
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -98,22 +107,25 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
     let families = &request.within.styles;
     // Who asks for families has chosen.
     let best = first && families.is_empty();
+    let colours = if best { FIRST_IN_COLOUR } else { IN_COLOUR };
     let designed = catalogue::catalogue()
         .iter()
         .filter(|style| !lines_only || style.foreground.is_some())
-        .filter(|style| !best || tones::is_among_best(&style.id))
+        .filter(|style| !best || tones::is_for_first_page(&style.id))
         .filter(|style| is_within(families, style.tags.first().map_or("", String::as_str)))
         .map(|style| {
             let weight =
                 tones::weight(style, page, &request.taste) * if shown(&style.id) { 0.0 } else { 1.0 };
-            (weight, Value::String(style.id.clone()))
+            (weight, style.keeps_colours(), Value::String(style.id.clone()))
         });
     let extra =
         wish.extra.iter().filter(|style| !lines_only || style.get("foreground").is_some()).map(|style| {
             let id = style["id"].as_str().unwrap_or_default();
-            (if shown(id) { 0.0 } else { tones::weight_of_own(id, &request.taste) }, style.clone())
+            let weight = if shown(id) { 0.0 } else { tones::weight_of_own(id, &request.taste) };
+            let keeps_colours = style_of(style).is_ok_and(|style| style.keeps_colours());
+            (weight, keeps_colours, style.clone())
         });
-    let others: Vec<(f64, Value)> = designed.chain(extra).collect();
+    let others = shared(designed.chain(extra).collect(), colours);
     let sum: f64 = others.iter().map(|(weight, _)| weight).sum();
     let mut left = random.rand_float() * sum;
     let drawn = others.iter().filter(|(weight, _)| *weight > 0.0).find(|(weight, _)| {
@@ -122,6 +134,30 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
     });
     let other = || others.iter().find(|(_, style)| style.as_str().is_none_or(|id| Some(id) != before));
     drawn.or_else(other).map(|(_, style)| style.clone()).ok_or_else(|| Error::UnknownStyle("any".into()))
+}
+
+/// Styles with their weights. Those that keep the colours of photos get a share of all draws, if there are others.
+fn shared(styles: Vec<(f64, bool, Value)>, share: f64) -> Vec<(f64, Value)> {
+    let sum = |kept: bool| styles.iter().filter(|(_, keeps, _)| *keeps == kept).map(|(weight, ..)| weight).sum();
+    let (kept, others): (f64, f64) = (sum(true), sum(false));
+    let factor = |keeps: bool| match (kept > 0.0 && others > 0.0, keeps) {
+        (false, _) => 1.0,
+        (true, true) => share / kept,
+        (true, false) => (1.0 - share) / others,
+    };
+    styles.into_iter().map(|(weight, keeps, style)| (weight * factor(keeps), style)).collect()
+}
+
+/// The settings of a page in a style: white paper becomes dark for a dark style. A person's own colours stay.
+pub(super) fn papered(page: &PageSettings, style: &Value) -> PageSettings {
+    let usual = PageSettings::default();
+    let id = style.as_str().or_else(|| style["id"].as_str()).unwrap_or_default();
+    let mut page = page.clone();
+    if tones::is_dark(id) && (&page.paper, &page.border_color) == (&usual.paper, &usual.border_color) {
+        page.paper = DARK_PAPER.into();
+        page.border_color = DARK_BORDER.into();
+    }
+    page
 }
 
 /// The colours of one style below the lines of another.
@@ -145,6 +181,7 @@ fn joined(colours: &Style, lines: &Style) -> Value {
 mod tests {
     use super::*;
     use crate::framing::PhotoMeta;
+    use crate::page::document::Document;
     use crate::page::shuffle::plan;
     use std::collections::BTreeSet;
 
@@ -181,6 +218,33 @@ mod tests {
         let invented = drawn(0.5).iter().filter(|style| style.is_object() && **style != own).count();
         assert!((150..250).contains(&invented), "{invented} of 400");
         assert!(drawn(1.0).iter().all(Value::is_object));
+    }
+
+    #[test]
+    fn half_of_the_shuffles_and_most_first_pages_keep_the_colours() {
+        let first = plan(&request(3, Styling::default())).unwrap();
+        let share = |current: Option<&Document>| {
+            let kept = (0..400).filter(|&seed| {
+                let request = Request { current: current.cloned(), ..request(seed, Styling::default()) };
+                style_of(&plan(&request).unwrap().style).unwrap().keeps_colours()
+            });
+            kept.count() as f64 / 400.0
+        };
+        let (shuffled, first) = (share(Some(&first)), share(None));
+        assert!((0.43..0.57).contains(&shuffled) && (0.68..0.82).contains(&first), "{shuffled} {first}");
+    }
+
+    #[test]
+    fn dark_styles_get_dark_paper_unless_a_person_chose_another() {
+        let drawn = |id: &str, paper: &str| {
+            let mut request = request(1, Styling::default());
+            request.style = Some(id.into());
+            request.page.paper = paper.into();
+            plan(&request).unwrap().page.paper
+        };
+        assert_eq!(drawn("moonlight", "#ffffff"), DARK_PAPER);
+        assert_eq!(drawn("moonlight", "#f4efe6"), "#f4efe6");
+        assert_eq!(drawn("comic", "#ffffff"), "#ffffff");
     }
 
     #[test]

@@ -7,19 +7,21 @@ use super::layouts::Taste;
 use super::slots::{Assignment, Slot};
 use crate::framing::{FACE, Facts, PhotoMeta};
 use crate::style::Style;
+use crate::style::file::Step;
 use crate::style::context::scale_of;
 
-/// A line a style, best first: its id, how much it is liked from 0 to 10, by eye on photos that are not in the
-/// repository, and the luma that it makes of each sixteenth of luma, two hexadecimal digits each. The example
-/// `style_tones` writes the last column.
-const LOOKS: &str = include_str!("looks.txt");
+/// A line per style, best first: its id, its mark, the luma that it makes of each sixteenth of luma, two hexadecimal digits each,
+/// and its uses. The marks are from 0 to 10, by eye, on faces, groups and animals that are not in the repository. `first` is for
+/// the first page, `dark` for dark paper. The example `style_tones` writes the third column.
+const MARKS: &str = include_str!("marks.txt");
 
 /// Styles that the first page is drawn from.
-const BEST: usize = 10;
-/// How much a style is liked of which nothing is known.
+#[cfg(test)]
+const FIRST: usize = 20;
+/// Mark of a style that has none.
 const USUAL: f64 = 6.5;
-/// Styles liked less are out of chance, though there to be chosen.
-const LEAST: f64 = 5.0;
+/// Styles with lower marks are never drawn by chance. They are in the catalogue.
+const LEAST: f64 = 6.0;
 /// How fast weight grows with liking.
 const GROWTH: f64 = 0.75;
 /// Luma below and above which there is only ink, or only paper.
@@ -32,6 +34,19 @@ const LEAST_SPREAD: f64 = 0.15;
 const CELLS: f64 = 14.0;
 /// Pixels of a cell of a pattern at scale 1.
 const PATTERN_CELL: f32 = 5.0;
+/// Smallest areas of a style that a face has to be high. Faces are drawn with half of them, see [`crate::style::faces`].
+const AREAS: f64 = 6.0;
+/// Block, parameter, and the side of the smallest area that it leaves, in parts of the parameter.
+const AREA: &[(&str, &str, f32)] = &[
+    ("flatten", "detail", 1.0),
+    ("kuwahara", "radius", 1.6),
+    ("tvf", "time", 0.3),
+    ("etf", "sigma", 2.0),
+    ("flow_lines", "sigma", 5.0),
+    ("xdog", "sigma", 5.0),
+    ("engrave", "pitch", 2.5),
+    ("strokes", "width", 4.0),
+];
 /// The share of edges from which on dots and hatching turn to mud.
 const ROUGH: f64 = 0.3;
 
@@ -81,20 +96,21 @@ impl Shown {
 struct Look {
     id: &'static str,
     rating: f64,
-    /// Its place among the best.
-    place: usize,
     response: Option<[u8; 16]>,
+    /// The words after the response.
+    uses: &'static str,
 }
 
 fn looks() -> &'static [Look] {
     static READ: OnceLock<Vec<Look>> = OnceLock::new();
     READ.get_or_init(|| {
-        let line = |(place, line): (usize, &'static str)| {
-            let mut words = line.split_ascii_whitespace();
+        let line = |line: &'static str| {
+            let mut words = line.splitn(4, ' ');
             let (id, rating) = (words.next()?, serde_json::from_str::<f64>(words.next()?).ok()?);
-            Some(Look { id, rating, place, response: words.next().and_then(response) })
+            let response = words.next().and_then(response);
+            Some(Look { id, rating, response, uses: words.next().unwrap_or_default() })
         };
-        LOOKS.lines().enumerate().filter_map(line).collect()
+        MARKS.lines().filter_map(line).collect()
     })
 }
 
@@ -116,10 +132,26 @@ pub fn rating(id: &str) -> Option<f64> {
     look(id).map(|look| look.rating)
 }
 
+/// The uses of a style, as [`MARKS`] has them.
+#[must_use]
+pub fn uses(id: &str) -> &'static str {
+    look(id).map_or("", |look| look.uses)
+}
+
+fn is_for(id: &str, wanted: &str) -> bool {
+    uses(id).split(' ').any(|word| word == wanted)
+}
+
 /// Whether the first page may have the style.
 #[must_use]
-pub fn is_among_best(id: &str) -> bool {
-    look(id).is_some_and(|look| look.place < BEST)
+pub fn is_for_first_page(id: &str) -> bool {
+    is_for(id, "first")
+}
+
+/// Whether the style is for dark paper.
+#[must_use]
+pub fn is_dark(id: &str) -> bool {
+    is_for(id, "dark")
 }
 
 /// The weight of a style that a person brought.
@@ -137,7 +169,7 @@ pub fn weight(style: &Style, page: &Shown, taste: &Taste) -> f64 {
         return 0.0;
     }
     let response = look.and_then(|look| look.response.as_ref());
-    let loss = tonal_loss(response, page) + cell_loss(style, page);
+    let loss = tonal_loss(response, page) + cell_loss(style, page) + area_loss(style, page);
     (GROWTH * (rating - USUAL) - loss).exp() * Taste::factor(&taste.styles, &style.id)
 }
 
@@ -166,21 +198,41 @@ fn cell_loss(style: &Style, page: &Shown) -> f64 {
     rough + small
 }
 
+/// What a face loses in areas as large as its features.
+fn area_loss(style: &Style, page: &Shown) -> f64 {
+    let (Some(face), Some(area)) = (page.face, area(style)) else { return 0.0 };
+    let areas = face / (area * page.scale).max(1e-9);
+    (AREAS / areas.max(1.0) - 1.0).clamp(0.0, 2.5)
+}
+
+/// The blocks of both layers that run.
+fn steps(style: &Style) -> impl Iterator<Item = &Step> {
+    style.background.iter().chain(style.foreground.iter().flatten()).filter(|step| !step.bypass)
+}
+
+fn value(step: &Step, id: &str) -> Option<f32> {
+    let at = step.block.params.iter().position(|param| param.id == id)?;
+    step.values.get(at).copied()
+}
+
 /// The largest cell of a style's screens and patterns, in its pixels.
 fn cell(style: &Style) -> Option<f64> {
-    let steps = style.background.iter().chain(style.foreground.iter().flatten()).filter(|step| !step.bypass);
-    let cells = steps.filter_map(|step| {
-        let value = |id: &str| {
-            let at = step.block.params.iter().position(|param| param.id == id)?;
-            step.values.get(at).copied()
-        };
-        match step.block.id {
-            "halftone" => value("pitch"),
-            "pattern" => value("scale").map(|scale| scale * PATTERN_CELL),
-            _ => None,
-        }
+    let cells = steps(style).filter_map(|step| match step.block.id {
+        "halftone" => value(step, "pitch"),
+        "plates" => value(step, "pitch").filter(|pitch| *pitch > 0.0),
+        "pattern" => value(step, "scale").map(|scale| scale * PATTERN_CELL),
+        _ => None,
     });
     cells.map(f64::from).reduce(f64::max)
+}
+
+/// The side of the smallest area of a style, in its pixels: that of the block which leaves the largest ones.
+fn area(style: &Style) -> Option<f64> {
+    let areas = steps(style).flat_map(|step| {
+        let own = AREA.iter().filter(|(block, ..)| *block == step.block.id);
+        own.filter_map(|(_, id, part)| value(step, id).map(|value| part * value))
+    });
+    areas.map(f64::from).reduce(f64::max)
 }
 
 #[cfg(test)]
@@ -195,11 +247,22 @@ mod tests {
     #[test]
     fn every_designed_style_is_rated_and_measured() {
         for style in catalogue::catalogue() {
-            let look = look(style.id.as_str()).unwrap_or_else(|| panic!("{} is not in looks.txt", style.id));
+            let look = look(style.id.as_str()).unwrap_or_else(|| panic!("{} is not in marks.txt", style.id));
             assert!((0.0..=10.0).contains(&look.rating) && look.response.is_some(), "{}", style.id);
         }
-        assert_eq!(looks().len(), LOOKS.lines().count());
-        assert_eq!(catalogue::catalogue().iter().filter(|style| is_among_best(&style.id)).count(), BEST);
+        assert_eq!(looks().len(), MARKS.lines().count());
+        let first = || looks().iter().filter(|look| is_for_first_page(look.id));
+        assert_eq!(first().count(), FIRST);
+        assert!(first().all(|look| look.rating >= 7.0), "the first page has only good styles");
+    }
+
+    #[test]
+    fn no_style_with_a_low_mark_is_drawn() {
+        let even = page([1.0 / 16.0; 16]);
+        for style in catalogue::catalogue() {
+            let drawn = weight(style, &even, &Taste::default()) > 0.0;
+            assert_eq!(drawn, rating(&style.id) >= Some(6.0), "{}", style.id);
+        }
     }
 
     #[test]
@@ -215,6 +278,19 @@ mod tests {
         let worst = catalogue::catalogue().iter().map(|style| style.id.as_str());
         let worst = worst.filter(|id| rating(id) >= Some(LEAST)).map(falls).fold(1.0, f64::min);
         assert!(worst < 0.3, "{worst}");
+    }
+
+    #[test]
+    fn large_areas_keep_away_from_small_faces() {
+        let taste = Taste::default();
+        let with = |id: &str, face| {
+            let style = catalogue::find(id).unwrap();
+            weight(style, &Shown { face, ..page([1.0 / 16.0; 16]) }, &taste)
+        };
+        for id in ["gouache-studio", "oil", "copperplate"] {
+            assert!(with(id, Some(0.04)) < 0.6 * with(id, Some(0.5)), "{id}");
+            assert!((with(id, Some(0.5)) - with(id, None)).abs() < 1e-9, "{id}");
+        }
     }
 
     #[test]

@@ -3,6 +3,7 @@
 #[cfg(feature = "rare")]
 pub mod animation;
 mod axis;
+pub mod balance;
 pub mod color;
 #[cfg(feature = "pages")]
 pub mod decode;

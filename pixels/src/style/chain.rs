@@ -151,15 +151,16 @@ fn run_everywhere(
     match step.block.kernel {
         Kernel::Point(op) => run_points(&[op(args)], image, chroma_wanted, context),
         Kernel::Tones(make) => {
-            let op = if let [r, g, b] = image.planes() {
+            let op = context.tones_or(|context| {
+                let [r, g, b] = image.planes() else {
+                    return make(args, &Tones::new(image.planes()[0].samples()));
+                };
                 let mut y = context.take_plane(image.width(), image.height());
                 point::luma(r.samples(), g.samples(), b.samples(), y.samples_mut());
                 let op = make(args, &Tones::new(y.samples()));
                 context.give_plane(y);
                 op
-            } else {
-                make(args, &Tones::new(image.planes()[0].samples()))
-            };
+            });
             let chroma = image.chroma().is_some();
             run_points(&[op], image, chroma, context)
         }

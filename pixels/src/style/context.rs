@@ -1,5 +1,6 @@
 //! What a run gives to its blocks: scale, scratch memory, cancellation.
 
+use super::blocks::PointOp;
 use super::faces::FaceBox;
 use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};
@@ -29,8 +30,21 @@ pub struct Context<'a> {
     pub(in crate::style) texture: Option<super::blocks::DrawnTexture>,
     faces: Vec<FaceBox>,
     subject: Option<Plane>,
+    tones: KnownTones,
     planes: Vec<Vec<u8>>,
     cancelled: Option<&'a dyn Fn() -> bool>,
+}
+
+/// What blocks made of the tones of a whole picture, in their order, for parts of it that are drawn again.
+#[derive(Default)]
+enum KnownTones {
+    /// Each picture has its own.
+    #[default]
+    None,
+    /// They are noted.
+    Recorded(Vec<PointOp>),
+    /// The next ones are these.
+    Replayed(std::vec::IntoIter<PointOp>),
 }
 
 impl<'a> Context<'a> {
@@ -77,6 +91,38 @@ impl<'a> Context<'a> {
     /// The subject of this image, as far as it is known.
     pub(in crate::style) fn subject(&self) -> Option<&Plane> {
         self.subject.as_ref()
+    }
+
+    /// Notes what blocks make of the tones of the next picture.
+    pub(in crate::style) fn record_tones(&mut self) {
+        self.tones = KnownTones::Recorded(Vec::new());
+    }
+
+    /// What was noted. Each picture has its own tones from here on.
+    pub(in crate::style) fn recorded_tones(&mut self) -> Vec<PointOp> {
+        match std::mem::take(&mut self.tones) {
+            KnownTones::Recorded(ops) => ops,
+            _ => Vec::new(),
+        }
+    }
+
+    /// Blocks make of the tones of the next picture what they made of the whole.
+    pub(in crate::style) fn replay_tones(&mut self, ops: Vec<PointOp>) {
+        self.tones = KnownTones::Replayed(ops.into_iter());
+    }
+
+    /// What a block makes of tones: what it made of the whole picture, or what `make` says.
+    pub(in crate::style) fn tones_or(&mut self, make: impl FnOnce(&mut Self) -> PointOp) -> PointOp {
+        if let KnownTones::Replayed(ops) = &mut self.tones
+            && let Some(op) = ops.next()
+        {
+            return op;
+        }
+        let op = make(self);
+        if let KnownTones::Recorded(ops) = &mut self.tones {
+            ops.push(op.clone());
+        }
+        op
     }
 
     /// Asks `cancelled` between blocks.

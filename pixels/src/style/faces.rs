@@ -1,11 +1,15 @@
-//! Care for faces: where a panel shows some, lines, cells and areas are no larger than faces of that size bear, and inside
-//! them light is brought to where features show and colours stay near those of the photo.
+//! Care for faces: where a panel shows some, lines, cells and areas are no larger than faces of that size bear. Inside faces,
+//! each layer is drawn again at half the scale, light is brought to where features show, and colours stay near those of the
+//! photo.
 //!
 //! All lengths are told by the height of a face, which grows with the render like any length of a style: thumbnail, preview
 //! and print agree. The shares are this project's own, found by eye.
 
 use super::blocks::Channels;
+use super::chain;
+use super::context::Context;
 use super::file::{Step, Style};
+use crate::error::Result;
 use crate::raster::{Image, Plane};
 use crate::simd::point::luma_plane;
 
@@ -52,13 +56,35 @@ const LEAST: f32 = 0.5;
 const CONTRAST: (f32, f32) = (110.0, 1.5);
 /// Middle tones between which a face is left, and how far it is moved at most, in grey steps.
 const LIGHT: (f32, f32, f32) = (92.0, 176.0, 30.0);
+/// The same for the line layer, whose blacks would fill dark skin.
+const LINE_LIGHT: (f32, f32, f32) = (124.0, 190.0, 64.0);
 /// How much stronger than in the photo colours of a face may be, and what is always allowed, in grey steps.
 const CHROMA: (f32, f32) = (1.35, 8.0);
+/// How far colours of a face may be from those of the photo after their strength is adapted, in grey steps: skin has no green
+/// or blue areas.
+const TINT: f32 = 12.0;
+/// Part of the way to black and to white that tones of a face may take.
+const TONES: (f32, f32) = (0.45, 0.5);
+/// Bias of Hue per channel up to which colours count as those of the photo, in grey steps.
+const NEUTRAL: f32 = 14.0;
+
+/// Lengths in a face that is drawn again, as parts of those beside it.
+const FINER: f32 = 0.5;
+/// Scale of the thinnest line in a face, in pixels of the render.
+const THINNEST: f32 = 0.55;
+/// Height of a face, in pixels of a style, from which its lines are fine as they are.
+const LARGE: f32 = 420.0;
+/// Faces that are drawn again at most: the largest ones.
+const MOST_FACES: usize = 12;
+/// Room around a face that is drawn again, in parts of its size: its mask, and what filters look at.
+const ROOM: f64 = 0.5;
+/// Most colours of flat areas in a face: skin in light and shade, hair, lips and eyes.
+const FACE_COLORS: f32 = 6.0;
+
+/// Blocks that lay a screen, strokes or paper over a picture. They have to go on evenly across a face.
+const SCREENS: [&str; 6] = ["halftone", "pattern", "engrave", "strokes", "plates", "paper"];
 /// Where the mask of a face begins to fall and where it ends, in half sides of its box.
 const MASK: (f64, f64) = (0.9, 1.5);
-
-/// Blocks that give a picture colours of its own: those in faces are then the style's, and stay.
-const RECOLOUR: [&str; 6] = ["hue", "colorize", "plates", "flatten", "halftone", "paper"];
 
 /// The faces of an image that are to be read.
 pub(super) struct Care<'a> {
@@ -95,12 +121,21 @@ impl<'a> Care<'a> {
 
     /// The photo with light in its faces that features show in.
     pub(super) fn lit(&self, photo: &Image) -> Image {
+        self.lighted(photo, LIGHT)
+    }
+
+    /// The same for the line layer.
+    pub(super) fn lit_for_lines(&self, photo: &Image) -> Image {
+        self.lighted(photo, LINE_LIGHT)
+    }
+
+    fn lighted(&self, photo: &Image, (darkest, lightest, most): (f32, f32, f32)) -> Image {
         let luma = luma_plane(photo);
         let mut lit = photo.clone();
         for face in &self.faces {
             let Some((low, middle, high)) = light(&luma, face) else { continue };
             let gain = (CONTRAST.0 / (high - low).max(1.0)).clamp(1.0, CONTRAST.1);
-            let move_by = (middle.clamp(LIGHT.0, LIGHT.1) - middle).clamp(-LIGHT.2, LIGHT.2);
+            let move_by = (middle.clamp(darkest, lightest) - middle).clamp(-most, most);
             if gain <= 1.0 && move_by.abs() < 1.0 {
                 continue;
             }
@@ -116,31 +151,197 @@ impl<'a> Care<'a> {
         lit
     }
 
-    /// What a style's colours made of a photo, those in faces held near the photo's.
-    pub(super) fn held(&self, photo: &Image, mut drawn: Image, steps: &[Step]) -> Image {
-        let own = |step: &Step| RECOLOUR.contains(&step.block.id) || step.block.output == Channels::Luma;
-        let same_size = (drawn.width(), drawn.height()) == (photo.width(), photo.height());
-        if photo.is_luma() || drawn.is_luma() || !same_size || steps.iter().any(|s| !s.bypass && own(s)) {
-            return drawn;
+    /// Runs a layer on a photo. Its blocks before the first screen run a second time on each face, at half the scale. The colours
+    /// in faces then are held near those of the photo, if `holds` and the style takes its colours from there.
+    ///
+    /// # Errors
+    /// `cancelled` when the context says so.
+    pub(super) fn run(
+        &self,
+        steps: &[Step],
+        photo: &Image,
+        holds: bool,
+        context: &mut Context<'_>,
+    ) -> Result<Image> {
+        let (areas, screens) = steps.split_at(first_screen(steps));
+        if areas.iter().any(|step| !step.bypass && step.block.id == "size") {
+            return chain::run(steps, photo, context);
+        }
+        context.record_tones();
+        let drawn = chain::run(areas, photo, context);
+        let tones = context.recorded_tones();
+        let mut drawn = drawn?;
+        let finer: Vec<Step> = areas.iter().map(|step| finer(step, context.scale())).collect();
+        let small = |face: &&&FaceBox| (face.height as f32) < LARGE * context.scale();
+        let faces: Vec<&FaceBox> = self.faces.iter().filter(small).take(MOST_FACES).copied().collect();
+        let subject = context.subject().cloned();
+        for face in faces {
+            let Some(room) = Room::around(face, photo) else { continue };
+            context.show_subject(subject.as_ref().map(|plane| room.cut_plane(plane)));
+            context.replay_tones(tones.clone());
+            let again = chain::run(&finer, &room.cut(photo), context);
+            context.recorded_tones();
+            context.show_subject(subject.clone());
+            room.lay(&mut drawn, &again?, face);
+        }
+        if holds && !recolours(areas) {
+            self.hold(photo, &mut drawn);
+        }
+        if screens.is_empty() { Ok(drawn) } else { chain::run(screens, &drawn, context) }
+    }
+
+    /// Holds the colours in faces near those of the photo.
+    fn hold(&self, photo: &Image, drawn: &mut Image) {
+        if photo.is_luma() || drawn.is_luma() {
+            return;
         }
         for face in &self.faces {
             each_pixel(face, photo.width(), photo.height(), |x, y, share| {
                 let of = |image: &Image| [0, 1, 2].map(|i| f32::from(image.planes()[i].at(x, y)));
-                let (before, after) = (of(photo), of(&drawn));
-                let most = CHROMA.0 * chroma(before) + CHROMA.1;
-                let now = chroma(after);
-                if now <= most {
-                    return;
-                }
-                let kept = 1.0 - share * (1.0 - most / now);
-                let y_luma = luma(after);
-                for (plane, value) in drawn.planes_mut().iter_mut().zip(after) {
-                    plane.row_mut(y)[x] = (y_luma + kept * (value - y_luma)).round().clamp(0.0, 255.0) as u8;
+                let (before, after) = (of(photo), of(drawn));
+                let held = held(before, after);
+                for ((plane, after), held) in drawn.planes_mut().iter_mut().zip(after).zip(held) {
+                    let value = after + share * (held - after);
+                    plane.row_mut(y)[x] = value.round().clamp(0.0, 255.0) as u8;
                 }
             });
         }
-        drawn
     }
+}
+
+/// A colour that is as near to that of the photo as a face needs.
+fn held(before: [f32; 3], after: [f32; 3]) -> [f32; 3] {
+    let (y_before, y_after) = (luma(before), luma(after));
+    let y = y_after.clamp(TONES.0 * y_before, 255.0 - TONES.1 * (255.0 - y_before));
+    let chroma = |rgb: [f32; 3], y: f32| [(rgb[2] - y) / 1.772, (rgb[0] - y) / 1.402];
+    let (own, now) = (chroma(before, y_before), chroma(after, y_after));
+    let (strength, strength_now) = (own[0].hypot(own[1]), now[0].hypot(now[1]));
+    // As strong as the style makes it, up to a limit, and near the direction of the photo.
+    let capped = strength_now.min(CHROMA.0 * strength + CHROMA.1);
+    let now = now.map(|part| part * capped / strength_now.max(1.0));
+    let target = own.map(|part| part * capped / strength.max(4.0));
+    let (du, dv) = (now[0] - target[0], now[1] - target[1]);
+    let off = du.hypot(dv);
+    let part = if off > TINT { TINT / off } else { 1.0 };
+    let [u, v] = [target[0] + du * part, target[1] + dv * part];
+    [y + 1.402 * v, y - 0.344 * u - 0.714 * v, y + 1.772 * u]
+}
+
+/// The part of an image around a face.
+struct Room {
+    x: usize,
+    y: usize,
+    width: usize,
+    height: usize,
+}
+
+impl Room {
+    /// None where nothing of it is in the image.
+    fn around(face: &FaceBox, image: &Image) -> Option<Self> {
+        let span = |start: f64, length: f64, side: usize| {
+            let room = length * ((MASK.1 - 1.0) / 2.0 + ROOM);
+            let at = |place: f64| place.clamp(0.0, side as f64) as usize;
+            let (first, last) = (at((start - room).floor()), at((start + length + room).ceil()));
+            (last > first).then_some((first, last - first))
+        };
+        let (x, width) = span(face.x, face.width, image.width())?;
+        let (y, height) = span(face.y, face.height, image.height())?;
+        Some(Self { x, y, width, height })
+    }
+
+    fn cut_plane(&self, plane: &Plane) -> Plane {
+        Plane::from_fn(self.width, self.height, |x, y| plane.at(self.x + x, self.y + y))
+    }
+
+    fn cut(&self, image: &Image) -> Image {
+        let planes: Vec<Plane> = image.planes().iter().map(|plane| self.cut_plane(plane)).collect();
+        match <[Plane; 3]>::try_from(planes) {
+            // Three planes of one size are always an image.
+            Ok(planes) => Image::from_rgb(planes).unwrap_or_else(|_| image.clone()),
+            Err(mut planes) => Image::from_luma(planes.swap_remove(0)),
+        }
+    }
+
+    /// Lays what was drawn of a face on the whole picture.
+    fn lay(&self, whole: &mut Image, again: &Image, face: &FaceBox) {
+        if whole.is_luma() != again.is_luma() {
+            return;
+        }
+        let (width, height) = (whole.width(), whole.height());
+        let end = (self.x + self.width, self.y + self.height);
+        each_pixel(face, width, height, |x, y, share| {
+            if x < self.x || y < self.y || x >= end.0 || y >= end.1 {
+                return;
+            }
+            for (plane, again) in whole.planes_mut().iter_mut().zip(again.planes()) {
+                let sample = &mut plane.row_mut(y)[x];
+                let (before, after) = (f32::from(*sample), f32::from(again.at(x - self.x, y - self.y)));
+                *sample = (before + share * (after - before)).round() as u8;
+            }
+        });
+    }
+}
+
+/// Where the first block stands that goes on evenly across faces. The end, if colours are wanted back after it.
+fn first_screen(steps: &[Step]) -> usize {
+    let is_screen = |step: &Step| !step.bypass && SCREENS.contains(&step.block.id);
+    let first = steps.iter().position(is_screen).unwrap_or(steps.len());
+    let wants_colour = steps[first..].iter().any(|step| !step.bypass && step.block.id == "to_color");
+    if wants_colour { 0 } else { first }
+}
+
+/// Whether a layer has colours other than those of the photo, or none. Faces then have the colours of the style.
+pub(super) fn recolours(steps: &[Step]) -> bool {
+    let mut colour = true;
+    for step in steps.iter().filter(|step| !step.bypass) {
+        match step.block.id {
+            "colorize" | "plates" | "halftone" => return true,
+            "flatten" if is_named_palette(step) => return true,
+            "hue" if is_tinting(step) => return true,
+            "to_color" => colour = true,
+            _ if step.block.output == Channels::Luma && step.part.is_none() => colour = false,
+            _ => {}
+        }
+    }
+    !colour
+}
+
+fn value(step: &Step, id: &str) -> f32 {
+    let at = step.block.params.iter().position(|param| param.id == id);
+    at.and_then(|at| step.values.get(at)).copied().unwrap_or_default()
+}
+
+/// Whether areas mostly have the colours of a palette instead of their own.
+fn is_named_palette(step: &Step) -> bool {
+    value(step, "palette") > 0.0 && value(step, "own") < 50.0
+}
+
+fn is_tinting(step: &Step) -> bool {
+    let [red, green, blue] = ["red", "green", "blue"].map(|id| value(step, id));
+    let spread = red.max(green).max(blue) - red.min(green).min(blue);
+    value(step, "angle") != 0.0 || spread > NEUTRAL
+}
+
+/// A block for a face that is drawn again.
+fn finer(step: &Step, scale: f32) -> Step {
+    let mut step = step.clone();
+    for &(_, id, _) in MOST.iter().filter(|(block, ..)| *block == step.block.id) {
+        let Some(i) = step.block.params.iter().position(|param| param.id == id) else { continue };
+        let (value, least) = (step.values[i], step.block.params[i].kind.range().0);
+        if id == "pitch" || id == "scale" || value <= least {
+            continue;
+        }
+        let thinnest = if id == "sigma" { THINNEST / scale.max(f32::MIN_POSITIVE) } else { least };
+        step.values[i] = (FINER * value).max(thinnest).min(value).max(least);
+    }
+    if step.block.id == "flatten" && !is_named_palette(&step) {
+        let at = |id: &str| step.block.params.iter().position(|param| param.id == id);
+        if let (Some(colors), Some(palette)) = (at("colors"), at("palette")) {
+            step.values[colors] = step.values[colors].min(FACE_COLORS);
+            step.values[palette] = 0.0;
+        }
+    }
+    step
 }
 
 fn shorten(step: &mut Step, height: f32) {
@@ -162,6 +363,7 @@ fn luma([r, g, b]: [f32; 3]) -> f32 {
 }
 
 /// Distance from gray of the same luma.
+#[cfg(test)]
 fn chroma(rgb: [f32; 3]) -> f32 {
     let y = luma(rgb);
     ((rgb[2] - y) / 1.772).hypot((rgb[0] - y) / 1.402)
@@ -272,6 +474,77 @@ mod tests {
         let at = |image: &Image, x, y| chroma([0, 1, 2].map(|i| f32::from(image.planes()[i].at(x, y))));
         assert!(at(&drawn, 64, 60) <= CHROMA.0 * at(&photo, 64, 60) + CHROMA.1 + 4.0);
         assert!(at(&drawn, 150, 110) > 2.5 * at(&photo, 150, 110));
+    }
+
+    /// Skin of a tone with two eyes and a mouth, in the middle of a green wall.
+    fn portrait(skin: [u8; 3]) -> (Image, FaceBox) {
+        let face = FaceBox { x: 120.0, y: 60.0, width: 96.0, height: 120.0 };
+        let feature = |x: usize, y: usize| {
+            let eye = |cx: usize| x.abs_diff(cx) < 6 && y.abs_diff(108) < 3;
+            eye(148) || eye(188) || (x.abs_diff(168) < 14 && y.abs_diff(148) < 2)
+        };
+        let inside = |x: usize, y: usize| {
+            ((x as f64 - 168.0) / 48.0).hypot((y as f64 - 120.0) / 60.0) < 1.0
+        };
+        let colour = |x: usize, y: usize| match (feature(x, y), inside(x, y)) {
+            (true, _) => skin.map(|tone| tone / 3),
+            (_, true) => skin.map(|tone| tone + ((x * 5 + y * 3) % 9) as u8),
+            _ => [90, 140, 80],
+        };
+        let plane = |c: usize| Plane::from_fn(336, 240, |x, y| colour(x, y)[c]);
+        (Image::from_rgb([0, 1, 2].map(plane)).unwrap(), face)
+    }
+
+    fn drawn(json: &str, (photo, face): &(Image, FaceBox), cares: bool) -> Image {
+        let mut context = Context::default();
+        context.set_scale(0.5);
+        context.show_faces(if cares { vec![*face] } else { Vec::new() });
+        stylize(photo, &style(json), &mut context).unwrap()
+    }
+
+    #[test]
+    fn eyes_stay_where_areas_are_as_large_as_they_are() {
+        let json = r#"{"background":[{"block":"kuwahara","radius":14,"passes":3}]}"#;
+        let photo = portrait([190, 140, 110]);
+        // How much darker the eyes are than the cheeks.
+        let depth = |image: &Image| {
+            let luma = luma_plane(image);
+            i32::from(luma.at(168, 128)) - i32::from(luma.at(148, 108))
+        };
+        let (plain, cared) = (depth(&drawn(json, &photo, false)), depth(&drawn(json, &photo, true)));
+        assert!(cared > 40 && cared > plain + 15, "{plain} {cared}");
+    }
+
+    #[test]
+    fn black_fills_no_dark_skin() {
+        let json = r#"{"background":[{"block":"brightness","gain":0,"channels":"each"},{"block":"hue","red":255,"green":255,"blue":255}],
+            "foreground":[{"block":"to_gray"},{"block":"xdog","sigma":2.6},{"block":"soft_threshold","phi":0.05,"epsilon":100}]}"#;
+        let photo = portrait([78, 52, 40]);
+        let cheek = |cares: bool| luma_plane(&drawn(json, &photo, cares)).at(168, 128);
+        let eye = luma_plane(&drawn(json, &photo, true)).at(148, 108);
+        assert!(cheek(false) < 60 && cheek(true) > 180 && eye < 90, "{} {} {eye}", cheek(false), cheek(true));
+    }
+
+    #[test]
+    fn skin_has_no_green_areas() {
+        let json = r#"{"background":[{"block":"posterize","levels":3}]}"#;
+        let photo = portrait([150, 130, 108]);
+        let skin = |cares: bool| {
+            let image = drawn(json, &photo, cares);
+            [0, 1, 2].map(|c: usize| i32::from(image.planes()[c].at(168, 128)))
+        };
+        let ([r, _, b], [r_plain, _, b_plain]) = (skin(true), skin(false));
+        assert!((r - b - 42).abs() < 25, "{:?} {:?}", skin(true), (r_plain, b_plain));
+    }
+
+    #[test]
+    fn tones_of_a_face_are_those_of_the_whole_picture() {
+        // Equalised alone, a face would be as light as the picture is in the light.
+        let json = r#"{"background":[{"block":"equalize","low":1,"high":99}]}"#;
+        let photo = portrait([120, 100, 90]);
+        let (plain, cared) = (drawn(json, &photo, false), drawn(json, &photo, true));
+        let at = |image: &Image| i32::from(luma_plane(image).at(168, 128));
+        assert!((at(&plain) - at(&cared)).abs() < 30, "{} {}", at(&plain), at(&cared));
     }
 
     #[test]

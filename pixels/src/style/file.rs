@@ -5,6 +5,7 @@
 
 use super::blocks::{self, Block, Channels};
 use super::earlier;
+use super::faces;
 use super::params::{Kind, Param, colour_of, colour_value};
 use super::part::{Part, Parts};
 use super::texture::Texture;
@@ -146,6 +147,12 @@ impl Style {
             map.insert("score".into(), json!(score));
         }
         Value::Object(map)
+    }
+
+    /// Whether pictures in this style have the colours of the photo, if stronger or paler ones.
+    #[must_use]
+    pub fn keeps_colours(&self) -> bool {
+        !faces::recolours(&self.background)
     }
 
     /// Whether a layer or a block that runs is for a part of the picture, so that the subject has to be known.

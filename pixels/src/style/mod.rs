@@ -67,27 +67,33 @@ pub fn stylize(image: &Image, style: &Style, context: &mut Context<'_>) -> Resul
 fn cared(image: &Image, style: &Style, context: &mut Context<'_>) -> Result<Image> {
     let faces = context.shown_faces(style.faces);
     let Some(care) = faces::Care::of(&faces, image.width(), image.height()) else {
-        return layered(style, image, context, None);
+        return layered(style, (image, image), context, None);
     };
     let style = care.scaled(style, context.scale());
-    layered(&style, &care.lit(image), context, Some(&care))
+    let (lit, lines) = (care.lit(image), care.lit_for_lines(image));
+    layered(&style, (&lit, &lines), context, Some(&care))
 }
 
+/// The layers of a style, each on its own light of the photo.
 fn layered(
     style: &Style,
-    image: &Image,
+    (image, lines): (&Image, &Image),
     context: &mut Context<'_>,
     care: Option<&faces::Care<'_>>,
 ) -> Result<Image> {
-    let mut background = chain::run(&style.background, image, context)?;
-    if let Some(care) = care {
-        background = care.held(image, background, &style.background);
-    }
+    let mut run = |steps: &[file::Step], image: &Image, holds: bool| match care {
+        Some(care) => care.run(steps, image, holds, context),
+        None => chain::run(steps, image, context),
+    };
+    let mut background = run(&style.background, image, true)?;
+    let lines = match &style.foreground {
+        Some(foreground) => Some(run(foreground, lines, false)?),
+        None => None,
+    };
     if let Some(part) = style.parts.background {
         background = part::mixed(image.clone(), background, part, context);
     }
-    let Some(foreground) = &style.foreground else { return Ok(background) };
-    let mut lines = chain::run(foreground, image, context)?;
+    let Some(mut lines) = lines else { return Ok(background) };
     context.check_cancelled()?;
     if let Some(part) = style.parts.foreground {
         lines = part::lines_in(&lines, part, context);
