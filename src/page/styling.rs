@@ -113,6 +113,7 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
         .filter(|style| !lines_only || style.foreground.is_some())
         .filter(|style| !best || tones::is_for_first_page(&style.id))
         .filter(|style| is_within(families, style.tags.first().map_or("", String::as_str)))
+        .filter(|style| !families.is_empty() || !tones::is_retired(&style.id))
         .map(|style| {
             let weight =
                 tones::weight(style, page, &request.taste) * if shown(&style.id) { 0.0 } else { 1.0 };
@@ -232,6 +233,19 @@ mod tests {
         };
         let (shuffled, first) = (share(Some(&first)), share(None));
         assert!((0.43..0.57).contains(&shuffled) && (0.68..0.82).contains(&first), "{shuffled} {first}");
+    }
+
+    #[test]
+    fn chance_draws_no_style_with_a_low_mark_unless_its_family_is_asked_for() {
+        let first = plan(&request(3, Styling::default())).unwrap();
+        let mut request = Request { current: Some(first), ..request(0, Styling::default()) };
+        let mut drawn = |families: &[&str]| -> Vec<String> {
+            request.within.styles = families.iter().map(|&family| family.to_owned()).collect();
+            let styles = (0..300).map(|seed| plan(&Request { seed, ..request.clone() }).unwrap().style);
+            styles.map(|style| style_of(&style).unwrap().id.clone()).collect()
+        };
+        assert!(drawn(&[]).iter().all(|id| !tones::is_retired(id)));
+        assert!(drawn(&["blueprint"]).iter().any(|id| tones::is_retired(id)));
     }
 
     #[test]
