@@ -760,6 +760,8 @@ export type PageDocument = {
   merges: ReadonlyArray<ReadonlyArray<number>>,
   /** Size, gutters and colours. */
   page: PageSettings,
+  /** The photos get one white point. Pages that were saved before this field have the colours of each photo. */
+  balanced?: boolean,
   /** Words on the page, as `Word`(super::words::Word) has them, in paint order. Whoever draws them checks them. */
   words: ReadonlyArray<Word>,
 };
