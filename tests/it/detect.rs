@@ -162,3 +162,30 @@ fn the_command_answers_in_pixels_and_passes_over_what_is_no_photo() {
     assert_eq!(elsewhere.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&elsewhere.stderr).contains("faces.onnx"));
 }
+
+#[test]
+fn a_photo_in_a_style_has_its_faces_protected() {
+    let folder = tempfile::tempdir().unwrap();
+    let drawn = |file: &str, more: &[&str]| {
+        let output = folder.path().join("drawn.png");
+        let mut command = crate::inkpanel();
+        command.args(["stylize", "--style", "lacquer-poster"]).arg(crate::root(file)).args(more);
+        assert!(command.arg("-o").arg(&output).output().unwrap().status.success());
+        decode(&fs::read(&output).unwrap(), &Limits::default()).unwrap().image
+    };
+    let face = "www/public/samples/19-astronaut.jpg";
+    let (cared, plain) = (drawn(face, &[]), drawn(face, &["--no-detect"]));
+    let found: Vec<Detection> = detectors().detect(&photo(face)).unwrap();
+    let [left, top, right, bottom] = corners(found.iter().find(|found| found.label == "face").unwrap());
+    let at = |x: f64, y: f64| ((x * 512.0) as usize, (y * 512.0) as usize);
+    let differ = |(x, y): (usize, usize)| {
+        (0..3).any(|c: usize| cared.planes()[c].at(x, y).abs_diff(plain.planes()[c].at(x, y)) > 12)
+    };
+    let (first, last) = (at(left, top), at(right, bottom));
+    let inside = (first.1..last.1).flat_map(|y| (first.0..last.0).map(move |x| (x, y)));
+    let changed = inside.clone().filter(|&place| differ(place)).count() as f64 / inside.count() as f64;
+    assert!(changed > 0.1, "{changed} of the face");
+    // Nothing is protected where there is nobody.
+    let nobody = "www/public/samples/15-sunset.jpg";
+    assert!(drawn(nobody, &[]) == drawn(nobody, &["--no-detect"]));
+}

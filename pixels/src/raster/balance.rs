@@ -1,6 +1,6 @@
 //! White balance: photos of one page get one white point, so that panels in daylight and lamplight fit together.
 //!
-//! The light of a photo is estimated by shades of gray: the sixth norm of each channel over a grid of pixels. Only a part of the
+//! The light of a photo is estimated by shades of gray: the fourth norm of each channel over a grid of pixels. Only a part of the
 //! difference to gray is corrected, up to a limit: a sunset stays warm.
 //!
 //! Source: Finlayson and Trezzi, "Shades of gray and colour constancy", 2004.
@@ -27,7 +27,7 @@ impl Balance {
     pub fn of(photo: &Image) -> Option<Self> {
         let [r, g, b] = photo.planes() else { return None };
         let step = photo.width().max(photo.height()).div_ceil(GRID).max(1);
-        let (mut sums, mut count) = ([0.0_f64; 3], 0);
+        let (mut sums, mut count) = ([0.0_f64; 3], 0_u32);
         for y in (step / 2..photo.height()).step_by(step) {
             for x in (step / 2..photo.width()).step_by(step) {
                 let rgb = [r, g, b].map(|plane| plane.at(x, y));
@@ -36,7 +36,7 @@ impl Balance {
                 }
                 for (sum, tone) in sums.iter_mut().zip(rgb) {
                     let square = f64::from(tone) * f64::from(tone);
-                    *sum += square * square * square;
+                    *sum += square * square;
                 }
                 count += 1;
             }
@@ -44,8 +44,8 @@ impl Balance {
         if count == 0 || sums.iter().any(|sum| *sum <= 0.0) {
             return None;
         }
-        // The sixth root by roots that every platform rounds alike.
-        let light = sums.map(|sum| (sum / f64::from(count)).sqrt().cbrt());
+        // The fourth root by roots that every platform rounds alike.
+        let light = sums.map(|sum| (sum / f64::from(count)).sqrt().sqrt());
         let gray = (light[0] + light[1] + light[2]) / 3.0;
         let factors = light.map(|own| (1.0 + PART * (gray / own - 1.0)).clamp(1.0 / MOST, MOST));
         // The photo is as bright as before.

@@ -222,13 +222,15 @@ fn held(before: [f32; 3], after: [f32; 3]) -> [f32; 3] {
     let y = y_after.clamp(TONES.0 * y_before, 255.0 - TONES.1 * (255.0 - y_before));
     let chroma = |rgb: [f32; 3], y: f32| [(rgb[2] - y) / 1.772, (rgb[0] - y) / 1.402];
     let (own, now) = (chroma(before, y_before), chroma(after, y_after));
-    let (strength, strength_now) = (own[0].hypot(own[1]), now[0].hypot(now[1]));
+    // Products and roots are rounded alike on all platforms.
+    let length = |[u, v]: [f32; 2]| (u * u + v * v).sqrt();
+    let (strength, strength_now) = (length(own), length(now));
     // As strong as the style makes it, up to a limit, and near the direction of the photo.
     let capped = strength_now.min(CHROMA.0 * strength + CHROMA.1).max(PALEST * strength);
     let now = now.map(|part| part * capped / strength_now.max(1.0));
     let target = own.map(|part| part * capped / strength.max(4.0));
     let (du, dv) = (now[0] - target[0], now[1] - target[1]);
-    let off = du.hypot(dv);
+    let off = length([du, dv]);
     let part = if off > TINT { TINT / off } else { 1.0 };
     let [u, v] = [target[0] + du * part, target[1] + dv * part];
     [y + 1.402 * v, y - 0.344 * u - 0.714 * v, y + 1.772 * u]
