@@ -16,7 +16,7 @@ use serde_json::Value;
 
 /// Share of shuffles whose style keeps the colours of the photos.
 const IN_COLOUR: f64 = 0.5;
-/// The same for first pages.
+/// Share of first pages whose style keeps the colours of the photos.
 const FIRST_IN_COLOUR: f64 = 0.75;
 /// Colours of paper and borders for a dark style.
 const DARK_PAPER: &str = "#15141a";
@@ -137,7 +137,7 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
     drawn.or_else(other).map(|(_, style)| style.clone()).ok_or_else(|| Error::UnknownStyle("any".into()))
 }
 
-/// Styles with their weights. Those that keep the colours of photos get a share of all draws, if there are others.
+/// Styles with their weights. Styles with the colours of photos get a share of all draws, if there are others.
 fn shared(styles: Vec<(f64, bool, Value)>, share: f64) -> Vec<(f64, Value)> {
     let sum = |kept: bool| styles.iter().filter(|(_, keeps, _)| *keeps == kept).map(|(weight, ..)| weight).sum();
     let (kept, others): (f64, f64) = (sum(true), sum(false));
@@ -149,14 +149,18 @@ fn shared(styles: Vec<(f64, bool, Value)>, share: f64) -> Vec<(f64, Value)> {
     styles.into_iter().map(|(weight, keeps, style)| (weight * factor(keeps), style)).collect()
 }
 
-/// The settings of a page in a style: white paper becomes dark for a dark style. A person's own colours stay.
+/// The settings of a page in a style: white paper becomes dark for a dark style, and white again for others. A person's own
+/// colours stay.
 pub(super) fn papered(page: &PageSettings, style: &Value) -> PageSettings {
     let usual = PageSettings::default();
-    let id = style.as_str().or_else(|| style["id"].as_str()).unwrap_or_default();
+    let light = (usual.paper.as_str(), usual.border_color.as_str());
+    let dark = (DARK_PAPER, DARK_BORDER);
     let mut page = page.clone();
-    if tones::is_dark(id) && (&page.paper, &page.border_color) == (&usual.paper, &usual.border_color) {
-        page.paper = DARK_PAPER.into();
-        page.border_color = DARK_BORDER.into();
+    if [light, dark].contains(&(page.paper.as_str(), page.border_color.as_str())) {
+        let id = style.as_str().or_else(|| style["id"].as_str()).unwrap_or_default();
+        let (paper, border) = if tones::is_dark(id) { dark } else { light };
+        page.paper = paper.into();
+        page.border_color = border.into();
     }
     page
 }
@@ -250,15 +254,20 @@ mod tests {
 
     #[test]
     fn dark_styles_get_dark_paper_unless_a_person_chose_another() {
-        let drawn = |id: &str, paper: &str| {
-            let mut request = request(1, Styling::default());
-            request.style = Some(id.into());
-            request.page.paper = paper.into();
-            plan(&request).unwrap().page.paper
+        let drawn = |id: &str, page: &PageSettings| {
+            let request = Request {
+                style: Some(id.into()),
+                page: page.clone(),
+                ..request(1, Styling::default())
+            };
+            plan(&request).unwrap().page
         };
-        assert_eq!(drawn("moonlight", "#ffffff"), DARK_PAPER);
-        assert_eq!(drawn("moonlight", "#f4efe6"), "#f4efe6");
-        assert_eq!(drawn("comic", "#ffffff"), "#ffffff");
+        let white = PageSettings::default();
+        let own = PageSettings { paper: "#f4efe6".into(), ..PageSettings::default() };
+        let dark = drawn("moonlight", &white);
+        assert_eq!(dark.paper, DARK_PAPER);
+        assert_eq!(drawn("moonlight", &own), own);
+        assert_eq!([drawn("comic", &white), drawn("comic", &dark)], [white.clone(), white]);
     }
 
     #[test]

@@ -201,7 +201,7 @@ fn cell_loss(style: &Style, page: &Shown) -> f64 {
     rough + small
 }
 
-/// What a face loses in areas as large as its features.
+/// Loss of a face in areas as large as its features.
 fn area_loss(style: &Style, page: &Shown) -> f64 {
     let (Some(face), Some(area)) = (page.face, area(style)) else { return 0.0 };
     let areas = face / (area * page.scale).max(1e-9);
@@ -229,7 +229,7 @@ fn cell(style: &Style) -> Option<f64> {
     cells.map(f64::from).reduce(f64::max)
 }
 
-/// The side of the smallest area of a style, in its pixels: that of the block which leaves the largest ones.
+/// Side of the smallest area of a style, in its pixels: the block with the largest areas decides.
 fn area(style: &Style) -> Option<f64> {
     let areas = steps(style).flat_map(|step| {
         let own = AREA.iter().filter(|(block, ..)| *block == step.block.id);

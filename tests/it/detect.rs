@@ -185,7 +185,7 @@ fn a_photo_in_a_style_has_its_faces_protected() {
     let inside = (first.1..last.1).flat_map(|y| (first.0..last.0).map(move |x| (x, y)));
     let changed = inside.clone().filter(|&place| differ(place)).count() as f64 / inside.count() as f64;
     assert!(changed > 0.1, "{changed} of the face");
-    // Nothing is protected where there is nobody.
+    // Photos without faces and animals have nothing to protect.
     let nobody = "www/public/samples/15-sunset.jpg";
     assert!(drawn(nobody, &[]) == drawn(nobody, &["--no-detect"]));
 }

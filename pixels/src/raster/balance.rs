@@ -22,7 +22,7 @@ const MOST: f64 = 1.16;
 pub struct Balance([f64; 3]);
 
 impl Balance {
-    /// Estimates the light of a photo. `None` for gray photos, and for those that need no correction.
+    /// Estimates the light of a photo. `None` for gray photos and photos that need no correction.
     #[must_use]
     pub fn of(photo: &Image) -> Option<Self> {
         let [r, g, b] = photo.planes() else { return None };

@@ -35,15 +35,15 @@ pub struct Context<'a> {
     cancelled: Option<&'a dyn Fn() -> bool>,
 }
 
-/// What blocks made of the tones of a whole picture, in their order, for parts of it that are drawn again.
+/// Operations of the blocks that look at tones, in order. Parts of a picture use the operations of the whole picture.
 #[derive(Default)]
 enum KnownTones {
-    /// Each picture has its own.
+    /// Blocks look at the tones of each picture.
     #[default]
     None,
-    /// They are noted.
+    /// The operations so far.
     Recorded(Vec<PointOp>),
-    /// The next ones are these.
+    /// The next operations.
     Replayed(std::vec::IntoIter<PointOp>),
 }
 
@@ -93,12 +93,12 @@ impl<'a> Context<'a> {
         self.subject.as_ref()
     }
 
-    /// Notes what blocks make of the tones of the next picture.
+    /// Records the operations of blocks that look at the tones of the next picture.
     pub(in crate::style) fn record_tones(&mut self) {
         self.tones = KnownTones::Recorded(Vec::new());
     }
 
-    /// What was noted. Each picture has its own tones from here on.
+    /// Ends recording and replaying, and returns the recorded operations.
     pub(in crate::style) fn recorded_tones(&mut self) -> Vec<PointOp> {
         match std::mem::take(&mut self.tones) {
             KnownTones::Recorded(ops) => ops,
@@ -106,12 +106,12 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Blocks make of the tones of the next picture what they made of the whole.
+    /// Uses recorded operations for the next picture, which is a part of the recorded one.
     pub(in crate::style) fn replay_tones(&mut self, ops: Vec<PointOp>) {
         self.tones = KnownTones::Replayed(ops.into_iter());
     }
 
-    /// What a block makes of tones: what it made of the whole picture, or what `make` says.
+    /// Returns the next replayed operation, or calls `make`.
     pub(in crate::style) fn tones_or(&mut self, make: impl FnOnce(&mut Self) -> PointOp) -> PointOp {
         if let KnownTones::Replayed(ops) = &mut self.tones
             && let Some(op) = ops.next()

@@ -1,9 +1,8 @@
-//! Care for faces: where a panel shows some, lines, cells and areas are no larger than faces of that size bear. Inside faces,
-//! each layer is drawn again at half the scale, light is brought to where features show, and colours stay near those of the
-//! photo.
+//! Protection of faces: lines, cells and areas of a panel shrink with the smallest main face. Inside faces, each layer is drawn
+//! again at half the scale, light is brought to features, and colours stay near the photo.
 //!
-//! All lengths are told by the height of a face, which grows with the render like any length of a style: thumbnail, preview
-//! and print agree. The shares are this project's own, found by eye.
+//! All lengths depend on the height of a face, which grows with the render like any length of a style: thumbnail, preview
+//! and print agree. The shares were found by eye.
 
 use super::blocks::Channels;
 use super::chain;
@@ -56,27 +55,26 @@ const LEAST: f32 = 0.5;
 const CONTRAST: (f32, f32) = (110.0, 1.5);
 /// Middle tones between which a face is left, and how far it is moved at most, in grey steps.
 const LIGHT: (f32, f32, f32) = (92.0, 176.0, 30.0);
-/// The same for the line layer, whose blacks would fill dark skin.
+/// Light for the line layer, whose blacks would fill dark skin.
 const LINE_LIGHT: (f32, f32, f32) = (124.0, 190.0, 64.0);
 /// How much stronger than in the photo colours of a face may be, and what is always allowed, in grey steps.
 const CHROMA: (f32, f32) = (1.55, 9.0);
-/// How strong colours of a face stay at least, as a part of those of the photo.
+/// Least strength of colours in a face, as a part of their strength in the photo.
 const PALEST: f32 = 0.45;
-/// How far colours of a face may be from those of the photo after their strength is adapted, in grey steps: skin has no green
-/// or blue areas.
+/// Largest distance of colours in a face from the photo, at equal strength, in grey steps: skin has no green areas.
 const TINT: f32 = 12.0;
 /// Part of the way to black and to white that tones of a face may take.
 const TONES: (f32, f32) = (0.62, 0.55);
 /// Inks of Plates, by their places, that together print all colours.
 const PROCESS_INKS: [f32; 3] = [4.0, 5.0, 6.0];
-/// Bias of Hue per channel up to which colours count as those of the photo, in grey steps.
+/// Largest spread of the biases of Hue that keeps the colours of the photo, in grey steps.
 const NEUTRAL: f32 = 14.0;
 
 /// Lengths in a face that is drawn again, as parts of those beside it.
 const FINER: f32 = 0.5;
 /// Scale of the thinnest line in a face, in pixels of the render.
 const THINNEST: f32 = 0.55;
-/// Height of a face, in pixels of a style, from which its lines are fine as they are.
+/// Height of a face that needs no finer lines, in pixels of a style.
 const LARGE: f32 = 420.0;
 /// Faces that are drawn again at most: the largest ones.
 const MOST_FACES: usize = 12;
@@ -128,7 +126,7 @@ impl<'a> Care<'a> {
         self.lighted(photo, LIGHT)
     }
 
-    /// The same for the line layer.
+    /// The photo with light in its faces for the line layer.
     pub(super) fn lit_for_lines(&self, photo: &Image) -> Image {
         self.lighted(photo, LINE_LIGHT)
     }
@@ -155,8 +153,8 @@ impl<'a> Care<'a> {
         lit
     }
 
-    /// Runs a layer on a photo. Its blocks before the first screen run a second time on each face, at half the scale. The colours
-    /// in faces then are held near those of the photo, if `holds` and the style takes its colours from there.
+    /// Runs a layer on a photo. Its blocks before the first screen run a second time on each face, at half the scale. If `holds`
+    /// and the layer keeps colours, the colours in faces stay near the photo.
     ///
     /// # Errors
     /// `cancelled` when the context says so.
@@ -189,14 +187,14 @@ impl<'a> Care<'a> {
             room.lay(&mut drawn, &again?, face);
         }
         if holds && !recolours(areas) {
-            // What is drawn behind a subject is no part of its face.
+            // A backdrop is not a part of a face.
             let parted = areas.iter().any(|step| !step.bypass && step.part.is_some());
             self.hold(photo, &mut drawn, subject.as_ref().filter(|_| parted));
         }
         chain::run_owned(screens, drawn, context)
     }
 
-    /// Holds the colours in faces near those of the photo, within the subject if there is one.
+    /// Moves the colours in faces toward the photo, within the subject if there is one.
     fn hold(&self, photo: &Image, drawn: &mut Image, subject: Option<&Plane>) {
         if photo.is_luma() || drawn.is_luma() {
             return;
@@ -216,7 +214,7 @@ impl<'a> Care<'a> {
     }
 }
 
-/// A colour that is as near to that of the photo as a face needs.
+/// Moves a colour toward the photo as far as a face needs.
 fn held(before: [f32; 3], after: [f32; 3]) -> [f32; 3] {
     let (y_before, y_after) = (luma(before), luma(after));
     let y = y_after.clamp(TONES.0 * y_before, 255.0 - TONES.1 * (255.0 - y_before));
@@ -245,7 +243,7 @@ struct Room {
 }
 
 impl Room {
-    /// None where nothing of it is in the image.
+    /// `None` if the face is outside the image.
     fn around(face: &FaceBox, image: &Image) -> Option<Self> {
         let span = |start: f64, length: f64, side: usize| {
             let room = length * ((MASK.1 - 1.0) / 2.0 + ROOM);
@@ -271,7 +269,7 @@ impl Room {
         }
     }
 
-    /// Lays what was drawn of a face on the whole picture.
+    /// Lays the drawing of a face on the whole picture.
     fn lay(&self, whole: &mut Image, again: &Image, face: &FaceBox) {
         if whole.is_luma() != again.is_luma() {
             return;
@@ -291,7 +289,7 @@ impl Room {
     }
 }
 
-/// Where the first block stands that goes on evenly across faces. The end, if colours are wanted back after it.
+/// Place of the first block that has to go on evenly across faces. 0 if a later block restores colours.
 fn first_screen(steps: &[Step]) -> usize {
     let is_screen = |step: &Step| !step.bypass && SCREENS.contains(&step.block.id);
     let first = steps.iter().position(is_screen).unwrap_or(steps.len());
@@ -299,7 +297,7 @@ fn first_screen(steps: &[Step]) -> usize {
     if wants_colour { 0 } else { first }
 }
 
-/// Whether a layer has colours other than those of the photo, or none. Faces then have the colours of the style.
+/// Whether a layer replaces or removes the colours of the photo. Faces then have the colours of the style.
 pub(super) fn recolours(steps: &[Step]) -> bool {
     let mut colour = true;
     for step in steps.iter().filter(|step| !step.bypass) {
@@ -324,7 +322,7 @@ fn value(step: &Step, id: &str) -> f32 {
     at.and_then(|at| step.values.get(at)).copied().unwrap_or_default()
 }
 
-/// Whether areas mostly have the colours of a palette instead of their own.
+/// Whether areas mostly have the colours of a palette.
 fn is_named_palette(step: &Step) -> bool {
     value(step, "palette") > 0.0 && value(step, "own") < 50.0
 }
@@ -553,7 +551,7 @@ mod tests {
 
     #[test]
     fn tones_of_a_face_are_those_of_the_whole_picture() {
-        // Equalised alone, a face would be as light as the picture is in the light.
+        // If a face were equalised separately, it would become light.
         let json = r#"{"background":[{"block":"equalize","low":1,"high":99}]}"#;
         let photo = portrait([120, 100, 90]);
         let (plain, cared) = (drawn(json, &photo, false), drawn(json, &photo, true));
