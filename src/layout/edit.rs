@@ -155,7 +155,12 @@ pub(super) fn rebuilt(
     let (name, aspect) = (template.name(), template.aspect());
     let mut changed = Template::assemble("custom", name, "custom", aspect, Body::Tree(node));
     let cells = std::mem::take(&mut changed.panels);
-    let base = order.iter().zip(weights).map(|(&i, weight)| Panel { weight, ..cells[i].clone() });
+    // A cut that moves leaves each panel what it is.
+    let same = order == template.order;
+    let bleeds = |place: usize| same && template.panels[place].bleeds;
+    let base = order.iter().zip(weights).enumerate();
+    let base =
+        base.map(|(place, (&i, weight))| Panel { weight, bleeds: bleeds(place), ..cells[i].clone() });
     changed.panels = base.chain(template.panels.iter().filter(|panel| panel.overlay).cloned()).collect();
     changed.order = order;
     checked(changed)

@@ -32,7 +32,7 @@ const UNIT: RangeInclusive<f64> = 0.0..=1.0;
 /// Checks a whole layout file.
 pub(super) fn template(file: &str, value: &Value) -> Result<Template> {
     let root = Field::root(file, value);
-    root.object(&["id", "name", "family", "aspect", "tree", "polygons", "order", "weights", "overlays"])?;
+    root.object(&["id", "name", "family", "aspect", "tree", "polygons", "order", "weights", "bleeds", "overlays"])?;
     let id = identifier(&root.required("id")?)?;
     let name = root.required("name")?.text(60)?.to_owned();
     let family = family(&root.required("family")?)?;
@@ -50,6 +50,11 @@ pub(super) fn template(file: &str, value: &Value) -> Result<Template> {
         None => Vec::new(),
     };
     let mut panels: Vec<Panel> = order.iter().map(|&i| Panel::base(&cells[i], cells.len())).collect();
+    if let Some(field) = root.get("bleeds") {
+        for entry in field.list(0..=panels.len())? {
+            panels[entry.index(cells.len())?].bleeds = true;
+        }
+    }
     panels.extend(overlays);
     if let Some(field) = root.get("weights") {
         let weights = field.numbers(panels.len(), &WEIGHT)?;
@@ -195,7 +200,7 @@ fn overlay(field: &Field, aspect: f64) -> Result<Panel> {
         Shape::Polygon(corners) => natural_weight(corners, 4),
         Shape::Circle { .. } => 0.5,
     };
-    Ok(Panel { shape, weight, overlay: true, halo })
+    Ok(Panel { shape, weight, overlay: true, halo, bleeds: false })
 }
 
 fn rectangle(field: &Field) -> Result<Shape> {

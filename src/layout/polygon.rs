@@ -200,7 +200,7 @@ pub fn side(a: Point, b: Point, p: Point) -> f64 {
 
 /// The part of a convex polygon that lies at least `distance` inside the line from -> to
 /// (Sutherland and Hodgman).
-fn clip(polygon: &[Point], from: Point, to: Point, distance: f64) -> Vec<Point> {
+pub(super) fn clip(polygon: &[Point], from: Point, to: Point, distance: f64) -> Vec<Point> {
     if from.distance(to) <= f64::MIN_POSITIVE {
         return polygon.to_vec();
     }

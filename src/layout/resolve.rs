@@ -1,6 +1,6 @@
 //! A template on a page: gutters and margins taken off, in page-width units.
 
-use super::polygon::{Bounds, Point, eroded};
+use super::polygon::{Bounds, Point, TINY, clip, edges, eroded};
 use super::settings::PageSettings;
 use super::template::{Shape, Template, circle_radius};
 use super::write::PlacedPanel;
@@ -60,7 +60,7 @@ pub fn resolve(template: &Template, page_aspect: f64, settings: &PageSettings) -
     let gutter = page.largest_gutter(template);
     let panels = template.panels().iter().map(|panel| {
         let (shape, bounds) = match &panel.shape {
-            Shape::Polygon(cell) => page.polygon(cell, gutter),
+            Shape::Polygon(cell) => page.polygon(cell, gutter, panel.bleeds),
             Shape::Circle { center, radius } => page.circle(*center, *radius, template.aspect(), gutter),
         };
         let halo = panel.halo * gutter;
@@ -117,11 +117,23 @@ impl Page {
         low
     }
 
-    fn polygon(&self, cell: &[Point], gutter: f64) -> (ResolvedShape, Bounds) {
-        let cell = self.cell(cell, gutter);
+    fn polygon(&self, cell: &[Point], gutter: f64, bleeds: bool) -> (ResolvedShape, Bounds) {
+        let cell = if bleeds { self.to_the_edge(cell, gutter) } else { self.cell(cell, gutter) };
         let outline = eroded(&cell, gutter / 2.0).unwrap_or(cell);
         let bounds = Bounds::of(&outline);
         (ResolvedShape::Polygon(outline), bounds)
+    }
+
+    /// A cell whose edges at the rim of the unit square lie half a gutter outside of the page; the others stay where they are.
+    fn to_the_edge(&self, cell: &[Point], gutter: f64) -> Vec<Point> {
+        let (low, right, bottom) = (-gutter / 2.0, 1.0 + gutter / 2.0, self.height + gutter / 2.0);
+        let corners = [(low, low), (right, low), (right, bottom), (low, bottom)];
+        let mut outline: Vec<Point> = corners.iter().map(|&(x, y)| Point::new(x, y)).collect();
+        let at_rim = |a: f64, b: f64| (a.max(b) < TINY) || (a.min(b) > 1.0 - TINY);
+        for (a, b) in edges(cell).filter(|(a, b)| !at_rim(a.x, b.x) && !at_rim(a.y, b.y)) {
+            outline = clip(&outline, self.place(a, gutter), self.place(b, gutter), 0.0);
+        }
+        outline
     }
 
     /// A circle inside the margins; a panel like any other, it gives half a gutter away.

@@ -12,6 +12,9 @@ pub const DEFAULT_GUTTER: f64 = 0.018;
 /// Pixels of a photo an inch below which a print looks soft at arm's length.
 pub const COARSE: f64 = 200.0;
 
+/// Pixels that an upright page is wide on a screen.
+const SCREEN: f64 = 1280.0;
+
 /// The settings of one page. Lengths are fractions of the page's width unless a unit is given.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
@@ -215,6 +218,21 @@ impl PageSettings {
     #[must_use]
     pub fn aspect(&self) -> f64 {
         f64::from(self.width) / f64::from(self.height.max(1))
+    }
+
+    /// Whether the page becomes a printed book, so that it needs the pixels of print. Other pages are looked at on screens first.
+    #[must_use]
+    pub fn is_for_print(&self) -> bool {
+        let size = (self.width, self.height);
+        let is_book = |preset: &PagePreset| preset.purpose == Purpose::Book && (preset.width, preset.height) == size;
+        self.bleed > 0.0 || self.enlarge || PRESETS.iter().any(is_book)
+    }
+
+    /// The width in pixels at which the photos of the page are judged.
+    #[must_use]
+    pub fn looked_at(&self) -> f64 {
+        let width = f64::from(self.width);
+        if self.is_for_print() { width } else { width.min(SCREEN * self.aspect().max(1.0).sqrt()) }
     }
 
     /// The paper's colour as R, G, B; white when it was never validated.

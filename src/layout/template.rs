@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::parse;
-use super::polygon::{Bounds, Point, area, eroded, normalised, thickness};
+use super::polygon::{Bounds, Point, area, edges, eroded, normalised, thickness};
 use super::settings::DEFAULT_GUTTER;
 use super::tree::{Node, PAGE};
 use super::write::Descriptor;
@@ -44,6 +44,8 @@ pub struct Panel {
     /// Width of the paper-coloured outline that separates an overlay from the panels below, in gutters. 0 for
     /// the rest.
     pub halo: f64,
+    /// True for a base panel whose outer edges lie on the edge of the page and not on its margin.
+    pub bleeds: bool,
 }
 
 impl Panel {
@@ -52,7 +54,7 @@ impl Panel {
         // Cells of a tree are convex by construction, polygons are checked; the fall-back cannot be reached.
         let corners = normalised(cell).unwrap_or_else(|| cell.to_vec());
         let weight = natural_weight(cell, count);
-        Self { shape: Shape::Polygon(corners), weight, overlay: false, halo: 0.0 }
+        Self { shape: Shape::Polygon(corners), weight, overlay: false, halo: 0.0, bleeds: false }
     }
 }
 
@@ -147,6 +149,30 @@ impl Template {
     #[must_use]
     pub fn panels(&self) -> &[Panel] {
         &self.panels
+    }
+
+    /// Whether its pages are livelier than a wall of rectangles: slants, overlays, circles, or a panel at the edge of the page.
+    #[must_use]
+    pub fn is_lively(&self) -> bool {
+        let slanted = |cell: &[Point]| {
+            edges(cell).any(|(a, b)| (b.x - a.x).abs().min((b.y - a.y).abs()) > 1e-6)
+        };
+        self.panels.iter().any(|panel| match &panel.shape {
+            Shape::Circle { .. } => true,
+            Shape::Polygon(cell) => panel.overlay || panel.bleeds || slanted(cell),
+        })
+    }
+
+    /// The part of a page of that aspect (width over height) that each panel takes, gutters included.
+    #[must_use]
+    pub fn shares(&self, page_aspect: f64) -> Vec<f64> {
+        let share = |panel: &Panel| match &panel.shape {
+            Shape::Circle { radius, .. } => {
+                std::f64::consts::PI * circle_radius(*radius, self.aspect, page_aspect).powi(2) * page_aspect
+            }
+            Shape::Polygon(cell) => area(cell),
+        };
+        self.panels.iter().map(share).collect()
     }
 
     /// The number of panels that tile the page.

@@ -28,6 +28,10 @@ pub(super) fn file(template: &Template) -> String {
     }
     let weights: Vec<f32> = template.panels.iter().map(|panel| panel.weight).collect();
     lines.push(format!("  \"weights\": {}", json!(weights)));
+    let bleeds: Vec<usize> = (0..template.panels.len()).filter(|&i| template.panels[i].bleeds).collect();
+    if !bleeds.is_empty() {
+        lines.push(format!("  \"bleeds\": {}", json!(bleeds)));
+    }
     let overlays: Vec<Value> = template.panels.iter().filter(|panel| panel.overlay).map(overlay).collect();
     if !overlays.is_empty() {
         lines.push(format!("  \"overlays\": {}", Value::Array(overlays)));

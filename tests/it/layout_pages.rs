@@ -87,6 +87,7 @@ fn panels_stay_convex_and_inside_the_margins() {
                 assert!(area(corners) > 1e-4, "{name} has vanished");
             }
             let b = panel.bounds;
+            let margin = if template.panels()[i].bleeds { 0.0 } else { margin };
             let (right, bottom) = (1.0 - margin + 1e-9, 1.0 / aspect - margin + 1e-9);
             assert!(b.x >= margin - 1e-9 && b.y >= margin - 1e-9, "{name}: {b:?}");
             assert!(b.x + b.width <= right && b.y + b.height <= bottom, "{name}: {b:?}");
@@ -114,7 +115,9 @@ fn gutters_are_even_to_a_tenth_of_a_pixel() {
 #[test]
 fn the_panels_reach_the_margins_exactly() {
     let settings = PageSettings::default();
-    for template in catalogue().iter().filter(|template| template.good_for(settings.aspect())) {
+    let bleeds = |template: &Template| template.panels().iter().any(|panel| panel.bleeds);
+    let good = catalogue().iter().filter(|template| template.good_for(settings.aspect()));
+    for template in good.filter(|template| !bleeds(template)) {
         let panels = resolve(template, settings.aspect(), &settings);
         let all = panels.iter().filter(|panel| !panel.overlay).map(|panel| panel.bounds);
         let all = all.reduce(inkpanel::layout::Bounds::union).unwrap();
@@ -124,6 +127,33 @@ fn the_panels_reach_the_margins_exactly() {
             assert!((side - settings.margin).abs() < 1e-9, "{}: {side}", template.id());
         }
     }
+}
+
+#[test]
+fn panels_that_bleed_reach_the_edge_of_the_page_with_their_outer_edges_only() {
+    let settings = PageSettings::default();
+    let aspect = settings.aspect();
+    let mut seen = 0;
+    for template in catalogue() {
+        for (panel, resolved) in template.panels().iter().zip(resolve(template, aspect, &settings)) {
+            let Shape::Polygon(cell) = &panel.shape else { continue };
+            let (cell, b) = (inkpanel::layout::Bounds::of(cell), resolved.bounds);
+            let sides = [
+                (cell.x < 1e-9, b.x),
+                (cell.y < 1e-9, b.y),
+                (cell.x + cell.width > 1.0 - 1e-9, 1.0 - b.x - b.width),
+                (cell.y + cell.height > 1.0 - 1e-9, 1.0 / aspect - b.y - b.height),
+            ];
+            for (_, distance) in sides.into_iter().filter(|_| panel.bleeds).filter(|(outer, _)| *outer) {
+                assert!(distance.abs() < 1e-9, "{}: {distance}", template.id());
+                seen += 1;
+            }
+            for (_, distance) in sides.into_iter().filter(|(outer, _)| !*outer) {
+                assert!(distance > settings.margin + 0.5 * settings.gutter, "{}: {distance}", template.id());
+            }
+        }
+    }
+    assert!(seen > 20);
 }
 
 #[test]
