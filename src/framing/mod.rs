@@ -16,7 +16,7 @@ mod sums;
 
 pub use energy::EnergyMap;
 pub use facts::Facts;
-pub use frame::{Target, frame, sketch};
+pub use frame::{Target, closeup, frame, sketch};
 pub use lettering::{LETTERING, lettering};
 pub use photo::{Crop, FACE, FIGURE, Focus, PhotoMeta, Subject};
 pub use region::Region;
