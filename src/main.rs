@@ -345,7 +345,7 @@ struct Planned {
     /// Print the plan as JSON: layout, style, panels, crops and score.
     #[arg(long)]
     json: bool,
-    /// Photo for the largest panel, by file name or path. Can be repeated.
+    /// A photo that gets the large panel: its path or its file name. Can be repeated.
     #[arg(long, value_name = "FILE")]
     star: Vec<PathBuf>,
 }
@@ -540,6 +540,7 @@ fn plan_page(
         panels: render.panels,
         merge: Some(render.merge),
         figures: Some(render.figures),
+        ordered: render.as_given.then_some(true),
         within: Families { layouts: render.layout_family.clone(), styles: render.style_family.clone() },
         ..Request::default()
     };
@@ -623,11 +624,16 @@ fn write_pages(
 /// Gives photos their stars; a name that none of them has is told.
 fn star(photos: &mut [(PathBuf, Imported)], names: &[PathBuf]) {
     for (path, photo) in photos.iter_mut() {
-        photo.meta.starred = names.contains(path);
+        photo.meta.starred = names.iter().any(|name| is_named(path, name));
     }
-    for name in names.iter().filter(|name| !photos.iter().any(|(path, _)| path == *name)) {
-        telling::note(Some(&name.display().to_string()), "--star: no photo has this name");
+    for name in names.iter().filter(|name| !photos.iter().any(|(path, _)| is_named(path, name))) {
+        telling::note(Some(&name.display().to_string()), "is none of the photos, so it gets no large panel");
     }
+}
+
+/// Whether a path is the one that is named, in full or by its last parts.
+fn is_named(path: &Path, name: &Path) -> bool {
+    path.ends_with(name.strip_prefix(".").unwrap_or(name))
 }
 
 /// The photos that pages are made of, in their order; those that look like others, and blurred ones, are told and left out.

@@ -4,7 +4,7 @@ use crate::album::{self, is_standard};
 use crate::destination::{Output, print_lines};
 use crate::{Complaint, drawing, import_all, name, telling};
 use inkpanel::framing::{Crop, PhotoMeta};
-use inkpanel::layout::{self, Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
+use inkpanel::layout::{self, Bounds, PageSettings, Point, ResolvedPanel, ResolvedShape, polygon};
 use inkpanel::page::import::Imported;
 use inkpanel::page::shuffle::Planned;
 use inkpanel::page::{Document, breaking};
@@ -169,6 +169,8 @@ fn judged(page: &Value, metas: &[PhotoMeta], known: &dyn Fn(&str) -> Option<usiz
         return Err("\"page\" must have a width and a height in pixels".into());
     };
     let told = page["panels"].as_array().ok_or("has no list of \"panels\"")?;
+    let looked_at =
+        PageSettings { width: width as u32, height: height as u32, ..PageSettings::default() }.looked_at();
     if told.is_empty() || told.len() > MOST_PANELS {
         return Err(format!("must have from 1 to {MOST_PANELS} panels"));
     }
@@ -194,7 +196,7 @@ fn judged(page: &Value, metas: &[PhotoMeta], known: &dyn Fn(&str) -> Option<usiz
             .filter(|crop: &Crop| [crop.x, crop.y].iter().all(|at| (-1e-6..=1.0).contains(at)))
             .filter(|crop| [crop.width, crop.height].iter().all(|side| (1e-6..=1.0 + 1e-6).contains(side)))
             .ok_or_else(|| format!("panel {}: \"crop\" must lie inside of the photo", i + 1))?;
-        slots.extend(slot(&panels, &group, width, true));
+        slots.extend(slot(&panels, &group, looked_at, true));
         assigned.push(Assignment { photo: at, crop });
     }
     if slots.is_empty() {
