@@ -2,7 +2,8 @@
 //! from its photos and the unplaced ones. If they do not fill it, all photos are used.
 
 use super::following;
-use super::project::Project;
+use super::history::History;
+use super::project::{Order, Project};
 use super::sheets::photos_on;
 use crate::error::Result;
 use crate::framing::PhotoMeta;
@@ -12,13 +13,17 @@ use crate::page::carrying::photo_of;
 use crate::page::document::template_of;
 use crate::page::request::{Keep, Request, Taste};
 use crate::page::shuffle;
-use crate::plan::Shelf;
-use crate::plan::prepared::Place;
+use crate::json::Writer;
+use crate::plan::prepared::{Place, is_document};
+use crate::plan::{Shelf, turns};
 use oorandom::Rand64;
 use std::collections::HashSet;
 
 /// A page of more panels than this is a page of stamps, unless a person asks for it.
 const MOST_PANELS: usize = 9;
+
+/// A photo narrower than this part of the page's width in pixels is too coarse for any panel.
+const SMALL: f64 = 0.1;
 
 /// All parts of the page stay.
 pub const KEEP_ALL: Keep = Keep { layout: true, style: true, photos: true };
@@ -49,6 +54,31 @@ pub struct Planning<'p> {
     pub photos: Vec<Known<'p>>,
     /// Learned preferences.
     pub taste: Taste,
+    /// The photos of the pages shown so far, as [`Request::recent`] has them.
+    pub recent: Vec<Vec<String>>,
+}
+
+/// Why no page has shown a photo yet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unseen {
+    /// It is a page of text, such as a letter or a screenshot, which comes only if there is nothing else.
+    Text,
+    /// It has too few pixels for any panel.
+    Small,
+    /// Its turn will come.
+    Waits,
+}
+
+impl Unseen {
+    /// Its name in JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Text => "text",
+            Self::Small => "small",
+            Self::Waits => "waits",
+        }
+    }
 }
 
 /// Seeds one after the other, all of one.
@@ -73,7 +103,48 @@ impl<'p> Planning<'p> {
     #[must_use]
     pub fn new(project: &'p Project, photos: &'p [PhotoMeta]) -> Self {
         let photos = photos.iter().map(|meta| Known { meta, place: None }).collect();
-        Self { project, photos, taste: Taste::default() }
+        Self { project, photos, taste: Taste::default(), recent: Vec::new() }
+    }
+
+    /// Remembers the other pages of the storyboard, and the pages that were shown before in the place of the present one.
+    #[must_use]
+    pub fn with_memory(mut self, history: &History) -> Self {
+        let others = self.project.others.iter().map(|sheet| &*sheet.page);
+        let versions: Vec<&Document> = history.versions().map(|shown| &*shown.page).collect();
+        let from = versions.len().saturating_sub(turns::PAGES);
+        self.recent = others.chain(versions[from..].iter().copied()).map(seen_on).collect();
+        self
+    }
+
+    /// The photos in use that no page has shown yet, and why.
+    #[must_use]
+    pub fn unseen(&self) -> Vec<(&'p str, Unseen)> {
+        let seen: HashSet<&str> = self.recent.iter().flatten().map(String::as_str).collect();
+        let width = self.project.settings.looked_at();
+        let why = |photo: &Known| {
+            if is_document(photo.meta) {
+                Unseen::Text
+            } else if f64::from(photo.meta.width) < SMALL * width {
+                Unseen::Small
+            } else {
+                Unseen::Waits
+            }
+        };
+        let unseen = self.photos.iter().filter(|photo| !seen.contains(photo.id()));
+        unseen.map(|photo| (photo.id(), why(photo))).collect()
+    }
+
+    /// [`Planning::unseen`] as JSON: a list of `{photo, why}`.
+    #[must_use]
+    pub fn unseen_json(&self) -> String {
+        let mut out = Writer::default();
+        out.list(&self.unseen(), &|out, (photo, why)| {
+            out.open(b'{');
+            out.key("photo").text(photo);
+            out.key("why").text(why.name());
+            out.close(b'}');
+        });
+        out.finish()
     }
 
     /// A request for the current page, with everything locked.
@@ -106,6 +177,10 @@ impl<'p> Planning<'p> {
             return Ok(None);
         }
         let project = self.project;
+        request.recent.splice(0..0, self.recent.iter().cloned());
+        if project.order == Order::Name {
+            request.ordered = request.ordered.or(Some(true));
+        }
         if !request.keep.layout && request.layout.is_none() && request.panels.is_none() {
             // A layout that is free has the number of panels that a person wants, or else a place for each locked photo.
             let locked = project.page.as_ref().filter(|_| project.locks.photos).map(|page| places_of(page));
@@ -252,6 +327,19 @@ pub fn planned_of(mut request: Request, photos: &[Known]) -> Result<Document> {
     request.photos = photos.iter().map(meta).collect();
     let shelf = Shelf::of(photos.iter().map(|photo| photo.place.cloned().unwrap_or_default()).collect());
     shuffle::planned(&request, &shelf).map(|planned| planned.document)
+}
+
+/// The photos of a page, that of the largest panel first.
+#[must_use]
+pub fn seen_on(page: &Document) -> Vec<String> {
+    let shares = template_of(&page.layout).map_or_else(|_| Vec::new(), |template| template.shares(page.page.aspect()));
+    let share = |at: usize| shares.get(at).copied().unwrap_or(0.0);
+    let largest = (0..page.panels.len()).fold(0, |most, at| if share(at) > share(most) { at } else { most });
+    let mut seen: Vec<String> = Vec::new();
+    for panel in page.panels.get(largest).into_iter().chain(&page.panels) {
+        seen.extend(panel.photo.iter().filter(|photo| !seen.contains(photo)).cloned().collect::<Vec<_>>());
+    }
+    seen
 }
 
 /// The photos that words of a page belong to.

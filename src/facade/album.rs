@@ -134,7 +134,8 @@ impl Album {
         let mut notes = self.notes.clone();
         let left = names.iter().zip(&verdicts).filter(|(_, verdict)| !verdict.kept);
         notes.extend(left.map(|(name, verdict)| format!("{name}: left out: {}", verdict.why)));
-        let request = Request { photos: used, ..options.request() };
+        let ordered = options.choice.as_given.then_some(true);
+        let request = Request { photos: used, ordered, ..options.request() };
         let pages = storyboard::pages(&request, most)?;
         let mut documents: Vec<_> = pages.into_iter().map(|page| page.document).collect();
         let subjects: HashMap<String, Vec<Subject>> =

@@ -40,7 +40,7 @@ impl Stage {
         let resolved = resolve(template, page.aspect(), page);
         let panels = resolved.len();
         let heads: Vec<usize> = (0..panels).filter(|&i| leader_of(&merges, i) == i).collect();
-        let mut slots = merged_slots(&resolved, &merges, &heads, f64::from(page.width));
+        let mut slots = merged_slots(&resolved, &merges, &heads, page.looked_at());
         let current = request.current.as_ref();
         let placed = current.map_or_else(Vec::new, |current| {
             let own = |panel: usize| heads.iter().position(|&head| head == leader_of(&merges, panel));

@@ -42,6 +42,10 @@ pub struct Request {
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub styling: Styling,
+    /// A layout that a free page takes unless another is clearly better.
+    #[serde(default)]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<crate::page::document::LayoutChoice>"))]
+    pub prefer: Option<Value>,
     /// Wanted number of panels where the layout is free.
     #[serde(default)]
     pub panels: Option<usize>,
@@ -49,6 +53,14 @@ pub struct Request {
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub mode: Mode,
+    /// Whether the photos stay in their order along the page. Default: whether all are dated, at different times.
+    #[serde(default)]
+    pub ordered: Option<bool>,
+    /// The photos of pages that were shown before, by id: the photo of the largest panel first, the last page last. Photos
+    /// that they do not show have their turn.
+    #[serde(default)]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub recent: Vec<Vec<String>>,
     /// Whether a new layout gets panels that share one image: always, never, or, where nothing is said, by chance.
     /// Chance has no say in a layout or a number of panels that was asked for: each panel then has its own image.
     #[serde(default)]
@@ -137,7 +149,7 @@ pub struct Keep {
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub enum Mode {
-    /// Another choice of photos, still in order of time.
+    /// Another choice of photos, in order of time if that is known.
     #[default]
     Shuffle,
     /// Any order: the strongest photo goes where the eye goes first.

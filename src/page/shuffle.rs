@@ -7,11 +7,13 @@ use super::fill::{Stage, contents};
 use super::request::{Mode, Request};
 use super::styling::{choose_style, papered};
 use crate::error::{Error, Result};
+use crate::framing::PhotoMeta;
 use crate::layout::Template;
 use crate::layout::merge::{can_merge, mergeable};
 use crate::plan::assign::Photos;
-use crate::plan::layouts::{self, Wanted};
-use crate::plan::{Candidate, Order, Score, Shelf, compose};
+use crate::plan::prepared::worth_showing;
+use crate::plan::layouts::{self, DRAWN, Wanted};
+use crate::plan::{Candidate, Order, Score, Shelf, Turns, compose};
 use oorandom::Rand64;
 use serde_json::Value;
 use std::borrow::Cow;
@@ -54,11 +56,13 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     let current = request.current.as_ref();
     let stages = stages(request, &mut random)?;
     let always: Vec<usize> = stages.first().map(Stage::held).unwrap_or_default();
-    let photos = Photos::new(&request.photos, &always, shelf, &mut random);
+    let turns = Turns::of(&request.photos, &request.recent);
+    let photos = Photos::new(&request.photos, &always, turns, shelf, &mut random);
     let candidates: Vec<&Candidate> = stages.iter().map(|stage| &stage.candidate).collect();
-    let order = if request.mode == Mode::Photos { Order::Free } else { Order::Kept };
+    let free = request.mode == Mode::Photos || !request.ordered.unwrap_or_else(|| is_dated(&request.photos));
+    let order = if free { Order::Free } else { Order::Kept };
     let heat = request.surprise.filter(|heat| heat.is_finite()).map_or(1.0, |heat| heat.clamp(0.0, 4.0));
-    let plan = compose(&candidates, &photos, order, heat, &mut random)
+    let plan = compose(&candidates, &photos, order, (heat, request.prefer.as_ref().map(|_| DRAWN)), &mut random)
         .ok_or_else(|| Error::UnknownLayout("any".into()))?;
     let stage = &stages[plan.candidate];
     let (order, panels) = contents(request, stage, &plan.panels);
@@ -89,6 +93,11 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     Ok(Planned { document, score: plan.score })
 }
 
+/// Whether all photos are dated, and not all of one moment: only then their order means something.
+fn is_dated(photos: &[PhotoMeta]) -> bool {
+    photos.iter().all(|photo| photo.taken.is_some()) && photos.windows(2).any(|pair| pair[0].taken != pair[1].taken)
+}
+
 /// The layouts that may become the page, with the groups of panels that may share an image.
 fn stages(request: &Request, random: &mut Rand64) -> Result<Vec<Stage>> {
     let current = request.current.as_ref();
@@ -117,7 +126,7 @@ fn stages(request: &Request, random: &mut Rand64) -> Result<Vec<Stage>> {
     let wanted = Wanted {
         aspect: request.page.aspect(),
         panels: request.panels,
-        photos: request.photos.len(),
+        photos: worth_showing(&request.photos),
         shown: &shown,
         families: &request.within.layouts,
         taste: &request.taste,
@@ -143,6 +152,11 @@ fn stages(request: &Request, random: &mut Rand64) -> Result<Vec<Stage>> {
                 stages.push(stage(merges, drawn.prior));
             }
         }
+    }
+    if let Some(layout) = &request.prefer {
+        let template = template_of(layout)?;
+        let place = (DRAWN, layouts::weight(template.family()));
+        stages.push(Stage::new(request, layout.clone(), &template, Vec::new(), false, place));
     }
     Ok(stages)
 }
@@ -256,7 +270,8 @@ mod tests {
     #[test]
     fn photos_stay_in_order_and_do_not_repeat_while_there_are_enough() {
         for seed in 0..100 {
-            let shown = shown(&plan(&request(12, seed)).unwrap());
+            let request = Request { ordered: Some(true), ..request(12, seed) };
+            let shown = shown(&plan(&request).unwrap());
             assert!(shown.windows(2).all(|pair| pair[0] < pair[1]), "{shown:?}");
             assert!((3..=layouts::USUAL_MOST).contains(&shown.len()));
         }

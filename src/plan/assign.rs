@@ -3,20 +3,31 @@
 
 use oorandom::Rand64;
 
+use super::best_first;
 use super::composer::LEADS;
-use super::prepared::{Prepared, Shelf};
+use super::prepared::{Kind, Prepared, Shelf, are_alike};
 use super::slots::{Assignment, Slot, touch};
+use super::turns::Turns;
 use super::utility::{Look, placed};
-use crate::framing::{Crop, PhotoMeta, frame};
+use crate::framing::{PhotoMeta, Subject, frame};
 
-/// Fingerprints at this distance or below are of nearly the same picture.
-pub const NEAR_DUPLICATE: u32 = 10;
 /// The most photos that one plan chooses from; of larger albums some are drawn.
 const MOST: usize = 60;
 /// How much chance says.
 const NOISE: f64 = 0.12;
-/// What a photo of the album's best third gains in the largest panel.
-const HERO: f64 = 1.1;
+/// What one of the album's best photos gains in the largest panel, and by how much worse a photo gains nothing.
+const HERO: f64 = 1.2;
+const GAP: f64 = 0.22;
+/// What a photo of hardly anything loses in a panel of more than a fifth of the page, and a page of text in any panel.
+const BARE: f64 = 3.0;
+const DOCUMENT: f64 = 4.0;
+/// A photo below this part of the sharpness of the album's sharpest, or below this liveliness of tones, is worth less.
+const LEAST_SHARP: f64 = 0.35;
+const LEAST_TONAL: f64 = 0.35;
+/// Strong photos that count for the best one, against which a lead is measured.
+const TOP: usize = 2;
+/// The part of a page that a photo of hardly anything may fill.
+pub(super) const MOST_BARE: f64 = 0.2;
 /// What a starred photo gains in the largest panel.
 const STAR: f64 = 6.0;
 /// What a photo that words belong to gains in any panel: whoever wrote them wants to see them on the next page, too.
@@ -43,13 +54,23 @@ pub struct Photos<'a> {
     pub quality: Vec<f64>,
     /// For each of all: the part of the album that is no better, 0 to 1.
     pub rank: Vec<f64>,
+    /// Whose turn it is.
+    pub turns: Turns,
+    /// How good the album's best photos are.
+    top: f64,
     shelf: &'a Shelf,
 }
 
 impl<'a> Photos<'a> {
     /// Draws from a large album, the strong ones and those that are starred rather than others, those with words, and `always`.
     #[must_use]
-    pub fn new(all: &'a [PhotoMeta], always: &[usize], shelf: &'a Shelf, random: &mut Rand64) -> Self {
+    pub fn new(
+        all: &'a [PhotoMeta],
+        always: &[usize],
+        turns: Turns,
+        shelf: &'a Shelf,
+        random: &mut Rand64,
+    ) -> Self {
         let sharpest =
             all.iter().map(|p| p.sharpness).filter(|s| s.is_finite()).fold(f32::MIN_POSITIVE, f32::max);
         let sharp = |photo: &PhotoMeta| {
@@ -61,8 +82,8 @@ impl<'a> Photos<'a> {
             // From every stretch of the album alike; what is known without a closer look decides within it.
             let stretch = all.len() as f64 / MOST as f64;
             let rated = |i: usize, random: &mut Rand64| {
-                let subjects = 0.6 * f64::from(u8::from(!all[i].subjects.is_empty()));
-                0.5 * sharp(&all[i]) + subjects + random.rand_float()
+                let alive = 0.9 * f64::from(u8::from(all[i].subjects.iter().any(Subject::is_alive)));
+                0.5 * sharp(&all[i]) + alive + turns.need(i) + random.rand_float()
             };
             let mut some: Vec<usize> = (0..MOST)
                 .filter_map(|k| {
@@ -80,14 +101,21 @@ impl<'a> Photos<'a> {
         let mut quality = vec![0.0; all.len()];
         for &i in &drawn {
             let prepared = shelf.get(i, &all[i]);
-            quality[i] = 0.3 * sharp(&all[i]) + 0.45 * prepared.subject + 0.25 * prepared.tonal;
+            let (sharp, tonal) = (sharp(&all[i]), prepared.tonal);
+            // Sharpness and tones are minimum requirements: beyond them people look at what is shown.
+            let poor = 1.0 - 0.4 * (1.0 - sharp / LEAST_SHARP).max(0.0) - 0.4 * (1.0 - tonal / LEAST_TONAL).max(0.0);
+            let text = if prepared.kind == Kind::Document { 0.3 } else { 1.0 };
+            quality[i] = text * poor * (0.72 * prepared.care + 0.16 * tonal + 0.12 * sharp);
         }
         let below = |q: f64| drawn.iter().filter(|&&other| quality[other] <= q).count();
         let mut rank = vec![0.0; all.len()];
         for &i in &drawn {
             rank[i] = below(quality[i]) as f64 / drawn.len() as f64;
         }
-        Self { all, drawn, quality, rank, shelf }
+        let known: Vec<f64> = drawn.iter().map(|&i| quality[i]).collect();
+        let best: Vec<f64> = best_first(&known).into_iter().take(TOP).map(|at| known[at]).collect();
+        let top = best.iter().sum::<f64>() / best.len().max(1) as f64;
+        Self { all, drawn, quality, rank, turns, top, shelf }
     }
 
     /// A photo, ready to be placed.
@@ -96,10 +124,29 @@ impl<'a> Photos<'a> {
         self.shelf.get(photo, &self.all[photo])
     }
 
+    /// What a photo shows.
+    #[must_use]
+    pub fn kind(&self, photo: usize) -> Kind {
+        self.prepared(photo).kind
+    }
+
+    /// How well a photo leads a page: 1 for the album's best photos, less than 0 for those that are clearly worse.
+    #[must_use]
+    pub fn lead(&self, photo: usize) -> f64 {
+        let gap = (self.top - self.quality[photo] - 0.04).max(0.0);
+        (1.0 - gap / GAP).max(-2.0) - self.turns.led(photo)
+    }
+
+    /// How much it is the turn of a photo. A page of text has none.
+    #[must_use]
+    pub fn need(&self, photo: usize) -> f64 {
+        if self.kind(photo) == Kind::Document { 0.0 } else { self.turns.need(photo) }
+    }
+
     /// Whether two photos show nearly the same.
     #[must_use]
     pub fn alike(&self, a: usize, b: usize) -> bool {
-        (self.all[a].fingerprint ^ self.all[b].fingerprint).count_ones() <= NEAR_DUPLICATE
+        are_alike(&self.all[a], &self.all[b])
     }
 }
 
@@ -126,11 +173,11 @@ impl Worths {
         let sizes = sizes(slots);
         let largest = sizes.iter().copied().fold(0.0, f64::max);
         let values = open.iter().map(|&slot| {
-            let size = sizes[slot];
+            let (size, share) = (sizes[slot], sizes[slot] / sizes.len() as f64);
             let pairs = fresh.iter().zip(&prepared);
             let worth = |(&photo, prepared): (&usize, &&Prepared)| {
                 let (_, look) = placed(&slots[slot], &photos.all[photo], prepared);
-                size.sqrt() * look.fit() + presence(size, largest, photo, photos)
+                size.sqrt() * look.fit() + presence((size, largest, share), photo, photos)
             };
             pairs.map(worth).collect()
         });
@@ -200,13 +247,18 @@ pub(super) fn sizes(slots: &[Slot]) -> Vec<f64> {
 }
 
 /// What a photo's strength is worth in a panel of that size.
-pub(super) fn presence(size: f64, largest: f64, photo: usize, photos: &Photos) -> f64 {
+pub(super) fn presence((size, largest, share): (f64, f64, f64), photo: usize, photos: &Photos) -> f64 {
     let leads = size >= LEADS * largest;
-    let hero = if leads { HERO * ((photos.rank[photo] - 0.5) / 0.5).clamp(-1.0, 1.0) } else { 0.0 };
+    let hero = if leads { HERO * photos.lead(photo).max(-1.5) } else { 0.0 };
     let star =
         if photos.all[photo].starred { STAR * if leads { 1.0 } else { 0.4 * size / largest } } else { 0.0 };
     let spoken = if photos.all[photo].spoken { SPOKEN } else { 0.0 };
-    1.2 * (size - 0.5) * photos.quality[photo] + hero + star + spoken
+    let dull = match photos.kind(photo) {
+        Kind::Bare if share > MOST_BARE => BARE,
+        Kind::Document => DOCUMENT,
+        _ => 0.0,
+    };
+    1.4 * (size - 0.4) * photos.quality[photo] + photos.need(photo) + hero + star + spoken - dull
 }
 
 /// Gives every panel a photo and a crop; empty when there are no photos. The answer depends on the arguments
@@ -221,7 +273,7 @@ pub fn assign(photos: &[PhotoMeta], slots: &[Slot], order: Order, seed: u64) -> 
     }
     let mut random = Rand64::new(u128::from(seed) ^ 0x6c61_796f_7574);
     let shelf = Shelf::new(photos.len());
-    let photos = Photos::new(photos, &[], &shelf, &mut random);
+    let photos = Photos::new(photos, &[], Turns::default(), &shelf, &mut random);
     let worths = Worths::of(slots, &photos);
     let chosen = chosen(slots, &worths, &photos, order, &mut random);
     crops(slots, &chosen, &photos)
@@ -247,33 +299,36 @@ pub(super) fn chosen(
     chosen.into_iter().map(|photo| photo.unwrap_or(0)).collect()
 }
 
-/// The crops of the photos that were chosen.
+/// The crops of the photos that were chosen. A photo that comes twice is seen as a whole in its largest panel.
 pub(super) fn crops(slots: &[Slot], chosen: &[usize], photos: &Photos) -> Vec<Assignment> {
-    let last = photos.all.len() - 1;
-    let mut shown = vec![0u32; photos.all.len()];
-    for locked in slots.iter().filter_map(|slot| slot.locked) {
-        shown[locked.photo.min(last)] += 1;
-    }
-    let assignment = |(slot, &photo): (&Slot, &usize)| {
-        if let Some(locked) = slot.locked {
-            return locked;
-        }
-        let crop = frame(&photos.all[photo], &slot.target, shown[photo]);
-        shown[photo] += 1;
-        Assignment { photo, crop }
+    let turns = uses(slots, chosen);
+    let assignment = |((slot, &photo), turn): ((&Slot, &usize), u32)| {
+        let framed = || Assignment { photo, crop: frame(&photos.all[photo], &slot.target, turn) };
+        slot.locked.unwrap_or_else(framed)
     };
-    slots.iter().zip(chosen).map(assignment).collect()
+    slots.iter().zip(chosen).zip(turns).map(assignment).collect()
+}
+
+/// For each slot the number of slots with the same photo that come before it: those that are locked, then by area.
+pub(super) fn uses(slots: &[Slot], chosen: &[usize]) -> Vec<u32> {
+    let first = |a: usize, b: usize| {
+        let locked = (slots[a].locked.is_some(), slots[b].locked.is_some());
+        match locked {
+            (true, false) => true,
+            (false, true) => false,
+            _ => slots[a].area > slots[b].area + 1e-9 || ((slots[a].area - slots[b].area).abs() <= 1e-9 && a < b),
+        }
+    };
+    let before = |i: usize| (0..slots.len()).filter(|&j| j != i && chosen[j] == chosen[i] && first(j, i)).count();
+    (0..slots.len()).map(|i| before(i) as u32).collect()
 }
 
 /// A quick crop for each of the photos that were chosen, and what it shows.
-pub(super) fn looks(slots: &[Slot], chosen: &[usize], photos: &Photos) -> Vec<(Crop, Look)> {
+pub(super) fn looks(slots: &[Slot], chosen: &[usize], photos: &Photos) -> Vec<Look> {
     let look = |(slot, &photo): (&Slot, &usize)| {
         let prepared = photos.prepared(photo);
-        let (crop, look) = placed(slot, &photos.all[photo], prepared);
-        match slot.locked {
-            Some(locked) => (locked.crop, Look::at(slot, prepared, &locked.crop, look.cover)),
-            None => (crop, look),
-        }
+        let (_, look) = placed(slot, &photos.all[photo], prepared);
+        slot.locked.map_or(look, |locked| Look::at(slot, prepared, &locked.crop, look.cover, false))
     };
     slots.iter().zip(chosen).map(look).collect()
 }
@@ -465,7 +520,7 @@ mod tests {
         let mut photos_given = album(1000);
         photos_given[777].starred = true;
         let shelf = Shelf::new(photos_given.len());
-        let photos = Photos::new(&photos_given, &[5], &shelf, &mut Rand64::new(3));
+        let photos = Photos::new(&photos_given, &[5], Turns::default(), &shelf, &mut Rand64::new(3));
         assert!(photos.drawn.len() <= MOST + 9 && photos.drawn.is_sorted());
         assert!(photos.drawn.contains(&777) && photos.drawn.contains(&5));
         assert!(photos.drawn[0] < 20 && photos.drawn[photos.drawn.len() - 1] >= 980);

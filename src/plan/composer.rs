@@ -8,24 +8,29 @@
 
 use oorandom::Rand64;
 
-use super::assign::{Order, Photos, Worths, chosen, crops, looks, sizes};
+use super::assign::{MOST_BARE, Order, Photos, Worths, chosen, crops, looks, sizes, uses};
 use super::best_first;
+use super::prepared::Kind;
 use super::slots::{Assignment, Slot};
+use super::turns::Turns;
 use super::utility::Look;
-use crate::framing::PhotoMeta;
+use crate::framing::{PhotoMeta, closeup};
 
 /// Assignments that are tried for each candidate.
 const TRIES: usize = 4;
 /// Plans that are framed in earnest before one is drawn.
-const FINALISTS: usize = 6;
+const FINALISTS: usize = 4;
 /// Most of them of one family of layouts.
-const OF_A_FAMILY: usize = 2;
-/// How fast the chance of a plan falls with its rank.
-const FALL: f64 = 2.5;
+const OF_A_FAMILY: usize = 1;
+/// How fast the chance of a plan falls with its rank, and with its distance from the best score.
+const FALL: f64 = 3.0;
+const WORSE: f64 = 0.6;
 /// The part of the largest panel's area from which on a panel is as large.
 pub const LEADS: f64 = 0.97;
 /// A panel is a large one from so many times the mean on.
 const LARGE: f64 = 1.25;
+/// What a close look at a face is worth next to the whole photo.
+const NEARER: f64 = 0.05;
 /// Differences of what a subject takes of its panel that make another scale: close, middle, wide.
 const SCALES: [f64; 2] = [0.06, 0.22];
 
@@ -62,8 +67,14 @@ pub struct Score {
     pub hero: f64,
     /// Look-alikes and repeats on the page, negative.
     pub alike: f64,
-    /// How good the photos are.
+    /// How good the photos are, by the area of their panels.
     pub quality: f64,
+    /// Strong photos that have no panel, people most, negative.
+    pub missing: f64,
+    /// Large panels of hardly anything, and pages of text, negative.
+    pub dull: f64,
+    /// Whether photos come whose turn it is.
+    pub turns: f64,
     /// How much the layout is liked beforehand.
     pub prior: f64,
     /// Whether neighbours differ in scale.
@@ -73,12 +84,15 @@ pub struct Score {
 impl Score {
     /// The terms with their names.
     #[must_use]
-    pub fn terms(&self) -> [(&'static str, f64); 6] {
+    pub fn terms(&self) -> [(&'static str, f64); 9] {
         [
             ("fit", self.fit),
             ("hero", self.hero),
             ("alike", self.alike),
             ("quality", self.quality),
+            ("missing", self.missing),
+            ("dull", self.dull),
+            ("turns", self.turns),
             ("prior", self.prior),
             ("rhythm", self.rhythm),
         ]
@@ -91,14 +105,17 @@ impl Score {
     }
 }
 
+/// How much better another layout has to be than the one that is wanted.
+const SLACK: f64 = 0.4;
+
 /// The plan of a page. `heat` is 1 for a usual draw and more for a bolder one, 0 for the best; `None` when there are no
-/// candidates or no photos.
+/// candidates or no photos. `wanted`: the number of a layout that is taken unless another is clearly better.
 #[must_use]
 pub fn compose(
     candidates: &[&Candidate],
     photos: &Photos,
     order: Order,
-    heat: f64,
+    (heat, wanted): (f64, Option<usize>),
     random: &mut Rand64,
 ) -> Option<Plan> {
     if photos.all.is_empty() {
@@ -111,8 +128,7 @@ pub fn compose(
         let tries = if worths.open.is_empty() { 1 } else { TRIES };
         for _ in 0..tries {
             let chosen = chosen(&candidate.slots, &worths, photos, order, random);
-            let seen: Vec<Look> =
-                looks(&candidate.slots, &chosen, photos).into_iter().map(|(_, look)| look).collect();
+            let seen = looks(&candidate.slots, &chosen, photos);
             let score = score(candidate, &chosen, &seen, photos).total();
             match best.iter_mut().find(|(_, other, _)| candidates[*other].layout == candidate.layout) {
                 Some(known) if known.0 < score => *known = (score, index, chosen),
@@ -128,7 +144,9 @@ pub fn compose(
     for at in best_first(&ratings) {
         let (_, candidate, chosen) = &best[at];
         let family = candidates[*candidate].family;
-        if plans.len() == finalists
+        if wanted == Some(candidates[*candidate].layout) {
+            // It is looked at in any case.
+        } else if plans.len() >= finalists
             || families.iter().filter(|known| **known == family).count() == OF_A_FAMILY
         {
             continue;
@@ -136,18 +154,60 @@ pub fn compose(
         families.push(family);
         let panels = crops(&candidates[*candidate].slots, chosen, photos);
         let score = judge(candidates[*candidate], &panels, photos);
-        plans.push(Plan { candidate: *candidate, panels, score });
+        let plan = Plan { candidate: *candidate, panels, score };
+        plans.push(with_closeup(candidates[*candidate], &plan, photos).unwrap_or(plan));
     }
     let ratings: Vec<f64> = plans.iter().map(|plan| plan.score.total()).collect();
     let order = best_first(&ratings);
-    let weights: Vec<f64> =
-        (0..plans.len()).map(|rank| (-(rank as f64) / (FALL * heat.max(1e-3))).exp()).collect();
+    let stays = wanted.and_then(|wanted| plans.iter().position(|plan| candidates[plan.candidate].layout == wanted));
+    if let Some(at) = stays.filter(|&at| ratings[at] > ratings[order[0]] - SLACK) {
+        return Some(plans.swap_remove(at));
+    }
+    let weight = |(rank, &at): (usize, &usize)| {
+        let worse = ratings[order[0]] - ratings[at];
+        (-(rank as f64 / FALL + worse / WORSE) / heat.max(1e-3)).exp()
+    };
+    let weights: Vec<f64> = order.iter().enumerate().map(weight).collect();
     let mut left = random.rand_float() * weights.iter().sum::<f64>();
     let drawn = weights.iter().position(|weight| {
         left -= weight;
         left <= 0.0
     });
     order.get(drawn.unwrap_or(0)).map(|&at| plans.swap_remove(at))
+}
+
+/// The plan with a close look at a face of one of its photos instead of its weakest photo: wide, then near, as films do. `None` if it
+/// is no better, or if the weakest photo must stay.
+fn with_closeup(candidate: &Candidate, plan: &Plan, photos: &Photos) -> Option<Plan> {
+    let slots = &candidate.slots;
+    if photos.drawn.len() <= slots.len() {
+        return None;
+    }
+    let photo = |slot: usize| plan.panels[slot].photo;
+    let largest = sizes(slots).into_iter().fold(0.0, f64::max);
+    let may_go = |&slot: &usize| {
+        let meta = &photos.all[photo(slot)];
+        slots[slot].photo().is_none()
+            && sizes(slots)[slot] < LEADS * largest
+            && photos.kind(photo(slot)) != Kind::Alive
+            && photos.need(photo(slot)) < 1.0
+            && !(meta.starred || meta.spoken || slots[slot].merged)
+    };
+    let weakest = (0..slots.len())
+        .filter(may_go)
+        .min_by(|&a, &b| photos.quality[photo(a)].total_cmp(&photos.quality[photo(b)]))?;
+    let near = (0..slots.len()).filter(|&slot| {
+        slots[slot].area > slots[weakest].area && photos.kind(photo(slot)) == Kind::Alive
+    });
+    let once = |&slot: &usize| plan.panels.iter().filter(|panel| panel.photo == photo(slot)).count() == 1;
+    let better = near.filter(once).filter_map(|slot| {
+        let crop = closeup(&photos.all[photo(slot)], &slots[weakest].target, 0)?;
+        let mut panels = plan.panels.clone();
+        panels[weakest] = Assignment { photo: photo(slot), crop };
+        let score = judge(candidate, &panels, photos);
+        (score.total() > plan.score.total()).then_some(Plan { candidate: plan.candidate, panels, score })
+    });
+    better.max_by(|a, b| a.score.total().total_cmp(&b.score.total()))
 }
 
 /// Judges what the slots of a candidate show.
@@ -161,29 +221,29 @@ pub fn judge(candidate: &Candidate, panels: &[Assignment], photos: &Photos) -> S
 /// What is seen of the photos in their crops.
 #[must_use]
 pub fn see(slots: &[Slot], panels: &[Assignment], photos: &Photos) -> Vec<Look> {
-    let look = |(slot, panel): (&Slot, &Assignment)| {
+    let chosen: Vec<usize> = panels.iter().map(|panel| panel.photo).collect();
+    let look = |((slot, panel), turn): ((&Slot, &Assignment), u32)| {
         let prepared = photos.prepared(panel.photo);
         let (crop, energy) = prepared.crop_for(&photos.all[panel.photo], slot.target.aspect);
         let shrunk = panel.crop.width * panel.crop.height / (crop.width * crop.height).max(1e-9);
-        Look::at(slot, prepared, &panel.crop, (energy * shrunk.min(1.0)).min(1.0))
+        Look::at(slot, prepared, &panel.crop, (energy * shrunk.min(1.0)).min(1.0), turn > 0)
     };
-    slots.iter().zip(panels).map(look).collect()
+    slots.iter().zip(panels).zip(uses(slots, &chosen)).map(look).collect()
 }
 
 fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos) -> Score {
     let sizes = sizes(&candidate.slots);
     let all: f64 = sizes.iter().map(|size| size.sqrt()).sum();
     let fits = seen.iter().zip(&sizes).map(|(look, size)| size.sqrt() * look.fit());
-    let spread = |photo: usize| photos.rank[photo];
     let largest = sizes.iter().copied().fold(0.0, f64::max);
     // Of panels that are equally large, the one with the best photo leads.
     let leading = (0..sizes.len()).filter(|&i| sizes[i] >= LEADS * largest);
-    let leading = leading.max_by(|&a, &b| spread(chosen[a]).total_cmp(&spread(chosen[b])));
+    let leading = leading.max_by(|&a, &b| photos.lead(chosen[a]).total_cmp(&photos.lead(chosen[b])));
     let hero = leading.map_or(0.0, |hero| {
         let photo = chosen[hero];
         let starred = photos.drawn.iter().any(|&i| photos.all[i].starred);
         let leads = ((sizes[hero] - 0.9) / 0.6).clamp(0.3, 1.0);
-        let match_ = leads * (0.8 * (spread(photo) - 2.0 / 3.0) / (1.0 / 3.0)).clamp(-1.7, 0.5);
+        let match_ = 0.7 * leads * photos.lead(photo);
         // A star is a wish: a page that does not show it large is not what was asked for.
         let large = if sizes[hero] < LARGE { -1.5 } else { 0.0 };
         let star = if photos.all[photo].starred { 3.0 * leads + large } else { -3.0 };
@@ -191,20 +251,45 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
     });
     let mut alike = 0.0;
     for (i, &a) in chosen.iter().enumerate() {
-        for &b in &chosen[..i] {
-            alike -= if a == b { 0.3 } else { 0.5 * f64::from(u8::from(photos.alike(a, b))) };
+        for (j, &b) in chosen[..i].iter().enumerate() {
+            // A second look at one photo is a fault, unless it is a look from near.
+            let again = |look: &Look| if look.near { -NEARER } else { 0.3 };
+            alike -= if a == b { again(&seen[i]).min(again(&seen[j])) } else { 0.8 * f64::from(u8::from(photos.alike(a, b))) };
         }
     }
-    let quality = |photo: &usize| photos.quality[*photo];
-    let mean = chosen.iter().map(quality).sum::<f64>() / chosen.len().max(1) as f64;
+    let share = |slot: usize| sizes[slot] / sizes.len() as f64;
+    let quality = chosen.iter().enumerate().map(|(slot, &photo)| share(slot) * photos.quality[photo]);
+    let dull = chosen.iter().enumerate().map(|(slot, &photo)| match photos.kind(photo) {
+        Kind::Bare if share(slot) > MOST_BARE => -0.8,
+        Kind::Document => -1.0,
+        _ => 0.0,
+    });
+    let turns = chosen.iter().map(|&photo| photos.need(photo));
     Score {
         fit: fits.sum::<f64>() / all.max(1e-9),
         hero,
         alike,
-        quality: 0.4 * mean,
-        prior: 0.5 * candidate.prior,
+        quality: quality.sum::<f64>(),
+        missing: missing(chosen, photos),
+        dull: dull.sum(),
+        turns: 0.4 * turns.sum::<f64>(),
+        prior: 0.4 * candidate.prior,
         rhythm: 0.25 * rhythm(seen),
     }
+}
+
+/// What it costs that strong photos have no panel.
+fn missing(chosen: &[usize], photos: &Photos) -> f64 {
+    let cost = |wanted: &dyn Fn(usize) -> bool, most: f64| {
+        let there = photos.drawn.iter().filter(|&&photo| wanted(photo)).count();
+        let goal = (there as f64).min(most).max(0.0);
+        let shown = photos.drawn.iter().filter(|&&photo| wanted(photo) && chosen.contains(&photo)).count();
+        if goal > 0.0 { (1.0 - shown as f64 / goal).max(0.0) } else { 0.0 }
+    };
+    let panels = chosen.len() as f64;
+    let strong = cost(&|photo| photos.rank[photo] > 2.0 / 3.0, 0.7 * panels);
+    let alive = cost(&|photo| photos.kind(photo) == Kind::Alive, 0.7 * panels);
+    -0.4 * strong - 0.9 * alive
 }
 
 /// The part of neighbours in reading order whose scales differ.
@@ -220,5 +305,5 @@ fn rhythm(seen: &[Look]) -> f64 {
 #[must_use]
 pub fn gallery<'a>(photos: &'a [PhotoMeta], shelf: &'a super::Shelf) -> Photos<'a> {
     let every: Vec<usize> = (0..photos.len()).collect();
-    Photos::new(photos, &every, shelf, &mut Rand64::new(0))
+    Photos::new(photos, &every, Turns::default(), shelf, &mut Rand64::new(0))
 }

@@ -8,6 +8,7 @@
 //! | [`mod@assign`] | photos to panels, by exact assignment |
 //! | [`layouts`] | the layouts that a page is chosen from |
 //! | [`composer`] | plans made, judged by what is seen, and one drawn by its rank |
+//! | [`turns`] | whose turn it is, by what recent pages showed |
 //! | [`tones`] | the styles that keep what the photos show |
 //! | [`spread`] | an album cut into pages |
 //!
@@ -21,6 +22,7 @@ pub mod prepared;
 pub mod slots;
 pub mod spread;
 pub mod tones;
+pub mod turns;
 pub mod utility;
 
 /// Indices of values, the largest first, equal ones in their order. Written out since each sort of the standard library's
@@ -36,5 +38,6 @@ fn best_first(values: &[f64]) -> Vec<usize> {
 
 pub use assign::{Order, assign};
 pub use composer::{Candidate, Plan, Score, compose, judge};
+pub use turns::Turns;
 pub use prepared::{Prepared, Shelf};
 pub use slots::{Assignment, Slot, slots};

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use std::rc::Rc;
 
 use super::best_first;
-use crate::framing::{Crop, FACE, LETTERING, PhotoMeta, Subject, Target, sketch};
+use crate::framing::{Crop, FACE, FIGURE, LETTERING, PhotoMeta, Subject, Target, sketch};
 use crate::layout::Bounds;
 
 /// Shapes of panels for which crops are kept, from 1:3 to 3:1 in equal steps of their logarithm.
@@ -14,6 +14,28 @@ pub const ASPECTS: usize = 12;
 const WIDEST: f64 = 3.0;
 /// Subjects that are looked at; the largest count.
 const MOST_MARKS: usize = 16;
+/// Fingerprints at this distance or below are of nearly the same picture.
+const NEAR_DUPLICATE: u32 = 10;
+/// So many photos fill any page.
+const MANY: usize = 24;
+/// Labels of vehicles.
+const VEHICLES: [&str; 8] = ["bicycle", "car", "motorcycle", "airplane", "bus", "train", "truck", "boat"];
+/// The score from which on a small face needs no person around it.
+const SURE: f64 = 0.78;
+/// Labels that detectors give to pages of text and to screenshots.
+const SCREENS: [&str; 7] = ["cell phone", "tv", "laptop", "remote", "book", "keyboard", "refrigerator"];
+/// What a person or an animal has to be worth for a photo to be of it, and not of the place that it passes through.
+const ALIVE: f64 = 0.3;
+/// What a second and a third face are worth each.
+const GROUP: f64 = 0.06;
+/// The part of a photo that lettering covers on a document, and on a photo of a sign.
+const TEXT: f64 = 0.04;
+const SIGN: f64 = 0.02;
+/// The part of a document that has its two commonest tones.
+const FLAT: f64 = 0.5;
+/// The share of edges, and the chroma, below which a photo without subjects shows a wall or a grey sky.
+const BARE: f64 = 0.26;
+const GREY: f64 = 60.0;
 
 /// A photo, ready to be put into many panels.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,10 +46,25 @@ pub struct Prepared {
     pub(super) sketches: Vec<(Crop, f64)>,
     /// Its subjects, faces first.
     pub(super) marks: Vec<Mark>,
-    /// What its subjects have to offer, 0 to 1.
-    pub(super) subject: f64,
+    /// How much people care about what it shows: 0 for nothing, 1 for a face, more for a group.
+    pub(super) care: f64,
+    /// What it shows.
+    pub(super) kind: Kind,
     /// What its tones have to offer, 0 to 1.
     pub(super) tonal: f64,
+}
+
+/// What a photo shows, as far as plans have rules for it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// People or animals.
+    Alive,
+    /// Things, and scenes with something to see.
+    Scene,
+    /// Hardly anything: sky, a wall, a sign.
+    Bare,
+    /// A page of text: a letter, a receipt, a screenshot.
+    Document,
 }
 
 /// A subject as plans see it.
@@ -38,6 +75,7 @@ pub(super) struct Mark {
     /// The box itself.
     pub(super) bare: Bounds,
     pub(super) face: bool,
+    pub(super) text: bool,
     /// How bad it is to cut it: 0 for what only surrounds, less for a body whose face is known.
     pub(super) whole: f64,
     /// How much it matters, 0 and more.
@@ -55,19 +93,7 @@ impl Prepared {
             marks.iter().map(|mark| mark.weight + if mark.face { 1e3 } else { 0.0 }).collect();
         let marks: Vec<Mark> =
             best_first(&ratings).into_iter().take(MOST_MARKS).map(|at| marks[at]).collect();
-        let subject = photo.marked().map(|s| {
-            // A face of a fifth of the photo's side is a portrait; of a thing it takes more.
-            let size = (s.width * s.height).max(0.0).sqrt();
-            let full = if s.label == FACE { 0.2 } else { 0.45 };
-            let kind = match s.label.as_str() {
-                FACE => 1.0,
-                // A sign is to be read whole, and seldom what a page is about.
-                LETTERING => 0.3,
-                _ => 0.85,
-            };
-            kind * s.score.clamp(0.0, 1.0).sqrt() * (size / full).min(1.0)
-        });
-        let subject = subject.filter(|value| value.is_finite()).fold(0.0, f64::max);
+        let (care, kind) = care(photo);
         let tonal = photo.facts.as_ref().map_or(0.5, |facts| {
             let (mean, spread) = facts.spread();
             let lively = (spread / 0.22).min(1.0);
@@ -76,7 +102,7 @@ impl Prepared {
             0.45 * lively + 0.3 * lit.max(0.0) + 0.25 * colourful.min(1.0)
         });
         let sides = (f64::from(photo.width.max(1)), f64::from(photo.height.max(1)));
-        Self { sides, sketches, marks, subject, tonal }
+        Self { sides, sketches, marks, care, kind, tonal }
     }
 
     /// The crop that is kept for the shape nearest to `aspect`, brought to it, and the energy that it holds.
@@ -90,9 +116,103 @@ impl Prepared {
     }
 }
 
-fn mark(s: &Subject, photo: &PhotoMeta) -> Option<Mark> {
+/// Whether a photo is a page of text, such as a letter, a receipt or a screenshot.
+#[must_use]
+pub fn is_document(photo: &PhotoMeta) -> bool {
+    care(photo).1 == Kind::Document
+}
+
+/// How much people care about what a photo shows, and what that is.
+fn care(photo: &PhotoMeta) -> (f64, Kind) {
+    let subjects: Vec<_> = photo.marked().filter(|s| is_sound(s)).collect();
+    let side = |s: &Subject| (s.width * s.height).sqrt();
+    let faces = || subjects.iter().filter(|s| s.label == FACE);
+    let people = || subjects.iter().filter(|s| s.label == "person");
+    let value = |s: &Subject| {
+        let sure = s.score.clamp(0.0, 1.0).sqrt();
+        let size = |full: f64| (side(s) / full).min(1.0);
+        sure * match s.label.as_str() {
+            // A face of a sixth of the photo's side is a portrait. A small one that nobody has may be a pattern.
+            FACE => {
+                let owned = s.score > SURE || side(s) > 0.12 || people().any(|person| person.surrounds(s));
+                (if owned { 1.0 } else { 0.4 }) * (0.4 + 0.6 * size(0.16))
+            }
+            // A person without a face is a back or a passer-by.
+            "person" => {
+                let known = faces().any(|face| s.surrounds(face));
+                (if known { 0.85 } else { 0.7 }) * size(0.42).powf(0.7)
+            }
+            _ if s.is_alive() => 0.95 * (0.15 + 0.85 * size(0.35)),
+            label if VEHICLES.contains(&label) => 0.5 * size(0.45),
+            // A sign is to be read whole, and seldom what a page is about.
+            LETTERING => 0.0,
+            // The mask knows that there is something, and not what.
+            FIGURE => 0.4 * size(0.4),
+            _ => 0.3 * size(0.45),
+        }
+    };
+    let best = subjects.iter().map(|s| value(s)).fold(0.0, f64::max);
+    let alive = subjects.iter().any(|s| s.is_alive() && value(s) >= ALIVE);
+    let tallest = faces().map(|face| face.height).fold(0.0, f64::max);
+    let group = faces().filter(|face| face.height >= 0.5 * tallest && side(face) >= 0.03).count();
+    let bonus = GROUP * group.saturating_sub(1).min(2) as f64;
+    if alive {
+        return (best + bonus, Kind::Alive);
+    }
+    let lettering = || subjects.iter().filter(|s| s.label == LETTERING);
+    let text: f64 = lettering().map(|s| s.width * s.height).sum();
+    // The two commonest of sixteen tones, and the share of pixels on an edge: paper and screens are flat.
+    let (flat, edges, chroma) = photo.facts.as_ref().map_or((0.0, 0.3, GREY), |facts| {
+        let shares = facts.tones.map(|share| f64::from(share) / 255.0);
+        let first = (0..shares.len()).fold(0, |most, at| if shares[at] > shares[most] { at } else { most });
+        let second = (0..shares.len()).filter(|&at| at != first).map(|at| shares[at]).fold(0.0, f64::max);
+        (shares[first] + second, f64::from(facts.edges[1]) / 255.0, f64::from(facts.chroma))
+    });
+    // Of a screenshot or a receipt, detectors say that it is all a phone or a television.
+    let is_screen = |s: &Subject| SCREENS.contains(&s.label.as_str()) && side(s) > 0.95;
+    let printed = text >= TEXT && lettering().count() > 1 && flat >= FLAT;
+    if printed || subjects.iter().any(|s| is_screen(s)) {
+        return (0.0, Kind::Document);
+    }
+    if text >= SIGN && best < 0.25 {
+        return (0.05, Kind::Bare);
+    }
+    let scene = 0.25 * (edges / 0.3).min(1.0);
+    if best < 0.15 && edges < BARE && chroma < GREY {
+        return (0.0, Kind::Bare);
+    }
+    (best.max(scene), Kind::Scene)
+}
+
+/// The number of photos that differ and are no pages of text; all if there is nothing else.
+#[must_use]
+pub fn worth_showing(photos: &[PhotoMeta]) -> usize {
+    if photos.len() > MANY {
+        return photos.len();
+    }
+    let mut shown: Vec<&PhotoMeta> = Vec::new();
+    for photo in photos {
+        // A photo that was never measured is like no other.
+        let known = photo.fingerprint != 0 && shown.iter().any(|other| are_alike(other, photo));
+        if !known && !is_document(photo) {
+            shown.push(photo);
+        }
+    }
+    if shown.is_empty() { photos.len() } else { shown.len() }
+}
+
+/// Whether two photos show nearly the same.
+pub(super) fn are_alike(a: &PhotoMeta, b: &PhotoMeta) -> bool {
+    (a.fingerprint ^ b.fingerprint).count_ones() <= NEAR_DUPLICATE
+}
+
+fn is_sound(s: &Subject) -> bool {
     let sound = [s.x, s.y, s.width, s.height, s.score].iter().all(|value| value.is_finite());
-    if !sound || s.width <= 0.0 || s.height <= 0.0 {
+    sound && s.width > 0.0 && s.height > 0.0
+}
+
+fn mark(s: &Subject, photo: &PhotoMeta) -> Option<Mark> {
+    if !is_sound(s) {
         return None;
     }
     let grown = s.grown();
@@ -113,7 +233,7 @@ fn mark(s: &Subject, photo: &PhotoMeta) -> Option<Mark> {
     } else {
         1.0
     };
-    Some(Mark { grown: bounds(&grown), bare: bounds(s), face: s.label == FACE, whole, weight })
+    Some(Mark { grown: bounds(&grown), bare: bounds(s), face: s.label == FACE, text: s.label == LETTERING, whole, weight })
 }
 
 /// What was found out about one photo, once somebody asked; copies share it.

@@ -22,6 +22,13 @@ const GROUP_FACE: f64 = 0.05;
 const OF_THE_GROUP: f64 = 0.5;
 /// The weight of all subjects together from which on they have their full say.
 const STRONG: f64 = 0.25;
+/// The part of a head or of lettering that other panels must leave.
+const SEEN: f64 = 0.9;
+/// Width over height of a panel, and height over width, from which on it is a strip, and the part of its photo that a strip shows at
+/// least.
+const STRIP: f64 = 2.4;
+const STRIP_UPRIGHT: f64 = 2.6;
+const STRIP_KEPT: f64 = 0.6;
 /// Subjects below this part of the photo's area may be cut.
 const SOME_SIZE: f64 = 0.01;
 
@@ -48,12 +55,19 @@ pub struct Look {
     pub split: f64,
     /// The part of the panel that the main subject takes; 0 without one.
     pub close: f64,
+    /// Faces, heads and lettering that lie under other panels.
+    pub hidden: f64,
+    /// Whether it is a close look at a face of a photo that another panel shows as a whole.
+    pub near: bool,
+    /// Whether the panel is a narrow strip that shows less than most of its photo.
+    pub strip: bool,
 }
 
 impl Look {
-    /// Looks at a crop that holds `energy` of the photo.
+    /// Looks at a crop that holds `energy` of the photo. `close`: it is a close look at one of the faces, so that the others may be
+    /// outside.
     #[must_use]
-    pub fn at(slot: &Slot, prepared: &Prepared, crop: &Crop, energy: f64) -> Self {
+    pub fn at(slot: &Slot, prepared: &Prepared, crop: &Crop, energy: f64, close: bool) -> Self {
         let target = &slot.target;
         let seen = if target.round && target.region.is_plain() {
             std::f64::consts::FRAC_PI_4
@@ -68,18 +82,26 @@ impl Look {
         let mut worst = 0.0f64;
         let mut faces = Vec::new();
         let total: f64 = prepared.marks.iter().map(|mark| mark.weight).sum();
+        let tallest = prepared.marks.iter().filter(|mark| mark.face).map(|mark| mark.bare.height).fold(0.0, f64::max);
         let (mut cover, mut cut, mut split, mut heaviest) = (0.0, 0.0, 0.0, 0.0);
         for mark in &prepared.marks {
-            let (all, most) = shares(slot, place(crop, mark.grown));
+            let grown = place(crop, mark.grown);
+            let (all, most) = shares(slot, grown);
             cover += mark.weight * all;
+            if (mark.face || mark.text) && all < SEEN && under_others(slot, grown) {
+                look.hidden += 1.0;
+            }
             if mark.face {
                 let inner = place(crop, mark.bare);
                 let (bare, in_one) = shares(slot, inner);
                 if bare > 0.8 {
                     faces.push(inner.height * slot.bounds.height);
                 }
-                // A face that lies all under another panel is a body without a head, not one that the crop leaves out.
-                let cut = in_one < FACE_CUT.1 && (bare > FACE_CUT.0 || under_others(slot, inner));
+                // A face that lies all outside is a body without a head, or a friend left out; a passer-by may be left out.
+                let main = mark.bare.height >= OF_THE_GROUP * tallest;
+                let missed = main && !close;
+                let cut =
+                    in_one < FACE_CUT.1 && (missed || bare > FACE_CUT.0 || under_others(slot, inner));
                 let head = 0.35 * f64::from(u8::from(most < 0.85 && all > FACE_CUT.0));
                 look.faces_cut += if cut { 1.0 } else { head };
             } else if mark.bare.width * mark.bare.height >= SOME_SIZE
@@ -107,18 +129,25 @@ impl Look {
         look.cover = say * subjects + (1.0 - say) * energy * seen.max(0.5);
         look.subjects_cut = if total > 0.0 { (cut / total).max(0.75 * worst) } else { 0.0 };
         look.faces_cut = look.faces_cut.min(2.0);
+        look.near = close && !faces.is_empty();
         look.small_faces = small_faces(&faces);
         // Across gutters only what is worth it.
-        look.dull = if slot.merged { (0.6 - prepared.subject).max(0.0) } else { 0.0 };
+        look.dull = if slot.merged { (0.6 - prepared.care).max(0.0) } else { 0.0 };
         look.split = if total > 0.0 { split / total } else { 0.0 };
+        if look.near {
+            // Of a photo that another panel shows as a whole, the one face is all that there is to see.
+            look.cover = 1.0;
+        }
+        look.strip = !look.near && (target.aspect > STRIP || target.aspect < 1.0 / STRIP_UPRIGHT) && look.kept < STRIP_KEPT;
         look
     }
 
     /// How well the photo sits, whatever the panel's size.
     #[must_use]
     pub fn fit(&self) -> f64 {
-        let lacking = (KEPT - self.kept).max(0.0) / KEPT;
-        let little = f64::from(u8::from(self.kept < LITTLE));
+        let kept = if self.near { 1.0 } else { self.kept };
+        let lacking = (KEPT - kept).max(0.0) / KEPT;
+        let little = f64::from(u8::from(kept < LITTLE));
         let soft = (self.enlarged / ENLARGED).log2().max(0.0);
         let blown_up = f64::from(u8::from(self.enlarged > ENLARGED));
         self.cover
@@ -129,6 +158,8 @@ impl Look {
             - 0.4 * soft
             - 5.0 * blown_up
             - 2.5 * self.split
+            - 4.0 * self.hidden.min(1.0)
+            - 2.0 * f64::from(u8::from(self.strip))
             - self.dull
             - 0.5 * self.too_small
             - 0.4 * self.small_faces
@@ -140,7 +171,7 @@ impl Look {
 #[must_use]
 pub fn placed(slot: &Slot, photo: &PhotoMeta, prepared: &Prepared) -> (Crop, Look) {
     let (crop, energy) = prepared.crop_for(photo, slot.target.aspect);
-    let look = Look::at(slot, prepared, &crop, energy);
+    let look = Look::at(slot, prepared, &crop, energy, false);
     if slot.target.region.is_plain() || prepared.marks.is_empty() {
         return (crop, look);
     }
@@ -158,7 +189,7 @@ pub fn placed(slot: &Slot, photo: &PhotoMeta, prepared: &Prepared) -> (Crop, Loo
             y: y.clamp(0.0, 1.0 - crop.height.min(1.0)),
             ..crop
         };
-        let look = Look::at(slot, prepared, &moved, energy);
+        let look = Look::at(slot, prepared, &moved, energy, false);
         if look.fit() > best.1.fit() {
             best = (moved, look);
         }
@@ -215,7 +246,7 @@ mod tests {
     use crate::plan::slots;
 
     #[test]
-    fn a_face_under_an_inset_is_cut_and_one_beyond_the_crop_is_not() {
+    fn a_face_under_an_inset_or_beyond_the_crop_is_cut_but_not_by_a_close_look() {
         let page = PageSettings::default();
         let slots =
             slots(&resolve(find("circle-corner").unwrap(), page.aspect(), &page), f64::from(page.width));
@@ -230,12 +261,14 @@ mod tests {
         let Bounds { x, y, width, height } = face;
         photo.find([Subject { label: FACE.into(), score: 0.95, x, y, width, height }]);
         let prepared = Prepared::of(&photo);
-        let cut = |crop: Crop| Look::at(slot, &prepared, &crop, 1.0).faces_cut;
+        let cut = |crop: Crop| Look::at(slot, &prepared, &crop, 1.0, false).faces_cut;
         assert!((cut(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 }) - 1.0).abs() < 1e-9);
         // The crop begins to the right of it, or ends to the left.
         let beyond = if face.x < 0.5 { face.x + face.width + 0.1 } else { 0.0 };
         let crop = Crop { x: beyond, y: 0.0, width: 0.35, height: 1.0 };
-        assert!(cut(crop).abs() < 1e-9, "{crop:?} {face:?}");
+        assert!((cut(crop) - 1.0).abs() < 1e-9, "{crop:?} {face:?}");
+        assert!(Look::at(slot, &prepared, &crop, 1.0, true).faces_cut.abs() < 1e-9);
+        assert!(Look::at(slot, &prepared, &Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 }, 1.0, true).hidden > 0.9);
     }
 
     #[test]
@@ -249,7 +282,7 @@ mod tests {
                 let (label, x) = (FACE.into(), 0.1 + 0.2 * i as f64);
                 Subject { label, score: 0.95, x, y: 0.15, width: 0.1, height }
             }));
-            Look::at(slot, &Prepared::of(&photo), &whole, 1.0).small_faces
+            Look::at(slot, &Prepared::of(&photo), &whole, 1.0, false).small_faces
         };
         let by_area = |a: &&Slot, b: &&Slot| a.area.total_cmp(&b.area);
         let (inset, large) = (slots.iter().min_by(by_area).unwrap(), slots.iter().max_by(by_area).unwrap());

@@ -49,6 +49,7 @@ mod style_imports;
 mod subjects;
 mod tidy;
 mod trained_block;
+mod turns;
 mod words;
 
 /// Returns the number of random trials: `few` by default, `all` if `INKPANEL_THOROUGH` is set (`cargo xtask test --all`).

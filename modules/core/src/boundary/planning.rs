@@ -106,6 +106,11 @@ impl Editor {
         })
     }
 
+    /// The photos in use that no page has shown yet, and why: a list of `{photo, why}`.
+    pub fn unseen(&self, album: &Album) -> std::result::Result<String, JsValue> {
+        self.planning(album).map(|planning| planning.unseen_json()).map_err(thrown)
+    }
+
     /// The ids of the photos in use that are free for the page.
     pub fn free_photos(&self, album: &Album) -> std::result::Result<String, JsValue> {
         let free = |planning: Planning| {
@@ -135,7 +140,13 @@ impl Editor {
 
     #[inline(never)]
     fn planning<'p>(&'p self, album: &'p Album) -> Result<Planning<'p>> {
-        Ok(Planning { project: self.hands.project(), photos: album.used()?, taste: Taste::default() })
+        let planning = Planning {
+            project: self.hands.project(),
+            photos: album.used()?,
+            taste: Taste::default(),
+            recent: Vec::new(),
+        };
+        Ok(planning.with_memory(self.hands.history()))
     }
 }
 

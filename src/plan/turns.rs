@@ -1,0 +1,85 @@
+//! Whose turn it is: photos that recent pages did not show come before others, so that each photo has its page.
+
+use crate::framing::PhotoMeta;
+
+/// Pages that are looked back at.
+pub const PAGES: usize = 24;
+/// Panels of a usual page: as many photos have their turn at once.
+const A_PAGE: f64 = 5.0;
+/// Pages after which a photo is overdue, and what each page more counts.
+const OVERDUE: usize = 8;
+const EACH: f64 = 2.5;
+/// What each page of waiting counts before that.
+const WAITING: f64 = 0.15;
+/// What the photos of the last page lose, and of the page before.
+const JUST_SHOWN: [f64; 2] = [0.25, 0.1];
+/// What the photos that led the last pages lose as leads, the last page first.
+const JUST_LED: [f64; 3] = [0.5, 0.3, 0.15];
+
+/// What recent pages showed of the photos of a plan.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Turns {
+    /// For each photo: pages since it was shown, or all pages if it was not.
+    since: Vec<usize>,
+    /// For each photo: what it loses as a lead.
+    led: Vec<f64>,
+    /// Pages until each photo can have been shown once.
+    cycle: usize,
+}
+
+impl Turns {
+    /// Looks back at `recent`: the ids of the photos of each page, the lead of the page first, the last page last.
+    #[must_use]
+    pub fn of(photos: &[PhotoMeta], recent: &[Vec<String>]) -> Self {
+        let recent = &recent[recent.len().saturating_sub(PAGES)..];
+        if recent.is_empty() {
+            return Self::default();
+        }
+        let backwards = || recent.iter().rev();
+        let since = |photo: &PhotoMeta| {
+            backwards().position(|page| page.contains(&photo.id)).unwrap_or(recent.len())
+        };
+        let led = |photo: &PhotoMeta| {
+            let at = backwards().position(|page| page.first() == Some(&photo.id));
+            at.and_then(|at| JUST_LED.get(at)).copied().unwrap_or(0.0)
+        };
+        Self {
+            since: photos.iter().map(since).collect(),
+            led: photos.iter().map(led).collect(),
+            cycle: (photos.len() as f64 / A_PAGE).ceil() as usize,
+        }
+    }
+
+    /// How much it is the turn of a photo: less than 0 for one that was just shown, above 1 for one that is overdue.
+    #[must_use]
+    pub fn need(&self, photo: usize) -> f64 {
+        let Some(&since) = self.since.get(photo) else { return 0.0 };
+        let lately = if self.cycle > 1 { JUST_SHOWN.get(since).copied().unwrap_or(0.0) } else { 0.0 };
+        let waited = WAITING * (since + 1).saturating_sub(self.cycle.max(2)) as f64;
+        waited + EACH * (since + 1).saturating_sub(OVERDUE) as f64 - lately
+    }
+
+    /// What a photo loses as the lead of a page because it led a page just now.
+    #[must_use]
+    pub fn led(&self, photo: usize) -> f64 {
+        self.led.get(photo).copied().unwrap_or(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn who_waits_longest_comes_first() {
+        let photos: Vec<PhotoMeta> =
+            (0..20).map(|i| PhotoMeta::unmeasured(&format!("p{i}"), 300, 200)).collect();
+        let page = |from: usize| (from..from + 5).map(|i| format!("p{i}")).collect::<Vec<_>>();
+        let recent: Vec<Vec<String>> = [0, 0, 0, 0, 5, 0, 0, 0, 10].map(page).to_vec();
+        let turns = Turns::of(&photos, &recent);
+        let needs = [0, 5, 10, 19].map(|photo| turns.need(photo));
+        assert!(needs[2] < needs[0] && needs[0] <= needs[1] && needs[1] < needs[3], "{needs:?}");
+        assert!(needs[3] > 2.0 && turns.led(10) > turns.led(0) && turns.led(1) == 0.0);
+        assert_eq!(Turns::of(&photos, &[]).need(3), 0.0);
+    }
+}
