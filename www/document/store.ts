@@ -9,7 +9,7 @@ import { failure } from '../engine/protocol.ts';
 import { createEditing } from './editing.ts';
 import { EMPTY_HISTORY } from './history.ts';
 import { freshPlace } from './place.ts';
-import type { Planner } from '../engine/core.ts';
+import type { Planner, Unseen } from '../engine/core.ts';
 import type { Template } from '../engine/types.ts';
 import type { Place } from './place.ts';
 import type { Album, Fact, Verdict, Video } from './album.ts';
@@ -123,7 +123,15 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     });
   });
 
-  /** Custom layouts, in full. */
+  /** The photos in use that no page has shown yet, and why; none until there is a page. */
+  const unseen: ReadonlySignal<ReadonlyMap<string, Unseen>> = computed(() => {
+    const { shown } = history.value;
+    if (!planner.value || !page.value || reading.value || shown.length === 0) return new Map();
+    const list = (editing ?? begun()).plans(photos.value)?.unseen() ?? [];
+    return new Map(list.map(({ photo, why }) => [photo, why]));
+  });
+
+  /** A person's own layouts, in full. */
   const own: ReadonlySignal<readonly Template[]> = computed(() => project.value.ownLayouts);
   /** The size of the page, the only part of its settings that says which layouts suit. */
   const size = computed(() => `${project.value.settings.width} ${project.value.settings.height}`);
@@ -179,6 +187,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     /** Films that are looked through for their shots, by key: how far, 0 to 1. */
     looking,
     photos,
+    unseen,
     own,
     layouts,
     layoutFacts,

@@ -84,7 +84,9 @@ export type Editor = ReturnType<typeof createEditor>;
  */
 export type Wish = Partial<Omit<PlanRequest, 'current'>> &
   Pick<PlanRequest, 'keep'> & { current?: PageDocument; anew?: boolean };
-/** A seed, and the learned preferences for random choices. */
+/** Why no page has shown a photo yet: its turn will come, it is a page of text, or it has too few pixels. */
+export type Unseen = 'waits' | 'text' | 'small';
+/** A seed, and what the person likes where something is drawn. */
 export type Draw = Pick<Request, 'seed' | 'taste'>;
 
 /**
@@ -219,7 +221,9 @@ function plansOf(editor: core.Editor, album: core.Album) {
      */
     repaired: (draw: Draw, groups: Record<string, number>): RepairedSheets | null =>
       JSON.parse(editor.repaired(album, JSON.stringify(draw), JSON.stringify(groups))),
-    /** @returns ids of the photos that are free for the page, as text */
+    /** @returns the photos in use that no page has shown yet, and why */
+    unseen: (): { photo: string; why: Unseen }[] => JSON.parse(editor.unseen(album)),
+    /** @returns the ids of those that are free for the page, as text */
     freePhotos: () => editor.free_photos(album),
   };
 }

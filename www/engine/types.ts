@@ -968,10 +968,19 @@ export type Request = {
   style?: StyleChoice | null,
   /** How a style is drawn that is left to chance. */
   styling?: StylingRequest,
+  /** A layout that a free page takes unless another is clearly better. */
+  prefer?: LayoutChoice | null,
   /** Wanted number of panels where the layout is free. */
   panels?: number | null,
   /** How photos that do not stay are chosen. */
   mode?: Mode,
+  /** Whether the photos stay in their order along the page. Default: whether all are dated, at different times. */
+  ordered?: boolean | null,
+  /**
+   * The photos of pages that were shown before, by id: the photo of the largest panel first, the last page last. Photos
+   * that they do not show have their turn.
+   */
+  recent?: ReadonlyArray<ReadonlyArray<string>>,
   /**
    * Whether a new layout gets panels that share one image: always, never, or, where nothing is said, by chance.
    * Chance has no say in a layout or a number of panels that was asked for: each panel then has its own image.

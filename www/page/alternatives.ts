@@ -85,7 +85,7 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
     const end = performance.now() + STRETCH;
     let tries = 0;
     while (fresh.length < goal && tries < TRIES && (performance.now() < end || tries > 0)) {
-      const page = pages.plan({ keep: { ...store.project.peek().locks }, mode: 'shuffle', avoid: before(fresh) });
+      const page = pages.plan({ keep: { ...store.project.peek().locks }, mode: 'shuffle', avoid: before(fresh), recent: fresh.map(photosOf) });
       if (!page || known.has(look(page))) {
         tries += 1;
         continue;
@@ -96,6 +96,11 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
     }
     stream.value = { basis: now, items: fresh, over: tries >= TRIES };
   }
+}
+
+/** @returns the photos of a page that is planned, so that the next ones show others; no id first, as its lead is not known */
+function photosOf({ panels }: PageDocument): string[] {
+  return ['', ...panels.flatMap(({ photo }) => photo ?? [])];
 }
 
 /** @returns layout and style of the page that comes before the next: two in a row that share one look like one */

@@ -86,8 +86,11 @@ export function createFirstPage({
     if (!store.sketch.peek()) return false;
     const photos = known();
     if (photos.length === 0) return false;
+    // The panels that the user sees already stay where they are, unless others suit the photos clearly better.
+    const before = store.page.peek();
     const panels = Math.min(photos.length, USUAL_PANELS);
-    const page = pages.plan({ keep: ALL_NEW, anew: true, photos, panels });
+    const prefer = before?.panels.length === panels ? before.layout : null;
+    const page = pages.plan({ keep: ALL_NEW, anew: true, photos, panels, prefer });
     batch(() => {
       if (page) store.change({ type: 'change-page', page, silent: true });
       store.sketch.value = false;

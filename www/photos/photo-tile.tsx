@@ -35,7 +35,9 @@ export function PhotoTile({
   const name = fact?.name ?? id;
   const ready = fact?.meta !== null && engine.hasPhoto(id);
   const why = use === false ? strings.youLeftOut : verdict && strings.verdict(verdict.why);
-  const about = [fact?.credit ?? name, why, ready && strings.pickLong].filter(Boolean).join('\n');
+  const unseen = useComputed(() => (used ? store.unseen.value.get(id) : undefined)).value;
+  const waiting = unseen && strings.unseen[unseen];
+  const about = [fact?.credit ?? name, why, waiting, ready && strings.pickLong].filter(Boolean).join('\n');
   const short = useComputed(() => shownOn(store.sheets.value, id, false)).value;
   const long = useComputed(() => shownOn(store.sheets.value, id, true)).value;
   const picked = framing.placing.value === id;
@@ -165,6 +167,7 @@ export function PhotoTile({
       )}
       <span class="photo-name">{fact?.credit ?? name}</span>
       {fact?.absent && <span class="photo-why photo-missing">{strings.photoMissing}</span>}
+      {waiting && <span class="photo-why photo-unseen">{waiting}</span>}
       {why && (
         <span class="photo-why" id={`why-${id}`}>
           {why}
