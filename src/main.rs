@@ -345,7 +345,7 @@ struct Planned {
     /// Print the plan as JSON: layout, style, panels, crops and score.
     #[arg(long)]
     json: bool,
-    /// A photo that gets the large panel: its path or its file name. Can be repeated.
+    /// Photo for the largest panel, by file name or path. Can be repeated.
     #[arg(long, value_name = "FILE")]
     star: Vec<PathBuf>,
 }
@@ -627,7 +627,7 @@ fn star(photos: &mut [(PathBuf, Imported)], names: &[PathBuf]) {
         photo.meta.starred = names.iter().any(|name| is_named(path, name));
     }
     for name in names.iter().filter(|name| !photos.iter().any(|(path, _)| is_named(path, name))) {
-        telling::note(Some(&name.display().to_string()), "is none of the photos, so it gets no large panel");
+        telling::note(Some(&name.display().to_string()), "--star: no photo has this name");
     }
 }
 

@@ -7,13 +7,13 @@ use super::project::{Order, Project};
 use super::sheets::photos_on;
 use crate::error::Result;
 use crate::framing::PhotoMeta;
+use crate::json::Writer;
 use crate::layout::PageSettings;
 use crate::page::Document;
 use crate::page::carrying::photo_of;
 use crate::page::document::template_of;
 use crate::page::request::{Keep, Request, Taste};
 use crate::page::shuffle;
-use crate::json::Writer;
 use crate::plan::prepared::{Place, is_document};
 use crate::plan::{Shelf, turns};
 use oorandom::Rand64;
@@ -332,7 +332,8 @@ pub fn planned_of(mut request: Request, photos: &[Known]) -> Result<Document> {
 /// The photos of a page, that of the largest panel first.
 #[must_use]
 pub fn seen_on(page: &Document) -> Vec<String> {
-    let shares = template_of(&page.layout).map_or_else(|_| Vec::new(), |template| template.shares(page.page.aspect()));
+    let shares =
+        template_of(&page.layout).map_or_else(|_| Vec::new(), |template| template.shares(page.page.aspect()));
     let share = |at: usize| shares.get(at).copied().unwrap_or(0.0);
     let largest = (0..page.panels.len()).fold(0, |most, at| if share(at) > share(most) { at } else { most });
     let mut seen: Vec<String> = Vec::new();

@@ -88,7 +88,9 @@ pub fn closeup(photo: &PhotoMeta, target: &Target, turn: usize) -> Option<Crop> 
         let crops = CLOSE.iter().flat_map(|part| BESIDE.map(|off| (face.height / part * target.aspect, off)));
         crops
             .filter(|(across, _)| *across <= closer * widest && width <= MOST_ENLARGED * across)
-            .map(|(across, off)| view.about((x + off * across, y), across, if target.round { 0.5 } else { 0.44 }))
+            .map(|(across, off)| {
+                view.about((x + off * across, y), across, if target.round { 0.5 } else { 0.44 })
+            })
             .find(|crop| {
                 let area = view.area(crop);
                 let shown = area.shared(head) > 0.0 && !view.cuts(area, head);

@@ -159,8 +159,7 @@ pub(super) fn rebuilt(
     let same = order == template.order;
     let bleeds = |place: usize| same && template.panels[place].bleeds;
     let base = order.iter().zip(weights).enumerate();
-    let base =
-        base.map(|(place, (&i, weight))| Panel { weight, bleeds: bleeds(place), ..cells[i].clone() });
+    let base = base.map(|(place, (&i, weight))| Panel { weight, bleeds: bleeds(place), ..cells[i].clone() });
     changed.panels = base.chain(template.panels.iter().filter(|panel| panel.overlay).cloned()).collect();
     changed.order = order;
     checked(changed)

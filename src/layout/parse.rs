@@ -32,7 +32,9 @@ const UNIT: RangeInclusive<f64> = 0.0..=1.0;
 /// Checks a whole layout file.
 pub(super) fn template(file: &str, value: &Value) -> Result<Template> {
     let root = Field::root(file, value);
-    root.object(&["id", "name", "family", "aspect", "tree", "polygons", "order", "weights", "bleeds", "overlays"])?;
+    root.object(&[
+        "id", "name", "family", "aspect", "tree", "polygons", "order", "weights", "bleeds", "overlays",
+    ])?;
     let id = identifier(&root.required("id")?)?;
     let name = root.required("name")?.text(60)?.to_owned();
     let family = family(&root.required("family")?)?;

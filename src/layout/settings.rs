@@ -224,7 +224,8 @@ impl PageSettings {
     #[must_use]
     pub fn is_for_print(&self) -> bool {
         let size = (self.width, self.height);
-        let is_book = |preset: &PagePreset| preset.purpose == Purpose::Book && (preset.width, preset.height) == size;
+        let is_book =
+            |preset: &PagePreset| preset.purpose == Purpose::Book && (preset.width, preset.height) == size;
         self.bleed > 0.0 || self.enlarge || PRESETS.iter().any(is_book)
     }
 

@@ -154,9 +154,8 @@ impl Template {
     /// Whether its pages are livelier than a wall of rectangles: slants, overlays, circles, or a panel at the edge of the page.
     #[must_use]
     pub fn is_lively(&self) -> bool {
-        let slanted = |cell: &[Point]| {
-            edges(cell).any(|(a, b)| (b.x - a.x).abs().min((b.y - a.y).abs()) > 1e-6)
-        };
+        let slanted =
+            |cell: &[Point]| edges(cell).any(|(a, b)| (b.x - a.x).abs().min((b.y - a.y).abs()) > 1e-6);
         self.panels.iter().any(|panel| match &panel.shape {
             Shape::Circle { .. } => true,
             Shape::Polygon(cell) => panel.overlay || panel.bleeds || slanted(cell),

@@ -11,8 +11,8 @@ use crate::framing::PhotoMeta;
 use crate::layout::Template;
 use crate::layout::merge::{can_merge, mergeable};
 use crate::plan::assign::Photos;
-use crate::plan::prepared::worth_showing;
 use crate::plan::layouts::{self, DRAWN, Wanted};
+use crate::plan::prepared::worth_showing;
 use crate::plan::{Candidate, Order, Score, Shelf, Turns, compose};
 use oorandom::Rand64;
 use serde_json::Value;
@@ -62,8 +62,9 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     let free = request.mode == Mode::Photos || !request.ordered.unwrap_or_else(|| is_dated(&request.photos));
     let order = if free { Order::Free } else { Order::Kept };
     let heat = request.surprise.filter(|heat| heat.is_finite()).map_or(1.0, |heat| heat.clamp(0.0, 4.0));
-    let plan = compose(&candidates, &photos, order, (heat, request.prefer.as_ref().map(|_| DRAWN)), &mut random)
-        .ok_or_else(|| Error::UnknownLayout("any".into()))?;
+    let plan =
+        compose(&candidates, &photos, order, (heat, request.prefer.as_ref().map(|_| DRAWN)), &mut random)
+            .ok_or_else(|| Error::UnknownLayout("any".into()))?;
     let stage = &stages[plan.candidate];
     let (order, panels) = contents(request, stage, &plan.panels);
     let style = choose_style(request, stage, &plan, &mut random)?;
@@ -95,7 +96,8 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
 
 /// Whether all photos are dated, and not all of one moment: only then their order means something.
 fn is_dated(photos: &[PhotoMeta]) -> bool {
-    photos.iter().all(|photo| photo.taken.is_some()) && photos.windows(2).any(|pair| pair[0].taken != pair[1].taken)
+    photos.iter().all(|photo| photo.taken.is_some())
+        && photos.windows(2).any(|pair| pair[0].taken != pair[1].taken)
 }
 
 /// The layouts that may become the page, with the groups of panels that may share an image.

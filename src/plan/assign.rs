@@ -103,7 +103,8 @@ impl<'a> Photos<'a> {
             let prepared = shelf.get(i, &all[i]);
             let (sharp, tonal) = (sharp(&all[i]), prepared.tonal);
             // Sharpness and tones are minimum requirements: beyond them people look at what is shown.
-            let poor = 1.0 - 0.4 * (1.0 - sharp / LEAST_SHARP).max(0.0) - 0.4 * (1.0 - tonal / LEAST_TONAL).max(0.0);
+            let poor =
+                1.0 - 0.4 * (1.0 - sharp / LEAST_SHARP).max(0.0) - 0.4 * (1.0 - tonal / LEAST_TONAL).max(0.0);
             let text = if prepared.kind == Kind::Document { 0.3 } else { 1.0 };
             quality[i] = text * poor * (0.72 * prepared.care + 0.16 * tonal + 0.12 * sharp);
         }
@@ -316,10 +317,14 @@ pub(super) fn uses(slots: &[Slot], chosen: &[usize]) -> Vec<u32> {
         match locked {
             (true, false) => true,
             (false, true) => false,
-            _ => slots[a].area > slots[b].area + 1e-9 || ((slots[a].area - slots[b].area).abs() <= 1e-9 && a < b),
+            _ => {
+                slots[a].area > slots[b].area + 1e-9
+                    || ((slots[a].area - slots[b].area).abs() <= 1e-9 && a < b)
+            }
         }
     };
-    let before = |i: usize| (0..slots.len()).filter(|&j| j != i && chosen[j] == chosen[i] && first(j, i)).count();
+    let before =
+        |i: usize| (0..slots.len()).filter(|&j| j != i && chosen[j] == chosen[i] && first(j, i)).count();
     (0..slots.len()).map(|i| before(i) as u32).collect()
 }
 

@@ -159,7 +159,8 @@ pub fn compose(
     }
     let ratings: Vec<f64> = plans.iter().map(|plan| plan.score.total()).collect();
     let order = best_first(&ratings);
-    let stays = wanted.and_then(|wanted| plans.iter().position(|plan| candidates[plan.candidate].layout == wanted));
+    let stays =
+        wanted.and_then(|wanted| plans.iter().position(|plan| candidates[plan.candidate].layout == wanted));
     if let Some(at) = stays.filter(|&at| ratings[at] > ratings[order[0]] - SLACK) {
         return Some(plans.swap_remove(at));
     }
@@ -196,9 +197,8 @@ fn with_closeup(candidate: &Candidate, plan: &Plan, photos: &Photos) -> Option<P
     let weakest = (0..slots.len())
         .filter(may_go)
         .min_by(|&a, &b| photos.quality[photo(a)].total_cmp(&photos.quality[photo(b)]))?;
-    let near = (0..slots.len()).filter(|&slot| {
-        slots[slot].area > slots[weakest].area && photos.kind(photo(slot)) == Kind::Alive
-    });
+    let near = (0..slots.len())
+        .filter(|&slot| slots[slot].area > slots[weakest].area && photos.kind(photo(slot)) == Kind::Alive);
     let once = |&slot: &usize| plan.panels.iter().filter(|panel| panel.photo == photo(slot)).count() == 1;
     let better = near.filter(once).filter_map(|slot| {
         let crop = closeup(&photos.all[photo(slot)], &slots[weakest].target, 0)?;
@@ -254,7 +254,11 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
         for (j, &b) in chosen[..i].iter().enumerate() {
             // A second look at one photo is a fault, unless it is a look from near.
             let again = |look: &Look| if look.near { -NEARER } else { 0.3 };
-            alike -= if a == b { again(&seen[i]).min(again(&seen[j])) } else { 0.8 * f64::from(u8::from(photos.alike(a, b))) };
+            alike -= if a == b {
+                again(&seen[i]).min(again(&seen[j]))
+            } else {
+                0.8 * f64::from(u8::from(photos.alike(a, b)))
+            };
         }
     }
     let share = |slot: usize| sizes[slot] / sizes.len() as f64;

@@ -38,6 +38,6 @@ fn best_first(values: &[f64]) -> Vec<usize> {
 
 pub use assign::{Order, assign};
 pub use composer::{Candidate, Plan, Score, compose, judge};
-pub use turns::Turns;
 pub use prepared::{Prepared, Shelf};
 pub use slots::{Assignment, Slot, slots};
+pub use turns::Turns;

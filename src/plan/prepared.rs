@@ -233,7 +233,14 @@ fn mark(s: &Subject, photo: &PhotoMeta) -> Option<Mark> {
     } else {
         1.0
     };
-    Some(Mark { grown: bounds(&grown), bare: bounds(s), face: s.label == FACE, text: s.label == LETTERING, whole, weight })
+    Some(Mark {
+        grown: bounds(&grown),
+        bare: bounds(s),
+        face: s.label == FACE,
+        text: s.label == LETTERING,
+        whole,
+        weight,
+    })
 }
 
 /// What was found out about one photo, once somebody asked; copies share it.

@@ -36,9 +36,8 @@ impl Turns {
             return Self::default();
         }
         let backwards = || recent.iter().rev();
-        let since = |photo: &PhotoMeta| {
-            backwards().position(|page| page.contains(&photo.id)).unwrap_or(recent.len())
-        };
+        let since =
+            |photo: &PhotoMeta| backwards().position(|page| page.contains(&photo.id)).unwrap_or(recent.len());
         let led = |photo: &PhotoMeta| {
             let at = backwards().position(|page| page.first() == Some(&photo.id));
             at.and_then(|at| JUST_LED.get(at)).copied().unwrap_or(0.0)

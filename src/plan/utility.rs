@@ -82,7 +82,8 @@ impl Look {
         let mut worst = 0.0f64;
         let mut faces = Vec::new();
         let total: f64 = prepared.marks.iter().map(|mark| mark.weight).sum();
-        let tallest = prepared.marks.iter().filter(|mark| mark.face).map(|mark| mark.bare.height).fold(0.0, f64::max);
+        let tallest =
+            prepared.marks.iter().filter(|mark| mark.face).map(|mark| mark.bare.height).fold(0.0, f64::max);
         let (mut cover, mut cut, mut split, mut heaviest) = (0.0, 0.0, 0.0, 0.0);
         for mark in &prepared.marks {
             let grown = place(crop, mark.grown);
@@ -100,8 +101,7 @@ impl Look {
                 // A face that lies all outside is a body without a head, or a friend left out; a passer-by may be left out.
                 let main = mark.bare.height >= OF_THE_GROUP * tallest;
                 let missed = main && !close;
-                let cut =
-                    in_one < FACE_CUT.1 && (missed || bare > FACE_CUT.0 || under_others(slot, inner));
+                let cut = in_one < FACE_CUT.1 && (missed || bare > FACE_CUT.0 || under_others(slot, inner));
                 let head = 0.35 * f64::from(u8::from(most < 0.85 && all > FACE_CUT.0));
                 look.faces_cut += if cut { 1.0 } else { head };
             } else if mark.bare.width * mark.bare.height >= SOME_SIZE
@@ -138,7 +138,9 @@ impl Look {
             // Of a photo that another panel shows as a whole, the one face is all that there is to see.
             look.cover = 1.0;
         }
-        look.strip = !look.near && (target.aspect > STRIP || target.aspect < 1.0 / STRIP_UPRIGHT) && look.kept < STRIP_KEPT;
+        look.strip = !look.near
+            && (target.aspect > STRIP || target.aspect < 1.0 / STRIP_UPRIGHT)
+            && look.kept < STRIP_KEPT;
         look
     }
 
@@ -268,7 +270,10 @@ mod tests {
         let crop = Crop { x: beyond, y: 0.0, width: 0.35, height: 1.0 };
         assert!((cut(crop) - 1.0).abs() < 1e-9, "{crop:?} {face:?}");
         assert!(Look::at(slot, &prepared, &crop, 1.0, true).faces_cut.abs() < 1e-9);
-        assert!(Look::at(slot, &prepared, &Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 }, 1.0, true).hidden > 0.9);
+        assert!(
+            Look::at(slot, &prepared, &Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 }, 1.0, true).hidden
+                > 0.9
+        );
     }
 
     #[test]

@@ -21,10 +21,7 @@ fn album(count: usize, people: usize) -> Vec<PhotoMeta> {
                 ..PhotoMeta::unmeasured(&format!("p{i:02}"), width, height)
             };
             photo.subjects = if i < people {
-                vec![
-                    subject(FACE, [0.42, 0.2, 0.12, 0.16]),
-                    subject("person", [0.3, 0.15, 0.35, 0.8]),
-                ]
+                vec![subject(FACE, [0.42, 0.2, 0.12, 0.16]), subject("person", [0.3, 0.15, 0.35, 0.8])]
             } else {
                 vec![subject("clock", [0.3, 0.3, 0.3, 0.35])]
             };
@@ -84,9 +81,8 @@ fn a_page_of_text_has_no_panel_while_there_is_anything_else() {
         serde_json::from_value(format!("{}2020{}{}", tones.concat(), "04", "f0".repeat(6)).into()).unwrap();
     for photo in &mut photos[6..] {
         photo.facts = Some(facts.clone());
-        photo.subjects = (0..3)
-            .map(|line| subject(LETTERING, [0.1, 0.1 + 0.25 * f64::from(line), 0.7, 0.12]))
-            .collect();
+        photo.subjects =
+            (0..3).map(|line| subject(LETTERING, [0.1, 0.1 + 0.25 * f64::from(line), 0.7, 0.12])).collect();
     }
     for seed in 0..40 {
         let page = plan(&Request { seed, photos: photos.clone(), ..Request::default() }).unwrap();
@@ -131,8 +127,10 @@ fn a_group_may_be_seen_from_near_as_well() {
     photos[4].subjects = [0.2, 0.45, 0.7].map(|x| subject(FACE, [x, 0.3, 0.08, 0.14])).to_vec();
     let mut twice = 0;
     for seed in 0..40 {
-        let page = plan(&Request { seed, photos: photos.clone(), merge: Some(false), ..Request::default() }).unwrap();
-        let crops: Vec<_> = page.panels.iter().filter(|panel| panel.photo.as_deref() == Some("p04")).collect();
+        let page = plan(&Request { seed, photos: photos.clone(), merge: Some(false), ..Request::default() })
+            .unwrap();
+        let crops: Vec<_> =
+            page.panels.iter().filter(|panel| panel.photo.as_deref() == Some("p04")).collect();
         assert!(crops.len() <= 2, "seed {seed}");
         if let [a, b] = crops[..] {
             let (a, b) = (a.crop.unwrap(), b.crop.unwrap());

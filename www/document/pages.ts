@@ -71,7 +71,9 @@ export function createPages(
     if (!canPlan()) return null;
     const page = store.project.peek().settings;
     const order = areFrames() ? { ordered: true } : {};
-    return settledOr(store.plans().page({ page, ...order, ...asked(wish), seed: wish.seed ?? seed() }));
+    const planned = store.plans().page({ page, ...order, ...asked(wish), seed: wish.seed ?? seed() });
+    const isNew = !wish.keep.layout || !wish.keep.photos;
+    return settledOr(planned && isNew ? narrated(planned, store.project.peek().at) : planned);
   }
 
   /** Frames of videos tell something in their order; photos without dates do not. */

@@ -131,7 +131,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     return new Map(list.map(({ photo, why }) => [photo, why]));
   });
 
-  /** A person's own layouts, in full. */
+  /** Custom layouts, in full. */
   const own: ReadonlySignal<readonly Template[]> = computed(() => project.value.ownLayouts);
   /** The size of the page, the only part of its settings that says which layouts suit. */
   const size = computed(() => `${project.value.settings.width} ${project.value.settings.height}`);

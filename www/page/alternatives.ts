@@ -85,7 +85,12 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
     const end = performance.now() + STRETCH;
     let tries = 0;
     while (fresh.length < goal && tries < TRIES && (performance.now() < end || tries > 0)) {
-      const page = pages.plan({ keep: { ...store.project.peek().locks }, mode: 'shuffle', avoid: before(fresh), recent: fresh.map(photosOf) });
+      const page = pages.plan({
+        keep: { ...store.project.peek().locks },
+        mode: 'shuffle',
+        avoid: before(fresh),
+        recent: fresh.map(photosOf),
+      });
       if (!page || known.has(look(page))) {
         tries += 1;
         continue;

@@ -17,12 +17,12 @@ export const photoStrings = {
   removePhoto: (name: string) => `Remove ${name}`,
   photoMissing: 'Missing',
   addPhotos: 'Add photos',
-  kept: 'On the table',
+  kept: 'In use',
   unseen: { waits: 'Not shown yet', text: 'Not shown: it looks like a page of text', small: 'Not shown: too few pixels' },
-  setAside: 'Set aside',
-  setAsideWhy: 'Look-alikes and blurred photos. Tick one to use it.',
-  choice: 'Choice of photos',
-  alike: 'Set aside look-alikes',
+  setAside: 'Excluded',
+  setAsideWhy: 'Similar and blurred photos. Tick one to use it.',
+  choice: 'Photo selection',
+  alike: 'Exclude similar photos',
   alikeValue: (bits: number) =>
     bits < 7
       ? `${bits}, nearly identical`
