@@ -61,9 +61,9 @@ pub struct Planning<'p> {
 /// Why no page has shown a photo yet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unseen {
-    /// It is a page of text, such as a letter or a screenshot, which comes only if there is nothing else.
+    /// The photo is a page of text, such as a letter or a screenshot.
     Text,
-    /// It has too few pixels for any panel.
+    /// The photo has too few pixels for any panel.
     Small,
     /// Its turn will come.
     Waits,

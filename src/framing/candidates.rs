@@ -165,7 +165,7 @@ impl<'a> View<'a> {
         Crop { x: place(x, self.width, across), y: place(y, self.height, down), width: across, height: down }
     }
 
-    /// A crop of that width about a point, which comes to stand at `level` of its height.
+    /// A crop with this width around a point, which is at `level` of its height.
     pub(super) fn about(&self, at: (f64, f64), width: f64, level: f64) -> Crop {
         let width = width.min(self.widest_width());
         self.crop(at.0 - width / 2.0, at.1 - width / self.aspect * level, width)

@@ -8,17 +8,17 @@ use super::score::Judge;
 /// Crops of one photo that differ; a photo used still more often starts again.
 const VARIANTS: u32 = 8;
 
-/// The parts of a close crop's height that its face may take, and how far the face may be off the middle, in widths.
+/// Height of the face as a fraction of a close crop, and its distance from the centre in crop widths.
 const CLOSE: [f64; 3] = [0.46, 0.38, 0.32];
 const BESIDE: [f64; 3] = [0.0, -0.14, 0.14];
-/// A close crop is at most this part of the widest crop's width: of one face, and of one of a group.
+/// Maximum width of a close crop as a fraction of the widest crop: for a single face, and for a face of a group.
 const CLOSER: [f64; 2] = [0.5, 0.72];
-/// A face below this part of the tallest one's height is nobody to look at closely.
+/// Minimum height of a face that gets a close crop, as a fraction of the tallest face.
 const MAIN: f64 = 0.6;
-/// The most that a close crop is enlarged.
+/// Maximum enlargement of a close crop.
 const MOST_ENLARGED: f64 = 2.2;
 
-/// What a crop is wanted for.
+/// The panel that a crop is made for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Target {
     /// Width over height of the panel's bounds.
@@ -42,10 +42,9 @@ impl Target {
 
 /// The crop of `photo` that suits the panel best. It lies inside the photo and has the aspect ratio of the panel, in pixels of the photo.
 ///
-/// With `variant` 0 it is the best one; with 1, 2, ... the next best that differs from those before, for a
-/// photo that is used again: a face from near, other subjects if there are any, else another place or a closer look. Without
-/// subjects and focus the crop follows the energy of the photo; faces, and the heads round them, are not cut, by
-/// whatever hides a part of the panel, when a crop exists that keeps them; the focus is always inside.
+/// `variant` 0 is the best crop. 1, 2, ... are the next best crops that differ from earlier ones, for a photo
+/// that is used again. They prefer a close crop of a face, other subjects, then another place or a closer crop. Without subjects and
+/// focus, the crop follows the energy of the photo. If possible, the edges and hidden parts of the panel cut no faces and no heads. The focus is always inside.
 #[must_use]
 pub fn frame(photo: &PhotoMeta, target: &Target, variant: u32) -> Crop {
     let close = if variant > 0 { closeup(photo, target, variant as usize - 1) } else { None };
@@ -69,8 +68,10 @@ pub fn frame(photo: &PhotoMeta, target: &Target, variant: u32) -> Crop {
     shown.last().copied().unwrap_or_else(|| view.widest(0.5, 0.5))
 }
 
-/// The close crop of a face of `photo`, with its head whole and no other face cut: of the largest face with `turn` 0, of the
-/// next with 1. `None` without such a face, if no such crop is closer than the whole photo, or if a person marked a focus.
+/// Returns a close crop of a face: of the largest face for `turn` 0, of the next face for 1.
+///
+/// The crop keeps the head and cuts no other face. Returns `None` if the photo has no such face, if no crop is
+/// closer than the whole photo, or if the user set a focus point.
 #[must_use]
 pub fn closeup(photo: &PhotoMeta, target: &Target, turn: usize) -> Option<Crop> {
     let view = View::new(photo, target);

@@ -15,18 +15,18 @@ use crate::framing::{PhotoMeta, Subject, frame};
 const MOST: usize = 60;
 /// How much chance says.
 const NOISE: f64 = 0.12;
-/// What one of the album's best photos gains in the largest panel, and by how much worse a photo gains nothing.
+/// Bonus of one of the best photos in the largest panel, and the quality gap at which the bonus ends.
 const HERO: f64 = 1.2;
 const GAP: f64 = 0.22;
-/// What a photo of hardly anything loses in a panel of more than a fifth of the page, and a page of text in any panel.
+/// Cost of a bare photo in a panel above a fifth of the page, and of a document in any panel.
 const BARE: f64 = 3.0;
 const DOCUMENT: f64 = 4.0;
-/// A photo below this part of the sharpness of the album's sharpest, or below this liveliness of tones, is worth less.
+/// Minimum sharpness as a fraction of the sharpest photo, and minimum tonal range. Photos below lose quality.
 const LEAST_SHARP: f64 = 0.35;
 const LEAST_TONAL: f64 = 0.35;
-/// Strong photos that count for the best one, against which a lead is measured.
+/// Number of photos whose mean quality leads are compared with.
 const TOP: usize = 2;
-/// The part of a page that a photo of hardly anything may fill.
+/// Maximum share of the page for a bare photo.
 pub(super) const MOST_BARE: f64 = 0.2;
 /// What a starred photo gains in the largest panel.
 const STAR: f64 = 6.0;
@@ -54,9 +54,9 @@ pub struct Photos<'a> {
     pub quality: Vec<f64>,
     /// For each of all: the part of the album that is no better, 0 to 1.
     pub rank: Vec<f64>,
-    /// Whose turn it is.
+    /// Turns of the photos.
     pub turns: Turns,
-    /// How good the album's best photos are.
+    /// Mean quality of the best photos.
     top: f64,
     shelf: &'a Shelf,
 }
@@ -125,7 +125,7 @@ impl<'a> Photos<'a> {
         self.shelf.get(photo, &self.all[photo])
     }
 
-    /// What a photo shows.
+    /// The kind of a photo.
     #[must_use]
     pub fn kind(&self, photo: usize) -> Kind {
         self.prepared(photo).kind
@@ -300,7 +300,7 @@ pub(super) fn chosen(
     chosen.into_iter().map(|photo| photo.unwrap_or(0)).collect()
 }
 
-/// The crops of the photos that were chosen. A photo that comes twice is seen as a whole in its largest panel.
+/// Returns the crops of the chosen photos. A photo with two panels is complete in the larger one.
 pub(super) fn crops(slots: &[Slot], chosen: &[usize], photos: &Photos) -> Vec<Assignment> {
     let turns = uses(slots, chosen);
     let assignment = |((slot, &photo), turn): ((&Slot, &usize), u32)| {
@@ -310,7 +310,7 @@ pub(super) fn crops(slots: &[Slot], chosen: &[usize], photos: &Photos) -> Vec<As
     slots.iter().zip(chosen).zip(turns).map(assignment).collect()
 }
 
-/// For each slot the number of slots with the same photo that come before it: those that are locked, then by area.
+/// Counts, for each slot, the earlier slots with the same photo: locked slots first, then by area.
 pub(super) fn uses(slots: &[Slot], chosen: &[usize]) -> Vec<u32> {
     let first = |a: usize, b: usize| {
         let locked = (slots[a].locked.is_some(), slots[b].locked.is_some());

@@ -29,7 +29,7 @@ const WORSE: f64 = 0.6;
 pub const LEADS: f64 = 0.97;
 /// A panel is a large one from so many times the mean on.
 const LARGE: f64 = 1.25;
-/// What a close look at a face is worth next to the whole photo.
+/// Bonus of a close crop next to the complete photo.
 const NEARER: f64 = 0.05;
 /// Differences of what a subject takes of its panel that make another scale: close, middle, wide.
 const SCALES: [f64; 2] = [0.06, 0.22];
@@ -69,11 +69,11 @@ pub struct Score {
     pub alike: f64,
     /// How good the photos are, by the area of their panels.
     pub quality: f64,
-    /// Strong photos that have no panel, people most, negative.
+    /// Strong photos without a panel, above all people; negative.
     pub missing: f64,
-    /// Large panels of hardly anything, and pages of text, negative.
+    /// Large panels of bare photos, and documents; negative.
     pub dull: f64,
-    /// Whether photos come whose turn it is.
+    /// Photos that recent pages did not show.
     pub turns: f64,
     /// How much the layout is liked beforehand.
     pub prior: f64,
@@ -105,7 +105,7 @@ impl Score {
     }
 }
 
-/// How much better another layout has to be than the one that is wanted.
+/// Minimum score gap at which another layout replaces the wanted one.
 const SLACK: f64 = 0.4;
 
 /// The plan of a page. `heat` is 1 for a usual draw and more for a bolder one, 0 for the best; `None` when there are no
@@ -145,7 +145,7 @@ pub fn compose(
         let (_, candidate, chosen) = &best[at];
         let family = candidates[*candidate].family;
         if wanted == Some(candidates[*candidate].layout) {
-            // It is looked at in any case.
+            // The wanted layout is always a finalist.
         } else if plans.len() >= finalists
             || families.iter().filter(|known| **known == family).count() == OF_A_FAMILY
         {
@@ -177,8 +177,7 @@ pub fn compose(
     order.get(drawn.unwrap_or(0)).map(|&at| plans.swap_remove(at))
 }
 
-/// The plan with a close look at a face of one of its photos instead of its weakest photo: wide, then near, as films do. `None` if it
-/// is no better, or if the weakest photo must stay.
+/// Replaces the weakest photo of a plan by a close crop of a face. Returns `None` if this is not better, or if the photo must stay.
 fn with_closeup(candidate: &Candidate, plan: &Plan, photos: &Photos) -> Option<Plan> {
     let slots = &candidate.slots;
     if photos.drawn.len() <= slots.len() {
@@ -252,7 +251,7 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
     let mut alike = 0.0;
     for (i, &a) in chosen.iter().enumerate() {
         for (j, &b) in chosen[..i].iter().enumerate() {
-            // A second look at one photo is a fault, unless it is a look from near.
+            // A repeated photo costs, unless the second crop is close.
             let again = |look: &Look| if look.near { -NEARER } else { 0.3 };
             alike -= if a == b {
                 again(&seen[i]).min(again(&seen[j]))
@@ -282,7 +281,7 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
     }
 }
 
-/// What it costs that strong photos have no panel.
+/// Returns the cost of strong photos without a panel.
 fn missing(chosen: &[usize], photos: &Photos) -> f64 {
     let cost = |wanted: &dyn Fn(usize) -> bool, most: f64| {
         let there = photos.drawn.iter().filter(|&&photo| wanted(photo)).count();

@@ -24,9 +24,9 @@ const VEHICLES: [&str; 8] = ["bicycle", "car", "motorcycle", "airplane", "bus", 
 const SURE: f64 = 0.78;
 /// Labels that detectors give to pages of text and to screenshots.
 const SCREENS: [&str; 7] = ["cell phone", "tv", "laptop", "remote", "book", "keyboard", "refrigerator"];
-/// What a person or an animal has to be worth for a photo to be of it, and not of the place that it passes through.
+/// Minimum value of a person or an animal that makes a photo a photo of people or animals.
 const ALIVE: f64 = 0.3;
-/// What a second and a third face are worth each.
+/// Bonus of the second and of the third face.
 const GROUP: f64 = 0.06;
 /// The part of a photo that lettering covers on a document, and on a photo of a sign.
 const TEXT: f64 = 0.04;
@@ -46,22 +46,22 @@ pub struct Prepared {
     pub(super) sketches: Vec<(Crop, f64)>,
     /// Its subjects, faces first.
     pub(super) marks: Vec<Mark>,
-    /// How much people care about what it shows: 0 for nothing, 1 for a face, more for a group.
+    /// Interest of the subjects: 0 for none, 1 for a face, more for a group.
     pub(super) care: f64,
-    /// What it shows.
+    /// The kind of photo.
     pub(super) kind: Kind,
     /// What its tones have to offer, 0 to 1.
     pub(super) tonal: f64,
 }
 
-/// What a photo shows, as far as plans have rules for it.
+/// Kind of photo. Each kind has rules in the plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// People or animals.
     Alive,
     /// Things, and scenes with something to see.
     Scene,
-    /// Hardly anything: sky, a wall, a sign.
+    /// Sky, a wall or a sign.
     Bare,
     /// A page of text: a letter, a receipt, a screenshot.
     Document,
@@ -122,7 +122,7 @@ pub fn is_document(photo: &PhotoMeta) -> bool {
     care(photo).1 == Kind::Document
 }
 
-/// How much people care about what a photo shows, and what that is.
+/// Returns the interest of a photo, and its kind.
 fn care(photo: &PhotoMeta) -> (f64, Kind) {
     let subjects: Vec<_> = photo.marked().filter(|s| is_sound(s)).collect();
     let side = |s: &Subject| (s.width * s.height).sqrt();
@@ -168,7 +168,7 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
         let second = (0..shares.len()).filter(|&at| at != first).map(|at| shares[at]).fold(0.0, f64::max);
         (shares[first] + second, f64::from(facts.edges[1]) / 255.0, f64::from(facts.chroma))
     });
-    // Of a screenshot or a receipt, detectors say that it is all a phone or a television.
+    // Detectors report screenshots and receipts as a phone or television that fills the photo.
     let is_screen = |s: &Subject| SCREENS.contains(&s.label.as_str()) && side(s) > 0.95;
     let printed = text >= TEXT && lettering().count() > 1 && flat >= FLAT;
     if printed || subjects.iter().any(|s| is_screen(s)) {

@@ -1,8 +1,8 @@
-//! Whose turn it is: photos that recent pages did not show come before others, so that each photo has its page.
+//! Turns: photos that recent pages did not show come first, so that each photo appears.
 
 use crate::framing::PhotoMeta;
 
-/// Pages that are looked back at.
+/// Number of recent pages that count.
 pub const PAGES: usize = 24;
 /// Panels of a usual page: as many photos have their turn at once.
 const A_PAGE: f64 = 5.0;
@@ -16,7 +16,7 @@ const JUST_SHOWN: [f64; 2] = [0.25, 0.1];
 /// What the photos that led the last pages lose as leads, the last page first.
 const JUST_LED: [f64; 3] = [0.5, 0.3, 0.15];
 
-/// What recent pages showed of the photos of a plan.
+/// Turns of the photos of a plan.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Turns {
     /// For each photo: pages since it was shown, or all pages if it was not.

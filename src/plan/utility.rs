@@ -64,8 +64,7 @@ pub struct Look {
 }
 
 impl Look {
-    /// Looks at a crop that holds `energy` of the photo. `close`: it is a close look at one of the faces, so that the others may be
-    /// outside.
+    /// Looks at a crop that holds `energy` of the photo. In a `close` crop, other faces may lie outside.
     #[must_use]
     pub fn at(slot: &Slot, prepared: &Prepared, crop: &Crop, energy: f64, close: bool) -> Self {
         let target = &slot.target;
@@ -98,7 +97,7 @@ impl Look {
                 if bare > 0.8 {
                     faces.push(inner.height * slot.bounds.height);
                 }
-                // A face that lies all outside is a body without a head, or a friend left out; a passer-by may be left out.
+                // Only the face of a passer-by may lie outside.
                 let main = mark.bare.height >= OF_THE_GROUP * tallest;
                 let missed = main && !close;
                 let cut = in_one < FACE_CUT.1 && (missed || bare > FACE_CUT.0 || under_others(slot, inner));
@@ -135,7 +134,7 @@ impl Look {
         look.dull = if slot.merged { (0.6 - prepared.care).max(0.0) } else { 0.0 };
         look.split = if total > 0.0 { split / total } else { 0.0 };
         if look.near {
-            // Of a photo that another panel shows as a whole, the one face is all that there is to see.
+            // Another panel shows the complete photo, so only the face counts.
             look.cover = 1.0;
         }
         look.strip = !look.near
