@@ -106,7 +106,7 @@ impl<'p> Planning<'p> {
         Self { project, photos, taste: Taste::default(), recent: Vec::new() }
     }
 
-    /// Remembers the other pages of the storyboard, and the pages that were shown before in the place of the present one.
+    /// Adds the other pages of the storyboard and the earlier versions of the current page to the memory.
     #[must_use]
     pub fn with_memory(mut self, history: &History) -> Self {
         let others = self.project.others.iter().map(|sheet| &*sheet.page);
@@ -329,7 +329,7 @@ pub fn planned_of(mut request: Request, photos: &[Known]) -> Result<Document> {
     shuffle::planned(&request, &shelf).map(|planned| planned.document)
 }
 
-/// The photos of a page, that of the largest panel first.
+/// Returns the photos of a page. The photo of the largest panel is first.
 #[must_use]
 pub fn seen_on(page: &Document) -> Vec<String> {
     let shares =

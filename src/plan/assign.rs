@@ -131,14 +131,14 @@ impl<'a> Photos<'a> {
         self.prepared(photo).kind
     }
 
-    /// How well a photo leads a page: 1 for the album's best photos, less than 0 for those that are clearly worse.
+    /// Rates a photo as the lead of a page: 1 for the best photos of the album, negative for clearly worse photos.
     #[must_use]
     pub fn lead(&self, photo: usize) -> f64 {
         let gap = (self.top - self.quality[photo] - 0.04).max(0.0);
         (1.0 - gap / GAP).max(-2.0) - self.turns.led(photo)
     }
 
-    /// How much it is the turn of a photo. A page of text has none.
+    /// Returns the turn of a photo, see [`Turns::need`]. Documents take no turns.
     #[must_use]
     pub fn need(&self, photo: usize) -> f64 {
         if self.kind(photo) == Kind::Document { 0.0 } else { self.turns.need(photo) }

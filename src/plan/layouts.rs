@@ -13,15 +13,14 @@ use crate::layout::{self, Template};
 pub const DRAWN: usize = 16;
 /// Most panels that a page gets unless more are asked for.
 pub const USUAL_MOST: usize = 9;
-/// The panels of a page that people like best, and what each panel more or fewer makes of a weight.
+/// Preferred number of panels, and the factor for each panel more or fewer.
 const LIKED_COUNTS: std::ops::RangeInclusive<usize> = 5..=6;
 const OTHER_COUNTS: f64 = 0.4;
-/// The least part of a page that a panel takes: smaller ones can only hold photos of nothing.
+/// Minimum share of the page for a panel of an automatic layout.
 const LEAST_SHARE: f64 = 0.07;
-/// How many times the next panel the largest is on a page with a clear lead, and what other layouts weigh: those whose panel is
-/// nearly so large, and those without a lead.
+/// Factors by the ratio of the largest panel to the next one: at least 1.55, at least 1.3, and below.
 const LEAD: [(f64, f64); 3] = [(1.55, 1.0), (1.3, 0.7), (0.0, 0.35)];
-/// What rectangles weigh next to slants, overlays and panels at the edge of the page.
+/// Factor of layouts that consist of rectangles only.
 const PLAIN: f64 = 0.6;
 /// How far a person's liking may move a weight, either way.
 const MOST_LIKING: f64 = 1.6;
@@ -130,7 +129,7 @@ pub fn draw(wanted: &Wanted, random: &mut Rand64) -> Vec<Drawn> {
     best_first(&ratings).into_iter().take(DRAWN).map(|at| drawn[at].1).collect()
 }
 
-/// How good the panels of a template are: their number, one that leads, and whether they are more than rectangles.
+/// Rates the panels of a template: their number, their lead and their shapes.
 fn shape(template: &Template, wanted: &Wanted) -> f64 {
     let panels = template.panels().len();
     let (least, most) = (*LIKED_COUNTS.start().min(&wanted.photos), *LIKED_COUNTS.end().min(&wanted.photos));
@@ -140,7 +139,7 @@ fn shape(template: &Template, wanted: &Wanted) -> f64 {
     OTHER_COUNTS.powi(off as i32) * lead * if template.is_lively() { 1.0 } else { PLAIN }
 }
 
-/// How many times the next panel the largest is.
+/// Ratio of the largest panel to the next one.
 fn lead(shares: &[f64]) -> f64 {
     let (mut first, mut second) = (0.0, 0.0);
     for &share in shares {
@@ -149,7 +148,7 @@ fn lead(shares: &[f64]) -> f64 {
     first / f64::max(second, 1e-9)
 }
 
-/// Whether chance may take a template: no panel is a stamp.
+/// Whether no panel of a template is too small.
 fn is_roomy(template: &Template, aspect: f64) -> bool {
     template.shares(aspect).iter().all(|share| *share >= LEAST_SHARE - 1e-6)
 }
@@ -165,7 +164,7 @@ pub fn is_within(families: &[String], family: &str) -> bool {
 pub fn weight(family: &str) -> f64 {
     match family {
         "slanted" | "manga" => 1.0,
-        // Of splashes the panels that lead are so large that they come often enough.
+        // Splashes score well because of their large leads.
         "cinema" | "circle" | "splash" => 0.5,
         "mosaic" => 0.7,
         "columns" | "inset" => 0.45,

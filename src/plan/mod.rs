@@ -8,7 +8,7 @@
 //! | [`mod@assign`] | photos to panels, by exact assignment |
 //! | [`layouts`] | the layouts that a page is chosen from |
 //! | [`composer`] | plans made, judged by what is seen, and one drawn by its rank |
-//! | [`turns`] | whose turn it is, by what recent pages showed |
+//! | [`turns`] | photos that wait for a panel |
 //! | [`tones`] | the styles that keep what the photos show |
 //! | [`spread`] | an album cut into pages |
 //!

@@ -16,7 +16,7 @@ const WIDEST: f64 = 3.0;
 const MOST_MARKS: usize = 16;
 /// Fingerprints at this distance or below are of nearly the same picture.
 const NEAR_DUPLICATE: u32 = 10;
-/// So many photos fill any page.
+/// Number of photos that fill any page.
 const MANY: usize = 24;
 /// Labels of vehicles.
 const VEHICLES: [&str; 8] = ["bicycle", "car", "motorcycle", "airplane", "bus", "train", "truck", "boat"];
@@ -46,7 +46,7 @@ pub struct Prepared {
     pub(super) sketches: Vec<(Crop, f64)>,
     /// Its subjects, faces first.
     pub(super) marks: Vec<Mark>,
-    /// Interest of the subjects: 0 for none, 1 for a face, more for a group.
+    /// Interest of the subjects, from 0: a face has 1, a group more.
     pub(super) care: f64,
     /// The kind of photo.
     pub(super) kind: Kind,
@@ -132,7 +132,7 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
         let sure = s.score.clamp(0.0, 1.0).sqrt();
         let size = |full: f64| (side(s) / full).min(1.0);
         sure * match s.label.as_str() {
-            // A face of a sixth of the photo's side is a portrait. A small one that nobody has may be a pattern.
+            // A face of a sixth of the photo's side is a portrait. A small face without a person may be a pattern.
             FACE => {
                 let owned = s.score > SURE || side(s) > 0.12 || people().any(|person| person.surrounds(s));
                 (if owned { 1.0 } else { 0.4 }) * (0.4 + 0.6 * size(0.16))
@@ -184,7 +184,7 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
     (best.max(scene), Kind::Scene)
 }
 
-/// The number of photos that differ and are no pages of text; all if there is nothing else.
+/// Counts the photos that differ from each other and are not documents. Counts all if every photo is a document.
 #[must_use]
 pub fn worth_showing(photos: &[PhotoMeta]) -> usize {
     if photos.len() > MANY {

@@ -6,14 +6,14 @@ use crate::framing::PhotoMeta;
 pub const PAGES: usize = 24;
 /// Panels of a usual page: as many photos have their turn at once.
 const A_PAGE: f64 = 5.0;
-/// Pages after which a photo is overdue, and what each page more counts.
+/// Number of pages after which a photo is overdue, and the bonus per further page.
 const OVERDUE: usize = 8;
 const EACH: f64 = 2.5;
-/// What each page of waiting counts before that.
+/// Bonus per page of waiting before a photo is overdue.
 const WAITING: f64 = 0.15;
-/// What the photos of the last page lose, and of the page before.
+/// Cost of a photo on the last page, and on the page before.
 const JUST_SHOWN: [f64; 2] = [0.25, 0.1];
-/// What the photos that led the last pages lose as leads, the last page first.
+/// Cost of a lead of the last pages, the last page first.
 const JUST_LED: [f64; 3] = [0.5, 0.3, 0.15];
 
 /// Turns of the photos of a plan.
@@ -21,7 +21,7 @@ const JUST_LED: [f64; 3] = [0.5, 0.3, 0.15];
 pub struct Turns {
     /// For each photo: pages since it was shown, or all pages if it was not.
     since: Vec<usize>,
-    /// For each photo: what it loses as a lead.
+    /// For each photo: its cost as a lead.
     led: Vec<f64>,
     /// Pages until each photo can have been shown once.
     cycle: usize,
@@ -58,7 +58,7 @@ impl Turns {
         waited + EACH * (since + 1).saturating_sub(OVERDUE) as f64 - lately
     }
 
-    /// What a photo loses as the lead of a page because it led a page just now.
+    /// Returns the cost of a photo as a lead, because it led a recent page.
     #[must_use]
     pub fn led(&self, photo: usize) -> f64 {
         self.led.get(photo).copied().unwrap_or(0.0)

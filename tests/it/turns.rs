@@ -1,4 +1,4 @@
-//! What automatic pages show: people before things, each photo in its turn, and no page of text.
+//! Choice of photos for automatic pages: people before things, each photo in its turn, no documents.
 
 use inkpanel::document::planning::seen_on;
 use inkpanel::framing::{FACE, LETTERING, PhotoMeta, Subject};
@@ -100,7 +100,7 @@ fn only_dates_and_the_user_give_photos_an_order() {
             .filter(|&seed| {
                 let page = plan(&Request { seed, ..request.clone() }).unwrap();
                 let all = shown(&page);
-                // A close look at a face stands by itself.
+                // A photo with a close crop has two places.
                 let once = |id: &&String| all.iter().filter(|other| other == id).count() == 1;
                 all.iter().filter(once).collect::<Vec<_>>().is_sorted()
             })

@@ -123,7 +123,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     });
   });
 
-  /** The photos in use that no page has shown yet, and why; none until there is a page. */
+  /** The photos in use that no page has shown yet, and why. Empty until there is a page. */
   const unseen: ReadonlySignal<ReadonlyMap<string, Unseen>> = computed(() => {
     const { shown } = history.value;
     if (!planner.value || !page.value || reading.value || shown.length === 0) return new Map();
