@@ -47,7 +47,7 @@ fn named(arguments: &[OsString]) -> Option<PathBuf> {
     None
 }
 
-/// Reads JSON from a file that ends so, else TOML.
+/// Reads JSON from a file with this extension, otherwise TOML.
 fn read(file: &Path) -> Result<Map<String, Value>, Complaint> {
     let about = std::fs::metadata(file).map_err(|error| error.to_string())?;
     if about.len() > MOST {
@@ -66,7 +66,8 @@ fn read(file: &Path) -> Result<Map<String, Value>, Complaint> {
     }
 }
 
-/// Settings as options of the command, but for those that were `said` already, and the files among them.
+/// Converts settings to options, except options that were already `said`, and lists the files in the
+/// settings.
 fn options(
     settings: Map<String, Value>,
     command: &Command,

@@ -44,8 +44,8 @@ pub(crate) fn load_segmenter(folder: Option<&Path>) -> Result<Segmenter, Complai
     Segmenter::new(&onnx).map_err(|error| format!("subject.onnx: {error}"))
 }
 
-/// `models` beside the program, `www/models` above the working folder, then that of the checkout which the program
-/// was built from.
+/// Searches `models` next to the program, `www/models` in the working folder, then `www/models` in the
+/// checkout of the build.
 fn find() -> Option<PathBuf> {
     let beside = std::env::current_exe().ok().and_then(|program| Some(program.parent()?.join("models")));
     let here = std::env::current_dir().unwrap_or_default();

@@ -112,7 +112,7 @@ pub(crate) struct Means<'p> {
     pub(crate) enlarges: bool,
 }
 
-/// A page as it is drawn, with its photos. Each panel whose photo is enlarged is told.
+/// A page as it is drawn, with its photos. Upscaled photos are reported.
 fn prepared(document: &Document, means: &Means<'_>) -> Result<(Document, native::Photos), Complaint> {
     let photos = decoded(document, means)?;
     let mut page = document.clone();

@@ -18,7 +18,7 @@ use crate::{Complaint, telling};
 const ACROSS: usize = 640;
 /// A film of more frames is looked at less often.
 const MOST_LOOKS: f64 = 20_000.0;
-/// Seconds by which the frames of a complete video may end before the duration in its header.
+/// Tolerance in seconds between the last frame of a complete video and the duration in its header.
 const SLACK: f64 = 0.5;
 /// Maximum length of the messages of ffmpeg that are read, in bytes.
 const MOST_MESSAGES: u64 = 1 << 16;

@@ -51,13 +51,13 @@ mod _inkpanel {
     }
 }
 
-/// Anything that is JSON as what Python makes of it.
+/// Converts a value to JSON and then to Python.
 fn json_to_python(py: Python<'_>, value: &impl serde::Serialize) -> PyResult<Py<PyAny>> {
     let text = serde_json::to_string(value).map_err(|error| failure::Failure::fault(&error.to_string()))?;
     python_of(py, &text)
 }
 
-/// What Python makes of a text of JSON.
+/// Converts JSON text to Python.
 fn python_of(py: Python<'_>, json: &str) -> PyResult<Py<PyAny>> {
     Ok(py.import("json")?.call_method1("loads", (json,))?.unbind())
 }

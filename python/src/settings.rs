@@ -51,7 +51,7 @@ pub(crate) fn style_of(value: &Value) -> Done<Style> {
 struct Told(Map<String, Value>);
 
 impl Told {
-    /// What is told under a name; null is as good as nothing.
+    /// Takes a setting by name. Null counts as missing.
     fn take<T: DeserializeOwned>(&mut self, name: &str) -> Done<Option<T>> {
         match self.0.remove(name) {
             None | Some(Value::Null) => Ok(None),

@@ -143,8 +143,8 @@ fn stops(clip: &Clip) -> &[Stop] {
     clip.reading.as_ref().map_or(&[], |Reading { stops, .. }| stops)
 }
 
-/// How many panels move in the film that the page makes: those of films, but where a figure steps out, one photo goes across panels,
-/// or the style draws subjects apart.
+/// Number of panels that are animated in videos of the app: video frames without breakout, merge, or a style
+/// with separate subjects.
 fn moving(saved: &Saved, pages: &[Document]) -> Result<usize, Complaint> {
     let mut count = 0;
     for page in pages {

@@ -36,7 +36,7 @@ pub(super) struct Step {
     pub(super) event: Value,
 }
 
-/// What a frame shows. Frames that show the same are made once.
+/// Content of a frame. Frames that show the same are made once.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Look {
     under: Shown,
@@ -66,7 +66,7 @@ impl Reel<'_> {
         Ok(())
     }
 
-    /// What is to be made, each with the frames that show it.
+    /// Distinct contents, each with its frames.
     fn looks(&self, frames: Range<u32>) -> Vec<(Look, Vec<u32>)> {
         let mut looks: Vec<(Look, Vec<u32>)> = Vec::new();
         for frame in frames.filter(|frame| !(self.skips && self.output(*frame).exists())) {

@@ -81,7 +81,7 @@ impl Shots {
         Ok(Drawn::Shot(picture, self.caption(&self.plan.clips[clip])?))
     }
 
-    /// The caption of a clip, where it has one, in its place of a frame.
+    /// The caption of a clip, if any, at its position in the frame.
     fn caption(&self, clip: &Clip) -> Result<Option<Patch>, Complaint> {
         if clip.caption.is_null() {
             return Ok(None);
@@ -97,7 +97,7 @@ impl Shots {
     }
 }
 
-/// What is asked of a project's shots.
+/// The request for a project's shots.
 fn request(saved: &Saved, asked: &Animate, photos: &[ShotPhoto]) -> Result<Request, Complaint> {
     let found = reopening::known(saved);
     let aspect = f64::from(asked.size[0]) / f64::from(asked.size[1]);

@@ -21,7 +21,7 @@ use std::sync::Arc;
 /// Photos that were read and measured. It can make any number of pages.
 pub struct Album {
     photos: Arc<[Photo]>,
-    /// Those that could be read, with their places in the list that was given.
+    /// Readable photos, with their places in the input list.
     read: Vec<(usize, Imported)>,
     fonts: GivenFonts,
     notes: Vec<String>,

@@ -12,7 +12,7 @@ import type { PageDocument } from '../engine/types.ts';
 import type { PhotoMeta } from '../engine/types.ts';
 
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
-/** Photos are looked at one after the other: crops follow when nothing was found for so long, in ms. */
+/** Time in ms without new detections until crops are updated. */
 const REST = 400;
 
 /** @param app `later` runs what can wait, when nothing else is to be done */

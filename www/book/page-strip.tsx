@@ -14,7 +14,7 @@ import { PageThumb } from './page-thumb.tsx';
 import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 
-/** From so many photos on no page they are worth an offer. */
+/** Minimum number of unplaced photos for an offer. */
 const MANY = 4;
 
 export function PageStrip() {
@@ -75,7 +75,7 @@ function Several() {
   );
 }
 
-/** What can be done to the page among the others. */
+/** Actions of the page in the storyboard. */
 function Tools() {
   const { earlier, later, remove, styleAll } = useApp().actions.book;
   return (

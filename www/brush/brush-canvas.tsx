@@ -73,7 +73,7 @@ function Overlay({ retouching }: { retouching: Retouching }) {
   return <canvas ref={canvas} class="brush-mask" width={width} height={height} aria-hidden="true" />;
 }
 
-/** What the brush would paint. */
+/** Outline of the brush. */
 function Ring({ retouching }: { retouching: Retouching }) {
   const { at, size, tool, width, height } = retouching;
   const style = useComputed(() => {
@@ -122,7 +122,7 @@ function pressed(event: KeyboardEvent, retouching: Retouching) {
   deed();
 }
 
-/** @returns what a key does there; none for one that does nothing */
+/** @returns the action of a key; undefined for other keys */
 function deedOf(key: string, retouching: Retouching): (() => void) | undefined {
   switch (key.toLowerCase()) {
     case ' ':

@@ -90,7 +90,7 @@ function Told({ retouching }: { retouching: Retouching }) {
   );
 }
 
-/** Steps of the slider go by the logarithm: a small brush is told as finely as a large one. */
+/** The slider is logarithmic, so that small sizes can be set precisely. */
 function Size({ retouching }: { retouching: Retouching }) {
   const radius = retouching.size.value;
   const place = Math.log(radius / SIZES.least) / Math.log(SIZES.most / SIZES.least);

@@ -15,9 +15,9 @@ export type Point = { x: number; y: number };
 export const TOOLS: readonly Tool[] = ['add', 'take', 'choose'];
 /** Radii of the brush, in photo widths. */
 export const SIZES = { least: 0.005, most: 0.2, first: 0.04 };
-/** What a key makes the brush larger by. */
+/** Factor of the brush size per key press. */
 const SIZE_STEP = 1.25;
-/** What an arrow moves the brush by, and with Shift, in photo widths. */
+/** Distance per arrow key in photo widths, and with Shift. */
 const STEP = 0.02;
 const LARGE_STEP = 0.1;
 

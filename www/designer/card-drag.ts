@@ -11,15 +11,15 @@ import type { Layer, Place } from '../engine/types.ts';
 
 /** A card by its place, or a block of the palette by its id. */
 export type Source = { from: Place; block?: undefined } | { from?: undefined; block: string };
-/** what is carried, before which card it would land, and where the pointer is */
+/** the dragged item, its insert position, and the position of the pointer */
 type Carried = Source & { gap: Place | null; x: number; y: number };
 export type CardDrag = ReturnType<typeof useCardDrag>;
 
-/** What a shaking hand moves, in CSS pixels. */
+/** Tolerance for unsteady hands, in CSS pixels. */
 const SLACK = 5;
 /** Milliseconds that a finger stays on a block before it is lifted from the palette. */
 const HOLD = 300;
-/** How near to an edge the lanes scroll, and how fast at most, in CSS pixels a frame. */
+/** Distance from an edge at which the lanes scroll, and maximum speed in CSS pixels per frame. */
 const EDGE = 56;
 const SPEED = 12;
 
@@ -135,7 +135,7 @@ export function useCardDrag(onDrop: (source: Source, to: Place) => void) {
   return { carried, take, cancel };
 }
 
-/** @returns where a card that is let go there belongs; nowhere outside of the lanes */
+/** @returns insert position of a drop; null outside of the lanes */
 function gapAt(lanes: Element, x: number, y: number): Place | null {
   const inside = (element: Element) => {
     const { left, right, top, bottom } = element.getBoundingClientRect();

@@ -13,7 +13,7 @@ import { Parameter } from './parameter.tsx';
 import { WhereChoice } from './where-choice.tsx';
 import type { BlockParam, DraftStep, Layer, Misfit } from '../engine/types.ts';
 
-/** The choice of colours of one's own. */
+/** The entry for custom colours. */
 const OWN = 'own';
 
 /** @param props `marked`: a dragged card would land on that side of it */

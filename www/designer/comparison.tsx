@@ -14,7 +14,7 @@ import type { Style } from '../engine/types.ts';
 import type { Subject } from './preview-subjects.ts';
 import type { Signal } from '@preact/signals';
 
-/** What the arrow keys and the page keys move the divider by. */
+/** Steps of the divider for arrow keys and page keys. */
 const STEPS: Record<string, number> = {
   ArrowLeft: -0.02,
   ArrowDown: -0.02,

@@ -55,7 +55,7 @@ export function createDesigner({
     shown,
     onPage,
     place,
-    /** What the preview shows. */
+    /** Content of the preview. */
     preview: signal('photo') as Signal<'photo' | 'page'>,
     /** Names a layer, to whose end blocks go then. */
     turnTo(layer: Layer) {

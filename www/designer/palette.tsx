@@ -19,7 +19,7 @@ import type { CardDrag } from './card-drag.ts';
 import type { Block, DraftFacts, Layer, ParamValue, Style } from '../engine/types.ts';
 
 const SIZE = { width: 132, height: 99 };
-/** What a picture shows of the blocks whose usual values do nothing. */
+/** Example values for blocks whose default values have no effect. */
 const TELLING: Record<string, Record<string, ParamValue>> = {
   hue: { angle: 90 },
   size: { percent: 20 },
@@ -154,7 +154,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
   );
 }
 
-/** @returns those whose names have the words first, then those that are explained with them */
+/** @returns blocks with the words in their names first, then in their descriptions */
 function search(blocks: readonly Block[], words: string): Block[] {
   const wanted = words.toLowerCase().split(/\s+/);
   const has = (text: string) => wanted.every((word) => text.toLowerCase().includes(word));
@@ -167,7 +167,7 @@ function search(blocks: readonly Block[], words: string): Block[] {
   ];
 }
 
-/** The layer as far as there, with the block behind, by itself. */
+/** A style of the layer up to that point and the block. */
 function styleWith(facts: DraftFacts, layer: Layer, block: Block): Style {
   const before = facts[layer].brings[block.id];
   const steps = [

@@ -138,7 +138,7 @@ function Range({
   );
 }
 
-/** To the digits of the step, finer where a person types finer: a number that a style file would hold. */
+/** Rounds to the digits of the step, or to more digits if the user types them. */
 function rounded(value: number, step: number) {
   if (Number.isInteger(step)) return Math.round(value);
   const digits = (String(step).split('.')[1] ?? '').length + 1;

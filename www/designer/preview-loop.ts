@@ -11,7 +11,7 @@ import type { Subject } from './preview-subjects.ts';
 /** `full`: the width of the preview on the screen */
 type Wish = { style: Style; width: number; height: number; full: number };
 
-/** The hand rests when nothing changed for so long, in ms. */
+/** Time in ms without changes until full-size images are drawn. */
 const REST = 140;
 /** Pictures on their way at once. */
 const AHEAD = 2;

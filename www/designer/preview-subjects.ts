@@ -28,7 +28,7 @@ export type Subject = {
   drawWhole: (style: Style, size: Size, call?: Call) => Promise<Picture>;
 };
 
-/** A live preview has at least so many pixels on its long and its short side. */
+/** Minimum size of a live preview in pixels, on its long and its short side. */
 const LIVE = { long: 960, short: 540 };
 /** The long side of the copy of a photo that is drawn from. */
 const WORK = 1600;
@@ -77,8 +77,8 @@ export function pageSubject(engine: Drawing, of: string, page: PageDocument, car
 }
 
 /**
- * Covers 960 x 540, either way up, or half of it for one of several, also where the photo has less: lines are then as
- * fine as on a large one.
+ * Covers 960 x 540 in either orientation, or half of it for one of several previews, even if the photo is smaller.
+ * Lines are then as fine as on a large photo.
  */
 function liveSize({ width, height }: Size, small: boolean): Size {
   const [long, short] = [Math.max(width, height), Math.min(width, height)];

@@ -7,7 +7,7 @@ import { ChosenFiles, JSON_FILES } from '../photos/chosen-files.tsx';
 import { useApp } from '../ui/context.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 
-/** Entries of `Start from` that are no style. */
+/** Entries of `Start from` that are not styles. */
 const [EMPTY, PAGE] = ['#empty', '#page'];
 
 export function StyleBar() {

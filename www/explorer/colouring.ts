@@ -29,7 +29,7 @@ function none(): StyleStep[] {
   return [];
 }
 
-/** Everything in one colour, in which black is a deep ink of its own. */
+/** Everything in one colour; black becomes a dark ink. */
 function oneInk(hue: number, turn: number, gray: boolean): StyleStep[] {
   return [
     ...(gray ? [] : [{ block: 'to_gray' }]),
@@ -70,7 +70,7 @@ function tint(hue: number, strength: number): StyleStep {
   return { block: 'hue', red, green, blue };
 }
 
-/** One of so many steps from `least` to `most`. */
+/** One of `count` steps from `least` to `most`. */
 function spread(turn: number, count: number, least: number, most: number): number {
   const at = (turn * 2) % count;
   return Number((least + ((most - least) * at) / (count - 1)).toFixed(2));

@@ -9,7 +9,7 @@ export type Hue = (typeof HUES)[number];
 export const LIGHTNESSES = ['dark', 'middle', 'light'] as const;
 export type Lightness = (typeof LIGHTNESSES)[number];
 
-/** Where each hue of the wheel ends, in degrees of Oklab; pink goes over 360 to where red begins. */
+/** End of each hue on the colour wheel, in degrees of Oklab. Pink continues past 360 to the start of red. */
 const ENDS: readonly [Hue, number][] = [
   ['pink', 10],
   ['red', 42],
@@ -52,7 +52,7 @@ export function coloursOf(signature: Uint8Array): { hue: Hue; lightness: Lightne
   };
 }
 
-/** Of sRGB in bytes, after Ottosson. */
+/** Converts sRGB bytes to Oklab, after Ottosson. */
 function oklab(red: number, green: number, blue: number): [number, number, number] {
   const [r, g, b] = [red, green, blue].map((byte) => {
     const value = byte / 255;

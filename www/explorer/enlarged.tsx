@@ -13,9 +13,9 @@ import type { Item, Photo } from './explorer.ts';
 
 /** The long side of the copy of a photo that is drawn from: there is no more to see. */
 const MOST = 1600;
-/** What the arrow keys go on by. */
+/** Steps for arrow keys. */
 const STEPS: Record<string, number> = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 };
-/** What a finger moves over the picture to go on, in CSS pixels. */
+/** Minimum distance of a swipe, in CSS pixels. */
 const SWIPE = 48;
 
 export function Enlarged({ fact, photo }: { fact: Shown; photo: Photo }) {
@@ -131,7 +131,7 @@ function View({
   );
 }
 
-/** With its name where there is room. */
+/** A tool, with its name if there is space. */
 function Tool({
   icon,
   label,

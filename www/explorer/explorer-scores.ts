@@ -14,9 +14,9 @@ import type { ReadonlySignal, Signal } from '@preact/signals';
 
 /** Without the net no other style can be judged. */
 const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
-/** What scores may wait before they are shown, in milliseconds: figures that change all the time cannot be read. */
+/** Maximum delay of new scores in milliseconds, because scores that change constantly cannot be read. */
 const REST = 1200;
-/** What the net gives to pictures that nobody wants and to the very best, out of 1 to 10: it goes no further. */
+/** Practical range of the model's ratings from 1 to 10. */
 const [WORST, BEST] = [2.5, 6.5];
 
 /** @param app not `wanted`, the net is not asked */

@@ -23,7 +23,7 @@ import type { VNode } from 'preact';
 
 /** The size that thumbnails cover, in CSS pixels. */
 const SIZE = { width: 160, height: 120 };
-/** What a larger view covers at most, in CSS pixels. */
+/** Maximum size of a large view, in CSS pixels. */
 const LARGER = { width: 440, height: 380 };
 /** Milliseconds that one stays with a style before it is seen larger: the wall itself is to be looked at. */
 const REST = 500;
@@ -96,7 +96,7 @@ export function Explorer() {
   );
 }
 
-/** The photo that styles are tried on: the one that was chosen, else that of all thumbnails. */
+/** The photo of the wall: the chosen one, or the photo of all thumbnails. */
 function useChosen(facts: readonly Shown[]): Shown | null {
   const { explorer } = useApp();
   const hero = useHero();

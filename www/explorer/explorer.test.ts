@@ -8,7 +8,7 @@ import { fakeApp } from '../document/testing.ts';
 const PHOTO = { id: 'p1', width: 160, height: 120 };
 const OTHER = { id: 'p2', width: 160, height: 120 };
 
-/** What a style looks like, here: its seed in the signature, further apart than what is alike. */
+/** The test look of a style: its seed in the signature, with distances above the similarity limit. */
 const looks = (style: any) => ({
   score: (style.seed % 100) / 100,
   novelty: 1,

@@ -16,14 +16,16 @@ type Tried = { id: string; width: number; height: number };
 /** The longer side of a picture that is judged, and the photos that each style is judged on. */
 const SIDE = 448;
 const PHOTOS = 3;
-/** Styles that are kept ready, tried at a time, and tried at most for a page: some photos look good in few. */
+/**
+ * Number of cached styles, of styles per test, and of tested styles per page. For some photos only few styles are good.
+ */
 const READY = 6;
 const PARCEL = 4;
 const TRIES = 48;
 /** The least a style must be worth, from 0 to 1 by simple measures, and from 1 to 10 by the net. */
 const LEAST = 0.5;
 const LEAST_JUDGED = 4.5;
-/** Milliseconds after the last change for which nobody is going from page to page. */
+/** Time in milliseconds after the last page change until work begins. */
 const CALM = 3000;
 
 /** @param app `idle`: whether no other task is running; `judged`: whether to use the aesthetics model */

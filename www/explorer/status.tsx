@@ -39,7 +39,7 @@ function UnderWay() {
   );
 }
 
-/** What breeding waits for, what came of it, or how many styles there are. */
+/** The state of the combination, its result, or the number of styles. */
 function Hint() {
   const { explorer } = useApp();
   const { parent, lastParents, unsorted } = explorer;

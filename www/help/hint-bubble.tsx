@@ -8,7 +8,7 @@ import { placeHint } from './hint-place.ts';
 import type { Hint } from './hints.ts';
 import type { Place, Side } from './hint-place.ts';
 
-/** So long the pointer rests on a panel, in ms, before it is meant. */
+/** Time in ms that the pointer must rest on a panel. */
 const REST = 500;
 const CONTROLS = 'button, select, summary, textarea, a[href], input:not([type=file]), [role=slider], [role=option]';
 
@@ -115,7 +115,7 @@ function anchorOf(hint: Hint, panel: number): Element | null {
   return document.querySelector(hint === 'shuffle' ? '.shuffle' : '.part-lock');
 }
 
-/** Tells of the panel that a mouse rests on, as long as that matters. */
+/** Reports the panel under a resting mouse, while hints need it. */
 function usePointedPanel() {
   const { hints } = useApp();
   const watches = hints.watches.value;

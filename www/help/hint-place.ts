@@ -5,15 +5,15 @@ export type Side = 'above' | 'below' | 'after' | 'before';
 /** `x` and `y`: its corner; `tail`: where along its edge it points, in pixels from the corner */
 export type Place = { x: number; y: number; side: Side; tail: number | null };
 
-/** Room between it and what it is about, for its tail; farther away where controls are in between, and without a tail. */
+/** Distances from the subject, with space for the tail. Larger ones skip controls in between, without a tail. */
 const GAPS = [12, 64, 116, 168, 220, 260, 300];
 /** Room at the edges of the window. */
 const EDGE = 8;
-/** Between two places that are tried where there is none beside it. */
+/** Distance between candidate positions if there is no position next to the subject. */
 const STEP = 16;
-/** Its tail does not stand on its round corners. */
+/** Minimum distance of the tail from the round corners. */
 const ROUND = 20;
-/** Where it begins along the edge of what it is about, as parts of its own length: centred first. */
+/** Candidate offsets along the edge of the subject, as shares of the hint's length: centred first. */
 const SHIFTS = [0.5, 0.25, 0.75, 0.1, 0.9];
 
 /**
@@ -48,7 +48,7 @@ export function placeHint(
   return clear(controls) ?? clear(middles) ?? clear([...middles, ...messages], anywhere(anchor, size, room)) ?? null;
 }
 
-/** Where what it is about leaves no room beside it: all over the room, the nearest to its foot first. */
+/** Candidates without space next to the subject: anywhere, the closest to its lower edge first. */
 function anywhere(anchor: Box, { width, height }: { width: number; height: number }, room: Box): Place[] {
   const places: Place[] = [];
   for (let y = room.top + EDGE; y + height <= room.top + room.height - EDGE; y += STEP)

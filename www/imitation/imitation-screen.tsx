@@ -107,7 +107,7 @@ function ChoosePicture({ strong }: { strong: boolean }) {
   );
 }
 
-/** The picture as the browser shows it; what it cannot show is told by its name. */
+/** The picture in the browser. If it cannot be shown, its file name appears. */
 function Original() {
   const { picture } = useApp().imitation;
   const shown = picture.value;
@@ -202,7 +202,7 @@ function Proposal({ style, fact }: { style: Style; fact: Shown }) {
   );
 }
 
-/** @returns the size of a photo whose long side covers so many CSS pixels */
+/** @returns the size of a photo whose long side covers `side` CSS pixels */
 function sized({ meta: { width, height } }: Shown, side: number) {
   const factor = Math.min(screenPixels(side), MOST) / Math.max(width, height);
   return { width: Math.max(1, Math.round(width * factor)), height: Math.max(1, Math.round(height * factor)) };

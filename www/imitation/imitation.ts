@@ -16,7 +16,7 @@ import type { Messages } from '../ui/messages.ts';
 export type Imitation = ReturnType<typeof createImitation>;
 type Picture = { name: string; file: Blob };
 
-/** What begins the ids under which pictures are known to the engine; no photo of an album has one. */
+/** Prefix of picture ids in the engine, which differ from photo ids. */
 const ID = 'imitated-picture';
 
 export function createImitation({

@@ -114,7 +114,7 @@ export function LayoutsList() {
   );
 }
 
-/** The layout of the page where the list does not have it: a surprise, or one changed by hand. */
+/** The layout of the page if it is not in the list: a random layout, or a manually changed one. */
 function useCurrent(layouts: readonly LayoutEntry[]): LayoutEntry | null {
   const { store } = useApp();
   const layout = store.page.value?.layout;

@@ -16,7 +16,7 @@ export type OwnLayouts = ReturnType<typeof createOwnLayouts>;
 
 /** More would make the list long and the storage full; the oldest go. */
 const MOST = 200;
-/** No layout file is longer, in bytes; the core says so too, but only after all of it was read. */
+/** Maximum size of a layout file in bytes. The core has the same limit, but checks it after reading the file. */
 const LONGEST = 256 * 1024;
 
 export function createOwnLayouts({ store, pages, messages }: { store: Store; pages: Pages; messages: Messages }) {

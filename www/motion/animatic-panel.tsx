@@ -163,7 +163,7 @@ function Check({ on, set, label }: { on: boolean; set: (on: boolean) => void; la
   );
 }
 
-/** The plan of what is asked for, anew when the choices or the shots change. The kind of file changes it for GIF alone. */
+/** The current plan, updated when options or shots change. The file type matters only for GIF. */
 function usePlan(wish: AnimaticWish): { planned: Planned | null; failed: string | null } {
   const { animatics, boards, store } = useApp();
   const [state, setState] = useState({ planned: null as Planned | null, failed: null as string | null });

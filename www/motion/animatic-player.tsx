@@ -12,9 +12,12 @@ import type { Drawn, DrawnLoop } from './frames.ts';
 
 /** Pixels of the longer side of the preview at most. */
 const MOST = 1280;
-/** Films that are taller stand in a screen of this aspect, as a window is wider than tall. */
+/** Minimum aspect ratio of the player. Taller videos have borders, because windows are wide. */
 const LEAST_ASPECT = 1.2;
-/** Clips whose pictures are kept at once: those of a dissolve, the next one, and some to go back to; fewer where panels move. */
+/**
+ * Number of clips with cached images: both clips of a dissolve, the next one, and some previous ones. Fewer with
+ * animated panels.
+ */
 const KEPT = 6;
 const KEPT_LIVING = 2;
 
@@ -214,7 +217,7 @@ function createReel(
     if (!signal.aborted) canvas.dataset.moving = String(drawn.get(clip)?.loops?.length ?? 0);
   }
 
-  /** Of more than are kept, those farthest from what is shown. */
+  /** Frees the cached clips that are farthest from the current one. */
   function forget() {
     const [here] = clipsOf(frameAt(table, current));
     const far = [...drawn.keys()].sort((a, b) => Math.abs(b - here) - Math.abs(a - here));

@@ -56,7 +56,7 @@ export const USUAL: AnimaticWish = {
   sound: null,
 };
 
-/** Frames a second of pages; those of shots are counted as the board counts them. */
+/** Frames per second of pages; shots use the rate of the storyboard. */
 const PAGES_FPS = 24;
 /** Pixels of all pictures of all panels of a clip that move, in the preview and in a file. */
 const PREVIEW_PIXELS = 16e6;

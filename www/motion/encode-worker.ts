@@ -25,7 +25,7 @@ type Begin = {
   kind: Kind;
   width: number;
   height: number;
-  /** Frames a second. */
+  /** Frames per second. */
   rate: number;
   table: Float32Array;
   sound: Sound | null;
@@ -81,7 +81,7 @@ async function eachFrame(
   }
 }
 
-/** Until the pictures of these clips are here; those of others are forgotten. */
+/** Waits for the images of these clips, and frees the others. */
 async function have(clips: number[]) {
   for (const [clip, drawn] of pictures) {
     if (clips.includes(clip)) continue;

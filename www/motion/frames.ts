@@ -36,7 +36,7 @@ export type Drawn = {
 
 type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
 
-/** What is beside a page, and what veils it. */
+/** Colour around a page, and of the dimming. */
 const GROUND = '#15151a';
 const VEIL = 0.8;
 
@@ -109,7 +109,7 @@ function layer(context: Context, { shown: { view }, drawn, captionWidth, beat, t
   if (!drawn) return;
   const { width, height } = context.canvas;
   const { picture, caption, loops = [], page } = drawn;
-  /** Where a part of the picture is in the frame, in pixels. */
+  /** Bounds of a part of the image in the frame, in pixels. */
   const placed = ({ x, y, width: wide, height: high }: Bounds): [number, number, number, number] => [
     ((x - view.x) / view.width) * width,
     ((y - view.y) / view.height) * height,
@@ -148,7 +148,7 @@ function layer(context: Context, { shown: { view }, drawn, captionWidth, beat, t
   );
 }
 
-/** Paints what lies beside the page. */
+/** Paints the area around the page. */
 function beside(context: Context, [x, y, wide, high]: [number, number, number, number]) {
   const { width, height } = context.canvas;
   context.fillStyle = GROUND;
@@ -158,7 +158,7 @@ function beside(context: Context, [x, y, wide, high]: [number, number, number, n
   context.fill('evenodd');
 }
 
-/** The words that are there by now, and the veil over all but the panel that is read: its own words lie over the veil. */
+/** Draws the visible text, and dims everything except the current panel and its text. */
 function read(
   context: Context,
   { words, panels }: NonNullable<Drawn['page']>,

@@ -15,7 +15,7 @@ export const KINDS: Record<Kind, { ending: string; type: string; codec?: Codec }
  */
 export const GIF = { side: 640, fps: 12, mostSeconds: 60 } as const;
 
-/** Bits a second for each pixel of a frame: lines and flat areas are clean from here on. */
+/** Bits per second for each pixel of a frame. Lines and flat areas are clean from this value on. */
 const BITS_A_PIXEL = 3.6;
 /** Bytes that a GIF file takes for a pixel of a frame: .25 for flat areas to .7 for dots and grain, so that it is off by two thirds at most. */
 const GIF_BYTES_A_PIXEL = 0.45;

@@ -69,7 +69,7 @@ export function createLoops({
     const drawn = new Map<number, DrawnLoop>();
     const inOrder = () => [...drawn].sort(([a], [b]) => a - b).map(([, loop]) => loop);
 
-    /** @param pictures of one panel; a figure steps out of none that moves */
+    /** @param pictures of one panel; animated panels have no breakout */
     async function draw(pictures: number[]) {
       const mine = moving.get(pictures[0]);
       if (mine) {
@@ -103,7 +103,7 @@ export function createLoops({
   }
 }
 
-/** A film that cannot be read any more leaves its panels as they are. */
+/** If a video cannot be read, its panels stay still. */
 function orNone(signal: AbortSignal | undefined) {
   return (error: unknown): BitmapPatch[] => {
     if (signal?.aborted) throw error;
@@ -111,7 +111,7 @@ function orNone(signal: AbortSignal | undefined) {
   };
 }
 
-/** @param b of a figure nobody knows where it is: it may be anywhere */
+/** @param b of a breakout is unknown, and counts as overlapping */
 function overlap(a: Bounds, b: Bounds | undefined): boolean {
   return !b || (a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height);
 }

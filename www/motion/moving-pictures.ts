@@ -11,7 +11,7 @@ import type { createLoops } from './loops.ts';
 
 /** Pixels of all pictures of all panels of a page. */
 const PIXELS = 24e6;
-/** The same where they are encoded without loss, which takes more room. */
+/** Pixel limit for lossless encoding, which needs more space. */
 const LOSSLESS_PIXELS = 12e6;
 const QUALITY = 0.75;
 const FRAME_MS = Math.round(1000 / LIVING.rate);
@@ -19,7 +19,7 @@ const FRAME_MS = Math.round(1000 / LIVING.rate);
 /** A picture that moves; the place in fractions of the page. */
 export type MovingPicture = { place: Bounds; file: Blob };
 
-/** @returns a WebP file of what is on the canvas; of one loop all pictures come in their order */
+/** @returns encodes the canvas as a WebP file; the images of a loop arrive in order */
 type Encoder = (
   canvas: OffscreenCanvas,
   context: OffscreenCanvasRenderingContext2D,
@@ -79,7 +79,7 @@ const lossyFile: Encoder = async (canvas) => {
 
 /**
  * Draws the pictures of a loop one after the other, and encodes each.
- * @param over what lies over it, in paint order: of a panel that moves too its first picture, which is all that is needed of it
+ * @param over the panels above it, in paint order; of animated ones only the first image
  */
 async function filesOf({ place, bitmaps }: DrawnLoop, over: readonly DrawnLoop[], encode: Encoder) {
   const [{ width, height }] = bitmaps;

@@ -14,10 +14,10 @@ const CALM = 2_000;
 const OFTEN = 3600_000;
 /** Milliseconds after which a new version that does not take over is waited for no longer. */
 const PATIENCE = 10_000;
-/** Of the locks by which the worker knows what the open pages are made of. */
+/** Prefix of the locks that tell the worker which build a tab uses. */
 const PAGE_LOCK = 'inkpanel.page ';
 
-/** Where a person may have asked for fewer bytes; browsers that cannot tell lack it. */
+/** The data saver setting; not all browsers have it. */
 type Saving = Navigator & { connection?: { saveData?: boolean } };
 
 /** @param app `script`: the address of the page's own script; `busy` reads signals */

@@ -127,7 +127,7 @@ function kindsOf(from: {
   ].filter(({ options }) => options.length > 0);
 }
 
-/** @returns those whose id no other has */
+/** @returns the styles whose ids are not in `others` */
 function without(styles: readonly Style[], others: readonly Style[]): Style[] {
   return styles.filter(({ id }) => others.every((other) => other.id !== id));
 }

@@ -14,11 +14,11 @@ type Liking = { families: Weights; styles: Weights };
 export type Taste = ReturnType<typeof createTaste>;
 
 const KEY = 'inkpanel.taste';
-/** What one page adds. */
+/** Increase for one page. */
 const [FAMILY, STYLE] = [0.2, 0.35];
-/** What is left of all else with each page that is learnt from: half of it after two dozen. */
+/** Remaining share of older preferences after each page: half after two dozen pages. */
 const DECAY = 0.97;
-/** Five times as often, and no more: whoever likes one thing still wants to be surprised. */
+/** Maximum preference: five times as often, so that there are still surprises. */
 const MOST = 1.6;
 /** Below this nothing is remembered. */
 const LEAST = 0.02;
@@ -112,7 +112,7 @@ function more(weights: Weights, id: string | null, gain: number): Weights {
   return Object.fromEntries([...grown].sort(([, a], [, b]) => b - a).slice(0, COUNT));
 }
 
-/** @returns what is kept; null where storage is refused, or holds nothing that can be read */
+/** @returns the stored preferences; null if storage is blocked or has no valid data */
 function read(box: () => Box): { on: boolean; liking: Liking } | null {
   try {
     const value = JSON.parse(box().getItem(KEY) ?? 'null');

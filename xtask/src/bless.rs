@@ -11,7 +11,7 @@ use crate::project::Project;
 use crate::test::CLI;
 use crate::tools;
 
-/// What is stored together, and who writes it.
+/// Files that are stored together, and the tests that write them.
 struct Topic {
     name: &'static str,
     /// A file of `tests/it/` without its extension, or [`LIBRARY`], and the test in it that writes if `BLESS` is set.
@@ -114,7 +114,7 @@ fn tests(project: &Project, topics: &[&Topic]) -> Command {
     command
 }
 
-/// The same, but of those files only the tests that bless: others in them take minutes.
+/// Limits the command to the tests that bless, because other tests in these files take minutes.
 fn only(mut command: Command, topics: &[&Topic]) -> Command {
     let name = |(file, test): &(&str, &str)| {
         if *file == LIBRARY { (*test).to_owned() } else { format!("{file}::{test}") }

@@ -11,9 +11,8 @@ use flate2::{Compression, write::GzEncoder};
 use crate::letters;
 use crate::project::Project;
 
-/// The most that a module and its script may take, gzipped, in bytes.
-/// The module of exports is no part of the first load; it makes comics, boards, lists of shots and the plans of films beside PDF, JPEG
-/// and WebP.
+/// The most that a module and its script may take, gzipped, in bytes. The exports module is not part of the
+/// first load. It makes PDF, JPEG, WebP, comics, storyboards, edit lists and plans of animatics.
 const BUDGETS: [(&str, &str, usize); 8] = [
     ("core", "pkg", 800_000),
     ("decoders", "pkg-decoders", 330_000),

@@ -11,7 +11,7 @@ use crate::tools::in_path;
 /// Names that Chromium and its kin go by in PATH.
 const NAMES: &[&str] = &["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
 
-/// Names of the same engine without windows, tabs and what else is around a page.
+/// Names of the headless version of the same engine.
 const SHELLS: &[&str] = &["chromium-headless-shell", "chrome-headless-shell"];
 
 /// Places outside PATH.

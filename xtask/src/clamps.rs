@@ -58,7 +58,7 @@ pub fn remove(module: &[u8]) -> Result<(Vec<u8>, usize)> {
     Ok((out, removed))
 }
 
-/// Bytes of the module in place of which others stand.
+/// A replacement of bytes in the module.
 struct Edit {
     range: Range<usize>,
     bytes: &'static [u8],
@@ -113,7 +113,7 @@ fn edits(function: FuncToValidate<ValidatorResources>, body: &FunctionBody<'_>) 
     Ok(edits)
 }
 
-/// What can go where an instruction narrows the operands that two others made.
+/// A possible replacement for an instruction that narrows two operands.
 fn narrowing(
     steps: &[Step<'_>],
     operator: &Operator<'_>,
@@ -147,7 +147,7 @@ fn narrowing(
     }
 }
 
-/// What an instruction saturates to, and the width of the lanes that it takes.
+/// Saturation limits of an instruction, and its lane width.
 #[derive(Clone, Copy)]
 struct Limits {
     bits: u32,
@@ -164,12 +164,12 @@ struct Bound {
     lanes: (i32, i32),
     /// The constant and the instruction.
     range: Range<usize>,
-    /// What made the vector.
+    /// The instruction that made the vector.
     source: Option<usize>,
 }
 
 impl Bound {
-    /// Whether instruction `i` is one, on signed lanes of so many bits.
+    /// The clamp at instruction `i`, if it is one, on signed lanes of `bits` bits.
     fn of(steps: &[Step<'_>], i: usize, bits: u32) -> Option<Self> {
         let step = steps.get(i)?;
         let is_least = match (&step.operator, bits) {

@@ -75,7 +75,7 @@ fn obtain(project: &Project) -> (Vec<String>, Vec<String>) {
     (folders, missing)
 }
 
-/// Fetches and unpacks the package; nothing is installed, so nobody has to be root.
+/// Downloads and unpacks the package without installing it, so root is not necessary.
 fn debian(target: &Path) -> Result<PathBuf> {
     let folder = target.join(DEBIAN);
     let images = folder.join(DEBIAN_FOLDER);

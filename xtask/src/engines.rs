@@ -18,10 +18,10 @@ const PROGRAMS: [(&str, &str); 4] = [
     ("Xvfb", "xvfb"),
 ];
 
-/// What the window of `WebKit` is made with (`tests/engines/window.py`), and what decodes MP4 for it and for Firefox.
+/// Libraries for the window of `WebKit` (`tests/engines/window.py`), and for MP4 in `WebKit` and Firefox.
 const LIBRARIES: [&str; 3] = ["python3-gi", "gir1.2-webkit2-4.1", "gstreamer1.0-libav"];
 
-/// Debian has none; cargo builds it once for a target folder.
+/// Debian has no package. cargo builds it once per target folder.
 const GECKODRIVER: &str = "0.37.1";
 
 /// Sees that the browsers and their drivers are there, and tells `command` where geckodriver is.

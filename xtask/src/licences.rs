@@ -8,10 +8,10 @@ use anyhow::Result;
 use crate::project::Project;
 use crate::tools;
 
-/// What is installed below `target`.
+/// Version that is installed below `target`.
 const CARGO_DENY: &str = "0.20.2";
 
-/// Workspaces with a lock file of their own, whose crates leave the house too.
+/// Workspaces with a separate lock file, whose crates are also distributed.
 const MANIFESTS: [&str; 2] = ["Cargo.toml", "python/Cargo.toml"];
 
 /// Checks crates by `deny.toml`. Advisories are skipped, because their database is a separate download.

@@ -8,7 +8,7 @@ use anyhow::Result;
 use crate::project::Project;
 use crate::{tables, tools};
 
-/// What is installed from the Python registry, in an environment below `target`.
+/// Python package that is installed in an environment below `target`.
 const PEER: &str = "opencv-python-headless==5.0.0.93";
 
 /// Builds for this machine's processor, as `OpenCV` chooses its kernels by it, measures, and writes a table of [`tables::BENCHMARKS`].

@@ -13,7 +13,7 @@ pub struct Project {
     pub root: PathBuf,
     /// Cargo's target folder, wherever the environment or a configuration puts it.
     pub target: PathBuf,
-    /// Whether cargo keeps what it needs to compile only what was changed.
+    /// Whether cargo stores the state for incremental compilation.
     incremental: bool,
 }
 
@@ -57,8 +57,8 @@ impl Project {
     }
 }
 
-/// Whether somebody who edits the engine has compiled it here. Where nobody has, as in continuous integration,
-/// keeping the state for it is a third of what compiling costs.
+/// Whether the engine was compiled incrementally here before. In continuous integration, storing the state
+/// would take a third of the compile time.
 fn has_incremental(target: &Path) -> bool {
     let kept = std::fs::read_dir(target.join("debug/incremental"));
     kept.is_ok_and(|entries| {

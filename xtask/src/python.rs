@@ -52,7 +52,7 @@ pub fn install(python: &Path, what: impl FnOnce(&mut Command) -> &mut Command) -
     tools::run(what(&mut pip))
 }
 
-/// The Python of an environment, which is made where there is none yet.
+/// The Python of an environment, which is created if it is missing.
 fn made(environment: &Path) -> Result<PathBuf> {
     let python = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
     if !python.exists() {

@@ -5,7 +5,7 @@ use anyhow::{Result, bail};
 
 use crate::{debian, tools};
 
-/// What is run, and the package of Debian that has it.
+/// Programs, and their Debian packages.
 const PROGRAMS: [(&str, &str); 4] = [
     ("pdfinfo", "poppler-utils"),
     ("pdftotext", "poppler-utils"),
@@ -27,7 +27,7 @@ pub fn find() -> Result<()> {
     bail!("{} must be in PATH (Debian: apt install {})", all.join(", "), packages.join(" "));
 }
 
-/// The packages of those that are not there.
+/// The packages of missing programs.
 fn missing() -> Vec<&'static str> {
     PROGRAMS
         .into_iter()

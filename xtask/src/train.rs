@@ -6,7 +6,7 @@ use crate::project::Project;
 use crate::test::CLI;
 use crate::tools;
 
-/// What the shipped banks are fitted to, and what they are measured with.
+/// Training photos of the shipped banks, also used for measuring them.
 const PHOTOS: &str = "www/public/samples";
 const HELD_OUT: &str = "tests/photos";
 

@@ -31,7 +31,7 @@ pub const PACKAGES: [&str; 8] = [
     "inkpanel-words",
 ];
 
-/// What the modules are made of, in the top folder.
+/// Sources of the modules, in the top folder.
 const SOURCES: [&str; 11] = [
     ".cargo/config.toml",
     "Cargo.lock",
@@ -46,7 +46,7 @@ const SOURCES: [&str; 11] = [
     "styles",
 ];
 
-/// What wasm-opt may use. `.cargo/config.toml` turns the same features on for rustc.
+/// CPU features for wasm-opt. `.cargo/config.toml` turns the same features on for rustc.
 const OPTIMISE: &[&str] = &[
     "--enable-simd",
     "--enable-bulk-memory",
@@ -89,9 +89,9 @@ pub struct Module {
     features: &'static str,
     /// The modules that are compiled together.
     group: Group,
-    /// Cargo profile of what is published.
+    /// Cargo profile of published modules.
     profile: &'static str,
-    /// What wasm-opt shall aim at in what is published: `-O3` speed, `-Oz` size.
+    /// Optimisation goal of wasm-opt for published modules: `-O3` speed, `-Oz` size.
     level: &'static str,
     /// Folder of `inkpanel.js`, `inkpanel.d.ts` and `inkpanel_bg.wasm`.
     pub folder: PathBuf,

@@ -8,7 +8,7 @@ use anyhow::{Context, Result, bail};
 use crate::project::Project;
 use crate::{models, python, test::ENGINE, tools};
 
-/// What the wheel has of `www/models`.
+/// Files of `www/models` in the wheel.
 const MODELS: [&str; 3] = ["faces.onnx", "objects.onnx", "README.md"];
 
 /// Builds the wheel into `target/wheels` and tests it; `with_ray` also on a cluster of this machine.
@@ -45,7 +45,7 @@ fn command_line(project: &Project) -> Result<PathBuf> {
     Ok(project.target.join("debug").join(format!("inkpanel{}", std::env::consts::EXE_SUFFIX)))
 }
 
-/// Cargo's target folder for the package, which is a workspace of its own, and its environments.
+/// Cargo's target folder for the package, which is a separate workspace, and for its environments.
 fn folder(project: &Project) -> PathBuf {
     project.target.join("wheel")
 }
@@ -60,7 +60,7 @@ fn copy_models(project: &Project, package: &Path) -> Result<()> {
     Ok(())
 }
 
-/// What the suites `format` and `lint` do for the others, with the profile of the wheel: libraries are built once.
+/// Format and lint checks of the package, with the profile of the wheel, so that libraries are compiled once.
 fn lint(project: &Project, package: &Path) -> Result<()> {
     let manifest = package.join("Cargo.toml");
     tools::run(project.cargo().arg("fmt").arg("--manifest-path").arg(&manifest).arg("--check"))?;

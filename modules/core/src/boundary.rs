@@ -66,7 +66,7 @@ pub fn styles() -> String {
     catalogue::styles().to_string()
 }
 
-/// What is only strings and numbers is always told.
+/// Writes strings and numbers as JSON, which cannot fail.
 fn listed(list: &impl Serialize) -> String {
     serde_json::to_string(list).unwrap_or_default()
 }

@@ -121,7 +121,7 @@ impl Picture {
     }
 }
 
-/// 24 bits a pixel, from the top down.
+/// A BMP file with 24 bits per pixel, from top to bottom.
 fn bmp(image: &Image) -> Vec<u8> {
     let (width, height) = (image.width(), image.height());
     let stride = (3 * width).next_multiple_of(4);

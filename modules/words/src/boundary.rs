@@ -75,7 +75,7 @@ impl Lettering {
     }
 }
 
-/// What is told of a photo.
+/// Properties of a photo.
 #[derive(Deserialize)]
 struct Told {
     subjects: Vec<Subject>,

@@ -47,7 +47,7 @@ worker.addEventListener('fetch', (event: RequestEvent) => {
     return event.respondWith(versions.answer(path, request));
 });
 
-/** What can wait until a page is at rest. */
+/** Low-priority work after a page has loaded. */
 async function settle(extras: boolean) {
   await Promise.all([versions.sweep(), shares.sweep()]);
   if (extras) await versions.keepExtras();

@@ -14,7 +14,7 @@ export const PAGE_LOCK = 'inkpanel.page ';
 export const NETS = 'inkpanel-nets';
 /** Files loaded side by side: the page may be loading too. */
 const AT_ONCE = 4;
-/** Where the files are whose names change with their content. */
+/** Folder of the files with content hashes in their names. */
 const HASHED = 'assets/';
 
 /**

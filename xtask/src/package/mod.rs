@@ -15,9 +15,9 @@ use crate::tally::{self, Tally};
 use crate::{chromium, letters, models, npm, tools, wasm};
 
 const NAME: &str = "inkpanel";
-/// The way in, without its extension: a module and its types.
+/// The entry point without its extension: a module and its types.
 const ENTRY: &str = "engine/index";
-/// Films are read by this library, which comes as one module; under MPL 2.0, so it stays a file of its own, unchanged.
+/// The library for reading videos is one module, under MPL 2.0. It stays a separate, unchanged file.
 const FILM_LIBRARY: (&str, &str) = ("mediabunny", "dist/bundles/mediabunny.min.mjs");
 /// The modules that import it.
 const FILM_READERS: [&str; 3] = ["video-worker.js", "film-looks.js", "sound-worker.js"];
@@ -80,7 +80,7 @@ fn without_disposal(types: &Path) -> Result<()> {
     Ok(fs::write(types, kept)?)
 }
 
-/// The engine's modules, those of the package in place of the site's, the film library and the nets.
+/// The engine's modules, replacements from the package, the video library and the models.
 fn engine(project: &Project, folder: &Path) -> Result<()> {
     let (www, out) = (project.www(), folder.join("engine"));
     compile(project, folder)?;
@@ -103,7 +103,7 @@ fn engine(project: &Project, folder: &Path) -> Result<()> {
     copy(&models::folder(project).join("README.md"), &folder.join("licences/models.md"))
 }
 
-/// The engine's modules as JavaScript with their types beside them, where whoever imports them looks for them.
+/// The engine's modules as JavaScript with type declarations next to them.
 fn compile(project: &Project, folder: &Path) -> Result<()> {
     let mut tsc = npm::tool(project, "typescript/bin/tsc");
     tools::run(tsc.args(["--project", "package", "--outDir"]).arg(folder))?;
@@ -121,7 +121,7 @@ fn compile(project: &Project, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// What is to be read: how to use it, and under which licences.
+/// Documents: README and licences.
 fn papers(project: &Project, folder: &Path) -> Result<()> {
     for file in ["README.md", "example.html"] {
         copy(&project.www().join("package").join(file), &folder.join(file))?;
@@ -208,7 +208,7 @@ fn is_script(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|extension| extension == "js")
 }
 
-/// Copies the files of a folder, not those of folders in it, whose names are wanted.
+/// Copies the wanted files of a folder, without subfolders.
 fn copy_all(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> Result<()> {
     for entry in fs::read_dir(from).with_context(|| format!("cannot list {}", from.display()))? {
         let path = entry?.path();

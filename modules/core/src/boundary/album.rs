@@ -15,9 +15,9 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Album {
-    /// What is told of each, and what plans found out about it.
+    /// Measurements of each photo, and cached results of plans.
     photos: HashMap<String, (PhotoMeta, Place)>,
-    /// Those in use, in their order.
+    /// Ids of the photos in use, in order.
     used: Vec<String>,
 }
 

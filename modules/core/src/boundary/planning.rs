@@ -123,7 +123,7 @@ impl Editor {
     }
 }
 
-/// What is made of a request. One for all questions: what is the same for them is in the module once.
+/// Makes the result of a request. A trait object, so that the shared code is compiled once.
 type Answer<'a> = &'a mut dyn FnMut(&Planning, Request) -> Result<String>;
 
 impl Editor {

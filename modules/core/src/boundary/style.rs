@@ -11,7 +11,7 @@ use inkpanel::style::{Style, breeding, look, procedural, stylize};
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
-/// Photos whose stages are kept: as many as are shown at once, and the one before.
+/// Number of photos with cached stages: the visible ones, and the previous one.
 const MOST_DESIGNS: usize = 5;
 
 /// Cached stages of designs, most recently used first.
@@ -184,7 +184,8 @@ impl Studio {
 }
 
 impl Studio {
-    /// A photo at a size, of which nothing is run yet, with its subject: blocks for a part of it may come later.
+    /// A photo at a size without processed blocks, with its subject mask, because blocks for a part may
+    /// follow.
     fn staged(&self, key: &str, size: (usize, usize)) -> Result<Stages> {
         let (whole, picture) = self.whole(key, size)?;
         let subject = self.subject_in(key, whole, &picture);
