@@ -90,8 +90,8 @@ fn summary(line: &str) -> Tally {
     tally
 }
 
-/// The failed test in a line: `test NAME ... FAILED` of cargo, ` FAIL FILE > NAME` of Vitest, `✘ 7
-/// FILE:LINE:COLUMN › NAME` of Playwright.
+/// The failed test in a line: `test NAME ... FAILED` of cargo, ` FAIL  FILE > NAME` of Vitest,
+/// `✘  7 FILE:LINE:COLUMN › NAME` of Playwright.
 fn failure(line: &str) -> Option<String> {
     let line = line.trim();
     let of_cargo = line.strip_prefix("test ").and_then(|rest| Some(rest.split_once(" ... FAILED")?.0));
