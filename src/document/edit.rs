@@ -438,7 +438,7 @@ impl Project {
     fn exchange(&mut self, id: &str, by: &str) {
         let others: Vec<_> = self.tray.iter().filter(|item| item.id != by || id == by).cloned().collect();
         if others.iter().any(|item| item.id == id) {
-            // What was corrected is of one picture: it stays with that.
+            // A correction belongs to one photo and stays with it.
             let mask = self.corrected_mask(by).cloned();
             self.tray = mapped(&others, |item| {
                 (item.id == id).then(|| TrayItem {

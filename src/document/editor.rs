@@ -57,7 +57,7 @@ impl Editor {
         let Some(next) = history.present.after(edit) else { return false };
         let before = std::mem::replace(&mut history.present, Arc::new(next));
         if *edit == Edit::NoPage && how.silent {
-            // A first page none of whose photos could be read was none.
+            // A first page without readable photos does not count.
             history.shown.retain(|shown| shown.id != before.page_id);
             return true;
         }
@@ -141,7 +141,7 @@ impl Editor {
                 changed = true;
             }
         }
-        // A step that did nothing but add such photos is no step any more.
+        // A step that only added such photos is removed.
         while !Arc::ptr_eq(&history.present, &was.present)
             && history.past.last().is_some_and(|last| *last == history.present)
         {

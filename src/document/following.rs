@@ -27,7 +27,7 @@ pub(super) fn follow(before: &Project, next: &mut Project) {
         (stay != page.words).then(|| Arc::new(Document { words: stay, ..Document::clone(page) }))
     });
     let seen = places(next);
-    // What went with its photo, which no page shows now. Where the photo stayed, the word was taken away by hand.
+    // Restores text items whose photo was on no page. If the photo stayed, the user deleted the item.
     for sheet in &sheets {
         for word in sheet.page.words.iter().filter(|word| !is_made(word)) {
             let gone = photo_of(word, &sheet.page.panels).is_some_and(|photo| !seen.contains_key(photo));
@@ -161,7 +161,7 @@ impl Project {
             }
             number += 1;
             word["id"] = json!(format!("said-{number}"));
-            // Parts of one speech are of one mouth, though nobody was named: they hang together where there is room for it.
+            // Parts of one speech have the same speaker, even without a name. They are linked if possible.
             let parted = joins || words.get(i + 1).is_some_and(|next| next["joins"] == json!(true));
             if parted && word["by"].is_null() {
                 word["by"] = mouth.filter(|_| joins).unwrap_or_else(|| word["id"].clone());

@@ -468,7 +468,7 @@ impl Interner {
                 None => out.key("draft").null(),
             }
         }
-        // Nothing is told of them in a project without.
+        // Omitted in a project without unplaced text.
         let none = was.is_none_or(|was| was.waiting.is_empty()) && state.waiting.is_empty();
         if !none && fresh(&|was| same_list(&was.waiting, &state.waiting)) {
             self.list(out.key("waiting"), WORDS, &state.waiting, &|_, out, word| out.value(word));
@@ -485,7 +485,7 @@ impl Interner {
         if fresh(&|was| was.styling == state.styling) {
             state.styling.write(out.key("styling"));
         }
-        // Nothing is told of a board that nobody made.
+        // Omitted with default settings of the storyboard.
         let none = was.is_none_or(|was| *was.board == Board::default()) && *state.board == Board::default();
         if !none && fresh(&|was| same(&was.board, &state.board)) {
             let board = out.key("board");
@@ -512,7 +512,7 @@ impl Interner {
             if let Some(from) = from {
                 out.key("from").whole(*from);
             }
-            // In a project of one page nothing is told.
+            // Omitted in a project of one page.
             if *sheet > 0 {
                 out.key("sheet").whole(*sheet);
             }

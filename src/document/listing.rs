@@ -27,7 +27,7 @@ impl ProjectFile {
         let mut own: Vec<&TrayItem> =
             present.tray.iter().map(AsRef::as_ref).filter(|item| used(item)).collect();
         own.retain(|item| photos.contains_key(item.id.as_str()));
-        // Of photos that do not all say when they were taken none is put in order by that.
+        // If any capture time is missing, the order of the tray stays.
         let rank = |item: &TrayItem| photos.get(item.id.as_str()).and_then(|photo| photo.rank);
         if own.iter().all(|item| rank(item).is_some()) {
             own.sort_by_key(|item| rank(item));

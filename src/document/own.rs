@@ -26,7 +26,7 @@ pub fn carried(list: &List<Value>, before: &List<Value>, after: &List<Value>) ->
     if touched.is_empty() {
         return list.clone();
     }
-    // What is longer could not be opened again.
+    // A longer list could not be opened again.
     fresh.chain(list.iter().filter(|item| !touched.contains(id(item)))).take(MOST).cloned().collect()
 }
 

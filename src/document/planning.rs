@@ -182,7 +182,7 @@ impl<'p> Planning<'p> {
             request.ordered = request.ordered.or(Some(true));
         }
         if !request.keep.layout && request.layout.is_none() && request.panels.is_none() {
-            // A layout that is free has the number of panels that a person wants, or else a place for each locked photo.
+            // A free layout has the wanted number of panels, or a panel for each locked photo.
             let locked = project.page.as_ref().filter(|_| project.locks.photos).map(|page| places_of(page));
             request.panels = project.panels.map(|panels| panels as usize).or(locked);
         }
@@ -250,7 +250,7 @@ impl<'p> Planning<'p> {
             self.plan(request, own.clone())
         };
         let found = planned(layout)?;
-        // Where no layout of that aspect has as many, the one that is there is better than a photo that is lost.
+        // If no layout of that aspect ratio has enough panels, the present one is better than losing a photo.
         let found = match found {
             Some(other) if !layout && places_of(&other) < count => planned(true)?,
             found => found,
@@ -307,7 +307,7 @@ impl<'p> Planning<'p> {
         }
         let free = !request.keep.layout && request.layout.is_none() && request.panels.is_none();
         let own = photos_on(request.current.as_ref().as_slice());
-        // Where no photo is left over, a page with fewer panels would leave some on no page: its photos keep their places.
+        // Without spare photos, fewer panels would leave photos on no page. All photos keep their places.
         if free && photos.iter().all(|photo| own.contains(photo.id())) {
             request.panels = Some(photos.len());
         }
@@ -321,7 +321,7 @@ impl<'p> Planning<'p> {
 /// Errors of [`shuffle::plan`].
 #[inline(never)]
 pub fn planned_of(mut request: Request, photos: &[Known]) -> Result<Document> {
-    // What words belong to is to be there with them.
+    // Photos with text items stay with them.
     let spoken = request.current.as_ref().map(spoken_on).unwrap_or_default();
     let meta = |photo: &Known| PhotoMeta { spoken: spoken.contains(photo.id()), ..photo.meta.clone() };
     request.photos = photos.iter().map(meta).collect();

@@ -298,7 +298,7 @@ impl Project {
         if let Some(others) = fields.part("others", &mut |value| parts.sheets(value))? {
             state.others = others;
         }
-        // A program that did not know of them may have lost the table that they stood in.
+        // Older programs may have dropped the table of unplaced text.
         let waiting = fields.take("waiting").and_then(|value| parts.waiting(value).ok());
         state.waiting = waiting.unwrap_or_else(|| Arc::new([]));
         if let Some(mine) = fields.part("mine", &mut |value| parts.styles(value, "mine"))? {
@@ -411,7 +411,7 @@ impl TrayItem {
         };
         let focus = fields.nullable("focus").part("focus", &mut focus)?;
         let starred = fields.flag("starred")?;
-        // One that cannot be read is as if nobody had corrected anything: no photo is lost for it.
+        // An invalid mask counts as missing, so that the photo is not lost.
         let mask = fields.take("mask").and_then(|text| self::mask(text).ok());
         let shot = fields.nullable("shot").part("shot", &mut Shot::read)?.unwrap_or_default();
         Ok(Arc::new(Self { id, used, focus, starred, mask, shot, rest: fields.rest() }))

@@ -200,7 +200,7 @@ fn entry(archive: &mut Archive, name: &str, most: u64) -> Result<Option<Vec<u8>>
         Err(ZipError::FileNotFound) => return Ok(None),
         file => file.map_err(|error| wrong(&error))?,
     };
-    // What is stored as it is takes no more than it did before.
+    // Uncompressed files need no additional memory.
     let most =
         if file.compression() == CompressionMethod::Stored { most.max(file.compressed_size()) } else { most };
     let mut bytes = Vec::new();

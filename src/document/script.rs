@@ -70,7 +70,7 @@ pub fn read(text: &str) -> Vec<Vec<Said>> {
         let Some(group) = groups.last_mut() else { continue };
         match voice(line) {
             Some(said) => group.push(said),
-            // Where people are named, a line without a name goes on with what the one before it says.
+            // In scripts with names, a line without a name continues the speech before.
             None => match group.last_mut().filter(|_| has_names) {
                 Some(last) => {
                     last.text.push(' ');
@@ -163,7 +163,7 @@ impl Placed {
 /// evenly. A panel takes its groups until one does not fit; only a group that is larger than the panel is split.
 /// A single group is laid out line by line.
 pub(super) fn placed(groups: &[Vec<Said>], (panels, most): (usize, usize), taking: Taking) -> Placed {
-    // What has a name for a sound is meant to be heard.
+    // Sounds with a name are never dropped.
     let taking = |said: &Said| Taking { sounds: taking.sounds || said.speaker.is_some(), ..taking };
     let alone: Vec<&[Said]> = match groups {
         [one] => one.chunks(1).collect(),

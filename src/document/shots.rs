@@ -233,7 +233,7 @@ impl Board {
     pub(super) fn write(&self, out: &mut Writer) {
         out.open(b'{');
         out.key("fps").whole(u64::from(self.fps));
-        // What is usual is not told: boards of before say nothing of it.
+        // The default is omitted, as in old projects.
         if let Some((name, _)) = PACES.iter().find(|(_, pace)| *pace == self.pace && *pace != Pace::Clock) {
             out.key("pace").text(name);
         }
@@ -275,7 +275,7 @@ impl Board {
         if self.columns.contains(&name) {
             return Some(name);
         }
-        // Of as many columns the one in its place has another name.
+        // With an equal number of columns, the column at the same index was renamed.
         let place = before.columns.iter().position(|known| *known == name)?;
         let same = self.columns.len() == before.columns.len();
         self.columns.get(place).filter(|now| same && !before.columns.contains(now)).cloned()

@@ -83,7 +83,7 @@ pub fn of_lines<'l>(lines: impl Iterator<Item = &'l str>) -> Vec<Said> {
                     last.text.push(' ');
                     last.text.push_str(text);
                 }
-                // A name may stand on a line of its own, before what is said.
+                // A name may be on a separate line, before the speech.
                 None if !text.is_empty() || speaker.is_some() => {
                     all.push(Said { speaker, turn: dashed, text: text.to_owned(), ..Said::default() });
                 }
@@ -146,7 +146,7 @@ fn undashed(text: &str) -> (bool, &str) {
     let text = trimmed(text);
     let rest = text.strip_prefix(">>").or_else(|| text.strip_prefix(['-', '–', '—', '‐', '‑']));
     match rest {
-        // Five degrees below nothing are no dialogue.
+        // Negative numbers are not dialogue.
         Some(rest) if !rest.starts_with(|letter: char| letter.is_ascii_digit()) => {
             (true, trimmed(rest.trim_start_matches(['-', '>'])))
         }
@@ -248,7 +248,7 @@ pub fn words(said: &Said, taking: Taking) -> Vec<Value> {
             (true, true) => {
                 vec![json!({ "kind": "effect", "text": said.text.to_uppercase(), "angle": -8, "auto": true })]
             }
-            // A sentence is no sound effect, nor is a song.
+            // Sentences and songs are not sound effects.
             (true, false) => parted(&said.text).into_iter().map(|text| plain("caption", text)).collect(),
         };
     }
@@ -265,7 +265,7 @@ pub fn words(said: &Said, taking: Taking) -> Vec<Value> {
         if let Some(name) = &said.speaker {
             word["by"] = json!(name.to_lowercase());
         }
-        // One mouth says them all: balloons that may hang together.
+        // All parts have the same speaker, so their balloons may be linked.
         if part > 0 {
             word["joins"] = json!(true);
         } else if said.turn {

@@ -50,7 +50,7 @@ impl Planning<'_> {
             }
         }
         let sheet = |(i, page): (usize, Document)| {
-            // Each goes on in the place of one that was there, whose versions can be brought back.
+            // Each page takes the place of an existing page, whose versions stay available.
             let place = before.get(i).map_or(fresh.1 + i as u64, |sheet| sheet.sheet);
             Arc::new(Sheet {
                 page: Arc::new(page),
@@ -86,7 +86,7 @@ impl Planning<'_> {
     /// The photos of each page. `fixed`: places of the layout that all pages are to have.
     fn sizes(&self, fixed: Option<usize>) -> Vec<usize> {
         let count = self.photos.len();
-        // Of a large album a page has more photos than are wanted, so that there are not too many pages.
+        // A large album has more photos per page than wanted, to limit the number of pages.
         let least = count.div_ceil(MOST_SHEETS);
         if let Some(places) = fixed.filter(|places| *places >= least) {
             return filled(count, places);
@@ -120,7 +120,7 @@ impl Planning<'_> {
             let mut request = self.anew(seed);
             request.panels = Some(wanted.min(photos.len()));
             request.layout = locked.then(|| page.layout.clone());
-            // Photos that are on a page already come in another order, else it would be the same page twice.
+            // Photos that are already on a page need another order, because the new page would be equal.
             request.mode = if enough { Mode::Shuffle } else { Mode::Photos };
             self.plan(request, Some(photos.clone()))
         };
@@ -131,7 +131,7 @@ impl Planning<'_> {
 /// The page with the previous text items of its photos. Items of a whole page stay with their first photo.
 #[inline(never)]
 fn with_words(page: Document, before: &[Arc<Sheet>]) -> Document {
-    // What waited for its photos is there already.
+    // Unplaced text of these photos is already on the page.
     let mut words = page.words;
     for old in before.iter().map(|sheet| &sheet.page) {
         let first = old.panels.first().and_then(|panel| panel.photo.as_deref());

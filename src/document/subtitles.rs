@@ -129,7 +129,7 @@ impl Subtitles {
             if !rest.is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', '\t'])) {
                 return Err(Flaw::Header);
             }
-            // What follows the header up to an empty line belongs to it.
+            // Lines after the header, up to an empty line, belong to it.
             at = end_of_block(&lines, 1);
         }
         let mut all = Self::default();
@@ -189,7 +189,7 @@ pub fn decoded(bytes: &[u8]) -> Option<(String, bool)> {
             Err(_) => (bytes.iter().map(|byte| western(*byte)).collect(), true),
         },
     };
-    // Text has no controls but those that end lines; files of programs are full of them.
+    // Text has no control characters except line ends. Binary files have many.
     let control = |letter: char| {
         letter.is_ascii_control() && !matches!(letter, '\n' | '\r' | '\t' | '\x0b' | '\x0c' | '\x1a')
     };
@@ -225,7 +225,7 @@ pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<Value>, u
         .iter()
         .map(|cue| cue.said.iter().flat_map(|said| speech::words(said, taking)).collect())
         .collect();
-    // By time, those that are shown apart from the others.
+    // By time, frames on pages separately.
     let sorted = |shown: bool| {
         let mut some: Vec<usize> = (0..frames.len()).filter(|&i| frames[i].shown == shown).collect();
         sort_by(&mut some, |&a, &b| frames[a].time.total_cmp(&frames[b].time));
@@ -240,7 +240,7 @@ pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<Value>, u
             for &frame in &some[at.saturating_sub(NEAREST)..(at + NEAREST).min(some.len())] {
                 let off = away(cue, frames[frame].time);
                 if off <= REACH {
-                    // Of two frames in one subtitle the one nearer to its middle.
+                    // Of several frames in one subtitle, the closest to its middle wins.
                     pairs.push((!shown, off + (frames[frame].time - middle).abs() * 1e-3, i, frame));
                 }
             }
@@ -251,7 +251,7 @@ pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<Value>, u
     let mut places = vec![None; cues.len()];
     for (_, _, cue, frame) in pairs {
         let wanted = words[cue].len();
-        // What is longer than any frame holds gets one alone.
+        // Text that is too long for any frame gets a frame without other text.
         if places[cue].is_none() && (room[frame] >= wanted || room[frame] == MOST_OF_FRAME) {
             places[cue] = Some(frame);
             room[frame] = room[frame].saturating_sub(wanted);
@@ -352,7 +352,7 @@ fn is_word(letter: char) -> bool {
 
 /// Times and lines of a block.
 fn cue(lines: &[&str], from: usize, end: usize) -> Result<(f64, f64, String)> {
-    // A number or a name may stand before the times.
+    // A number or a name may precede the times.
     let at = if lines[from].contains("-->") { from } else { from + 1 };
     let line = lines.get(at).filter(|line| at < end && line.contains("-->"));
     let line = line.ok_or_else(|| Flaw::Stray(from + 1, shortened(lines[from])))?;
@@ -608,7 +608,7 @@ mod tests {
         let cues = Subtitles::parse(SRT, false).unwrap().cues;
         let (words, homeless) = homes(&cues, &[(1.1, true), (1.7, true), (30.0, true), (61.0, true)]);
         assert_eq!((words, homeless), (vec![("Hello there".into(), 1), ("Bye".into(), 3)], 0));
-        // What is said minutes away says nothing about a frame.
+        // A subtitle minutes away does not belong to a frame.
         assert_eq!(homes(&cues[..1], &[(90.0, true)]), (vec![], 1));
     }
 

@@ -106,7 +106,7 @@ impl Planning<'_> {
                 panel.figure = None;
             }
         }
-        // What is said of a photo is said of the one that looks like it, too.
+        // Text items move to the replacement.
         for word in &mut current.words {
             if let Some(other) = word["photo"].as_str().map(&swap) {
                 word["photo"] = other.into();

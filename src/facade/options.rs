@@ -93,7 +93,7 @@ impl PageOptions {
     }
 
     fn layout_value(mut self, layout: Value) -> Result<Self, Failure> {
-        // What cannot be drawn is said before any photo is read.
+        // Report layout errors before photos are read.
         template_of(&layout)?;
         self.layout = Some(layout);
         Ok(self)

@@ -205,7 +205,7 @@ pub(super) fn all(view: &View, search: Search) -> Vec<Crop> {
     let mut crops = Vec::new();
     for &width in &steps {
         let (right, bottom) = (view.width - width, view.height - width / view.aspect);
-        // Where there is no room to move, all places are one.
+        // Without space to move, all positions are equal.
         let count = |room: f64, side: f64| if room > 1e-9 * side { places } else { 1 };
         let (across, down) = (count(right, view.width), count(bottom, view.height));
         let part =
@@ -364,7 +364,7 @@ fn settled(view: &View, crop: &Crop, faces: &[Area]) -> Option<Crop> {
     for y in stops(area.y, area.height, view.height, faces.iter().map(|f| (f.y, f.height))) {
         for &x in &across {
             let way = (x - area.x).hypot(y - area.y);
-            // What follows is farther still.
+            // The following ones are farther away.
             if best.is_some_and(|(least, _)| way >= least) {
                 break;
             }

@@ -282,7 +282,8 @@ fn is_line(row: &[Piece]) -> bool {
     }
     let count = row.len() as f64;
     let tall = row.iter().map(Piece::height).sum::<f64>() / count;
-    // Lines may rise or fall: what is left of a straight line through the letters' feet, or their heads.
+    // Lines may be slanted: measure the distances from a straight line through the lower or upper edges of
+    // the characters.
     let strays = |at: &dyn Fn(&Piece) -> f64| {
         let middle = |piece: &Piece| piece.left as f64 + piece.width() / 2.0;
         let (mx, my) = (row.iter().map(middle).sum::<f64>() / count, row.iter().map(at).sum::<f64>() / count);

@@ -56,7 +56,7 @@ impl Region {
             && over.is_empty()
             && (matches!(panel.shape, ResolvedShape::Circle { .. }) || upright(panel))
         {
-            // A circle alone has an exact rule of its own.
+            // Only a single circle has an exact rule.
             return Self::default();
         }
         let parts: Vec<Part> = windows.iter().map(|(panel, over)| Part::of(panel, over, bounds)).collect();

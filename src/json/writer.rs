@@ -120,13 +120,13 @@ impl Writer {
     /// All that was written.
     #[must_use]
     pub fn finish(self) -> String {
-        // Nothing but text was put in.
+        // All input was text.
         String::from_utf8(self.0).unwrap_or_default()
     }
 
     /// Anything that says itself how it is written.
     pub fn put(&mut self, value: &impl Serialize) {
-        // Writing into memory cannot fail, and what is put has no key that is no text.
+        // Writing into memory cannot fail, and all keys are text.
         let _: Result<(), serde_json::Error> = serde_json::to_writer(&mut self.0, value);
     }
 }

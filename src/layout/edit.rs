@@ -254,7 +254,7 @@ fn remove(node: &mut Node, at: usize) -> bool {
     }
     split.children.remove(index);
     split.shares.remove(index);
-    // The cut before the panel goes, or the first one where there is none before.
+    // Remove the divider before the panel, or the first one for the first panel.
     split.slants.remove(index.saturating_sub(1));
     if let [only] = &mut split.children[..] {
         *node = std::mem::replace(only, Node::Panel);

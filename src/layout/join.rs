@@ -121,7 +121,7 @@ fn cut_anew(node: &Node, before: usize, group: &[usize]) -> Option<(Node, Vec<us
     if is_slanted(node) {
         return None;
     }
-    // In parts of the cell: what is straight there follows the cell's own edges, whatever cuts are round it.
+    // Coordinates relative to the cell, in which the edges of the cell are straight.
     let rects = node.cells(&PAGE).into_iter().enumerate().map(|(i, [from, _, to, _])| Rect {
         left: from.x,
         top: from.y,

@@ -74,7 +74,7 @@ impl PageSettings {
             Some(PaperSize::Known(known)) => {
                 at_dpi(f64::from(known.width), f64::from(known.height), known.dpi, dpi)
             }
-            // So many pixels were asked for: only their size on paper is another.
+            // A size in pixels keeps its pixels; only the paper size changes.
             Some(PaperSize::Pixels(across, down)) => {
                 (f64::from(across), f64::from(down), dpi.unwrap_or(usual.dpi))
             }

@@ -314,7 +314,7 @@ impl Grid {
             columns.map(move |columns| Self::new(request, frames, (width, height), columns))
         });
         let area = |grid: &Self| grid.frame.0 * grid.frame.1;
-        // Of two alike the first: paper on its side, as screens are.
+        // If two grids are equally good, the first one wins: landscape, like screens.
         let better = |best: Self, grid: Self| if area(&grid) > 1.02 * area(&best) { grid } else { best };
         let first = Self::new(request, frames, (paper.1, paper.0), frames);
         all.fold(first, better)

@@ -103,7 +103,7 @@ fn acbf(comic: &Comic, pages: &[ToldPage], phrases: &Phrases) -> String {
 fn area(out: &mut String, ToldWord { kind, text, bounds, .. }: &ToldWord) {
     let Bounds { x, y, width, height } = *bounds;
     let corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height)];
-    // `sound` is of a version that is not out yet; what shouts is a sign.
+    // `sound` is in an unpublished version, so sound effects are signs.
     let kind = match kind {
         WordKind::Caption => "commentary",
         WordKind::Balloon => "speech",

@@ -138,7 +138,7 @@ impl Request {
             return Err(invalid("pages", "must not be empty"));
         }
         let (size, fps) = framed(self.size, self.fps)?;
-        // What a page says of itself is of no account where only its order is asked for.
+        // The language does not matter, because only the reading order is used.
         let phrases = Phrases::of("en")?;
         let pace = Pace { fps: f64::from(fps), seconds: self.seconds, moves: self.moves };
         let dissolve =

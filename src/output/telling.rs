@@ -132,7 +132,7 @@ pub(super) fn told(
             outline: outline(&panel.shape, scale),
             bounds: scaled(panel.bounds, scale),
             shows: found.unwrap_or(usual).to_owned(),
-            // That a panel is empty is all that there is to say of it.
+            // An empty panel is completely described.
             known: found.is_some() || !photo,
             words: Vec::new(),
         });
@@ -164,7 +164,7 @@ fn panel_of(laid: &Laid, ground: &Ground) -> Option<usize> {
         let (dx, dy) = ((left - x).max(x - left - width).max(0.0), (top - y).max(y - top - height).max(0.0));
         dx.hypot(dy)
     };
-    // Of panels that lie on each other the one that is seen: the last.
+    // The last of overlapping panels is the visible one.
     (0..=last).rev().min_by(|&a, &b| away(a).total_cmp(&away(b)))
 }
 

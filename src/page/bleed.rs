@@ -130,7 +130,7 @@ mod tests {
         );
         let inner = polygon(&[(10.0, 10.0), (50.0, 10.0), (50.0, 60.0), (10.0, 60.0)]);
         assert!(extended(&inner, page, 2.0).is_none());
-        // A tip that touches is no side.
+        // A corner that touches the edge is not a side.
         let tip = polygon(&[(0.0, 50.0), (50.0, 20.0), (50.0, 80.0)]);
         assert!(extended(&tip, page, 2.0).is_none());
     }

@@ -95,7 +95,7 @@ impl Edges {
 /// Returns the breakout of a panel, or `None` if nothing breaks out or nothing may.
 pub(super) fn figure(panel: &ScenePanel, shares: Plane, around: &Around) -> Option<Figure> {
     let (crop, bounds) = (panel.crop, panel.image_bounds);
-    // Beyond a photo's end its mirror image goes on, of which no figure is known.
+    // The mirror image past the photo's end has no mask.
     if crop.x < -1e-6
         || crop.y < -1e-6
         || crop.x + crop.width > 1.0 + 1e-6
@@ -247,7 +247,7 @@ const GOOD: f64 = 0.5;
 /// Adds a panel breakout to a new page if a good one exists. `wanted` `None`: at random; true: always; false:
 /// never. Locked panels and panels with manual crops are not changed.
 pub(super) fn by_chance(document: &mut Document, photos: &[PhotoMeta], wanted: Option<bool>) -> Result<()> {
-    // A draw of its own, so that all else of a page is as without figures.
+    // A separate random number, so that the rest of the page does not depend on breakouts.
     let mut random = Rand64::new(u128::from(document.seed) ^ 0x6672_616d_6573);
     let drawn = random.rand_float() < CHANCE;
     let has = |document: &Document| document.panels.iter().any(|panel| panel.figure.is_some());
@@ -368,7 +368,7 @@ fn stepping_out(
     let judged = |crop: Crop| -> Option<(Crop, f64)> {
         let shown = ScenePanel { crop, ..panel.clone() };
         let figure = figure(&shown, coarse.clone(), around)?;
-        // Faces that edges cut where nothing steps over them.
+        // Faces at edges without a breakout.
         let edges = Edges::of(&panel.shape);
         let cut = faces.iter().any(|face| {
             let middle = |at: f64, length: f64, start: f64, whole: f64| (at + length / 2.0 - start) / whole;
@@ -388,7 +388,7 @@ fn stepping_out(
         let good = (figure.share / 0.06).min(1.0) * 0.6 + 0.4 * size.min(1.0) - 0.03 * crossed;
         (!cut).then_some((crop, good.clamp(0.0, 1.0)))
     };
-    // What is good in the coarse has to be so in the fine, too.
+    // A result in low resolution must also be good in full resolution.
     let holds = |crop: Crop| {
         let shown = ScenePanel { crop, ..panel.clone() };
         figure(&shown, plane.clone(), around).is_some_and(|figure| {

@@ -13,7 +13,7 @@ pub fn photo_of<'a>(word: &'a Value, panels: &'a [PanelContent]) -> Option<&'a s
 
 fn on_panel<'a>(word: &Value, panels: &'a [PanelContent]) -> Option<&'a str> {
     let panel = usize::try_from(word["panel"].as_u64()?).ok()?;
-    // In a layout of fewer panels a word stands on the last.
+    // If the layout has fewer panels, the text item is on the last one.
     panels.get(panel).or(panels.last())?.photo.as_deref()
 }
 

@@ -85,7 +85,7 @@ pub fn render_together(
     context.check_cancelled()?;
     let figure = photo.and(panel.figure.as_ref());
     let figure = figure.and_then(|(matte, around)| breaking::figure(panel, matte.plane(), around));
-    // What there is nothing of is not drawn.
+    // Empty images are not drawn.
     let sees = |picture: &ScenePanel| match picture.shows {
         Shows::Panel => true,
         Shows::Front if figure.is_none() => picture.subject.as_ref().is_some_and(|it| !it.facts().is_vague()),
@@ -174,7 +174,7 @@ fn front(scene: &Scene, panel: &ScenePanel, Drawing { shown, image, .. }: &Drawi
     let Some(subject) = &shown.subject else { return Patch::nothing(panel.area) };
     let area = panel.area;
     let mut rgba = vec![0; area.width * area.height * 4];
-    // What is no part of the picture has no subject: its red is never seen.
+    // Pixels outside of the photo are outside of the subject. Only the alpha of this patch is used.
     let mut shares = rgba.clone();
     fill_image(&mut shares, area, &Image::from_luma(subject.clone()), shown.at);
     fill_image(&mut rgba, area, image, shown.at);
@@ -214,7 +214,7 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
     let at = PixelRect::around(panel.image_bounds, 0.0);
     let Bounds { x, y, width, height } = panel.image_bounds;
     let (photo_width, photo_height) = (photo.width() as f64, photo.height() as f64);
-    // Where the photo ends before the bleed does, its mirror image goes on.
+    // If the photo ends before the bleed does, its mirror image continues.
     let outside = |start: f64, length: f64, bounds: f64, from: f64, pixel: i64, count: usize| {
         if start >= 0.0 && start + length <= 1.0 {
             return (0, 0);
@@ -241,7 +241,7 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
     let (left, region_width) = span(crop.x * photo_width, step_x, x, inner.x, inner.width, photo_width);
     let (top, region_height) = span(crop.y * photo_height, step_y, y, inner.y, inner.height, photo_height);
     let region = Region { x: left, y: top, width: region_width, height: region_height };
-    // So many pixels of the photo there are for one of the page.
+    // Photo pixels per page pixel.
     let share = (region.width / inner.width as f64).min(region.height / inner.height as f64);
     let mut image = if share < scene.enlarge_below && !panel.plain {
         enlarged(photo, region, inner.width, inner.height)
@@ -462,7 +462,7 @@ pub fn compose<'p>(
     let mut sheet = Sheet::new(scene);
     let mut over = Vec::new();
     for mut pictures in scene.by_panel() {
-        // Fronts stand before words, of which there are none here.
+        // Foregrounds are in front of text, which is not drawn here.
         pictures.retain(|index| *index < scene.panels.len());
         let image = match &scene.picture(pictures[0])?.photo {
             Some(id) => Some(photo(id).ok_or_else(|| Error::MissingPhoto(id.clone()))?),

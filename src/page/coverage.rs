@@ -151,7 +151,7 @@ impl Segment {
         while x < right {
             let (from, to) = (left.max(x), right.min(x + 1.0));
             let step = rate * (to - from);
-            // Area to the right of the segment within this pixel, for what has come so far and what crosses it.
+            // Area to the right of the segment within this pixel.
             let covered = before + step * (x + 1.0 - f32::midpoint(from, to));
             changes.add(x as usize, covered - taken);
             taken = covered;

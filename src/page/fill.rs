@@ -71,7 +71,7 @@ pub(super) fn contents(
     let Stage { heads, locked, merges, same_layout, .. } = stage;
     let (photos, current) = (&request.photos, request.current.as_ref());
     let before = |i: usize| current.filter(|_| *same_layout).and_then(|current| current.panels.get(i));
-    // A crop made by hand stays so while its panel keeps the photo, which a locked one always does.
+    // A manual crop stays while its panel keeps the photo. Locked panels always keep it.
     let edited = |i: usize, photo: &str| {
         let stays = |panel: &&PanelContent| request.keep.photos || panel.locked;
         before(i).filter(stays).is_some_and(|p| p.edited && p.photo.as_deref() == Some(photo))
@@ -199,7 +199,7 @@ fn keep_photos(
     let position = |id: &str| photos.iter().position(|photo| photo.id == id);
     let heads = heads_of(current);
     let shown: Vec<Option<&str>> = heads.iter().map(|(_, panel)| panel.photo.as_deref()).collect();
-    // The panels say what is shown; the order goes on with what a page of fewer panels left out.
+    // The panels determine the order, followed by photos of the old order without a panel.
     let rest = current
         .order
         .iter()

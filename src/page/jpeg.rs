@@ -56,7 +56,7 @@ mod tests {
     fn the_file_says_its_resolution_and_has_the_pixels() {
         let rgb: Vec<u8> = (0..40 * 30).flat_map(|i| [(i % 40 * 6) as u8, (i / 40 * 8) as u8, 90]).collect();
         let bytes = encode_rgb(40, 30, &rgb, 300, 95).unwrap();
-        // The JFIF segment: dots an inch, across and down.
+        // The JFIF segment: horizontal and vertical DPI.
         assert_eq!(&bytes[6..11], b"JFIF\0");
         assert_eq!(bytes[13..18], [1, 1, 44, 1, 44]);
         let back = decode(&bytes, &Limits::default()).unwrap().image;

@@ -61,7 +61,7 @@ pub fn living(
     let mut patches: Vec<Patch> = Vec::with_capacity(shot.len());
     for source in &sources[shot] {
         let moved = steady.follow(source);
-        // Where nothing moved the drawing is the one before.
+        // Without motion the drawing does not change.
         let patch = match (&moved, patches.last()) {
             (None, Some(before)) => Patch { area: before.area, rgba: before.rgba.clone() },
             _ => render_panel(scene, index, Some(&steady.picture()?), context)?,
@@ -69,7 +69,7 @@ pub fn living(
         patches.push(match (moved, patches.last()) {
             (Some(moved), Some(before)) => {
                 let (b, crop, area) = (panel.image_bounds, panel.crop, patch.area);
-                // Where a pixel of the patch lies in the source, in blocks.
+                // Position of a patch pixel in the source, in blocks.
                 let across = |x: usize| {
                     let part = ((area.x + x as i64) as f64 + 0.5 - b.x) / b.width;
                     (crop.x + part * crop.width) * width as f64 / BLOCK as f64
@@ -114,7 +114,7 @@ fn looped(mut patches: Vec<Patch>) -> Vec<Patch> {
 
 /// The mean difference of each picture from the one before, of 255.
 fn differences(sources: &[Vec<u8>]) -> Vec<f64> {
-    // Of every few pixels, which is enough to tell a cut.
+    // A sparse sample of pixels is enough to detect a cut.
     const STEP: usize = 3 * 17;
     let apart = |pair: &[Vec<u8>]| {
         let pairs = pair[0].iter().zip(&pair[1]).step_by(STEP);

@@ -21,7 +21,7 @@ impl PixelRect {
     /// The smallest rectangle of whole pixels around bounds in page pixels, with room on all sides.
     #[must_use]
     pub fn around(Bounds { x, y, width, height }: Bounds, room: f64) -> Self {
-        // A bound that misses a pixel edge by rounding alone does not ask for another pixel.
+        // Rounding errors must not add a pixel.
         const SLACK: f64 = 1e-6;
         let (left, top) = ((x - room + SLACK).floor() as i64, (y - room + SLACK).floor() as i64);
         let (right, bottom) =

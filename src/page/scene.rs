@@ -195,7 +195,7 @@ pub(super) fn panels(
     }
     let bounds: Vec<Bounds> = resolved.iter().map(|panel| scaled_bounds(panel.bounds, pixels)).collect();
     let further = further_shapes(document, &resolved, (pixels, height as f64));
-    // With the bleed, where there is some.
+    // Including the bleed, if any.
     let reached: Vec<Bounds> = further
         .iter()
         .zip(&bounds)

@@ -44,7 +44,8 @@ pub(super) fn patch(
     let area = seen(&alpha, part, reach);
     let inside = mask::inside(&panel.shape, scene.corner_radius, area);
     let (left, top) = ((area.x - part.x) as usize, (area.y - part.y) as usize);
-    // Within the panel nothing has a line: what ends near an edge leaves its border whole, as does what may not cross it.
+    // Inside the panel there is no outline. Parts that end near an edge, or must not cross it, leave the
+    // border intact.
     let beyond = |x: usize, y: usize| {
         if inside[y * area.width + x] < 255 { alpha.at(left + x, top + y) } else { 0 }
     };
@@ -60,7 +61,7 @@ pub(super) fn patch(
             if ring == 0 || alpha == 255 || inside == 255 {
                 continue;
             }
-            // Most of the line is as thick as it is, and its rim soft.
+            // The outline is opaque with a soft rim.
             let paper = (u32::from(ring) * RING).min(255) * u32::from(255 - inside) / 255;
             lay_under(pixel, &[paper as u8], scene.paper);
         }
@@ -105,7 +106,7 @@ fn cut_off(shares: &mut Plane, at: PixelRect, border: f64, (panel, figure): (&Sc
     let edges = Edges::of(&panel.shape);
     for edge in (0..figure.closed.len()).filter(|edge| figure.closed[*edge]) {
         for y in 0..at.height {
-            // On this side of the border, of which nothing is covered.
+            // On the inner side of the border, without coverage.
             let open = |x: usize| {
                 let point = Point::new(at.x as f64 + x as f64 + 0.5, at.y as f64 + y as f64 + 0.5);
                 0.5 - border / 2.0 - edges.beyond(edge, point)

@@ -87,7 +87,7 @@ mod tests {
 
     #[test]
     fn bits_stand_where_the_comparison_says() {
-        // Brighter to the right: every bit of an even row, none of an odd one.
+        // Brighter to the right: all bits of even rows are 1, and of odd rows 0.
         let right = Plane::from_fn(180, 160, |x, _| x as u8);
         assert_eq!(fingerprint(&right), 0x00FF_00FF_00FF_00FF);
         let down = Plane::from_fn(180, 160, |_, y| y as u8);

@@ -150,7 +150,7 @@ impl Film {
             let lit = self.looks[i - 1].flat && !self.looks[i].flat;
             let last = cuts.last().map_or(self.times[0], |&cut| self.times[cut]);
             if lit {
-                // What lay in the dark before is a shot of its own, of nothing.
+                // The dark part before is a separate, blank shot.
                 cuts.push(i);
             } else if self.is_cut(&apart, i) {
                 if let Some(after) = self.flash(apart[i], i) {

@@ -173,7 +173,7 @@ fn of_shot(film: &Film, shot: &Shot, quota: usize, wish: &Wish) -> Vec<f64> {
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
         match best {
-            // Where the shot has sharp frames, a blurred one is worse than none.
+            // If the shot has sharp frames, blurred ones are not used.
             Some(best) if looks[best].sharpness >= sharp || chosen.is_empty() => chosen.push(best),
             _ => break,
         }

@@ -70,7 +70,7 @@ pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec
     let groups = leaders_by(&fingerprints, &threshold);
     let count = groups.iter().max().map_or(0, |most| most + 1);
     let floor = blur_floor(measures);
-    // What is not blurred goes before what is, whatever the gradient of noise says.
+    // Sharp photos rank before blurred ones, even if noise has a higher gradient.
     let rank = |i: usize| (measures[i].laplacian >= floor, measures[i].gradient);
     let mut sizes = vec![0; count];
     let mut best = vec![usize::MAX; count];
@@ -181,7 +181,7 @@ mod tests {
         };
         assert_eq!(kept(Vec::new()), [false, false, false, false, true], "photos are the same picture");
         assert!(kept(films)[..2].iter().all(|&kept| kept), "five bits are another picture of a film");
-        // A film of one picture that hardly moves: all that differ at all are kept, up to a page of them.
+        // A video that hardly moves: all frames that differ are selected, up to the number for one page.
         let still: Vec<Measures> = (0..12).map(|i| far(0, 1.0 + (i / 2) as f32)).collect();
         let settings = Settings { films: vec![Some(0); 12], ..Settings::default() };
         let verdicts = choose(&[""; 12], &still, &settings);

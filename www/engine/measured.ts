@@ -67,7 +67,7 @@ export function pageMs(document: string, width: number, panels?: number) {
   return blocksMs(share * width * width * (Number.isFinite(tall) ? tall : 1.5), blocksOf(style));
 }
 
-/** @returns ignores errors, which the core reports */
+/** @returns the value; null for invalid JSON, which the core reports */
 function parsed(json: string): unknown {
   try {
     return JSON.parse(json);

@@ -1,5 +1,5 @@
 /**
- * Offline use: a service worker caches the files of the site (`service-worker/`), and a new version is activated when
+ * Offline use: a service worker caches the files of the site (`worker/`), and a new version is activated when
  * the user accepts it. Without service workers the app works only online.
  */
 

@@ -74,7 +74,7 @@ impl Rate {
     }
 
     fn frames_in(self, seconds: f64) -> f64 {
-        // Nothing is no time.
+        // NaN counts as 0.
         let seconds = if seconds.is_finite() { seconds.clamp(0.0, LONGEST) } else { 0.0 };
         seconds * self.exact()
     }

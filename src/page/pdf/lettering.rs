@@ -120,7 +120,7 @@ impl Lettering<'_> {
         for row in rows(laid, width, self.letters) {
             let Some(face) = self.fonts.face(row.font.id()) else { continue };
             content.set_font(Name(face.name().as_bytes()), 1.0);
-            // Programs that look for words take a line that is not level for many: they are told what it says.
+            // Search functions split text on arched lines, so its text is stored separately.
             let level = laid.word.kind != Kind::Effect;
             if !level {
                 let says: String =
@@ -168,7 +168,7 @@ fn show(content: &mut Content, row: &Row, face: &Face, bend: &Bend, size: f64) {
     for (at, &(letter, pen)) in row.letters.iter().enumerate() {
         items.show(Str(&face.code(letter)));
         if let Some(&(_, next)) = row.letters.get(at + 1) {
-            // What the pen goes further, or less far, than the letter is wide.
+            // Difference between the pen position and the glyph advance.
             let off = (row.font.step(letter) - (next - pen) / size) * 1000.0;
             if off.abs() >= 0.5 {
                 items.adjust(off.round() as f32);

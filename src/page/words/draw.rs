@@ -48,7 +48,7 @@ pub fn render(document: &Document, index: usize, width: usize, letters: &Letters
     let missing = || invalid(format!("words[{index}]"), "there is no such word");
     let value = document.words.get(index).ok_or_else(missing)?;
     let word = Word::parse(value, index)?;
-    // What is joined is drawn by the first of the balloons, which must know them all.
+    // Linked balloons are drawn with the first one, which needs all of them.
     if word.id.is_some() || word.hangs_on().is_some() {
         let all = lay_all(document, letters)?;
         return all.get(index).map(|laid| draw(laid, width as f64, letters)).ok_or_else(missing);
@@ -193,7 +193,7 @@ pub fn draw(laid: &Laid, width: f64, letters: &Letters) -> Patch {
     };
     let word = &laid.word;
     if ringed {
-        // No line around the letters is none at all, not a faint one.
+        // Without a line width there is no outline.
         if line > 0.0 {
             lay_over(&mut rgba, &ring(&text, line, None), word.fill);
         }
@@ -360,7 +360,7 @@ fn columns<'a>(laid: &Laid, width: f64, (letters, font): (&'a Letters, &'a Font)
             let (begin, gap) = ruby::spread(letters, font, reading, true, (to - from) / size);
             let beside = Column {
                 across: across + ruby::aside() * size,
-                // Half of what its letters stand apart is before the first of them.
+                // Half of the extra space is before the first character.
                 start: from + (begin - gap / 2.0) * size,
                 size: size * ruby::SIZE,
                 ..column

@@ -149,7 +149,7 @@ fn stretches(letters: &Letters, word: &str) -> Vec<String> {
     let mut out: Vec<(bool, String)> = Vec::new();
     let mut open = false;
     for letter in word.chars() {
-        // What has no width by itself belongs to the letter before it.
+        // A character without width belongs to the character before it.
         let bound = letters.cleaned(letter.encode_utf8(&mut [0; 4])).is_empty();
         let lacks = !bound && !font.has(letter) || number(letter).is_some();
         if bound && open {
@@ -320,7 +320,8 @@ struct Outline {
 
 impl Outline {
     fn place(&self, x: f32, y: f32) -> Point {
-        // What is far beyond any letter would be drawn across the page, and hardly be a number of other programs.
+        // Limit coordinates far outside the glyph, which would cross the page and may be invalid in other
+        // programs.
         let part = |at: f32, pen: f64| ((f64::from(at) + pen) / self.em).clamp(-30.0, 30.0);
         Point::new(part(x, self.pen.0), part(y, self.pen.1))
     }

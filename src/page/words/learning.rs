@@ -225,7 +225,7 @@ pub(super) fn ordered(line: &[char], leftward: impl Fn(char) -> bool) -> Vec<cha
     for &letter in line {
         let turned = leftward(letter);
         match runs.last_mut() {
-            // A space belongs to what is before it, until it is known what follows.
+            // A space belongs to the run before it until the next run is known.
             Some((way, run)) if letter == ' ' || *way == turned => run.push(letter),
             _ => runs.push((turned, vec![letter])),
         }

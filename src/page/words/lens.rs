@@ -94,7 +94,7 @@ impl<'a> Lens<'a> {
     fn add_word(&mut self, start: usize, end: usize, fresh: bool) {
         let text = self.setter.text;
         let space = self.setter.space();
-        // Nobody reads a word of more letters: it is torn where the line ends.
+        // Longer words are not readable text and are broken at the line end.
         let longest = 24;
         let mut from = start;
         for at in start + 1..=end {
@@ -139,7 +139,8 @@ impl<'a> Lens<'a> {
                 continue;
             };
             let off = (a / b / manner.aspect).ln();
-            // Of shapes around the same lines the smallest lies closest; of a chosen width the lowest is best.
+            // Of shapes around the same lines, the smallest fits closest. With a set width, the lowest one is
+            // best.
             let waste = (4.0 * a * b / (self.total + 1.0) / self.setter.pitch()).max(0.1).ln();
             let cost =
                 broken.cost + if width.is_some() { 4.0 * waste } else { 2.0 * off * off + 1.5 * waste };
@@ -298,7 +299,7 @@ impl<'a> Lens<'a> {
         let lowest = corners.iter().map(|corner| corner.1).fold(0.0, f64::max);
         let shapes = (1..36).map(|i| lowest * (1.0 + 0.03 * f64::from(i))).map(|b| {
             let a = corners.iter().map(|&(x, y)| x / other(y, b)).fold(0.0, f64::max);
-            // Nothing that is spoken stands in an upright balloon of its own will.
+            // Speech balloons are never taller than wide, unless the user sets a width.
             (a.max(0.8 * b), b)
         });
         let cost = |(a, b): (f64, f64)| {

@@ -497,7 +497,7 @@ mod tests {
                 let points = font.outline(letter, 0.01).into_iter().flatten();
                 points.map(|point| point.y).fold(f64::MIN, f64::max)
             };
-            // They are drawn the same way round: what is inside is no hole.
+            // All contours have the same direction, so inner ones are not holes.
             let area = |letter| {
                 let lines = font.outline(letter, 0.01).into_iter();
                 let around = |line: Vec<Point>| {

@@ -30,7 +30,7 @@ pub fn of(style: &Value) -> Palette {
     let blocks: Vec<&Value> = style["background"].as_array().into_iter().flatten().collect();
     let runs =
         |name: &str| blocks.iter().rposition(|block| block["block"] == name && block["bypass"] != true);
-    // White lines are drawn on a dark ground: what words stand on is as light as the lines are.
+    // White lines are on a dark ground, so the paper of text is as light as the lines.
     let light = luma(ink) > 0.35;
     let paper = if light { mixed(ink, [255; 3], 0.6) } else { paper(&blocks, &runs) };
     let ink = readable(if light { [16, 18, 26] } else { ink }, paper);

@@ -134,7 +134,7 @@ pub(super) fn parts(text: &[char]) -> Vec<Part> {
         if let Some(bar) = bar {
             parts[bar] = Part::Sign;
         }
-        // What is escaped within stays a sign.
+        // Escape signs stay signs.
         let set = |part: &mut Part, to: Part| *part = if *part == Part::Sign { Part::Sign } else { to };
         parts[base].iter_mut().for_each(|part| set(part, Part::Base(number)));
         parts[reading].iter_mut().for_each(|part| set(part, Part::Reading(number)));

@@ -372,7 +372,7 @@ impl Setter<'_> {
                     None => low = middle,
                 }
             }
-            // Fewer lines than the shape was made for would not stand in its middle.
+            // Fewer lines than expected would not be centred in the shape.
             if lines.len() < count && !cut && !tokens.is_empty() {
                 continue;
             }

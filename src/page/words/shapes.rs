@@ -101,7 +101,7 @@ pub(super) fn curve(points: &mut Vec<Point>, from: Point, control: Point, to: Po
 
 /// Spikes of changing length around the text; the one nearest to the speaker reaches as far as the tail points.
 fn burst(a: f64, b: f64, tip: Option<Point>) -> Vec<Point> {
-    // Lengths that look drawn by hand, the same for every balloon.
+    // Lengths that look hand-drawn, equal for every balloon.
     const LENGTHS: [f64; 7] = [1.3, 1.2, 1.34, 1.22, 1.28, 1.18, 1.32];
     let count = ((a / b).sqrt() * 14.0).clamp(14.0, 28.0) as usize;
     // The spikes stand so that one of them points at the speaker.

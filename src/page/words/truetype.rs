@@ -55,7 +55,7 @@ fn points(font: &Font, contour: &Contour) -> Vec<(i16, i16, bool)> {
         out.extend(control.map(|control| at(control, false)));
         out.push(at(end, true));
     }
-    // A contour closes by itself.
+    // Contours are closed implicitly.
     if out.len() > 1 && out.last() == out.first() {
         out.pop();
     }
@@ -97,9 +97,9 @@ fn glyf(contours: &[Vec<(i16, i16, bool)>], corners: Corners) -> Vec<u8> {
 
 fn head(font: &Font, all: Corners) -> Vec<u8> {
     let mut out = Bytes::default();
-    // Version, revision, a check sum that nobody of PDF reads, the magic number; the baseline is at 0.
+    // Version, revision, checksum (ignored in PDF files), magic number; the baseline is at 0.
     out.long(0x0001_0000).long(0x0001_0000).long(0).long(0x5f0f_3cf5).short(1).short(font.units as i16);
-    // When it was made is nobody's business.
+    // No dates, for privacy.
     out.long(0).long(0).long(0).long(0).shorts(&all);
     // No style, any size, places in long numbers.
     out.shorts(&[0, 6, 2, 1, 0]);

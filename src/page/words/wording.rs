@@ -146,7 +146,8 @@ fn emphasised(text: &[char]) -> Vec<Mark> {
                 end = None;
                 continue;
             }
-            // Where a star has found no other, none after it looks for one again: the text is gone through twice at most.
+            // If a mark has no partner, later marks on the line have none either. So the text is scanned at
+            // most twice.
             if end.is_none() && at >= looked && opens(at) {
                 let line = text[at + 1..].iter().position(|&l| l == '\n').map_or(text.len(), |i| at + 1 + i);
                 end = (at + 2..line).find(|&i| text[i] == '*' && closes(i));
@@ -192,7 +193,7 @@ fn quotes(marks: &mut [Mark], language: &str) {
                 open = false;
                 single[1]
             }
-            // What stands for letters that are left out is an apostrophe: '90s, 'em, don't.
+            // An omission is an apostrophe: '90s, 'em, don't.
             '\'' => '’',
             letter => letter,
         };

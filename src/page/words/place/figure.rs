@@ -69,7 +69,7 @@ impl Figure {
         let [top, bottom] = [top, bottom].map(|y| (y - photo.y) * down);
         let pixels = self.before(right, bottom) - self.before(left, bottom) - self.before(right, top)
             + self.before(left, top);
-        // What rounding leaves of nothing is nothing.
+        // Ignore rounding errors.
         if pixels < 1e-6 { 0.0 } else { pixels / across / down }
     }
 

@@ -92,7 +92,7 @@ fn best(
         }
         let corner = right.min(1.0 - right).hypot(low.min(1.0 - low));
         cost + match laid.word.kind {
-            // The corner that is farthest from faces; the upper left one where there is none.
+            // The corner that is farthest from faces, or the upper left one without faces.
             Kind::Caption => 3.0 * corner - 2.0 * nearest / size + 0.3 * low + 0.1 * right,
             Kind::Balloon(_) => {
                 let far = speaker.map_or(0.0, |face| gap(*place, face) / size);

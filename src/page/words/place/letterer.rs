@@ -273,7 +273,7 @@ impl Room<'_> {
             }
         }
         let Page { words, taken, .. } = self.page;
-        // A balloon comes close to those that it hangs together with, though they stand.
+        // A balloon is close to its linked balloons, even if their positions are fixed.
         for (other, area) in taken.iter().filter(|(other, _)| self.tied(index, *other)) {
             let stands = Spot { area: *area, cost: 0.0, room: None, round: true }.bare();
             for place in &mut places {
@@ -342,7 +342,7 @@ impl Room<'_> {
             }
         }
         let largest = shapes.iter().map(|(_, laid)| laid.setting.size).fold(0.0, f64::max);
-        // A column beside a body is no gain where nobody can read it.
+        // A narrow column next to a body is useless if its text is too small.
         shapes.retain(|(_, laid)| laid.setting.size >= LEGIBLE.min(largest));
         let round = matches!(word.kind, Kind::Balloon(_));
         let mut all = Vec::new();
@@ -440,7 +440,8 @@ impl Room<'_> {
         let low = part(area.y, frame.y, frame.height - area.height);
         match kind {
             Kind::Caption => {
-                // The first words of a panel stand in its upper left corner, the last of some may end it.
+                // The first item of a panel is in its upper left corner, the last of several may be in its
+                // lower right one.
                 let last = rank > 0 && rank + 1 == self.count;
                 let wanted = if last { right.min(1.0 - right) } else { right };
                 let flush = right.min(1.0 - right) + low.min(1.0 - low);
@@ -511,7 +512,7 @@ impl Room<'_> {
             let foot = edge(area, target);
             let way = foot.distance(target);
             let length = TAIL.1.max(REACH.min(0.5) * way).min(0.9 * way).min(3.0 * TAIL.1);
-            // A balloon over what is meant has no way to it: it has no tail.
+            // A balloon above its target has no tail.
             let inside = ((target.x - center(area).x) / area.width).abs() < 0.5
                 && ((target.y - center(area).y) / area.height).abs() < 0.5;
             let tip = (!inside).then(|| foot.toward(target, length / way.max(1e-9)));
@@ -543,7 +544,7 @@ impl Room<'_> {
                     cost += 24.0;
                 }
             } else if seen.person && shared(self.seen[i].bounds, head) < 0.5 * head.width * head.height {
-                // Across somebody else.
+                // The tail crosses another subject.
                 cost += 4.0 * inside(foot, tip, seen.bounds);
             }
         }

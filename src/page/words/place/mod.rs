@@ -113,7 +113,7 @@ pub fn settle<'s>(
         }
         scenery
     };
-    // What a person has placed is there first.
+    // Items that the user placed come first.
     let mut taken: Vec<(usize, Bounds)> = words
         .iter()
         .enumerate()
@@ -152,7 +152,7 @@ pub fn settle<'s>(
         let word = &mut document.words[i];
         for name in ["x", "y", "tail", "room"] {
             if let Some(value) = value.get(name) {
-                // What has no room of its own says nothing of it, as before.
+                // Items without a room omit the field, for compatibility.
                 if name == "room" && value.is_null() {
                     if let Some(fields) = word.as_object_mut() {
                         fields.remove(name);
@@ -263,7 +263,7 @@ fn see<'s>(
         }
         let face = subject.label == FACE;
         let held = figure.as_mut().filter(|figure| figure.inside(bounds) > SAME * seen);
-        // What is written in the photo is no body, wherever it stands.
+        // Lettering in the photo is never a body.
         let masked = held.is_some() && !face && subject.label != LETTERING;
         if let Some(figure) = held {
             figure.alive |= subject.is_alive();
