@@ -240,7 +240,7 @@ pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<Value>, u
             for &frame in &some[at.saturating_sub(NEAREST)..(at + NEAREST).min(some.len())] {
                 let off = away(cue, frames[frame].time);
                 if off <= REACH {
-                    // Of several frames in one subtitle, the closest to its middle wins.
+                    // If several frames are in one subtitle, the closest to its middle wins.
                     pairs.push((!shown, off + (frames[frame].time - middle).abs() * 1e-3, i, frame));
                 }
             }

@@ -57,7 +57,7 @@ describe('what is read beside the core', () => {
     editing.apply({ type: 'show-page', page: two, pageId: 2 });
     editing.apply({ type: 'show-page', page: one, pageId: 1 });
     expect([told[2], editing.history().present.page === one]).toEqual(['{"type":"show-page","pageId":1}', true]);
-    // Another page of that id is told.
+    // A different page with that id is sent in full.
     editing.apply({ type: 'show-page', page: { ...two, seed: 9 }, pageId: 2 });
     expect(editing.history().present.page?.seed).toBe(9);
   });
@@ -96,7 +96,7 @@ const gesture = fc.constantFrom(undefined, 'drag', 'drag', 'other');
 const actions: Record<Action['type'], fc.Arbitrary<any>> = {
   'add-photos': fc.record({ ids: fc.subarray(['a', 'b', 'c']) }),
   'remove-photos': fc.record({ ids: fc.subarray(['a', 'b', 'c']) }),
-  // Forgetting is no step; it has tests of its own.
+  // `forget-photos` is not a step and has separate tests.
   'forget-photos': fc.record({ ids: fc.constant([]) }),
   'use-photos': fc.record({ uses: fc.dictionary(photo, fc.boolean()) }),
   'exchange-photo': fc.record({ id: photo, by: fc.constantFrom('d', 'e') }),
@@ -165,7 +165,7 @@ describe('whatever is done', () => {
         const editing = createEditing(editor);
         for (const one of list) editing.apply(one);
         isSame(editing, editor.save());
-        // Shared parts are shared, so that what is kept stays small.
+        // Parts stay shared, so that saved data stays small.
         const again = createEditing(core.createEditor(), editing.history());
         expect(again.history()).toBe(editing.history());
         again.apply({ type: 'forget-photos', ids: ['a', 'd'] });

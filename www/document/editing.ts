@@ -62,7 +62,7 @@ function withoutKnown(change: Change, { present, shown }: History): object {
 }
 
 function ownPages(project: Project) {
-  // Of two with one id the core takes the first.
+  // If two have the same id, the core uses the first.
   return sheetsOf(project)
     .map(({ pageId, page }) => [pageId, page] as const)
     .toReversed();
@@ -116,7 +116,7 @@ function knownParts({ present, shown }: History): Known {
     settings: [settings],
     drafts: draft ? [draft] : [],
     words: waiting,
-    // The core never tells one that nobody made, but counts it.
+    // The core omits default settings, but counts them.
     boards: [board as Board],
   };
 }

@@ -253,7 +253,7 @@ export function createPages(
   function bringBack({ id, page, sheet = 0 }: Shown) {
     const sheets = sheetsOf(store.project.peek());
     const at = sheets.findIndex((other) => other.pageId === id || other.sheet === sheet);
-    // To turn the pages is no step of the undo.
+    // Turning pages is not an undo step.
     if (at >= 0 && at !== store.project.peek().at) store.change({ type: 'set-sheets', sheets, at, silent: true });
     if (sheets[at]?.pageId !== id) store.change({ type: 'show-page', page: broughtBack(page), pageId: id });
   }

@@ -59,7 +59,7 @@ test('another document takes its place with its editor, and gives it back', () =
   expect([store.history.value === history, store.editing() === editing]).toEqual([true, true]);
   store.change({ type: 'undo' });
   expect([store.page.value, store.project.value.name]).toEqual([null, '']);
-  // What cannot be edited takes no place.
+  // An invalid document replaces nothing.
   const page = { ...pageOf(2), layout: 'no such layout' };
   const wrong = { ...history, present: { ...history.present, page } };
   expect(() => store.load({ ...other, history: wrong })).toThrow(/layout/);

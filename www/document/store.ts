@@ -113,7 +113,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     const items = new Map(tray.value.map((item) => [item.id, item]));
     const used = new Set(tray.value.filter((item) => isUsed(item, verdicts.value)).map(({ id }) => id));
     const list = facts.value.filter(({ id }) => used.has(id));
-    // While photos arrive the order of the files stands, else the page would be shuffled with each of them.
+    // During an import the order of the files stays, because each new photo would rearrange the page.
     const dated = !reading.value && project.value.order === 'time';
     return (dated ? chronological(list) : list).map(({ id, meta }) => {
       const known = meta ?? unreadMeta(id);

@@ -52,7 +52,7 @@ async function read({ file, count, start, end, leading, times: told }: FileWish)
           kept.set(number, passed);
         }
       }
-      // A file that breaks off ends with its last whole picture.
+      // A truncated file ends with its last complete frame.
       if (!picture) break;
       left.delete(target);
       kept.delete(target);

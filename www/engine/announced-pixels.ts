@@ -15,7 +15,7 @@ export function announcedPixels(bytes: Uint8Array): number {
   try {
     size = jpeg(view) ?? png(view) ?? gif(view) ?? bmp(view) ?? webp(view) ?? tiff(view);
   } catch {
-    // The file ends before it says it.
+    // The file ends before its size.
   }
   const pixels = size ? size[0] * size[1] : bytes.length * PIXELS_A_BYTE;
   return Math.min(MOST, pixels);

@@ -70,7 +70,7 @@ describe('an archive', () => {
         expect(error.code).toBe('damaged-project');
         return good;
       });
-      // A file may be gone with its name; none is ever another than it was.
+      // A damaged file may be missing, but its content is never different.
       texts.forEach((text, i) => expect([undefined, good[i]]).toContain(text));
     }
   });
@@ -79,7 +79,7 @@ describe('an archive', () => {
     const files = [
       { name: 'a', content: Buffer.from('stored') },
       { name: 'b', content: Buffer.from('packed'), packed: true },
-      // Its sizes stand behind it, as programs write it that did not know them before.
+      // Its sizes follow after the data, as some programs write them.
       { name: 'c', content: Buffer.from('told later'), flags: 0x0808, local: { crc: 0, length: 0, size: 0 } },
       { name: 'folder/' },
       {
@@ -107,7 +107,7 @@ async function readAll(file: Uint8Array<ArrayBuffer>) {
   return [...found.keys()];
 }
 
-// What unpacks to much takes its time on a busy machine.
+// Unpacking takes longer on a busy machine.
 describe('an archive that is a trap', { timeout: 60_000 }, () => {
   const nothing = packedNothing(64);
   const bomb = (name: string, size = 64 * 2 ** 20) => ({
@@ -197,7 +197,7 @@ describe('an archive that is a trap', { timeout: 60_000 }, () => {
   it('is refused when its files were unpacked to too much together, whatever they say', async () => {
     const found = await readArchive(new Blob([zipOf('abcde'.split('').map((name) => bomb(name, 2 ** 20)))]));
     const reasons = [];
-    // They unpack to more than they say, which is told before they are unpacked any further.
+    // They unpack to more than stated, which is detected early.
     for (const { read } of found.values()) reasons.push(await read().catch(({ code }) => code));
     expect(reasons).toEqual(Array(5).fill('damaged-project'));
     const again = (await readArchive(new Blob([zipOf([bomb('a')])]))).get('a') as any;

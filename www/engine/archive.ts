@@ -64,7 +64,7 @@ export async function archiveOf(entries: readonly Entry[], { signal, onProgress 
     onProgress?.(i, entries.length);
     const bytes = new TextEncoder().encode(name);
     const [crc, offset] = [await crcOf(blob, { signal }), at];
-    // The time is 1980-01-01: when a file was made is nobody's business.
+    // The time is always 1980-01-01, for privacy.
     const about = [20, UTF8, STORED, 0, 0x21];
     const local = record(LOCAL_SIZE, LOCAL, about, [crc, blob.size, blob.size], [bytes.length, 0]);
     const central = record(

@@ -45,7 +45,7 @@ let drain: MessagePort | undefined;
  * work: for buffers from messages or blobs, Chromium appears to keep the memory without counting it.
  */
 export function detach({ buffer }: { buffer: ArrayBuffer }) {
-  // What was handed to a worker is gone already.
+  // The buffer was already transferred to a worker.
   if (buffer.byteLength === 0) return;
   if (!drain) {
     const { port1, port2 } = new MessageChannel();

@@ -163,7 +163,7 @@ export function createDetector(
    * be slower.
    */
   function make(net: Net) {
-    // Fetching takes no core from whoever works.
+    // Downloads do not need a core.
     for (const one of ['faces', 'objects'] as const) if (!pools[one]) order(one, 'load').catch(() => {});
     made[net] ??= last = last
       .catch(() => {})

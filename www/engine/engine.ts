@@ -72,7 +72,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
     design.prepare(() => spawn(program, most.least));
     return planner;
   });
-  // Whoever awaits it is told; nobody has to.
+  // Callers that await it receive the error.
   ready.catch(() => {});
 
   const warming = createWarming(ask, SHARES_CODE ? 1 : size);

@@ -164,7 +164,7 @@ export function createExports({ run, photos, words, files }: Parts) {
       step(1);
       const written = await words.patches(own, document.page.width, fronts, { signal });
       const { x, y, width, height } = panel;
-      // The panel's rectangle is a page of its own, on which all lies that much further left and up.
+      // The panel's rectangle becomes a page, and all patches move left and up.
       const page = { ...document.page, width, height };
       const moved = [panel, ...written].map((patch) => ({ ...patch, x: patch.x - x, y: patch.y - y }));
       const png = await encode({ ...document, ...ALONE, page }, moved, signal);

@@ -97,7 +97,7 @@ function codecOf(bytes: Uint8Array): string | null {
 
 function latin(bytes: Uint8Array): string {
   let text = '';
-  // What is called latin1 is windows-1252, which has other letters at 0x80 to 0x9f.
+  // The label latin1 means windows-1252, which has other characters at 0x80 to 0x9f.
   for (const byte of bytes) text += String.fromCharCode(byte);
   return text;
 }

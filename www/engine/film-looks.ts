@@ -78,7 +78,7 @@ export function createLooks(track: InputVideoTrack, looking: Looking, { from, to
       const end = times[i + 1] ?? to;
       return { start, end, length: end - start, change: Math.min(30, looking.change(start)) };
     });
-    // A shot begins with a key frame as a rule, which may still be blurred by what was before it.
+    // A shot usually begins with a key frame, which may still contain blur from the shot before.
     for (const { start, end } of gaps) {
       if (performance.now() > begin + BETWEEN / 2) break;
       await during(start, Math.min(end, start + AFTER), { every: 0.25, until, tell: told });

@@ -62,7 +62,7 @@ function bmp({
   const file = new Uint8Array(HEADER + stride * rows);
   const view = new DataView(file.buffer);
   file.set([0x42, 0x4d]);
-  // Length, start of the pixels, length of what follows, sides (a negative height: from the top down), planes, bits.
+  // Length, offset of the pixels, header size, width and height (negative: from top to bottom), planes, bits.
   for (const [at, value] of [
     [2, file.length],
     [10, HEADER],

@@ -31,7 +31,7 @@ export async function fetchKept(
   const response = await fetch(address);
   if (store && response.ok && !isPage(response)) {
     const copy = response.clone();
-    // Where storage is full it is loaded again the next time.
+    // If storage is full, the file is downloaded again next time.
     setTimeout(() => void keep(store, address, copy).catch(() => {}), later);
   }
   return response;

@@ -42,7 +42,7 @@ export function createMasking(photos: ReturnType<typeof createPhotos>) {
   async function findMask(id: string, call?: Call): Promise<string> {
     if (!NET) throw failure('net-missing', 'The net that finds subjects is not part of this site.');
     const { name, small, work } = photos.get(id);
-    // The net looks at 320 pixels a side; the small copy has that many, if it is not very long.
+    // The model's input has 320 pixels per side. The small copy is sufficient unless it is very elongated.
     const photo = Math.min(small.width, small.height) >= 320 ? small : work;
     const net = new URL(NET, document.baseURI).href;
     looking += 1;

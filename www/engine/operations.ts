@@ -218,7 +218,7 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
 
   async function encode({ document, width, patches }: Operations['encode']['args'], tell: Tell) {
     const drawn = patches.reduce((sum, patch) => sum + patch.width * patch.height, 0);
-    // The page is about as large as what lies on it.
+    // The page has about the size of its patches.
     tell.expects(fileMs(drawn) + pngMs(2 * drawn + width * width));
     studio.begin_page(document, width);
     for (const { index, x, y, width: w, height: h, data } of patches) {

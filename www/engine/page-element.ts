@@ -100,7 +100,7 @@ export class InkpanelPage extends HTMLElement {
     try {
       await image.decode();
     } finally {
-      // What is decoded stays.
+      // The decoded image stays.
       URL.revokeObjectURL(image.src);
     }
     if (signal.aborted) return;

@@ -16,7 +16,7 @@ test('the limit is kept', () => {
 test('a device that slept for an hour has used up one part', () => {
   const over = vi.fn();
   patience(30_000, over);
-  // What was due fires once, however late it is.
+  // Overdue timers fire once, independent of the delay.
   vi.setSystemTime(Date.now() + 3_600_000);
   vi.advanceTimersToNextTimer();
   vi.advanceTimersByTime(24_999);

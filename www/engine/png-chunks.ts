@@ -128,7 +128,7 @@ export async function textOf(
 ): Promise<string | null> {
   if (!deflated) return body.size > longest ? null : body.text();
   try {
-    // What unpacks to more was made to fill the memory.
+    // Larger text is malicious.
     return await (await inflated(body, 'deflate', { take: roomFor(longest) })).text();
   } catch {
     return null;

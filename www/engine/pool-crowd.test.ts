@@ -19,7 +19,7 @@ test('a crowd that nobody waits for leaves a worker to the page', () => {
   fakes.answer('b');
   for (let done = 0; done < 8; done += 1) fakes.answer(`rest ${done}`);
   expect(running()).toEqual(['rest 8']);
-  // Where the end is in sight both go on.
+  // Near the end both continue.
   fakes.answer('rest 8');
   expect(running()).toEqual(['rest 9', 'rest 10']);
 });

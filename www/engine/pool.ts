@@ -242,7 +242,7 @@ export function createPool<Ops extends Table = Operations>({
     if (entry && !entry.over) {
       const again = mayTryAgain(entry);
       entry.tries += 1;
-      // On the fresh worker, where nothing is wrong yet.
+      // Retry on the fresh worker.
       if (again) start(slot, entry);
       else settle(entry, () => entry.reject(lost(entry.photo)));
     }

@@ -54,7 +54,7 @@ export function createRenders({
    * @param width of the page, in pixels
    */
   async function renderWord(document: PageDocument, index: number, width: number, call?: Call): Promise<BitmapPatch> {
-    // Of the others no word is in front.
+    // Other text items have nothing in front.
     const own = standsBehind(document.words?.[index] as Word);
     const alone = { ...document, words: own === null ? [] : [document.words?.[index] as Word] };
     const fronts = await frontsFor(alone, width, 'work', call);

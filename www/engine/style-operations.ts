@@ -103,7 +103,7 @@ export function createStyleOperations({
       try {
         return sitter.try_look(JSON.stringify(ask));
       } catch (error) {
-        // A trap is the end of this worker; what the core refuses is told by a code.
+        // A trap terminates this worker; errors of the core have a code.
         if ((error as { code?: string }).code === undefined) throw error;
         return null;
       }

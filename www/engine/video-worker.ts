@@ -47,10 +47,10 @@ async function read(wish: FileWish) {
       if (wish.shots) await byShots(track, sender, spread, clock.inFilm(reaches));
       else await atTimes(sender, spread);
     } catch (error) {
-      // Where not even one frame comes out of what it says it decodes, the browser's own player may do better.
+      // If no frame could be decoded, the browser's own player may work.
       const { code, message } = describe(error);
       if (!sender.delivered()) throw code.startsWith('film-') ? error : failure('video-decoder', message);
-      // What came of a film that is broken is worth a page.
+      // Frames of a damaged video are still useful.
       if (!wish.shots) throw error;
     }
   } finally {
@@ -72,7 +72,7 @@ async function byShots(track: InputVideoTrack, sender: Sender, wish: Spread, dur
   const { count, start = 0, end = Infinity, first, moments = [] } = wish;
   const [from, to] = [Math.max(first, start), Math.min(wish.duration, end)];
   const films = await filmModule().catch(() => null);
-  // Nobody should be left without a page because a file of the program is missing.
+  // A missing module must not prevent a page.
   if (!films) return atTimes(sender, { ...wish, count: count || WITHOUT });
   const looking = new films.Looking();
   const looks = createLooks(track, looking, { from, to });
@@ -130,7 +130,7 @@ async function lengthOf(track: InputVideoTrack): Promise<{ duration: number; rea
   const packets = new EncodedPacketSink(track);
   const told = (await track.getDurationFromMetadata().catch(() => null)) ?? 0;
   const found = await track.computeDuration();
-  // WebM and Matroska are as long as what is there of them, whatever they say.
+  // The stated duration of WebM and Matroska files may be wrong, so use the readable part.
   if (found > 0 && found < told - 0.5) return { duration: told, reaches: found };
   const duration = found;
   const whole = async (time: number) => {

@@ -76,7 +76,7 @@ export async function readVideo(file: Blob, wish: Wish, listener: Listener): Pro
     const { code, message } = error as { code?: string; message: string };
     if (code !== 'video-decoder' && !BY_ELEMENT.includes(String(code))) throw error;
     await readByElement(file, wish, listener, message).catch((worse) => {
-      // What the browser's own player cannot read either is named by what is wrong with the film.
+      // If the browser's player fails as well, report the error of the video.
       throw code !== 'video-decoder' && worse.code === 'video-codec' ? error : worse;
     });
   }

@@ -64,7 +64,7 @@ export function chunksOf(file: Uint8Array<ArrayBuffer>): { name: string; data: U
 /** The chunk that files with more than pixels begin with. */
 function extended(chunks: { name: string; data: Uint8Array }[], width: number, height: number) {
   const data = new Uint8Array(10);
-  // Of a lossless picture its own head says whether it is opaque.
+  // The header of a lossless image has an alpha flag.
   const lossless = chunks.find(({ name }) => name === 'VP8L');
   if (lossless && lossless.data[4] & ALPHA_FLAG) data[0] |= ALPHA_FLAG;
   for (let i = 0; i < 3; i += 1) {

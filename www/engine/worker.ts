@@ -23,7 +23,7 @@ serveJobs<Operations, Start>(
   },
   (told) => {
     started = start(told);
-    // The first job reports what went wrong, to whoever asked for that job.
+    // The first job reports the error.
     started.catch(() => {});
   },
 );

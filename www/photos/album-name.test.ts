@@ -13,7 +13,7 @@ test('an album is called after the folder that all of it came in', () => {
   expect(named(photo({ folders: ['Lisbon'] }), photo({ folders: ['Lisbon'] }))).toBe('Lisbon');
   expect(named(photo({ folders: ['Lisbon', 'day 1'] }), photo({ folders: ['Lisbon', 'day 2'] }))).toBe('Lisbon');
   expect(named(photo({ folders: ['Trip', 'Lisbon'] }), photo({ folders: ['Trip', 'Lisbon'] }))).toBe('Lisbon');
-  // What cameras call folders is no name.
+  // Folder names of cameras are ignored.
   expect(named(photo({ folders: ['Lisbon', 'DCIM', '100CANON'] }))).toBe('Lisbon');
   expect(named(photo({ folders: ['Downloads'], taken: '2026:06:03 10:00:00' }))).toBe('3 June 2026');
   const one = photo({ taken: '2026:06:03 10:00:00' });

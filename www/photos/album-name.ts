@@ -60,7 +60,7 @@ function folderName(origins: readonly Origin[]): string {
 
 function daysName(origins: readonly Origin[], dates: (from: number, to: number) => string, now: number): string {
   const taken = origins.flatMap((origin) => dayTaken(origin, now) ?? []);
-  // Times of files are those of copies as often as not: they count only where cameras are silent.
+  // File times are often the times of copies. They count only without capture times.
   const days =
     taken.length * 2 >= origins.length
       ? taken

@@ -30,7 +30,7 @@ test('a starred photo goes to the largest free panel, whose photo takes its plac
   expect(large.panels.map(({ photo }) => photo)).toEqual(['b', 'a', 'c']);
   expect(large.panels[1]).toMatchObject({ crop: null, edited: false });
   expect(large.panels[2]).toBe(before.panels[2]);
-  // Where it is large already, nothing changes.
+  // If it is already large, nothing changes.
   expect(enlarged(large, 'a', [1, 5, 3], new Set())).toBe(large);
   // Another starred photo keeps its panel, and so does a locked one.
   expect(enlarged(before, 'a', [1, 5, 3], new Set(['b'])).panels.map(({ photo }) => photo)).toEqual(['c', 'b', 'a']);

@@ -63,7 +63,7 @@ export function createChoosing({ store, pages, reading }: { store: Store; pages:
         return undefined;
       const starred = new Set(store.tray.peek().flatMap((item) => (item.starred && item.id !== id ? item.id : [])));
       const sizes = shapes.map(({ bounds }) => bounds.width * bounds.height);
-      // Where all panels are as good as equal, another layout has one that is large.
+      // If all panels are almost equal, another layout has a large one.
       const bound = locks.layout || page.panels.some(({ locked }) => locked);
       if (!bound && Math.max(...sizes) < LARGE * (sizes.reduce((sum, size) => sum + size, 0) / sizes.length))
         return pages.plan({ keep: { ...KEEP_ALL, layout: false, photos: false }, panels: leaders(page).length });

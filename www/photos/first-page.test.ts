@@ -72,7 +72,7 @@ describe('the first page', () => {
     });
     const done = reading.addFiles(files(...ten));
     await vi.advanceTimersByTimeAsync(50);
-    // The one of which no end is seen is on the sketch.
+    // The unfinished photo is on the sketch.
     expect([store.sketch.value, reading.near.value]).toEqual([true, true]);
     release();
     await done;

@@ -45,14 +45,14 @@ export function createFirstPage({
     }
     const read = new Set(store.facts.value.filter(({ meta }) => meta !== null).map(({ id }) => id));
     const enough = read.size >= Math.min(USUAL_PANELS, store.tray.value.length);
-    // When they are all read, nobody waits for the end of this.
+    // The wait ends when all photos are read.
     const soon = restOf(read.size) <= PATIENCE;
     if (enough) timer ??= setTimeout(compose, soon ? 2 * PATIENCE : facesReady() ? WAIT : LONGER_WAIT);
     if (enough && !soon && [...read].every((id) => store.faced.value.has(id))) {
       clearTimeout(timer);
       timer = setTimeout(compose);
     }
-    // Frames come in the order of their film, those of the page among others.
+    // Frames arrive in the order of their video, mixed with the frames of the page.
     const unread = page.panels.flatMap(({ photo }) => (photo !== null && !read.has(photo) ? [photo] : []));
     near.value = enough ? !soon : unread.length > 0 && unread.every((id) => store.originals.has(id));
     return undefined;

@@ -10,6 +10,6 @@ export function noteFolders(file: File, folders: readonly string[]): File {
 
 /** @returns from the outermost; empty without a folder */
 export function foldersOf(file: File): readonly string[] {
-  // Of a folder that was chosen in a dialog the file itself tells.
+  // Files of a folder that was chosen in a dialog have a relative path.
   return known.get(file) ?? (file.webkitRelativePath ?? '').split('/').slice(0, -1);
 }

@@ -82,7 +82,7 @@ export function createIntake({
       if (!last) count(1, 0);
     });
     if (!last) return;
-    // What follows, when all are read, is as much work as showing the last of them: a task of its own.
+    // The next step is as much work as drawing the last photo, so it is a separate task.
     await new Promise((resolve) => {
       setTimeout(resolve);
     });
@@ -93,7 +93,7 @@ export function createIntake({
   async function emptyFrame(id: string) {
     const [{ fact, file }] = await emptyFrames([store.album.peek().get(id) as Fact]);
     const meta = await engine.importPhoto(id, file, { priority: isShown(id) ? Priority.PAGE : Priority.REST });
-    // Another project may be on the page by now: it is none of its photos.
+    // Another project may be open now, without this photo.
     if (store.album.peek().has(id)) store.know(fact);
     return meta;
   }
@@ -130,7 +130,7 @@ export function createIntake({
 
   function arrived(id: string, { damage, ...meta }: Imported['meta'], more?: Partial<Fact>) {
     const fact = store.album.peek().get(id);
-    // A frame of a film that nobody wants any more.
+    // A frame of a video that is no longer wanted.
     if (!fact) return;
     // The person knows of a photo that is read again.
     if (damage && !fact.meta) reportDamage(fact.name, damage);
@@ -146,7 +146,7 @@ export function createIntake({
   function knownOf({ meta: before, absent }: Fact, meta: Omit<Imported['meta'], 'damage'>): Partial<Fact> {
     if (absent) {
       const { width, height, subjects, measured } = absent;
-      // The photo itself turned up, or else it is the frame that keeps its place, and is compared with none.
+      // The missing photo was found. Otherwise its frame stays, and matches no other file.
       if (looksLike(meta, absent))
         return {
           meta: { ...meta, subjects: subjects ?? [] },

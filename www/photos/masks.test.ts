@@ -40,7 +40,7 @@ describe('masks', () => {
     await settle();
     expect(asked).toEqual(['p1', 'p2']);
     expect(store.album.value.get('p2')?.meta?.mask).toBe('2x2:ap3');
-    // What is drawn from now on knows it.
+    // New drawings use it.
     expect(known.get('p2')).toBe('2x2:ap3');
     expect(masks.settled.value).toBe(true);
     expect(masks.progress.value).toBeNull();
@@ -84,7 +84,7 @@ describe('masks', () => {
     masks.stop();
     await settle();
     expect([masks.progress.value, masks.held.value, masks.settled.value]).toEqual([null, true, true]);
-    // Not by itself: neither when more photos come, nor when all is at rest anew.
+    // It does not restart automatically: neither with more photos, nor when the app is idle again.
     await reading.addFiles(files('3.jpg'));
     rested.value = false;
     rested.value = true;
@@ -107,7 +107,7 @@ describe('masks', () => {
     expect(store.photos.value.map(({ mask }) => mask)).toEqual(['2x2:p4', '2x2:ap3']);
     store.change({ type: 'mask-photo', id: 'p2', mask: '2x2:a4', found: '2x2:ap3' });
     expect([known.get('p2'), store.album.value.get('p2')?.meta?.mask]).toEqual(['2x2:a4', '2x2:ap3']);
-    // What was found counts again, and what was not is looked for.
+    // The detected mask counts again, and missing masks are detected.
     store.change({ type: 'undo' });
     store.change({ type: 'mask-photo', id: 'p1', mask: null });
     expect(known.get('p2')).toBe('2x2:ap3');

@@ -47,7 +47,7 @@ export function createMasks({
     const rank = (id: string) => (shown.has(id) ? 0 : beside.has(id) ? 1 : 2);
     const all = store.facts.value.filter(({ id, meta, absent }) => meta && !absent && engine.hasPhoto(id));
     const spare = BESIDE - all.filter(({ id, meta }) => rank(id) === 2 && meta?.mask).length;
-    // What was corrected by hand is known, whatever the net would find.
+    // Corrected masks count as known.
     const open = all.filter(({ id }) => !store.masks.value.has(id) && !failed.value.has(id)).map(({ id }) => id);
     const ofPages = open.filter((id) => rank(id) < 2).sort((a, b) => rank(a) - rank(b));
     return [...ofPages, ...open.filter((id) => rank(id) === 2).slice(0, Math.max(0, spare))];
@@ -56,7 +56,7 @@ export function createMasks({
   /** The masks that were passed to the engine. */
   let told: ReadonlyMap<string, string> = new Map();
 
-  // Whatever is drawn from now on knows the subjects, also those that came with a project or were corrected.
+  // New drawings use all masks, including masks of opened projects and corrections.
   effect(() => {
     const masks = store.masks.value;
     for (const id of new Set([...told.keys(), ...masks.keys()])) {

@@ -29,7 +29,7 @@ export function PhotoTile({
   const { store, pages, reading, choosing, engine, selection, framing, messages, ui } = useApp();
   const [panel, ...others] = selection.panels.value;
   const takes = panel !== undefined && others.length === 0 && !framing.isLocked(panel);
-  // Each photo that arrives makes another album; only its own tile is drawn anew.
+  // Each new photo changes the album, but only its own tile is drawn again.
   const fact = useComputed(() => store.album.value.get(id)).value;
   const verdict = useComputed(() => store.verdicts.value.get(id)).value;
   const name = fact?.name ?? id;

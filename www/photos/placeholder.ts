@@ -46,7 +46,7 @@ const [GROUND, INK] = [236, 196];
 export async function placeholderOf(photo: { width: number; height: number }): Promise<Blob> {
   const scale = LONGEST / Math.max(photo.width, photo.height);
   const [width, height] = [photo.width, photo.height].map((side) => Math.max(8, Math.round(side * scale)));
-  // Each row begins with the kind of its prediction, which is none.
+  // Each row begins with its filter type, which is 0.
   const rows = new Uint8Array((width + 1) * height).fill(GROUND);
   const longer = Math.hypot(width, height);
   for (let y = 0; y < height; y += 1) {

@@ -77,7 +77,7 @@ describe('the first photos', () => {
 
 test('of hundreds those that are not on the page are told of together, and all are known at the end', async () => {
   const app = fakeApp();
-  // The first are on the page, and are told of at once.
+  // The first photos are on the page and reported immediately.
   app.planner.planned = (page) =>
     page && { ...page, panels: page.panels.map((panel, i) => ({ ...panel, photo: `p${i + 1}`, crop: null })) };
   let changes = -1;

@@ -242,7 +242,7 @@ export function createReading({
     naming.settle(step);
     if (store.photos.peek().length === 0) {
       store.change({ type: 'no-page', silent: true });
-      // Of a single file the reason says it all.
+      // For a single file the error message is enough.
       if (files > 1) complaint = messages.alert(strings.noUsablePhoto);
     } else if (step === null) {
       if (!firstPage.compose()) keepShown();

@@ -8,7 +8,7 @@ export function PanelSubjects({ page, geometry }: { page: PageDocument; geometry
   const merged = new Set(page.merges.flat());
   const boxes = page.panels.flatMap(({ photo, crop }, panel) => {
     const bounds = geometry.panels[panel]?.bounds;
-    // Merged panels each show a part of one crop, which has no box of its own on the page.
+    // Merged panels show parts of one crop, without separate bounds.
     if (!bounds || !crop || merged.has(panel)) return [];
     const subjects = store.album.value.get(photo ?? '')?.meta?.subjects ?? [];
     return subjects.map((subject) => ({ ...within(subject, crop, bounds), label: subject.label, panel, bounds }));

@@ -91,10 +91,10 @@ export function createSubjects({
 
   effect(() => {
     if (off.value || store.page.value === null) return;
-    // Nobody saw the photos coming: better a little later than without the faces.
+    // The photos arrived without preparation. Waiting for faces is worth the delay.
     if (store.sketch.value) engine.prepareDetectors();
     if (!painted() && !early()) return;
-    // What takes longer is first in line.
+    // The slower detection starts first.
     for (const lane of ['objects', 'faces'] as const) if (!running.value.has(lane) && next(lane)) void run(lane);
   });
 
@@ -198,7 +198,7 @@ export function createSubjects({
     const lettering = fact.meta.subjects.filter(({ label }) => label === 'lettering');
     const subjects = [...faces, ...(objects ?? []), ...lettering];
     const same = JSON.stringify(fact.meta.subjects) === JSON.stringify(subjects);
-    // What is found once is found: the next visit need not look again.
+    // Results are saved, so the next visit does not repeat the detection.
     const looked = !!objects && !closer;
     if (!same || looked)
       store.know({ ...fact, meta: same ? fact.meta : { ...fact.meta, subjects }, ...(looked ? { looked } : {}) });

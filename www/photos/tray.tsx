@@ -27,7 +27,7 @@ export function Tray() {
   const all = stacks(tray, verdicts);
   const open = all.get(ui.stack.value ?? '') ?? [];
   const first = open.find((item) => isUsed(item, verdicts))?.id;
-  // What is in the open stack is shown there alone.
+  // Photos of the open stack appear only there.
   const inside = new Set(first === undefined ? [] : open.map(({ id }) => id));
   const aside = tray.filter((item) => !isUsed(item, verdicts) && !inside.has(item.id));
   const closed = kept.filter(({ id }) => !inside.has(id) || id === first);
@@ -57,7 +57,7 @@ export function Tray() {
           .map((item) => {
             const stack = all.get(item.id) ?? [];
             if (item.id === first) return <Stack key="stack" items={stack} />;
-            // The first that is used stands for its stack.
+            // The first used photo represents its stack.
             const top = stack.find((other) => isUsed(other, verdicts)) === item;
             return tile(item, true, top ? stack.length : 0);
           })}
@@ -82,7 +82,7 @@ export function Tray() {
 function useTiles(): (item: TrayItem, used: boolean, stack: number) => VNode {
   const drawn = useRef(new Map() as Map<string, { of: string; item: TrayItem; tile: VNode }>);
   const before = drawn.current;
-  // A tile holds its canvas: those that are not drawn any more, of other projects too, are let go.
+  // Tiles hold their canvas, so unused tiles are dropped.
   const now: typeof before = new Map();
   drawn.current = now;
   return (item, used, stack) => {

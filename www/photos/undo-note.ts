@@ -13,7 +13,7 @@ export function noteWithUndo({ messages, store, pages }: Pick<Parts, 'messages' 
     const moved = store.history.value.past !== past;
     const gone = messages.list.value.every((message) => message.id !== id);
     if (!moved && !gone) return;
-    // What it listens to is not changed while it listens.
+    // Do not change signals while they notify.
     queueMicrotask(() => {
       stop();
       messages.close(id);

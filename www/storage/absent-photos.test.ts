@@ -21,7 +21,7 @@ describe('the message that photos are missing', () => {
     expect(graves(other)).toEqual([expect.stringMatching(/^2 photos of this page are still missing/)]);
     await dropped(other, ...other.files('b.jpg', 'c.jpg'));
     expect(graves(other)).toEqual([]);
-    // No second message says it again later.
+    // There is no second message later.
     await new Promise((resolve) => {
       setTimeout(resolve, 500);
     });

@@ -203,7 +203,7 @@ describe('a project that cannot be read', () => {
     const [mine, now] = [tab.keeping.current.value, documentOf(tab)];
     expect(await tab.keeping.open(id)).toBe(false);
     expect([tab.keeping.current.value, documentOf(tab), tab.keeping.broken.value?.id]).toEqual([mine, now, id]);
-    // Nobody holds it.
+    // No tab holds the lock.
     expect(await tab.keeping.goBack()).toBe(true);
     expect([tab.keeping.current.value, tab.names()]).toEqual([id, ['a.jpg', 'b.jpg']]);
   });

@@ -91,7 +91,7 @@ export async function openDatabase({
 } = {}): Promise<Database> {
   const database = await open(name, onClosed);
   if (database.objectStoreNames.length > 0) return database;
-  // Somebody opened one that was not there, and so made it, without any table.
+  // Another page opened a missing database, which created it without tables.
   database.close();
   await deleteDB(name);
   return open(name, onClosed);
@@ -117,7 +117,7 @@ async function open(name: string, onClosed: () => void) {
 /** Converts a photo record for databases that cannot store blobs. */
 export async function inBytes(record: PhotoRecord): Promise<PhotoRecord> {
   const bytesOf = async (blob: Blob) =>
-    // Whoever reads a record asks `inBlobs` first.
+    // Readers call `inBlobs` first.
     ({
       bytes: await blob.arrayBuffer(),
       name: blob instanceof File ? blob.name : null,

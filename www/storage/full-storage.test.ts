@@ -66,7 +66,7 @@ describe('storage that takes no more', () => {
     const tab = await browser.tab();
     await tab.add('a.jpg');
     expect([tab.keeping.status.value, tab.names()]).toEqual(['refused', ['a.jpg']]);
-    // Another project would take the place of what is nowhere else.
+    // Another project would replace unsaved data.
     expect(await tab.keeping.create()).toBe(false);
     expect(tab.names()).toEqual(['a.jpg']);
     await tab.keeping.files.save();

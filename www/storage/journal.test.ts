@@ -40,7 +40,7 @@ describe('a journal', () => {
             photos: [['p9', 'late.jpg']],
           }),
         ).toBe(true);
-        // What the database gives back is equal, never the same.
+        // The database returns equal data, but new objects.
         const found = structuredClone(base);
         expect(journal.recall('one', { stamp: 's', history: found }, readHistory)).toEqual({
           history: now,
@@ -66,7 +66,7 @@ describe('a journal', () => {
     const now = named('One', 'Two');
     journal.note('one', { bases: [base, next], history: now, photos: [] });
     expect(journal.recall('one', base, readHistory)?.history.present.name).toBe('Two');
-    // Nobody knows which of the two was written.
+    // Either of the two may have been written.
     expect(journal.recall('one', next, readHistory)?.history.present.name).toBe('Two');
     expect(journal.recall('one', { ...base, stamp: 's0' }, readHistory)).toBe(null);
     expect(journal.recall('two', base, readHistory)).toBe(null);

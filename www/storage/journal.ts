@@ -65,7 +65,7 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
         return true;
       }
     } catch {
-      // There is no storage, or no room in it.
+      // Storage is blocked or full.
     }
     clear(id);
     return false;
@@ -75,7 +75,7 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
     try {
       box().removeItem(PREFIX + id);
     } catch {
-      // Then there is none.
+      // There is no entry.
     }
   }
 
@@ -93,7 +93,7 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
       const history = patched(base.history, fits.patch);
       const found = readHistory({ version: DOCUMENT, history });
       if (found.dropped.length > 0) return null;
-      // What is the same in both stays the very same object, by which the next entry knows it.
+      // Equal parts stay the same objects, so that the next entry recognises them.
       return { history: kinOf(found.history, history as History, base.history), photos: entry.photos };
     } catch {
       return null;
@@ -170,7 +170,7 @@ export function patchOf(base: History, now: History): Patch {
     now.shown.map((entry) => {
       const at = there.get(entry);
       if (at !== undefined) return at;
-      // Most are the page of a state that is told already.
+      // Most are the page of a state that is already included.
       fresh.push({ ...entry, page: pages.get(entry.page) ?? entry.page });
       return -fresh.length;
     }),

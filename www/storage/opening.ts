@@ -203,7 +203,7 @@ export function createOpening({
     try {
       const found = await readProject(base, id, engine.ready, journal.recall);
       await arrive(found, free).catch(async (error) => {
-        // What the journal tells may be what cannot be shown.
+        // The edits in the journal may be the reason for the error.
         if (!found.place.stored || isOutside(error)) throw error;
         await arrive(await readProject(base, id, engine.ready), free);
       });
@@ -281,7 +281,7 @@ export function createOpening({
     turns.value += 1;
     try {
       const whole = rehearsed(content, { planner, shared: shelves.lists(), join });
-      // Where nothing is lost, nobody need wait for it.
+      // If nothing can be lost, the check does not delay.
       if (store.tray.peek().length > 0) await drawnOnce(whole, engine);
       await saving.flush();
       if (next.id !== store.place.peek().id && !saving.isSafe())
@@ -368,7 +368,7 @@ export function createOpening({
     const states = await drawnOf(base, id, engine.ready);
     return tried(states, async (state) => {
       await arrive({ ...(await readState(base, id, state)), drawn: [...states] }, free);
-      // What the database has is the state that cannot be shown.
+      // The database has the state that cannot be drawn.
       store.load({ history: { ...store.history.peek() }, album: store.album.peek(), videos: store.videos.peek() });
     });
   }

@@ -187,7 +187,7 @@ export function createPhotoRecords({
   /** @param batch files without copies */
   async function putAll(database: Database, batch: readonly Held[]): Promise<(PhotoRecord | null)[]> {
     const records = batch.map(bareOf);
-    // What cannot be read as bytes is told from the others one by one, as below.
+    // Unreadable files are identified one by one, as below.
     const written = plain ? await Promise.all(records.map(inBytes)).catch(() => records) : records;
     const all = database.transaction('photos', 'readwrite');
     try {
@@ -195,7 +195,7 @@ export function createPhotoRecords({
     } catch (error) {
       all.done.catch(() => {});
       if (isFull(error) && batch.length === 1) throw error;
-      // One of them is the reason; the others are none the worse for it.
+      // One of them failed; the others are valid.
       const one = [];
       for (const held of batch) one.push(await tried(database, held));
       return one;
@@ -247,7 +247,7 @@ export function createPhotoRecords({
         if (isFull(error)) throw error;
       }
     }
-    // What cannot be read fails here as well.
+    // Unreadable files fail here as well.
     await database.put('photos', await inBytes(record));
     plain = true;
   }

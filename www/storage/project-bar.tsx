@@ -39,7 +39,7 @@ export function ProjectName() {
       title={name || undefined}
       value={name}
       onChange={({ currentTarget }) => {
-        // Whoever takes the name away gets the one that the photos give.
+        // An empty name restores the automatic name.
         store.change({ type: 'rename', name: currentTarget.value.trim() || reading.automaticName() });
         currentTarget.value = store.project.peek().name;
       }}
@@ -59,7 +59,7 @@ export function SaveState() {
   const state = keeping.status.value;
   const text = stateText(keeping);
   if (text === '') return null;
-  // Where there is little room the text is cut short.
+  // On small screens the text is shorter.
   if (state === 'saving' || state === 'saved')
     return (
       <span class="save-state" data-state={state} title={`${text}. ${strings.saveHelp}`}>

@@ -156,7 +156,7 @@ function NewName({ id, name, title, close }: { id: string; name: string; title: 
       onKeyDown={(event) => {
         if (event.key !== 'Enter' && event.key !== 'Escape') return;
         event.preventDefault();
-        // What else Escape closes stays.
+        // Escape closes nothing else.
         event.stopPropagation();
         end(event.key === 'Enter');
       }}

@@ -68,7 +68,7 @@ export function createProjects({
       const [copy, stamp, now] = [freshId(), freshId(), Date.now()];
       const [entry] = entryOf({ ...project, id });
       const name = strings.copyOf(entry.name || strings.untitled);
-      // A state that cannot be read is copied as it is.
+      // An unreadable state is copied unchanged.
       const { history } = state;
       const named = history?.present ? { ...history, present: { ...history.present, name } } : history;
       await Promise.all([

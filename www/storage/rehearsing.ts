@@ -117,7 +117,7 @@ export function exchanged(
 function addTo(photos: Photos, records: Content['records']): string[] {
   return records.flatMap(({ id, name, file, work, small }) => {
     if (!work || !small || photos.has(id)) return [];
-    // A file that could not be kept is missed by the export alone, which says so.
+    // A missing file affects only the export, which reports it.
     photos.add(id, { name, file: file ?? new Blob(), work, small });
     return [id];
   });

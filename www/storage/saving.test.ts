@@ -311,7 +311,7 @@ describe('photos that the database lost', () => {
     expect(said()).toEqual([[text, 'Save again', 'Choose photos']]);
     alerts(tab)[0].way?.run();
     await vi.waitFor(() => expect(said()).toEqual([[text, 'Choose photos', 'Continue without']]));
-    // It is there again.
+    // It is available again.
     refused = false;
     tab.photos.add(id, { name: 'b.jpg', file, work, small });
     rename(tab, 'Journey');
@@ -403,7 +403,7 @@ describe('hundreds of photos', () => {
     expect(alerts(after).map(({ text }) => text)).toEqual([
       expect.stringContaining(`${300 - files} of 300 photos are not in this browser: photo`),
     ]);
-    // Nobody knows how they look: their names tell.
+    // Their look is unknown, so their names identify them.
     expect(await after.keeping.absentPhotos.fill(after.files(...absent(after)))).toEqual([]);
     expect([after.names(), absent(after)]).toEqual([names, []]);
   });

@@ -135,7 +135,7 @@ export function createSaving({
     if (found) return found;
     const kept = place.stamp !== '';
     const now = parts();
-    // What came out of the database is there, but for edits that the journal told; what is new is yet to be written.
+    // Data from the database is saved, except edits from the journal. New data must still be written.
     const history = place.stored ?? (kept ? store.history.peek() : EMPTY_HISTORY);
     const fresh: Ledger = {
       place,
@@ -271,7 +271,7 @@ export function createSaving({
   function run(): Promise<void> {
     running ??= work(ledger).finally(() => {
       running = null;
-      // What came while the last step was ending.
+      // Changes during the end of the last step.
       if (ledger.due) void run();
     });
     return running;
@@ -350,7 +350,7 @@ export function createSaving({
         : 'failed';
     say(why);
     onTrouble(why, error);
-    // Of a full storage and a project that is another's by now only a change can make something else.
+    // After a full storage or a conflict, only a change can help.
     if (why === 'full' || error.code === 'conflict') return;
     clearTimeout(timer);
     timer = setTimeout(save, Math.min(LONGEST_PAUSE, PAUSE * 2 ** attempts));
@@ -387,7 +387,7 @@ export function createSaving({
     const ids = known.map((fact) => fact.id);
     try {
       const found = await projects.get(id);
-      // A project that is gone, with the whole database it may be, was changed by nobody.
+      // A missing project, possibly with the whole database, is not a conflict.
       if (typeof found?.stamp === 'string' && found.stamp !== before) throw conflict();
       const { name, tray } = history.present;
       const refs = [...ids, ...videos.map(({ fileKey }) => fileKey)];
@@ -413,14 +413,14 @@ export function createSaving({
         ...fresh.map((fact) => () => all.objectStore('facts').put({ id: fact.id, fact })),
       ].map((ask) => {
         const answer = ask();
-        // Where a later one cannot even be asked for, nobody waits for this one any more.
+        // If a later request throws, this promise is not awaited.
         answer.catch(() => {});
         return answer;
       });
       await Promise.all([...asked, all.done]);
       for (const fact of fresh) facts.set(fact.id, fact);
     } catch (error) {
-      // What the transaction itself has to say comes a second time with its end.
+      // The end of the transaction repeats the error.
       all.done.catch(() => {});
       abort(all);
       throw error;

@@ -38,7 +38,7 @@ export function createShelves({
   /** The lists that were dealt with last. */
   let seen: Partial<SharedLists> = {};
 
-  // Undo, too, changes what is kept.
+  // Undo changes the stored lists as well.
   effect(() => {
     const project = store.project.value;
     untracked(() => SHARED.forEach((field) => write(field, project[field])));
@@ -57,7 +57,7 @@ export function createShelves({
     restore();
     const now = { mine: read('mine'), favourites: read('favourites'), ownLayouts: read('ownLayouts') };
     const here = store.project.peek();
-    // What could not be written here stays.
+    // Unsaved local changes stay.
     const next = kept && {
       mine: carried(here.mine, kept.mine, now.mine),
       favourites: carried(here.favourites, kept.favourites, now.favourites),

@@ -91,7 +91,7 @@ describe('the last states that were drawn', () => {
     expect(await kept()).toBe(undefined);
     for (const name of ['One', 'Two', 'Three', 'Four', 'Five']) {
       tab.store.change({ type: 'rename', name, silent: true });
-      // What is not drawn is nothing to go back to.
+      // States that were not drawn are not stored.
       if (name !== 'Three' && name !== 'Five') tab.keeping.drawn();
       await tab.keeping.flush();
     }

@@ -135,7 +135,7 @@ export function createKeeping({
     if (window.document.visibilityState === 'hidden') void saving.flush();
     else void look();
   });
-  // Only while there is something to lose: a page that asks is kept by no browser for the way back.
+  // Only with unsaved data, because browsers do not cache pages with this listener.
   effect(() => {
     if (saving.unsaved.value || store.arriving.value > 0) window.addEventListener('beforeunload', ask);
     else window.removeEventListener('beforeunload', ask);
@@ -279,7 +279,7 @@ export function createKeeping({
 
   function onTrouble(why: Status, error: Error & { code?: string }) {
     if (error.code === 'conflict') {
-      // Both versions are kept.
+      // Both versions stay.
       void opening.goOnAsCopy().then(() => {
         store.change({
           type: 'rename',

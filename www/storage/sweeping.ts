@@ -14,7 +14,7 @@ import type { States } from './orphans.ts';
 const GRACE = 24 * 3600 * 1000;
 
 export async function sweep(database: Database, locks: Pick<Locks, 'during'>, now: number = Date.now()) {
-  // While another tab writes photos, none is swept: those of a project that is not written yet look unneeded.
+  // While another tab writes photos, none are deleted, because photos of an unwritten project look unused.
   await locks.during(PHOTOS_LOCK, { mode: 'exclusive', ifAvailable: true }, async () => {
     const all = database.transaction(['projects', 'states', 'facts', 'photos'], 'readwrite');
     const [projects, states] = [all.objectStore('projects'), all.objectStore('states')];
@@ -31,7 +31,7 @@ export async function sweep(database: Database, locks: Pick<Locks, 'during'>, no
     );
     if (needed) {
       const before = await orphansIn(states);
-      // Photos of a project that is over were needed by nobody else since it was deleted.
+      // Photos of a deleted project are unused since its deletion.
       const released = new Map(
         over.flatMap(({ refs, gone }) => (Array.isArray(refs) ? refs.map((key) => [key, gone]) : [])),
       );

@@ -34,7 +34,7 @@ function cleaned(part: string): string {
     .normalize('NFC')
     .replaceAll(REFUSED, ' ')
     .replaceAll(/\s+/gu, ' ');
-  // What begins with a dot is hidden, what ends with one or a space is cut by Windows.
+  // A leading dot hides the file, and Windows removes trailing dots and spaces.
   return plain.replaceAll(/^[. ~]+|[. ]+$/gu, '');
 }
 

@@ -29,7 +29,7 @@ export function beside(at: Box, size: Size, window: Size): Box {
   const [room, tall] = [window.width - 2 * GAP, window.height - 2 * GAP];
   const [aside, over] = [scale(sideways, tall), scale(room, upright)];
   const best = Math.max(aside, over);
-  // Where neither has room for more than a thumbnail it covers what it belongs to.
+  // If neither side has space for more than a thumbnail, the preview covers its control.
   const fits = best * size.width >= Math.min(LEAST, size.width);
   const by = fits ? best : scale(room, tall);
   const [width, height] = [size.width * by, size.height * by];

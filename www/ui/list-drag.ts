@@ -90,7 +90,7 @@ export function useListDrag({ list: listOf, item: itemOf }: Where, onDrop: (from
       { signal },
     );
     for (const type of ['pointercancel', 'lostpointercapture']) held.addEventListener(type, end, { signal });
-    // What is in hand neither scrolls the list nor opens a menu.
+    // A drag neither scrolls the list nor opens a menu.
     for (const type of ['touchmove', 'contextmenu'])
       list.addEventListener(type, (other) => holds && other.preventDefault(), { signal, passive: false });
     onEscape(end, signal);

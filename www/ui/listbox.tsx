@@ -48,7 +48,7 @@ export function Listbox<T extends Option>({
   const ids = shown.flatMap(({ options }) => options.map(({ id }) => id));
   const stop = [active, selected, ids[0]].find((id) => id !== null && ids.includes(id));
 
-  // What is chosen elsewhere, by a shuffle say, is found in the list at a glance.
+  // Scroll to a selection from outside, for example from a shuffle.
   const inView = useInView(ref);
   useEffect(() => reveal(ref.current), [selected, selected !== null && ids.includes(selected), inView]);
 

@@ -49,7 +49,7 @@ function hold({ clientX, clientY, currentTarget: element }: Of<PointerEvent>, id
   window.addEventListener('pointermove', move, { signal });
   window.addEventListener('pointerup', end, { signal });
   window.addEventListener('pointercancel', end, { signal });
-  // What a browser does itself when a finger stays or goes on from there.
+  // Suppress the browser's own actions for a long press and the movement after it.
   const ours = (event: Event) => held && event.preventDefault();
   element.addEventListener('touchmove', ours, { signal, passive: false });
   element.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });

@@ -20,7 +20,7 @@ export function Workspace({
   children: ComponentChildren;
 }) {
   const ref = useRef(null as HTMLElement | null);
-  // What had the focus is out of sight now.
+  // Take the focus, because the focused element is hidden now.
   useEffect(() => ref.current?.focus(), []);
   return (
     <main class="workspace">

@@ -139,7 +139,7 @@ impl<'a> Lens<'a> {
                 continue;
             };
             let off = (a / b / manner.aspect).ln();
-            // Of shapes around the same lines, the smallest fits closest. With a set width, the lowest one is
+            // The smallest shape around the lines fits closest. With a set width, the lowest one is
             // best.
             let waste = (4.0 * a * b / (self.total + 1.0) / self.setter.pitch()).max(0.1).ln();
             let cost =

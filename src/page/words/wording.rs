@@ -146,7 +146,7 @@ fn emphasised(text: &[char]) -> Vec<Mark> {
                 end = None;
                 continue;
             }
-            // If a mark has no partner, later marks on the line have none either. So the text is scanned at
+            // If a mark has no partner, later marks on the line are not searched. So the text is scanned at
             // most twice.
             if end.is_none() && at >= looked && opens(at) {
                 let line = text[at + 1..].iter().position(|&l| l == '\n').map_or(text.len(), |i| at + 1 + i);

@@ -99,7 +99,7 @@ export async function filmParts(file: Blob): Promise<{ parts: BlobPart[]; clean:
     const head = new DataView(await file.slice(at, at + 16).arrayBuffer());
     const box = boxAt(head, 0, file.size - at);
     if (!box) {
-      // What follows a whole film is no part of it, unless it is a box of it that was cut.
+      // Data after a complete video is not part of it, unless it is a truncated box.
       const type = head.byteLength < 8 ? '' : typeAt(head, 4);
       if (!seen.has('moov') || !seen.has('mdat') || AT_TOP.has(type) || NESTED.has(type)) return null;
       break;

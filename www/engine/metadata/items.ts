@@ -116,7 +116,7 @@ export function itemParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[]; 
   for (const other of all.slice(0, last + 1)) {
     const { type, start, inner, end } = other;
     if (FILM.has(type)) clean = scrubBoxes(whole.subarray(start, end)) && clean;
-    // Where the pictures of a film lie among the others is not read.
+    // The positions of video frames among other data are not known.
     else if (type === PICTURE_BOX && !moves)
       blankAround(whole, [...pictures, ...records.flatMap(({ ranges }) => ranges)], [inner, end]);
     else if (!AT_TOP.has(type)) blankBox(whole, other);
@@ -223,7 +223,7 @@ function blankRecord(bytes: Uint8Array, type: string, ranges: readonly Range[]) 
   }
   const after = new Uint8Array(before.length).fill(type === WORDS ? BLANK : 0);
   if (type === EXIF && before.length >= 4) {
-    // Where the record begins is said in front of it: now it is there at once.
+    // A field before the record contains its offset, which is 0 now.
     const record = recordOf(
       orientationOf(before.subarray(Math.min(before.length, 4 + new DataView(before.buffer).getUint32(0)))),
     );

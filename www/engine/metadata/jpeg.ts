@@ -39,7 +39,7 @@ export function jpegParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[
     if (end > bytes.length || end < start + 4) return null;
     const begins = (text: string) =>
       [...text].every((letter, i) => start + 4 + i < end && bytes[start + 4 + i] === letter.charCodeAt(0));
-    // What is coded follows its head.
+    // Coded data follows the scan header.
     at = marker === SCAN ? nextMarker(bytes, end) : end;
     if (at < 0) return null;
     if (marker === APP1 && orientation === 0 && begins(EXIF))

@@ -149,7 +149,7 @@ describe('what is taken out', () => {
 
   it('of a HEIC whose records and pictures are the same bytes is said to be in', async () => {
     const { file } = heic();
-    // The place of the record is that of a picture.
+    // The location of the metadata is the location of an image.
     const at = Buffer.from(file).indexOf(Buffer.from('iloc')) + 8 + 4;
     const view = new DataView(file.buffer);
     const picture = view.getUint32(at + 8);

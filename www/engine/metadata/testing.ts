@@ -201,7 +201,7 @@ function soiledTiff(file: Uint8Array) {
     ...number(many, 4, little),
     ...value,
   ];
-  // Of a type that nobody knows, in the field itself, a directory, and with a value behind the end.
+  // Unknown types: in the field itself, a directory, and with a value after the end.
   const more = [
     ...[50839, 65000, 65105].map((tag) => out(tag, 2, SECRET.length, number(secret, 4, little))),
     out(65106, 77, SECRET.length, number(secret, 4, little)),

@@ -68,7 +68,7 @@ export function createAbsentPhotos({
   function follow(frames: readonly string[]) {
     clearTimeout(telling);
     const { id = 0, count = 0 } = told ?? {};
-    // Those of another project are another message.
+    // Another project gets another message.
     if (!frames.some((frame) => told?.frames.has(frame))) {
       messages.close(id);
       told = null;
@@ -119,7 +119,7 @@ export function createAbsentPhotos({
       put([...matches.values()]);
       messages.note(strings.photosBack(matches.size));
       const left = empty.peek().length;
-      // Whoever closed the message is busy with them again.
+      // If the user closed the message, show it again.
       if (left > 0 && !messages.change(told?.id ?? 0, strings.photosStillMissing(left), way, told?.more))
         tell(strings.photosStillMissing(left));
     }
@@ -128,7 +128,7 @@ export function createAbsentPhotos({
     /** @param known the matching frame, if the hash is equal */
     async function tried(file: File, known?: Fact) {
       const [id] = reading.freshIds(1);
-      // What cannot be read is named where it is added as a photo.
+      // Unreadable files are reported when they are added as photos.
       const meta = await engine.importPhoto(id, file, { priority: Priority.PAGE }).catch(() => null);
       const frame =
         meta &&

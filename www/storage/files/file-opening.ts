@@ -156,7 +156,7 @@ export function createFileOpening({
       return true;
     } catch (error) {
       taken.forEach(engine.forgetPhoto);
-      // What was stopped fails in many ways, for the one reason.
+      // After a cancellation all errors have the same reason.
       tell(file, cancelled.aborted ? cancelled.reason : error, way);
       return false;
     } finally {
@@ -174,7 +174,7 @@ export function createFileOpening({
     // Thousands that are one file would be read thousands of times.
     if (new Set(photos.map(({ path }) => path)).size < photos.length) throw damaged('photos: two of them are one file');
     const packed = photos.some(({ path }) => archive.get(path)?.packed);
-    // What has to be unpacked is held as a whole while it is read.
+    // Compressed files are completely in memory while they are read.
     const facts = await inTurns(photos, packed ? 1 : PHOTOS_AT_ONCE, async (photo) => {
       const { path, type, subjects, mask, measured, rank: _rank, like, absent, ...fact } = photo;
       try {
@@ -236,7 +236,7 @@ function silence(stop: AbortController): { beat: () => void; over: Promise<never
   const over: Promise<never> = new Promise((_, reject) => {
     stop.signal.addEventListener('abort', () => reject(stop.signal.reason), { once: true });
   });
-  // It is no failure of what has ended well.
+  // Ignore it after success.
   over.catch(() => {});
   return {
     beat,

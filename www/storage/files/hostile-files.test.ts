@@ -83,7 +83,7 @@ function counted(wait: () => Promise<unknown> = () => Promise.resolve()) {
   return seen;
 }
 
-// What unpacks to much takes its time on a busy machine.
+// Unpacking takes longer on a busy machine.
 describe('a project file that is a trap', { timeout: 60_000 }, () => {
   const nothing = packedNothing(64);
   const bomb = { content: nothing, method: 8, length: nothing.length, size: 64 * MB };

@@ -252,7 +252,7 @@ function pagesAlone({ history, photos, dropped }: FileProject): FileProject {
     panels: page.panels.map((panel) => (known.has(panel.photo ?? '') ? panel : { ...panel, photo: null })),
     order: page.order.filter((id) => known.has(id)),
   }));
-  // Of a project that is more than its pages, only what these are made with.
+  // Only the parts of the project that its pages need.
   const { name, alike, order, locks, panels: wanted, styling, at } = history.present;
   const sheets = numbered(whole, at);
   const present = {

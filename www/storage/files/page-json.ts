@@ -48,7 +48,7 @@ export async function pageJson(
       unclean += clean ? 0 : 1;
     }
     const about = { id: idOf(id), name: idOf(id).slice(1), credit, type: '' };
-    // A photo that is missing here is told of as where the page came from.
+    // A missing photo keeps its metadata from the original page.
     told.push(
       absent
         ? {

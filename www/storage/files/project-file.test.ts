@@ -100,7 +100,7 @@ describe('a project file', () => {
       ['b.jpg', true],
       ['c.jpg', false],
     ]);
-    // Files that fail are told together, a moment later.
+    // Failed files are reported together, a moment later.
     await vi.waitFor(() => expect(reasons().join()).toMatch(/b\.jpg.*damaged/));
   });
 

@@ -38,7 +38,7 @@ export function projectJson(
     paths.set(id, path);
     return path;
   };
-  // When a photo was taken is nobody's business; which came first is enough for their order.
+  // Capture times are private, so only their order is stored.
   const times = [...new Set(facts.flatMap(({ meta }) => meta?.taken ?? []))].sort();
   const photos = facts.map(({ id, name, credit, video, time, shot, meta, measures, looked, type, absent, like }) => ({
     id,
