@@ -14,7 +14,7 @@ import type { States } from './orphans.ts';
 const GRACE = 24 * 3600 * 1000;
 
 export async function sweep(database: Database, locks: Pick<Locks, 'during'>, now: number = Date.now()) {
-  // While another tab writes photos, none are deleted, because photos of an unwritten project look unused.
+  // While another tab writes photos, nothing is deleted, because photos of an unwritten project look unused.
   await locks.during(PHOTOS_LOCK, { mode: 'exclusive', ifAvailable: true }, async () => {
     const all = database.transaction(['projects', 'states', 'facts', 'photos'], 'readwrite');
     const [projects, states] = [all.objectStore('projects'), all.objectStore('states')];
