@@ -16,7 +16,11 @@ fn bounds() -> String {
         ("Pages of a storyboard.", "sheets", limits::MOST_SHEETS),
         ("Words of a page.", "words", limits::MOST_WORDS),
         ("Characters of a word.", "letters", limits::MOST_LETTERS),
-        ("Styles of one's own, favourites, and layouts: of each so many.", "styles", limits::MOST_STYLES),
+        (
+            "Maximum number of custom styles, of favourites, and of custom layouts.",
+            "styles",
+            limits::MOST_STYLES,
+        ),
         ("Blocks of one layer of a style.", "blocks", limits::MOST_BLOCKS),
         ("Bytes of the file of a texture.", "texture", limits::TEXTURE),
         ("Characters of a name.", "name", limits::LONGEST_NAME),
@@ -30,12 +34,12 @@ fn bounds() -> String {
             limits::LONGEST_LABEL,
         ),
         ("Characters of the logo of a board as a data URL.", "logo", limits::LONGEST_LOGO),
-        ("Columns of one's own.", "columns", limits::MOST_COLUMNS),
+        ("Maximum number of custom columns.", "columns", limits::MOST_COLUMNS),
         ("Frames of a shot.", "shotFrames", limits::MOST_SHOT_FRAMES as usize),
         ("Characters of a script.", "script", script::MOST_SCRIPT),
         ("Text items that one edit adds.", "added", limits::MOST_ADDED),
     ];
-    let head = "/**\n * What a project holds at most. Written out of `src/document/limits.rs` by `cargo xtask bless`, not by hand: the core reads\n * no project beyond it, so none is made here.\n */\n\nexport const MOST = Object.freeze({\n";
+    let head = "/**\n * Limits of a project. `cargo xtask bless` generates this file from `src/document/limits.rs`. The core rejects projects that\n * exceed them, so the app never makes such projects.\n */\n\nexport const MOST = Object.freeze({\n";
     let lines = most.map(|(what, name, value)| format!("  /** {what} */\n  {name}: {},\n", grouped(value)));
     format!("{head}{}}});\n\n{}\n{}\n{}", lines.concat(), ranges(), animatics(), sizes())
 }
@@ -47,14 +51,15 @@ fn ranges() -> String {
     let [strict, loose] = select::THRESHOLDS;
     let grouped = |value: u32| grouped(value as usize);
     [
-        "/** What a page may be: pixels of a side, pixels in all, dots an inch. */".to_owned(),
+        "/** Limits of a page: pixels per side, total pixels, DPI. */".to_owned(),
         "export const PAGE = Object.freeze({".to_owned(),
         format!("  leastSide: {},\n  mostSide: {},", grouped(least_side), grouped(most_side)),
         format!("  mostPixels: {},", self::grouped(MOST_PIXELS as usize)),
         format!("  leastDpi: {},\n  mostDpi: {},\n}});\n", grouped(least_dpi), grouped(most_dpi)),
-        "/** Bits in which fingerprints of look-alikes may differ: the strictest and the loosest that make sense. */".to_owned(),
+        "/** Minimum and maximum setting of the fingerprint distance of near-duplicates, in bits. */"
+            .to_owned(),
         format!("export const ALIKE = Object.freeze({{ strict: {strict}, loose: {loose} }});\n"),
-        "/** Panels of a first page, and of a page among others where no number is wanted. */".to_owned(),
+        "/** Maximum number of panels of a first page, and default number of later pages. */".to_owned(),
         format!("export const USUAL_PANELS = {};\n", spreading::USUAL),
     ]
     .join("\n")
@@ -65,7 +70,7 @@ fn animatics() -> String {
     let sizes = animatic::SIZES
         .map(|(id, [width, height])| format!("  {{ id: '{id}', width: {width}, height: {height} }},\n"));
     format!(
-        "/** Of animatics: how far above the lower edge a caption ends, in heights of the frame, and numbers of a frame in their table. */\nexport const ANIMATIC = Object.freeze({{ foot: {}, columns: {} }});\n\n/** Sizes of animatics by what people call them, in pixels. */\nexport const ANIMATIC_SIZES = Object.freeze([\n{}] as const);\n",
+        "/** Animatics: `foot` is the distance of captions from the lower edge in frame heights, `columns` the numbers per frame in the table. */\nexport const ANIMATIC = Object.freeze({{ foot: {}, columns: {} }});\n\n/** Frame sizes of animatics by common name, in pixels. */\nexport const ANIMATIC_SIZES = Object.freeze([\n{}] as const);\n",
         Animatic::FOOT,
         Animatic::COLUMNS,
         sizes.concat()
@@ -87,7 +92,7 @@ fn sizes() -> String {
         };
     let all: Vec<_> = PRESETS.iter().map(size).collect();
     format!(
-        "/** Page sizes that people know, the default first; `safe` and `fold`: pixels from the sides, and from the middle. */\nexport const PAGE_SIZES = Object.freeze([\n{}] as const);\n",
+        "/** Named page sizes, the default first; `safe` and `fold`: distance in pixels from the sides, and from the middle. */\nexport const PAGE_SIZES = Object.freeze([\n{}] as const);\n",
         all.concat()
     )
 }
@@ -116,10 +121,11 @@ fn empty() -> String {
             _ => line(name, &told(value, &text)),
         })
         .collect();
-    let head = "/** A project in which nothing was done. Written out of `src/document/project.rs` by `cargo xtask bless`, not by hand. */";
+    let head =
+        "/** An empty project. `cargo xtask bless` generates this file from `src/document/project.rs`. */";
     let imports = "import type { Project } from './project.ts';";
     let page = format!(
-        "/** A page as it is at first. */\nexport const DEFAULT_SETTINGS = Object.freeze({{\n{settings}}});"
+        "/** Default settings of a page. */\nexport const DEFAULT_SETTINGS = Object.freeze({{\n{settings}}});"
     );
     let state = format!("export const EMPTY_PROJECT: Project = Object.freeze({{\n{project}}});");
     format!("{head}\n\n{imports}\n\n{page}\n\n{state}\n")

@@ -1,8 +1,8 @@
-/** A project in which nothing was done. Written out of `src/document/project.rs` by `cargo xtask bless`, not by hand. */
+/** An empty project. `cargo xtask bless` generates this file from `src/document/project.rs`. */
 
 import type { Project } from './project.ts';
 
-/** A page as it is at first. */
+/** Default settings of a page. */
 export const DEFAULT_SETTINGS = Object.freeze({
   width: 2480,
   height: 3508,

@@ -1,6 +1,6 @@
 /**
- * What a project holds at most. Written out of `src/document/limits.rs` by `cargo xtask bless`, not by hand: the core reads
- * no project beyond it, so none is made here.
+ * Limits of a project. `cargo xtask bless` generates this file from `src/document/limits.rs`. The core rejects projects that
+ * exceed them, so the app never makes such projects.
  */
 
 export const MOST = Object.freeze({
@@ -12,7 +12,7 @@ export const MOST = Object.freeze({
   words: 200,
   /** Characters of a word. */
   letters: 10_000,
-  /** Styles of one's own, favourites, and layouts: of each so many. */
+  /** Maximum number of custom styles, of favourites, and of custom layouts. */
   styles: 1_000,
   /** Blocks of one layer of a style. */
   blocks: 32,
@@ -32,7 +32,7 @@ export const MOST = Object.freeze({
   label: 200,
   /** Characters of the logo of a board as a data URL. */
   logo: 65_536,
-  /** Columns of one's own. */
+  /** Maximum number of custom columns. */
   columns: 12,
   /** Frames of a shot. */
   shotFrames: 2_592_000,
@@ -42,7 +42,7 @@ export const MOST = Object.freeze({
   added: 20_000,
 });
 
-/** What a page may be: pixels of a side, pixels in all, dots an inch. */
+/** Limits of a page: pixels per side, total pixels, DPI. */
 export const PAGE = Object.freeze({
   leastSide: 64,
   mostSide: 14_000,
@@ -51,16 +51,16 @@ export const PAGE = Object.freeze({
   mostDpi: 1_200,
 });
 
-/** Bits in which fingerprints of look-alikes may differ: the strictest and the loosest that make sense. */
+/** Minimum and maximum setting of the fingerprint distance of near-duplicates, in bits. */
 export const ALIKE = Object.freeze({ strict: 4, loose: 16 });
 
-/** Panels of a first page, and of a page among others where no number is wanted. */
+/** Maximum number of panels of a first page, and default number of later pages. */
 export const USUAL_PANELS = 6;
 
-/** Of animatics: how far above the lower edge a caption ends, in heights of the frame, and numbers of a frame in their table. */
+/** Animatics: `foot` is the distance of captions from the lower edge in frame heights, `columns` the numbers per frame in the table. */
 export const ANIMATIC = Object.freeze({ foot: 0.05, columns: 15 });
 
-/** Sizes of animatics by what people call them, in pixels. */
+/** Frame sizes of animatics by common name, in pixels. */
 export const ANIMATIC_SIZES = Object.freeze([
   { id: '1080p', width: 1920, height: 1080 },
   { id: '720p', width: 1280, height: 720 },
@@ -68,7 +68,7 @@ export const ANIMATIC_SIZES = Object.freeze([
   { id: 'upright', width: 1080, height: 1920 },
 ] as const);
 
-/** Page sizes that people know, the default first; `safe` and `fold`: pixels from the sides, and from the middle. */
+/** Named page sizes, the default first; `safe` and `fold`: distance in pixels from the sides, and from the middle. */
 export const PAGE_SIZES = Object.freeze([
   {
     id: 'a4',
