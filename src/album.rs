@@ -84,7 +84,7 @@ fn walk(folder: &Path, depth: usize, files: &mut Vec<PathBuf>) -> Result<(), Com
     }
     found.sort_by(|a, b| by_name(name(a), name(b)).then_with(|| a.cmp(b)));
     for path in found.into_iter().filter(|path| !name(path).starts_with('.')) {
-        // What is linked from elsewhere could lead round in a circle.
+        // Links could form a cycle.
         if path.is_dir() && !path.is_symlink() && depth < DEEPEST {
             walk(&path, depth + 1, files)?;
         } else if path.is_file() && is_picture(&path) && files.len() <= MOST_FILES {

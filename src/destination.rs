@@ -57,7 +57,7 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
         return print(bytes);
     }
     let complain = |error: std::io::Error| format!("{}: {error}", path.display());
-    // What is linked stays a link; what is no file, such as a pipe, cannot be put in place of.
+    // Links stay links. Pipes and other special files cannot be replaced.
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     if fs::metadata(&path).is_ok_and(|there| !there.is_file()) {
         return fs::write(&path, bytes).map_err(complain);

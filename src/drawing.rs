@@ -297,7 +297,7 @@ impl Printing {
             language: self.language().to_owned(),
             marks: self.marks,
             imposition: self.impose,
-            // Eight pages at their full size are a poster; a zine is made of what lies in the printer.
+            // Eight pages at full size would be a poster, so a zine uses A4 by default.
             paper: self.sheet.or((self.impose == Some(Imposition::Zine)).then_some(A4)),
             plate,
             inks: Vec::new(),

@@ -27,7 +27,7 @@ pub(crate) fn imitate(picture: &Path, photo: &Path, seed: u32, anyway: bool) -> 
             break;
         }
         let seen = Seen::of(&photo, &asks[0]);
-        // What fails to draw is no candidate.
+        // Failed attempts are skipped.
         let attempt = |ask: &Ask| imitate::attempt(&seen, &ask.style, &mut Context::default()).ok();
         search.tell(asks.par_iter().map(attempt).collect());
     }

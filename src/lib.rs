@@ -72,7 +72,7 @@
 //! of `modules/` bind the stages to JavaScript. Every spatial parameter of a style is in pixels of a 1920 x
 //! 1080 image and scaled to the render at hand.
 
-// Without the stages, much of them is used by nobody.
+// Without public stages, many items are unused.
 #![cfg_attr(
     not(feature = "internals"),
     allow(dead_code, unused_imports, unreachable_pub, clippy::struct_field_names)

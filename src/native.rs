@@ -103,7 +103,7 @@ pub fn leaf(
     (plate, quality): (Option<(&Separation, usize)>, u8),
 ) -> Result<Leaf> {
     let scene = Scene::new(document, document.page.width as usize)?;
-    // Borders are lines of the file. Where a figure may not cross one it knows of it all the same.
+    // Borders are lines of the file. Breakouts depend on borders nevertheless.
     let patches = render(document, photos, false)?;
     let pictures = patches
         .par_iter()

@@ -122,7 +122,7 @@ impl Album<'_> {
             "photos": photos, "videos": [],
         });
         let text = told.to_string();
-        // What the page would refuse is not written.
+        // Never write a project that the app would reject.
         ProjectFile::parse(&text).map_err(|error| error.to_string())?;
         Ok(text)
     }

@@ -81,7 +81,7 @@ fn made<D: Borrow<Document>>(
     (subjects, letters): (&Subjects<'_>, &Letters),
     picture: &mut dyn FnMut(&Document) -> Result<Vec<u8>, Complaint>,
 ) -> Result<Vec<u8>, Complaint> {
-    // What a panel shows is told in English alone; to others it is a photo.
+    // Descriptions of panels are only in English; other languages say that it is a photo.
     let english = told_of.language.split('-').next().is_some_and(|code| code.eq_ignore_ascii_case("en"));
     let page = |document: &D| {
         let document = document.borrow();
@@ -95,7 +95,7 @@ fn made<D: Borrow<Document>>(
         pages: pages.iter().map(page).collect(),
     };
     let text = |error: inkpanel::Error| error.to_string();
-    // What cannot be told is known before anything is drawn.
+    // Report errors before anything is drawn.
     let told = match kind {
         Kind::Html => Told::Pieces(html::write(&comic, letters).map_err(text)?),
         Kind::Epub => Told::Files(epub::write(&comic, letters).map_err(text)?),

@@ -26,7 +26,7 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
     let complain = |reason: String| Err(format!("{}: {reason}", told(input)));
     let bytes = match album::read(input) {
         Ok(bytes) => bytes,
-        // What of a photo cannot be read is told where photos are.
+        // Unreadable photos are reported where photos are read.
         Err(error) => return named.then(|| complain(error)),
     };
     match survived(|| Saved::read(bytes)) {

@@ -127,7 +127,7 @@ mod tests {
 
     #[test]
     fn a_slope_stays_a_slope_and_ends_as_it_began() {
-        // Of whole pixels 10 a step across, 100 a step down.
+        // Values increase by 10 per pixel in x, and by 100 in y.
         let plane: Vec<f32> = (0..12).map(|at| (at % 4 * 10 + at / 4 * 100) as f32).collect();
         let output = enlarged(&plane, (3, 4), [2, 4]);
         assert_eq!(output.len(), 6 * 16);

@@ -81,7 +81,7 @@ impl<const OUTPUTS: usize> Run<OUTPUTS> {
     fn computed(&mut self) -> TractResult<Option<[Vec<f32>; OUTPUTS]>> {
         if let Some(Step { node, done }) = self.steps.get(self.next) {
             let inputs = self.state.prepare_inputs(*node)?;
-            // An operator writes over an input that nobody else holds.
+            // An operator may overwrite an input that has no other owner.
             for node in done {
                 self.state.turn_state.values[*node] = None;
             }

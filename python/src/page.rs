@@ -99,7 +99,7 @@ impl Page {
     }
 
     /// A JPEG file of the page, of a quality from 1 to 100.
-    // As `native::QUALITY`; a number, so that help tells it.
+    // Equal to `native::QUALITY`; a literal, so that help shows it.
     #[pyo3(signature = (quality = 90))]
     fn jpeg<'py>(&self, py: Python<'py>, quality: u8) -> PyResult<Bound<'py, PyBytes>> {
         self.encoded(py, |pixels| pixels.jpeg(quality))

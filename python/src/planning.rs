@@ -20,7 +20,7 @@ pub(crate) fn render(py: Python<'_>, photos: Vec<Bound<'_, PyAny>>, settings: &s
 }
 
 fn planned(photos: Vec<Photo>, settings: Settings) -> Done<Vec<Page>> {
-    // What cannot be taken is said before any photo is read.
+    // Report invalid settings before photos are read.
     let fonts = settings.fonts.iter().map(|file| font(file)).collect::<Done<Vec<_>>>()?;
     let mut album =
         if settings.skip_broken { Album::read_skipping_broken(photos) } else { Album::read(photos)? };

@@ -23,7 +23,7 @@ pub(crate) fn stylize(
             serde_json::from_str(style).map_err(|error| Failure::argument("style", &error.to_string()))?;
         let style = style_of(&told)?;
         let style = seed.map_or_else(|| Ok(style.clone()), |seed| style.seeded(seed))?;
-        // Not `Style::draw`: what is gray stays gray.
+        // Not `Style::draw`, because gray images stay gray.
         let drawn = inkpanel::style::stylize(&image, style.chain(), &mut Context::for_image(&image))?;
         Ok(if is_gray && drawn.is_luma() {
             Pixels::Gray(drawn.into_parts().0.swap_remove(0).into_samples())

@@ -75,7 +75,7 @@ impl Page {
     pub(super) fn new(sheet: &Sheet, panels: Vec<Vec<(f64, f64)>>, across: f64) -> Self {
         let (width, height) = (sheet.width(), sheet.height());
         let page = PixelRect { x: 0, y: 0, width, height };
-        // The smoothing of what is made larger looks two pixels far.
+        // Interpolation needs two pixels of margin.
         let room = across.ceil() as usize + 2;
         let sheet = Plate::new::<3>(sheet.rgb(), page, (room, GROUND), [width, height]);
         Self { sheet, words: Vec::new(), panels }
@@ -102,7 +102,7 @@ impl Page {
             let outline = told.panel.and_then(|panel| self.panels.get(panel));
             frame.veil(outline.map_or(&[], Vec::as_slice), told.veil * VEIL);
         }
-        // What is said in the panel that is read lies over the veil where it stands out.
+        // Text of the current panel is above the dimming, even outside of the panel.
         self.say(&mut frame, told, true);
         frame.rgb
     }

@@ -130,7 +130,7 @@ impl Pages {
         let across = widest * sheet.width() as f64 / f64::from(self.plan.size[0]);
         let mut drawn = Page::new(&sheet, reading.panels.clone(), across);
         for (place, patch) in words {
-            // A word that says nothing is not read.
+            // Empty text items are not read.
             if let Some(turn) = reading.said.iter().position(|said| said.word == place) {
                 drawn.add(&patch, (turn, reading.said[turn].panel));
             }

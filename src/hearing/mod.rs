@@ -260,7 +260,7 @@ impl Hearing<'_> {
             if !highest || frame.flux < mean + ABOVE || self.peak(i) < FAINT || self.rise(i) < RISE {
                 continue;
             }
-            // Of equals that stand close the first.
+            // The first of equal neighbours wins.
             if found.last().is_none_or(|&last| i - last > 2 * APART) {
                 found.push(i);
             }
@@ -282,7 +282,7 @@ impl Hearing<'_> {
 
     /// The frames of a sound that begins at `onset`, at the latest up to `next`.
     fn span(&self, onset: usize, next: Option<usize>) -> Range<usize> {
-        // What comes next is in the frames before it already.
+        // The next sound begins in the frames before its onset.
         let next = next.map_or(usize::MAX, |next| next - APART);
         let most = (onset + LONGEST).min(next).min(self.frames.len());
         let mut peak = self.peak(onset);
@@ -341,14 +341,14 @@ impl Hearing<'_> {
         let tonal = loud.iter().map(|frame| frame.flatness).sum::<f32>() / count < TONAL;
         let attack = frames.iter().position(|frame| frame.level >= peak - 3.0).unwrap_or_default();
         let octaves = if loud.len() >= SWELL { wandering(&loud) } else { 0.0 };
-        // What crashes falls in pitch as it fades; a tone that does falls by itself.
+        // Crashes fall in pitch while they fade; falling tones are sweeps.
         let moves = octaves >= OCTAVES || octaves <= -OCTAVES && tonal;
         let kind = if moves || attack >= GRADUAL { Kind::Sweep } else { Kind::Hit };
         let end = self.seconds(span.end);
         let start =
             if sudden && kind == Kind::Hit { self.beginning(span.start) } else { self.seconds(span.start) };
         let length = (end - start).max(0.01);
-        // What is struck fades from its loudest frame on, a voice holds.
+        // Impacts fade from their loudest frame on, voices last.
         let holds = frames.get(attack + HELD_FOR).is_some_and(|frame| frame.level >= peak - 6.0);
         let voice = !moves && holds && VOICES.contains(&centroid) && self.is_pitched(span.start + attack);
         if voice || kind == Kind::Hit && !sudden {
@@ -408,7 +408,7 @@ impl Hearing<'_> {
     /// Times of voices in seconds, and their levels.
     fn voices(&self) -> Vec<(f64, f32)> {
         let asked = (0..self.frames.len()).step_by(ASKED);
-        // What is struck may have a tone, but fades; a voice holds.
+        // Impacts may have a tone, but fade; voices last.
         let holds = |i: usize| {
             let [now, next] =
                 [i, i + ASKED].map(|i| self.frames.get(i).map_or(f32::NEG_INFINITY, |frame| frame.level));

@@ -105,8 +105,8 @@ struct Transform {
 impl Transform {
     /// `size`: a power of two, 4 at least.
     fn new(size: usize) -> Self {
-        // A fourth of a turn is halved until it is one part, and the parts are gone through one after the other: by cosines and
-        // sines of each the module would be as large again as its transform.
+        // Cosines and sines by repeated halving of a quarter turn. Library functions would double the size of
+        // the module.
         let (mut cosine, mut sine) = (0f64, 1f64);
         for _ in 2..size.trailing_zeros() {
             cosine = f64::midpoint(1.0, cosine).sqrt();
@@ -120,7 +120,8 @@ impl Transform {
                 [x as f32, -y as f32]
             })
             .collect();
-        // A sine of full scale has a magnitude of 1 in its bin. The second half of a turn has the first one's cosines, negated.
+        // A sine of full scale has a magnitude of 1 in its bin. The second half of the cosines is the first
+        // half, negated.
         let cosines = turns.iter().map(|[x, _]| *x).chain(turns.iter().map(|[x, _]| -x));
         let window = cosines.map(|cosine| 2.0 * (1.0 - cosine) / size as f32).collect();
         Self { window, turns }

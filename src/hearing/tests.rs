@@ -129,7 +129,7 @@ fn words_follow_loudness_length_and_pitch() {
 
 #[test]
 fn what_begins_in_speech_is_left_out_unless_it_is_louder() {
-    // Vowels, each after a burst as of a t or a k, which has no tone of its own.
+    // Vowels, each after a burst like t or k, which has no tone.
     let mut samples = noise(6.0, 0.0005);
     let burst = noise(0.05, 0.2);
     for i in 0..10u8 {

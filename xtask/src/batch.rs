@@ -40,7 +40,7 @@ pub fn run(project: &Project) -> Result<()> {
             if let Some(threads) = threads {
                 command.env("RAYON_NUM_THREADS", threads.to_string());
             }
-            // It tells of photos that have no panel.
+            // The output lists photos without a panel.
             let told = command.output().context("cannot start the command line")?;
             ensure!(told.status.success(), "{}", String::from_utf8_lossy(&told.stderr));
             Ok(())

@@ -35,7 +35,7 @@ pub fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
         println!("{table}");
         return tables::put(&project.root.join(tables::BENCHMARKS), "engines", &table);
     }
-    // Rows need the blocks alone; the site takes minutes.
+    // Rows need only the blocks; the site takes minutes.
     if filter.is_empty()
         || filter.iter().any(|word| {
             ["page", "album", "films", "making", "masking", "animatic", "living", "detect", "figures"]

@@ -74,7 +74,7 @@ pub fn run(project: &Project, names: &[String]) -> Result<()> {
     let topics = topics(names)?;
     let before = stored(project, &topics)?;
     tools::run(tests(project, &topics).arg("--no-run"))?;
-    // A test that stores something anew fails, so that it never passes for one that compares.
+    // A test that stores new expectations fails, so that it never counts as passed.
     let mut blessing = only(tests(project, &topics), &topics);
     if tools::run(blessing.env("BLESS", "1").env("RUST_BACKTRACE", "0")).is_err() {
         println!("\nOnce more, to see that what is stored now is what is drawn:");

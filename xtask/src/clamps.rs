@@ -288,7 +288,7 @@ mod tests {
     fn tighter_bounds_stay_and_only_they() {
         let before = clamped(0, 254, true, I8x16NarrowI16x8U);
         assert_becomes(&before, &before, 0);
-        // The lower bound goes where nothing stands between it and the narrow.
+        // The lower clamp is removed if it directly precedes the narrowing.
         let before = clamped(0, 254, false, I8x16NarrowI16x8U);
         let kept = |i| [LocalGet(i), wide16(254), I16x8MinS];
         let after = [kept(0), kept(1)].concat();

@@ -37,7 +37,7 @@ fn install(project: &Project) -> Result<PathBuf> {
     println!("cargo install cargo-deny {CARGO_DENY}");
     let mut cargo = project.cargo();
     cargo.args(["install", "cargo-deny", "--version", CARGO_DENY, "--locked", "--quiet", "--root"]);
-    // It runs for a second: what takes time is to compile it.
+    // It runs for a second, so a fast compilation matters more.
     tools::run(cargo.arg(&folder).arg("--debug").env("CARGO_PROFILE_DEV_DEBUG", "0"))?;
     Ok(program)
 }

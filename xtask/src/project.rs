@@ -20,7 +20,7 @@ pub struct Project {
 impl Project {
     /// Finds the checkout that this program was built from.
     pub fn locate() -> Result<Self> {
-        // As cargo says it now: checkouts that share a target folder share this program as well.
+        // Read at run time, because checkouts with a shared target folder share this program.
         let told = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
         let here = told.as_deref().unwrap_or(Path::new(env!("CARGO_MANIFEST_DIR")));
         let root = here.parent().context("xtask stands in the workspace's top folder")?.to_path_buf();

@@ -31,7 +31,7 @@ pub enum Task {
 /// When a file cannot be read or written, or something in it was not taken.
 pub fn run(project: &Project, task: &Task) -> Result<()> {
     npm::install(project)?;
-    // The names of filters and styles are told by the core.
+    // The core defines the names of filters and styles.
     if !project.www().join("pkg/inkpanel_bg.wasm").is_file() {
         site::build_module(project, "core")?;
     }

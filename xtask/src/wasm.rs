@@ -260,7 +260,7 @@ pub fn finish(project: &Project, module: &Module, purpose: Purpose) -> Result<()
     );
     let file = format!("{}.wasm", module.package.replace('-', "_"));
     let compiled = project.target.join(TARGET).join(module.profile(purpose)).join(file);
-    // A change of the sources may change nothing of what is compiled.
+    // A change of the sources may not change the compiled code.
     let mut made = Inputs::default();
     made.path(&compiled, &[])?
         .value(module.level)

@@ -104,7 +104,7 @@ fn test(project: &Project, package: &Path, (wheel, with_ray): (&Path, bool)) -> 
     python::install(&interpreter, |pip| pip.args(["--no-index", "--no-deps"]).arg(wheel))?;
     let mut pytest = std::process::Command::new(&interpreter);
     pytest.env("INKPANEL", command_line(project)?);
-    // From the top folder: in its own the package would be found as it stands there.
+    // From the top folder, because Python would import the source package in its folder.
     pytest.args(["-m", "pytest", "--quiet", "-p", "no:cacheprovider", "--config-file"]);
     pytest.arg(package.join("pyproject.toml")).arg(package.join("tests"));
     if !with_ray {

@@ -3,7 +3,7 @@
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
-// What the macro makes of an enum compares numbers of JavaScript with its own.
+// The macro for enums compares JavaScript numbers with its values.
 #![allow(clippy::float_cmp)]
 
 use inkpanel::raster::retouch::{Mending, Session, View};

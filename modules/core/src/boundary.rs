@@ -213,7 +213,7 @@ impl Studio {
     /// Sets the subject mask of a photo as text; `None` if it is unknown. Styles with a part for only the
     /// subject or background use it.
     pub fn know_subject(&mut self, key: &str, mask: Option<String>) {
-        // Each job tells it again: it is read when it is another.
+        // Each job sends the mask; it is only parsed if it changed.
         if self.subjects.get(key).map(Matte::text) == mask.as_deref() {
             return;
         }

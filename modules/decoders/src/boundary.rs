@@ -128,7 +128,8 @@ fn bmp(image: &Image) -> Vec<u8> {
     let mut file = vec![0; HEADER + stride * height];
     let length = file.len() as u32;
     file[..2].copy_from_slice(b"BM");
-    // Length, start of the pixels, length of what follows, sides (a negative height: from the top down), planes and bits.
+    // Length, offset of the pixels, header size, width and height (negative: from top to bottom), planes,
+    // bits.
     let fields = [
         (2, length),
         (10, HEADER as u32),

@@ -160,7 +160,7 @@ impl WebP {
         let (_, profile) = records_of_webp(&bytes);
         let failed = |error| explained(error, Self::NAME);
         let mut decoder = WebPDecoder::new(Cursor::new(bytes)).map_err(failed)?;
-        // Browsers pass over the colour that a file names for what it clears.
+        // Browsers ignore the background colour of a file.
         if decoder.has_animation() {
             decoder.set_background_color(Rgba([0; 4])).map_err(failed)?;
         }

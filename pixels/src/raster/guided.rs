@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn a_soft_mask_takes_the_guides_edge() {
-        // A black thing on white, of which the mask knows only about where it ends.
+        // A black object on white, with an imprecise mask.
         let guide = Plane::from_fn(80, 40, |x, _| if x < 43 { 20 } else { 230 });
         let mask = Plane::from_fn(80, 40, |x, _| (255.0 * ((46.0 - x as f32) / 8.0).clamp(0.0, 1.0)) as u8);
         let refined = guided(&guide, &mask, 8, EPSILON);

@@ -210,7 +210,7 @@ impl Color {
 
     fn corrected(&self, rgb: [u8; 3]) -> [u8; 3] {
         let [r, g, b] = [0, 1, 2].map(|i| self.curves[i][usize::from(rgb[i])]);
-        // The cast ends at 0; what is brighter than white ends at the last entry.
+        // The cast saturates at 0; values above white use the last entry.
         self.matrix.map(|row| {
             let light = row[0] * r + row[1] * g + row[2] * b + 0.5;
             self.encoded[(light as usize).min(ENTRIES - 1)]
@@ -295,7 +295,7 @@ impl<'a> Curve<'a> {
             *value = f64::from(fixed(data, 12 + 4 * i)?);
         }
         if matches!(kind, 1 | 2) {
-            // Below the zero of the power; the fourth number, where there is one, is added on both sides.
+            // Below the threshold of the power; the fourth parameter is added on both sides.
             let [_, a, b, c, d, e, f] = &mut values;
             (*e, *f) = (*c, *c);
             (*c, *d) = (0.0, -*b / *a);

@@ -45,7 +45,7 @@ impl Decoder {
         let colors = decoder.input_colorspace();
         let (channels, out) = match colors {
             Some(ColorSpace::Luma) => (Channels::Grey, ColorSpace::Luma),
-            // As they are: what they look like is for a profile to say.
+            // Unchanged, because a profile defines their look.
             Some(inks @ (ColorSpace::CMYK | ColorSpace::YCCK)) => (Channels::Cmyk, inks),
             _ => (Channels::Rgb, ColorSpace::RGB),
         };
@@ -122,7 +122,7 @@ pub(super) fn readable(
     };
     match rescued {
         Some((file, damage)) => Ok((file, damage.checked(name)?)),
-        // Of an unusual kind, which the decoder may know.
+        // An unusual kind, which the decoder may support.
         None if markers.complete => Ok((markers.without_records(bytes), None)),
         None => Err(Error::damaged(name, "its end is missing")),
     }
@@ -193,7 +193,7 @@ impl<'a> Markers<'a> {
                 APP2 if markers.parts.len() <= MOST_PARTS => {
                     markers.parts.extend(payload.strip_prefix(b"ICC_PROFILE\0"));
                 }
-                // Start of frame: C0..CF but for DHT, JPG and DAC.
+                // Start of frame: C0..CF without DHT, JPG and DAC.
                 0xC0..=0xCF if !matches!(marker, 0xC4 | 0xC8 | 0xCC) => {
                     // Damaged data may look like another frame.
                     if markers.size.is_none()
@@ -308,7 +308,7 @@ mod tests {
         assert_eq!(Markers::of(&image).without_records(&image), image);
         let pixels = |bytes: &[u8]| Decoder::new(bytes.to_vec(), "JPEG").unwrap().samples().unwrap();
         assert_eq!(pixels(&image), pixels(file));
-        // Adobe's marker is no record: it says that these are four inks.
+        // Adobe's marker is required, because it identifies four inks.
         let inks = include_bytes!("../../../tests/oracles/data/files/jpeg-ycck.jpg");
         let kept = Markers::of(inks).without_records(inks);
         assert!(kept.windows(5).any(|window| window == b"Adobe"));

@@ -161,7 +161,7 @@ pub fn confidence(shares: &Plane, counts: impl Fn(usize, usize) -> bool) -> f64 
             rim += u64::from(at_rim);
         }
     }
-    // A border drawn as finely as pixels allow has about two unsure ones for each of its own.
+    // The sharpest possible border has about two uncertain pixels for each border pixel.
     let width_of_doubt = unsure as f64 / rim.max(1) as f64;
     (1.0 - (width_of_doubt - 2.0) / 10.0).clamp(0.0, 1.0)
 }

@@ -91,8 +91,8 @@ mod tests {
 
     #[test]
     fn the_eight_orientations_put_the_corners_where_exif_says() {
-        // Where the row 0 and the column 0 of the file are seen (Exif 2.32, table of tag 274), as the
-        // position of the file's pixel (x, y) of a 35 x 50 image.
+        // Position of row 0 and column 0 of the file (Exif 2.32, table of tag 274), as the position of the
+        // file's pixel (x, y) of a 35 x 50 image.
         let (w, h) = (35usize, 50usize);
         let file = Plane::from_fn(w, h, |x, y| (x * 7 + y * 5) as u8);
         for orientation in 1..=8u8 {

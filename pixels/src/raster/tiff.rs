@@ -58,7 +58,7 @@ pub(super) fn read(file: &[u8], name: &'static str, limits: &Limits) -> Result<P
         check_jpegs(file, &mut decoder, name)?;
     }
     let mut decoder = decoder.with_limits(allowance);
-    // Of JPEG the bits are in their usual order whatever the file says, as libtiff has it.
+    // JPEG data always has the normal bit order, as in libtiff.
     decoder.inner().turned = header.fill_order == 2 && layout.compression != JPEG;
     let mut samples = vec![0; pixels * layout.used];
     let mut row = Vec::new();
@@ -100,7 +100,7 @@ impl Header {
                 ));
             }
             if tag == ICC_PROFILE && tiff.bytes(field).is_none() {
-                // The pixels may be there, but nobody can say what they look like.
+                // The pixels may exist, but their format is unknown.
                 return Err(Error::damaged(name, "its end is missing"));
             }
             let new = match tag {
@@ -234,7 +234,7 @@ impl Layout {
             _ if samples == count || colors == Colors::Palette => Alpha::None,
             Some(1) => Alpha::Multiplied,
             Some(2) => Alpha::Straight,
-            // Of programs that forget the field.
+            // For programs that omit the field.
             None if (colors, samples) == (Colors::Rgb, 4) => Alpha::Straight,
             _ => Alpha::None,
         };

@@ -52,7 +52,7 @@ pub fn filter_rows(
     second: &mut [u8],
 ) {
     let width = first.len();
-    // Of one length, so that one check of a block's place serves all rows.
+    // Equal lengths, so that one bounds check per block is enough for all rows.
     let rows = rows.map(|row| &row[..width + MARGIN]);
     // Pairs of known length: a copy of unknown length is a call, and a slow one in wasm.
     let ((pairs, last), (second_pairs, second_last)) =

@@ -53,7 +53,7 @@ impl Kernel {
         let mut pairs: Vec<i16> = weights[1..].iter().map(|w| (w / sum * 32768.0).round() as i16).collect();
         let rest = |pairs: &[i16]| 32768 - 2 * pairs.iter().map(|&w| i32::from(w)).sum::<i32>();
         if weights[0] == 0.0 {
-            // No centre to take the rounding: the nearest pair does (what is left is even).
+            // Without a centre, the nearest pair gets the rounding error, which is even.
             pairs[0] += (rest(&pairs) / 2) as i16;
         }
         Self { centre: rest(&pairs).min(i32::from(i16::MAX)) as i16, pairs }

@@ -71,7 +71,7 @@ fn mix_at<const BITS: u32>(sources: impl Iterator<Item = (Pair, [u8x16; 2])>) ->
         sum3 += widen_high(high).dot(weights);
     }
     let [a, b, c, d] = [sum0, sum1, sum2, sum3].map(|sum| sum.unbounded_shr_scalar(BITS));
-    // What is left is far inside an i16; the last step clamps.
+    // The rest is far inside an i16, and the last step clamps.
     u8x16::narrow_i16x8(narrow(a, b), narrow(c, d))
 }
 

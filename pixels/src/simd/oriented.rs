@@ -186,7 +186,7 @@ pub fn choose(
                     places.map(|place| two_rows(&spread.samples, at.wrapping_add_signed(place), stride));
                 let calmest = spreads.iter().fold(far.max(spreads[0]), |least, &spread| least.min(spread));
                 let weights = spreads.map(|spread| {
-                    // In Q15, but for what the division of reach leaves over, which all weights share.
+                    // In Q15, except for the remainder of the division of reach, which all weights share.
                     let near = (far - (spread - calmest).min(far)) * slope;
                     let square = near.mul_scale_round(near);
                     square.mul_scale_round(square) >> (15 - WEIGHT)
@@ -250,7 +250,7 @@ mod tests {
         let mut out = vec![Plane::filled(24, 12, 0)];
         let places = [[(-6, 0), (6, 0), (0, 4), (0, -4), (-4, 4), (4, 4), (-4, -4), (4, -4)]];
         choose(&[Wide::of(&plane, 8)], &Wide::of(&spread, 8), &[0; 18], &places, 600, &mut out);
-        // At the border the places of both sides are calm; away from it one side alone is.
+        // At the border both sides are calm; away from it only one side is.
         let row: Vec<u8> = out[0].row(6).to_vec();
         assert!(row[..9].iter().all(|&v| v == 40) && row[15..].iter().all(|&v| v == 200), "{row:?}");
     }

@@ -201,7 +201,7 @@ pub fn shift_luma(channel: &mut [u8], before: &[u8], after: &[u8]) {
 pub fn lay_ink(plane: &mut [u8], lines: &[u8], ink: u8) {
     let ink = i16x8::splat(i16::from(ink));
     zip3(plane, lines, &[], |plane, lines, _| {
-        // 128.5 * 255 is 32767: white lines leave the plane exactly as it is.
+        // 128.5 * 255 is 32767: white lines do not change the plane.
         let share = (lines << 7u32) + (lines >> 1u32);
         ink + round::<7>(((plane - ink) << 7u32).mul_scale_round(share))
     });

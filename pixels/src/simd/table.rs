@@ -149,7 +149,8 @@ impl Affine {
             return None;
         }
         let one = f64::from(1u32 << Self::BITS);
-        // Rounding hides the slope; where no offset suits all entries, those in the way say to which side it lies.
+        // Rounding hides the slope. If no offset fits all entries, the conflicting entries show its
+        // direction.
         let (mut least, mut most) = ((rise - 1.0) / run, (rise + 1.0) / run);
         let shift = (0..=7).find(|&shift| most * one / f64::from(1u32 << shift) < 32767.0)?;
         for _ in 0..16 {

@@ -46,7 +46,7 @@ impl<'a> Tones<'a> {
         let guess = reach(&self.counts, (rank * seen).div_ceil(total));
         let first = guess.saturating_sub(2);
         let below = count(self.samples, first);
-        // The first of them is only the smallest where there is none below it.
+        // The first one is the smallest only if no sample is below it.
         match below.iter().position(|&n| n >= rank) {
             Some(k) if k > 0 || first == 0 => first.saturating_add(k as u8),
             _ => reach(&histogram(self.samples), rank),
@@ -134,7 +134,7 @@ mod tests {
             (0..n).map(|_| (random.rand_range(0..200) / 3 + random.rand_range(0..180)) as u8).collect();
         let flat = vec![255; n];
         let ramp: Vec<u8> = (0..n).map(|i| (i * 256 / n) as u8).collect();
-        // What the sample sees is nothing like the rest.
+        // The sampled values are very different from the rest.
         let hidden: Vec<u8> = (0..n)
             .map(|i| if (i / STEP).is_multiple_of(SPARSE) { 3 } else { (100 + i % 90) as u8 })
             .collect();

@@ -105,7 +105,7 @@ pub fn divide(rows: [&[f32]; 5], own: &[f32], tones: &mut [i16]) {
     let own = &own.as_chunks::<LANES>().0[..count];
     let four = |k: usize| {
         let [a, b] = [2 * k, 2 * k + 1].map(|i| weighted(rows.map(|row| &row[i])));
-        // Alternate values of both: shuffles of shuffles, of which the compiler makes one each.
+        // Alternating values of both. The compiler merges these shuffles.
         let (low, high) = (a.unpack_lo(b), a.unpack_hi(b));
         let (weights, sums) = (low.unpack_lo(high), low.unpack_hi(high));
         let sums = sums + f32x4::new(own[k]) * f32x4::splat(PRIOR);

@@ -74,7 +74,7 @@ pub fn reached<'a>(metadata: &'a Value, roots: &[&'a str], left_out: &BTreeSet<&
         let node = nodes.iter().find(|node| node["id"] == id);
         for other in node.and_then(|node| node["deps"].as_array()).into_iter().flatten() {
             let mut kinds = other["dep_kinds"].as_array().into_iter().flatten();
-            // Those of build scripts and of tests have a name.
+            // Dependencies of build scripts and tests have a kind.
             if kinds.any(|kind| kind["kind"].is_null()) {
                 open.extend(other["pkg"].as_str());
             }

@@ -34,7 +34,7 @@ impl Album {
     pub fn know(&mut self, photos: &str) -> std::result::Result<(), JsValue> {
         let photos: Vec<PhotoMeta> = parse(photos, "photos").map_err(thrown)?;
         for photo in photos {
-            // Told again as it was, a photo is not looked at again.
+            // Unchanged photos keep their cached results.
             if self.photos.get(&photo.id).is_none_or(|(known, _)| *known != photo) {
                 self.photos.insert(photo.id.clone(), (photo, Place::default()));
             }

@@ -62,7 +62,7 @@ impl Studio {
         height: usize,
         rgba: &[u8],
     ) -> std::result::Result<(), JsValue> {
-        // Those of a panel that came to nothing are not another's.
+        // Drop the frames of a failed panel.
         let frame = Image::from_rgba(width, height, rgba, [255; 3]).inspect_err(|_| self.living.clear());
         self.living.push(frame.map_err(thrown)?);
         Ok(())

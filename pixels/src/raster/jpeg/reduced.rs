@@ -149,7 +149,7 @@ fn read_headers(bytes: &[u8]) -> Option<(Header, &[u8])> {
                 let is_whole = indices.iter().copied().eq(0..header.components.len());
                 return is_whole.then(|| (header, &bytes[at..]));
             }
-            // Adobe's says so where the components are no differences of colour.
+            // Adobe's marker defines whether components are colour differences.
             APP14 if body.starts_with(b"Adobe") && body.get(11) != Some(&1) => return None,
             // Files of other kinds, and of several pictures.
             0xD0..=END_OF_IMAGE | 0xDC | 0xDE | 0xDF => return None,

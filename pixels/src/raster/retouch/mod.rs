@@ -65,7 +65,7 @@ impl Brush {
     }
 
     fn line(self, mask: &mut Plane, from: [f32; 2], to: [f32; 2]) {
-        // Whole pixels that may be within reach; what is outside of the mask is cut off.
+        // Pixels that may be within reach, clipped to the mask.
         let reach = |axis: usize, length: usize| {
             let first = from[axis].min(to[axis]) - self.radius;
             let end = from[axis].max(to[axis]) + self.radius;
@@ -108,7 +108,7 @@ fn extreme(mask: &Plane, radius: f32, pick: fn(u8, u8) -> u8) -> Plane {
     let reach = radius.max(0.0) as usize;
     let mut out = mask.clone();
     for dy in 0..=reach {
-        // The widest run of the disc in the rows that far away, of whose pixels one after the other is taken.
+        // Half the width of the disc in rows at this distance.
         let half = (radius * radius - (dy * dy) as f32).max(0.0).sqrt() as usize;
         for y in 0..height {
             for from in [y.checked_sub(dy), Some(y + dy).filter(|from| *from < height)].into_iter().flatten()
@@ -307,7 +307,7 @@ mod tests {
                 together = joined(&together, &one);
             }
             prop_assert!(figures.areas().is_sorted_by(|a, b| a >= b));
-            // What is too faint for a border, and hangs on nothing, is lost.
+            // Faint pixels without a connection to a figure are lost.
             for (was, is) in mask.samples().iter().zip(together.samples()) {
                 prop_assert!(is == was || *was < WITHIN && *is == 0, "{was} {is}");
             }
@@ -323,7 +323,7 @@ mod tests {
         brush.paint(&mut whole, &path);
         path.windows(2).for_each(|piece| brush.paint(&mut pieces, piece));
         assert_eq!(whole, pieces);
-        // What is no place paints nothing.
+        // An invalid position paints nothing.
         brush.paint(&mut pieces, &[[f32::NAN, 3.0]]);
         Brush { radius: 0.0, ..brush }.paint(&mut pieces, &path);
         assert_eq!(whole, pieces);

@@ -137,7 +137,7 @@ impl Session {
             Mending::Shrink => shrunk(&self.mask, reach),
             Mending::Feather => {
                 let softer = feathered(&self.mask, reach as usize);
-                // With a border of which nobody could say where it is the mask would be as good as none.
+                // A mask with an uncertain border would be unusable.
                 if kept(&softer).is_none_or(|matte| matte.facts().confidence < LEAST_CONFIDENCE) {
                     return false;
                 }
@@ -286,10 +286,10 @@ mod tests {
         assert_eq!(session.mask(), &grown);
         assert!(session.undo() && session.undo() && !session.undo());
         assert_eq!((session.coverage(), session.can()), (0.0, (false, true)));
-        // What was undone is gone with the next step.
+        // The next step clears redo.
         session.paint(&[[0.5, 0.5]], 0.1, true);
         assert!(session.end() && !session.redo());
-        // Nothing twice is no step.
+        // Emptying an empty mask is not a step.
         assert!(session.mend(Mending::Nothing) && !session.mend(Mending::Nothing));
     }
 
@@ -311,7 +311,7 @@ mod tests {
             let text = session.steps().last().unwrap().unwrap().text().to_owned();
             assert_eq!(&Matte::try_from(text).unwrap().plane(), session.mask());
         }
-        // Noise of all shares has no runs at all: it is kept in fewer steps, or it stays as it was.
+        // Noise has no runs: it is stored with fewer levels, or nothing changes.
         let mut seed = 7u32;
         let noise = Plane::from_fn(320, 320, |_, _| {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -338,17 +338,17 @@ mod tests {
         assert!(session.mend(Mending::FigureAt([0.5, 0.6])));
         assert_eq!(there(&session), [false, true, false]);
         assert!(!session.mend(Mending::FigureAt([0.02, 0.98])));
-        // What was painted is a figure, too, and those that were found come back beside it.
+        // A painted area is a figure as well, and the detected figures return.
         session.paint(&[[0.1, 0.85]], 0.05, true);
         assert!(session.end() && session.mend(Mending::FigureAt([0.1, 0.85])));
         assert_eq!(there(&session), [false; 3]);
         assert!(session.mend(Mending::FigureAt([0.87, 0.2])));
         assert_eq!(there(&session), [false, false, true]);
-        // In a session of its own, those that are not the subject can be chosen as well.
+        // In a new session, other figures can be selected as well.
         let own = squares(&[(20, 20)]);
         let mut later = Session::new(SIZE, Some(&own), Some(&found));
         assert!(later.mend(Mending::NextFigure) && there(&later) == [false, false, true]);
-        // One figure is no choice.
+        // A single figure offers no choice.
         assert!(!begun(Some(&own)).mend(Mending::NextFigure) && !begun(None).mend(Mending::NextFigure));
     }
 
