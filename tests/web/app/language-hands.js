@@ -159,7 +159,7 @@ const SCREENS = {
     await work(page, strings, strings.explorer);
     await button(page, strings.generate).click();
     await expect(page.locator('.wall-item').nth(3)).toBeVisible();
-    await expect(button(page, strings.generate)).toBeVisible({ timeout: 60_000 });
+    await expect(button(page, strings.generate)).toBeVisible({ timeout: 180_000 });
   },
   projects: (page, strings) => button(page, strings.projects).click(),
   export: (page, strings) => button(page, strings.export).click(),

@@ -39,7 +39,7 @@ async function photoDrawer(page) {
 async function invented(page) {
   await expect(page.locator('.wall-item').nth(5)).toBeVisible();
   await expect(page.getByRole('region', { name: 'Style explorer' })).toHaveAttribute('aria-busy', 'false', {
-    timeout: 60_000,
+    timeout: 180_000,
   });
 }
 

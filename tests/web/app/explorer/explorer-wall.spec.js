@@ -21,7 +21,7 @@ async function opened(page) {
 /** Waits until the wall is complete. @param {Page} page */
 async function whole(page) {
   await expect.poll(() => wall(page).count()).toBeGreaterThan(0);
-  await expect(region(page)).toHaveAttribute('aria-busy', 'false', { timeout: 60_000 });
+  await expect(region(page)).toHaveAttribute('aria-busy', 'false', { timeout: 180_000 });
 }
 
 /** @param {Page} page @returns {Promise<string[]>} */

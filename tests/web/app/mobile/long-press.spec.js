@@ -51,7 +51,7 @@ test('a long press on a style of the explorer shows it large, and opens nothing'
   await page.getByRole('button', { name: 'Explore styles', exact: true }).tap();
   const region = page.getByRole('region', { name: 'Style explorer' });
   await expect.poll(() => region.getByRole('listitem').count()).toBeGreaterThan(12);
-  await expect(region).toHaveAttribute('aria-busy', 'false', { timeout: 60_000 });
+  await expect(region).toHaveAttribute('aria-busy', 'false', { timeout: 180_000 });
   const picture = region
     .getByRole('listitem')
     .first()
