@@ -1,4 +1,4 @@
-import { LazyBoards } from '../boards/board-switch.tsx';
+import { LazyBoards } from '../boards/lazy-boards.tsx';
 import { LazyBrush } from '../brush/lazy-brush.tsx';
 import { strings } from '../strings/strings.ts';
 import { Board } from './board.tsx';

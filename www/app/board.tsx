@@ -3,29 +3,26 @@
  * sheets that open below the page and leave it in view.
  */
 
-import { BoardSwitch } from '../boards/board-switch.tsx';
 import { strings } from '../strings/strings.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { Alternatives } from '../page/alternatives-strip.tsx';
 import { PageStrip } from '../book/page-strip.tsx';
 import { BottomBar } from './bottom-bar.tsx';
 import { useApp } from '../ui/context.ts';
-import { HintBubble } from '../help/hint-bubble.tsx';
-import { LanguageChoice } from '../help/language-choice.tsx';
-import { ThemeChoice } from '../help/theme-choice.tsx';
+import { ContextBar } from '../page/context-bar.tsx';
+import { HintLine } from '../help/hint-line.tsx';
+import { Versions } from '../page/versions.tsx';
+import { isEnabled } from '../ui/action.ts';
 import { LayoutTools } from '../layouts/layout-tools.tsx';
 import { LayoutsList } from '../layouts/layouts-list.tsx';
 import { PageSettingsForm } from '../page/page-settings-form.tsx';
-import { PanelTools } from '../page/panels/panel-tools.tsx';
 import { Sheet } from './drawer.tsx';
 import { ShuffleButton, ShuffleParts } from '../page/shuffle-bar.tsx';
 import { SideTabs } from './side-tabs.tsx';
 import { Stage } from './stage.tsx';
-import { StyleTools } from '../styles/style-tools.tsx';
 import { StylesList } from '../styles/styles-list.tsx';
 import { Tray } from '../photos/tray.tsx';
 import { WordTools } from '../lettering/word-tools.tsx';
-import { Workspaces } from './workspaces.tsx';
 
 export function Board() {
   const { ui } = useApp();
@@ -33,20 +30,33 @@ export function Board() {
 }
 
 function WideBoard() {
+  const { store, book, selection, lettering } = useApp();
+  const { width, height } = store.project.value.settings;
   return (
     <>
       <div class="left">
         <Tray />
       </div>
-      <main class="centre">
+      <main
+        class="centre"
+        data-wide-page={width > height}
+        onClick={({ target, currentTarget }) => {
+          if (target !== currentTarget) return;
+          selection.clear();
+          lettering.choose(-1);
+        }}
+      >
         <Stage />
-        <PageStrip />
-        <PanelTools />
-        <div class="shuffle-bar">
-          <ShuffleButton />
-          <ShuffleParts />
+        {book.several.value && <PageStrip />}
+        <div class="page-side">
+          <ContextBar />
+          <HintLine />
+          <div class="shuffle-bar">
+            <Versions heart />
+            <ShuffleParts />
+            <ShuffleButton />
+          </div>
         </div>
-        <HintBubble />
       </main>
       <SideTabs />
       <Alternatives />
@@ -55,44 +65,52 @@ function WideBoard() {
 }
 
 function NarrowBoard() {
-  const { ui, book, selection, reshaping, actions } = useApp();
+  const { ui, book, selection, framing, reshaping, lettering, hints, actions } = useApp();
   const sheet = ui.sheet.value;
   const several = book.several.value;
-  const byHand = reshaping.editing.value || selection.several.value || selection.panels.value.length > 0;
+  const { acceptCrops } = actions.page;
+  const isText = lettering.chosen.value >= 0;
+  const aims = framing.mode.value !== null || framing.placing.value !== null;
+  const selects = selection.several.value || selection.panels.value.length > 0;
+  const byHand = reshaping.editing.value || (sheet === null && (selects || isText));
   return (
     <>
       <main class="centre">
         {several && sheet === null && <PageStrip />}
         <Stage />
-        {byHand ? <PanelTools /> : sheet === null && <ShuffleParts />}
-        <HintBubble />
-      </main>
-      {sheet === null &&
-        (several ? (
-          <Alternatives />
+        {byHand || aims ? (
+          <ContextBar bare={!byHand} />
         ) : (
-          <div class="strip-row">
-            <PageStrip />
-            <Alternatives />
-          </div>
-        ))}
+          sheet === null && (
+            <>
+              {isEnabled(acceptCrops) && <ActionButton action={acceptCrops} class="better-crops" text />}
+              <ShuffleParts heart />
+            </>
+          )
+        )}
+      </main>
+      {sheet === null && (
+        <div class="strip-row">
+          <HintLine />
+          {!several && hints.shown.value === null && <PageStrip />}
+          <Alternatives />
+        </div>
+      )}
       {sheet === 'photos' && (
         <Sheet title={strings.photos} bare>
           <Tray />
         </Sheet>
       )}
       {sheet === 'styles' && (
-        <Sheet title={strings.styles}>
-          <div class="styles-head">
-            <Workspaces />
-            <StyleTools />
-          </div>
+        <Sheet
+          title={strings.styles}
+          tools={<ActionButton action={actions.styles.shuffleSettings} class="icon-button sheet-tool" />}
+        >
           <StylesList />
         </Sheet>
       )}
       {sheet === 'layouts' && (
-        <Sheet title={strings.layouts}>
-          <LayoutTools />
+        <Sheet title={strings.layouts} tools={<LayoutTools />}>
           <LayoutsList />
         </Sheet>
       )}
@@ -102,16 +120,8 @@ function NarrowBoard() {
         </Sheet>
       )}
       {sheet === 'settings' && (
-        <Sheet
-          title={strings.pageSettings}
-          tools={<ActionButton action={actions.window.help} class="button sheet-tool" text />}
-        >
-          <BoardSwitch />
+        <Sheet title={strings.pageSettings}>
           <PageSettingsForm />
-          <div class="sheet-choices">
-            <ThemeChoice />
-            <LanguageChoice />
-          </div>
         </Sheet>
       )}
       <BottomBar />

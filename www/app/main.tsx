@@ -339,10 +339,41 @@ function leaveMode() {
   if (framing.placing.peek() !== null) return () => framing.place(null);
   if (lettering.mode.peek()) return () => void (lettering.mode.value = null);
   if (framing.mode.peek()) return () => void (framing.mode.value = null);
+  if (lettering.chosen.peek() >= 0) return () => lettering.choose(-1);
+  if (framing.cropping.peek() !== null) return () => void (framing.cropping.value = null);
   if (selection.several.peek() || selection.panels.peek().length > 0) return () => selection.choose(false);
   if (reshaping.editing.peek()) return () => void (reshaping.editing.value = false);
-  return ui.sheet.peek() ? () => void (ui.sheet.value = null) : undefined;
+  if (ui.sheet.peek()) return () => void (ui.sheet.value = null);
+  return hints.shown.peek() ? hints.close : undefined;
 }
+
+/** One thing is selected at a time: panels or a text item. */
+effect(() => {
+  if (lettering.chosen.value >= 0) untracked(selection.clear);
+});
+effect(() => {
+  if (selection.panels.value.length === 0) return;
+  untracked(() => lettering.choose(-1));
+});
+/** What belongs to a panel ends with its selection. */
+effect(() => {
+  const [panel, other] = selection.panels.value;
+  const { mode, cropping } = framing;
+  if (cropping.peek() !== null && (cropping.peek() !== panel || other !== undefined)) cropping.value = null;
+  if (mode.peek()?.kind === 'replace' && mode.peek()?.panel !== panel) mode.value = null;
+});
+/** Another version of the page, and the page in full screen, begin without a selection. */
+effect(() => {
+  void store.project.value.pageId;
+  untracked(() => lettering.choose(-1));
+});
+effect(() => {
+  if (!ui.preview.value) return;
+  untracked(() => {
+    selection.choose(false);
+    lettering.choose(-1);
+  });
+});
 
 /** Closes what belongs to the page before. */
 function leavePage() {

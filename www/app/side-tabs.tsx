@@ -8,7 +8,6 @@ import { strings } from '../strings/strings.ts';
 import { LayoutTools } from '../layouts/layout-tools.tsx';
 import { LayoutsList } from '../layouts/layouts-list.tsx';
 import { PageSettingsForm } from '../page/page-settings-form.tsx';
-import { StyleTools } from '../styles/style-tools.tsx';
 import { StylesList } from '../styles/styles-list.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
@@ -75,12 +74,7 @@ export function SideTabs() {
 }
 
 const CONTENT: Record<SideTab, ComponentChildren> = {
-  styles: (
-    <>
-      <StyleTools />
-      <StylesList />
-    </>
-  ),
+  styles: <StylesList />,
   layouts: (
     <>
       <LayoutTools />

@@ -9,11 +9,9 @@ import { screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { Cuts } from '../page/panels/cuts.tsx';
 import { createPainter } from '../page/painter.ts';
-import { PanelBar } from '../page/panels/panel-tools.tsx';
 import { Panels } from '../page/panels/panels.tsx';
 import { PanelSubjects } from '../photos/subject-boxes.tsx';
 import { useSwipe } from '../page/swipe.ts';
-import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { WordLayer } from '../lettering/word-layer.tsx';
 import { drawsParts, useSubjectsOf } from '../page/subjects-of.ts';
@@ -28,7 +26,7 @@ const SHARPEST = 2800;
 
 export function Stage() {
   const app = useApp();
-  const { store, pages, engine, messages, ui, selection, reshaping, ahead } = app;
+  const { store, pages, engine, messages, ui, selection, lettering, reshaping, ahead } = app;
   const canvas = useRef(null as HTMLCanvasElement | null);
   const sheet = useRef(null as HTMLDivElement | null);
   const painter = useRef(null as ReturnType<typeof createPainter> | null);
@@ -103,7 +101,10 @@ export function Stage() {
         ref={area}
         data-zoomed={zoom > 1}
         {...(zoom > 1 ? {} : swipe)}
-        onClick={selection.clear}
+        onClick={() => {
+          selection.clear();
+          lettering.choose(-1);
+        }}
         onWheelCapture={(event: WheelEvent) => {
           // Of a page that is larger than the window the wheel shows the rest; with Ctrl it is the panel's as ever.
           if (zoom > 1 && !event.ctrlKey) event.stopPropagation();
@@ -119,15 +120,10 @@ export function Stage() {
           {page && ui.safeArea.value && <SafeArea settings={settings} />}
           {page && geometry && <CoarseMarks page={page} geometry={geometry} />}
           {page && geometry && reshaping.editing.value && <Cuts />}
-          {page && geometry && zoom === 1 && <PanelBar geometry={geometry} />}
         </div>
         {page && <CoarseHide />}
-        {isEnabled(app.actions.page.acceptCrops) && (
-          <ActionButton action={app.actions.page.acceptCrops} class="better-crops" text />
-        )}
       </div>
-      {page && geometry && zoom > 1 && <PanelBar geometry={geometry} />}
-      {page && ui.wide.value && (
+      {page && ui.wide.value && (zoom > 1 || ui.preview.value) && (
         <div class="stage-tools">
           <ActionButton action={app.actions.window.enlargePage} class="icon-button" />
           <ActionButton action={app.actions.window.shrinkPage} class="icon-button" />

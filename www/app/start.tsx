@@ -1,5 +1,5 @@
 /**
- * The empty page: one sentence, two buttons, and a promise.
+ * The start screen: one sentence, two buttons, a promise, pages of the sample album, and the projects of a person who returns.
  */
 
 import { strings } from '../strings/strings.ts';
@@ -10,14 +10,21 @@ import { InstallButton } from '../offline/install.tsx';
 import { Broken } from '../storage/broken.tsx';
 import { Elsewhere } from '../storage/elsewhere.tsx';
 import { LanguageChoice } from '../help/language-choice.tsx';
-import { Illustration } from '../ui/illustration.tsx';
+import { RecentProjects } from '../storage/recent-projects.tsx';
+
+/** Pages of the sample album, made with this app; `public/samples/PROVENANCE.md` names the photos. */
+const PAGES = ['line', 'moonlight', 'golden-age'];
 
 export function Start() {
   const { reading, store } = useApp();
   return (
     <main class="start">
       <div class="start-body">
-        <Illustration />
+        <div class="start-pages" role="img" aria-label={strings.startPages}>
+          {PAGES.map((page) => (
+            <img key={page} src={`start/${page}.jpg`} alt="" width="420" height="594" />
+          ))}
+        </div>
         <div class="start-words">
           <Elsewhere />
           <Broken />
@@ -50,6 +57,7 @@ export function Start() {
             </p>
           )}
         </div>
+        <RecentProjects />
       </div>
     </main>
   );

@@ -1,17 +1,17 @@
-import { BoardSwitch } from '../boards/board-switch.tsx';
-import { position, versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
-import { LanguageAndTheme } from '../help/language-and-theme.tsx';
 import { FileInput } from '../photos/file-input.tsx';
 import { ProjectBar } from '../storage/project-bar.tsx';
-import { Workspaces } from './workspaces.tsx';
+import { Versions } from '../page/versions.tsx';
+import { AppMenu } from './app-menu.tsx';
+import { Views } from './views.tsx';
 import { ActionButton } from '../ui/action-button.tsx';
+import { Icon } from '../ui/icon.tsx';
 
-/** The quiet bar above: the name, the steps through time, the ways out. */
+/** The quiet bar above: the project, undo, the views, and the ways out. On a small screen the views are in the menu. */
 export function TopBar() {
   const { store, ui, actions } = useApp();
-  const compact = !ui.wide.value;
+  const wide = ui.wide.value;
   const page = store.page.value;
   return (
     <header class="top-bar">
@@ -22,56 +22,47 @@ export function TopBar() {
           <h1 class="brand">{strings.name}</h1>
         )}
         <ProjectBar />
+        {page && wide && <Steps />}
       </div>
       <FileInput />
-      <div class="top-middle">{page && <Steps />}</div>
+      <div class="top-middle">
+        {page && wide && <Views />}
+        {page && !wide && (
+          <>
+            <Steps />
+            <Versions />
+          </>
+        )}
+      </div>
       <div class="top-end">
-        {page && !compact && <BoardSwitch />}
-        {page && !compact && <Workspaces />}
-        {/* On a small screen it is among the page's settings: the bar has room for eight fingers. */}
-        {(!compact || !page) && <LanguageAndTheme />}
-        {(!compact || !page) && <ActionButton action={actions.window.help} />}
-        {compact && page && (
-          <>
-            <ActionButton action={actions.window.settings} />
-            <ActionButton action={actions.download.download} />
-          </>
-        )}
-        {page && !compact && (
-          <>
-            <ActionButton action={actions.download.exportPages} class="button" text />
-            <ActionButton action={actions.download.download} class="button strong" text />
-          </>
-        )}
+        <AppMenu />
+        {page && wide && <Ways />}
+        {page && !wide && <ActionButton action={actions.download.download} />}
       </div>
     </header>
   );
 }
 
-/** Undo and redo, and the versions of the page that were shown so far. */
 function Steps() {
-  const { store, ui, actions } = useApp();
-  const { page } = actions;
-  const history = store.history.value;
+  const { page } = useApp().actions;
   return (
-    <>
+    <div class="steps">
       <ActionButton action={page.undo} />
       <ActionButton action={page.redo} />
-      <span class="divider" />
-      <ActionButton action={page.previous} />
-      <ActionButton action={page.versions} class="page-number">
-        {ui.roomy.value ? (
-          strings.versionAt(position(history) + 1, versions(history).length)
-        ) : (
-          <>
-            {position(history) + 1}
-            <i>/</i>
-            {versions(history).length}
-          </>
-        )}
+    </div>
+  );
+}
+
+/** One button in two parts: all ways out, and the quickest one. */
+function Ways() {
+  const { exportPages, download } = useApp().actions.download;
+  return (
+    <div class="ways">
+      <ActionButton action={exportPages} class="button strong" text />
+      <ActionButton action={download} class="button strong">
+        <Icon name="download" />
+        <span>PNG</span>
       </ActionButton>
-      <ActionButton action={page.next} />
-      {ui.wide.value && <ActionButton action={page.favourite} class="icon-button page-heart" />}
-    </>
+    </div>
   );
 }

@@ -2,7 +2,7 @@
  * What the window looks like: never part of the document, never undone.
  */
 
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import { mediaSignal } from '../ui/media.ts';
 import { createTheme } from '../ui/theme.ts';
 import type { Way } from '../export/formats.ts';
@@ -36,8 +36,11 @@ export function createUi(window: Window) {
 
   /** Whether single letters are shortcuts: speech input and unsteady hands set them off unasked. */
   const letterKeys = signal(remembered(window, LETTERS_KEY) !== 'off');
-  /** Whether the strip of other pages is unfolded. */
-  const ideas = signal(remembered(window, IDEAS_KEY) !== 'off');
+  /** Whether the window has room for suggestions below the page. */
+  const tall = mediaSignal(window, '(min-height: 1000px)');
+  const choice = signal(remembered(window, IDEAS_KEY));
+  /** Whether the strip of suggestions is unfolded. */
+  const ideas = computed(() => (choice.value === null ? tall.value : choice.value === 'on'));
 
   /** Whether new pages get a title and captions. */
   const narrates = signal(remembered(window, NARRATION_KEY) !== 'off');
@@ -53,8 +56,8 @@ export function createUi(window: Window) {
     },
     ideas,
     toggleIdeas() {
-      ideas.value = !ideas.peek();
-      keep(window, IDEAS_KEY, ideas.value ? 'on' : 'off');
+      choice.value = ideas.peek() ? 'off' : 'on';
+      keep(window, IDEAS_KEY, choice.value);
     },
     narrates,
     narrate(on: boolean) {
@@ -82,6 +85,10 @@ export function createUi(window: Window) {
     safeArea: signal(false),
     /** Width on paper in inches for which coarse panels are marked; null marks none. */
     printCheck: signal(null) as Signal<number | null>,
+    /** Whether the settings of Shuffle for styles are shown. */
+    styleShuffle: signal(false),
+    /** Whether the bar of tools shows all of them. */
+    allTools: signal(false),
     /** Whether the boxes of what was found are drawn. */
     subjects: signal(false),
     /** A photo of the stack that is open. */

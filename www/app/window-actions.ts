@@ -1,6 +1,7 @@
 /** What is shown beside and over the page, and how. */
 
 import { computed } from '@preact/signals';
+import type { ReadonlySignal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import type { Action } from '../ui/action.ts';
 import type { Parts } from '../ui/context.ts';
@@ -20,19 +21,32 @@ export function createWindowActions({ ui, designer }: Pick<Parts, 'ui' | 'design
 
   const designing = computed(() => ui.work.value === 'designer');
   const exploring = computed(() => ui.work.value === 'explorer');
+  const view = (label: string, icon: string, on: ReadonlySignal<boolean>, run: () => void) => ({
+    label,
+    icon,
+    on,
+    run: () => {
+      ui.sheet.value = null;
+      run();
+    },
+  });
   return {
-    designer: {
-      label: strings.designer,
-      icon: 'designer',
-      on: designing,
-      run: () => (designing.peek() ? designer.close() : designer.open()),
-    },
-    explorer: {
-      label: strings.explorer,
-      icon: 'explorer',
-      on: exploring,
-      run: () => ui.toggleWork('explorer'),
-    },
+    comic: view(
+      strings.boards.comic,
+      'layout',
+      computed(() => ui.work.value === null),
+      () => void (ui.work.value = null),
+    ),
+    boards: view(
+      strings.boards.board,
+      'film',
+      computed(() => ui.work.value === 'boards'),
+      () => ui.toggleWork('boards'),
+    ),
+    designer: view(strings.designer, 'designer', designing, () =>
+      designing.peek() ? designer.close() : designer.open(),
+    ),
+    explorer: view(strings.explorer, 'explorer', exploring, () => ui.toggleWork('explorer')),
     photos: drawer('photos', 'photos', strings.photos),
     styles: drawer('styles', 'style', strings.styles),
     layouts: drawer('layouts', 'layout', strings.layouts),

@@ -2,10 +2,11 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
+import type { PageDocument } from '../engine/types.ts';
 import type { Parts } from '../ui/context.ts';
 import type { Action } from '../ui/action.ts';
 
-export function createBookActions({ store, book, ui }: Pick<Parts, 'store' | 'book' | 'ui'>) {
+export function createBookActions({ store, book, messages, ui }: Pick<Parts, 'store' | 'book' | 'messages' | 'ui'>) {
   const { at, several } = book;
   const last = computed(() => at.value === store.project.value.others.length);
   const whyNotAdd = computed(book.cannotAdd);
@@ -42,7 +43,11 @@ export function createBookActions({ store, book, ui }: Pick<Parts, 'store' | 'bo
       help: computed(() => whyNotSpread.value || strings.book.spreadHelp(store.photos.value.length)),
       icon: 'spread',
       enabled: computed(() => whyNotSpread.value === ''),
-      run: book.spreadAlbum,
+      run: () => {
+        if (store.sheets.peek().some(isHandMade))
+          messages.alert(strings.book.spreadAsk, { label: strings.book.spreadYes, run: book.spreadAlbum });
+        else book.spreadAlbum();
+      },
       undo: 'step',
     },
     earlier: {
@@ -68,4 +73,9 @@ export function createBookActions({ store, book, ui }: Pick<Parts, 'store' | 'bo
       undo: 'step',
     },
   } satisfies Record<string, Action>;
+}
+
+/** Whether a person wrote on the page, or moved or locked photos. */
+function isHandMade({ panels, words = [] }: PageDocument): boolean {
+  return words.length > 0 || panels.some(({ edited, locked }) => edited || locked);
 }

@@ -1,6 +1,6 @@
 /**
- * The pages of the storyboard beside the one that is edited. A single page has only a small button to add pages, and an
- * offer to distribute photos that are on no page.
+ * The pages of the book next to the one that is edited. On a small screen a single page has a button for more, and an offer to
+ * make pages from all photos if many are not used.
  */
 
 import { useState } from 'preact/hooks';

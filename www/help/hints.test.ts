@@ -35,7 +35,7 @@ it('tells of Shuffle once the page is drawn, until it is shuffled', async () => 
   expect(shown()).toBe(null);
 });
 
-it('tells of pictures when a panel is pointed at or chosen, until one was moved', async () => {
+it('tells of photos when a panel is pointed at or selected, until one is moved', async () => {
   const { hints, shown, draw, shuffle, drag, selection } = await begun();
   draw();
   hints.point(1);
@@ -44,11 +44,22 @@ it('tells of pictures when a panel is pointed at or chosen, until one was moved'
   shuffle();
   selection.set([0]);
   expect(shown()).toBe('crop');
-  // The next page is no answer to it.
-  shuffle();
-  expect(shown()).toBe('crop');
   drag();
+  expect(shown()).toBe(null);
+});
+
+it('ends the hint about photos when the next page comes, and the hint about locks after two more', async () => {
+  const { shown, draw, shuffle, selection } = await begun();
+  draw();
+  shuffle();
+  selection.set([0]);
+  expect(shown()).toBe('crop');
+  shuffle();
   expect(shown()).toBe('lock');
+  shuffle();
+  expect(shown()).toBe('lock');
+  shuffle();
+  expect(shown()).toBe(null);
 });
 
 it('tells of locks after two shuffles, until something is locked', async () => {

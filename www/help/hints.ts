@@ -1,6 +1,6 @@
 /**
- * Three hints at first use, one at a time and each once ever: shuffle, move the picture of a panel, lock. One goes when what it
- * says was done, or when it is closed.
+ * Three hints at first use, one at a time and each once ever: shuffle, move the picture of a panel, lock. A hint disappears after
+ * its action, after shuffles without it, and with Escape.
  */
 
 import { computed, effect, signal } from '@preact/signals';
@@ -45,8 +45,9 @@ export function createHints({
   /** The panel that the pointer rests on. */
   const pointed = signal<number | null>(null);
   const current = signal<Hint | null>(null);
-  /** The crops of the page when the hint about them was given. */
+  /** The crops of the page and the number of shuffles when the hint about them was given. */
   let crops = '';
+  let before = 0;
 
   const panel = computed(() => selection.panels.value[0] ?? pointed.value);
   /** Whether nothing else has the attention. */
@@ -70,11 +71,13 @@ export function createHints({
     lock: () => shuffles.value >= ENOUGH && !locked.value && selection.panels.value.length === 0,
   };
   const done: Record<Hint, () => boolean> = {
-    // Whoever is at work on a panel or on words has found the way on.
-    shuffle: () =>
-      shuffles.value > 0 || selection.panels.value.length > 0 || (store.page.value?.words?.length ?? 0) > 0,
-    crop: () => cropsOf(store.page.value) !== crops && (store.page.value?.panels.some(({ edited }) => edited) ?? false),
-    lock: () => locked.value,
+    // Whoever is at work on a panel has found the way on.
+    shuffle: () => shuffles.value > 0 || selection.panels.value.length > 0,
+    // Who shuffles on is busy with something else.
+    crop: () =>
+      shuffles.value > before ||
+      (cropsOf(store.page.value) !== crops && (store.page.value?.panels.some(({ edited }) => edited) ?? false)),
+    lock: () => locked.value || shuffles.value >= before + ENOUGH,
   };
 
   effect(() => {
@@ -86,6 +89,7 @@ export function createHints({
     const next = HINTS.find((hint) => !seen.value.has(hint) && due[hint]());
     if (next === undefined) return;
     crops = cropsOf(store.page.peek());
+    before = shuffles.peek();
     current.value = next;
     remember(new Set([...seen.peek(), next]));
   });

@@ -9,13 +9,13 @@ import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 
 export function LayoutTools() {
-  const { ownLayouts, actions } = useApp();
+  const { ownLayouts, ui, actions } = useApp();
   const { surprise, edit, save, forget } = actions.layouts;
   const file = useRef(null as HTMLInputElement | null);
   return (
     <div class="layout-tools">
       <ActionButton action={surprise} class="button small" text />
-      <ActionButton action={edit} />
+      {!ui.wide.value && <ActionButton action={edit} />}
       <ActionButton action={save} />
       <IconButton icon="open" label={strings.loadLayout} onClick={() => file.current?.click()} />
       {isEnabled(forget) && <ActionButton action={forget} />}

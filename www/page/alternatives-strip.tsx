@@ -27,7 +27,7 @@ export function Alternatives() {
   const glimpse = usePageGlimpse((number) => {
     const page = alternatives.items.peek()[Number(number) - 1];
     return page ? lettering.on(page) : null;
-  }, 'above');
+  });
 
   // Both in tasks of their own: scrolling lays the page out, and making pages is as much work as showing what has changed.
   useEffect(() => {
@@ -48,19 +48,16 @@ export function Alternatives() {
   return (
     <section class="alternatives" aria-label={strings.alternatives} aria-busy={basis === ''} data-open={open}>
       {ui.wide.value && (
-        <header class="ideas-head">
-          <h2>{strings.moreIdeas}</h2>
-          <button
-            type="button"
-            class="icon-button"
-            aria-expanded={open}
-            aria-label={open ? strings.foldIdeas : strings.unfoldIdeas}
-            title={open ? strings.foldIdeas : strings.unfoldIdeas}
-            onClick={ui.toggleIdeas}
-          >
-            <Icon name={open ? 'fold' : 'unfold'} />
-          </button>
-        </header>
+        <button
+          type="button"
+          class="tool ideas-head"
+          aria-expanded={open}
+          aria-label={open ? strings.foldIdeas : strings.unfoldIdeas}
+          onClick={ui.toggleIdeas}
+        >
+          <Icon name={open ? 'fold' : 'unfold'} />
+          <span>{strings.alternatives}</span>
+        </button>
       )}
       <ul class="strip" ref={strip} onWheel={onWheel} onPointerLeave={() => glimpse.point(null)} hidden={!open}>
         {items.map((page, i) => (

@@ -10,7 +10,8 @@ export function ShuffleButton() {
   return <ActionButton action={page.shuffle} class="shuffle" text />;
 }
 
-export function ShuffleParts() {
+/** @param props `heart`: with the heart of the page, for screens that have it nowhere else */
+export function ShuffleParts({ heart = false }: { heart?: boolean }) {
   const { page } = useApp().actions;
   const parts = [
     { shuffle: page.shuffleLayout, lock: page.lockLayout },
@@ -25,6 +26,7 @@ export function ShuffleParts() {
           <ActionButton action={lock} class="part-lock" />
         </div>
       ))}
+      {heart && <ActionButton action={page.favourite} class="icon-button page-heart" />}
     </div>
   );
 }

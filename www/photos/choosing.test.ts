@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { createChoosing, enlarged, exchanged, resorted } from './choosing.ts';
+import { createChoosing, exchanged, resorted } from './choosing.ts';
 import { fakeApp } from '../document/testing.ts';
 import type { PageDocument } from '../document/project.ts';
 
@@ -22,27 +22,6 @@ test('another photo of a stack takes its place in the page, but not in a locked 
   expect(after.panels[0]).toMatchObject({ crop: null, edited: false });
   expect(after.panels[1]).toBe(before.panels[1]);
   expect(after.order).toEqual(['c', 'b']);
-});
-
-test('a starred photo goes to the largest free panel, whose photo takes its place', () => {
-  const before = page({ panels: [panel('a'), panel('b'), panel('c')], order: ['a', 'b', 'c'] });
-  const large = enlarged(before, 'a', [1, 5, 3], new Set());
-  expect(large.panels.map(({ photo }) => photo)).toEqual(['b', 'a', 'c']);
-  expect(large.panels[1]).toMatchObject({ crop: null, edited: false });
-  expect(large.panels[2]).toBe(before.panels[2]);
-  // If it is already large, nothing changes.
-  expect(enlarged(large, 'a', [1, 5, 3], new Set())).toBe(large);
-  // Another starred photo keeps its panel, and so does a locked one.
-  expect(enlarged(before, 'a', [1, 5, 3], new Set(['b'])).panels.map(({ photo }) => photo)).toEqual(['c', 'b', 'a']);
-  const locked = page({ panels: [panel('a'), panel('b', { locked: true }), panel('c')], order: [] });
-  expect(enlarged(locked, 'a', [1, 5, 3], new Set()).panels.map(({ photo }) => photo)).toEqual(['c', 'b', 'a']);
-});
-
-test('a starred photo that is on no panel takes the place of the one that is largest, over merged panels too', () => {
-  const before = page({ panels: [panel('a'), panel('a'), panel('b')], merges: [[0, 1]], order: ['a', 'b'] });
-  const large = enlarged(before, 'x', [2, 2, 3], new Set());
-  expect(large.panels.map(({ photo }) => photo)).toEqual(['x', 'x', 'b']);
-  expect(large.order).toEqual(['b', 'x']);
 });
 
 test('photos are put in order without those that are locked, and merged panels stay together', () => {

@@ -3,6 +3,7 @@
  * at once, and each change is one step of the undo.
  */
 
+import { enlarged } from '../page/panels/enlarging.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Order } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
@@ -11,11 +12,10 @@ import type { Reading } from './reading.ts';
 
 export type Choosing = ReturnType<typeof createChoosing>;
 
-/** Size of a large panel, relative to the mean. */
-const LARGE = 1.3;
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
 export function createChoosing({ store, pages, reading }: { store: Store; pages: Pages; reading: Reading }) {
+  let stars = 0;
   return { setAlike, setOrder, take, star };
 
   /** @param alike bits of a fingerprint, 4 to 16 */
@@ -54,59 +54,28 @@ export function createChoosing({ store, pages, reading }: { store: Store; pages:
     });
   }
 
-  /** Moves a starred photo to the largest free panel immediately. */
+  /**
+   * Shuffle shows a starred photo in a large panel. Its panel on this page is enlarged if the layout allows it; nothing else of
+   * the page changes.
+   */
   function star(id: string, on: boolean) {
-    reading.edit({ type: 'star-photo', id, on }, () => {
+    stars += 1;
+    const gesture = `star-${stars}`;
+    const enlarge = () => {
       const { page, locks } = store.project.peek();
-      const shapes = store.geometry.peek()?.panels;
-      if (!on || !page || !shapes || locks.photos || !store.photos.peek().some((photo) => photo.id === id))
-        return undefined;
-      const starred = new Set(store.tray.peek().flatMap((item) => (item.starred && item.id !== id ? item.id : [])));
-      const sizes = shapes.map(({ bounds }) => bounds.width * bounds.height);
-      // If all panels are almost equal, another layout has a large one.
-      const bound = locks.layout || page.panels.some(({ locked }) => locked);
-      if (!bound && Math.max(...sizes) < LARGE * (sizes.reduce((sum, size) => sum + size, 0) / sizes.length))
-        return pages.plan({ keep: { ...KEEP_ALL, layout: false, photos: false }, panels: leaders(page).length });
-      const changed = enlarged(page, id, sizes, starred);
-      return changed === page ? undefined : replanned(changed);
-    });
+      const planner = store.planner.peek();
+      const panel = page?.panels.findIndex(({ photo }) => photo === id) ?? -1;
+      if (!on || !page || !planner || locks.layout || panel < 0 || page.panels[panel].locked) return undefined;
+      const layout = enlarged(planner, page, panel);
+      if (layout) pages.amend({ ...page, layout }, { gesture });
+      return undefined;
+    };
+    reading.edit({ type: 'star-photo', id, on }, enlarge, gesture);
   }
 
   function replanned(page: PageDocument) {
     return pages.plan({ keep: KEEP_ALL, current: page, seed: page.seed });
   }
-}
-
-/**
- * Moves a photo to its largest panel that is neither locked nor has another starred photo. The other photo takes its
- * place.
- * @param sizes of the panels
- * @param starred the other starred photos
- * @returns the same page without a larger panel
- */
-export function enlarged(
-  page: PageDocument,
-  id: string,
-  sizes: readonly number[],
-  starred: ReadonlySet<string>,
-): PageDocument {
-  const group = (i: number) => groupOf(page, i);
-  const size = (i: number) => group(i).reduce((sum, panel) => sum + sizes[panel], 0);
-  const places = leaders(page);
-  const photoOf = (i: number) => page.panels[i].photo;
-  const free = places.filter((i) => !group(i).some((panel) => page.panels[panel].locked));
-  const target = free
-    .filter((i) => !starred.has(photoOf(i) ?? ''))
-    .reduce((best, i) => (best < 0 || size(i) > size(best) ? i : best), -1);
-  const from = places.find((i) => photoOf(i) === id) ?? -1;
-  if (target < 0 || (from >= 0 && (size(from) >= size(target) || !free.includes(from)))) return page;
-  const swapped = new Map([[target, id], ...(from >= 0 ? [[from, photoOf(target)] as const] : [])]);
-  const panels = page.panels.map((panel, i) => {
-    const leader = group(i)[0];
-    return swapped.has(leader) ? { ...panel, photo: swapped.get(leader) ?? null, crop: null, edited: false } : panel;
-  });
-  const gone = from >= 0 ? [] : [photoOf(target)];
-  return { ...page, panels, order: [...new Set([...page.order.filter((photo) => !gone.includes(photo)), id])] };
 }
 
 /** The page with one photo wherever it shows another of a stack, but in locked panels. */

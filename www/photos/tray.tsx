@@ -1,6 +1,6 @@
 /** The photo tray: photos in use, and excluded photos with the reason. */
 
-import { useRef } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import { isUsed } from '../document/album.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
@@ -17,7 +17,12 @@ import type { VNode } from 'preact';
 
 export function Tray() {
   const tile = useTiles();
-  const { store, subjects, masks, ui, actions } = useApp();
+  const { store, subjects, masks, framing, ui, actions } = useApp();
+  const section = useRef(null as HTMLElement | null);
+  const replaces = framing.mode.value?.kind === 'replace';
+  useEffect(() => {
+    if (replaces) section.current?.querySelector<HTMLElement>('.photo-picture')?.focus();
+  }, [replaces]);
   const tray = store.tray.value;
   const verdicts = store.verdicts.value;
   const reading = store.reading.value;
@@ -33,14 +38,20 @@ export function Tray() {
   const closed = kept.filter(({ id }) => !inside.has(id) || id === first);
   const shown = useGrowing([...closed.map(({ id }) => `used ${id}`), ...aside.map(({ id }) => `aside ${id}`)]);
   return (
-    <section class="tray" aria-label={strings.photos} aria-busy={reading !== null}>
+    <section
+      ref={section}
+      class="tray"
+      aria-label={strings.photos}
+      aria-busy={reading !== null}
+      data-replaces={replaces}
+    >
       <header class="section-head">
         <h2>{strings.photos}</h2>
         <span class="count">{strings.photoCount(kept.length, tray.length)}</span>
         {/* Where the line of the search is, and no row more: what is below it stays in its place. */}
         {!finding && masking && <ActionButton action={actions.photos.stopMasks} />}
         {masks.held.value && <ActionButton action={actions.photos.goOnMasks} />}
-        <ActionButton action={actions.photos.subjects} />
+        {!ui.wide.value && <ActionButton action={actions.photos.subjects} />}
         <ActionButton action={actions.photos.add} />
       </header>
       {reading && <Reading done={reading.done} total={reading.total} />}

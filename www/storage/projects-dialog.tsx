@@ -164,7 +164,7 @@ function NewName({ id, name, title, close }: { id: string; name: string; title: 
   );
 }
 
-function Picture({ blob }: { blob: Blob }) {
+export function Picture({ blob }: { blob: Blob }) {
   const [address, setAddress] = useState('');
   useEffect(() => {
     const made = URL.createObjectURL(blob);

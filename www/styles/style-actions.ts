@@ -13,7 +13,12 @@ export function styleOfPage({ store, ownStyles }: Pick<Parts, 'store' | 'ownStyl
   return ownStyles.find(style) ?? store.styles.value.find(({ id }) => id === style);
 }
 
-export function createStyleActions({ store, ownStyles, designer }: Pick<Parts, 'store' | 'ownStyles' | 'designer'>) {
+export function createStyleActions({
+  store,
+  ownStyles,
+  designer,
+  ui,
+}: Pick<Parts, 'store' | 'ownStyles' | 'designer' | 'ui'>) {
   const style = computed(() => styleOfPage({ store, ownStyles }));
   return {
     edit: {
@@ -21,6 +26,15 @@ export function createStyleActions({ store, ownStyles, designer }: Pick<Parts, '
       icon: 'designer',
       enabled: computed(() => style.value !== undefined),
       run: () => designer.open(style.peek()),
+    },
+    shuffleSettings: {
+      label: strings.styleShuffle,
+      icon: 'settings',
+      on: ui.styleShuffle,
+      run: () => {
+        ui.styleShuffle.value = !ui.styleShuffle.peek();
+        ui.sideTab.value = 'styles';
+      },
     },
   } satisfies Record<string, Action>;
 }

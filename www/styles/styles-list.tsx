@@ -6,7 +6,9 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { Bitmap } from '../ui/bitmap.tsx';
+import { StyleShuffle } from './style-shuffle.tsx';
 import { useApp } from '../ui/context.ts';
 import { hasParts } from './parts.ts';
 import { thumbnail } from '../photos/cover.ts';
@@ -22,7 +24,7 @@ const KEEP = Object.freeze({ layout: true, style: true, photos: true });
 type Kind = { id: string; name: string; options: Style[] };
 
 export function StylesList() {
-  const { store, pages, engine, ownStyles, recentStyles, ui } = useApp();
+  const { store, pages, engine, ownStyles, recentStyles, actions, ui } = useApp();
   const hero = useHero();
   const kind = useSignal('');
   const sought = useSignal('');
@@ -66,6 +68,7 @@ export function StylesList() {
             sought.value = currentTarget.value;
           }}
         />
+        <ActionButton action={actions.imitation.open} class="button small" text />
         <div class="chips" role="group" aria-label={strings.styleFamilies}>
           {[{ id: '', name: strings.anyStyles }, ...kinds].map(({ id, name }) => (
             <button
@@ -82,6 +85,7 @@ export function StylesList() {
           ))}
         </div>
       </div>
+      {ui.styleShuffle.value && <StyleShuffle />}
       <Listbox
         label={strings.styles}
         class="styles-list"

@@ -7,19 +7,21 @@ import type { Action } from './action.ts';
 /**
  * The button of an action, with its accessible name and a tooltip.
  * @param props `text`: shows the name next to the icon. `opens`: the switched part appears next to it, like a drawer.
- *   `children`: replaces icon and text
+ *   `explains`: shows the reason if it cannot be used. `children`: replaces icon and text
  */
 export function ActionButton({
   action,
   class: look = 'icon-button',
   text = false,
   opens = false,
+  explains = false,
   children,
 }: {
   action: Action;
   class?: string;
   text?: boolean;
   opens?: boolean;
+  explains?: boolean;
   children?: ComponentChildren;
 }) {
   const { short, on, run } = action;
@@ -36,7 +38,7 @@ export function ActionButton({
     <button
       type="button"
       class={look}
-      aria-label={shown === label ? undefined : label}
+      aria-label={shown === label && !(explains && why) ? undefined : label}
       aria-pressed={opens ? undefined : on?.value}
       aria-expanded={opens ? on?.value : undefined}
       aria-keyshortcuts={shortcut && ariaShortcut(shortcut)}
@@ -48,6 +50,7 @@ export function ActionButton({
         <>
           {icon && <Icon name={icon} />}
           {shown && <span>{shown}</span>}
+          {explains && why && <small>{why}</small>}
         </>
       )}
     </button>

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { GAP, above, beside, besideList } from './glimpse-place.ts';
+import { GAP, beside, inside as within } from './glimpse-place.ts';
 import type { Box } from './glimpse-place.ts';
 
 const WINDOW = { width: 1366, height: 768 };
@@ -33,13 +33,13 @@ it('covers what leaves it no room', () => {
   expect(place.height).toBeCloseTo(276);
 });
 
-it('lies left of a list, or above a strip', () => {
-  const at = { left: 1100, top: 700, width: 120, height: 100 };
-  expect(besideList(at, { width: 300, height: 400 }, 1080, WINDOW)).toEqual({
-    left: 768,
-    top: 356,
-    width: 300,
-    height: 400,
-  });
-  expect(above(at, { width: 300, height: 400 }, WINDOW)).toEqual({ left: 1010, top: 288, width: 300, height: 400 });
+it('lies inside of a room, at the edge that is next to what it belongs to', () => {
+  const room = { left: 212, top: 48, width: 600, height: 700 };
+  const size = { width: 300, height: 400 };
+  const list = { left: 1100, top: 100, width: 120, height: 100 };
+  expect(within(list, size, room)).toEqual({ left: 500, top: 60, ...size });
+  const strip = { left: 20, top: 760, width: 80, height: 110 };
+  expect(within(strip, size, room)).toEqual({ left: 224, top: 336, ...size });
+  const low = within(strip, size, { ...room, height: 224 });
+  expect([low.width, low.height]).toEqual([150, 200]);
 });

@@ -8,16 +8,15 @@ export const GAP = 12;
 /** Below this width it shows no more than the thumbnail. */
 const LEAST = 160;
 
-/**
- * @param at the control
- * @param size that it would like to have
- * @param edge the left edge of the list, which must stay visible: the preview is left of it
- */
-export function besideList(at: Box, size: Size, edge: number, window: Size): Box {
+/** Inside of the room and as near to the control as possible, so that it covers nothing outside of the room. */
+export function inside(at: Box, size: Size, room: Box): Box {
+  const by = Math.min(1, (room.width - 2 * GAP) / size.width, (room.height - 2 * GAP) / size.height);
+  const [width, height] = [size.width * by, size.height * by];
   return {
-    ...size,
-    left: Math.max(GAP, edge - size.width - GAP),
-    top: within(at.top + at.height / 2 - size.height / 2, size.height, window.height),
+    width,
+    height,
+    left: room.left + within(at.left + at.width / 2 - width / 2 - room.left, width, room.width),
+    top: room.top + within(at.top + at.height / 2 - height / 2 - room.top, height, room.height),
   };
 }
 
@@ -44,15 +43,6 @@ export function beside(at: Box, size: Size, window: Size): Box {
   }
   const above = at.top - GAP - height >= GAP - 0.5;
   return { width, height, left: middle.left, top: above ? at.top - GAP - height : at.top + at.height + GAP };
-}
-
-/** Above the control. */
-export function above(at: Box, size: Size, window: Size): Box {
-  return {
-    ...size,
-    left: within(at.left + at.width / 2 - size.width / 2, size.width, window.width),
-    top: Math.max(GAP, at.top - size.height - GAP),
-  };
 }
 
 function within(place: number, size: number, whole: number) {

@@ -7,7 +7,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from './bitmap.tsx';
 import { useApp } from './context.ts';
-import { above, beside, besideList } from './glimpse-place.ts';
+import { beside, inside } from './glimpse-place.ts';
 import type { Call } from '../engine/engine.ts';
 import type { PageDocument, Style } from '../engine/types.ts';
 import type { Point } from './pointing.ts';
@@ -21,8 +21,8 @@ export type Glimpsed = {
   aspect: number;
   draw: (width: number, call: Call) => Promise<{ bitmap: ImageBitmap }>;
 };
-/** Position of the preview: left of the list, above the strip, or on the side with the most space. */
-type Side = 'left' | 'above' | 'beside';
+/** Position of the preview: over the page, or on the side of the control with the most space. */
+type Side = 'page' | 'beside';
 
 /** Milliseconds that one stays with a choice before it is drawn: who moves across a list wants to see the list. */
 const REST = 220;
@@ -65,7 +65,7 @@ export function useGlimpse(
 }
 
 /** @param make returns the page with the choice of that id; null for no preview */
-export function usePageGlimpse(make: (id: string) => PageDocument | null, side: Side = 'left') {
+export function usePageGlimpse(make: (id: string) => PageDocument | null) {
   const { engine } = useApp();
   const nameOf = useNames();
   return useGlimpse(
@@ -80,7 +80,7 @@ export function usePageGlimpse(make: (id: string) => PageDocument | null, side: 
         }
       );
     },
-    { side },
+    { side: 'page' },
   );
 }
 
@@ -101,8 +101,9 @@ function Glimpse({
   const width = Math.min(most.width, most.height * aspect);
   const size = { width, height: width / aspect };
   const whole = { width: innerWidth, height: innerHeight };
+  const room = side === 'page' && ui.wide.value ? document.querySelector('.stage') : null;
   // The lists of a narrow window have no side to look past.
-  const place = !ui.wide.value || side === 'beside' ? beside(at, size, whole) : placed(side, at, size, whole);
+  const place = room ? inside(at, size, room.getBoundingClientRect()) : beside(at, size, whole);
   const style = {
     width: `${place.width}px`,
     height: `${place.height}px`,
@@ -117,10 +118,6 @@ function Glimpse({
   );
 }
 
-function placed(side: 'left' | 'above', at: DOMRect, size: Size, whole: Size) {
-  return side === 'left' ? besideList(at, size, leftEdge(at), whole) : above(at, size, whole);
-}
-
 /** Names of the layout and the style of a page. */
 function useNames() {
   const { store, ownStyles } = useApp();
@@ -132,10 +129,4 @@ function useNames() {
         : (style as Style);
     return [entry && strings.layoutTitle(entry as Named), look && strings.styleTitle(look)].filter(Boolean).join(' · ');
   };
-}
-
-/** Left edge of the panel with the list, so that the list stays visible. */
-function leftEdge(at: DOMRect) {
-  const list = document.elementFromPoint(at.left + at.width / 2, at.top + at.height / 2)?.closest('aside');
-  return list?.getBoundingClientRect().left ?? at.left;
 }

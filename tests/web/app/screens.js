@@ -3,7 +3,7 @@
 
 import { drawn } from './designer-hands.js';
 import { four, panel } from './panel-hands.js';
-import { add, choose, expect, idle, photos, tab, test } from './support.js';
+import { add, choose, expect, idle, photos, reach, tab, test } from './support.js';
 import { openWords } from './word-hands.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
@@ -18,9 +18,9 @@ async function unfold(page, name) {
     await summary.click();
 }
 
-/** Into the workspaces, whose buttons are among the styles on a small screen. @param {Page} page @param {string} name */
+/** Opens a view, which is in the menu of a small screen. @param {Page} page @param {string} name */
 async function work(page, name) {
-  if (!(await button(page, name).isVisible())) await button(page, 'Styles').click();
+  if (!(await button(page, name).isVisible())) await button(page, 'Menu').click();
   await button(page, name).click();
 }
 
@@ -47,19 +47,28 @@ async function invented(page) {
 const SCREENS = {
   board: async () => {},
   'a panel is chosen': (page) => panel(page, 2).click(),
+  'all tools of a panel': async (page) => {
+    await panel(page, 2).click();
+    await reach(page, 'Save subject as PNG');
+  },
+  'a photo is cropped': async (page) => {
+    await panel(page, 2).click();
+    await button(page, 'Crop').click();
+  },
+  menu: (page) => button(page, 'Menu').click(),
   'a photo is moved': async (page) => {
     await panel(page, 2).focus();
     await page.keyboard.press('Enter');
   },
   cuts: async (page) => {
     await drawer(page, 'Layouts');
-    await button(page, 'Edit layout').click();
+    await (await reach(page, 'Edit layout')).click();
     await page.getByRole('slider', { name: /^Cut 1 of/ }).focus();
   },
   photos: async (page) => {
     await photoDrawer(page);
     await unfold(page, 'Photo selection');
-    await button(page, 'Show subjects').click();
+    await (await reach(page, 'Show subjects')).click();
   },
   'a stack': async (page) => {
     await add(
@@ -72,7 +81,7 @@ const SCREENS = {
   },
   'styles and how they are chosen': async (page) => {
     await drawer(page, 'Styles');
-    await button(page, 'How Shuffle chooses styles').click();
+    await (await reach(page, 'How Shuffle chooses styles')).click();
   },
   layouts: async (page) => {
     await drawer(page, 'Layouts');
@@ -86,8 +95,11 @@ const SCREENS = {
     await page.keyboard.press('Enter');
   },
   'page settings': async (page) => {
-    if (await button(page, 'Page settings').isVisible()) await button(page, 'Page settings').click();
-    else await tab(page, 'Page');
+    if (await page.getByRole('tab').first().isVisible()) await tab(page, 'Page');
+    else {
+      await button(page, 'Menu').click();
+      await button(page, 'Page settings').click();
+    }
     await page.getByRole('combobox', { name: 'Page size' }).selectOption('custom');
     await unfold(page, 'Description of the page');
   },
@@ -156,7 +168,7 @@ const SCREENS = {
     await expect(page.getByRole('dialog').getByRole('listitem')).toHaveCount(3);
   },
   'a storyboard of two pages': async (page) => {
-    await button(page, 'Add page').click();
+    await (await reach(page, 'Add page')).click();
     await idle(page);
     const tools = button(page, 'Page tools');
     if (await tools.isVisible()) await tools.click();

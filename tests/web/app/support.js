@@ -321,6 +321,7 @@ async function returnToStart(page, board) {
       return button !== null;
     };
     await click('.side-tabs [role=tab]:first-child[aria-selected=false]');
+    await click('.context-bar .tool[aria-expanded=true]');
     while (await click('.toasts [aria-label=Dismiss]'));
     while (await click('.top-bar [aria-label=Undo]:enabled'));
   });
@@ -371,8 +372,21 @@ export async function drop(page, files, keys = {}) {
  * @param {string} name of a button
  */
 export async function press(page, name) {
-  await page.getByRole('button', { name, exact: true }).click();
+  await (await reach(page, name)).click();
   await idle(page);
+}
+
+/**
+ * Returns a button. Opens `More` of the tools if the button is not visible without it.
+ * @param {Page} page
+ * @param {string} name
+ */
+export async function reach(page, name) {
+  const button = page.getByRole('button', { name, exact: true });
+  const more = page.locator('.context-bar').getByRole('button', { name: 'More', expanded: false });
+  if (!(await button.first().isVisible()) && (await more.isVisible()))
+    await more.evaluate((element) => /** @type {HTMLElement} */ (element).click());
+  return button;
 }
 
 /**

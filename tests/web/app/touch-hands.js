@@ -41,11 +41,12 @@ const missed = (page) =>
       // Controls outside of a scrolled area, and texts for screen readers.
       const hit = document.elementFromPoint(x, y);
       if (box.width < 2 || !hit || !(element.contains(hit) || hit.contains(element))) continue;
-      // A control that is cut by scrolling.
-      const cut = element.closest('.sheet-body')?.getBoundingClientRect();
-      if (cut && (box.bottom > cut.bottom || box.top < cut.top)) continue;
       // A label is part of its check box.
       const target = element.closest('label') ?? element;
+      // A control that is cut by scrolling.
+      const cut = element.closest('.sheet-body')?.getBoundingClientRect();
+      const whole = target.getBoundingClientRect();
+      if (cut && (whole.bottom > cut.bottom || whole.top < cut.top)) continue;
       const owns = (/** @type {number} */ dx, /** @type {number} */ dy) => {
         const [px, py] = [x + dx, y + dy];
         if (px < 0 || py < 0 || px >= innerWidth || py >= innerHeight) return true;
@@ -64,6 +65,7 @@ export async function expectTouchTargets(page) {
   const check = (/** @type {string} */ place) => expect.poll(() => missed(page), place).toEqual([]);
   await check('board');
   for (const name of ['Photos', 'Styles', 'Layouts', 'Text', 'Page settings']) {
+    if (name === 'Page settings') await page.getByRole('button', { name: 'Menu' }).tap();
     await page.getByRole('button', { name, exact: true }).tap();
     await idle(page);
     await check(name);

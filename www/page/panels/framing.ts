@@ -15,13 +15,15 @@ import type { Signal } from '@preact/signals';
 export type Framing = ReturnType<typeof createFraming>;
 
 /** What the next key or click on the page is for; `at` is where the focus point would be, in parts of the image. */
-export type Mode = { kind: 'frame' | 'swap' | 'focus'; panel: number; at?: [number, number] };
+export type Mode = { kind: 'frame' | 'swap' | 'focus' | 'replace'; panel: number; at?: [number, number] };
 
 export function createFraming({ store, pages }: { store: Store; pages: Pages }) {
   let steps = 0;
   const mode: Signal<Mode | null> = signal(null);
   /** The photo that the next panel is to show. */
   const placing: Signal<string | null> = signal(null);
+  /** The panel whose photo is being cropped. */
+  const cropping: Signal<number | null> = signal(null);
   // Whoever does something else, or goes back, no longer looks for a panel for it.
   let { past } = store.history.peek();
   effect(() => {
@@ -33,6 +35,7 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
   return {
     mode,
     placing,
+    cropping,
     place,
     placeIn,
     step,
@@ -150,6 +153,7 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
   }
 
   function replace(panel: number, photo: string) {
+    if (mode.peek()?.kind === 'replace') mode.value = null;
     if (isLocked(panel) || photoOf(panel) === photo) return;
     const gesture = step();
     // A photo that was set aside is in use from now on.

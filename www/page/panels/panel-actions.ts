@@ -143,8 +143,46 @@ export function createPanelActions({
       on: selection.several,
       run: () => selection.choose(!selection.several.peek()),
     },
+    crop: {
+      label: strings.crop,
+      icon: 'crop',
+      why: whyNotFramed,
+      run: () => {
+        framing.cropping.value = panel();
+        framing.mode.value = null;
+      },
+    },
+    cropped: {
+      label: strings.doneEditing,
+      icon: 'check',
+      run: () => {
+        framing.cropping.value = null;
+        framing.mode.value = null;
+      },
+    },
+    replace: {
+      label: strings.replacePhoto,
+      icon: 'photos',
+      why: whyNotFramed,
+      on: computed(() => framing.mode.value?.kind === 'replace'),
+      run() {
+        framing.toggle('replace', panel());
+        if (framing.mode.peek() !== null && !ui.wide.peek()) ui.sheet.value = 'photos';
+      },
+    },
+    splitPanel: {
+      label: strings.splitPanel,
+      icon: 'columns',
+      why: whyNotSplit,
+      run() {
+        const { width, height } = framing.boundsOf(panel()) ?? { width: 0, height: 0 };
+        reshaping.splitPanel(panel(), width > height ? 'columns' : 'rows');
+      },
+      undo: 'step',
+    },
     merge: {
       label: strings.merge,
+      short: strings.short.span,
       icon: 'merge',
       why: computed(merging.cannotMerge),
       run: merging.merge,

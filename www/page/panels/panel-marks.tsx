@@ -1,6 +1,5 @@
-/** Small marks on panels: a lock, the point that matters in a photo, what the keys do now. */
+/** Small marks on panels: a lock, and the point that matters in a photo. */
 
-import { strings } from '../../strings/strings.ts';
 import { useApp } from '../../ui/context.ts';
 import { Icon } from '../../ui/icon.tsx';
 import type { Bounds, Geometry, PageDocument } from '../../engine/types.ts';
@@ -8,7 +7,6 @@ import type { Bounds, Geometry, PageDocument } from '../../engine/types.ts';
 export function PanelMarks({ page, geometry }: { page: PageDocument; geometry: Geometry }) {
   const { framing, store, selection } = useApp();
   const mode = framing.mode.value;
-  const placing = framing.placing.value;
   const [chosen] = selection.panels.value;
   const point = focusOf(mode?.kind === 'focus' ? mode.panel : chosen);
   return (
@@ -23,11 +21,6 @@ export function PanelMarks({ page, geometry }: { page: PageDocument; geometry: G
           ),
       )}
       {point && <span class="panel-focus" aria-hidden="true" style={at(point.bounds, point.u, point.v)} />}
-      {(mode || placing !== null) && (
-        <p class="panel-hint" aria-live="polite">
-          {mode ? strings.modes[mode.kind] : strings.modes.place}
-        </p>
-      )}
     </div>
   );
 

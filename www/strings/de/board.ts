@@ -18,6 +18,7 @@ export const boardStrings = {
   next: 'Nächste Version',
   download: 'PNG herunterladen',
   export: 'Exportieren',
+  menu: 'Menü',
   languageAndTheme: 'Sprache und Design',
   theme: 'Design',
   themes: { light: 'Hell', dark: 'Dunkel', system: 'System' },

@@ -16,6 +16,8 @@ export const bookStrings = {
     later: 'Seite nach hinten',
     spreadAlbum: 'Album auf Seiten verteilen',
     spreadHelp: (n: number) => `Mehrere Seiten mit allen ${n} Fotos, in ihrer Reihenfolge`,
+    spreadAsk: 'Die neuen Seiten ersetzen deine Seiten, auch was du von Hand geändert hast.',
+    spreadYes: 'Seiten ersetzen',
     styleAll: 'Diesen Stil auf allen Seiten',
     left: (n: number) => `${photos(n)} auf keiner Seite`,
     reading: 'Die Fotos werden noch gelesen.',

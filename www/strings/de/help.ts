@@ -36,7 +36,6 @@ export const helpStrings = {
     cropTouch: 'Zieh, um das Bild zu verschieben, und zoome mit zwei Fingern.',
     lock: 'Fixiere, was dir gefällt. Mischen ändert nur den Rest.',
   },
-  closeHint: 'Tipp schließen',
   topics: {
     adding: {
       title: 'Fotos und Videos hinzufügen',

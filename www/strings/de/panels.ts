@@ -1,5 +1,8 @@
 export const panelStrings = {
   panelTools: 'Panel-Werkzeuge',
+  crop: 'Zuschneiden',
+  replacePhoto: 'Ersetzen',
+  splitPanel: 'Panel teilen',
   selectPanels: 'Panels auswählen',
   merge: 'Ein Foto über mehrere Panels',
   split: 'Trennen',
@@ -24,8 +27,8 @@ export const panelStrings = {
   ) => string,
   noCuts: 'dieses Layout hat keine Trennlinien',
   doneEditing: 'Fertig',
-  photoTools: 'Foto-Werkzeuge',
   short: {
+    span: 'Foto darüber',
     correct: 'Berichtigen',
     breakFrame: 'Ausbrechen',
     fit: 'Einpassen',
@@ -39,7 +42,7 @@ export const panelStrings = {
     star: 'Stern',
   },
   starPanel: 'Stern',
-  starPanelLong: 'Dieses Foto groß zeigen, hier und bei jedem Mischen',
+  starPanelLong: 'Das Panel dieses Fotos vergrößern und das Foto bei jedem Mischen groß zeigen',
   zoomIn: 'Vergrößern',
   zoomOut: 'Verkleinern',
   fitSubject: 'Motiv einpassen',
@@ -63,6 +66,8 @@ export const panelStrings = {
   unchanged: 'der Ausschnitt ist der automatische',
   putHere: (photo: string, panel: number) => `${photo} in Panel ${panel} setzen`,
   modes: {
+    layout: 'Ziehe eine Trennlinie, oder wähle ein Panel zum Teilen',
+    replace: 'Wähle ein Foto für dieses Panel',
     frame: 'Pfeile bewegen das Foto, + und − zoomen, 0 setzt zurück, Eingabe beendet',
     swap: 'Wähle das Panel zum Tauschen',
     place: 'Wähle das Panel für dieses Foto',

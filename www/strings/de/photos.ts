@@ -11,7 +11,7 @@ export const photoStrings = {
   youLeftOut: 'Von dir ausgeschlossen',
   leftOut: (name: string) => `${name} wurde ausgeschlossen.`,
   starPhoto: (name: string) => `${name} hervorheben`,
-  starLong: 'Groß zeigen, hier und bei jedem Mischen',
+  starLong: 'Das Panel dieses Fotos vergrößern und das Foto bei jedem Mischen groß zeigen',
   removePhoto: (name: string) => `${name} entfernen`,
   photoMissing: 'Fehlt',
   addPhotos: 'Fotos hinzufügen',

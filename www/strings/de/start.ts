@@ -4,6 +4,8 @@ export const startStrings = {
   chooseFiles: 'Fotos oder Video wählen',
   filesLabel: 'Fotos oder Video',
   trySamples: 'Beispielalbum ausprobieren',
+  startPages: 'Drei Comicseiten aus dem Beispielalbum',
+  recentProjects: 'Letzte Projekte',
   privacy: 'Nichts verlässt dieses Gerät.',
   dropHere: 'Loslassen, um deine Fotos hinzuzufügen',
   framed: 'Zum Schutz vor Clickjacking läuft Inkpanel nicht innerhalb anderer Websites.',

@@ -20,6 +20,7 @@ export const boardStrings = {
   next: 'Next version',
   download: 'Download PNG',
   export: 'Export',
+  menu: 'Menu',
   languageAndTheme: 'Language and theme',
   theme: 'Theme',
   themes: { light: 'Light', dark: 'Dark', system: 'System' },

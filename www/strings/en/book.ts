@@ -17,6 +17,8 @@ export const bookStrings = {
     later: 'Move page later',
     spreadAlbum: 'Spread album over pages',
     spreadHelp: (n: number) => `Creates several pages with all ${n} photos, in their order`,
+    spreadAsk: 'The new pages replace your pages, also what you changed by hand.',
+    spreadYes: 'Replace pages',
     styleAll: 'Use this style on all pages',
     left: (n: number) => `${count(n, 'photo')} on no page`,
     reading: 'Inkpanel is still reading the photos.',

@@ -37,7 +37,6 @@ export const helpStrings = {
     cropTouch: 'Drag to move the picture, pinch to zoom.',
     lock: 'Lock the parts that you like. Shuffle changes only the rest.',
   },
-  closeHint: 'Close the hint',
   topics: {
     adding: {
       title: 'Adding photos and videos',

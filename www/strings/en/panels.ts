@@ -2,6 +2,9 @@
 
 export const panelStrings = {
   panelTools: 'Panel tools',
+  crop: 'Crop',
+  replacePhoto: 'Replace',
+  splitPanel: 'Split panel',
   selectPanels: 'Select panels',
   merge: 'One photo across panels',
   split: 'Split',
@@ -26,8 +29,8 @@ export const panelStrings = {
   ) => string,
   noCuts: 'this layout has no dividers',
   doneEditing: 'Done',
-  photoTools: 'Photo tools',
   short: {
+    span: 'Span photo',
     correct: 'Correct',
     breakFrame: 'Break out',
     fit: 'Fit',
@@ -41,7 +44,7 @@ export const panelStrings = {
     star: 'Star',
   },
   starPanel: 'Star',
-  starPanelLong: 'Show this photo in a large panel, here and in every shuffle',
+  starPanelLong: 'Enlarge this photo’s panel, and show the photo large in every shuffle',
   zoomIn: 'Zoom in',
   zoomOut: 'Zoom out',
   fitSubject: 'Fit subject',
@@ -65,6 +68,8 @@ export const panelStrings = {
   unchanged: 'the crop is the automatic one',
   putHere: (photo: string, panel: number) => `Put ${photo} in panel ${panel}`,
   modes: {
+    layout: 'Drag a divider, or select a panel to split it',
+    replace: 'Choose a photo for this panel',
     frame: 'Arrow keys move the photo, + and − zoom, 0 resets, Enter ends',
     swap: 'Select the panel to swap with',
     place: 'Select the panel for this photo',

@@ -13,7 +13,7 @@ export const photoStrings = {
   youLeftOut: 'You excluded it',
   leftOut: (name: string) => `${name} was excluded.`,
   starPhoto: (name: string) => `Star ${name}`,
-  starLong: 'Show it in a large panel, here and in every shuffle',
+  starLong: 'Enlarge this photo’s panel, and show the photo large in every shuffle',
   removePhoto: (name: string) => `Remove ${name}`,
   photoMissing: 'Missing',
   addPhotos: 'Add photos',

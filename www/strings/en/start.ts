@@ -6,6 +6,8 @@ export const startStrings = {
   chooseFiles: 'Choose photos or a video',
   filesLabel: 'Photos or video',
   trySamples: 'Try the sample album',
+  startPages: 'Three comic pages made from the sample album',
+  recentProjects: 'Recent projects',
   privacy: 'Nothing leaves this device.',
   dropHere: 'Drop to add your photos',
   framed: 'Inkpanel does not run inside other websites, to protect you from clickjacking.',

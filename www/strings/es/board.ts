@@ -18,6 +18,7 @@ export const boardStrings = {
   next: 'Versión siguiente',
   download: 'Descargar PNG',
   export: 'Exportar',
+  menu: 'Menú',
   languageAndTheme: 'Idioma y tema',
   theme: 'Tema',
   themes: { light: 'Claro', dark: 'Oscuro', system: 'Sistema' },

@@ -15,6 +15,8 @@ export const bookStrings = {
     later: 'Atrasar página',
     spreadAlbum: 'Repartir el álbum en páginas',
     spreadHelp: (n: number) => `Varias páginas con las ${n} fotos, en su orden`,
+    spreadAsk: 'Las páginas nuevas reemplazan las tuyas, también lo que cambiaste a mano.',
+    spreadYes: 'Reemplazar páginas',
     styleAll: 'Usar este estilo en todas las páginas',
     left: (n: number) => `${count(n, 'foto')} sin página`,
     reading: 'Las fotos aún se están leyendo.',

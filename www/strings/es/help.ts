@@ -35,7 +35,6 @@ export const helpStrings = {
     cropTouch: 'Arrastra para mover la imagen y pellizca para acercarla.',
     lock: 'Fija lo que te guste. Barajar cambia solo lo demás.',
   },
-  closeHint: 'Cerrar el consejo',
   topics: {
     adding: {
       title: 'Añadir fotos y vídeos',

@@ -1,5 +1,8 @@
 export const panelStrings = {
   panelTools: 'Herramientas de viñetas',
+  crop: 'Recortar',
+  replacePhoto: 'Reemplazar',
+  splitPanel: 'Dividir viñeta',
   selectPanels: 'Seleccionar viñetas',
   merge: 'Una foto en varias viñetas',
   split: 'Separar',
@@ -24,8 +27,8 @@ export const panelStrings = {
   ) => string,
   noCuts: 'esta plantilla no tiene divisiones',
   doneEditing: 'Listo',
-  photoTools: 'Herramientas de foto',
   short: {
+    span: 'Extender foto',
     correct: 'Corregir',
     breakFrame: 'Salir',
     fit: 'Ajustar',
@@ -39,7 +42,7 @@ export const panelStrings = {
     star: 'Destacar',
   },
   starPanel: 'Destacar',
-  starPanelLong: 'Mostrar esta foto grande, aquí y en cada mezcla',
+  starPanelLong: 'Amplía la viñeta de esta foto y la muestra grande en cada mezcla',
   zoomIn: 'Acercar',
   zoomOut: 'Alejar',
   fitSubject: 'Ajustar al motivo',
@@ -63,6 +66,8 @@ export const panelStrings = {
   unchanged: 'el encuadre es el automático',
   putHere: (photo: string, panel: number) => `Poner ${photo} en la viñeta ${panel}`,
   modes: {
+    layout: 'Arrastra una división, o elige una viñeta para dividirla',
+    replace: 'Elige una foto para esta viñeta',
     frame: 'Las flechas mueven la foto, + y − amplían y reducen, 0 restablece, Intro termina',
     swap: 'Elige la viñeta con la que intercambiar',
     place: 'Elige la viñeta para esta foto',

@@ -10,7 +10,7 @@ export const photoStrings = {
   youLeftOut: 'La has excluido',
   leftOut: (name: string) => `${name} se ha excluido.`,
   starPhoto: (name: string) => `Destacar ${name}`,
-  starLong: 'Mostrarla grande, aquí y al barajar',
+  starLong: 'Amplía la viñeta de esta foto y la muestra grande en cada mezcla',
   removePhoto: (name: string) => `Quitar ${name}`,
   photoMissing: 'Falta',
   addPhotos: 'Añadir fotos',

@@ -4,6 +4,8 @@ export const startStrings = {
   chooseFiles: 'Elegir fotos o un vídeo',
   filesLabel: 'Fotos o vídeo',
   trySamples: 'Probar el álbum de muestra',
+  startPages: 'Tres páginas de cómic hechas con el álbum de ejemplo',
+  recentProjects: 'Proyectos recientes',
   privacy: 'Nada sale de este dispositivo.',
   dropHere: 'Suelta para añadir tus fotos',
   framed: 'Inkpanel no funciona dentro de otros sitios web, para protegerte del clickjacking.',

@@ -22,6 +22,7 @@ export const boardStrings = {
   next: 'Version suivante',
   download: 'Télécharger le PNG',
   export: 'Exporter',
+  menu: 'Menu',
   languageAndTheme: 'Langue et thème',
   theme: 'Thème',
   themes: { light: 'Clair', dark: 'Sombre', system: 'Système' },

@@ -16,6 +16,8 @@ export const bookStrings = {
     later: 'Reculer la page',
     spreadAlbum: 'Répartir l’album sur des pages',
     spreadHelp: (n: number) => `Plusieurs pages avec les ${n} photos, dans leur ordre`,
+    spreadAsk: 'Les nouvelles pages remplacent les vôtres, y compris vos retouches.',
+    spreadYes: 'Remplacer les pages',
     styleAll: 'Ce style sur toutes les pages',
     left: (n: number) => `${photos(n)} sur aucune page`,
     reading: 'Les photos sont encore en cours de lecture.',

@@ -35,7 +35,6 @@ export const helpStrings = {
     cropTouch: 'Faites glisser l’image pour la déplacer, pincez pour zoomer.',
     lock: 'Verrouillez ce qui vous plaît. Mélanger ne change que le reste.',
   },
-  closeHint: 'Fermer le conseil',
   topics: {
     adding: {
       title: 'Ajouter des photos et des vidéos',

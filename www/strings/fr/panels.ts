@@ -1,5 +1,8 @@
 export const panelStrings = {
   panelTools: 'Outils de cases',
+  crop: 'Recadrer',
+  replacePhoto: 'Remplacer',
+  splitPanel: 'Diviser la case',
   selectPanels: 'Sélectionner des cases',
   merge: 'Une photo sur plusieurs cases',
   split: 'Séparer',
@@ -24,8 +27,8 @@ export const panelStrings = {
   ) => string,
   noCuts: 'ce gabarit n’a pas de séparations',
   doneEditing: 'Terminé',
-  photoTools: 'Outils de photo',
   short: {
+    span: 'Étendre la photo',
     correct: 'Corriger',
     breakFrame: 'Sortir',
     fit: 'Ajuster',
@@ -39,7 +42,7 @@ export const panelStrings = {
     star: 'Étoile',
   },
   starPanel: 'Étoile',
-  starPanelLong: 'Montrer cette photo en grand, ici et à chaque mélange',
+  starPanelLong: 'Agrandir la case de cette photo, et la montrer en grand à chaque mélange',
   zoomIn: 'Agrandir',
   zoomOut: 'Réduire',
   fitSubject: 'Ajuster au sujet',
@@ -63,6 +66,8 @@ export const panelStrings = {
   unchanged: 'le cadrage est le cadrage automatique',
   putHere: (photo: string, panel: number) => `Mettre ${photo} dans la case ${panel}`,
   modes: {
+    layout: 'Faites glisser une séparation, ou choisissez une case à diviser',
+    replace: 'Choisissez une photo pour cette case',
     frame: 'Les flèches déplacent la photo, + et − l’agrandissent ou la réduisent, 0 réinitialise, Entrée termine',
     swap: 'Choisissez la case avec laquelle échanger',
     place: 'Choisissez la case pour cette photo',

@@ -11,7 +11,7 @@ export const photoStrings = {
   youLeftOut: 'Vous l’avez exclue',
   leftOut: (name: string) => `${name} a été exclue.`,
   starPhoto: (name: string) => `Mettre ${name} en avant`,
-  starLong: 'La montrer en grand, ici et à chaque mélange',
+  starLong: 'Agrandir la case de cette photo, et la montrer en grand à chaque mélange',
   removePhoto: (name: string) => `Retirer ${name}`,
   photoMissing: 'Absente',
   addPhotos: 'Ajouter des photos',

@@ -4,6 +4,8 @@ export const startStrings = {
   chooseFiles: 'Choisir des photos ou une vidéo',
   filesLabel: 'Photos ou vidéo',
   trySamples: 'Essayer l’album d’exemple',
+  startPages: 'Trois planches faites avec l’album d’exemple',
+  recentProjects: 'Projets récents',
   privacy: 'Rien ne quitte cet appareil.',
   dropHere: 'Relâchez pour ajouter vos photos',
   framed: 'Inkpanel ne fonctionne pas dans d’autres sites, pour vous protéger du détournement de clic.',

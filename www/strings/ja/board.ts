@@ -22,6 +22,7 @@ export const boardStrings = {
   next: '次のバージョン',
   download: 'PNGをダウンロード',
   export: '書き出す',
+  menu: 'メニュー',
   languageAndTheme: '言語とテーマ',
   theme: 'テーマ',
   themes: { light: 'ライト', dark: 'ダーク', system: 'システム' },

@@ -13,6 +13,8 @@ export const bookStrings = {
     later: 'ページを後ろへ移動',
     spreadAlbum: 'アルバムを複数ページに割り付け',
     spreadHelp: (n: number) => `写真${n}枚すべてを、順番どおりに複数のページに並べます`,
+    spreadAsk: '新しいページは今のページを置き換えます。手で変えたところも失われます。',
+    spreadYes: 'ページを置き換える',
     styleAll: 'このスタイルを全ページに使う',
     left: (n: number) => `どのページにもない写真：${n}枚`,
     reading: '写真をまだ読み込んでいます。',

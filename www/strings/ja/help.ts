@@ -35,7 +35,6 @@ export const helpStrings = {
     cropTouch: 'ドラッグで写真を動かし、ピンチで拡大・縮小できます。',
     lock: '気に入った部分はロックしましょう。シャッフルで変わるのは残りだけです。',
   },
-  closeHint: 'ヒントを閉じる',
   topics: {
     adding: {
       title: '写真や動画を追加する',

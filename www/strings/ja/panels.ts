@@ -1,5 +1,8 @@
 export const panelStrings = {
   panelTools: 'コマのツール',
+  crop: 'トリミング',
+  replacePhoto: '置き換え',
+  splitPanel: 'コマを分割',
   selectPanels: 'コマを選択',
   merge: '1枚の写真を複数コマに',
   split: '分割',
@@ -24,8 +27,8 @@ export const panelStrings = {
   ) => string,
   noCuts: 'このレイアウトには境界線がありません',
   doneEditing: '完了',
-  photoTools: '写真のツール',
   short: {
+    span: '写真を広げる',
     correct: '直す',
     breakFrame: 'はみ出す',
     fit: '合わせる',
@@ -39,7 +42,7 @@ export const panelStrings = {
     star: 'スター',
   },
   starPanel: 'スター',
-  starPanelLong: 'この写真を、ここでもシャッフルのたびにも大きく見せます',
+  starPanelLong: 'この写真のコマを大きくし、シャッフルでも大きく見せます',
   zoomIn: '拡大',
   zoomOut: '縮小',
   fitSubject: '被写体に合わせる',
@@ -63,6 +66,8 @@ export const panelStrings = {
   unchanged: '切り抜きは自動のままです',
   putHere: (photo: string, panel: number) => `${photo}をコマ${panel}に入れる`,
   modes: {
+    layout: '境界線をドラッグするか、分割するコマを選んでください',
+    replace: 'このコマの写真を選んでください',
     frame: '矢印キーで写真を移動、＋と−で拡大・縮小、0でリセット、Enterで終了',
     swap: '入れ替えるコマを選んでください',
     place: 'この写真を入れるコマを選んでください',

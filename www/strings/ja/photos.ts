@@ -9,7 +9,7 @@ export const photoStrings = {
   youLeftOut: 'あなたが除外しました',
   leftOut: (name: string) => `${name}を除外しました。`,
   starPhoto: (name: string) => `${name}にスターを付ける`,
-  starLong: 'ここでもシャッフルのたびにも大きく見せます',
+  starLong: 'この写真のコマを大きくし、シャッフルでも大きく見せます',
   removePhoto: (name: string) => `${name}を削除`,
   photoMissing: 'なし',
   addPhotos: '写真を追加',

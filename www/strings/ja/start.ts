@@ -4,6 +4,8 @@ export const startStrings = {
   chooseFiles: '写真か動画を選ぶ',
   filesLabel: '写真または動画',
   trySamples: 'サンプルアルバムを試す',
+  startPages: 'サンプルアルバムから作った3枚のコミックページ',
+  recentProjects: '最近のプロジェクト',
   privacy: '何もこの端末の外に出ません。',
   dropHere: 'ドロップして写真を追加',
   framed: 'クリックジャッキングを防ぐため、Inkpanelはほかのサイトの中では動作しません。',

@@ -18,6 +18,7 @@ export const boardStrings = {
   next: 'Próxima versão',
   download: 'Baixar PNG',
   export: 'Exportar',
+  menu: 'Menu',
   languageAndTheme: 'Idioma e tema',
   theme: 'Tema',
   themes: { light: 'Claro', dark: 'Escuro', system: 'Sistema' },

@@ -16,6 +16,8 @@ export const bookStrings = {
     later: 'Mover página para depois',
     spreadAlbum: 'Distribuir o álbum em páginas',
     spreadHelp: (n: number) => `Várias páginas com todas as ${n} fotos, na ordem delas`,
+    spreadAsk: 'As páginas novas substituem as suas, também o que você mudou à mão.',
+    spreadYes: 'Substituir páginas',
     styleAll: 'Usar este estilo em todas as páginas',
     left: (n: number) => `${photos(n)} em nenhuma página`,
     reading: 'As fotos ainda estão sendo lidas.',

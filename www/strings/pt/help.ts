@@ -35,7 +35,6 @@ export const helpStrings = {
     cropTouch: 'Arraste para mover a imagem e use dois dedos para ampliar.',
     lock: 'Trave o que você gostar. Embaralhar muda só o resto.',
   },
-  closeHint: 'Fechar a dica',
   topics: {
     adding: {
       title: 'Adicionar fotos e vídeos',

@@ -1,5 +1,8 @@
 export const panelStrings = {
   panelTools: 'Ferramentas de quadros',
+  crop: 'Recortar',
+  replacePhoto: 'Substituir',
+  splitPanel: 'Dividir quadro',
   selectPanels: 'Selecionar quadros',
   merge: 'Uma foto em vários quadros',
   split: 'Separar',
@@ -24,8 +27,8 @@ export const panelStrings = {
   ) => string,
   noCuts: 'este layout não tem divisórias',
   doneEditing: 'Pronto',
-  photoTools: 'Ferramentas de foto',
   short: {
+    span: 'Estender foto',
     correct: 'Corrigir',
     breakFrame: 'Sair',
     fit: 'Ajustar',
@@ -39,7 +42,7 @@ export const panelStrings = {
     star: 'Estrela',
   },
   starPanel: 'Estrela',
-  starPanelLong: 'Mostrar esta foto grande, aqui e sempre que embaralhar',
+  starPanelLong: 'Aumenta o quadro desta foto e a mostra grande em cada embaralhada',
   zoomIn: 'Ampliar',
   zoomOut: 'Reduzir',
   fitSubject: 'Ajustar ao assunto',
@@ -63,6 +66,8 @@ export const panelStrings = {
   unchanged: 'o enquadramento é o automático',
   putHere: (photo: string, panel: number) => `Pôr ${photo} no quadro ${panel}`,
   modes: {
+    layout: 'Arraste uma divisória, ou escolha um quadro para dividir',
+    replace: 'Escolha uma foto para este quadro',
     frame: 'As setas movem a foto, + e − ampliam e reduzem, 0 redefine, Enter termina',
     swap: 'Escolha o quadro com o qual trocar',
     place: 'Escolha o quadro para esta foto',

@@ -10,7 +10,7 @@ export const photoStrings = {
   youLeftOut: 'Você excluiu',
   leftOut: (name: string) => `${name} foi excluída.`,
   starPhoto: (name: string) => `Destacar ${name}`,
-  starLong: 'Mostrar grande, aqui e sempre que embaralhar',
+  starLong: 'Aumenta o quadro desta foto e a mostra grande em cada embaralhada',
   removePhoto: (name: string) => `Remover ${name}`,
   photoMissing: 'Faltando',
   addPhotos: 'Adicionar fotos',

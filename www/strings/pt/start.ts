@@ -4,6 +4,8 @@ export const startStrings = {
   chooseFiles: 'Escolher fotos ou um vídeo',
   filesLabel: 'Fotos ou vídeo',
   trySamples: 'Testar o álbum de exemplo',
+  startPages: 'Três páginas de quadrinhos feitas com o álbum de exemplo',
+  recentProjects: 'Projetos recentes',
   privacy: 'Nada sai deste aparelho.',
   dropHere: 'Solte para adicionar suas fotos',
   framed: 'O Inkpanel não funciona dentro de outros sites, para proteger você de clickjacking.',

@@ -136,6 +136,8 @@ test('a photo is moved, enlarged and swapped', async ({ page }) => {
       .evaluateAll((list) => list.map((panel) => panel.ariaDescription?.replace(/, selected.*/, '')));
   const photos = await shown();
   await page.keyboard.press('Shift+Enter');
+  await tabTo(page, 'More');
+  await page.keyboard.press('Enter');
   await tabTo(page, 'Swap photo');
   await page.keyboard.press('Enter');
   await tabTo(page, 'Panel 2 of 4', { back: true });
@@ -148,7 +150,7 @@ test('a photo is moved, enlarged and swapped', async ({ page }) => {
 
 test('a cut is moved by its buttons', async ({ page }) => {
   await four(page);
-  await page.getByRole('combobox', { name: 'Family' }).focus();
+  await page.getByRole('button', { name: 'Shuffle', exact: true }).focus();
   await tabTo(page, 'Edit layout', { back: true });
   await page.keyboard.press('Enter');
   await tabTo(page, /^Cut 1 of/, { back: true });
@@ -295,6 +297,7 @@ test('? opens the list of shortcuts, and Escape closes it', async ({ page }) => 
 test('shortcuts of single letters can be switched off, also after a reload', async ({ page }) => {
   await openStart(page);
   await idle(page);
+  await page.getByRole('button', { name: 'Menu' }).click();
   await page.getByRole('button', { name: 'Keyboard shortcuts' }).click();
   await page.getByRole('checkbox', { name: 'Single-letter shortcuts' }).uncheck();
   await page.keyboard.press('Escape');

@@ -411,7 +411,7 @@ for (const size of [
   }) => {
     await openBoard(page);
     await page.setViewportSize(size);
-    if (size.width < 1000) await page.getByRole('button', { name: 'Page settings', exact: true }).click();
+    if (size.width < 1000) await page.getByRole('button', { name: 'Menu', exact: true }).click();
     await openShots(page);
     await drawn(page);
     for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {

@@ -134,7 +134,7 @@ test('the preview shows the style on the comic page', async ({ page }) => {
 test('a block is inserted before another in a small window', async ({ page }) => {
   await openBoard(page, FOUR);
   await page.setViewportSize({ width: 390, height: 844 });
-  await page.getByRole('button', { name: 'Styles', exact: true }).click();
+  await page.getByRole('button', { name: 'Menu', exact: true }).click();
   await page.getByRole('button', { name: 'Style designer', exact: true }).click();
   await drawn(page);
   for (const name of ['Gaussian', 'Posterization']) await addBlock(page, name);

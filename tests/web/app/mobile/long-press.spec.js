@@ -47,7 +47,7 @@ test('a long press on a style shows the page in this style, and applies nothing'
 test('a long press on a style of the explorer shows it large, and opens nothing', async ({ page }) => {
   await page.clock.install();
   await openBoard(page, FOUR);
-  await page.getByRole('button', { name: 'Styles', exact: true }).tap();
+  await page.getByRole('button', { name: 'Menu', exact: true }).tap();
   await page.getByRole('button', { name: 'Explore styles', exact: true }).tap();
   const region = page.getByRole('region', { name: 'Style explorer' });
   await expect.poll(() => region.getByRole('listitem').count()).toBeGreaterThan(12);

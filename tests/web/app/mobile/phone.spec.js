@@ -11,6 +11,7 @@ import {
   openStart,
   picture,
   press,
+  reach,
   sharedBoardTest as test,
 } from '../support.js';
 import { touch, way } from '../touch-hands.js';
@@ -125,7 +126,7 @@ test('two photos are swapped by taps and by a drag', async ({ page }) => {
   await openFour(page);
   const before = await photos(page);
   await panel(page, 2).tap();
-  await page.getByRole('button', { name: 'Swap photo' }).tap();
+  await (await reach(page, 'Swap photo')).tap();
   await panel(page, 3).tap();
   await idle(page);
   expect(await photos(page)).toEqual([before[0], before[2], before[1], before[3]]);
@@ -159,6 +160,7 @@ test('a photo is put into a panel, and Shuffle does not change the locked panel'
 test('a slider changes along its track, and not during scrolling', async ({ page }) => {
   await openBoard(page);
   await page.setViewportSize({ width: 360, height: 640 });
+  await page.getByRole('button', { name: 'Menu', exact: true }).tap();
   await page.getByRole('button', { name: 'Page settings' }).tap();
   const slider = page.getByRole('slider', { name: 'Margin' });
   const before = await slider.inputValue();

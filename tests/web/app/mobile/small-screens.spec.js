@@ -4,7 +4,7 @@
 import { covered } from '../../covered.js';
 import { drawn, region } from '../designer-hands.js';
 import { panel } from '../panel-hands.js';
-import { SIX, drop, expect, idle, openBoard, sharedBoardTest as test } from '../support.js';
+import { SIX, drop, expect, idle, openBoard, reach, sharedBoardTest as test } from '../support.js';
 import { expectTouchTargets } from '../touch-hands.js';
 
 /** @typedef {import('../support.js').Page} Page */
@@ -42,7 +42,7 @@ async function leaveOut(page) {
   await button(page, 'Photos').tap();
   await page.getByRole('checkbox', { name: 'Use bee.jpg' }).tap();
   await idle(page);
-  await expect(page.getByText('bee.jpg is left out')).toBeVisible();
+  await expect(page.getByText('bee.jpg was excluded')).toBeVisible();
 }
 
 /** Checks that the alert of an unreadable file covers no control. @param {Page} page */
@@ -54,7 +54,7 @@ async function expectFreeAlert(page) {
 
 /** Opens the designer and adds a block with sliders. @param {Page} page */
 async function openSliders(page) {
-  await button(page, 'Styles').tap();
+  await button(page, 'Menu').tap();
   await button(page, 'Style designer').tap();
   await button(page, 'Add block').tap();
   await page.getByRole('searchbox', { name: 'Search blocks' }).fill('xdog');
@@ -78,11 +78,14 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
       expect(await page.evaluate(covered)).toEqual([]);
     });
 
-    test('the tools of a panel show their names', async ({ page }) => {
+    test('the four main tools of a panel show their names', async ({ page }) => {
       await openBoard(page, ALBUM);
       await panel(page, 2).tap();
-      for (const name of ['Zoom in', 'Swap', 'Star'])
-        expect([name, await isInside(page.locator('.rail').getByText(name, { exact: true }))]).toEqual([name, true]);
+      for (const name of ['Crop', 'Replace', 'Lock', 'Star', 'More'])
+        expect([name, await isInside(page.locator('.context-bar').getByText(name, { exact: true }))]).toEqual([
+          name,
+          true,
+        ]);
     });
 
     test('a message covers no tool of a panel or of the pages', async ({ page }) => {
@@ -115,7 +118,7 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
         await expect(page.getByText('Select the panel for this photo')).toBeVisible();
         await page.locator('.top-bar').getByRole('button', { name: 'Undo' }).tap();
         await idle(page);
-        await expect(page.getByText('bee.jpg is left out')).toHaveCount(0);
+        await expect(page.getByText('bee.jpg was excluded')).toHaveCount(0);
         await expect(page.getByText('Select the panel for this photo')).toHaveCount(0);
         await expect(page.getByRole('checkbox', { name: 'Use bee.jpg' })).toBeChecked();
       });
@@ -129,9 +132,9 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
         expect(await button(page, 'Restore pages').count()).toBe(0);
       });
 
-      test('the page settings show the help', async ({ page }) => {
+      test('the menu shows the help', async ({ page }) => {
         await openBoard(page, ALBUM);
-        await button(page, 'Page settings').tap();
+        await button(page, 'Menu').tap();
         await expect.poll(() => isInside(button(page, 'Help and keyboard shortcuts'))).toBe(true);
         await expect.poll(() => isFree(button(page, 'Help and keyboard shortcuts'))).toBe(true);
         await button(page, 'Help and keyboard shortcuts').tap();
@@ -161,7 +164,7 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
 
       test('the explorer shows its bar in one line and two rows of styles', async ({ page }) => {
         await openBoard(page, ALBUM);
-        await button(page, 'Styles').tap();
+        await button(page, 'Menu').tap();
         await button(page, 'Explore styles').tap();
         await button(page, 'Generate').tap();
         await expect(page.locator('.wall-item').nth(12)).toBeAttached();
@@ -231,8 +234,8 @@ test.describe('on a laptop', () => {
     await expect(count).toHaveText(/of 13/);
     expect(await count.evaluate((node) => node.scrollWidth - node.clientWidth)).toBeLessThanOrEqual(0);
     await page.getByRole('tab', { name: 'Layouts' }).click();
-    await button(page, 'Edit layout').click();
-    await expect(page.getByText('bee.jpg is left out')).toBeVisible();
+    await (await reach(page, 'Edit layout')).click();
+    await expect(page.getByText('bee.jpg was excluded')).toBeVisible();
     expect(await isFree(button(page, 'Done'))).toBe(true);
     await button(page, 'Done').click();
     await expectFreeAlert(page);

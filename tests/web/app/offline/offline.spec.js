@@ -4,7 +4,7 @@
 import { readFile } from 'node:fs/promises';
 import { PNG } from '../../../../www/testing.ts';
 import { kept, netsKept, test } from '../offline-hands.js';
-import { SIX, accessible, add, colours, expect, idle, photos, picture, pixelsOf, press } from '../support.js';
+import { SIX, accessible, add, colours, expect, idle, photos, picture, pixelsOf, press, reach } from '../support.js';
 import { write } from '../word-hands.js';
 
 const WEBP = new URL('../../../oracles/data/files/webp-lossy.webp', import.meta.url);
@@ -80,7 +80,7 @@ test('faces are detected without a connection after the first detection, and lat
   await expect(page.getByText('Until you are online')).toHaveCount(1);
   await context.setOffline(false);
   const boxes = page.locator('.page .subject-boxes rect');
-  await page.getByRole('button', { name: 'Show subjects' }).click();
+  await (await reach(page, 'Show subjects')).click();
   await expect(boxes).not.toHaveCount(0);
   await idle(page);
   await netsKept(page);
@@ -88,7 +88,7 @@ test('faces are detected without a connection after the first detection, and lat
   await page.reload();
   await add(page, await photos('horses.jpg'));
   await page.waitForFunction(() => document.body.dataset.detected === 'true');
-  await page.getByRole('button', { name: 'Show subjects' }).click();
+  await (await reach(page, 'Show subjects')).click();
   await expect(page.locator('.page .subject-boxes rect[data-label="horse"]')).not.toHaveCount(0);
   await expect(page.getByText('Until you are online')).toHaveCount(0);
   await host.start();

@@ -1,5 +1,5 @@
 // @ts-check
-/** The alternatives below the page, the space that the page has, and the tools next to it. */
+/** The suggestions below the page, and the space that the page has. */
 
 import {
   contents,
@@ -9,13 +9,14 @@ import {
   openNewBoard,
   picture,
   press,
+  reach,
   sharedBoardTest as test,
 } from '../support.js';
 
 /** @typedef {import('../support.js').Page} Page */
 
-// A window of this width shows the number of versions in words.
-test.use({ viewport: { width: 1366, height: 768 } });
+// A window of this height shows the suggestions.
+test.use({ viewport: { width: 1366, height: 1024 } });
 
 /** @param {Page} page */
 const drawn = (page) => page.getByRole('region', { name: 'Suggestions' }).locator('canvas[data-drawn=true]');
@@ -93,7 +94,7 @@ test('a large view of an alternative has its names, and the page stays', async (
 
 test('Shuffle works in full screen, and Escape ends full screen', async ({ page }) => {
   await openNewBoard(page);
-  await page.getByRole('button', { name: 'Full screen' }).click();
+  await (await reach(page, 'Full screen')).click();
   await expect(page.getByRole('button', { name: 'Export' })).toBeHidden();
   await page.keyboard.press('Space');
   await idle(page);
@@ -101,27 +102,10 @@ test('Shuffle works in full screen, and Escape ends full screen', async ({ page 
   await expect(page.getByRole('button', { name: /^Page history/ })).toHaveText('Version 2 of 2');
 });
 
-test('the tools of a panel stand next to the page, at the height of the panel, with their names', async ({ page }) => {
-  await openBoard(page);
-  const canvas = await page.locator('.page-canvas').boundingBox();
-  for (const n of [1, 3]) {
-    await page.getByRole('group', { name: new RegExp(`^Panel ${n} of`) }).click();
-    const tools = page.getByRole('toolbar', { name: 'Photo tools' });
-    const box = await tools.boundingBox();
-    expect(box?.x).toBeGreaterThan((canvas?.x ?? 0) + (canvas?.width ?? 0));
-    await expect(tools.getByRole('button', { name: 'Swap photo' })).toHaveText('Swap');
-  }
-  await page.getByRole('button', { name: 'Star', exact: true }).click();
-  await expect(
-    page.getByRole('region', { name: 'Photos' }).getByRole('button', { name: /^Star /, pressed: true }),
-  ).toHaveCount(1);
-});
-
 test('the alternatives fold to make space for the page, also after a reload', async ({ page }) => {
   await openBoard(page);
   const height = async () => (await page.locator('.page-canvas').boundingBox())?.height ?? 0;
   const before = await height();
-  await expect(page.getByRole('heading', { name: 'Suggestions' })).toBeVisible();
   await page.getByRole('button', { name: 'Hide suggestions' }).click();
   await expect(page.getByRole('button', { name: /^Suggestion \d/ })).toHaveCount(0);
   await expect.poll(height).toBeGreaterThan(before + 50);
@@ -129,4 +113,14 @@ test('the alternatives fold to make space for the page, also after a reload', as
   await idle(page);
   await page.getByRole('button', { name: 'Show suggestions' }).click();
   await expect(alternative(page, 1)).toBeVisible();
+});
+
+test('the suggestions are folded in a low window', async ({ page }) => {
+  await openBoard(page);
+  await page.evaluate(() => localStorage.removeItem('inkpanel.ideas'));
+  await page.setViewportSize({ width: 1366, height: 768 });
+  await page.reload();
+  await idle(page);
+  await expect(page.getByRole('button', { name: 'Show suggestions' })).toBeVisible();
+  await expect(page.getByRole('button', { name: /^Suggestion \d/ })).toHaveCount(0);
 });

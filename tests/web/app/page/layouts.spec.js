@@ -11,6 +11,7 @@ import {
   makePageSmall,
   openBoard,
   openNewBoard,
+  reach,
   picture,
   PNG,
   press,
@@ -187,7 +188,7 @@ test('a cut is moved by mouse and keyboard, and the PNG file shows it', async ({
   const first = gutters(await exported(page));
   expect(first.length).toBeGreaterThan(0);
   await tab(page, 'Layouts');
-  await page.getByRole('button', { name: 'Edit layout' }).click();
+  await (await reach(page, 'Edit layout')).click();
   const handle = cut(page);
   const value = async () => Number(await handle.getAttribute('aria-valuenow'));
   const start = await value();

@@ -58,7 +58,7 @@ const look = (page) =>
       [...document.querySelectorAll('.stage [aria-description]')].map((panel) =>
         panel.getAttribute('aria-description'),
       ),
-      [...document.querySelectorAll('.top-middle button, .shuffle-bar button')].map(
+      [...document.querySelectorAll('.steps button, .shuffle-bar button')].map(
         (/** @type {any} */ button) => `${button.ariaLabel} ${button.disabled} ${button.ariaPressed}`,
       ),
       /** @type {HTMLCanvasElement | null} */ (document.querySelector('.page-canvas'))?.toDataURL('image/webp', 0.1),

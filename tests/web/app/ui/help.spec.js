@@ -12,6 +12,7 @@ const help = (page) => page.getByRole('dialog', { name: 'Help and keyboard short
 async function open(page) {
   await openStart(page);
   await idle(page);
+  await page.getByRole('button', { name: 'Menu' }).click();
   await page.getByRole('button', { name: 'Help and keyboard shortcuts' }).click();
   return { dialog: help(page), search: help(page).getByRole('searchbox', { name: 'Search help' }) };
 }
@@ -49,7 +50,7 @@ for (const [width, colorScheme] of /** @type {const} */ ([
     await search.fill('page');
     await search.press('Escape');
     await expect(dialog).toHaveCount(0);
-    await expect(page.getByRole('button', { name: 'Help and keyboard shortcuts' })).toBeFocused();
+    await expect(page.getByRole('button', { name: 'Menu' })).toBeFocused();
   });
 }
 
@@ -66,9 +67,9 @@ test('shortcuts do nothing in the help', async ({ page }) => {
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
 
-  test('the help is in the page settings, and does not open the keyboard of the phone', async ({ page }) => {
+  test('the help is in the menu, and does not open the keyboard of the phone', async ({ page }) => {
     await openBoard(page, ['cat.jpg']);
-    await page.getByRole('button', { name: 'Page settings' }).tap();
+    await page.getByRole('button', { name: 'Menu' }).tap();
     await page.getByRole('button', { name: 'Help and keyboard shortcuts' }).tap();
     await expect(help(page)).toBeVisible();
     await expect(help(page).getByRole('searchbox')).not.toBeFocused();

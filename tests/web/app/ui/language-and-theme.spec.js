@@ -1,5 +1,5 @@
 // @ts-check
-/** The menu of language and theme. */
+/** The menu: help, theme and language. */
 
 import { covered } from '../../covered.js';
 import {
@@ -19,11 +19,11 @@ const LIGHT = 'rgb(250, 250, 251)';
 const DARK = 'rgb(23, 23, 27)';
 
 /** @param {Page} page */
-const menu = (page) => page.getByRole('dialog', { name: 'Language and theme' });
+const menu = (page) => page.getByRole('dialog', { name: 'Menu' });
 
 /** @param {Page} page @param {string} name */
 async function choose(page, name) {
-  await page.getByRole('button', { name: 'Language and theme' }).click();
+  await page.getByRole('button', { name: 'Menu' }).click();
   await menu(page).getByRole('radio', { name, exact: true }).check();
 }
 
@@ -78,9 +78,11 @@ plainTest('the theme can be changed without storage', async ({ page }) => {
 
 test('keyboard: the menu is opened and left, and a click next to it closes it', async ({ page }) => {
   await openBoard(page);
-  const button = page.getByRole('button', { name: 'Language and theme' });
+  const button = page.getByRole('button', { name: 'Menu' });
   await button.focus();
   await page.keyboard.press('Enter');
+  await expect(menu(page).getByRole('button', { name: 'Help and keyboard shortcuts' })).toBeFocused();
+  await page.keyboard.press('Tab');
   await expect(menu(page).getByRole('radio', { name: 'System' })).toBeFocused();
   await page.keyboard.press('ArrowUp');
   await expect(page.locator('html')).toHaveAttribute('data-theme', 'dark');
@@ -96,21 +98,26 @@ test('keyboard: the menu is opened and left, and a click next to it closes it', 
   await choose(page, 'System');
 });
 
-test('on a small screen, language and theme are in the page settings', async ({ page }) => {
+test('on a small screen, the menu has the views and the page settings, too', async ({ page }) => {
   await openBoard(page);
   await page.setViewportSize({ width: 360, height: 740 });
-  await page.getByRole('button', { name: 'Page settings' }).click();
+  await page.getByRole('button', { name: 'Menu' }).click();
+  for (const name of ['Page settings', 'Comic', 'Storyboard', 'Style designer', 'Explore styles'])
+    await expect(menu(page).getByRole('button', { name })).toBeVisible();
   await page.getByRole('radio', { name: 'Dark' }).check();
   expect(await background(page)).toBe(DARK);
   await expect(page.getByRole('combobox', { name: 'Language' })).toBeVisible();
   await page.getByRole('radio', { name: 'System' }).check();
+  await menu(page).getByRole('button', { name: 'Page settings' }).click();
+  await expect(menu(page)).toHaveCount(0);
+  await expect(page.getByRole('region', { name: 'Page settings' })).toBeVisible();
 });
 
 test('the menu fits on the start screen of a small screen', async ({ page }) => {
   await page.setViewportSize({ width: 320, height: 640 });
   await openStart(page);
   await idle(page);
-  await page.getByRole('button', { name: 'Language and theme' }).click();
+  await page.getByRole('button', { name: 'Menu' }).click();
   await menu(page).getByRole('combobox', { name: 'Language' }).scrollIntoViewIfNeeded();
   const box = await menu(page).boundingBox();
   expect(box && box.x >= 0 && box.x + box.width <= 320).toBe(true);

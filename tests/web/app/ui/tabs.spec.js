@@ -66,6 +66,7 @@ test('styles are filtered by kind, and the last applied style is first after a r
   await openBoard(page);
   const box = page.getByRole('listbox', { name: 'Styles' });
   const kinds = page.getByRole('group', { name: 'Style families' });
+  await page.getByRole('searchbox', { name: 'Search styles' }).focus();
   await kinds.getByRole('button', { name: 'Noir', exact: true }).click();
   await expect(box.getByRole('group')).toHaveCount(1);
   await box.getByRole('option', { name: 'Moonlight' }).click();

@@ -1,13 +1,11 @@
-/** A button, and below it how the page looks and speaks. */
+/** A button, and a small dialog below it that closes with Escape, with a press elsewhere, and after a choice. */
 
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { strings } from '../strings/strings.ts';
-import { IconButton } from '../ui/button.tsx';
-import { onEscape } from '../ui/on-escape.ts';
-import { LanguageChoice } from './language-choice.tsx';
-import { ThemeChoice } from './theme-choice.tsx';
+import { IconButton } from './button.tsx';
+import { onEscape } from './on-escape.ts';
+import type { ComponentChildren } from 'preact';
 
-export function LanguageAndTheme() {
+export function Menu({ icon, label, children }: { icon: string; label: string; children: ComponentChildren }) {
   const [open, setOpen] = useState(false);
   const menu = useRef(null as HTMLDivElement | null);
 
@@ -15,7 +13,7 @@ export function LanguageAndTheme() {
   useLayoutEffect(() => {
     const element = menu.current;
     if (!open || !element) return;
-    element.querySelector<HTMLElement>('input:checked')?.focus();
+    element.querySelector<HTMLElement>('.menu-body :is(button, input:checked)')?.focus();
     const ended = new AbortController();
     const close = () => setOpen(false);
     onEscape(() => {
@@ -32,11 +30,15 @@ export function LanguageAndTheme() {
 
   return (
     <div class="menu" ref={menu}>
-      <IconButton icon="globe" label={strings.languageAndTheme} expanded={open} onClick={() => setOpen(!open)} />
+      <IconButton icon={icon} label={label} expanded={open} onClick={() => setOpen(!open)} />
       {open && (
-        <div class="menu-body" role="dialog" aria-label={strings.languageAndTheme}>
-          <ThemeChoice />
-          <LanguageChoice />
+        <div
+          class="menu-body"
+          role="dialog"
+          aria-label={label}
+          onClick={({ target }) => (target as Element).closest('button') && setOpen(false)}
+        >
+          {children}
         </div>
       )}
     </div>

@@ -1,38 +1,10 @@
-/** Style controls of the page, and the options of Shuffle for styles. */
+/** How Shuffle chooses styles. */
 
-import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
-import { ActionButton } from '../ui/action-button.tsx';
-import { Icon } from '../ui/icon.tsx';
 
-export function StyleTools() {
-  const { actions } = useApp();
-  const open = useSignal(false);
-  return (
-    <>
-      <div class="style-side-tools">
-        <button
-          type="button"
-          class="button small"
-          aria-expanded={open.value}
-          onClick={() => {
-            open.value = !open.value;
-          }}
-        >
-          <Icon name="settings" />
-          <span>{strings.styleShuffle}</span>
-        </button>
-        <ActionButton action={actions.imitation.open} class="button small" text />
-        <ActionButton action={actions.styles.edit} />
-      </div>
-      {open.value && <StyleShuffle />}
-    </>
-  );
-}
-
-function StyleShuffle() {
+export function StyleShuffle() {
   const { store, styling, taste } = useApp();
   const drags = useRef(0);
   const { invented, keepLines, keepColours } = store.project.value.styling;

@@ -1,0 +1,221 @@
+// @ts-check
+/** What a person sees first: the start screen, the size of the comic page, and the number of controls. */
+
+import { panel } from '../panel-hands.js';
+import {
+  SAMPLES,
+  accessible,
+  expect,
+  idle,
+  openBoard,
+  openNewBoard,
+  openStart,
+  press,
+  reach,
+  test,
+} from '../support.js';
+
+/** @typedef {import('../support.js').Page} Page */
+
+/** Parts of the page and thumbnails: of photos, styles, layouts, suggestions, pages and projects. */
+const THUMBNAILS = '.page, .photos, .listbox, .strip, .book-pages, .recent';
+
+/**
+ * The names of the visible controls besides thumbnails.
+ * @param {Page} page
+ * @returns {Promise<string[]>}
+ */
+const controls = (page) =>
+  page.evaluate((thumbnails) => {
+    const all = document.querySelectorAll(
+      'button, summary, select, textarea, a[href], input:not([type=file]), [role=button], [role=slider], [role=tab]',
+    );
+    return [...all]
+      .filter((one) => !one.closest(thumbnails))
+      .filter((one) => one.checkVisibility({ visibilityProperty: true, opacityProperty: true }))
+      .map((one) => [one.getBoundingClientRect(), one.getAttribute('aria-label') ?? one.textContent ?? ''])
+      .filter(([box]) => {
+        const { left, top, right, bottom, width } = /** @type {DOMRect} */ (box);
+        return width > 1 && right > 0 && bottom > 0 && left < innerWidth && top < innerHeight;
+      })
+      .map(([, name]) => /** @type {string} */ (name));
+  }, THUMBNAILS);
+
+/** The part of the window that the comic page covers. @param {Page} page */
+const share = (page) =>
+  page.locator('.page-canvas').evaluate((canvas) => {
+    const { width, height } = canvas.getBoundingClientRect();
+    return (width * height) / (innerWidth * innerHeight);
+  });
+
+for (const viewport of [
+  { width: 1440, height: 900 },
+  { width: 1280, height: 720 },
+]) {
+  test.describe(`${viewport.width} x ${viewport.height} pixels`, () => {
+    test.use({ viewport });
+
+    test('the page has a third of the window, and there are at most 25 controls', async ({ page }) => {
+      await openNewBoard(page, SAMPLES);
+      await page.mouse.move(viewport.width / 2, 60);
+      expect(await share(page)).toBeGreaterThanOrEqual(0.33);
+      const names = await controls(page);
+      console.log(viewport.width, names.length, (await share(page)).toFixed(3), names.join(' | '));
+      expect(names.length, names.join(', ')).toBeLessThanOrEqual(25);
+      for (const name of ['Comic', 'Storyboard', 'Style designer', 'Explore styles', 'Export', 'Download PNG'])
+        await expect(page.locator('.top-bar').getByRole('button', { name, exact: true })).toBeVisible();
+      await accessible(page);
+    });
+
+    test('a panel has five tools and More, without a larger page or a smaller one', async ({ page }) => {
+      await openNewBoard(page, SAMPLES);
+      const before = await share(page);
+      await panel(page, 1).click();
+      const tools = page.getByRole('toolbar', { name: 'Panel tools' }).getByRole('button');
+      await expect(tools).toHaveText(['Crop', 'Replace', 'Lock', 'Star', 'Split panel', 'More']);
+      expect(await share(page)).toBeCloseTo(before, 3);
+      await tools.last().click();
+      // What cannot be used says why.
+      await expect(tools.filter({ hasText: 'Reset' })).toContainText('the crop is the automatic one');
+      await accessible(page);
+    });
+  });
+}
+
+test('a click next to the page, another version, full screen and Escape end each selection', async ({ page }) => {
+  await openBoard(page);
+  const tools = page.getByRole('toolbar', { name: 'Panel tools' });
+  const bar = page.getByRole('toolbar', { name: 'Selected text' }).or(page.locator('.word-bar'));
+  const area = await page.locator('.stage-area').boundingBox();
+  if (!area) throw new Error('no stage');
+  const beside = () => page.mouse.click(area.x + 8, area.y + area.height / 2);
+  const selectText = async () => {
+    await page.locator('.word').first().click();
+    await expect(bar.first()).toBeVisible();
+  };
+  await panel(page, 1).click();
+  await expect(tools.getByRole('button', { name: 'Crop' })).toBeVisible();
+  await beside();
+  await expect(tools.getByRole('button', { name: 'Crop' })).toHaveCount(0);
+  await page.getByRole('tab', { name: 'Text' }).click();
+  await page.getByRole('button', { name: 'Add balloon' }).click();
+  await page.keyboard.press('Escape');
+  await idle(page);
+  await beside();
+  await expect(bar).toHaveCount(0);
+  for (const end of [
+    beside,
+    () => page.keyboard.press('Escape'),
+    () => panel(page, 1).click({ position: { x: 5, y: 5 } }),
+    () => press(page, 'Shuffle style'),
+    () => page.keyboard.press('f'),
+  ]) {
+    await selectText();
+    // One bar at a time.
+    await expect(tools.getByRole('button', { name: 'Crop' })).toHaveCount(0);
+    await end();
+    await expect(bar).toHaveCount(0);
+    await page.keyboard.press('Escape');
+  }
+});
+
+test('Star enlarges the panel of the photo on this page and changes nothing else', async ({ page }) => {
+  await openBoard(page);
+  await page.getByRole('tab', { name: 'Layouts' }).click();
+  await page.getByRole('combobox', { name: 'Family' }).selectOption('grid');
+  await page.getByRole('option', { name: 'Four', exact: true }).click();
+  await idle(page);
+  const panels = page.getByRole('group', { name: /^Panel \d of 4$/ });
+  const photos = () =>
+    panels.evaluateAll((all) => all.map((one) => one.getAttribute('aria-description')?.split(',')[0]));
+  const area = async () => {
+    const box = await panel(page, 2).boundingBox();
+    return (box?.width ?? 0) * (box?.height ?? 0);
+  };
+  await panel(page, 2).click();
+  const [before, small] = [await photos(), await area()];
+  await press(page, 'Star');
+  await expect.poll(area).toBeGreaterThan(1.3 * small);
+  expect(await photos()).toEqual(before);
+  // The panel is still selected, and one Undo takes back star and size.
+  await expect(page.getByRole('button', { name: 'Star', exact: true, pressed: true })).toBeVisible();
+  await press(page, 'Undo');
+  await expect.poll(area).toBeCloseTo(small, -1);
+});
+
+test('Crop has its own tools, and Replace takes the next photo that is pressed', async ({ page }) => {
+  await openBoard(page);
+  await panel(page, 1).click();
+  await press(page, 'Crop');
+  const tools = page.getByRole('toolbar', { name: 'Panel tools' }).getByRole('button');
+  await expect(tools.first()).toHaveText('Zoom in');
+  await press(page, 'Zoom in');
+  await press(page, 'Done');
+  await press(page, 'Replace');
+  await expect(page.getByText('Choose a photo for this panel')).toBeVisible();
+  const photo = page.getByRole('region', { name: 'Photos' }).getByRole('button', { name: 'Choose temple.jpg' });
+  await photo.click();
+  await idle(page);
+  await expect(panel(page, 1)).toHaveAttribute('aria-description', /temple\.jpg/);
+  await expect(page.getByText('Choose a photo for this panel')).toHaveCount(0);
+});
+
+test('a panel is split and joined with the tools of the selection', async ({ page }) => {
+  await openBoard(page);
+  await page.getByRole('tab', { name: 'Layouts' }).click();
+  await page.getByRole('combobox', { name: 'Family' }).selectOption('grid');
+  await page.getByRole('option', { name: 'Four', exact: true }).click();
+  await idle(page);
+  await panel(page, 1).click();
+  await press(page, 'Split panel');
+  await expect(page.getByRole('group', { name: /^Panel \d of 5$/ })).toHaveCount(5);
+  await panel(page, 1).click();
+  await panel(page, 2).click({ modifiers: ['Shift'] });
+  await expect(await reach(page, 'Join panels')).toHaveText('Join panels');
+  await press(page, 'Join panels');
+  await expect(page.getByRole('group', { name: /^Panel \d of 4$/ })).toHaveCount(4);
+});
+
+test('a preview covers neither Shuffle nor the photos', async ({ page }) => {
+  await openBoard(page);
+  const box = async (/** @type {string} */ selector) => {
+    const found = await page.locator(selector).boundingBox();
+    if (!found) throw new Error(selector);
+    return found;
+  };
+  const preview = async () => {
+    await expect(page.locator('.glimpse')).toBeVisible();
+    const [view, stage] = [await box('.glimpse'), await box('.stage')];
+    expect(view.x).toBeGreaterThanOrEqual(stage.x);
+    expect(view.x + view.width).toBeLessThanOrEqual(stage.x + stage.width);
+    await page.mouse.move(0, 0);
+    await expect(page.locator('.glimpse')).toHaveCount(0);
+  };
+  await page.getByRole('listbox', { name: 'Styles' }).getByRole('option').first().hover();
+  await preview();
+  await press(page, 'Show suggestions');
+  const strip = page.getByRole('region', { name: 'Suggestions' });
+  await strip.getByRole('button', { name: 'Suggestion 1', exact: true }).hover();
+  await preview();
+});
+
+test('the start screen shows three pages, and the projects of a person who returns', async ({ page }) => {
+  await openStart(page);
+  const pages = page.getByRole('img', { name: 'Three comic pages made from the sample album' });
+  await expect(pages).toBeVisible();
+  const sizes = () =>
+    pages.locator('img').evaluateAll((all) => all.map((one) => /** @type {any} */ (one).naturalWidth > 0));
+  await expect.poll(sizes).toEqual([true, true, true]);
+  await expect(page.getByRole('region', { name: 'Recent projects' })).toHaveCount(0);
+  await openBoard(page);
+  await expect(page.locator('.save-state')).toHaveText('Saved', { timeout: 120_000 });
+  const name = await page.getByRole('textbox', { name: 'Project name' }).inputValue();
+  await press(page, 'Projects');
+  await press(page, 'New project');
+  await page.keyboard.press('Escape');
+  const recent = page.getByRole('region', { name: 'Recent projects' });
+  await expect(recent.getByRole('button')).toHaveCount(1);
+  await accessible(page);
+  await recent.getByRole('button', { name: `Open ${name}` }).click();
+  await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
+});

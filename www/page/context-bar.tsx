@@ -1,0 +1,132 @@
+/**
+ * The tools for what is selected: one panel, several panels, the layout while it is edited, or the page. A few tools that can be
+ * used are shown; `More` has the others, each with the reason why it cannot be used.
+ */
+
+import { versions } from '../document/history.ts';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../ui/context.ts';
+import { isEnabled, now } from '../ui/action.ts';
+import { ActionButton } from '../ui/action-button.tsx';
+import { Icon } from '../ui/icon.tsx';
+import type { Action } from '../ui/action.ts';
+import type { App } from '../ui/context.ts';
+
+/** Tools besides `More`: at most; on a small screen; and for a page that was shuffled, as a first page is not crowded by tools. */
+const SHOWN = { most: 5, small: 4, page: 2 };
+
+/** `shown`: tools besides `More`; `end`: ends the mode that the tools belong to */
+type Tools = { title: string; tools: readonly Action[]; shown: number; end?: Action };
+
+/** @param props `bare`: only what the next click does, where another bar is open */
+export function ContextBar({ bare = false }: { bare?: boolean }) {
+  const app = useApp();
+  const { ui } = app;
+  const found = bare ? null : toolsFor(app);
+  const open = ui.allTools.value;
+  const usable = found?.tools.filter(isEnabled) ?? [];
+  const first = usable.slice(0, found?.shown);
+  const rest = found?.tools.filter((tool) => !first.includes(tool)) ?? [];
+  return (
+    <div class="context-bar" role="toolbar" aria-label={strings.panelTools} data-open={open}>
+      <p class="context-title" aria-live="polite">
+        {found?.title}
+      </p>
+      {found && (
+        <>
+          {first.map((tool) => (
+            <ActionButton key={now(tool.label)} action={tool} class="tool" text />
+          ))}
+          {rest.length > 0 && (
+            <button
+              type="button"
+              class="tool"
+              aria-expanded={open}
+              onClick={() => {
+                ui.allTools.value = !open;
+              }}
+            >
+              <Icon name={open ? 'unfold' : 'dots'} />
+              <span>{strings.more}</span>
+            </button>
+          )}
+          {open && rest.map((tool) => <ActionButton key={now(tool.label)} action={tool} class="tool" text explains />)}
+          {found.end && <ActionButton action={found.end} class="tool tool-end" text />}
+        </>
+      )}
+      <ModeHint />
+    </div>
+  );
+}
+
+/** What the next click or key on the page does. */
+function ModeHint() {
+  const { framing, reshaping, selection } = useApp();
+  const mode = framing.mode.value;
+  const edits = reshaping.editing.value && reshaping.cut.value === null && selection.panels.value.length === 0;
+  const kind = mode?.kind ?? (framing.placing.value !== null ? 'place' : edits ? 'layout' : null);
+  return (
+    <p class="context-hint" aria-live="polite">
+      {kind && strings.modes[kind]}
+    </p>
+  );
+}
+
+/** Returns null while a text item is selected, which has its own bar, and on a small screen without a selection. */
+function toolsFor({ store, selection, reshaping, framing, scrubbing, lettering, actions, ui }: App): Tools | null {
+  const { panels, layouts, book, styles, page, photos, window } = actions;
+  const facts = store.layoutFacts.value;
+  const chosen = selection.panels.value;
+  const [panel, other] = chosen;
+  const wide = ui.wide.value;
+  const shown = wide ? SHOWN.most : SHOWN.small;
+  if (!facts || lettering.chosen.value >= 0) return null;
+  const merged = isEnabled(panels.split) ? [panels.split] : [];
+  if (reshaping.editing.value) {
+    const cuts = [panels.cutBack, panels.cutForth, panels.slantBack, panels.slantForth];
+    const cells = [panels.splitRows, panels.splitColumns, panels.remove, panels.join];
+    return {
+      title: strings.editLayout,
+      tools: panel === undefined ? [...cuts, ...cells] : [...cells, ...cuts],
+      shown: shown - 1,
+      end: panels.done,
+    };
+  }
+  if (panel !== undefined && other === undefined && framing.cropping.value === panel)
+    return {
+      title: strings.crop,
+      tools: [panels.zoomIn, panels.zoomOut, panels.fit, panels.reset].filter(isEnabled),
+      shown: SHOWN.most,
+      end: panels.cropped,
+    };
+  if (other !== undefined || selection.several.value)
+    return {
+      title: chosen.length > 0 ? strings.chosenPanels(chosen.length) : strings.selectPanels,
+      tools: [panels.join, panels.merge, ...(chosen.length === 2 ? [panels.swap] : []), ...merged, panels.select],
+      shown,
+    };
+  if (panel !== undefined) {
+    const { crop, replace, lock, star, splitPanel, swap, breakFrame, correct, saveSubject, save, remove } = panels;
+    const frame = scrubbing.isFrame(panel) ? [panels.earlier, panels.later] : [];
+    return {
+      title: strings.panel(panel + 1, store.page.value?.panels.length ?? 0),
+      tools: [
+        ...[crop, replace, lock, star, splitPanel, ...merged, ...frame, swap, panels.fit, panels.focus, panels.reset],
+        ...[breakFrame, correct, remove, panels.select, save, saveSubject],
+      ],
+      shown,
+    };
+  }
+  if (!wide) return null;
+  const isFirst = versions(store.history.value).length < 2;
+  const offers = isEnabled(page.acceptCrops) ? [page.acceptCrops] : [];
+  return {
+    title: strings.sideTab.page,
+    tools: [
+      ...offers,
+      ...[book.add, layouts.edit, book.spread, styles.edit, styles.shuffleSettings, panels.select],
+      ...[photos.subjects, window.enlargePage, window.shrinkPage, window.preview],
+    ],
+    shown: offers.length + (isFirst ? 0 : SHOWN.page),
+  };
+}

@@ -1,0 +1,31 @@
+/** The versions of the page that were shown so far: back, forth, all of them, and the heart. */
+
+import { position, versions } from '../document/history.ts';
+import { strings } from '../strings/strings.ts';
+import { useApp } from '../ui/context.ts';
+import { ActionButton } from '../ui/action-button.tsx';
+
+export function Versions({ heart = false }: { heart?: boolean }) {
+  const { store, actions } = useApp();
+  const { page } = actions;
+  const history = store.history.value;
+  const [at, of] = [position(history) + 1, versions(history).length];
+  return (
+    <div class="versions" data-one={of < 2}>
+      <ActionButton action={page.previous} />
+      <ActionButton action={page.versions} class="page-number">
+        {heart ? (
+          strings.versionAt(at, of)
+        ) : (
+          <>
+            {at}
+            <i>/</i>
+            {of}
+          </>
+        )}
+      </ActionButton>
+      <ActionButton action={page.next} />
+      {heart && <ActionButton action={page.favourite} class="icon-button page-heart" />}
+    </div>
+  );
+}
