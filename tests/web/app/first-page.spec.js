@@ -31,32 +31,33 @@ test('the first page is no undo step, and the next Shuffle is one', async ({ pag
   await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeEnabled();
 });
 
-detectingTest('better crops are offered if the user has seen the page, and are not applied without a click', async ({
-  page,
-}) => {
-  let release = () => {};
-  const held = new Promise((resolve) => {
-    release = () => resolve(undefined);
-  });
-  await page.route(/nets-[^/]*\.wasm$/, async (route) => {
-    await held;
-    await route.continue();
-  });
-  await page.goto('./');
-  await add(page, await photos(...MORE));
-  await page.waitForFunction(() => document.body.dataset.drawn === 'true');
-  const before = await picture(page);
-  // The app counts a page as seen after a second on the screen.
-  await page.evaluate(() => {
-    const now = performance.now.bind(performance);
-    performance.now = () => now() + 2000;
-  });
-  release();
-  await page.waitForFunction(() => document.body.dataset.detected === 'true', undefined, { timeout: 120_000 });
-  const offer = page.getByRole('button', { name: 'Improve crops' });
-  await expect(offer).toBeVisible();
-  expect(await picture(page)).toEqual(before);
-  await offer.click();
-  await expect(offer).toBeHidden();
-  await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeEnabled();
-});
+detectingTest(
+  'better crops are offered if the user has seen the page, and are not applied without a click',
+  async ({ page }) => {
+    let release = () => {};
+    const held = new Promise((resolve) => {
+      release = () => resolve(undefined);
+    });
+    await page.route(/nets-[^/]*\.wasm$/, async (route) => {
+      await held;
+      await route.continue();
+    });
+    await page.goto('./');
+    await add(page, await photos(...MORE));
+    await page.waitForFunction(() => document.body.dataset.drawn === 'true');
+    const before = await picture(page);
+    // The app counts a page as seen after a second on the screen.
+    await page.evaluate(() => {
+      const now = performance.now.bind(performance);
+      performance.now = () => now() + 2000;
+    });
+    release();
+    await page.waitForFunction(() => document.body.dataset.detected === 'true', undefined, { timeout: 120_000 });
+    const offer = page.getByRole('button', { name: 'Improve crops' });
+    await expect(offer).toBeVisible();
+    expect(await picture(page)).toEqual(before);
+    await offer.click();
+    await expect(offer).toBeHidden();
+    await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeEnabled();
+  },
+);

@@ -53,13 +53,13 @@ test('keyboard: a stack is opened and closed, the threshold and the order change
   await page.getByText('Photo selection').focus();
   await page.keyboard.press('Enter');
   const slider = page.getByRole('slider', { name: 'Exclude similar photos' });
-  await expect(page.getByText('6 of 8 kept')).toBeVisible();
+  await expect(page.getByText('6 of 8 in use')).toBeVisible();
   await slider.focus();
   await page.keyboard.press('Home');
   await idle(page);
   await expect(slider).toHaveAttribute('aria-valuetext', /nearly identical/);
   // The copies have the same pixels.
-  await expect(page.getByText('6 of 8 kept')).toBeVisible();
+  await expect(page.getByText('6 of 8 in use')).toBeVisible();
   const order = page.getByRole('combobox', { name: 'Order' });
   await order.selectOption('By file name');
   await idle(page);

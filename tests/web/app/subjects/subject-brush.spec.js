@@ -13,6 +13,7 @@ import {
   photos,
   picture,
   sharedBoardTest as test,
+  reach,
 } from '../support.js';
 import { expectSaved } from '../project-hands.js';
 import { touch, way } from '../touch-hands.js';
@@ -34,7 +35,7 @@ async function four(page, ...names) {
 /** Opens the brush on the photo of a panel. @param {Page} page @param {number} [n] */
 async function openBrush(page, n = 1) {
   await panel(page, n).click();
-  await page.getByRole('button', { name: 'Correct subject' }).click();
+  await (await reach(page, 'Correct subject')).click();
   await expect(area(page)).toBeFocused();
   await expect(area(page).locator('.bitmap')).toHaveAttribute('data-drawn', 'true');
 }
@@ -120,8 +121,8 @@ test('a painted subject is drawn in its own layer, undone stroke by stroke, and 
 
 test('a painted mask breaks the panel border, and each correction updates the page', async ({ page }) => {
   await four(page, 'macaw.jpg', 'camera.jpg', 'dahlia.jpg', 'pika.jpg');
-  const breaks = page.getByRole('button', { name: 'Break out of panel' });
   await panel(page, 1).click();
+  const breaks = await reach(page, 'Break out of panel');
   await expect(breaks).toBeDisabled();
   /** Paints subjects until one breaks the border of its panel. A panel may have no room for this. */
   const broken = async () => {
@@ -218,7 +219,7 @@ test.describe('on a phone', () => {
     await choose(page, 'grid', 'Four');
     await page.getByRole('button', { name: 'Close' }).click();
     await panel(page, 1).tap();
-    await page.getByRole('button', { name: 'Correct subject' }).tap();
+    await (await reach(page, 'Correct subject')).tap();
     await expect(area(page)).toBeVisible();
     const { x, y, width, height } = await box(area(page));
     expect(x).toBeGreaterThanOrEqual(0);
@@ -299,7 +300,7 @@ detectingTest('subject detection can be stopped and resumed', async ({ page }) =
   await expect(page.locator('body')).toHaveAttribute('data-masked', 'true');
   release();
   await panel(page, 1).click();
-  const breaks = page.getByRole('button', { name: 'Break out of panel' });
+  const breaks = await reach(page, 'Break out of panel');
   await expect(breaks).toHaveAttribute('title', /subject detection was stopped/);
   // A new photo does not resume it.
   await add(page, await photos('dahlia.jpg'));

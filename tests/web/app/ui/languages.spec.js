@@ -65,7 +65,7 @@ test.describe('in Spanish', () => {
     await expect(page.getByRole('button', { name: STRINGS.en.trySamples })).toBeVisible();
     await expect(page.locator('html')).toHaveAttribute('lang', 'en');
     await openBoard(page);
-    await page.getByRole('button', { name: 'Language and theme' }).click();
+    await page.getByRole('button', { name: 'Menu' }).click();
     await page.getByRole('dialog').getByRole('combobox', { name: 'Language' }).selectOption('es');
     // The project is still open.
     await expect(page.getByRole('group', { name: /^Viñeta 1 de/ })).toBeVisible();
