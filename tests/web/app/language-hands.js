@@ -9,7 +9,7 @@ import * as es from '../../../www/strings/es/index.ts';
 import * as fr from '../../../www/strings/fr/index.ts';
 import * as ja from '../../../www/strings/ja/index.ts';
 import * as pt from '../../../www/strings/pt/index.ts';
-import { expect, idle, photos } from './support.js';
+import { expect, idle, photos, reach } from './support.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 /** @typedef {ReturnType<typeof compose>} Strings */
@@ -111,9 +111,9 @@ async function side(page, drawer, tab) {
   else await page.getByRole('tab', { name: tab, exact: true }).click();
 }
 
-/** Opens a workspace. On a small screen, its button is in the drawer of the styles. @param {Page} page @param {Strings} strings @param {string} name */
+/** Opens a view, which is in the menu of a small screen. @param {Page} page @param {Strings} strings @param {string} name */
 async function work(page, strings, name) {
-  if (!(await button(page, name).isVisible())) await button(page, strings.styles).click();
+  if (!(await button(page, name).isVisible())) await button(page, strings.menu).click();
   await button(page, name).click();
 }
 
@@ -121,14 +121,18 @@ async function work(page, strings, name) {
 const SCREENS = {
   board: async () => {},
   'a panel is chosen': (page) => page.locator('.panel').last().click(),
+  'all tools of a panel': async (page, strings) => {
+    await page.locator('.panel').last().click();
+    await reach(page, strings.saveSubject);
+  },
   styles: async (page, strings) => {
     await side(page, strings.styles, strings.sideTab.styles);
-    await button(page, strings.styleShuffle).click();
+    await (await reach(page, strings.styleShuffle)).click();
   },
   layouts: (page, strings) => side(page, strings.layouts, strings.sideTab.layouts),
   'cuts of the layout': async (page, strings) => {
     await side(page, strings.layouts, strings.sideTab.layouts);
-    await button(page, strings.editLayout).click();
+    await (await reach(page, strings.editLayout)).click();
   },
   words: async (page, strings) => {
     await side(page, strings.words, strings.sideTab.words);
@@ -137,7 +141,8 @@ const SCREENS = {
     await page.keyboard.press('Enter');
   },
   'page settings': async (page, strings) => {
-    await side(page, strings.pageSettings, strings.sideTab.page);
+    if (await page.getByRole('tab').first().isVisible()) await side(page, strings.pageSettings, strings.sideTab.page);
+    else await work(page, strings, strings.pageSettings);
     await page.getByRole('combobox', { name: strings.pageSize }).selectOption('custom');
   },
   photos: async (page, strings) => {

@@ -63,7 +63,7 @@ const SCREENS = {
   cuts: async (page) => {
     await drawer(page, 'Layouts');
     await (await reach(page, 'Edit layout')).click();
-    await page.getByRole('slider', { name: /^Cut 1 of/ }).focus();
+    await page.getByRole('slider', { name: /^Divider 1 of/ }).focus();
   },
   photos: async (page) => {
     await photoDrawer(page);

@@ -383,7 +383,7 @@ export async function press(page, name) {
  */
 export async function reach(page, name) {
   const button = page.getByRole('button', { name, exact: true });
-  const more = page.locator('.context-bar').getByRole('button', { name: 'More', expanded: false });
+  const more = page.locator('.context-bar .tool[aria-expanded=false]');
   if (!(await button.first().isVisible()) && (await more.isVisible()))
     await more.evaluate((element) => /** @type {HTMLElement} */ (element).click());
   return button;

@@ -153,9 +153,9 @@ test('a cut is moved by its buttons', async ({ page }) => {
   await page.getByRole('button', { name: 'Shuffle', exact: true }).focus();
   await tabTo(page, 'Edit layout', { back: true });
   await page.keyboard.press('Enter');
-  await tabTo(page, /^Cut 1 of/, { back: true });
+  await tabTo(page, /^Divider 1 of/, { back: true });
   // The buttons move the cut that had the focus last.
-  const cuts = page.getByRole('slider', { name: /^Cut \d of/ });
+  const cuts = page.getByRole('slider', { name: /^Divider \d of/ });
   const places = () => cuts.evaluateAll((all) => all.map((cut) => cut.getAttribute('aria-valuetext')));
   const before = await places();
   await tabTo(page, 'Move divider right or down');
