@@ -24,7 +24,7 @@ import {
 /** @param {Page} page */
 const layouts = (page) => page.getByRole('listbox', { name: 'Layouts' });
 const cut = (/** @type {Page} */ page, /** @type {number} */ n = 1) =>
-  page.getByRole('slider', { name: new RegExp(`^Cut ${n} of`) });
+  page.getByRole('slider', { name: new RegExp(`^Divider ${n} of`) });
 
 /**
  * Returns the layout file that `Save layout` saves.
