@@ -13,6 +13,7 @@ pub mod merge;
 mod paper;
 mod parse;
 pub mod polygon;
+mod reading;
 mod resolve;
 mod settings;
 mod template;
@@ -24,6 +25,7 @@ pub use catalogue::{catalogue, find, good_for};
 pub use generate::generate;
 pub use paper::PaperSize;
 pub use polygon::{Bounds, Point};
+pub use reading::reading_order;
 pub use resolve::{ResolvedPanel, ResolvedShape, resolve};
 pub use settings::{
     COARSE, DEFAULT_GUTTER, DPI, MOST_PIXELS, PRESETS, PagePreset, PageSettings, Purpose, SIDES, preset,

@@ -38,6 +38,10 @@ pub struct PageSettings {
     pub paper: String,
     /// Colour of the line round a panel, `#rrggbb`.
     pub border_color: String,
+    /// Text is set for screens, where it is larger than in print.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>", optional))]
+    pub for_screens: bool,
     /// Bleed in page widths, 0 to 0.1. For print files only; it is never saved.
     #[serde(skip_serializing_if = "is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<f64>", optional))]
@@ -67,6 +71,7 @@ impl Default for PageSettings {
             corner_radius: 0.0,
             paper: "#ffffff".into(),
             border_color: "#111111".into(),
+            for_screens: false,
             bleed: 0.0,
             enlarge: false,
         }
@@ -209,6 +214,7 @@ impl PageSettings {
                 *color = told;
             }
         }
+        page.for_screens = fields.flag("forScreens")?;
         page.enlarge = fields.flag("enlarge")?;
         fields.done()?;
         Ok(page)

@@ -4,7 +4,7 @@
 use super::comic::{Comic, ComicPage, wrong};
 use super::phrases::Phrases;
 use crate::error::Result;
-use crate::layout::{Bounds, Point, ResolvedShape};
+use crate::layout::{Bounds, Point, ResolvedShape, reading_order};
 use crate::page::Document;
 use crate::page::words::Letters;
 use crate::page::words::layout::{Ground, Laid, extent, lay_all};
@@ -144,6 +144,8 @@ pub(super) fn told(
         let Some(at) = panel_of(&laid[word], &ground) else { continue };
         panels[at].words.extend(told_word(word, &laid[word], scale));
     }
+    let mut panels: Vec<Option<ToldPanel>> = panels.into_iter().map(Some).collect();
+    let panels = reading_order(&ground.panels).into_iter().filter_map(|panel| panels[panel].take()).collect();
     Ok(ToldPage { width, height, panels })
 }
 

@@ -213,6 +213,14 @@ impl Document {
         template_of(&self.layout)
     }
 
+    /// The panels in the order in which they are read. Without a valid layout, it is the order of the document.
+    #[must_use]
+    pub fn reading_order(&self) -> Vec<usize> {
+        let resolved =
+            self.template().map(|template| layout::resolve(&template, self.page.aspect(), &self.page));
+        resolved.map_or_else(|_| (0..self.panels.len()).collect(), |panels| layout::reading_order(&panels))
+    }
+
     /// The style of the page.
     ///
     /// # Errors

@@ -8,7 +8,8 @@ use crate::layout::join::join_panels;
 use crate::layout::merge::adjacent;
 use crate::layout::tree::Axis;
 use crate::layout::{
-    Body, PageSettings, PlacedPanel, ResolvedPanel, ResolvedShape, Template, generate, good_for, resolve,
+    Body, PageSettings, PlacedPanel, ResolvedPanel, ResolvedShape, Template, generate, good_for,
+    reading_order, resolve,
 };
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -86,6 +87,8 @@ pub struct Geometry<'a> {
     pub height: f64,
     /// In the order in which they are painted.
     pub panels: Vec<PlacedPanel<'a>>,
+    /// The numbers of the panels in reading order.
+    pub order: Vec<usize>,
 }
 
 /// Returns the layouts for a `LayoutsRequest` as a list of [`LayoutEntry`]: custom layouts, and built-in
@@ -112,8 +115,9 @@ pub fn geometry(json: &str) -> Result<String> {
     let Of { layout, page } = parse(json)?;
     page.validate()?;
     let panels = resolve(&*template_of(&layout)?, page.aspect(), &page);
+    let order = reading_order(&panels);
     let panels = panels.iter().map(ResolvedPanel::placed).collect();
-    text_of(&Geometry { width: 1.0, height: 1.0 / page.aspect(), panels })
+    text_of(&Geometry { width: 1.0, height: 1.0 / page.aspect(), panels, order })
 }
 
 /// The [`LayoutFacts`] of `{layout, page}`.

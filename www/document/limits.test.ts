@@ -49,6 +49,7 @@ describe('what the page itself can write is readable again', () => {
       width: 1,
       height: 1,
       panels: [{ bounds: { x: 0.9, y: 0, width: 0.02, height: 1 }, overlay: false, halo: 0 }],
+      order: [0],
     };
     const { x, tail } = anchored(geometry, { kind: 'balloon', text: 'x', panel: 0 }, [0.1, 0.5], [0, 0.5]);
     expect([x, tail?.x]).toEqual([-MOST.away, -MOST.away]);

@@ -810,6 +810,8 @@ export type PageSettings = {
   paper: string,
   /** Colour of the line round a panel, `#rrggbb`. */
   borderColor: string,
+  /** Text is set for screens, where it is larger than in print. */
+  forScreens?: boolean,
   /** How far what ends at the edge goes on beyond it, 0..=0.1: for a file that is printed and cut, never saved. */
   bleed?: number,
   /** Photos that have fewer than `COARSE` pixels an inch are enlarged well: for a file that is printed, never saved. */
@@ -1323,6 +1325,8 @@ export type Geometry = {
   height: number,
   /** In the order in which they are painted. */
   panels: ReadonlyArray<PlacedPanel>,
+  /** The numbers of the panels in reading order. */
+  order: ReadonlyArray<number>,
 };
 
 /** A panel on the page, in page widths; its outline is one of both. */

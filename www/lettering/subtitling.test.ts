@@ -26,6 +26,7 @@ function app(told: (text: string) => ReadSubtitles, { film = true } = {}) {
       tray: signal([{ id: 'f' }, { id: 'g' }, { id: 'h', use: false }, { id: 'x' }]),
       sheets: signal([page]),
       project: signal(project),
+      planner: signal(null),
     },
     lettering: { lay, ready: async () => ({ subtitles, script }) },
     messages: { alert, note, fileFailed },

@@ -12,6 +12,7 @@ import { importing, reasonOf } from '../ui/importing.ts';
 import { MOST } from '../document/limits.ts';
 import { isUsed } from '../document/album.ts';
 import { sheetsOf } from '../engine/sheets.ts';
+import { readingOrder } from '../page/reading-order.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { Spoken, SubtitleFlaw } from '../engine/words.ts';
@@ -159,9 +160,7 @@ export function createSubtitling({
   /** The panels of all pages, in the order in which they are read; of merged ones the first. */
   function panelsInOrder(): Place[] {
     return sheetsOf(store.project.peek()).flatMap(({ page, sheet }) =>
-      page.panels.flatMap((_, panel) =>
-        page.merges.every((group) => !group.includes(panel) || group[0] === panel) ? [{ sheet, panel }] : [],
-      ),
+      readingOrder(page, store.planner.peek()).map((panel) => ({ sheet, panel })),
     );
   }
 }

@@ -2,7 +2,12 @@ import { expect, test } from 'vitest';
 import { anchored, frameOf, pagePoint } from './word-places.ts';
 
 const bounds = (x: number, y: number) => ({ bounds: { x, y, width: 0.4, height: 0.5 }, overlay: false, halo: 0 });
-const geometry = { width: 1, height: 1.4, panels: [bounds(0.05, 0.1), bounds(0.55, 0.1), bounds(0.3, 0.3)] };
+const geometry = {
+  width: 1,
+  height: 1.4,
+  panels: [bounds(0.05, 0.1), bounds(0.55, 0.1), bounds(0.3, 0.3)],
+  order: [0, 1, 2],
+};
 const word = { kind: 'balloon', text: 'x', panel: 0 } as const;
 
 test('a place of a panel is one of the page and back', () => {
