@@ -234,7 +234,8 @@ impl Default for Project {
             order: Order::Time,
             locks: Locks::default(),
             panels: None,
-            settings: Arc::default(),
+            // People look at most comics on screens.
+            settings: Arc::new(PageSettings { for_screens: true, ..PageSettings::default() }),
             page: None,
             page_id: 0,
             sheet: 0,

@@ -13,6 +13,7 @@ export const DEFAULT_SETTINGS = Object.freeze({
   cornerRadius: 0,
   paper: '#ffffff',
   borderColor: '#111111',
+  forScreens: true,
 });
 
 export const EMPTY_PROJECT: Project = Object.freeze({

@@ -146,9 +146,9 @@ async function open() {
      * @returns the text items of the document, with automatic items away from faces, and covering as little of bodies
      *   as possible
      */
-    settle: (document: PageDocument, photos: Record<string, KnownPhoto>): Word[] => {
+    settle: (document: PageDocument, photos: Record<string, KnownPhoto>, again = false): Word[] => {
       shape(document);
-      return JSON.parse(letters.settle(JSON.stringify(document), JSON.stringify(photos)));
+      return JSON.parse(letters.settle(JSON.stringify(document), JSON.stringify(photos), again));
     },
     measure: (document: PageDocument): WordBox[] => {
       shape(document);

@@ -86,14 +86,17 @@ export function createWordPlanning({
   }
 
   /**
-   * The page with its words where they hide no face, and as little of bodies as they can.
+   * The page with its words where they hide no face, and as little of bodies as they can. If the layout has changed, words
+   * that a person placed move off faces as well.
    * @param only the words that may move; all unless told
    */
   function settled(page: PageDocument, only?: readonly number[]): PageDocument {
     const table = letters.peek();
     const all = page.words ?? [];
     const stays = (i: number) => only !== undefined && !only.includes(i);
-    if (!all.some(({ auto }, i) => auto !== false && !stays(i))) return page;
+    const again = only === undefined && isLaidOut(page, store.page.peek());
+    if (!again && !all.some(({ auto }, i) => auto !== false && !stays(i))) return page;
+    if (all.length === 0) return page;
     if (!table) {
       owed = true;
       return page;
@@ -106,7 +109,7 @@ export function createWordPlanning({
       }),
     );
     const fixed = all.map((word, i) => (stays(i) ? { ...word, auto: false } : word));
-    const placed = table.settle({ ...page, words: fixed }, photos);
+    const placed = table.settle({ ...page, words: fixed }, photos, again);
     return { ...page, words: all.map((word, i) => (stays(i) ? word : placed[i])) };
   }
 
@@ -128,6 +131,13 @@ export function createWordPlanning({
     if (next && JSON.stringify(next.words) !== JSON.stringify(page.words))
       store.change({ type: 'change-page', page: next, silent });
   }
+}
+
+/** Returns whether a page shows other parts of its photos than the page before, or shows them elsewhere. */
+function isLaidOut(page: PageDocument, before: PageDocument | null): boolean {
+  const look = ({ layout, page: { width, height, gutter, margin }, panels, merges }: PageDocument) =>
+    JSON.stringify([layout, width / height, gutter, margin, merges, panels.map(({ photo, crop }) => [photo, crop])]);
+  return before !== null && look(page) !== look(before);
 }
 
 /** Which words of a page have no place yet. */

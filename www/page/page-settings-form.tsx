@@ -68,6 +68,24 @@ export function PageSettingsForm() {
         </select>
       </label>
       {size === 'custom' && <CustomSize />}
+      <fieldset class="text-use">
+        <legend>{strings.textUse}</legend>
+        {([true, false] as const).map((forScreens) => (
+          <label class="choice" key={String(forScreens)}>
+            <input
+              type="radio"
+              name="text-use"
+              checked={(settings.forScreens ?? false) === forScreens}
+              aria-describedby="text-use-help"
+              onChange={() => pages.changeSettings({ forScreens })}
+            />
+            {forScreens ? strings.forScreens : strings.forPrint}
+          </label>
+        ))}
+        <p class="quiet" id="text-use-help">
+          {settings.forScreens ? strings.forScreensHelp : strings.forPrintHelp}
+        </p>
+      </fieldset>
       {LENGTHS.map(({ name, most, step }) => (
         <label class="field length" key={name}>
           <span>{strings[name]}</span>

@@ -27,15 +27,17 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 impl Lettering {
     /// Places the automatic text items of a document. Items hide no face, and as little of bodies as
-    /// possible. `photos`: properties of each photo by id, `{subjects, mask?}`.
-    pub fn settle(&self, document: &str, photos: &str) -> std::result::Result<String, JsValue> {
+    /// possible. `photos`: properties of each photo by id, `{subjects, mask?}`. `again`: the layout has changed, so that text
+    /// items that the user placed move off faces as well.
+    pub fn settle(&self, document: &str, photos: &str, again: bool) -> std::result::Result<String, JsValue> {
         let settle = || -> Result<String> {
             let mut document = Document::parse(document)?;
             let told: HashMap<String, Told> = serde_json::from_str(photos).map_err(|error| {
                 Error::InvalidDocument { location: "photos".into(), reason: error.to_string() }
             })?;
             let known = |id: &str| told.get(id).map(Told::known).unwrap_or_default();
-            place::settle(&mut document, known, self.letters())?;
+            let settle = if again { place::resettle } else { place::settle };
+            settle(&mut document, known, self.letters())?;
             Ok(Value::Array(document.words).to_string())
         };
         settle().map_err(thrown)

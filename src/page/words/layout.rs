@@ -76,6 +76,8 @@ pub struct Ground {
     pub height: f64,
     /// Colours of its style.
     pub palette: Palette,
+    /// Its text is read on screens.
+    pub screens: bool,
 }
 
 include!(concat!(env!("OUT_DIR"), "/palettes.rs"));
@@ -99,7 +101,8 @@ impl Ground {
     pub fn new(document: &Document) -> Result<Self> {
         let aspect = document.page.aspect();
         let panels = resolve(&*document.template()?, aspect, &document.page);
-        Ok(Self { panels, height: 1.0 / aspect, palette: palette_of(&document.style) })
+        let palette = palette_of(&document.style);
+        Ok(Self { panels, height: 1.0 / aspect, palette, screens: document.page.for_screens })
     }
 
     /// The bounds for relative positions: the item's panel, the last panel if the page has fewer, or the
@@ -151,6 +154,7 @@ impl Ground {
             craft: word.craft,
             vertical: word.vertical,
             plain: word.plain,
+            screens: self.screens,
             width: if word.plain { own.map(|room| room.0) } else { word.width },
             size: word.size,
             room: own.unwrap_or_else(|| part(share)),

@@ -368,6 +368,7 @@ mod tests {
             craft,
             vertical,
             plain: false,
+            screens: false,
             width,
             size: None,
             room,

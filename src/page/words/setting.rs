@@ -28,6 +28,8 @@ pub struct Wish {
     pub vertical: bool,
     /// Whether the text is only left-aligned lines.
     pub plain: bool,
+    /// It is read on screens.
+    pub screens: bool,
     /// Width of the shape in page widths, if the user set it.
     pub width: Option<f64>,
     /// Height of an em in page widths, if the user set it.
@@ -76,7 +78,7 @@ pub(super) struct Manner {
     smallest: f64,
 }
 
-fn manner(kind: Kind, craft: Craft, width: Option<f64>) -> Manner {
+fn manner(kind: Kind, craft: Craft, width: Option<f64>, screens: bool) -> Manner {
     let first = match kind {
         Kind::Caption => Manner {
             round: false,
@@ -110,15 +112,25 @@ fn manner(kind: Kind, craft: Craft, width: Option<f64>) -> Manner {
         return first;
     }
     // On A4, 210 mm wide, 0.0168 are 10 points and 0.0134 are 8; a shout is louder, a whisper is not.
-    let loud = match kind {
+    let loud: f64 = match kind {
         Kind::Balloon(Shape::Shout) => 1.15,
         Kind::Balloon(Shape::Whisper) | Kind::Caption => 0.95,
         _ => 1.0,
     };
     let pad = if first.round { (0.5, 0.46) } else { (0.6, 0.52) };
     let aspect = if first.round { 1.5 } else { first.aspect };
+    if screens {
+        let [largest, readable] = ON_SCREENS.map(|size| size * loud.max(1.0));
+        return Manner { pad, aspect, largest, readable, smallest: LEGIBLE_ON_SCREENS, ..first };
+    }
     Manner { pad, aspect, largest: 0.0168 * loud, readable: 0.0134 * loud, smallest: 0.0098, ..first }
 }
+
+/// Sizes of text for screens: the usual one, and the smallest one of a short text. On a page that is 435 pixels wide, as in
+/// a small window, these are 12 and 10 pixels, and on a phone 11 and 9.
+const ON_SCREENS: [f64; 2] = [0.028, 0.0235];
+/// The smallest size of long texts on screens: 10 pixels on a page that is 550 pixels wide.
+pub(super) const LEGIBLE_ON_SCREENS: f64 = 0.0182;
 
 /// Each size that is tried is smaller by this factor.
 const STEP: f64 = 0.93;
@@ -128,7 +140,7 @@ const MOST_LINES: usize = 60;
 /// Sets a text of [`marks`](super::wording::marks), with its [`readings`](super::wording::readings).
 #[must_use]
 pub fn set(letters: &Letters, font: &Font, text: (&[Mark], &[Vec<char>]), wish: &Wish) -> Setting {
-    let mut manner = manner(wish.kind, wish.craft, wish.width);
+    let mut manner = manner(wish.kind, wish.craft, wish.width, wish.screens);
     if wish.plain {
         manner.pad = (0.0, 0.0);
     }
@@ -499,6 +511,7 @@ mod tests {
             craft,
             vertical: false,
             plain: false,
+            screens: false,
             width: None,
             size: None,
             room,

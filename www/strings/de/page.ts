@@ -31,6 +31,11 @@ export const pageStrings = {
     custom: 'Eigenes',
   },
 
+  textUse: 'Textgröße',
+  forScreens: 'Für Bildschirme',
+  forPrint: 'Für den Druck',
+  forScreensHelp: 'Der Text ist groß genug für Telefone und Laptops.',
+  forPrintHelp: 'Der Text hat die übliche Größe gedruckter Comics, 10 Punkt auf A4.',
   customSize: { width: 'Breite', height: 'Höhe', dpi: 'Auflösung (dpi)', unit: 'Einheit' },
   units: { px: 'px', mm: 'mm', in: 'Zoll' },
   wrongSize: {

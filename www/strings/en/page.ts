@@ -33,6 +33,11 @@ export const pageStrings = {
     custom: 'Custom',
   },
 
+  textUse: 'Text size',
+  forScreens: 'For screens',
+  forPrint: 'For print',
+  forScreensHelp: 'Text is large enough for phones and laptops.',
+  forPrintHelp: 'Text has the usual size of printed comics, 10 points on A4.',
   customSize: { width: 'Width', height: 'Height', dpi: 'Resolution (DPI)', unit: 'Unit' },
   units: { px: 'pixels', mm: 'mm', in: 'inches' },
   wrongSize: {

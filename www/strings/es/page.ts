@@ -31,6 +31,11 @@ export const pageStrings = {
     custom: 'A medida',
   },
 
+  textUse: 'Tamaño del texto',
+  forScreens: 'Para pantallas',
+  forPrint: 'Para imprimir',
+  forScreensHelp: 'El texto es lo bastante grande para teléfonos y portátiles.',
+  forPrintHelp: 'El texto tiene el tamaño habitual de los cómics impresos, 10 puntos en A4.',
   customSize: { width: 'Ancho', height: 'Alto', dpi: 'Resolución (ppp)', unit: 'Unidad' },
   units: { px: 'px', mm: 'mm', in: 'pulg.' },
   wrongSize: {

@@ -31,6 +31,11 @@ export const pageStrings = {
     custom: 'Sur mesure',
   },
 
+  textUse: 'Taille du texte',
+  forScreens: 'Pour les écrans',
+  forPrint: 'Pour l’impression',
+  forScreensHelp: 'Le texte est assez grand pour les téléphones et les ordinateurs.',
+  forPrintHelp: 'Le texte a la taille habituelle des BD imprimées, 10 points sur A4.',
   customSize: { width: 'Largeur', height: 'Hauteur', dpi: 'Résolution (ppp)', unit: 'Unité' },
   units: { px: 'px', mm: 'mm', in: 'po' },
   wrongSize: {

@@ -31,6 +31,11 @@ export const pageStrings = {
     custom: 'カスタム',
   },
 
+  textUse: '文字の大きさ',
+  forScreens: '画面用',
+  forPrint: '印刷用',
+  forScreensHelp: 'スマートフォンやノートパソコンで読める大きさです。',
+  forPrintHelp: '印刷コミックの標準的な大きさ、A4で10ポイントです。',
   customSize: { width: '幅', height: '高さ', dpi: '解像度', unit: '単位' },
   units: { px: 'px', mm: 'mm', in: 'インチ' },
   wrongSize: {

@@ -31,6 +31,11 @@ export const pageStrings = {
     custom: 'Sob medida',
   },
 
+  textUse: 'Tamanho do texto',
+  forScreens: 'Para telas',
+  forPrint: 'Para impressão',
+  forScreensHelp: 'O texto é grande o bastante para celulares e notebooks.',
+  forPrintHelp: 'O texto tem o tamanho usual dos quadrinhos impressos, 10 pontos em A4.',
   customSize: { width: 'Largura', height: 'Altura', dpi: 'Resolução (dpi)', unit: 'Unidade' },
   units: { px: 'px', mm: 'mm', in: 'pol.' },
   wrongSize: {

@@ -13,11 +13,12 @@
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); Thawonmas and Shuda, "Comic layout for automatic comic
 //! generation from game log" (2008), for faces and order as constraints.
 
-use super::{Figure, INSET, Scenery, Seen, center, contains, covered, gap, panel_of, shared};
+use super::{Figure, INSET, Scenery, Seen, above, center, contains, covered, gap, hidden, panel_of, shared};
 use crate::layout::{Bounds, Point, ResolvedPanel};
 use crate::page::words::layout::{Ground, Laid};
 use crate::page::words::letters::Letters;
 use crate::page::words::model::{Craft, Kind, Word};
+use crate::page::words::setting::LEGIBLE_ON_SCREENS;
 
 /// Candidate positions along each side of a panel.
 const STEPS: usize = 15;
@@ -38,6 +39,8 @@ const HALF_WAY: f64 = 0.5;
 const LEANING: (f64, f64) = (8.0, 24.0);
 /// Cost of breaking a rule.
 const FORBIDDEN: f64 = 400.0;
+/// Cost of moving a word that the user placed across the whole panel.
+const NEAR: f64 = 60.0;
 /// Cost of covering a body.
 const BODY: f64 = 60.0;
 /// Cost of covering a thing: a detected one, and one that is the subject of its photo.
@@ -103,6 +106,8 @@ pub(super) struct Page<'a> {
     pub(super) joins: &'a [Option<usize>],
     /// Occupied areas, with the index of the item.
     pub(super) taken: &'a [(usize, Bounds)],
+    /// Where people put words that move now, with the number of the word.
+    pub(super) wanted: &'a [(usize, Point)],
     pub(super) ground: &'a Ground,
     pub(super) letters: &'a Letters,
 }
@@ -125,6 +130,7 @@ pub(super) fn place(
         panel: panel.and_then(|panel| ground.panels.get(panel)),
         seen,
         figures,
+        above: above(word, ground),
         speakers: speakers(seen),
         page,
         count: group.len(),
@@ -225,6 +231,8 @@ struct Room<'a> {
     panel: Option<&'a ResolvedPanel>,
     seen: &'a [Seen],
     figures: &'a [Figure],
+    /// The panels that lie on this one.
+    above: Vec<&'a ResolvedPanel>,
     /// Faces that may speak, and their costs.
     speakers: Vec<(usize, f64)>,
     page: Page<'a>,
@@ -343,7 +351,8 @@ impl Room<'_> {
         }
         let largest = shapes.iter().map(|(_, laid)| laid.setting.size).fold(0.0, f64::max);
         // A narrow column next to a body is useless if its text is too small.
-        shapes.retain(|(_, laid)| laid.setting.size >= LEGIBLE.min(largest));
+        let legible = if ground.screens { LEGIBLE_ON_SCREENS } else { LEGIBLE };
+        shapes.retain(|(_, laid)| laid.setting.size >= legible.min(largest));
         let round = matches!(word.kind, Kind::Balloon(_));
         let mut all = Vec::new();
         for (room, laid) in &shapes {
@@ -402,6 +411,13 @@ impl Room<'_> {
     fn cost(&self, index: usize, laid: &Laid, area: Bounds, rank: usize) -> f64 {
         let round = matches!(laid.word.kind, Kind::Balloon(_));
         let mut cost = self.outside(area, round);
+        let part = hidden(area, round, &self.above);
+        if part > 0.0 {
+            cost += FORBIDDEN * (0.5 + 2.0 * part);
+        }
+        for (_, place) in self.page.wanted.iter().filter(|(other, _)| *other == index) {
+            cost += NEAR * center(area).distance(*place) / self.frame.width.hypot(self.frame.height);
+        }
         for (_, other) in self.page.taken.iter().filter(|(other, _)| !self.tied(index, *other)) {
             let touched = shared(area, grown(*other, INSET));
             if touched > 0.0 {

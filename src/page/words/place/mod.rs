@@ -13,7 +13,7 @@ use super::letters::Letters;
 use super::model::{Craft, Word};
 use crate::error::Result;
 use crate::framing::{Crop, FACE, LETTERING, PhotoMeta, Subject};
-use crate::layout::{Bounds, Point, ResolvedShape};
+use crate::layout::{Bounds, Point, ResolvedPanel, ResolvedShape};
 use crate::page::Document;
 use crate::raster::Matte;
 use figure::Figure;
@@ -21,6 +21,12 @@ use serde_json::{Value, json};
 
 /// Room between a word and the edge of its panel, in page widths.
 const INSET: f64 = 0.008;
+
+/// Points across and down at which a word is compared with panels on its own.
+const SAMPLES: usize = 8;
+
+/// The part of a face, or of a word, from which on a word that a person placed is in the way.
+const FAR: f64 = 0.12;
 
 /// A box that holds more of a figure than this part of it is the box of that figure: the mask says better where it is.
 const SAME: f64 = 0.15;
@@ -96,11 +102,32 @@ pub fn settle<'s>(
     known: impl Fn(&str) -> Known<'s>,
     letters: &Letters,
 ) -> Result<()> {
+    placed_on(document, known, letters, false)
+}
+
+/// As [`settle`], after the layout has changed: a word that a person placed moves as well, if it now hides a face or is on
+/// another panel. It stays close, and remains a word that a person placed.
+///
+/// # Errors
+/// As [`settle`].
+pub fn resettle<'s>(
+    document: &mut Document,
+    known: impl Fn(&str) -> Known<'s>,
+    letters: &Letters,
+) -> Result<()> {
+    placed_on(document, known, letters, true)
+}
+
+fn placed_on<'s>(
+    document: &mut Document,
+    known: impl Fn(&str) -> Known<'s>,
+    letters: &Letters,
+    again: bool,
+) -> Result<()> {
     let mut words = Word::parse_all(&document.words)?;
-    if !words.iter().any(|word| word.auto) {
+    if !again && !words.iter().any(|word| word.auto) {
         return Ok(());
     }
-    unlink(&mut words);
     let ground = Ground::new(document)?;
     let scenery = |word: &Word| {
         let panels = match panel_of(word, &ground) {
@@ -113,6 +140,24 @@ pub fn settle<'s>(
         }
         scenery
     };
+    let mut wanted: Vec<(usize, Point)> = Vec::new();
+    if again {
+        let by_hand =
+            words.iter().enumerate().filter(|(_, word)| !word.auto && word.craft == Craft::Letterer);
+        for (i, word) in by_hand {
+            let laid = ground.lay(word.clone(), letters);
+            if is_in_the_way(covered(&laid), &scenery(word), &above(word, &ground)) {
+                wanted.push((i, laid.middle));
+            }
+        }
+        for (i, _) in &wanted {
+            words[*i].auto = true;
+        }
+        if !words.iter().any(|word| word.auto) {
+            return Ok(());
+        }
+    }
+    unlink(&mut words);
     // Items that the user placed come first.
     let mut taken: Vec<(usize, Bounds)> = words
         .iter()
@@ -136,7 +181,14 @@ pub fn settle<'s>(
     let mut links: Vec<(usize, usize)> = Vec::new();
     for group in letterer::groups(&words, &ground) {
         let scenery = words.get(group[0]).map(&scenery).unwrap_or_default();
-        let page = letterer::Page { words: &words, joins: &joins, taken: &taken, ground: &ground, letters };
+        let page = letterer::Page {
+            words: &words,
+            joins: &joins,
+            taken: &taken,
+            wanted: &wanted,
+            ground: &ground,
+            letters,
+        };
         for (i, place, link) in letterer::place(page, &group, &scenery) {
             let mut value = placed(ground.frame(&words[i]), center(place.area), place.tip);
             value["room"] = match place.room {
@@ -148,7 +200,11 @@ pub fn settle<'s>(
             links.extend(link.map(|to| (i, to)));
         }
     }
-    for (i, value) in news {
+    for (i, mut value) in news {
+        let by_hand = wanted.iter().any(|(other, _)| *other == i);
+        if by_hand && words[i].tail.is_none() {
+            value["tail"] = Value::Null;
+        }
         let word = &mut document.words[i];
         for name in ["x", "y", "tail", "room"] {
             if let Some(value) = value.get(name) {
@@ -165,7 +221,7 @@ pub fn settle<'s>(
         if let Some(fields) = word.as_object_mut() {
             fields.remove("linked");
         }
-        word["auto"] = json!(true);
+        word["auto"] = json!(!by_hand);
     }
     for (later, before) in links {
         let name = named(&mut document.words, before);
@@ -290,11 +346,139 @@ fn gap(a: Bounds, b: Bounds) -> f64 {
 
 /// Whether a panel holds a point.
 fn contains(shape: &ResolvedShape, point: Point) -> bool {
+    reaches(shape, point, 0.0)
+}
+
+/// Whether a panel with a ring around it holds a point.
+fn reaches(shape: &ResolvedShape, point: Point, ring: f64) -> bool {
     match shape {
-        ResolvedShape::Circle { center, radius } => center.distance(point) <= *radius,
-        ResolvedShape::Polygon(points) => points
-            .iter()
-            .zip(points.iter().cycle().skip(1))
-            .all(|(a, b)| (b.x - a.x) * (point.y - a.y) - (b.y - a.y) * (point.x - a.x) >= -1e-9),
+        ResolvedShape::Circle { center, radius } => center.distance(point) <= *radius + ring,
+        ResolvedShape::Polygon(points) => points.iter().zip(points.iter().cycle().skip(1)).all(|(a, b)| {
+            let inside = (b.x - a.x) * (point.y - a.y) - (b.y - a.y) * (point.x - a.x);
+            inside >= -1e-9 - ring * a.distance(*b)
+        }),
+    }
+}
+
+/// The panels that lie on the panel of a word.
+fn above<'g>(word: &Word, ground: &'g Ground) -> Vec<&'g ResolvedPanel> {
+    let own = panel_of(word, ground).unwrap_or(ground.panels.len());
+    ground.panels.iter().skip(own + 1).filter(|panel| panel.overlay).collect()
+}
+
+/// The part of a word that lies on other panels than its own. Corners of a balloon are free.
+fn hidden(area: Bounds, round: bool, above: &[&ResolvedPanel]) -> f64 {
+    if above.is_empty() {
+        return 0.0;
+    }
+    let (mut all, mut on_others) = (0.0, 0.0);
+    for row in 0..SAMPLES {
+        for column in 0..SAMPLES {
+            let part = |at: usize| (at as f64 + 0.5) / SAMPLES as f64;
+            let (x, y) = (part(column), part(row));
+            if round && (2.0 * x - 1.0).abs().powf(2.4) + (2.0 * y - 1.0).abs().powf(2.4) > 1.0 {
+                continue;
+            }
+            let point = Point::new(area.x + x * area.width, area.y + y * area.height);
+            all += 1.0;
+            on_others += f64::from(above.iter().any(|panel| reaches(&panel.shape, point, panel.halo)));
+        }
+    }
+    on_others / f64::max(all, 1.0)
+}
+
+/// Whether a word hides a face, or lies on another panel than its own.
+fn is_in_the_way(area: Bounds, scenery: &Scenery, above: &[&ResolvedPanel]) -> bool {
+    let faces = scenery.seen.iter().filter(|seen| seen.face).map(|seen| seen.bounds);
+    let mut covers = faces.map(|face| shared(area, face) / (face.width * face.height).max(1e-12));
+    hidden(area, true, above) > FAR || covers.any(|part| part > FAR)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::page::words::layout::measured;
+
+    fn page(layout: &str, panels: usize, words: Value, settings: Value) -> Document {
+        let photo = json!({ "photo": "a" });
+        let value = json!({
+            "version": 1, "seed": 1, "style": "noir", "merges": [], "order": ["a"], "words": words,
+            "layout": layout, "panels": vec![photo; panels], "page": settings,
+        });
+        Document::parse(&value.to_string()).unwrap()
+    }
+
+    fn balloon(panel: usize, text: &str) -> Value {
+        json!({ "kind": "balloon", "text": text, "panel": panel, "craft": 2, "auto": true })
+    }
+
+    fn placed_words(document: &Document, letters: &Letters) -> Vec<(Word, Bounds)> {
+        let ground = Ground::new(document).unwrap();
+        let words = Word::parse_all(&document.words).unwrap();
+        words.into_iter().map(|word| (word.clone(), covered(&ground.lay(word, letters)))).collect()
+    }
+
+    #[test]
+    fn text_stands_on_the_visible_part_of_its_panel() {
+        let letters = Letters::bundled().unwrap();
+        for layout in ["inset-middle-4", "circle-middle-4", "inset-corner"] {
+            let panels = crate::layout::find(layout).unwrap().panels().len();
+            let base = crate::layout::find(layout).unwrap().base_count();
+            let words: Vec<Value> = (0..base)
+                .flat_map(|panel| ["Over there, I said!", "Honk!"].map(|text| balloon(panel, text)))
+                .collect();
+            let mut document = page(layout, panels, json!(words), json!({ "forScreens": true }));
+            settle(&mut document, |_| Known::default(), &letters).unwrap();
+            let ground = Ground::new(&document).unwrap();
+            for (word, area) in placed_words(&document, &letters) {
+                let part = hidden(area, true, &above(&word, &ground));
+                assert!(part <= 0.0, "{layout}, panel {:?}: {part} of {:?} is hidden", word.panel, word.text);
+            }
+        }
+    }
+
+    #[test]
+    fn text_placed_by_hand_moves_off_a_face_only_when_the_layout_changes() {
+        let letters = Letters::bundled().unwrap();
+        let face = Subject { x: 0.35, y: 0.3, width: 0.3, height: 0.3, label: FACE.to_owned(), score: 0.9 };
+        let subjects = [face];
+        let known = |_: &str| Known::from(&subjects[..]);
+        let by_hand = json!({
+            "kind": "balloon", "text": "Hello!", "panel": 0, "craft": 2, "auto": false, "x": 0.5, "y": 0.45,
+        });
+        let mut document = page("grid-4", 4, json!([by_hand]), json!({}));
+        let before = document.words.clone();
+        settle(&mut document, known, &letters).unwrap();
+        assert_eq!(document.words, before);
+        resettle(&mut document, known, &letters).unwrap();
+        assert_eq!(document.words[0]["auto"], false);
+        assert_eq!(document.words[0]["tail"], Value::Null);
+        let [(word, area)] = &placed_words(&document, &letters)[..] else { panic!() };
+        let frame = Ground::new(&document).unwrap().frame(word);
+        let seen = Bounds {
+            x: frame.x + 0.35 * frame.width,
+            y: frame.y + 0.3 * frame.height,
+            width: 0.3 * frame.width,
+            height: 0.3 * frame.height,
+        };
+        assert!(shared(*area, seen) <= 0.0, "{area:?} on {seen:?}");
+        // What is in nobody's way stays.
+        let again = document.words.clone();
+        resettle(&mut document, known, &letters).unwrap();
+        assert_eq!(document.words, again);
+    }
+
+    #[test]
+    fn a_new_balloon_can_be_read_on_screens() {
+        let letters = Letters::bundled().unwrap();
+        let size = |settings: Value| {
+            let mut document =
+                page("grid-6", 6, json!([balloon(0, "Where have you been all day?")]), settings);
+            settle(&mut document, |_| Known::default(), &letters).unwrap();
+            measured(&document, &letters).unwrap()[0].size
+        };
+        // 10 pixels on a page that is 435 pixels wide, and 10 points on A4.
+        assert!(size(json!({ "forScreens": true })) * 435.0 >= 10.0);
+        assert!((size(json!({})) * 210.0 / 25.4 * 72.0 - 10.0).abs() < 0.1);
     }
 }
