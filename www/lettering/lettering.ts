@@ -11,7 +11,7 @@ import { anchored, pagePoint } from './word-places.ts';
 import { createWordPlanning } from './word-planning.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument, Word } from '../engine/types.ts';
+import type { PageDocument, Word, WordBox } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Signal } from '@preact/signals';
 
@@ -77,6 +77,7 @@ export function createLettering({
     resize,
     turn,
     join,
+    measured,
     foreign: (text: string) => letters.value?.foreign(text) ?? false,
     missing: (text: string, font: string) => letters.value?.missing(text, font) ?? '',
     remove,
@@ -84,6 +85,13 @@ export function createLettering({
     step,
     pageAt,
   };
+
+  /** Returns the box of a word as it would be with another text; null without letters. */
+  function measured(index: number, text: string): WordBox | null {
+    const page = store.page.peek();
+    const written = words.peek().map((word, i) => (i === index ? { ...word, text: bounded(text) } : word));
+    return (page && letters.peek()?.measure({ ...page, words: written })[index]) ?? null;
+  }
 
   /** @returns the name of a new gesture */
   function step(): string {

@@ -8,7 +8,7 @@ import type { Word, WordBox } from '../engine/types.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
-import { capitals, USUAL_OUTLINE } from './word-fields.tsx';
+import { capitals, LEAST_SIZE, MOST_SIZE, USUAL_OUTLINE } from './word-fields.tsx';
 import type { Place } from './word-places.ts';
 import { knobOf } from './word-places.ts';
 
@@ -18,7 +18,6 @@ const AIR = 18;
 const HANDLE = 12;
 /** Each press makes the letters so much larger or smaller. */
 const GROWTH = 1.12;
-const [LEAST_SIZE, MOST_SIZE] = [0.005, 0.4];
 /** What the switches of an effect give. */
 const ARC = 0.6;
 const SLANT = 15;

@@ -3,14 +3,20 @@ import { MOST } from '../document/limits.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { liftAbove } from './above-keyboard.ts';
+import { capitals } from './word-fields.tsx';
 import { focusOn, placed } from './word-hands.ts';
 import type { WordBox } from '../engine/types.ts';
 
 /** Smaller text could not be read while it is written, in CSS pixels. */
 const LEAST = 14;
+/** Minimum width of the field, in CSS pixels. */
+const NARROWEST = 110;
+/** Room between the text and the outline, in parts of the width: an oval is narrow at the ends. */
+const PADS = { balloon: 0.1, caption: 0.05, effect: 0.03 };
 
 /**
- * The text of a word, written where it stands: Enter takes it, Shift with Enter begins a line, Escape leaves it as it was.
+ * The text of a word, written in its balloon, which grows with the text. Enter takes it, Shift with Enter begins a line, and
+ * Escape leaves it as it was.
  * @param props `height` of the page, in its widths
  */
 export function WordEditor({ index, box, height }: { index: number; box: WordBox; height: number }) {
@@ -24,7 +30,12 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
     const area = field.current as HTMLTextAreaElement;
     const page = area.closest('.page') as HTMLElement;
     area.style.fontSize = `${Math.max(LEAST, box.size * page.clientWidth)}px`;
-    const fit = () => grow(area, page);
+    const fit = () => {
+      const now = lettering.measured(index, area.value || word.text) ?? box;
+      // The balloon that is drawn stays below the field.
+      const size = [Math.max(box.width, now.width), Math.max(box.height, now.height)] as const;
+      grow(area, page, size, PADS[word.kind]);
+    };
     fit();
     area.addEventListener('input', fit);
     // The focus brings the keyboard of the screen, which makes the window that is seen lower a moment later.
@@ -64,8 +75,8 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
       data-kind={word.kind}
       aria-label={strings.wordText(strings.word(word.kind, word.text))}
       maxLength={MOST.letters}
-      // It is wider than a short word, and stays on the page.
-      style={{ ...place, left: `clamp(75px, ${place.left}, 100% - 75px)` }}
+      data-capitals={capitals(word)}
+      style={{ ...place, '--fill': box.fill, '--ink': box.color }}
       onKeyDown={press}
       onBlur={(event) => end(event.currentTarget.value, false)}
       onClick={(event) => event.stopPropagation()}
@@ -76,13 +87,23 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
   );
 }
 
-/** As high as its text is, and not over the edge of the page, where the window may end. */
-function grow(area: HTMLTextAreaElement, page: HTMLElement) {
-  area.style.minHeight = '';
-  area.style.marginTop = '';
-  const borders = area.offsetHeight - area.clientHeight;
-  const tall = Math.max(area.offsetHeight, area.scrollHeight + borders);
-  area.style.minHeight = `${tall}px`;
-  const [above, below] = [area.offsetTop - tall / 2, page.clientHeight - area.offsetTop - tall / 2];
-  area.style.marginTop = `${Math.max(-above, Math.min(0, below))}px`;
+/**
+ * As large as the balloon and its text are, and not over the edge of the page, where the window may end.
+ * @param size of the balloon in page widths
+ */
+function grow(area: HTMLTextAreaElement, page: HTMLElement, size: readonly [number, number], pad: number) {
+  const { style } = area;
+  const [wide, high] = size.map((length) => length * page.clientWidth);
+  const across = Math.max(NARROWEST, wide);
+  Object.assign(style, { width: `${across}px`, height: '0', paddingBlock: '0', margin: '0' });
+  style.paddingInline = `${across * pad}px`;
+  const text = area.scrollHeight;
+  const tall = Math.min(page.clientHeight, Math.max(high, text * (1 + 2 * pad) + 8));
+  const border = area.offsetHeight;
+  style.height = `${tall}px`;
+  style.paddingBlock = `${Math.max(0, (tall - text - border) / 2)}px`;
+  const inside = (at: number, length: number, room: number) =>
+    Math.max(length / 2 - at, Math.min(0, room - at - length / 2));
+  style.marginTop = `${inside(area.offsetTop, tall, page.clientHeight)}px`;
+  style.marginLeft = `${inside(area.offsetLeft, across, page.clientWidth)}px`;
 }

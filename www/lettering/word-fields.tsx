@@ -8,6 +8,8 @@ import { subjectOf } from '../page/subjects-of.ts';
 import type { Word } from '../engine/types.ts';
 import { balloonBefore, hangsOn } from './joining.ts';
 import type { Mode } from './lettering.ts';
+import { unitsOf } from './word-units.ts';
+import type { Unit } from './word-units.ts';
 
 type AmountProps = {
   label: string;
@@ -15,6 +17,8 @@ type AmountProps = {
   least: number;
   most: number;
   step?: number;
+  unit?: string;
+  digits?: number;
   onValue: (value: number) => void;
 };
 
@@ -25,6 +29,10 @@ export const USUAL_OUTLINE = 0.06;
 export function capitals({ capitals, craft, kind }: Word): boolean {
   return capitals ?? (craft === 2 && kind !== 'effect');
 }
+
+/** Limits of widths and of text sizes, in page widths. */
+export const [NARROWEST, WIDEST] = [0.04, 0.96];
+export const [LEAST_SIZE, MOST_SIZE] = [0.005, 0.4];
 
 /** A letter as it is told; one for private use, which nothing shows, by its number. */
 function named(letter: string): string {
@@ -46,6 +54,7 @@ export function WordFields({ index }: { index: number }) {
   };
   const set = (news: Partial<Word>) => lettering.edit(index, news, gesture.current);
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const { length, text } = unitsOf(store.page.value?.page ?? store.project.value.settings);
 
   // Whether anybody can say where the figure is that an effect would stand behind.
   const isKnown = subjectOf(store, word) !== '';
@@ -125,36 +134,40 @@ export function WordFields({ index }: { index: number }) {
       <div class="word-numbers" onFocusOut={rest}>
         <Amount
           label={strings.wordX}
-          value={x * 100}
+          {...amountIn(length)}
+          value={x * length.per}
           least={0}
-          most={100}
-          onValue={(value) => lettering.move(index, [value / 100, y], gesture.current)}
+          most={length.per}
+          onValue={(value) => lettering.move(index, [value / length.per, y], gesture.current)}
         />
         <Amount
           label={strings.wordY}
-          value={(y / height) * 100}
+          {...amountIn(length)}
+          value={y * length.per}
           least={0}
-          most={100}
-          onValue={(value) => lettering.move(index, [x, (value / 100) * height], gesture.current)}
+          most={height * length.per}
+          onValue={(value) => lettering.move(index, [x, value / length.per], gesture.current)}
         />
         <Amount
           label={strings.wordWidth}
-          value={(word.width ?? box.width) * 100}
-          least={4}
-          most={96}
-          onValue={(value) => set({ width: value / 100 })}
+          {...amountIn(length)}
+          value={(word.width ?? box.width) * length.per}
+          least={NARROWEST * length.per}
+          most={WIDEST * length.per}
+          onValue={(value) => set({ width: Math.min(WIDEST, Math.max(NARROWEST, value / length.per)) })}
         />
         <Amount
           label={strings.wordSize}
-          value={box.size * 100}
-          least={0.5}
-          most={40}
-          step={0.1}
-          onValue={(value) => set({ size: value / 100 })}
+          {...amountIn(text)}
+          value={box.size * text.per}
+          least={LEAST_SIZE * text.per}
+          most={MOST_SIZE * text.per}
+          onValue={(value) => set({ size: Math.min(MOST_SIZE, Math.max(LEAST_SIZE, value / text.per)) })}
         />
         {word.kind === 'effect' && (
           <Amount
             label={strings.wordAngle}
+            unit="°"
             value={word.angle ?? 0}
             least={-180}
             most={180}
@@ -164,6 +177,7 @@ export function WordFields({ index }: { index: number }) {
         {word.kind === 'effect' && (
           <Amount
             label={strings.wordArc}
+            unit="%"
             value={(word.arc ?? 0) * 100}
             least={-100}
             most={100}
@@ -174,6 +188,7 @@ export function WordFields({ index }: { index: number }) {
         {word.kind === 'effect' && (
           <Amount
             label={strings.wordSlant}
+            unit="°"
             value={word.slant ?? 0}
             least={-45}
             most={45}
@@ -183,6 +198,7 @@ export function WordFields({ index }: { index: number }) {
         {word.kind === 'effect' && (
           <Amount
             label={strings.wordOutline}
+            unit="%"
             value={(word.outline ?? USUAL_OUTLINE) * 100}
             least={0}
             most={40}
@@ -259,23 +275,33 @@ function Choice({
   );
 }
 
-/** A number that is taken when it is one; units are hundredths of the page, or degrees. */
-function Amount({ label, value, least, most, step = 1, onValue }: AmountProps) {
+/** The unit of an amount, and its steps. */
+function amountIn({ unit, digits }: Unit) {
+  return { unit, digits, step: unit === 'pt' ? 0.5 : 1 };
+}
+
+/** A number with its unit. Numbers out of range are not accepted. */
+function Amount({ label, value, least, most, step = 1, unit = '', digits = 1, onValue }: AmountProps) {
+  const round = (number: number) => Number(number.toFixed(digits));
   return (
     <label class="field">
       <span>{label}</span>
-      <input
-        type="number"
-        min={least}
-        max={most}
-        step={step}
-        value={Number(value.toFixed(1))}
-        onChange={({ currentTarget }) => {
-          const number = currentTarget.valueAsNumber;
-          if (number >= least && number <= most) onValue(number);
-          else currentTarget.value = value.toFixed(1);
-        }}
-      />
+      <span class="amount">
+        <input
+          type="number"
+          min={round(least)}
+          max={round(most)}
+          step={step}
+          aria-description={unit || undefined}
+          value={round(value)}
+          onChange={({ currentTarget }) => {
+            const number = currentTarget.valueAsNumber;
+            if (number >= round(least) && number <= round(most)) onValue(number);
+            else currentTarget.value = String(round(value));
+          }}
+        />
+        {unit && <small aria-hidden="true">{unit}</small>}
+      </span>
     </label>
   );
 }

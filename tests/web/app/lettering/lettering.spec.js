@@ -106,6 +106,37 @@ test('keyboard: a balloon is edited, moved and removed, and its tail is moved', 
   await expect(word(page, /^Balloon: TWO/)).toBeVisible();
 });
 
+test('text is written in its balloon, and is at least 10 pixels high', async ({ page }) => {
+  await openBoard(page);
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await write(page, 'balloon', 'Where have you been?');
+  const canvas = await box(page.locator('.page-canvas'));
+  const points = Number(await page.getByRole('spinbutton', { name: 'Text size' }).inputValue());
+  expect((points / 72 / (2480 / 300)) * canvas.width).toBeGreaterThanOrEqual(10);
+  const balloon = await box(word(page, /^Balloon: /));
+  await word(page, /^Balloon: /).press('Enter');
+  const field = page.getByRole('textbox', { name: /^Text of/ });
+  const look = await field.evaluate((area) => {
+    const { backgroundColor, textTransform, borderTopLeftRadius } = getComputedStyle(area);
+    return [backgroundColor, textTransform, borderTopLeftRadius];
+  });
+  expect(look).toEqual(['rgb(255, 255, 255)', 'uppercase', '42%']);
+  const editor = await box(field);
+  const middle = (/** @type {typeof editor} */ area) => [area.x + area.width / 2, area.y + area.height / 2];
+  const [[x, y], [u, v]] = [middle(balloon), middle(editor)];
+  expect(Math.hypot(x - u, y - v)).toBeLessThan(8);
+  expect(editor.width).toBeLessThan(1.5 * balloon.width);
+  expect(editor.height).toBeLessThan(1.8 * balloon.height);
+  await page.keyboard.press('Escape');
+  await tab(page, 'Page');
+  await page.getByRole('radio', { name: 'For print' }).check();
+  await idle(page);
+  await tab(page, 'Text');
+  await expect
+    .poll(async () => Number(await page.getByRole('spinbutton', { name: 'Text size' }).inputValue()))
+    .toBeCloseTo(10, 0);
+});
+
 test('a long text does not push the fields of its text item out of the panel', async ({ page }) => {
   await openBoard(page);
   await write(page, 'balloon', 'a very long line that nobody would ever say at once but in a comic '.repeat(6));
@@ -134,7 +165,7 @@ test('a balloon is also moved by a click and by a field, and has four shapes', a
   await idle(page);
   const tail = await box(word(page, /^Tail of/));
   expect(Math.hypot(tail.x + 12 - spot.x + 120, tail.y + 12 - spot.y + 160)).toBeLessThan(4);
-  await page.getByRole('spinbutton', { name: 'X', exact: true }).fill('30');
+  await page.getByRole('spinbutton', { name: 'X', exact: true }).fill('63');
   await page.keyboard.press('Tab');
   await idle(page);
   const across = await box(word(page, /^Balloon: CLICK/));
