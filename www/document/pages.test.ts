@@ -136,6 +136,17 @@ describe('alternatives', () => {
     expect(alternatives.items.value).toEqual([]);
   });
 
+  test('stay while text is added, written and removed', async () => {
+    const { pages, store } = await opened();
+    const alternatives = createAlternatives({ store, pages });
+    alternatives.more(5);
+    const items = alternatives.items.value;
+    const page = store.page.value as PageDocument;
+    for (const words of [[{ kind: 'caption', text: 'One', panel: 1 }], [{ kind: 'caption', text: 'Two' }], []])
+      store.change({ type: 'change-page', page: { ...page, words } as PageDocument });
+    expect(alternatives.items.value).toBe(items);
+  });
+
   test('never repeat themselves, and end when there are no more', async () => {
     const { pages, store } = await opened();
     const alternatives = createAlternatives({ store, pages });

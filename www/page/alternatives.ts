@@ -1,7 +1,7 @@
 /**
  * An endless stream of other pages, made as they come into view. It depends on the photos that are free for the page, the page
- * settings, the wanted number of panels, what is locked, single panels too, and the photos that have words: while these stand,
- * so does the stream, whichever of its pages is chosen.
+ * settings, the wanted number of panels, and what is locked, single panels too: while these stand, so does the stream, whichever
+ * of its pages is chosen and whatever is written on it.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -35,7 +35,6 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
       locks.style && page.style,
       locks.photos && [page.order, page.panels],
       page.panels.filter(({ locked }) => locked).map(({ photo }) => photo),
-      spoken(page),
     ]);
   });
 
@@ -114,14 +113,6 @@ function before(items: readonly PageDocument[]): { layouts: string[]; styles: st
   const idOf = (plan: string | object | undefined) => (typeof plan === 'object' ? (plan as { id?: string }).id : plan);
   const [layout, style] = [idOf(last?.layout), idOf(last?.style)];
   return { layouts: layout === undefined ? [] : [layout], styles: style === undefined ? [] : [style] };
-}
-
-/** @returns the photos that words belong to, which other pages are to show as well */
-function spoken({ words, panels }: PageDocument): string[] {
-  const photos = words.flatMap(({ photo, panel }) =>
-    typeof panel === 'number' ? (photo ?? (panels[panel] ?? panels.at(-1))?.photo ?? []) : [],
-  );
-  return [...new Set(photos)].sort();
 }
 
 /** @returns the same for pages that look the same */
