@@ -5,6 +5,7 @@ import { readFile, readdir, stat, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { Key, Origin, PNG, QUERIES, expect, test as plain } from '../../www/testing.ts';
+import { WAYS } from '../web/app/export-hands.js';
 import { inTime, start } from './engines.js';
 
 /** @typedef {import('../../www/testing.ts').WebElement} WebElement */
@@ -374,11 +375,16 @@ export async function personIn({ driver, downloads }, address) {
       await one('dialog', 'Export the page');
     },
 
+    /** Chooses a format in the export dialog. @param {string} way */
+    async chooseFormat(way) {
+      for (const name of WAYS[way]) if (name) await click('radio', name, ['dialog', 'Export the page']);
+    },
+
     /** Saves the page as a kind of file, at half of its size. @param {string} format */
     async savedAs(format) {
       await this.openExport();
+      await this.chooseFormat(format);
       await this.select('Quality', '0.5');
-      await this.select('Format', format);
       return saved(() => click('button', 'Save the file', ['dialog', 'Export the page']));
     },
 

@@ -146,7 +146,7 @@ test('shots and pages become films of a kind that the browser makes', async ({ p
   const ways = /** @type {const} */ ({ animatic: 'Seconds per shot', motion: 'Seconds per panel' });
   for (const [way, length] of Object.entries(ways)) {
     await person.openExport();
-    await person.select('Format', way);
+    await person.chooseFormat(way);
     const slider = await person.one('slider', length);
     await person.driver.executeScript(
       `arguments[0].value = '0.5'; arguments[0].dispatchEvent(new Event('input', { bubbles: true }))`,

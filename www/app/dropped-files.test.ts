@@ -137,6 +137,32 @@ describe('project files that are dropped together', () => {
   });
 });
 
+describe('a PNG file of a page', () => {
+  it('opens as a picture if its photos are missing, and can be opened as a project', async () => {
+    const { tab: other } = await made('One', 'a.jpg');
+    const tab = await fakeBrowser().tab();
+    await tab.add('mine.jpg');
+    await dropsOn(tab).take([await pngOf(other, 'page.png')]);
+    expect(tab.names()).toEqual(['mine.jpg', 'page.png']);
+    const note = tab.messages.list.value.at(-1);
+    expect([note?.kind, note?.way?.label]).toEqual(['note', 'Open as a project']);
+    note?.way?.run();
+    await vi.waitFor(() => expect(inPanels(tab)).toEqual(['Missing photo 1']));
+    expect(tab.store.project.value.name).toBe('One');
+  });
+
+  it('opens as a project if one of its photos is on this device or in the file', async () => {
+    const { tab: other } = await made('Two', 'a.jpg', 'b.jpg');
+    const tab = await fakeBrowser().tab();
+    await tab.add('b.jpg');
+    await dropsOn(tab).take([await pngOf(other, 'page.png')]);
+    expect(inPanels(tab)).toEqual(['Missing photo 1', 'b.jpg']);
+    const third = await fakeBrowser().tab();
+    await dropsOn(third).take([await downloaded(other, 'photos')]);
+    expect(inPanels(third)).toEqual(['photo-1', 'photo-2']);
+  });
+});
+
 describe('photos with a project file', () => {
   it('join it, and that is said', async () => {
     const { file } = await made('One', 'a.jpg');

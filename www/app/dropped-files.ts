@@ -24,6 +24,7 @@ import type { Subtitling } from '../lettering/subtitling.ts';
 import type { Reading } from '../photos/reading.ts';
 import type { Moments } from '../lettering/cue-times.ts';
 import type { Keeping } from '../storage/storage.ts';
+import type { PageFile } from '../storage/files/page-file.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
 import type { Messages } from '../ui/messages.ts';
 
@@ -58,7 +59,7 @@ export function createDroppedFiles({
   keeping: Pick<Keeping, 'files' | 'pageFiles' | 'absentPhotos' | 'current' | 'open' | 'turned'>;
   reading: Pick<Reading, 'addFiles'>;
   subtitling: Pick<Subtitling, 'open'>;
-  messages: Pick<Messages, 'offer' | 'fileFailed'>;
+  messages: Pick<Messages, 'note' | 'offer' | 'fileFailed'>;
   ownLayouts: Pick<OwnLayouts, 'open'>;
   ownStyles: Pick<OwnStyles, 'open'>;
   showProjects: () => void;
@@ -139,7 +140,11 @@ export function createDroppedFiles({
     for (const archive of byName(archives)) inside.push(await keeping.pageFiles.unpacked(archive));
     const files = [...projectFiles, ...inside.flatMap(({ project }) => project ?? [])];
     const pictures = [...loose, ...inside.flatMap((archive) => archive.pictures)];
-    const pages = [...inside.flatMap(({ page }) => page ?? []), ...(await keeping.pageFiles.allAmong(pictures))];
+    const found = await keeping.pageFiles.allAmong(pictures);
+    // Other files of the drop may contain the photos of the pages.
+    const alone = files.length + inside.length === 0 && pictures.length === found.length;
+    const lost = alone ? await withoutPhotos(found) : [];
+    const pages = [...inside.flatMap(({ page }) => page ?? []), ...found.filter((page) => !lost.includes(page))];
     const projects = byName([
       ...files.map((file) => ({ name: file.name, open: () => keeping.files.open(file) })),
       ...pages.map((page) => ({ name: page.file.name, open: () => keeping.pageFiles.open(page) })),
@@ -155,6 +160,20 @@ export function createDroppedFiles({
     const stopped = keeping.files.stops() > stops;
     tell(opened);
     return { photos: stopped ? [] : photos.filter((file) => !placed.has(file)), shown: opened.at(-1) };
+  }
+
+  /** Finds PNG files of pages whose photos are missing: somebody shared them as pictures. */
+  async function withoutPhotos(found: readonly PageFile[]): Promise<PageFile[]> {
+    const lost: PageFile[] = [];
+    for (const page of found) if (await keeping.pageFiles.lacksPhotos(page)) lost.push(page);
+    if (lost.length === 1) {
+      const [page] = lost;
+      messages.note(strings.openedAsPicture(page.file.name), {
+        label: strings.openAsProject,
+        run: () => void keeping.pageFiles.open(page),
+      });
+    }
+    return lost;
   }
 
   /**

@@ -18,6 +18,7 @@ import { createBetterCrops } from '../page/better-crops.ts';
 import { createChoosing } from '../photos/choosing.ts';
 import { createDesigner } from '../designer/designer.ts';
 import { createDownload } from '../export/download.ts';
+import { createExportChoice } from '../export/export-choice.ts';
 import { createDroppedFiles } from './dropped-files.ts';
 import { createExplorer } from '../explorer/explorer.ts';
 import { createKeeping } from '../storage/storage.ts';
@@ -156,6 +157,7 @@ const download = createDownload({
   // Sheets of a board say nothing of the layouts that a person likes.
   onSaved: (saved) => saved.filter(isComic).forEach(taste.learn),
 });
+const exportChoice = createExportChoice(() => window.localStorage);
 const alternatives = createAlternatives({ store, pages });
 const ahead = createAhead({ store, pages, ui });
 const installing = createInstalling(window);
@@ -241,6 +243,7 @@ const parts: Parts = {
   choosing,
   scrubbing,
   download,
+  exportChoice,
   alternatives,
   messages,
   ui,

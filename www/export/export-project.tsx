@@ -5,7 +5,7 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import type { Cargo } from '../storage/files/page-files.ts';
 
-const KINDS: readonly Cargo[] = ['project', 'photos', 'none'];
+const KINDS: readonly Cargo[] = ['none', 'project', 'photos'];
 
 /** @param props `archive`: it is no PNG, but an archive of pages */
 export function ExportProject({ archive }: { archive: boolean }) {
@@ -14,7 +14,7 @@ export function ExportProject({ archive }: { archive: boolean }) {
   // Photos go with the file that is saved from here, not with a later one.
   useEffect(
     () => () => {
-      if (cargo.peek() === 'photos') cargo.value = 'project';
+      cargo.value = 'none';
     },
     [],
   );

@@ -1,47 +1,72 @@
-import { isArchive, isBook } from './formats.ts';
-import { strings } from '../strings/strings.ts';
-import type { Inside, Way } from './formats.ts';
+/** The format of an export: tiles for the kinds of files, then the formats of the chosen kind. */
 
-/** The kind of file, and of the pictures in it where it is an archive. */
-export function FormatChoice({
-  formats,
-  format,
-  choose,
-  inside,
-  chooseInside,
-}: {
-  formats: readonly Way[];
-  format: Way;
-  choose: (format: Way) => void;
-  inside: Inside;
-  chooseInside: (inside: Inside) => void;
-}) {
+import { KINDS, wayOf, WAYS, withWay } from './export-choice.ts';
+import { isBook, isList } from './formats.ts';
+import { strings } from '../strings/strings.ts';
+import type { Choice, Kind } from './export-choice.ts';
+import type { Way } from './formats.ts';
+
+export type ChoiceProps = { choice: Choice; choose: (choice: Choice) => void };
+
+export function KindChoice({ choice, choose }: ChoiceProps) {
+  return (
+    <fieldset class="export-kinds">
+      <legend class="visually-hidden">{strings.format}</legend>
+      {KINDS.map((kind) => (
+        <label class="export-kind" key={kind}>
+          <input
+            type="radio"
+            name="export-kind"
+            checked={choice.kind === kind}
+            aria-labelledby={`export-kind-${kind}`}
+            aria-describedby={`export-kind-${kind}-help`}
+            onChange={() => choose({ ...choice, kind })}
+          />
+          <span id={`export-kind-${kind}`}>{strings.exportKinds[kind]}</span>
+          <small id={`export-kind-${kind}-help`}>{strings.exportKindHelp[kind]}</small>
+        </label>
+      ))}
+    </fieldset>
+  );
+}
+
+/** The formats of the chosen kind, and one line about the chosen format. */
+export function FormatChoice({ choice, choose }: ChoiceProps) {
+  const ways = WAYS[choice.kind];
+  const way = wayOf(choice);
+  const help = helpOf(way);
   return (
     <>
-      <label class="field">
-        <span>{strings.format}</span>
-        <select
-          class="select"
-          value={format}
-          aria-describedby={isBook(format) ? 'book-help' : undefined}
-          onChange={(event) => choose(event.currentTarget.value as Way)}
-        >
-          {formats.map((id) => (
-            <option key={id} value={id}>
-              {strings.formats[id]}
-            </option>
+      {ways.length > 1 && (
+        <fieldset class="export-formats">
+          <legend class="visually-hidden">{strings.exportKinds[choice.kind]}</legend>
+          {ways.map((id) => (
+            <label class="export-format" key={id}>
+              <input
+                type="radio"
+                name="export-format"
+                checked={way === id}
+                aria-describedby={help ? 'export-help' : undefined}
+                onChange={() => choose(withWay(choice, id))}
+              />
+              {strings.exportFormats[id]}
+            </label>
           ))}
-        </select>
-      </label>
-      {isBook(format) && (
-        <p class="quiet" id="book-help">
-          {strings.bookHelp[format]}
+        </fieldset>
+      )}
+      {help && (
+        <p class="quiet export-help" id="export-help">
+          {help}
         </p>
       )}
-      {isArchive(format) && (
+      {way === 'cbz' && (
         <label class="field">
           <span>{strings.pictures}</span>
-          <select class="select" value={inside} onChange={(event) => chooseInside(event.currentTarget.value as Inside)}>
+          <select
+            class="select"
+            value={choice.inside}
+            onChange={({ currentTarget }) => choose({ ...choice, inside: currentTarget.value as Choice['inside'] })}
+          >
             <option value="png">{strings.insides.png}</option>
             <option value="jpeg">{strings.insides.jpeg}</option>
           </select>
@@ -49,4 +74,11 @@ export function FormatChoice({
       )}
     </>
   );
+}
+
+/** Videos have their own help next to the player. */
+function helpOf(way: Way): string | undefined {
+  if (isBook(way)) return strings.bookHelp[way];
+  if (isList(way)) return strings.boards.listHelp;
+  return (strings.formatHelp as Partial<Record<Way | Kind, string>>)[way];
 }

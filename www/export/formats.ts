@@ -5,10 +5,10 @@ import type { ListKind } from '../engine/protocol.ts';
 import type { Kind as FilmKind } from '../motion/kinds.ts';
 
 export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'html' | 'epub' | 'zip' | 'cbz' | ListKind | FilmKind;
-/** What is chosen in a list: films of shots and of pages are two of them, and their kinds another choice. */
-export type Way = Exclude<Format, FilmKind> | 'animatic' | 'motion';
+/** A choice of the dialog. The file type of a video is a second choice, and a ZIP file follows from several pages. */
+export type Way = Exclude<Format, FilmKind | 'zip'> | 'print' | 'animatic' | 'motion' | 'project';
 /** the pictures of a ZIP or CBZ file */
-export type Inside = 'png' | 'jpeg';
+export type Inside = 'png' | 'jpeg' | 'webp';
 
 /** Lists of the shots of the album, which hold no pictures. */
 export const LISTS: readonly ListKind[] = ['csv', 'edl', 'otio', 'xml'];
@@ -31,20 +31,6 @@ export const FORMATS: Record<Format, { ending: string; type: string; lossy: bool
   gif: { ...KINDS.gif, lossy: true },
 };
 
-export const OF_ONE: readonly Way[] = [
-  'png',
-  'jpeg',
-  'webp',
-  'pdf',
-  'html',
-  'epub',
-  'cbz',
-  'animatic',
-  'motion',
-  ...LISTS,
-];
-export const OF_MANY: readonly Way[] = ['pdf', 'html', 'epub', 'cbz', 'zip', 'animatic', 'motion', ...LISTS];
-
 export function isArchive(format: Format | Way): format is 'zip' | 'cbz' {
   return format === 'zip' || format === 'cbz';
 }
@@ -57,7 +43,6 @@ export function isList(format: Format | Way): format is ListKind {
   return (LISTS as readonly (Format | Way)[]).includes(format);
 }
 
-/** Comics that hold all their pages; what is said of them beside their name has a string. */
 export function isBook(format: Format | Way): format is 'html' | 'epub' {
   return format === 'html' || format === 'epub';
 }

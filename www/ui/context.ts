@@ -11,6 +11,7 @@ import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Explorer } from '../explorer/explorer.ts';
 import type { Download } from '../export/download.ts';
+import type { ExportChoice } from '../export/export-choice.ts';
 import type { Imitation } from '../imitation/imitation.ts';
 import type { Hints } from '../help/hints.ts';
 import type { OwnLayouts } from '../layouts/own-layouts.ts';
@@ -78,6 +79,7 @@ export type Parts = {
   keeping: Keeping;
   shownPages: ShownPages;
   download: Download;
+  exportChoice: ExportChoice;
   alternatives: Alternatives;
   messages: Messages;
   ui: Ui;

@@ -11,6 +11,34 @@ export async function openExport(page) {
   return page.getByRole('dialog', { name: 'Export the page' });
 }
 
+/** The kind and the format of each choice of the export dialog. */
+export const WAYS = /** @type {Record<string, [kind: string, format?: string]>} */ ({
+  png: ['Image', 'PNG'],
+  jpeg: ['Image', 'JPEG'],
+  webp: ['Image', 'WebP'],
+  pdf: ['PDF'],
+  print: ['Print'],
+  html: ['Comic', 'HTML comic'],
+  epub: ['Comic', 'EPUB'],
+  cbz: ['Comic', 'CBZ'],
+  animatic: ['Video', 'Animatic'],
+  motion: ['Video', 'Motion comic'],
+  project: ['Project'],
+  csv: ['More', 'Shot list'],
+  edl: ['More', 'EDL'],
+  otio: ['More', 'OTIO'],
+  xml: ['More', 'Final Cut XML'],
+});
+
+/**
+ * Chooses a format in the export dialog.
+ * @param {import('../../../www/testing.ts').Locator} dialog
+ * @param {string} way a key of `WAYS`
+ */
+export async function chooseFormat(dialog, way) {
+  for (const name of WAYS[way]) if (name) await dialog.getByRole('radio', { name, exact: true }).check();
+}
+
 /**
  * Returns the file that an action saves.
  * @param {Page} page
@@ -35,12 +63,13 @@ export const download = (page) => saved(page, () => page.getByRole('button', { n
  * Saves the page as a kind of file.
  * @param {Page} page
  * @param {string} format
- * @param {{ quality?: number, half?: boolean }} [how]
+ * @param {{ quality?: number, half?: boolean, project?: boolean }} [how] `project`: it contains the project
  */
-export async function savedAs(page, format, { quality, half = true } = {}) {
+export async function savedAs(page, format, { quality, half = true, project = false } = {}) {
   const dialog = await openExport(page);
+  await chooseFormat(dialog, format);
   if (half) await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
-  await dialog.getByRole('combobox', { name: 'Format' }).selectOption(format);
+  if (project) await dialog.getByRole('radio', { name: 'With project data' }).check();
   if (quality !== undefined) await dialog.getByRole('slider', { name: 'Image quality' }).fill(String(quality));
   return saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
 }

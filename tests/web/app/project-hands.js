@@ -36,7 +36,7 @@ export async function goodFiles(page) {
       .map(async ({ name, read }) => ({ name, blob: await read() })),
   );
   const project = JSON.parse(await (await /** @type {any} */ (archive.get('project.json')).read()).text());
-  const png = await savedAs(page, 'png');
+  const png = await savedAs(page, 'png', { project: true });
   const file = new File([new Uint8Array(png.bytes)], 'page.png');
   const text = /** @type {any} */ ((await chunksOf(file))?.find(({ type }) => type === 'iTXt'));
   const head = /** @type {any} */ (await textHead(/** @type {any} */ (await dataOf(file, text))));

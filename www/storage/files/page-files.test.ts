@@ -131,10 +131,11 @@ describe('a page that carries its project', () => {
     expect(
       await pageFiles.among([await downloaded(tab, 'none'), new File(['text'], 'x.png'), new File([], 'y.png')]),
     ).toBe(null);
+    expect(pageFiles.take(), 'without a wish').toBe('none');
     pageFiles.cargo.value = 'photos';
-    expect([pageFiles.take(), pageFiles.take()]).toEqual(['photos', 'project']);
-    pageFiles.cargo.value = 'none';
-    expect([pageFiles.take(), pageFiles.take()]).toEqual(['none', 'none']);
+    expect([pageFiles.take(), pageFiles.take()]).toEqual(['photos', 'none']);
+    pageFiles.cargo.value = 'project';
+    expect([pageFiles.take(), pageFiles.take()]).toEqual(['project', 'none']);
   });
 
   it('that cannot be opened can still be a photo', async () => {

@@ -49,7 +49,7 @@ export function createPageFiles({
   absentPhotos,
 }: {
   store: Store;
-  engine: Pick<Engine, 'photos'>;
+  engine: Pick<Engine, 'photos' | 'ready'>;
   reading: Pick<Reading, 'addFiles' | 'resume'>;
   messages: Messages;
   fileOpening: FileOpening;
@@ -58,15 +58,15 @@ export function createPageFiles({
   database: () => Promise<Database>;
   absentPhotos: Pick<AbsentPhotos, 'tell'>;
 }) {
-  /** Data in the next PNG. */
-  const cargo: Signal<Cargo> = signal('project');
+  /** Data in the next PNG or archive. A shared picture contains the project only if the user asks for it. */
+  const cargo: Signal<Cargo> = signal('none');
 
-  return { cargo, take, carrying, packed, among, allAmong, unpacked, open, openChosen };
+  return { cargo, take, carrying, packed, among, allAmong, lacksPhotos, unpacked, open, openChosen };
 
-  /** Returns the data for this PNG. Photos go with the one for which they were asked, no other. */
+  /** Returns the data for this file. The next file contains no project again. */
   function take(): Cargo {
     const now = cargo.peek();
-    if (now === 'photos') cargo.value = 'project';
+    cargo.value = 'none';
     return now;
   }
 
@@ -133,6 +133,17 @@ export function createPageFiles({
       if (page) found.push(page);
     }
     return found;
+  }
+
+  /** Returns whether a PNG shows photos, and neither the file nor this device has any of them. */
+  async function lacksPhotos({ file, read }: PageFile): Promise<boolean> {
+    if (isArchiveFile(file)) return false;
+    // A damaged project is reported when it is opened.
+    const inside = await read(await engine.ready).catch(() => null);
+    if (!inside) return false;
+    const { photos } = pagesAlone(inside.project);
+    if (photos.length === 0 || photos.some(({ path }) => inside.archive.has(path))) return false;
+    return (await foundPhotos(photos, { album: store.album.peek(), photos: engine.photos, database })).size === 0;
   }
 
   /** @returns whether it is on the page now */

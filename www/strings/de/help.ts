@@ -119,7 +119,7 @@ export const helpStrings = {
     },
     files: {
       title: 'Projektdateien',
-      text: `Unter „${storage.projects}“ macht „${storage.saveProject}“ aus allem eine Datei, mit deinen Fotos in voller Größe. Leg sie hier oder auf einem anderen Gerät auf dem Fenster ab, um weiterzumachen. Ein PNG einer Seite öffnet sich genauso; es findet seine Fotos auf diesem Gerät oder hat sie in sich, wenn du „${pngStrings.cargoKind.photos}“ gewählt hast.`,
+      text: `Unter „${storage.projects}“ macht „${storage.saveProject}“ aus allem eine Datei, mit deinen Fotos in voller Größe. Leg sie hier oder auf einem anderen Gerät auf dem Fenster ab, um weiterzumachen. Ein PNG einer Seite mit Projektdaten öffnet sich genauso; es findet seine Fotos auf diesem Gerät oder hat sie in sich, wenn du „${pngStrings.cargoKind.photos}“ gewählt hast.`,
     },
     export: {
       title: 'Exportieren: PNG, JPEG, WebP, PDF',

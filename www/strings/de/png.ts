@@ -27,6 +27,9 @@ export const pngStrings = {
     `Es ${n === 1 ? 'fehlt' : 'fehlen'} noch ${photos(n)} dieser Seite. Wähle ${n === 1 ? 'es' : 'sie'} oder lass ${n === 1 ? 'es' : 'sie'} hier fallen: Jedes kommt an seinen Platz zurück.`,
   absentPhoto: (n: number) => `Fehlendes Foto ${n}`,
   choosePhotos: 'Fotos wählen',
+  openedAsPicture: (name: string) =>
+    `${name} ist jetzt ein Foto dieses Projekts. Die Fotos jener Seite sind nicht auf diesem Gerät.`,
+  openAsProject: 'Als Projekt öffnen',
   useAsPhoto: 'Als Foto verwenden',
   backTo: (name: string) => `Zurück zu ${name}`,
 

@@ -120,7 +120,7 @@ export const helpStrings = {
     },
     files: {
       title: 'Project files',
-      text: `In “${storage.projects}”, “${storage.saveProject}” saves the whole project as one file, with your photos at full size. Drop the file on this window or on another device to continue. A PNG of a page opens in the same way. It finds its photos on this device, or it includes them if you chose “${pngStrings.cargoKind.photos}”.`,
+      text: `In “${storage.projects}”, “${storage.saveProject}” saves the whole project as one file, with your photos at full size. Drop the file on this window or on another device to continue. A PNG of a page with project data opens in the same way. It finds its photos on this device, or it includes them if you chose “${pngStrings.cargoKind.photos}”.`,
     },
     export: {
       title: 'Export: PNG, JPEG, WebP, PDF',

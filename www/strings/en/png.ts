@@ -29,6 +29,9 @@ export const pngStrings = {
     `${photos(n)} of this page ${n === 1 ? 'is' : 'are'} still missing. Choose or drop ${n === 1 ? 'it' : 'them'} to restore ${n === 1 ? 'it' : 'them'}.`,
   absentPhoto: (n: number) => `Missing photo ${n}`,
   choosePhotos: 'Choose photos',
+  openedAsPicture: (name: string) =>
+    `${name} is a photo of this project now. The photos on that page are not on this device.`,
+  openAsProject: 'Open as a project',
   useAsPhoto: 'Use as a photo',
   backTo: (name: string) => `Back to ${name}`,
 

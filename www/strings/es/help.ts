@@ -118,7 +118,7 @@ export const helpStrings = {
     },
     files: {
       title: 'Archivos de proyecto',
-      text: `En «${storage.projects}», «${storage.saveProject}» hace un solo archivo de todo, con tus fotos a tamaño completo. Suéltalo en la ventana, aquí o en otro dispositivo, para continuar. Un PNG de una página se abre igual; encuentra sus fotos en este dispositivo o las lleva dentro, si elegiste «${pngStrings.cargoKind.photos}».`,
+      text: `En «${storage.projects}», «${storage.saveProject}» hace un solo archivo de todo, con tus fotos a tamaño completo. Suéltalo en la ventana, aquí o en otro dispositivo, para continuar. Un PNG de una página con datos del proyecto se abre igual; encuentra sus fotos en este dispositivo o las lleva dentro, si elegiste «${pngStrings.cargoKind.photos}».`,
     },
     export: {
       title: 'Exportar: PNG, JPEG, WebP, PDF',

@@ -27,6 +27,9 @@ export const pngStrings = {
     `Aún ${n === 1 ? 'falta' : 'faltan'} ${photos(n)} de esta página. ${n === 1 ? 'Elígela o suéltala' : 'Elígelas o suéltalas'} y cada una vuelve a su sitio.`,
   absentPhoto: (n: number) => `Falta la foto ${n}`,
   choosePhotos: 'Elegir fotos',
+  openedAsPicture: (name: string) =>
+    `${name} ya es una foto de este proyecto. Las fotos de esa página no están en este dispositivo.`,
+  openAsProject: 'Abrir como proyecto',
   useAsPhoto: 'Usar como foto',
   backTo: (name: string) => `Volver a ${name}`,
 

@@ -118,7 +118,7 @@ export const helpStrings = {
     },
     files: {
       title: 'Fichiers de projet',
-      text: `Dans « ${storage.projects} », « ${storage.saveProject} » fait de tout un seul fichier, avec vos photos en taille réelle. Déposez-le sur la fenêtre, ici ou sur un autre appareil, pour continuer. Un PNG d’une page s’ouvre de la même façon ; il retrouve ses photos sur cet appareil, ou les contient si vous avez choisi « ${pngStrings.cargoKind.photos} ».`,
+      text: `Dans « ${storage.projects} », « ${storage.saveProject} » fait de tout un seul fichier, avec vos photos en taille réelle. Déposez-le sur la fenêtre, ici ou sur un autre appareil, pour continuer. Un PNG d’une page avec les données du projet s’ouvre de la même façon ; il retrouve ses photos sur cet appareil, ou les contient si vous avez choisi « ${pngStrings.cargoKind.photos} ».`,
     },
     export: {
       title: 'Exporter : PNG, JPEG, WebP, PDF',

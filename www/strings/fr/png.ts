@@ -30,6 +30,9 @@ export const pngStrings = {
     `Il manque encore ${photos(n)} de cette page. ${n === 1 ? 'Choisissez-la ou déposez-la' : 'Choisissez-les ou déposez-les'} ici : chacune retrouve sa place.`,
   absentPhoto: (n: number) => `Photo absente ${n}`,
   choosePhotos: 'Choisir des photos',
+  openedAsPicture: (name: string) =>
+    `${name} est maintenant une photo de ce projet. Les photos de cette page ne sont pas sur cet appareil.`,
+  openAsProject: 'Ouvrir comme projet',
   useAsPhoto: 'Utiliser comme photo',
   backTo: (name: string) => `Revenir à ${name}`,
 

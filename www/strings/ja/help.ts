@@ -118,7 +118,7 @@ export const helpStrings = {
     },
     files: {
       title: 'プロジェクトのファイル',
-      text: `「${storage.projects}」の「${storage.saveProject}」は、原寸の写真も含めてすべてを1つのファイルにします。この端末でも別の端末でも、ウィンドウにドロップすれば続けられます。ページのPNGも同じように開きます。写真はこの端末から見つけるか、「${pngStrings.cargoKind.photos}」を選んでいれば中に入っています。`,
+      text: `「${storage.projects}」の「${storage.saveProject}」は、原寸の写真も含めてすべてを1つのファイルにします。この端末でも別の端末でも、ウィンドウにドロップすれば続けられます。プロジェクトデータ入りのページのPNGも同じように開きます。写真はこの端末から見つけるか、「${pngStrings.cargoKind.photos}」を選んでいれば中に入っています。`,
     },
     export: {
       title: '書き出し：PNG、JPEG、WebP、PDF',

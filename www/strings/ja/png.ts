@@ -24,6 +24,9 @@ export const pngStrings = {
     `このページの写真がまだ${n}枚ありません。選ぶかドロップすると、元の場所に戻ります。`,
   absentPhoto: (n: number) => `見つからない写真${n}`,
   choosePhotos: '写真を選ぶ',
+  openedAsPicture: (name: string) =>
+    `${name} をこのプロジェクトの写真として追加しました。そのページの写真はこの端末にありません。`,
+  openAsProject: 'プロジェクトとして開く',
   useAsPhoto: '写真として使う',
   backTo: (name: string) => `${name}に戻る`,
 

@@ -118,7 +118,7 @@ export const helpStrings = {
     },
     files: {
       title: 'Arquivos de projeto',
-      text: `Em “${storage.projects}”, “${storage.saveProject}” faz de tudo um só arquivo, com suas fotos em tamanho total. Solte-o na janela, aqui ou em outro aparelho, para continuar. Um PNG de uma página abre do mesmo jeito; ele encontra as fotos neste aparelho, ou as traz dentro se você escolheu “${pngStrings.cargoKind.photos}”.`,
+      text: `Em “${storage.projects}”, “${storage.saveProject}” faz de tudo um só arquivo, com suas fotos em tamanho total. Solte-o na janela, aqui ou em outro aparelho, para continuar. Um PNG de uma página com os dados do projeto abre do mesmo jeito; ele encontra as fotos neste aparelho, ou as traz dentro se você escolheu “${pngStrings.cargoKind.photos}”.`,
     },
     export: {
       title: 'Exportar: PNG, JPEG, WebP, PDF',

@@ -27,6 +27,9 @@ export const pngStrings = {
     `Ainda ${n === 1 ? 'falta' : 'faltam'} ${photos(n)} desta página. ${n === 1 ? 'Escolha-a ou solte-a' : 'Escolha-as ou solte-as'} aqui: cada uma volta ao seu lugar.`,
   absentPhoto: (n: number) => `Foto faltando ${n}`,
   choosePhotos: 'Escolher fotos',
+  openedAsPicture: (name: string) =>
+    `${name} agora é uma foto deste projeto. As fotos daquela página não estão neste aparelho.`,
+  openAsProject: 'Abrir como projeto',
   useAsPhoto: 'Usar como foto',
   backTo: (name: string) => `Voltar a ${name}`,
 

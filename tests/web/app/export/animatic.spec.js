@@ -1,7 +1,7 @@
 // @ts-check
 /** Animatics: played in the app, and saved as MP4, WebM and GIF files that ffprobe reads. */
 
-import { openExport, saved } from '../export-hands.js';
+import { chooseFormat, openExport, saved } from '../export-hands.js';
 import { probed } from '../film-hands.js';
 import { accessible, expect, idle, openBoard, sharedBoardTest as test } from '../support.js';
 
@@ -13,7 +13,7 @@ const FRAMES = 36;
 /** @param {Page} page */
 async function openAnimatic(page) {
   const dialog = await openExport(page);
-  await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: 'Animatic' });
+  await chooseFormat(dialog, 'animatic');
   await expect(dialog.getByRole('group', { name: 'Animatic' })).toBeVisible();
   await dialog.getByRole('slider', { name: 'Seconds per shot' }).fill('0.5');
   await expect(dialog.getByText('3 shots, 0:01 at 24 frames per second')).toBeVisible();
@@ -168,7 +168,7 @@ for (const [width, height] of [
   test(`axe finds nothing in the dialog of an animatic, ${width} pixels wide`, async ({ page }) => {
     await page.setViewportSize({ width, height });
     const dialog = width > 1000 ? await openAnimatic(page) : await openExport(page);
-    if (width < 1000) await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: 'Animatic' });
+    if (width < 1000) await chooseFormat(dialog, 'animatic');
     await expect(dialog.getByRole('button', { name: 'Play' })).toBeEnabled();
     await accessible(page);
     const save = dialog.getByRole('button', { name: 'Save the file' });

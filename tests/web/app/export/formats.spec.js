@@ -1,7 +1,7 @@
 // @ts-check
 /** Files of the comic page: formats, sizes, clipboard, sharing, progress and Cancel. */
 
-import { download, openExport, saved, savedAs } from '../export-hands.js';
+import { chooseFormat, download, openExport, saved, savedAs } from '../export-hands.js';
 import { panel } from '../panel-hands.js';
 import {
   PNG,
@@ -72,6 +72,7 @@ test('Download PNG saves the page in print size, and another page gives another 
 test('the export dialog saves a square', async ({ page }) => {
   await openBoard(page);
   const dialog = await openExport(page);
+  await dialog.getByText('Page size: ').click();
   await dialog.getByRole('radio', { name: 'Square' }).check();
   await expect(dialog.locator('canvas[data-drawn=true]')).toBeVisible();
   await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
@@ -110,7 +111,7 @@ test('the estimated file size is close to the size of the file', async ({ page }
   await openBoard(page);
   const dialog = await openExport(page);
   for (const format of ['png', 'jpeg']) {
-    await dialog.getByRole('combobox', { name: 'Format' }).selectOption(format);
+    await chooseFormat(dialog, format);
     const estimate = dialog.locator('.file-size[aria-busy=false]');
     await expect(estimate).toHaveText(/^about [\d.]+ [kKM]B$/);
     const [, amount, unit] = /** @type {RegExpMatchArray} */ ((await estimate.innerText()).match(/([\d.]+) ([kKM])B/));
@@ -156,7 +157,7 @@ for (const width of [1280, 360]) {
     await openBoard(page);
     await page.setViewportSize({ width, height: 780 });
     const dialog = await openExport(page);
-    await dialog.getByRole('combobox', { name: 'Format' }).selectOption('jpeg');
+    await chooseFormat(dialog, 'jpeg');
     await expect(dialog.locator('.file-size[aria-busy=false]')).toHaveText(/^about/);
     await accessible(page);
     const over = await dialog.evaluate((element) => element.scrollWidth - element.clientWidth);
@@ -184,9 +185,9 @@ plainTest('a browser without a WebP encoder saves a lossless WebP file', async (
   expect(await pixelsOf(page, bytes, 'image/webp')).toEqual(await pixelsOf(page, png.bytes, 'image/png'));
   const dialog = await openExport(page);
   const quality = dialog.getByRole('slider', { name: 'Image quality' });
-  await dialog.getByRole('combobox', { name: 'Format' }).selectOption('jpeg');
+  await chooseFormat(dialog, 'jpeg');
   await expect(quality).toBeVisible();
-  await dialog.getByRole('combobox', { name: 'Format' }).selectOption('webp');
+  await chooseFormat(dialog, 'webp');
   await expect(quality).toHaveCount(0);
   await expect(dialog.locator('.file-size[aria-busy=false]')).toHaveText(/^about [\d.]+ [kKM]B$/);
 });
@@ -210,9 +211,9 @@ plainTest('a file that takes long is shared by a second click', async ({ page })
   await makePageSmall(page);
   const dialog = await openExport(page);
   const share = dialog.getByRole('button', { name: 'Share' });
-  await dialog.getByRole('combobox', { name: 'Format' }).selectOption('pdf');
+  await chooseFormat(dialog, 'pdf');
   await expect(share).toHaveCount(0);
-  await dialog.getByRole('combobox', { name: 'Format' }).selectOption('jpeg');
+  await chooseFormat(dialog, 'jpeg');
   await share.click();
   await page.getByRole('button', { name: 'Share now' }).click({ timeout: 60_000 });
   const shared = await page.waitForFunction(() => /** @type {any} */ (window).shared?.[0]);
@@ -234,7 +235,7 @@ plainTest('an export shows its progress and can be cancelled', async ({ page }) 
     await route.continue();
   });
   const dialog = await openExport(page);
-  await dialog.getByRole('combobox', { name: 'Format' }).selectOption('pdf');
+  await chooseFormat(dialog, 'pdf');
   await dialog.getByRole('button', { name: 'Save the file' }).click();
   await expect(progress).toBeVisible();
   await page.getByRole('button', { name: 'Cancel' }).click();

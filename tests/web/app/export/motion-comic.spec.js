@@ -5,7 +5,7 @@ import { execFile } from 'node:child_process';
 import { readFile, writeFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
-import { openExport, saved } from '../export-hands.js';
+import { chooseFormat, openExport, saved } from '../export-hands.js';
 import { probed } from '../film-hands.js';
 import { accessible, different, expect, idle, openBoard, pixelsOf, tab, sharedBoardTest as test } from '../support.js';
 import { write } from '../word-hands.js';
@@ -41,7 +41,7 @@ async function styled(page) {
 /** @param {Page} page */
 async function openMotion(page) {
   const dialog = await openExport(page);
-  await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: 'Motion comic' });
+  await chooseFormat(dialog, 'motion');
   await expect(dialog.getByRole('group', { name: 'Motion comic' })).toBeVisible();
   await expect(dialog.getByText(/^1 page, 0:\d\d at 24 frames per second$/)).toBeVisible();
   return dialog;
@@ -153,7 +153,7 @@ test('an HTML comic moves, can be stopped, and respects reduced motion', { tag: 
   await styled(page);
   const dialog = await openExport(page);
   await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
-  await dialog.getByRole('combobox', { name: 'Format' }).selectOption('html');
+  await chooseFormat(dialog, 'html');
   // On a busy machine this takes more than half a minute.
   await expect(dialog.getByRole('checkbox', { name: 'Animate panels with video frames' })).toBeChecked({
     timeout: 120_000,

@@ -6,7 +6,7 @@ import { readFile, writeFile } from 'node:fs/promises';
 import { promisify } from 'node:util';
 import { PNG } from '../../../../www/testing.ts';
 import { thumbs } from '../book-hands.js';
-import { openExport, saved, savedAs } from '../export-hands.js';
+import { chooseFormat, openExport, saved, savedAs } from '../export-hands.js';
 import { drop, expect, idle, openBoard, press, tab, sharedBoardTest as test } from '../support.js';
 import { write } from '../word-hands.js';
 
@@ -84,6 +84,7 @@ test('all pages are saved in one PDF file, and in one comic archive, which can b
   await idle(page);
   await press(page, 'Add page');
   const dialog = await openExport(page);
+  await chooseFormat(dialog, 'pdf');
   await dialog.getByRole('radio', { name: 'All 2 pages' }).check();
   await expect(dialog.getByRole('radio', { name: 'Square' })).toHaveCount(0);
   await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
@@ -92,9 +93,13 @@ test('all pages are saved in one PDF file, and in one comic archive, which can b
   expect((await run('pdfinfo', [pdf.path])).stdout).toMatch(/Pages: +2\n/);
   expect((await run('pdfimages', ['-list', pdf.path])).stdout.match(/ jpeg /g)?.length).toBe(6);
   await openExport(page);
+  await expect(dialog.getByRole('radio', { name: 'PDF', exact: true }), 'the last format').toBeChecked();
+  await dialog.getByRole('radio', { name: 'This page' }).check();
+  await chooseFormat(dialog, 'cbz');
   await dialog.getByRole('radio', { name: 'All 2 pages' }).check();
+  await expect(dialog.getByRole('radio', { name: 'CBZ' }), 'the format survives').toBeChecked();
   await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
-  await dialog.getByRole('combobox', { name: 'Format' }).selectOption('cbz');
+  await dialog.getByRole('radio', { name: 'With project data' }).check();
   await dialog.getByRole('combobox', { name: 'Embedded images' }).selectOption('jpeg');
   const cbz = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
   expect(cbz.name).toMatch(/\d{4}\.cbz$/);

@@ -1,9 +1,13 @@
 // @ts-check
 /** Print resolution: panels with a low resolution, and the check box that upscales them. */
 
+import { execFile } from 'node:child_process';
+import { promisify } from 'node:util';
 import { PNG } from '../../../../www/testing.ts';
-import { openExport, saved } from '../export-hands.js';
+import { chooseFormat, openExport, saved } from '../export-hands.js';
 import { expect, openBoard, sharedBoardTest as test } from '../support.js';
+
+const run = promisify(execFile);
 
 /** @typedef {import('../support.js').Page} Page */
 /** @typedef {ReturnType<Page['getByRole']>} Locator */
@@ -11,10 +15,18 @@ import { expect, openBoard, sharedBoardTest as test } from '../support.js';
 /** The check box that upscales photos. @param {Locator} dialog */
 const box = (dialog) => dialog.getByRole('checkbox', { name: 'Upscale low-resolution photos' });
 
-/** The page as a PNG, saved from the dialog. @param {Page} page @param {Locator} dialog */
-async function savedPng(page, dialog) {
-  const { bytes } = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
-  return PNG.sync.read(bytes);
+/** The page as Poppler draws it, saved from the dialog. @param {Page} page @param {Locator} dialog */
+async function savedPage(page, dialog) {
+  const { path } = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  const { stdout } = await run('pdftoppm', ['-png', '-r', '300', path], { encoding: 'buffer', maxBuffer: 1 << 28 });
+  return PNG.sync.read(stdout);
+}
+
+/** Opens the dialog, and chooses a PDF file for print. @param {Page} page */
+async function openPrint(page) {
+  const dialog = await openExport(page);
+  await chooseFormat(dialog, 'print');
+  return dialog;
 }
 
 /** Counts the samples of two images of one size that clearly differ. @param {PNG} a @param {PNG} b */
@@ -27,26 +39,36 @@ function apart(a, b) {
 
 test('a panel with a low resolution is upscaled if the box is checked, for this export only', async ({ page }) => {
   await openBoard(page, ['cat.jpg']);
-  const dialog = await openExport(page);
+  const dialog = await openPrint(page);
   await expect(dialog.getByRole('button', { name: /^Panel 1: \d+ dpi$/ })).toBeVisible();
   await expect(box(dialog)).not.toBeChecked();
-  const plain = await savedPng(page, dialog);
+  const plain = await savedPage(page, dialog);
   // The dialog closes after the file is saved. Its options apply to one file.
-  const next = await openExport(page);
-  await next.getByRole('combobox', { name: 'Format' }).selectOption('png');
+  const next = await openPrint(page);
   await box(next).check();
   await expect(next.getByText('upscaled with sharper edges')).toBeVisible();
-  const sharp = await savedPng(page, next);
+  const sharp = await savedPage(page, next);
   expect(apart(plain, sharp)).toBeGreaterThan(20_000);
-  const last = await openExport(page);
+  const last = await openPrint(page);
   await expect(box(last)).not.toBeChecked();
-  expect(apart(plain, await savedPng(page, last))).toBe(0);
+  expect(apart(plain, await savedPage(page, last))).toBe(0);
+});
+
+test('only files for print have a check of the print resolution', async ({ page }) => {
+  await openBoard(page, ['cat.jpg']);
+  const dialog = await openPrint(page);
+  await expect(box(dialog)).toBeVisible();
+  for (const way of ['png', 'jpeg', 'pdf', 'html', 'cbz', 'project']) {
+    await chooseFormat(dialog, way);
+    await expect(box(dialog), way).toHaveCount(0);
+  }
 });
 
 test('a size for screens has no check of the print resolution', async ({ page }) => {
   await openBoard(page, ['cat.jpg']);
-  const dialog = await openExport(page);
+  const dialog = await openPrint(page);
   await expect(box(dialog)).toBeVisible();
+  await dialog.getByText('Page size: ').click();
   await dialog.getByRole('radio', { name: /^Story/ }).check();
   await expect(box(dialog)).toHaveCount(0);
 });

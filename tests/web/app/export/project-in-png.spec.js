@@ -117,7 +117,7 @@ test('a PNG file with photos opens in another browser, and is exported with the 
   expectNoSecrets(png);
   const other = await elsewhere(browser, baseURL);
   await drop(other, [file('page.png', png)]);
-  await expect(other.getByRole('status').getByText('page.png is open again')).toBeVisible();
+  await expect(other.getByRole('status').getByText('page.png was opened as a separate project')).toBeVisible();
   await idle(other);
   await expect(word(other, 'Balloon: AS IT WAS')).toBeVisible();
   expectSame(await exported(other, 'With photos'), png);
@@ -132,11 +132,14 @@ test('a PNG file without photos asks for them, and is then exported with the sam
   baseURL,
 }) => {
   await ownPage(page);
-  const png = await download(page);
+  const png = await exported(page, 'With project data');
   expect(chunksOf(png)).toEqual(['IHDR', 'pHYs', 'sRGB', 'iTXt', 'IDAT', 'IEND']);
   expectNoSecrets(png);
   const other = await elsewhere(browser, baseURL);
+  // Without its photos, the file is a picture.
   await add(other, [file('page.png', png)]);
+  await expect(other.getByRole('checkbox', { name: 'Use page.png' })).toBeVisible();
+  await other.getByRole('status').getByRole('button', { name: 'Open as a project' }).click();
   const alert = other.getByRole('alert');
   await expect(alert.getByText('page.png is open, but its 6 photos are not on this device.')).toBeVisible();
   await idle(other);
@@ -162,20 +165,20 @@ test('a PNG file without photos asks for them, and is then exported with the sam
   await expect(other.getByRole('status').getByText('1 photo was restored.')).toBeVisible();
   await expect(other.getByRole('alert')).toHaveText('');
   await idle(other);
-  expectSame(await download(other), png);
+  expectSame(await exported(other, 'With project data'), png);
   await other.context().close();
 });
 
 test('a PNG file opens as a new project, and a button returns to the old project', async ({ page }) => {
   await openBoard(page, SIX.slice(0, 4));
   await makePageSmall(page);
-  const png = await download(page);
+  const png = await exported(page, 'With project data');
   await page.getByLabel('Project name').fill('First');
   await page.keyboard.press('Enter');
   await press(page, 'Shuffle');
   const before = await picture(page);
   await drop(page, [file('page.png', png)]);
-  const note = page.getByRole('status').getByText('page.png is open again').locator('..');
+  const note = page.getByRole('status').getByText('page.png was opened as a separate project').locator('..');
   await expect(note).toBeVisible();
   await idle(page);
   await expect(page.getByLabel('Project name')).toHaveValue(/\d{4}$/);
@@ -192,7 +195,7 @@ test('a PNG file opens as a new project, and a button returns to the old project
 test('a damaged PNG file is reported, and can be used as a photo', async ({ page }) => {
   await openBoard(page, SIX.slice(0, 2));
   await makePageSmall(page);
-  const png = await download(page);
+  const png = await exported(page, 'With project data');
   const before = await picture(page);
   const spoilt = Buffer.from(png);
   spoilt[spoilt.indexOf('iTXtinkpanel') + 40] ^= 0x55;
@@ -204,6 +207,14 @@ test('a damaged PNG file is reported, and can be used as a photo', async ({ page
   await expect(page.getByRole('checkbox', { name: 'Use spoilt.png' })).toBeVisible();
 });
 
+test('a PNG file contains no project unless the user asks for it', async ({ page }) => {
+  await openBoard(page, SIX.slice(0, 2));
+  await makePageSmall(page);
+  expect(chunksOf(await exported(page, 'With project data'))).toContain('iTXt');
+  // The wish applies to that file only.
+  expect(chunksOf(await download(page))).toEqual(PLAIN);
+});
+
 test('a PNG file without project data contains only the picture', async ({ page }) => {
   await openBoard(page, SIX.slice(0, 2));
   await makePageSmall(page);
@@ -212,7 +223,6 @@ test('a PNG file without project data contains only the picture', async ({ page 
   await page.keyboard.press('Escape');
   const png = await exported(page, 'Without project data');
   expect(chunksOf(png)).toEqual(PLAIN);
-  // The choice applies to later files.
   expect((await download(page)).equals(png)).toBe(true);
   const whole = await exported(page, 'With project data');
   await page.getByRole('button', { name: 'Projects' }).click();
@@ -221,7 +231,7 @@ test('a PNG file without project data contains only the picture', async ({ page 
     page.getByRole('alert').getByText('plain.png could not be opened: it is an image without project data.'),
   ).toBeVisible();
   await page.getByLabel('Project file').setInputFiles([file('page.png', whole)]);
-  await expect(page.getByRole('status').getByText('page.png is open again')).toBeVisible();
+  await expect(page.getByRole('status').getByText('page.png was opened as a separate project')).toBeVisible();
 });
 
 test('a project file contains the photos without their place, date and camera', async ({ page }) => {

@@ -3,7 +3,7 @@
 
 import { fileURLToPath } from 'node:url';
 import { FOUR } from '../designer-hands.js';
-import { openExport, saved } from '../export-hands.js';
+import { chooseFormat, openExport, saved } from '../export-hands.js';
 import { expect, faultTest as test, idle, openBoard } from '../support.js';
 import { openWords, word, write } from '../word-hands.js';
 
@@ -33,8 +33,8 @@ test('a file format loads only its own module, and can be saved after the loadin
   const before = asked.length;
   const format = async (/** @type {string} */ name) => {
     const dialog = await openExport(page);
+    await chooseFormat(dialog, name);
     await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
-    await dialog.getByRole('combobox', { name: 'Format' }).selectOption(name);
     return dialog.getByRole('button', { name: 'Save the file' });
   };
   const modules = /inkpanel_bg-[^/]*\.wasm$/;

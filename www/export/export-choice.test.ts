@@ -1,0 +1,52 @@
+import { expect, test } from 'vitest';
+import { createExportChoice, KINDS, madeOf, wayOf, WAYS, withWay } from './export-choice.ts';
+
+function boxOf() {
+  const kept: Map<string, string> = new Map();
+  return {
+    getItem: (key: string) => kept.get(key) ?? null,
+    setItem: (key: string, text: string) => kept.set(key, text),
+  };
+}
+
+test('the format stays the same if all pages are exported', () => {
+  for (const way of KINDS.flatMap((kind) => WAYS[kind])) {
+    const [one, all] = [madeOf(way, false, 'png'), madeOf(way, true, 'png')];
+    // Only images need an archive, which contains images of the chosen format.
+    if (WAYS.image.includes(way)) expect(all).toEqual({ format: 'zip', inside: way });
+    else expect(all, way).toEqual(one);
+  }
+  expect(madeOf('cbz', true, 'jpeg')).toEqual({ format: 'cbz', inside: 'jpeg' });
+});
+
+test('a kind begins with its last format', () => {
+  const { choice, choose } = createExportChoice(boxOf);
+  expect(wayOf(choice.value)).toBe('png');
+  choose(withWay(choice.value, 'cbz'));
+  expect([choice.value.kind, wayOf(choice.value)]).toEqual(['comic', 'cbz']);
+  choose({ ...choice.value, kind: 'video' });
+  expect(wayOf(choice.value)).toBe('animatic');
+  choose({ ...choice.value, kind: 'comic' });
+  expect(wayOf(choice.value)).toBe('cbz');
+});
+
+test('the browser remembers the choice, and ignores a damaged one', () => {
+  const box = boxOf();
+  const { choice, choose } = createExportChoice(() => box as any);
+  choose({ ...withWay(choice.value, 'jpeg'), every: true });
+  expect(createExportChoice(() => box as any).choice.value).toEqual({
+    kind: 'image',
+    ways: { image: 'jpeg' },
+    every: true,
+    inside: 'png',
+  });
+  for (const damaged of ['{', '{"kind":"exe","ways":{"image":"exe","video":"png"},"inside":"gif"}', '[]']) {
+    box.setItem('inkpanel.export', damaged);
+    expect(wayOf(createExportChoice(() => box as any).choice.value)).toBe('png');
+  }
+  const denied = createExportChoice(() => {
+    throw new Error('denied');
+  });
+  denied.choose(withWay(denied.choice.value, 'epub'));
+  expect(wayOf(denied.choice.value)).toBe('epub');
+});

@@ -1,0 +1,82 @@
+/**
+ * The choice of the export dialog: a kind of file, and a format of that kind. The browser remembers the choice, and it
+ * does not depend on how many pages are exported.
+ */
+
+import { signal } from '@preact/signals';
+import { LISTS } from './formats.ts';
+import type { Format, Inside, Way } from './formats.ts';
+
+/** The first choice. `print` is a PDF file with bleed and marks, `more` has formats of editing programs. */
+export type Kind = 'image' | 'pdf' | 'print' | 'comic' | 'video' | 'project' | 'more';
+/** `ways`: the last format of each kind; `every`: all pages; `inside`: the pictures of a CBZ file. */
+export type Choice = { kind: Kind; ways: Partial<Record<Kind, Way>>; every: boolean; inside: 'png' | 'jpeg' };
+export type ExportChoice = ReturnType<typeof createExportChoice>;
+
+export const WAYS: Record<Kind, readonly Way[]> = {
+  image: ['png', 'jpeg', 'webp'],
+  pdf: ['pdf'],
+  print: ['print'],
+  comic: ['html', 'epub', 'cbz'],
+  video: ['animatic', 'motion'],
+  project: ['project'],
+  more: LISTS,
+};
+export const KINDS = Object.keys(WAYS) as readonly Kind[];
+
+const KEY = 'inkpanel.export';
+const FIRST: Choice = { kind: 'image', ways: {}, every: false, inside: 'png' };
+
+/** Returns the chosen format: the last one of the chosen kind, or its first one. */
+export function wayOf({ kind, ways }: Choice): Way {
+  return ways[kind] ?? WAYS[kind][0];
+}
+
+/** Returns the choice with another format. */
+export function withWay(choice: Choice, way: Way): Choice {
+  const kind = KINDS.find((one) => WAYS[one].includes(way)) ?? choice.kind;
+  return { ...choice, kind, ways: { ...choice.ways, [kind]: way } };
+}
+
+/**
+ * Returns the format of the file, and of the pictures in an archive. Images of several pages are a ZIP file.
+ * Videos and projects have dialogs and files that do not depend on it.
+ */
+export function madeOf(way: Way, every: boolean, inside: Inside): { format: Format; inside: Inside } {
+  if (way === 'animatic' || way === 'motion' || way === 'project') return { format: 'png', inside };
+  if (way === 'print') return { format: 'pdf', inside };
+  if (every && (way === 'png' || way === 'jpeg' || way === 'webp')) return { format: 'zip', inside: way };
+  return { format: way, inside };
+}
+
+/** @param box may throw if the browser denies storage. The choice then lasts until the app is closed. */
+export function createExportChoice(box: () => Pick<Storage, 'getItem' | 'setItem'>) {
+  const choice = signal(read(box));
+  return {
+    choice,
+    choose(next: Choice) {
+      choice.value = next;
+      try {
+        box().setItem(KEY, JSON.stringify(next));
+      } catch {
+        // Denied or full: the choice is known until the app is closed.
+      }
+    },
+  };
+}
+
+function read(box: () => Pick<Storage, 'getItem'>): Choice {
+  try {
+    const { kind, ways, every, inside } = JSON.parse(box().getItem(KEY) ?? '{}');
+    return {
+      kind: KINDS.includes(kind) ? kind : FIRST.kind,
+      ways: Object.fromEntries(
+        Object.entries(ways ?? {}).filter(([key, way]) => WAYS[key as Kind]?.includes(way as Way)),
+      ),
+      every: every === true,
+      inside: inside === 'jpeg' ? 'jpeg' : 'png',
+    };
+  } catch {
+    return FIRST;
+  }
+}
