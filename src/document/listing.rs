@@ -1,10 +1,36 @@
 //! The shots of a project file in order, with all metadata: for lists and storyboards without the app.
 
 use super::file::{FilePhoto, ProjectFile};
+use super::limits::LONGEST_FIELD;
 use super::project::TrayItem;
 use super::shots::{Board, numbers, ordered};
 use crate::output::shots::{Film, ListedShot, ShotList};
+use crate::page::Document;
+use crate::page::words::model::{Kind, Word};
+use crate::page::words::wording::read;
 use std::collections::{HashMap, HashSet};
+
+/// What text counts to the right, against what it counts down the panel, when it is read.
+const SLANT: f64 = 0.3;
+
+/// A photo on the pages.
+struct Shown {
+    place: usize,
+    said: Vec<String>,
+}
+
+/// What the balloons and captions of a panel say, in reading order.
+fn said_in(page: &Document, panel: usize) -> Vec<String> {
+    let words = Word::parse_all(&page.words).unwrap_or_default();
+    let mut own: Vec<&Word> =
+        words.iter().filter(|word| word.panel == Some(panel) && word.kind != Kind::Effect).collect();
+    own.sort_by(|a, b| (a.at.1 + SLANT * a.at.0).total_cmp(&(b.at.1 + SLANT * b.at.0)));
+    let line = |word: &&Word| {
+        let text = read(word).split_whitespace().collect::<Vec<_>>().join(" ");
+        word.by.as_ref().map_or(text.clone(), |name| format!("{name}: {text}"))
+    };
+    own.iter().map(line).collect()
+}
 
 impl ProjectFile {
     /// Ids of the photos that are shots, in order: photos in use or on a page.
@@ -32,8 +58,28 @@ impl ProjectFile {
         if own.iter().all(|item| rank(item).is_some()) {
             own.sort_by_key(|item| rank(item));
         }
+        // The storyboard follows the pages. Photos that no page shows come last.
+        let places = self.on_pages();
+        own.sort_by_key(|item| places.get(item.id.as_str()).map_or(usize::MAX, |shown| shown.place));
         let own: Vec<&str> = own.iter().map(|item| item.id.as_str()).collect();
         ordered(&present.board.order, &own)
+    }
+
+    /// The photos on the pages, by their ids: where each is read first, and what the balloons and captions of its panels say.
+    fn on_pages(&self) -> HashMap<String, Shown> {
+        let mut all: HashMap<String, Shown> = HashMap::new();
+        for sheet in self.history.present.sheets() {
+            let page: &Document = &sheet.page;
+            for panel in page.reading_order() {
+                let Some(photo) = page.panels.get(panel).and_then(|panel| panel.photo.as_deref()) else {
+                    continue;
+                };
+                let place = all.len();
+                let shown = all.entry(photo.to_owned()).or_insert_with(|| Shown { place, said: Vec::new() });
+                shown.said.extend(said_in(page, panel));
+            }
+        }
+        all
     }
 
     /// Its shots as a list.
@@ -45,13 +91,20 @@ impl ProjectFile {
             present.tray.iter().map(|item| (item.id.as_str(), item.as_ref())).collect();
         let items: Vec<&TrayItem> = ids.iter().filter_map(|id| items.get(id).copied()).collect();
         let numbers = numbers(items.iter().map(|item| item.shot.number.as_str()));
-        let shots = items.iter().zip(numbers).map(|(item, number)| self.listed(item, number)).collect();
+        let pages = self.on_pages();
+        let said = |item: &TrayItem| pages.get(item.id.as_str()).map_or(&[][..], |shown| &shown.said);
+        let listed = |(item, number): (&&TrayItem, String)| self.listed(item, number, said(item));
+        let shots = items.iter().zip(numbers).map(listed).collect();
         let Board { fps, pace, columns, .. } = Board::clone(&present.board);
         ShotList { title: present.name.clone(), fps, pace, columns, headings: Vec::new(), shots }
     }
 
-    fn listed(&self, item: &TrayItem, number: String) -> ListedShot {
-        let shot = item.shot.clone();
+    /// `said`: what the pages say, for a shot whose dialogue nobody wrote.
+    fn listed(&self, item: &TrayItem, number: String, said: &[String]) -> ListedShot {
+        let mut shot = item.shot.clone();
+        if shot.dialogue.is_empty() {
+            shot.dialogue = said.join("\n").chars().take(LONGEST_FIELD).collect();
+        }
         let photo = self.photos.iter().find(|photo| photo.id == item.id);
         let film = photo.and_then(|photo| {
             let video = self.videos.iter().find(|video| Some(&video.key) == photo.video.as_ref())?;

@@ -69,7 +69,7 @@ function Tools() {
         }}
       >
         <Icon name="film" />
-        {strings.formats.animatic}
+        {strings.exportFormats.animatic}
       </button>
       <ImportFile />
       <select
@@ -80,7 +80,7 @@ function Tools() {
       >
         {WAYS.map((way) => (
           <option key={way} value={way}>
-            {way === 'pdf' || way === 'zip' ? strings.boards.ways[way] : strings.formats[way]}
+            {way === 'pdf' || way === 'zip' ? strings.boards.ways[way] : strings.exportFormats[way]}
           </option>
         ))}
       </select>

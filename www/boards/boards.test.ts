@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
 import { fakeApp } from '../document/testing.ts';
 import { createBoards } from './boards.ts';
+import type { PageDocument, Word } from '../engine/types.ts';
 
 test('films of one name are listed by their keys, with the timecodes of their cameras', () => {
   const { store } = fakeApp();
@@ -23,4 +24,31 @@ test('films of one name are listed by their keys, with the timecodes of their ca
     ['two', { key: 'b', name: 'C0001.MP4', time: 1.2, length: 2, timecode: undefined }],
     ['photo', undefined],
   ]);
+});
+
+test('the shots follow the pages, with their balloons and captions as dialogue, and unused photos come last', async () => {
+  const app = fakeApp();
+  await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg', 'd.jpg'));
+  const { store } = app;
+  const [a, b, c, d] = store.photos.value.map(({ id }) => id);
+  const page = store.page.value as PageDocument;
+  const words = [
+    { kind: 'balloon', text: 'And *you*?', panel: 0, x: 0.5, y: 0.8, craft: 2 },
+    { kind: 'caption', text: 'Later', panel: 0, x: 0.2, y: 0.1 },
+    { kind: 'effect', text: 'BANG', panel: 0, x: 0.5, y: 0.5 },
+    { kind: 'balloon', text: 'Me?', panel: 1, x: 0.5, y: 0.5, by: 'Ann' },
+  ] as Word[];
+  const panels = [c, a].map((photo) => ({ ...page.panels[0], photo }));
+  store.change({ type: 'change-page', page: { ...page, layout: 'grid-2', panels, words, merges: [] } });
+  const boards = createBoards({ store, engine: {} as any, chooseStyle: () => {} });
+  expect(boards.rows.value.map(({ id }) => id)).toEqual([c, a, b, d]);
+  const dialogue = () => boards.shotList().shots.map((shot) => shot.dialogue);
+  expect(dialogue()).toEqual(['Later\nAnd you?', 'Ann: Me?', '', '']);
+  boards.put({ row: 1, column: boards.columns.value.findIndex(({ id }) => id === 'dialogue') }, [['Mine']]);
+  expect(dialogue()).toEqual(['Later\nAnd you?', 'Mine', '', '']);
+  // A shot that is moved by hand stays there, until the pages give the order again.
+  boards.move(3, 0);
+  expect(boards.rows.value.map(({ id }) => id)).toEqual([d, c, a, b]);
+  boards.followPages();
+  expect(boards.rows.value.map(({ id }) => id)).toEqual([c, a, b, d]);
 });

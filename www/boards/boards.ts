@@ -1,6 +1,6 @@
 /**
- * The album as a board: its shots in order, the edits that change them, its sheets as pages, and its lists as files. All that
- * is told of a shot stands with its photo in the document.
+ * The pages as a board: their photos as shots in reading order, then the photos that no page shows; the edits that change them,
+ * the sheets, and the lists as files. All that is told of a shot stands with its photo in the document.
  */
 
 import { computed } from '@preact/signals';
@@ -11,6 +11,7 @@ import type { Board, ListedShot, PageDocument, Shot, ShotList } from '../engine/
 import { sizeId } from '../page/paper.ts';
 import { strings } from '../strings/strings.ts';
 import { createLogos } from './logos.ts';
+import { shotsOf } from './page-shots.ts';
 import type { ShotRow } from './shots.ts';
 import {
   ASPECTS,
@@ -50,13 +51,15 @@ export function createBoards({
 }) {
   const logoOf = createLogos(engine);
   const board = computed(() => store.project.value.board ?? NO_BOARD);
+  /** What the pages tell of the shots. Sheets of a board are not pages of the comic. */
+  const pageShots = computed(() => shotsOf(store.sheets.value.filter(isComic), store.planner.value));
   const rows = computed((): readonly ShotRow[] => {
     const items = new Map(store.tray.value.map((item) => [item.id, item]));
-    const ids = ordered(
-      board.value.order,
-      store.photos.value.map(({ id }) => id),
-    );
-    return numbered(ids.map((id) => ({ id, shot: items.get(id)?.shot ?? {} })));
+    const used = store.photos.value.map(({ id }) => id);
+    const there = new Set(used);
+    const onPages = [...pageShots.value.keys()].filter((id) => there.has(id));
+    const ids = ordered(board.value.order, [...new Set([...onPages, ...used])]);
+    return numbered(ids.map((id) => ({ id, shot: items.get(id)?.shot ?? {}, said: pageShots.value.get(id) ?? '' })));
   });
   const columns = computed((): readonly Column[] => [
     ...(['scene', 'number'] as const).map((id) => ({ kind: 'field' as const, id })),
@@ -67,16 +70,32 @@ export function createBoards({
   /** Frames of all shots together. */
   const total = computed(() => rows.value.reduce((sum, { shot }) => sum + framesOf(shot), 0));
 
-  return { board, rows, columns, total, textOf, put, describe, change, move, addColumn, shotList, sheets, filmBoard };
+  return {
+    board,
+    rows,
+    columns,
+    total,
+    textOf,
+    put,
+    describe,
+    change,
+    move,
+    followPages,
+    addColumn,
+    shotList,
+    sheets,
+    filmBoard,
+  };
 
   function framesOf(shot: Shot) {
     return shot.frames ?? USUAL_SECONDS * board.value.fps;
   }
 
   /** What stands in a cell. */
-  function textOf(shot: Shot, { kind, id }: Column): string {
+  function textOf({ shot, said }: Pick<ShotRow, 'shot' | 'said'>, { kind, id }: Column): string {
     if (kind === 'own') return shot.more?.[id] ?? '';
     if (kind === 'length') return shot.frames === undefined ? '' : lengthText(shot.frames, board.value);
+    if (id === 'dialogue') return shot.dialogue ?? said;
     return shot[id as 'action'] ?? '';
   }
 
@@ -129,6 +148,11 @@ export function createBoards({
     change({ order: ids });
   }
 
+  /** Gives the shots the order of the pages again. */
+  function followPages() {
+    change({ order: [] });
+  }
+
   /** @returns whether there is such a column now */
   function addColumn(name: string): boolean {
     const plain = name.trim().slice(0, MOST.label);
@@ -143,7 +167,7 @@ export function createBoards({
     const { fps, pace, columns: own } = board.peek();
     const album = store.album.peek();
     const videos = store.videos.peek();
-    const shots = rows.peek().map(({ id, number, shot }): ListedShot => {
+    const shots = rows.peek().map(({ id, number, shot, said }): ListedShot => {
       const fact = album.get(id);
       const video = fact?.video === undefined ? undefined : videos.get(fact.video);
       const { number: _, ...told } = shot;
@@ -154,7 +178,7 @@ export function createBoards({
         length: video.duration ?? undefined,
         timecode: video.timecode,
       };
-      return { ...UNTOLD, ...told, number, name: fact?.name ?? id, ...(film && { film }) };
+      return { ...UNTOLD, dialogue: said, ...told, number, name: fact?.name ?? id, ...(film && { film }) };
     });
     const { heading } = strings.boards;
     const title = store.project.peek().name;

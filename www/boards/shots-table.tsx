@@ -33,7 +33,7 @@ export function ShotsTable() {
   }
 
   async function copy() {
-    const lines = rows.map((row) => columns.map((column) => tabless(boards.textOf(row.shot, column))).join('\t'));
+    const lines = rows.map((row) => columns.map((column) => tabless(boards.textOf(row, column))).join('\t'));
     try {
       await navigator.clipboard.writeText([columns.map(headingOf).join('\t'), ...lines].join('\n'));
       messages.note(strings.boards.copied);
@@ -48,6 +48,12 @@ export function ShotsTable() {
         <p>
           {strings.boards.count(rows.length)} · <b>{lengthText(boards.total.value, board)}</b>
         </p>
+        {board.order.length > 0 && (
+          <button type="button" class="button" onClick={boards.followPages}>
+            <Icon name="reset" />
+            {strings.boards.followPages}
+          </button>
+        )}
         <NewColumn />
         <button type="button" class="button" onClick={() => void copy()}>
           <Icon name="duplicate" />
@@ -189,6 +195,14 @@ function Row({
         </td>
       ))}
       <td class="shot-order">
+        <span
+          class="shot-handle"
+          aria-hidden="true"
+          title={strings.boards.dragHelp}
+          onPointerDown={(event) => drag.take(event, at)}
+        >
+          <Icon name="handle" />
+        </span>
         <IconButton icon="unfold" label={strings.boards.up(row.number)} disabled={at === 0} onClick={() => carry(-1)} />
         <IconButton icon="fold" label={strings.boards.down(row.number)} disabled={last} onClick={() => carry(1)} />
       </td>
@@ -211,7 +225,7 @@ function Cell({
 }) {
   const { boards, messages } = useApp();
   const ref = useRef(null as HTMLTextAreaElement | null);
-  const told = boards.textOf(row.shot, column);
+  const told = boards.textOf(row, column);
   const [typed, setTyped] = useState(null as string | null);
   const text = typed ?? told;
   const name = `${headingOf(column)}, ${strings.boards.shot(row.number)}`;

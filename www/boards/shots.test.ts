@@ -22,6 +22,16 @@ test('lengths are read as people write them, and back as they are told', () => {
   );
 });
 
+test('lengths have units', () => {
+  expect([48, 60, 12, 1596, 1440].map((frames) => lengthText(frames, { fps: 24 }))).toEqual([
+    '2 s',
+    '2 s 12 f',
+    '12 f',
+    '1 min 6 s 12 f',
+    '1 min',
+  ]);
+});
+
 test('at 29.97 DF lengths are told as time codes that leave numbers out', () => {
   // The cases of `src/output/shots/timecode.rs`.
   const drop = RATES['29.97 DF'];

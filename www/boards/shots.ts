@@ -5,7 +5,8 @@
 
 import type { Board, Shot } from '../engine/types.ts';
 
-export type ShotRow = { id: string; number: string; shot: Shot };
+/** `said`: the dialogue on the pages, for a shot without a dialogue. */
+export type ShotRow = { id: string; number: string; shot: Shot; said: string };
 /** The fields that are text and that every board has, in the order of the list. */
 export const FIELDS = ['scene', 'number', 'action', 'dialogue', 'notes'] as const;
 export type Field = (typeof FIELDS)[number];
@@ -65,12 +66,12 @@ export function ordered(order: readonly string[], photos: readonly string[]): st
 }
 
 /** As `numbers` there: a shot's own, else what is counted of those without. */
-export function numbered(rows: readonly { id: string; shot: Shot }[]): ShotRow[] {
+export function numbered(rows: readonly (Pick<ShotRow, 'id' | 'shot'> & { said?: string })[]): ShotRow[] {
   let counted = 0;
-  return rows.map(({ id, shot }) => {
-    const own = shot.number?.trim();
+  return rows.map((row) => {
+    const own = row.shot.number?.trim();
     if (!own) counted += 1;
-    return { id, shot, number: own || String(counted) };
+    return { said: '', ...row, number: own || String(counted) };
   });
 }
 
@@ -80,8 +81,22 @@ export function rateName({ fps, pace = 'clock' }: Rate): string {
   return Object.entries(RATES).find(([, rate]) => same(rate))?.[0] ?? String(fps);
 }
 
-/** @returns `m:ss:ff`, such as `0:02:12`; at 29.97 DF `m:ss;ff`, as `Rate::timecode` counts in `src/output/shots/timecode.rs` */
+/**
+ * Returns a length with units, such as `2 s` or `1 min 4 s 12 f`. A counted second of 23.976 or 29.97 frames per second is
+ * longer than a second, so that these rates have time codes: `m:ss:ff`, and `m:ss;ff` at 29.97 DF, as `Rate::timecode` counts in
+ * `src/output/shots/timecode.rs`.
+ */
 export function lengthText(frames: number, { fps, pace }: Rate): string {
+  if (!pace || pace === 'clock') {
+    const seconds = Math.floor(frames / fps);
+    const parts = [
+      [Math.floor(seconds / 60), 'min'],
+      [seconds % 60, 's'],
+      [frames % fps, 'f'],
+    ] as const;
+    const told = parts.filter(([amount]) => amount > 0).map(([amount, unit]) => `${amount} ${unit}`);
+    return told.join(' ') || '0 s';
+  }
   const number = pace === 'drop' ? withDropped(frames, fps) : frames;
   const seconds = Math.floor(number / fps);
   const two = (value: number) => String(value).padStart(2, '0');
@@ -105,7 +120,7 @@ function withoutDropped(number: number, fps: number): number {
 
 /**
  * A length as people write it: `2` or `2.5` are seconds, `36f` are frames, `2:12` are seconds and frames, `0:02:12` has minutes
- * before them, `0:00:02:12` hours. At 29.97 DF what is told in seconds and frames is a time code.
+ * before them, `0:00:02:12` hours; `1 min 4 s 12 f` has units. At 29.97 DF what is told in seconds and frames is a time code.
  * @returns frames; null for nothing, undefined for what is no length
  */
 export function lengthOf(text: string, { fps, pace }: Rate, most: number): number | null | undefined {
@@ -113,6 +128,7 @@ export function lengthOf(text: string, { fps, pace }: Rate, most: number): numbe
   if (plain === '') return null;
   const frames = /^(\d+)\s*f$/.exec(plain);
   const seconds = /^(\d+(?:\.\d+)?)\s*s?$/.exec(plain);
+  const units = /^(?:(\d+)\s*min)?\s*(?:(\d+)\s*s)?\s*(?:(\d+)\s*f)?$/.exec(plain);
   const parts = /^\d+(?:[:;]\d+){1,3}$/.test(plain) ? plain.split(/[:;]/).map(Number) : null;
   let count = Number.NaN;
   if (frames) count = Number(frames[1]);
@@ -121,6 +137,9 @@ export function lengthOf(text: string, { fps, pace }: Rate, most: number): numbe
     const [frame, ...up] = parts.toReversed();
     const number = frame + fps * up.reduce((sum, part, i) => sum + part * 60 ** i, 0);
     count = pace === 'drop' ? withoutDropped(number, fps) : number;
+  } else if (units) {
+    const [minutes, whole, rest] = units.slice(1).map((part) => Number(part ?? 0));
+    count = (60 * minutes + whole) * fps + rest;
   }
   return Number.isFinite(count) && count >= 1 ? Math.min(count, most) : undefined;
 }

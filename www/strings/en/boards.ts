@@ -26,6 +26,7 @@ export const boardsStrings = {
     up: (number: string) => `Move shot ${number} up`,
     down: (number: string) => `Move shot ${number} down`,
     help: 'Enter moves to the next shot, Tab to the next field. Escape discards the text that you typed. Alt with an arrow key moves the shot. Enter a length as seconds (2), seconds and frames (2:12) or frames (36f). You can paste cells from a spreadsheet.',
+    followPages: 'Use the page order',
     dragHelp: 'Drag to move.',
     copy: 'Copy list',
     copied: 'The list was copied. You can paste it into a spreadsheet.',

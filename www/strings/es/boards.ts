@@ -37,6 +37,7 @@ export const boardsStrings = {
     up: (number: string) => `Subir el plano ${number}`,
     down: (number: string) => `Bajar el plano ${number}`,
     help: 'Intro pasa al plano siguiente, Tab al campo siguiente y Escape descarta lo escrito. Alt con las flechas mueve un plano. Las duraciones son segundos (2), segundos y fotogramas (2:12) o fotogramas (36f). Se pueden pegar celdas de una hoja de cálculo.',
+    followPages: 'Usar el orden de las páginas',
     dragHelp: 'Arrastra para moverlo.',
     copy: 'Copiar la lista',
     copied: 'La lista se ha copiado. Puedes pegarla en una hoja de cálculo.',

@@ -26,6 +26,7 @@ export const boardsStrings = {
     up: (number: string) => `Monter le plan ${number}`,
     down: (number: string) => `Descendre le plan ${number}`,
     help: 'Entrée passe au plan suivant, Tab au champ suivant, Échap abandonne la saisie. Alt avec les flèches déplace un plan. Les durées sont en secondes (2), en secondes et images (2:12) ou en images (36f). On peut coller les cellules d’un tableur.',
+    followPages: 'Suivre l’ordre des pages',
     dragHelp: 'Faites glisser pour le déplacer.',
     copy: 'Copier la liste',
     copied: 'La liste a été copiée. Vous pouvez la coller dans un tableur.',

@@ -19,6 +19,7 @@ export const boardsStrings = {
     up: (number: string) => `ショット ${number} を上へ`,
     down: (number: string) => `ショット ${number} を下へ`,
     help: 'Enter で次のショット、Tab で次の欄へ進み、Escape で入力を取り消します。Alt と矢印キーでショットを動かします。長さは秒（2）、秒とフレーム（2:12）、フレーム（36f）で書きます。表計算のセルを貼り付けられます。',
+    followPages: 'ページの順に戻す',
     dragHelp: 'ドラッグすると順番を変えられます。',
     copy: '一覧をコピー',
     copied: '一覧をコピーしました。表計算に貼り付けられます。',

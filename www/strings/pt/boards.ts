@@ -19,6 +19,7 @@ export const boardsStrings = {
     up: (number: string) => `Subir o plano ${number}`,
     down: (number: string) => `Descer o plano ${number}`,
     help: 'Enter vai ao próximo plano, Tab ao próximo campo, Escape desiste do que foi digitado. Alt com as setas move um plano. As durações são segundos (2), segundos e quadros (2:12) ou quadros (36f). Células de uma planilha podem ser coladas.',
+    followPages: 'Usar a ordem das páginas',
     dragHelp: 'Arraste para mudar de lugar.',
     copy: 'Copiar a lista',
     copied: 'A lista foi copiada. Você pode colá-la em uma planilha.',

@@ -5,7 +5,7 @@ import { execFile } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { promisify } from 'node:util';
 import { probed } from '../film-hands.js';
-import { saved } from '../export-hands.js';
+import { chooseFormat, saved } from '../export-hands.js';
 import {
   accessible,
   expect,
@@ -75,7 +75,7 @@ test('keyboard: photos are added, fields are typed, and the board and the shot l
   await keyboard.type('99');
   await keyboard.press('Escape');
   await expect(shots.getByRole('textbox', { name: 'Shot, shot 2' })).toHaveValue('');
-  await expect(shots).toContainText('0:11:12');
+  await expect(shots).toContainText('11 s 12 f');
 
   const ways = page.getByRole('combobox', { name: 'Save as' });
   const board = await saved(page, () => page.getByRole('button', { name: 'Save storyboard' }).press('Enter'));
@@ -168,14 +168,14 @@ test('spreadsheet cells are pasted, shots are moved, and a custom column is adde
   await expect(cell('Lens, shot 1')).toHaveValue('50');
 });
 
-test('a drag of its picture moves a shot in the list, as one undo step', async ({ page }) => {
+test('a drag of its handle moves a shot in the list, as one undo step', async ({ page }) => {
   await openBoard(page);
   const shots = await openShots(page);
   const names = () =>
     shots.locator('.shot-picture').evaluateAll((list) => list.map((one) => one.getAttribute('title')?.split('\n')[0]));
   const [first, second, third, ...rest] = await names();
   const middle = async (/** @type {number} */ n) => {
-    const box = await shots.locator('.shot-picture').nth(n).boundingBox();
+    const box = await shots.locator('.shot-handle').nth(n).boundingBox();
     if (!box) throw new Error(`no shot ${n}`);
     return [box.x + box.width / 2, box.y + box.height / 2];
   };
@@ -223,7 +223,7 @@ test('tables and screenplays of other programs are read as they are meant', asyn
   // As Excel saves it in German, with the numbers of the production.
   await take('liste.csv', 'sep=;\r\nSzene;Einstellung;Dauer;Handlung\r\n1;101;2:12;Öffnet die Tür\r\n1;102;;Geht\r\n');
   await expect(cell('Action, shot 101')).toHaveValue('Öffnet die Tür');
-  await expect(cell('Length, shot 101')).toHaveValue('0:02:12');
+  await expect(cell('Length, shot 101')).toHaveValue('2 s 12 f');
   await expect(cell('Shot, shot 102')).toHaveValue('102');
   await expect(shots.getByRole('textbox', { name: /^sep=/ })).toHaveCount(0);
   await expect(page.getByRole('alert').filter({ hasText: 'liste.csv: it is not UTF-8' })).toBeVisible();
@@ -367,13 +367,13 @@ test('Export saves four formats of shot lists', async ({ page }) => {
   await page.getByRole('button', { name: 'Export', exact: true }).click();
   const dialog = page.getByRole('dialog');
   for (const [name, start] of [
-    ['Shot list', '\ufeffScene,'],
-    ['EDL', 'TITLE: '],
-    ['OTIO', '{'],
-    ['Final Cut XML', '<?xml'],
+    ['csv', '\ufeffScene,'],
+    ['edl', 'TITLE: '],
+    ['otio', '{'],
+    ['xml', '<?xml'],
   ]) {
     if (!(await dialog.isVisible())) await page.getByRole('button', { name: 'Export', exact: true }).click();
-    await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: name });
+    await chooseFormat(dialog, name);
     const { path } = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
     expect((await readFile(path, 'utf8')).startsWith(start), name).toBe(true);
   }
@@ -385,7 +385,7 @@ test('a drop-frame rate changes lengths and lists, as one undo step', async ({ p
   const length = shots.getByRole('textbox', { name: 'Length, shot 1' });
   await length.fill('1:00:02');
   await length.press('Enter');
-  await expect(length).toHaveValue('1:00:02');
+  await expect(length).toHaveValue('1 min 2 f');
   const rate = page.getByRole('combobox', { name: 'Frames per second' });
   const names = await rate.getByRole('option').allTextContents();
   expect(names).toEqual(['23.976', '24', '25', '29.97 NDF', '29.97 DF', '30']);
@@ -399,7 +399,7 @@ test('a drop-frame rate changes lengths and lists, as one undo step', async ({ p
   expect(text).toContain('00:00:00;00 00:01:00;05 01:00:00;00 01:01:00;05');
   await page.getByRole('button', { name: 'Undo', exact: true }).click();
   await expect(rate).toHaveValue('24');
-  await expect(length).toHaveValue('1:00:02');
+  await expect(length).toHaveValue('1 min 2 f');
 });
 
 for (const size of [
