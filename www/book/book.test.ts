@@ -27,6 +27,19 @@ describe('adding a page', () => {
     expect(store.sheets.value[1].panels.length).toBeGreaterThan(1);
   });
 
+  test('reports photos that are on another page already, and only those', async () => {
+    const { book, messages, shown } = await opened(7);
+    book.add();
+    const [first, second] = shown();
+    const repeated = second.filter((photo) => first.includes(photo)).length;
+    expect(messages.list.value.map(({ text }) => text)).toEqual([
+      `There are not enough unused photos. This page repeats ${repeated} photos.`,
+    ]);
+    const { book: other, messages: quiet } = await opened(12);
+    other.add();
+    expect(quiet.list.value).toEqual([]);
+  });
+
   test('is one step, which undo takes back', () => {
     const { book, pages, store } = app;
     const before = store.project.value;

@@ -91,7 +91,10 @@ export function createBook({
     if (!fresh) return;
     onKept(page);
     const added = { page: fresh, ...store.fresh() };
+    const elsewhere = photosOn(store.sheets.peek());
+    const repeated = [...photosOn([fresh])].filter((photo) => elsewhere.has(photo)).length;
     set(sheetsOf(store.project.peek()).toSpliced(at + 1, 0, added), at + 1);
+    if (repeated > 0) messages.note(strings.book.repeats(repeated));
   }
 
   /** Takes this page out of the storyboard; its photos are free for the others. */

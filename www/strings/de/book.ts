@@ -23,6 +23,10 @@ export const bookStrings = {
     reading: 'Die Fotos werden noch gelesen.',
     removed: (n: number) => `Seite ${n} wurde entfernt.`,
     spread: (n: number, on: number) => `${photos(n)} auf ${pages(on)}.`,
+    repeats: (n: number) =>
+      n === 1
+        ? 'Es gibt nicht genug unbenutzte Fotos. Diese Seite wiederholt 1 Foto.'
+        : `Es gibt nicht genug unbenutzte Fotos. Diese Seite wiederholt ${n} Fotos.`,
     takeBack: 'Seiten wiederherstellen',
     dragHelp: 'Zum Verschieben ziehen, oder Alt mit einer Pfeiltaste',
   },

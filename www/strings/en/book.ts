@@ -24,6 +24,7 @@ export const bookStrings = {
     reading: 'Inkpanel is still reading the photos.',
     removed: (n: number) => `Page ${n} was removed.`,
     spread: (photos: number, pages: number) => `${count(photos, 'photo')} on ${count(pages, 'page')}.`,
+    repeats: (n: number) => `There are not enough unused photos. This page repeats ${count(n, 'photo')}.`,
     takeBack: 'Restore pages',
     dragHelp: 'Drag to move, or press Alt with an arrow key',
   },

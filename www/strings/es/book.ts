@@ -22,6 +22,10 @@ export const bookStrings = {
     reading: 'Las fotos aún se están leyendo.',
     removed: (n: number) => `Se ha quitado la página ${n}.`,
     spread: (photos: number, pages: number) => `${count(photos, 'foto')} en ${count(pages, 'página')}.`,
+    repeats: (n: number) =>
+      n === 1
+        ? 'No hay suficientes fotos sin usar. Esta página repite 1 foto.'
+        : `No hay suficientes fotos sin usar. Esta página repite ${n} fotos.`,
     takeBack: 'Restaurar páginas',
     dragHelp: 'Arrástrala para moverla, o Alt con una flecha',
   },

@@ -23,6 +23,10 @@ export const bookStrings = {
     reading: 'Les photos sont encore en cours de lecture.',
     removed: (n: number) => `La page ${n} a été retirée.`,
     spread: (n: number, on: number) => `${photos(n)} sur ${pages(on)}.`,
+    repeats: (n: number) =>
+      n === 1
+        ? 'Il n’y a pas assez de photos inutilisées. Cette page répète 1 photo.'
+        : `Il n’y a pas assez de photos inutilisées. Cette page répète ${n} photos.`,
     takeBack: 'Restaurer les pages',
     dragHelp: 'Faites-la glisser pour la déplacer, ou Alt avec une flèche',
   },

@@ -20,6 +20,7 @@ export const bookStrings = {
     reading: '写真をまだ読み込んでいます。',
     removed: (n: number) => `${n}ページを削除しました。`,
     spread: (photos: number, pages: number) => `写真${photos}枚を${pages}ページに並べました。`,
+    repeats: (n: number) => `未使用の写真が足りません。このページでは${n}枚の写真を繰り返しています。`,
     takeBack: 'ページを元に戻す',
     dragHelp: 'ドラッグか、Altキーと矢印キーで移動できます',
   },

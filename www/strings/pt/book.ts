@@ -23,6 +23,10 @@ export const bookStrings = {
     reading: 'As fotos ainda estão sendo lidas.',
     removed: (n: number) => `A página ${n} foi removida.`,
     spread: (n: number, on: number) => `${photos(n)} em ${pages(on)}.`,
+    repeats: (n: number) =>
+      n === 1
+        ? 'Não há fotos sem uso suficientes. Esta página repete 1 foto.'
+        : `Não há fotos sem uso suficientes. Esta página repete ${n} fotos.`,
     takeBack: 'Restaurar páginas',
     dragHelp: 'Arraste para mover, ou Alt com uma seta',
   },
