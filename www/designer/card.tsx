@@ -24,7 +24,6 @@ export function Card({
   last,
   misfit,
   marked,
-  ms,
   picture,
   carried,
   onTake,
@@ -36,7 +35,6 @@ export function Card({
   last: boolean;
   misfit: Misfit | null;
   marked: '' | 'before' | 'behind';
-  ms?: number;
   picture?: ImageBitmap;
   carried: boolean;
   onTake: (event: PointerEvent) => void;
@@ -121,7 +119,6 @@ export function Card({
           <h4>
             <BlockName block={block} />
           </h4>
-          <span class="count">{ms !== undefined && !step.bypass ? strings.milliseconds(ms) : ''}</span>
         </div>
         <span class="card-handle" aria-hidden="true">
           <Icon name="handle" />

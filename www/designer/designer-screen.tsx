@@ -17,14 +17,9 @@ import { Preview } from './preview.tsx';
 import { StyleBar } from './style-bar.tsx';
 import type { Designed } from '../engine/design.ts';
 
-const NOTHING: { times: ReadonlyMap<number, number>; stages: ReadonlyMap<number, ImageBitmap> } = {
-  times: new Map(),
-  stages: new Map(),
-};
-
 export function Designer() {
   const { store, designer, ui } = useApp();
-  const [drawn, setDrawn] = useState(NOTHING);
+  const [stages, setStages] = useState(new Map() as ReadonlyMap<number, ImageBitmap>);
   const [adding, setAdding] = useState(false);
   const opener = useRef(null as HTMLButtonElement | null);
   const draft = designer.draft.value;
@@ -53,8 +48,8 @@ export function Designer() {
   );
   if (!draft) return null;
 
-  function onStages({ times, stages }: Designed) {
-    setDrawn({ times: new Map(times), stages: new Map(stages.map(({ place, bitmap }) => [place, bitmap])) });
+  function onStages({ stages }: Designed) {
+    setStages(new Map(stages.map(({ place, bitmap }) => [place, bitmap])));
   }
 
   function closePalette() {
@@ -63,7 +58,6 @@ export function Designer() {
   }
 
   const empty = LAYERS.every((layer) => draft[layer].length === 0);
-  const total = [...drawn.times.values()].reduce((sum, ms) => sum + ms, 0);
   const { carried } = drag;
   const lifted = carried?.block !== undefined ? designer.blocks.value.find(({ id }) => id === carried.block) : null;
   return (
@@ -94,7 +88,6 @@ export function Designer() {
             <Icon name="add" />
             {strings.addBlock}
           </button>
-          {drawn.times.size > 0 && <span class="count">{strings.totalTime(strings.milliseconds(total))}</span>}
         </header>
         <div class="lanes">
           {LAYERS.map((layer) => (
@@ -103,7 +96,7 @@ export function Designer() {
               layer={layer}
               draft={draft}
               drag={drag}
-              drawn={drawn}
+              stages={stages}
               adding={adding}
               onAdd={(at) => {
                 designer.place.value = { layer, at };

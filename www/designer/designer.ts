@@ -17,6 +17,15 @@ export type Designer = ReturnType<typeof createDesigner>;
 
 export const LAYERS: readonly Layer[] = ['background', 'foreground'];
 
+/** Blocks that show nothing useful without the block after them: pen lines are gray until a threshold makes ink and paper. */
+const FOLLOWERS: Readonly<Record<string, string>> = { xdog: 'soft_threshold' };
+
+/** Returns the block that comes with another one, unless it is the next block already. */
+export function followerOf(block: string, next: string | undefined): string | null {
+  const follower = FOLLOWERS[block] ?? null;
+  return follower === next ? null : follower;
+}
+
 export function createDesigner({
   store,
   pages,
@@ -123,19 +132,20 @@ export function createDesigner({
   }
 
   /**
-   * Inserts a block before another one, and the blocks that it needs before it.
+   * Inserts a block before another one, and the blocks that it needs before and after it.
    * @returns its position; null if the layer is full
    */
   function insert(block: string, { layer, at }: Place): Place | null {
     const count = draft.peek()?.[layer].length ?? 0;
     const before = factsBefore({ layer, at })?.[layer].brings[block];
-    const blocks = before ? [before.remedy, block] : [block];
+    const after = followerOf(block, draft.peek()?.[layer][at]?.block);
+    const blocks = [...(before ? [before.remedy] : []), block, ...(after ? [after] : [])];
     if (count + blocks.length > MOST.blocks) {
       messages.alert(strings.fullLayer);
       return null;
     }
     change({ type: 'add', layer, at, blocks });
-    return { layer, at: at + blocks.length - 1 };
+    return { layer, at: at + (before ? 1 : 0) };
   }
 
   function change(change: DraftEdit) {

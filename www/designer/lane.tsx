@@ -17,7 +17,7 @@ export function Lane({
   layer,
   draft,
   drag,
-  drawn,
+  stages,
   adding,
   onAdd,
 }: {
@@ -28,7 +28,7 @@ export function Lane({
   adding: boolean;
   /** Opens the palette for a block before that one, or at the end. */
   onAdd: (at: number | null) => void;
-  drawn: { times: ReadonlyMap<number, number>; stages: ReadonlyMap<number, ImageBitmap> };
+  stages: ReadonlyMap<number, ImageBitmap>;
 }) {
   const { designer } = useApp();
   const { carried, take } = drag;
@@ -72,8 +72,7 @@ export function Lane({
             last={at === steps.length - 1}
             misfit={misfits[at] ?? null}
             marked={gap === at ? 'before' : gap === steps.length && at === steps.length - 1 ? 'behind' : ''}
-            ms={drawn.times.get(first + at)}
-            picture={drawn.stages.get(first + at)}
+            picture={stages.get(first + at)}
             carried={carried?.from?.layer === layer && carried.from.at === at}
             onTake={(event) => take(event, { from: { layer, at } })}
             onInsert={() => onAdd(at)}

@@ -5,7 +5,7 @@
 
 import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { MOST } from '../document/limits.ts';
-import { LAYERS } from './designer.ts';
+import { followerOf, LAYERS } from './designer.ts';
 import { strings } from '../strings/strings.ts';
 import { Bitmap } from '../ui/bitmap.tsx';
 import { IconButton } from '../ui/button.tsx';
@@ -27,7 +27,7 @@ const TELLING: Record<string, Record<string, ParamValue>> = {
 };
 
 export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: () => void; onAdded: () => void }) {
-  const { store, designer, engine } = useApp();
+  const { store, designer, engine, ui } = useApp();
   const [words, setWords] = useState('');
   const field = useRef(null as HTMLInputElement | null);
   const hero = useHero();
@@ -48,11 +48,16 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
     [facts, layer, blocks],
   );
   // What is typed next is searched for.
-  useLayoutEffect(() => field.current?.focus(), []);
+  useLayoutEffect(() => field.current?.focus(), [layer, at]);
 
   function add(block: Block) {
     const place = designer.insert(block.id, { layer, at: to });
     if (!place) return;
+    // The palette stays open for more blocks. A place that was named is for one, and on a small screen it hides the lanes.
+    if (ui.wide.peek() && at === null) {
+      setWords('');
+      return;
+    }
     onAdded();
     focusCard(place);
   }
@@ -117,7 +122,12 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
       <ul class="palette-blocks">
         {found.map((block) => {
           const before = brings[block.id];
-          const note = before ? strings.brings[before.lacks] : '';
+          const after = blocks.find(({ id }) => id === followerOf(block.id, steps[to]?.block));
+          const notes = [
+            before ? strings.brings[before.lacks] : '',
+            after ? strings.bringsAfter(strings.blockName(after)) : '',
+          ];
+          const note = notes.filter(Boolean).join(' ');
           return (
             <li key={block.id}>
               <button
@@ -125,7 +135,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
                 class="palette-block"
                 title={strings.blockHelp(block)}
                 aria-description={[strings.blockHelp(block), note].filter(Boolean).join(' ')}
-                disabled={steps.length + (before ? 2 : 1) > MOST.blocks}
+                disabled={steps.length + 1 + Number(!!before) + Number(!!after) > MOST.blocks}
                 onPointerDown={(event) => drag.take(event, { block: block.id })}
                 onClick={() => add(block)}
               >
@@ -170,10 +180,12 @@ function search(blocks: readonly Block[], words: string): Block[] {
 /** A style of the layer up to that point and the block. */
 function styleWith(facts: DraftFacts, layer: Layer, block: Block): Style {
   const before = facts[layer].brings[block.id];
+  const after = [followerOf(block.id, undefined) ?? []].flat();
   const steps = [
     ...(facts.shown[layer] ?? []),
     ...(before ? [{ block: before.remedy }] : []),
     { block: block.id, ...TELLING[block.id] },
+    ...after.map((id) => ({ block: id })),
   ];
   return { id: 'palette', name: 'palette', tags: [], background: steps.slice(-MOST.blocks) };
 }

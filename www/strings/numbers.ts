@@ -70,7 +70,6 @@ export function numbersIn(locale: string) {
     percent: (part: number, digits = 0) => format(part, digits, { style: 'percent' }),
     fileSize: (bytes: number) =>
       bytes < 1e6 ? unit(Math.max(1, bytes / 1e3), 'kilobyte', 0) : unit(bytes / 1e6, 'megabyte', bytes < 1e7 ? 1 : 0),
-    milliseconds: (value: number) => unit(value, 'millisecond', value < 10 ? 1 : 0),
     /** @param time in milliseconds since 1970 */
     moment: (time: number) => new Date(time).toLocaleString(locale, { dateStyle: 'medium', timeStyle: 'short' }),
     listed: (things: readonly string[]) => new Intl.ListFormat(locale).format(things),

@@ -38,7 +38,9 @@ export async function drawn(page) {
 
 /** @param {Page} page @param {string} block @param {LayerName} [layer] */
 export async function addBlock(page, block, layer = 'Background layer') {
-  await page.getByRole('button', { name: 'Add block' }).click();
+  // On a large screen the palette stays open.
+  const opener = page.getByRole('button', { name: 'Add block' });
+  if ((await opener.getAttribute('aria-expanded')) !== 'true') await opener.click();
   await page
     .getByRole('button', { name: layer === 'Background layer' ? 'Add to colours' : 'Add to lines', exact: true })
     .click();
@@ -60,6 +62,7 @@ export async function preview(page) {
 export async function invent(page) {
   await openBoard(page, FOUR);
   await page.getByRole('button', { name: 'Explore styles', exact: true }).click();
+  await page.locator('.dial-more summary').click();
   const seed = page.getByRole('spinbutton', { name: 'Seed' });
   await seed.fill('4');
   await seed.press('Enter');

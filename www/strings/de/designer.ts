@@ -73,12 +73,13 @@ export const designerStrings = {
   textureTooLarge: (name: string, kilobytes: number, most: number) =>
     `${name} hat ${kilobytes} kB, eine Textur höchstens ${most}. Speichere sie kleiner und wähle sie noch einmal.`,
   textureOfAnotherKind: (name: string) => `${name} ist weder ein PNG- noch ein JPEG-Bild.`,
-  totalTime: (time: string) => `${time} insgesamt`,
   lacks: {
     luma: 'Braucht Graustufen. Wird übersprungen, bis In Graustufen davor steht.',
     color: 'Braucht Farbe. Wird übersprungen, bis In Farbe davor steht.',
   },
   fix: { luma: 'In Graustufen davor setzen', color: 'In Farbe davor setzen' },
+  moreSettings: 'Mehr',
+  bringsAfter: (name: string) => `Kommt mit ${name}.`,
   brings: { luma: 'braucht Grau: bringt In Graustufen mit', color: 'braucht Farbe: bringt In Farbe mit' },
 
   preview: 'Vorschau',

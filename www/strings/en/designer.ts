@@ -75,12 +75,13 @@ export const designerStrings = {
   textureTooLarge: (name: string, kilobytes: number, most: number) =>
     `${name} has ${kilobytes} kB. A texture can have at most ${most} kB. Reduce the picture and choose it again.`,
   textureOfAnotherKind: (name: string) => `${name} is not a PNG or JPEG picture.`,
-  totalTime: (time: string) => `${time} in all`,
   lacks: {
     luma: 'Needs grayscale input. Skipped until you add To GrayScale before it.',
     color: 'Needs colour input. Skipped until you add To Color before it.',
   },
   fix: { luma: 'Add To GrayScale before it', color: 'Add To Color before it' },
+  moreSettings: 'More',
+  bringsAfter: (name: string) => `Comes with ${name}.`,
   brings: { luma: 'needs grayscale: also adds To GrayScale', color: 'needs colour: also adds To Color' },
 
   preview: 'Preview',

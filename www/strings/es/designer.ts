@@ -72,12 +72,13 @@ export const designerStrings = {
   textureTooLarge: (name: string, kilobytes: number, most: number) =>
     `${name} tiene ${kilobytes} kB; una textura, como mucho ${most}. Guárdala más pequeña y elígela otra vez.`,
   textureOfAnotherKind: (name: string) => `${name} no es una imagen PNG ni JPEG.`,
-  totalTime: (time: string) => `${time} en total`,
   lacks: {
     luma: 'Necesita escala de grises. Se omite hasta que pongas antes A escala de grises.',
     color: 'Necesita color. Se omite hasta que pongas antes A color.',
   },
   fix: { luma: 'Poner antes A escala de grises', color: 'Poner antes A color' },
+  moreSettings: 'Más',
+  bringsAfter: (name: string) => `Incluye ${name}.`,
   brings: { luma: 'necesita gris: trae A escala de grises', color: 'necesita color: trae A color' },
 
   preview: 'Vista previa',

@@ -75,12 +75,13 @@ export const designerStrings = {
   textureTooLarge: (name: string, kilobytes: number, most: number) =>
     `${name} pèse ${kilobytes} ko, une texture au plus ${most}. Enregistrez-la plus petite et choisissez-la de nouveau.`,
   textureOfAnotherKind: (name: string) => `${name} n’est ni une image PNG ni une image JPEG.`,
-  totalTime: (time: string) => `${time} en tout`,
   lacks: {
     luma: 'Il lui faut des niveaux de gris. Il est ignoré tant que En niveaux de gris n’est pas avant lui.',
     color: 'Il lui faut de la couleur. Il est ignoré tant que En couleur n’est pas avant lui.',
   },
   fix: { luma: 'Mettre En niveaux de gris avant', color: 'Mettre En couleur avant' },
+  moreSettings: 'Plus',
+  bringsAfter: (name: string) => `Vient avec ${name}.`,
   brings: {
     luma: 'il faut du gris : amène En niveaux de gris',
     color: 'il faut de la couleur : amène En couleur',

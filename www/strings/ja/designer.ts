@@ -75,12 +75,13 @@ export const designerStrings = {
   textureTooLarge: (name: string, kilobytes: number, most: number) =>
     `${name}は${kilobytes} kBあります。テクスチャは${most} kBまでです。小さく保存してから選び直してください。`,
   textureOfAnotherKind: (name: string) => `${name}はPNGでもJPEGでもありません。`,
-  totalTime: (time: string) => `合計${time}`,
   lacks: {
     luma: 'グレースケールの入力が必要です。前に「グレースケール化」を置くまで飛ばされます。',
     color: 'カラーの入力が必要です。前に「カラー化」を置くまで飛ばされます。',
   },
   fix: { luma: '前に「グレースケール化」を置く', color: '前に「カラー化」を置く' },
+  moreSettings: 'その他',
+  bringsAfter: (name: string) => `${name}も追加されます。`,
   brings: {
     luma: 'グレーが必要：「グレースケール化」も追加されます',
     color: 'カラーが必要：「カラー化」も追加されます',

@@ -72,12 +72,13 @@ export const designerStrings = {
   textureTooLarge: (name: string, kilobytes: number, most: number) =>
     `${name} tem ${kilobytes} kB; uma textura, no máximo ${most}. Salve-a menor e escolha-a de novo.`,
   textureOfAnotherKind: (name: string) => `${name} não é uma imagem PNG nem JPEG.`,
-  totalTime: (time: string) => `${time} no total`,
   lacks: {
     luma: 'Precisa de tons de cinza. É pulado até que Para tons de cinza venha antes.',
     color: 'Precisa de cor. É pulado até que Para cores venha antes.',
   },
   fix: { luma: 'Pôr Para tons de cinza antes', color: 'Pôr Para cores antes' },
+  moreSettings: 'Mais',
+  bringsAfter: (name: string) => `Vem com ${name}.`,
   brings: { luma: 'precisa de cinza: traz Para tons de cinza', color: 'precisa de cor: traz Para cores' },
 
   preview: 'Prévia',

@@ -177,6 +177,7 @@ test('a slider of the designer is moved, and the focus returns to the button of 
   await page.keyboard.press('Enter');
   await page.keyboard.type('Posterization');
   await page.keyboard.press('Enter');
+  await page.keyboard.press('Escape');
   await tabTo(page, 'Levels');
   const value = () => page.evaluate(() => /** @type {HTMLInputElement} */ (document.activeElement).value);
   const before = await value();

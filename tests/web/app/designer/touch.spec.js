@@ -24,7 +24,7 @@ test('a card is dragged by its handle, also to the other layer, and a swipe next
 }) => {
   await openDesigner(page);
   for (const block of ['Gaussian', 'Posterization', 'Saturation', 'XDoG']) await addBlock(page, block);
-  const all = ['Gaussian Smoothing', 'Posterization', 'Saturation', 'XDoG'];
+  const all = ['Gaussian Smoothing', 'Posterization', 'Saturation', 'XDoG', 'Soft Threshold'];
   expect(await names(page)).toEqual(all);
   const lanes = region(page).locator('.lanes');
   await lanes.evaluate((element) => {
@@ -37,7 +37,9 @@ test('a card is dragged by its handle, also to the other layer, and a swipe next
   if (!next) throw new Error('the element is not visible');
   const past = next.y + 0.55 * next.height;
   await touch(page, [way(await middle(handle(page, 0)), [next.x + next.width / 2, past])]);
-  await expect.poll(() => names(page)).toEqual(['Posterization', 'Gaussian Smoothing', 'Saturation', 'XDoG']);
+  await expect
+    .poll(() => names(page))
+    .toEqual(['Posterization', 'Gaussian Smoothing', 'Saturation', 'XDoG', 'Soft Threshold']);
   expect(await preview(page)).not.toBe(before);
   expect(await lanes.evaluate((element) => element.scrollTop)).toBe(0);
 
@@ -45,7 +47,7 @@ test('a card is dragged by its handle, also to the other layer, and a swipe next
   const lines = await middle(region(page).getByRole('list', { name: 'Foreground layer' }).locator('..').locator('h3'));
   await touch(page, [way(await middle(handle(page, 1)), [lines[0], lines[1] + 40])]);
   await expect.poll(() => names(page, 'Foreground layer')).toEqual(['Gaussian Smoothing']);
-  expect(await names(page)).toEqual(['Posterization', 'Saturation', 'XDoG']);
+  expect(await names(page)).toEqual(['Posterization', 'Saturation', 'XDoG', 'Soft Threshold']);
   const undo = page.getByRole('button', { name: 'Undo', exact: true });
   await undo.click();
   await expect.poll(() => names(page, 'Foreground layer')).toEqual([]);
@@ -80,6 +82,6 @@ test('a block is dragged from the palette by its handle, or after a long press',
   const lines = await middle(region(page).getByRole('list', { name: 'Foreground layer' }).locator('..').locator('h3'));
   const [x, y] = await middle(block(/XDoG/));
   await touch(page, [way([x, y], [lines[0], lines[1] + 40])], () => expect(page.locator('.drag-ghost')).toBeVisible());
-  await expect.poll(() => names(page, 'Foreground layer')).toEqual(['XDoG']);
+  await expect.poll(() => names(page, 'Foreground layer')).toEqual(['XDoG', 'Soft Threshold']);
   expect(await names(page)).toEqual(['Posterization', 'Gaussian Smoothing', 'Saturation']);
 });

@@ -18,7 +18,7 @@ test('a style is exported as a file and a link, and imported from both', async (
   expect(file).toMatchObject({
     name: 'Dots & lines',
     background: [{ block: 'halftone' }],
-    foreground: [{ block: 'xdog' }],
+    foreground: [{ block: 'xdog' }, { block: 'soft_threshold' }],
     ink: '#203050',
   });
   await button(page, 'Copy link').click();
