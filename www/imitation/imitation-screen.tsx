@@ -45,7 +45,7 @@ export function ImitationScreen() {
 
   const tools = (
     <div class="imitation-bar">
-      <ChoosePicture strong={!picture} />
+      {picture && <ChoosePicture strong={false} />}
       {picture && fact && !running && (
         <button type="button" class="button" onClick={() => void imitation.search(fact.id)}>
           <Icon name="surprise" />
@@ -82,10 +82,11 @@ export function ImitationScreen() {
           )}
         </div>
       ) : (
-        <div class="imitation-empty">
+        <div class="imitation-empty" data-drop="style">
           <Icon name="imitate" />
           <p>{strings.imitationAbout}</p>
-          <p class="count">{strings.imitationDrop}</p>
+          <ChoosePicture strong />
+          <p class="count">{strings.imitationDropHere}</p>
         </div>
       )}
     </Workspace>

@@ -5,7 +5,7 @@ export const imitationStrings = {
   styleFromPictureHelp: 'Überträgt das Aussehen einer Comicseite, eines Drucks oder eines Gemäldes auf deine Fotos',
   imitationAbout:
     'Wähle ein Bild mit dem Aussehen, das du möchtest: eine Comicseite, einen Druck, eine Zeichnung oder ein Gemälde. In wenigen Sekunden findet Inkpanel Stile, die deinem Foto dieses Aussehen geben. Das Bild bleibt auf diesem Gerät.',
-  imitationDrop: 'Du kannst ein Bild auch mit gedrückter Alt-Taste irgendwo ablegen.',
+  imitationDropHere: 'Oder lege hier ein Bild ab.',
   imitationChoose: 'Bild wählen',
   imitationOther: 'Anderes Bild',
   imitationFile: 'Bild mit dem gewünschten Stil',

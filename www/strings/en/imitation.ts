@@ -5,7 +5,7 @@ export const imitationStrings = {
   styleFromPictureHelp: 'Applies the look of a comic page, a print or a painting to your photos',
   imitationAbout:
     'Choose a picture with the look that you want: a comic page, a print, a drawing or a painting. Within a few seconds, Inkpanel finds styles that give your photo this look. The picture stays on this device.',
-  imitationDrop: 'You can also hold Alt and drop a picture anywhere.',
+  imitationDropHere: 'Or drop a picture here.',
   imitationChoose: 'Choose a picture',
   imitationOther: 'Another picture',
   imitationFile: 'Picture with the style that you want',

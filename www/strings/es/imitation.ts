@@ -5,7 +5,7 @@ export const imitationStrings = {
   styleFromPictureHelp: 'Aplica a tus fotos el aspecto de una página de cómic, un grabado o una pintura',
   imitationAbout:
     'Elige una imagen con el aspecto que quieras: una página de cómic, un grabado, un dibujo o una pintura. En pocos segundos, Inkpanel encuentra estilos que dan ese aspecto a tu foto. La imagen no sale de este dispositivo.',
-  imitationDrop: 'También puedes soltar una imagen en cualquier lugar con la tecla Alt pulsada.',
+  imitationDropHere: 'O suelta una imagen aquí.',
   imitationChoose: 'Elegir una imagen',
   imitationOther: 'Otra imagen',
   imitationFile: 'Imagen con el estilo que quieres',

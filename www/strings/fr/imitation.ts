@@ -5,7 +5,7 @@ export const imitationStrings = {
   styleFromPictureHelp: 'Donne à vos photos l’aspect d’une planche de BD, d’une estampe ou d’une peinture',
   imitationAbout:
     'Choisissez une image avec l’aspect voulu : une planche de BD, une estampe, un dessin ou une peinture. En quelques secondes, Inkpanel trouve des styles qui donnent cet aspect à votre photo. L’image reste sur cet appareil.',
-  imitationDrop: 'Vous pouvez aussi déposer une image n’importe où en maintenant Alt.',
+  imitationDropHere: 'Ou déposez une image ici.',
   imitationChoose: 'Choisir une image',
   imitationOther: 'Une autre image',
   imitationFile: 'Image avec le style voulu',

@@ -5,7 +5,7 @@ export const imitationStrings = {
   styleFromPictureHelp: '漫画のページ、版画、絵画など、絵の雰囲気をあなたの写真に移します',
   imitationAbout:
     '雰囲気を移したい絵を選んでください。漫画のページ、版画、線画、絵画などです。数秒で、あなたの写真をその雰囲気にするスタイルを探します。絵はこの端末の外に出ません。',
-  imitationDrop: 'Altキーを押しながら絵をどこにでもドロップできます。',
+  imitationDropHere: 'または画像をここにドロップします。',
   imitationChoose: '絵を選ぶ',
   imitationOther: '別の絵',
   imitationFile: 'スタイルを探す絵',

@@ -5,7 +5,7 @@ export const imitationStrings = {
   styleFromPictureHelp: 'Aplica às suas fotos o visual de uma página de quadrinhos, uma gravura ou uma pintura',
   imitationAbout:
     'Escolha uma imagem com o visual que você quer: uma página de quadrinhos, uma gravura, um desenho ou uma pintura. Em poucos segundos, o Inkpanel encontra estilos que dão esse visual à sua foto. A imagem não sai deste aparelho.',
-  imitationDrop: 'Você também pode soltar uma imagem em qualquer lugar com a tecla Alt pressionada.',
+  imitationDropHere: 'Ou solte uma imagem aqui.',
   imitationChoose: 'Escolher uma imagem',
   imitationOther: 'Outra imagem',
   imitationFile: 'Imagem com o estilo que você quer',
