@@ -21,22 +21,25 @@ export function Dials() {
           }}
         />
       </label>
-      <label class="dial">
-        <span>{strings.firstSeed}</span>
-        <input
-          class="number seed"
-          type="number"
-          min="0"
-          max="4294967295"
-          step="1"
-          value={explorer.first.value}
-          onChange={({ currentTarget }) => {
-            const value = Math.round(currentTarget.valueAsNumber);
-            if (value >= 0 && value < 2 ** 32) explorer.begin(value);
-            currentTarget.value = String(explorer.first.peek());
-          }}
-        />
-      </label>
+      <details class="dial-more">
+        <summary>{strings.moreSettings}</summary>
+        <label class="dial">
+          <span>{strings.firstSeed}</span>
+          <input
+            class="number seed"
+            type="number"
+            min="0"
+            max="4294967295"
+            step="1"
+            value={explorer.first.value}
+            onChange={({ currentTarget }) => {
+              const value = Math.round(currentTarget.valueAsNumber);
+              if (value >= 0 && value < 2 ** 32) explorer.begin(value);
+              currentTarget.value = String(explorer.first.peek());
+            }}
+          />
+        </label>
+      </details>
     </>
   );
 }

@@ -95,7 +95,7 @@ function View({
     go(step);
   }
 
-  const points = strings.decimal(explorer.scores.points(item), 0);
+  const points = explorer.scores.shown(item);
   return (
     <dialog
       ref={ref}
@@ -108,7 +108,7 @@ function View({
     >
       <header class="enlarged-head">
         <h2>{style.name}</h2>
-        <span class="count">{strings.scoreOf(points)}</span>
+        {points !== null && <span class="count">{strings.scoreOf(strings.decimal(points, 0))}</span>}
         <span class="count enlarged-place">{strings.placeOf(at + 1, count)}</span>
         <IconButton icon="close" label={strings.close} onClick={close} />
       </header>

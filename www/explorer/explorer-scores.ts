@@ -46,13 +46,18 @@ export function createScores({
     if (asked.value && !off.value && items.value.length > 0) void run();
   });
 
-  return { judged, progress, off, visible, points, ask, pause, forget };
+  return { judged, progress, off, visible, points, shown, ask, pause, forget };
 
   /** The one figure of a style, a whole number from 0 to 100. */
   function points({ style, score }: Pick<Item, 'style' | 'score'>): number {
     const judgement = judged.value.get(style.id);
     const share = judgement ? (judgement - WORST) / (BEST - WORST) : score;
     return Math.round(100 * Math.min(1, Math.max(0, share)));
+  }
+
+  /** The score that the wall shows: of the net if there is one, so that no figure changes its meaning. None if it is unknown. */
+  function shown(item: Item): number | null {
+    return off.value || judged.value.get(item.style.id) ? points(item) : null;
   }
 
   /** Has the net judge what hangs and what will hang. */

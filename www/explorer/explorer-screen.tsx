@@ -122,7 +122,7 @@ function useItems(shown: readonly Item[], photo: Photo | null, point: Point) {
   const last = explorer.lastParents.value;
   return shown.map((item) => {
     const { id } = item.style;
-    const points = explorer.scores.points(item);
+    const points = explorer.scores.shown(item);
     const parents = explorer.parentsOf(id);
     const role =
       parents !== undefined && parents === last ? 'child' : last?.some((one) => one.id === id) ? 'parent' : undefined;

@@ -6,6 +6,7 @@
 
 import { signal } from '@preact/signals';
 import { coloursOf } from './colours.ts';
+import { colourName } from './naming.ts';
 import type { Style } from '../engine/types.ts';
 import type { Explored } from '../engine/protocol.ts';
 import type { Hue, Lightness } from './colours.ts';
@@ -31,8 +32,14 @@ const ALIKE = 7;
 /** More thumbnails than this only take memory; the oldest go, unless they are favourites. */
 const MOST = 1200;
 
-/** @param stays whether a style must not go, however many there are */
-export function createWall(stays: (id: string) => boolean) {
+/**
+ * @param stays whether a style must not go, however many there are
+ * @param isDamaged whether a picture of a photo has burnt details or lost faces
+ */
+export function createWall(
+  stays: (id: string) => boolean,
+  isDamaged: (photo: string, signature: Uint8Array) => boolean = () => false,
+) {
   const items: Signal<readonly Item[]> = signal([]);
   const dropped = signal(0);
   /** The thumbnails, outside of the state, as pixels are. */
@@ -62,7 +69,7 @@ export function createWall(stays: (id: string) => boolean) {
         if (!spare) dropped.value += 1;
         continue;
       }
-      fresh.push(kept(style, one, photo));
+      fresh.push(kept(choosy ? renamed(style, one, fresh) : style, one, photo));
     }
     const all = items.peek();
     const at = all.findIndex(({ style }) => style.id === behind) + 1 || all.length;
@@ -97,7 +104,14 @@ export function createWall(stays: (id: string) => boolean) {
   function unwanted({ fault, signature }: Explored, photo: Photo): boolean {
     const alike = () =>
       [...signatures.values()].some((other) => other.photo === photo.id && near(other.signature, signature));
-    return fault !== '' || alike();
+    return fault !== '' || isDamaged(photo.id, signature) || alike();
+  }
+
+  /** The style with a name that says its colour. */
+  function renamed(style: Style, { signature }: Explored, fresh: readonly Item[]): Style {
+    const { hue, lightness } = coloursOf(signature);
+    const names = new Set([...items.peek(), ...fresh].map((item) => item.style.name));
+    return { ...style, name: colourName(style.name, hue, lightness, (name) => names.has(name)) };
   }
 
   function kept(style: Style, { score, novelty, look, signature, bitmap }: Explored, photo: Photo): Item {

@@ -9,6 +9,7 @@ import { strings } from '../strings/strings.ts';
 import { coloured } from './colouring.ts';
 import { createScores } from './explorer-scores.ts';
 import { createWall } from './explorer-wall.ts';
+import { damageOf } from './damage.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Progress, Store } from '../document/store.ts';
 import type { Explored } from '../engine/protocol.ts';
@@ -55,7 +56,10 @@ export function createExplorer({
   seed: () => number;
   judged?: boolean;
 }) {
-  const wall = createWall(ownStyles.isFavourite);
+  const wall = createWall(ownStyles.isFavourite, (photo, signature) => {
+    const meta = store.album.peek().get(photo)?.meta;
+    return !!meta && damageOf(meta, signature) !== '';
+  });
   const progress: Signal<Doing | null> = signal(null);
   const scores = createScores({ engine, messages, items: wall.items, wanted: judged });
   const look = signal('all');

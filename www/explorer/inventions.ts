@@ -6,6 +6,7 @@
 
 import { effect, signal } from '@preact/signals';
 import { coloured } from './colouring.ts';
+import { damageOf } from './damage.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Style } from '../engine/types.ts';
@@ -89,7 +90,11 @@ export function createInventions({
     for (const photo of photos) {
       const explored = await engine.exploreStyles(photo.id, styles, photo, { signal: stop });
       for (const { bitmap } of explored) bitmap.close();
-      const good = explored.filter(({ fault, score }) => fault === '' && score >= LEAST);
+      const meta = store.album.peek().get(photo.id)?.meta;
+      const isWhole = (signature?: Uint8Array) => !meta || !signature || damageOf(meta, signature) === '';
+      const good = explored.filter(
+        ({ fault, score, signature }) => fault === '' && score >= LEAST && isWhole(signature),
+      );
       styles = good.map(({ index }) => styles[index]);
       if (styles.length === 0) return [];
     }

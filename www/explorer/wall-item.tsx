@@ -14,6 +14,15 @@ import type { Item, Parents, Photo } from './explorer.ts';
  * @param props `points`: its score; `parent`: it is the first parent of a combination; `parents`: its parents;
  *   `family`: its relation to the last litter
  */
+function Score({ points }: { points: number }) {
+  const score = strings.scoreOf(strings.decimal(points, 0));
+  return (
+    <span class="wall-score" title={score} role="img" aria-label={score}>
+      {strings.decimal(points, 0)}
+    </span>
+  );
+}
+
 export function WallItem({
   item,
   points,
@@ -25,7 +34,7 @@ export function WallItem({
   point,
 }: {
   item: Item;
-  points: number;
+  points: number | null;
   photo: Photo | null;
   favourite: boolean;
   parent: boolean;
@@ -46,7 +55,6 @@ export function WallItem({
     canvas.current.getContext('2d')?.drawImage(bitmap, 0, 0);
   }, [style.id, item.photo.id]);
 
-  const score = strings.scoreOf(strings.decimal(points, 0));
   const origin = family === 'parent' ? strings.parent : parents && strings.bredFrom(parents[0].name, parents[1].name);
   return (
     <li
@@ -69,9 +77,7 @@ export function WallItem({
       >
         <canvas ref={canvas} class="bitmap" aria-hidden="true" />
       </button>
-      <span class="wall-score" title={score} role="img" aria-label={score}>
-        {strings.decimal(points, 0)}
-      </span>
+      {points !== null && <Score points={points} />}
       {origin && (
         <span class="wall-origin" title={origin}>
           <Icon name="breed" />

@@ -4,18 +4,29 @@ import { useRef } from 'preact/hooks';
 import { useApp } from '../ui/context.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
+import type { PhotoMeta } from '../engine/types.ts';
 
 type Album = { store: Pick<Store, 'photos' | 'page' | 'geometry'>; engine: Pick<Engine, 'hasPhoto'> };
 
-/** The page's largest photo. It stays the same as long as it is in use, so that previews do not change with pages. */
+/** Minimum and maximum share of a photo that a face should have. */
+const [LEAST_FACE, MOST_FACE] = [0.01, 0.35];
+
+/**
+ * The photo of style previews. It stays the same as long as it is in use, so that previews do not change with pages. It changes
+ * once if a face is found in another photo and it has none.
+ */
 export function useHero(): string | null {
   const app = useApp();
   const hero = useRef(null as string | null);
-  if (hero.current === null || !usableIn(app).includes(hero.current)) hero.current = heroOf(app);
+  const usable = usableIn(app);
+  const known = new Map(app.store.photos.value.map((photo) => [photo.id, photo]));
+  const hasFace = (id: string) => faceIn(known.get(id)) > 0;
+  const stays = hero.current !== null && usable.includes(hero.current);
+  if (!stays || (!hasFace(hero.current as string) && usable.some(hasFace))) hero.current = heroOf(app);
   return hero.current;
 }
 
-/** The largest photo of the current page, or the first of the album. */
+/** The photo with the clearest face, or the largest photo of the page that is not among the busiest. */
 export function heroOf(album: Album): string | null {
   const { page, geometry } = album.store;
   const usable = usableIn(album);
@@ -23,8 +34,33 @@ export function heroOf(album: Album): string | null {
   const boxes = geometry.value?.panels ?? [];
   const area = (i: number) => (boxes[i] ? boxes[i].bounds.width * boxes[i].bounds.height : 0);
   const order = panels.map((_, i) => i).sort((a, b) => area(b) - area(a));
-  const shown = order.map((i) => panels[i].photo).find((id) => id !== null && usable.includes(id));
-  return shown ?? usable[0] ?? null;
+  const onPage = order.flatMap((i) => panels[i].photo ?? []).filter((id) => usable.includes(id));
+  const all = [...new Set([...onPage, ...usable])];
+  const known = new Map(album.store.photos.value.map((photo) => [photo.id, photo]));
+  const faces = all.filter((id) => faceIn(known.get(id)) > 0);
+  if (faces.length > 0) return faces.reduce((a, b) => (faceIn(known.get(b)) > faceIn(known.get(a)) ? b : a));
+  const busy = all.map((id) => busyness(known.get(id))).sort((a, b) => b - a);
+  const limit = busy[Math.floor(busy.length / 3)] ?? Infinity;
+  return all.find((id) => busyness(known.get(id)) <= limit) ?? all[0] ?? null;
+}
+
+/** The size and certainty of the best face of a photo; 0 without a face of a good size. */
+function faceIn(photo: PhotoMeta | undefined): number {
+  const faces = (photo?.subjects ?? []).filter(({ label }) => label === 'face');
+  const sizes = faces.map(({ width, height, score }) => {
+    const size = width * height;
+    return size >= LEAST_FACE && size <= MOST_FACE ? Math.sqrt(size) * score : 0;
+  });
+  // Of a crowd, no face is seen well in a small picture.
+  return Math.max(0, ...sizes) / Math.sqrt(Math.max(1, faces.length));
+}
+
+/** How evenly a photo has details everywhere, as foliage and water do. */
+function busyness(photo: PhotoMeta | undefined): number {
+  const { columns = 0, rows = 0, values = '' } = photo?.energy ?? {};
+  let sum = 0;
+  for (let i = 0; i < columns * rows; i += 1) sum += Number.parseInt(values.slice(2 * i, 2 * i + 2), 16) || 0;
+  return sum / Math.max(1, columns * rows);
 }
 
 function usableIn({ store, engine }: Album): string[] {

@@ -1,0 +1,63 @@
+import { expect, test } from 'vitest';
+import { damageOf } from './damage.ts';
+import { colourName } from './naming.ts';
+
+/** 12 by 9 cells. */
+const signature = (cell: (x: number, y: number) => number[]) =>
+  Uint8Array.from(Array.from({ length: 108 }, (_, i) => cell(i % 12, Math.floor(i / 12))).flat());
+/** The left half of the photo has the details. */
+const energy = {
+  columns: 12,
+  rows: 9,
+  values: Array.from({ length: 108 }, (_, i) => (i % 12 < 6 ? 'f0' : '10')).join(''),
+};
+const face = { x: 0.25, y: 0.2, width: 0.2, height: 0.3, label: 'face', score: 0.9 };
+const tone = [120, 90, 80, 40];
+const paper = [255, 250, 245, 2];
+
+test('a picture without its details is burnt, and white paper around a drawing is not', () => {
+  expect(
+    damageOf(
+      { energy, subjects: [] },
+      signature(() => tone),
+    ),
+  ).toBe('');
+  expect(
+    damageOf(
+      { energy, subjects: [] },
+      signature((x) => (x < 6 ? paper : tone)),
+    ),
+  ).toBe('burnt');
+  expect(
+    damageOf(
+      { energy, subjects: [] },
+      signature((x) => (x < 6 ? [250, 250, 250, 60] : paper)),
+    ),
+  ).toBe('');
+});
+
+test('a face without features is lost', () => {
+  const inFace = (x: number, y: number) => x >= 3 && x < 6 && y >= 1 && y < 5;
+  const flat = signature((x, y) => (inFace(x, y) ? [200, 150, 140, 3] : tone));
+  expect(damageOf({ energy, subjects: [face] }, flat)).toBe('faceless');
+  expect(damageOf({ energy, subjects: [] }, flat)).toBe('');
+  expect(
+    damageOf(
+      { energy, subjects: [face] },
+      signature(() => tone),
+    ),
+  ).toBe('');
+  expect(damageOf({ energy, subjects: [{ ...face, label: 'cat' }] }, flat)).toBe('');
+});
+
+test('names say the colour, and no two styles share one', () => {
+  const taken = new Set<string>();
+  const named = (name: string, hue: 'orange' | 'blue', lightness: 'middle' | 'light') => {
+    const found = colourName(name, hue, lightness, (other) => taken.has(other));
+    taken.add(found);
+    return found;
+  };
+  expect(named('Cold Gouache', 'orange', 'middle')).toBe('Amber Gouache');
+  expect(named('Warm Gouache', 'orange', 'middle')).toBe('Amber Gouache 2');
+  expect(named('Warm Zine', 'blue', 'light')).toBe('Sky Zine');
+});

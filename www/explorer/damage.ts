@@ -1,0 +1,59 @@
+/**
+ * Invented styles that nobody wants on a photo: those that burn out its details, and those that lose its faces. Both follow from
+ * the signature of the picture, so that no pixels are read again.
+ */
+
+import type { EnergyMap, Subject } from '../engine/types.ts';
+
+/** The label of a face. */
+const FACE = 'face';
+/** The grid of a signature, and the bytes of a cell: red, green, blue and roughness. */
+const [COLUMNS, ROWS, CELL] = [12, 9, 4];
+/** Channels from which on a cell is white paper, and up to which it is black. */
+const [WHITE, BLACK] = [240, 14];
+/** Roughness up to which a cell shows nothing. */
+const SMOOTH = 6;
+/** The part of the detailed cells that may be white paper. */
+const BURNT = 0.3;
+/** Faces with a smaller part of the photo than this need not be seen. */
+const LEAST_FACE = 0.004;
+
+type Photo = { energy?: EnergyMap; subjects: readonly Subject[] };
+
+/** Returns why a picture of a photo is not shown; empty if it is fine. */
+export function damageOf({ energy, subjects }: Photo, signature: Uint8Array): '' | 'burnt' | 'faceless' {
+  if (signature.length !== COLUMNS * ROWS * CELL) return '';
+  const cells = Array.from({ length: COLUMNS * ROWS }, (_, i) => signature.subarray(i * CELL, (i + 1) * CELL));
+  const isPaper = ([r, g, b, rough]: Uint8Array) => Math.min(r, g, b) >= WHITE && rough <= SMOOTH;
+  const detailed = energy ? detailedCells(energy) : [];
+  if (detailed.length > 0 && detailed.filter((i) => isPaper(cells[i])).length > BURNT * detailed.length) return 'burnt';
+  const isEmpty = (cell: Uint8Array) => isPaper(cell) || cell[3] <= SMOOTH || Math.max(...cell.slice(0, 3)) <= BLACK;
+  const faces = subjects.filter(({ label, width, height }) => label === FACE && width * height >= LEAST_FACE);
+  const lost = faces.filter((face) => cellsOf(face).every((i) => isEmpty(cells[i])));
+  return faces.length > 0 && 2 * lost.length >= faces.length ? 'faceless' : '';
+}
+
+/** The half of the cells in which the photo has most to see. */
+function detailedCells({ columns, rows, values }: EnergyMap): number[] {
+  if (columns * rows === 0 || values.length < 2 * columns * rows) return [];
+  const energyOf = (i: number) => {
+    const x = Math.floor((((i % COLUMNS) + 0.5) / COLUMNS) * columns);
+    const y = Math.floor(((Math.floor(i / COLUMNS) + 0.5) / ROWS) * rows);
+    return Number.parseInt(values.slice(2 * (y * columns + x), 2 * (y * columns + x) + 2), 16);
+  };
+  const all = Array.from({ length: COLUMNS * ROWS }, (_, i) => ({ i, energy: energyOf(i) }));
+  all.sort((a, b) => b.energy - a.energy);
+  return all.slice(0, all.length / 2).map(({ i }) => i);
+}
+
+/** The cells whose middles are in a box, or the one that contains its middle. */
+function cellsOf({ x, y, width, height }: Subject): number[] {
+  const all = Array.from({ length: COLUMNS * ROWS }, (_, i) => i);
+  const inside = all.filter((i) => {
+    const [cx, cy] = [((i % COLUMNS) + 0.5) / COLUMNS, (Math.floor(i / COLUMNS) + 0.5) / ROWS];
+    return cx >= x && cx <= x + width && cy >= y && cy <= y + height;
+  });
+  if (inside.length > 0) return inside;
+  const at = (middle: number, count: number) => Math.min(count - 1, Math.max(0, Math.floor(middle * count)));
+  return [at(y + height / 2, ROWS) * COLUMNS + at(x + width / 2, COLUMNS)];
+}

@@ -1,0 +1,30 @@
+import { expect, test } from 'vitest';
+import { heroOf } from './hero.ts';
+import type { PhotoMeta, Subject } from '../engine/types.ts';
+
+const energy = (value: string) => ({ columns: 2, rows: 1, values: value.repeat(2) });
+const face = (side: number): Subject => ({ x: 0.3, y: 0.3, width: side, height: side, label: 'face', score: 0.9 });
+const photo = (id: string, value: string, subjects: Subject[] = []) =>
+  ({ id, energy: energy(value), subjects }) as unknown as PhotoMeta;
+
+/** An album whose page shows the photos in panels that become smaller. */
+function hero(photos: PhotoMeta[]) {
+  const panels = photos.map(({ id }) => ({ photo: id }));
+  const boxes = photos.map((_, i) => ({ bounds: { width: 1 / (i + 1), height: 1 } }));
+  const store = { photos: { value: photos }, page: { value: { panels } }, geometry: { value: { panels: boxes } } };
+  return heroOf({ store, engine: { hasPhoto: () => true } } as any);
+}
+
+test('pictures of styles show the photo with the clearest face', () => {
+  expect(
+    hero([photo('stream', 'ff'), photo('crowd', '20', Array(9).fill(face(0.12))), photo('one', '40', [face(0.25)])]),
+  ).toBe('one');
+  // A speck of a face, and one that fills the photo, show little of a style.
+  expect(hero([photo('a', '20'), photo('speck', '20', [face(0.02)]), photo('b', '20', [face(0.9)])])).toBe('a');
+});
+
+test('without faces, they show the largest photo of the page that is not among the busiest', () => {
+  expect(hero([photo('stream', 'ff'), photo('bus', '60'), photo('sky', '10')])).toBe('bus');
+  expect(hero([photo('only', 'ff')])).toBe('only');
+  expect(hero([])).toBe(null);
+});
