@@ -165,9 +165,7 @@ impl Subject {
     /// The subjects that styles protect: faces, or animals in photos without faces.
     pub fn protected(subjects: &[Self]) -> impl Iterator<Item = &Self> {
         let faces = subjects.iter().any(|subject| subject.label == FACE);
-        subjects
-            .iter()
-            .filter(move |subject| if faces { subject.label == FACE } else { subject.is_animal() })
+        subjects.iter().filter(move |subject| if faces { subject.label == FACE } else { subject.is_animal() })
     }
 
     /// Whether the centre of the other box is inside this box.

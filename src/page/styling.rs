@@ -139,7 +139,8 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
 
 /// Styles with their weights. Styles with the colours of photos get a share of all draws, if there are others.
 fn shared(styles: Vec<(f64, bool, Value)>, share: f64) -> Vec<(f64, Value)> {
-    let sum = |kept: bool| styles.iter().filter(|(_, keeps, _)| *keeps == kept).map(|(weight, ..)| weight).sum();
+    let sum =
+        |kept: bool| styles.iter().filter(|(_, keeps, _)| *keeps == kept).map(|(weight, ..)| weight).sum();
     let (kept, others): (f64, f64) = (sum(true), sum(false));
     let factor = |keeps: bool| match (kept > 0.0 && others > 0.0, keeps) {
         (false, _) => 1.0,
@@ -255,11 +256,8 @@ mod tests {
     #[test]
     fn dark_styles_get_dark_paper_unless_a_person_chose_another() {
         let drawn = |id: &str, page: &PageSettings| {
-            let request = Request {
-                style: Some(id.into()),
-                page: page.clone(),
-                ..request(1, Styling::default())
-            };
+            let request =
+                Request { style: Some(id.into()), page: page.clone(), ..request(1, Styling::default()) };
             plan(&request).unwrap().page
         };
         let white = PageSettings::default();

@@ -7,8 +7,8 @@ use super::layouts::Taste;
 use super::slots::{Assignment, Slot};
 use crate::framing::{FACE, Facts, PhotoMeta};
 use crate::style::Style;
-use crate::style::file::Step;
 use crate::style::context::scale_of;
+use crate::style::file::Step;
 
 /// A line per style, best first: its id, its mark, the luma that it makes of each sixteenth of luma, two hexadecimal digits each,
 /// and its uses. The marks are from 0 to 10, by eye, on faces, groups and animals that are not in the repository. `first` is for

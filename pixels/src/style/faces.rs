@@ -494,9 +494,7 @@ mod tests {
             let eye = |cx: usize| x.abs_diff(cx) < 6 && y.abs_diff(108) < 3;
             eye(148) || eye(188) || (x.abs_diff(168) < 14 && y.abs_diff(148) < 2)
         };
-        let inside = |x: usize, y: usize| {
-            ((x as f64 - 168.0) / 48.0).hypot((y as f64 - 120.0) / 60.0) < 1.0
-        };
+        let inside = |x: usize, y: usize| ((x as f64 - 168.0) / 48.0).hypot((y as f64 - 120.0) / 60.0) < 1.0;
         let colour = |x: usize, y: usize| match (feature(x, y), inside(x, y)) {
             (true, _) => skin.map(|tone| tone / 3),
             (_, true) => skin.map(|tone| tone + ((x * 5 + y * 3) % 9) as u8),

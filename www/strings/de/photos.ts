@@ -16,7 +16,11 @@ export const photoStrings = {
   photoMissing: 'Fehlt',
   addPhotos: 'Fotos hinzufügen',
   kept: 'In Gebrauch',
-  unseen: { waits: 'Noch nicht gezeigt', text: 'Nicht gezeigt: sieht wie eine Textseite aus', small: 'Nicht gezeigt: zu wenige Pixel' },
+  unseen: {
+    waits: 'Noch nicht gezeigt',
+    text: 'Nicht gezeigt: sieht wie eine Textseite aus',
+    small: 'Nicht gezeigt: zu wenige Pixel',
+  },
   setAside: 'Ausgeschlossen',
   setAsideWhy: 'Ähnliche und unscharfe Fotos. Hake eines an, um es zu verwenden.',
   choice: 'Auswahl der Fotos',

@@ -18,7 +18,11 @@ export const photoStrings = {
   photoMissing: 'Missing',
   addPhotos: 'Add photos',
   kept: 'In use',
-  unseen: { waits: 'Not shown yet', text: 'Not shown: it looks like a page of text', small: 'Not shown: too few pixels' },
+  unseen: {
+    waits: 'Not shown yet',
+    text: 'Not shown: it looks like a page of text',
+    small: 'Not shown: too few pixels',
+  },
   setAside: 'Excluded',
   setAsideWhy: 'Similar and blurred photos. Tick one to use it.',
   choice: 'Photo selection',

@@ -15,7 +15,11 @@ export const photoStrings = {
   photoMissing: 'Falta',
   addPhotos: 'Añadir fotos',
   kept: 'En uso',
-  unseen: { waits: 'Aún no ha salido', text: 'No sale: parece una página de texto', small: 'No sale: tiene muy pocos píxeles' },
+  unseen: {
+    waits: 'Aún no ha salido',
+    text: 'No sale: parece una página de texto',
+    small: 'No sale: tiene muy pocos píxeles',
+  },
   setAside: 'Excluidas',
   setAsideWhy: 'Parecidas y desenfocadas. Marca una para usarla.',
   choice: 'Selección de fotos',

@@ -16,7 +16,11 @@ export const photoStrings = {
   photoMissing: 'Absente',
   addPhotos: 'Ajouter des photos',
   kept: 'Utilisées',
-  unseen: { waits: 'Pas encore montrée', text: 'Pas montrée : on dirait une page de texte', small: 'Pas montrée : trop peu de pixels' },
+  unseen: {
+    waits: 'Pas encore montrée',
+    text: 'Pas montrée : on dirait une page de texte',
+    small: 'Pas montrée : trop peu de pixels',
+  },
   setAside: 'Exclues',
   setAsideWhy: 'Semblables ou floues. Cochez-en une pour l’utiliser.',
   choice: 'Choix des photos',

@@ -14,7 +14,11 @@ export const photoStrings = {
   photoMissing: 'なし',
   addPhotos: '写真を追加',
   kept: '使用中',
-  unseen: { waits: 'まだ使われていません', text: '文字のページに見えるため使われていません', small: '画素が少なすぎるため使われていません' },
+  unseen: {
+    waits: 'まだ使われていません',
+    text: '文字のページに見えるため使われていません',
+    small: '画素が少なすぎるため使われていません',
+  },
   setAside: '除外',
   setAsideWhy: '似た写真とピンぼけの写真です。チェックすると使えます。',
   choice: '写真の選び方',

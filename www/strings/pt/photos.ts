@@ -15,7 +15,11 @@ export const photoStrings = {
   photoMissing: 'Faltando',
   addPhotos: 'Adicionar fotos',
   kept: 'Em uso',
-  unseen: { waits: 'Ainda não apareceu', text: 'Não aparece: parece uma página de texto', small: 'Não aparece: tem poucos pixels' },
+  unseen: {
+    waits: 'Ainda não apareceu',
+    text: 'Não aparece: parece uma página de texto',
+    small: 'Não aparece: tem poucos pixels',
+  },
   setAside: 'Excluídas',
   setAsideWhy: 'Parecidas e desfocadas. Marque uma para usá-la.',
   choice: 'Escolha das fotos',
