@@ -2,45 +2,45 @@
 
 /** A state of a project. */
 export type Project = {
-  /** What the person calls it, empty until then. */
+  /** Project name, empty until the user sets it. */
   name: string,
   /** The photos, in the order in which they were added. */
   tray: ReadonlyArray<TrayItem>,
-  /** Photos whose fingerprints differ in at most so many of 64 bits show the same picture. */
+  /** Maximum fingerprint distance of near-duplicates, in bits of 64. */
   alike: number,
   /** How the photos are ordered. */
   order: Order,
   /** Parts of the page that no shuffle changes. */
   locks: Locks,
-  /** The wanted number of panels, none for any. */
+  /** Wanted number of panels; `None` for any. */
   panels: number | null,
   /** Size, gutters and colours. */
   settings: PageSettings,
-  /** The page that is edited; none while there is none. */
+  /** The page that is edited; `None` without pages. */
   page: PageDocument | null,
-  /** Names the page among those shown. */
+  /** Id of the page in the page history. */
   pageId: number,
   /** Names its place in the storyboard through all its versions. */
   sheet: number,
   /** The other pages of the storyboard, in order. */
   others: ReadonlyArray<Sheet>,
-  /** How many of these come before the page. */
+  /** Number of pages before the current page. */
   at: number,
   /** The style in the designer. */
   draft: Draft | null,
-  /** Words of photos that no page shows: they come back with these. */
+  /** Unplaced text items. They return with their photos. */
   waiting?: ReadonlyArray<Word>,
-  /** A person's own styles, which all projects share. */
+  /** Custom styles, which all projects share. */
   mine: ReadonlyArray<Style>,
   /** Styles that are favourites, which all projects share. */
   favourites: ReadonlyArray<Style>,
-  /** A person's own layouts, which all projects share. */
+  /** Custom layouts, which all projects share. */
   ownLayouts: ReadonlyArray<Template>,
-  /** The favourites among the pages shown, by their ids. */
+  /** Favourite pages of the page history, by id. */
   loved: ReadonlyArray<number>,
   /** How a shuffle draws styles. */
   styling: Styling,
-  /** How the shots are counted, ordered and laid out; not told where it is as in an empty project. */
+  /** Settings of the storyboard: frame rate, order and sheets. Not written if they equal the defaults. */
   board?: Board | null,
 };
 
@@ -48,33 +48,33 @@ export type Project = {
 export type TrayItem = {
   /** Its id. */
   id: string,
-  /** What the person chose; none follows the selection's verdict. */
+  /** The user's choice; `None` follows the selection. */
   use: boolean | null,
-  /** The point of it that matters, where a person marked one. */
+  /** The focus point that the user set. */
   focus?: Focus | null,
-  /** A person wants to see it large. */
+  /** Whether the user wants it in a large panel. */
   starred?: boolean,
-  /** Which part of it is its subject, as a person corrected it; none leaves that to what was found. */
+  /** The corrected subject mask. `None` uses the detected mask. */
   mask?: string,
-  /** What is told of it as a shot. */
+  /** Shot metadata. */
   shot?: Shot,
 };
 
-/** What is told of a photo as a shot. What is empty was not told. */
+/** Metadata of a shot. Empty fields are unset. */
 export type Shot = {
   /** The scene that it belongs to. */
   scene?: string,
-  /** A number of its own, such as 4A; without one it is counted. */
+  /** A custom number, such as 4A. Without one the shot is numbered automatically. */
   number?: string,
-  /** What happens. */
+  /** Action. */
   action?: string,
-  /** What is said. */
+  /** Dialogue. */
   dialogue?: string,
-  /** What else is to be known. */
+  /** Notes. */
   notes?: string,
   /** How long it is, in frames of the board's rate. */
   frames?: number,
-  /** What stands in columns of one's own, by their names. */
+  /** Values of custom columns by name. */
   more?: { [key in string]: string },
 };
 
@@ -82,39 +82,39 @@ export type Shot = {
 export type Board = {
   /** Frames of a counted second, one of `RATES`. */
   fps: number,
-  /** How fast such a second passes; the clock's where nothing is told. */
+  /** Timecode pace (real time or NTSC 1000/1001). Default: real time. */
   pace?: Pace,
-  /** Columns of one's own, each name once. */
+  /** Names of custom columns, without duplicates. */
   columns: ReadonlyArray<string>,
   /** Frames on a sheet, one of `FRAMES`. */
   frames: number,
   /** The name of the frames' aspect, one of `ASPECTS`. */
   aspect: string,
-  /** The fields stand beside the frames, else under them. */
+  /** Whether the fields are next to the frames instead of under them. */
   beside: boolean,
-  /** Ruled lines in the place of the fields, to be written on by hand. */
+  /** Whether ruled lines for handwriting replace the fields. */
   ruled: boolean,
   /** Who made it, for the head of the sheets. */
   author: string,
-  /** When, as it stands there. */
+  /** Date in the header, as text. */
   date: string,
-  /** A picture that stands there, too: a PNG file as a data URL; empty where there is none. */
+  /** Logo in the header: a PNG file as a data URL. Empty for no logo. */
   logo?: string,
-  /** Photos in the order in which a person put them; the others follow where they belong by themselves. */
+  /** Photos that the user ordered. The other photos keep their automatic position. */
   order: ReadonlyArray<string>,
 };
 
-/** Shots in their order. In JSON what is empty may be missing. */
+/** Shots in their order. In JSON, empty fields may be missing. */
 export type ShotList = {
-  /** What the album is called. */
+  /** Title of the album. */
   title: string,
-  /** Frames of a counted second, from 1 to 60; 24 where nothing is told. */
+  /** Frames per counted second, 1 to 60. Default: 24. */
   fps: number,
-  /** How fast such a second passes; as the clock's where nothing is told. */
+  /** Timecode pace. Default: real time. */
   pace?: Pace,
-  /** Columns of one's own. */
+  /** Names of custom columns. */
   columns: ReadonlyArray<string>,
-  /** What the columns of a table are called, in the order of `HEADINGS`; English where there are not as many. */
+  /** Headings of the table, in the order of `HEADINGS`. English headings replace missing ones. */
   headings: ReadonlyArray<string>,
   /** The shots. */
   shots: ReadonlyArray<ListedShot>,
@@ -126,33 +126,33 @@ export type ListedShot = {
   number: string,
   /** The scene that it belongs to. */
   scene: string,
-  /** What happens. */
+  /** Action. */
   action: string,
-  /** What is said. */
+  /** Dialogue. */
   dialogue: string,
-  /** What else is to be known. */
+  /** Notes. */
   notes: string,
-  /** How long it is, in frames; what says nothing is two seconds long. */
+  /** Duration in frames. Default: two seconds. */
   frames?: number,
-  /** What stands in columns of one's own. */
+  /** Values of custom columns. */
   more: { [key in string]: string },
-  /** The name of its picture. */
+  /** File name of the photo. */
   name: string,
-  /** The film that it is a frame of. */
+  /** The video, if the photo is a frame. */
   film?: Film,
 };
 
-/** A place in a film. */
+/** A position in a video. */
 export type Film = {
   /** Identifies the video, because others may have the same name. Without keys, videos with one name are one video. */
   key: string,
   /** The name of its file. */
   name: string,
-  /** Seconds from its first picture. */
+  /** Seconds from the first frame. */
   time: number,
-  /** How long it is, in seconds, where that is known. */
+  /** Duration in seconds, if known. */
   length?: number,
-  /** The timecode of its first picture. */
+  /** Timecode of the first frame. */
   timecode?: StartTimecode,
 };
 
@@ -169,85 +169,85 @@ export type StartTimecode = {
   drop: boolean,
 };
 
-/** What is asked for. In JSON the fields of a `ShotList` beside these. */
+/** Request of storyboard sheets. In JSON, the fields of a `ShotList` are in the same object. */
 export type BoardRequest = {
-  /** The shots, and what they are called together. */
+  /** The shots and the title. */
   list: ShotList,
-  /** Of each shot its picture. */
+  /** The image of each shot. */
   pictures: ReadonlyArray<BoardPicture>,
-  /** Frames on a sheet, 1 to 12; six where nothing is told. */
+  /** Frames per sheet, 1 to 12. Default: 6. */
   frames: number,
-  /** Width over height of the frames, 0.2 to 5; 16:9 where nothing is told. */
+  /** Width over height of the frames, 0.2 to 5. Default: 16:9. */
   aspect: number,
-  /** The text stands beside the frames, else under them. */
+  /** Whether the fields are next to the frames instead of under them. */
   beside: boolean,
-  /** Lines to write on in the place of what is told. */
+  /** Whether ruled lines replace the fields. */
   ruled: boolean,
   /** Who made it. */
   author: string,
   /** When. */
   date: string,
-  /** A picture in the head of every sheet. */
+  /** Logo in the header of every sheet. */
   logo?: BoardLogo,
-  /** Paper as in North America, else A4. */
+  /** Whether the paper is US Letter instead of A4. */
   letter: boolean,
   /** The style of the frames: an id, or a style in full. */
   style?: StyleChoice,
-  /** What is written before what is told, in the language of the reader. */
+  /** Labels of the fields, in the language of the reader. */
   labels: BoardLabels,
 };
 
-/** The picture of a shot. */
+/** The image of a shot. */
 export type BoardPicture = {
   /** Id of the photo. */
   photo: string,
-  /** The part of it that the frame shows. */
+  /** The crop of the frame. */
   crop: Crop,
-  /** Faces of it, which the style takes care of. */
+  /** Faces of the photo, which the style protects. */
   faces: ReadonlyArray<Crop>,
 };
 
-/** The picture in the heads. */
+/** The logo in the headers. */
 export type BoardLogo = {
-  /** The id under which it is known to who draws the sheets. */
+  /** Photo id for the renderer. */
   photo: string,
   /** Its width over its height; it is shown with 1/30 to 30. */
   aspect: number,
 };
 
-/** What is asked for. */
+/** Request of an animatic. */
 export type AnimaticRequest = {
-  /** The shots, and how many frames a second they are counted in. */
+  /** The shots, and their frame rate. */
   list: ShotList,
-  /** Of each shot its picture. */
+  /** The image of each shot. */
   pictures: ReadonlyArray<AnimaticPicture>,
   /** Width and height of the frames in pixels, 64 to 3840, made even as encoders want them. */
   size: [number, number],
-  /** Frames a second, 1 to 60; those of the list where nothing is told. */
+  /** Frames per second, 1 to 60. Default: the rate of the list. */
   fps: number,
-  /** How long a shot is that says nothing, in seconds; two where nothing is told. */
+  /** Default duration of a shot in seconds. Default: 2. */
   seconds: number,
-  /** How long two shots are seen together where one goes over into the other, in seconds; 0 cuts. */
+  /** Duration of a dissolve in seconds; 0 for hard cuts. */
   dissolve: number,
   /** Whether the camera moves. */
   moves: boolean,
-  /** Whether what is said, else what happens, stands below. */
+  /** Whether dialogue, or else action, is shown as a caption. */
   captions: boolean,
-  /** Pictures a second of panels that come from a film, where they move; 0 where they do not. */
+  /** Frames per second of animated panels from videos; 0 for stills. */
   living: number,
-  /** The style of the pictures: an id, or a style in full. */
+  /** The style: an id, or a complete style. */
   style?: StyleChoice,
 };
 
-/** The picture of a shot. */
+/** The image of a shot. */
 export type AnimaticPicture = {
   /** Id of the photo. */
   photo: string,
-  /** The part of it that a frame shows, of the aspect of the frames. */
+  /** The crop, with the aspect ratio of the frames. */
   crop: Crop,
-  /** Faces of it, which the style takes care of. */
+  /** Faces of the photo, which the style protects. */
   faces: ReadonlyArray<Crop>,
-  /** What was found in it: the camera keeps faces in view, else people and animals, else things. */
+  /** Detected subjects. The camera prefers faces, then people and animals, then things. */
   subjects: ReadonlyArray<Subject>,
 };
 
@@ -255,13 +255,13 @@ export type AnimaticPicture = {
 export type Animatic = {
   /** Frames of a counted second. */
   fps: number,
-  /** Frames of a second of the clock: fewer where the list's seconds pass slower (23.976 of 24). */
+  /** Frames per second of real time. Lower than the frame rate for NTSC (23.976 instead of 24). */
   rate: number,
   /** Width and height of the frames in pixels. */
   size: [number, number],
   /** How many frames there are. */
   frames: number,
-  /** Pictures a second of panels that move, 0 where none does. */
+  /** Frames per second of animated panels, 0 without any. */
   living: number,
   /** The shots, or the pages, without gaps between them. */
   clips: ReadonlyArray<AnimaticClip>,
@@ -277,40 +277,40 @@ export type AnimaticClip = {
   start: number,
   /** How long it is, in frames. */
   frames: number,
-  /** Its first frame with that of a dissolve, in which the shot before still shows. */
+  /** First frame, including the dissolve from the shot before. */
   from: number,
-  /** The frame behind its last, a dissolve into the next one counted. */
+  /** Index after the last frame, including the dissolve to the next shot. */
   to: number,
-  /** What the camera sees at `from`, in fractions of the picture. The same as `last` where it stands still. */
+  /** View of the camera at `from`, in fractions of the image. Equal to `last` without a camera move. */
   first: Crop,
-  /** What it sees at its end. */
+  /** View of the camera at the end. */
   last: Crop,
-  /** The picture as a page of one panel, as large as the narrowest view wants it. */
+  /** The image as a page of one panel, large enough for the closest view. */
   picture: PageDocument,
   /**
-   * An empty page of the size of the frames with the one word that stands below, if there is one. It goes to the middle, its
-   * lower edge `Animatic::FOOT` above that of the frame.
+   * An empty page of the frame size with only the caption, if the shot has one. The caption is centred,
+   * its lower edge `Animatic::FOOT` above the lower edge of the frame.
    */
   caption: PageDocument | null,
-  /** How a page is read, panel by panel; none for a shot. */
+  /** Reading order of a page, panel by panel; `None` for a shot. */
   reading: Reading | null,
 };
 
-/** What is asked for. */
+/** Request of a motion comic. */
 export type MotionRequest = {
   /** The pages in their order. */
   pages: ReadonlyArray<PageDocument>,
   /** Width and height of the frames in pixels, 64 to 3840, made even as encoders want them. */
   size: [number, number],
-  /** Frames a second, 1 to 60. */
+  /** Frames per second, 1 to 60. */
   fps: number,
-  /** How long a panel is seen at least, in seconds; two where it is 0. */
+  /** Minimum duration of a panel in seconds; 0 for the default of two. */
   seconds: number,
-  /** How long two pages are seen together where one goes over into the other, in seconds; 0 cuts. */
+  /** Duration of a dissolve between two pages in seconds; 0 for hard cuts. */
   dissolve: number,
-  /** Whether the camera moves; else it is at once where it goes. */
+  /** Whether the camera moves. If not, it jumps. */
   moves: boolean,
-  /** Pictures a second of panels that come from a film, where they move; 0 where they do not. */
+  /** Frames per second of animated panels from videos; 0 for stills. */
   living: number,
 };
 
@@ -318,19 +318,19 @@ export type MotionRequest = {
 export type Reading = {
   /** The outline of each panel: corners, in fractions of the page's width and height. */
   panels: ReadonlyArray<ReadonlyArray<[number, number]>>,
-  /** The page with its words, which are drawn one by one over its picture; none where it has no words. */
+  /** The page with its text items, which are drawn one by one over its image. Null without text. */
   words: PageDocument | null,
-  /** Its words in the order in which they appear. */
+  /** Its text items in order of appearance. */
   said: ReadonlyArray<Said>,
-  /** Where the camera stays, in order. The first and the last time it sees all of the page. */
+  /** Stops of the camera, in order. The first and the last stop show the whole page. */
   stops: ReadonlyArray<Stop>,
   /** How many frames a word takes to appear. */
   fade: number,
 };
 
-/** A word that appears. */
+/** A text item that appears. */
 export type Said = {
-  /** Its place among the words of the page. */
+  /** Index of the text item on the page. */
   word: number,
   /** The panel that it is read with. */
   panel: number,
@@ -338,25 +338,25 @@ export type Said = {
   from: number,
 };
 
-/** A place where the camera stays. */
+/** A stop of the camera. */
 export type Stop = {
-  /** The panel that is read; none for the whole page. */
+  /** The current panel; `None` for the whole page. */
   panel: number | null,
   /** The first frame in which the camera is there. */
   from: number,
-  /** The frame behind the last one. */
+  /** Index after the last frame. */
   to: number,
-  /** What it sees at `from`, in fractions of the page's picture; it may reach beyond the page. */
+  /** View at `from`, in fractions of the page image. It may extend beyond the page. */
   first: Crop,
-  /** What it sees at its end. */
+  /** View at the end. */
   last: Crop,
 };
 
-/** What is written before what is told. `{page}` and `{count}` stand for numbers. */
+/** Labels of the fields. `{page}` and `{count}` are placeholders for numbers. */
 export type BoardLabels = {
   /** Before the scene. */
   scene: string,
-  /** Before what is said. */
+  /** Label of the dialogue. */
   dialogue: string,
   /** Before the notes. */
   notes: string,
@@ -364,7 +364,7 @@ export type BoardLabels = {
   page: string,
 };
 
-/** A point of a photo, in parts of it. */
+/** A point of a photo, in fractions of its sides. */
 export type Focus = {
   /** From the left. */
   x: number,
@@ -412,7 +412,7 @@ export type Sheet = {
 export type Draft = {
   /** Id of the style. */
   id: string,
-  /** What people call it. */
+  /** Display name. */
   name: string,
   /** Families that it belongs to. */
   tags: ReadonlyArray<string>,
@@ -422,9 +422,9 @@ export type Draft = {
   foreground: ReadonlyArray<DraftStep>,
   /** Colour of the lines, `#rrggbb`. */
   ink: string,
-  /** Whether it takes no care of faces. */
+  /** Whether face protection is off. */
   careless?: boolean,
-  /** The parts of the picture that the layers are for. */
+  /** The parts of the image that the layers apply to. */
   where?: LayerParts,
 };
 
@@ -432,20 +432,20 @@ export type Draft = {
 export type DraftStep = {
   /** Names it within the draft. */
   key: number,
-  /** What runs. */
+  /** Id of the block. */
   block: string,
   /** Its values by the ids of the parameters. */
   values: Record<string, ParamValue>,
-  /** Left out of the chain. */
+  /** Whether the block is bypassed. */
   bypass: boolean,
-  /** The part of the picture that it is for; all of it where none is told. */
+  /** The part of the image that it applies to. `None`: the whole image. */
   where?: StylePart,
 };
 
 /** A layer of a style. */
 export type Layer = "background" | "foreground";
 
-/** Where something is done. */
+/** Position of a block. */
 export type Place = {
   /** The layer, */
   layer: Layer,
@@ -453,7 +453,10 @@ export type Place = {
   at: number,
 };
 
-/** What is done to a draft. In JSON an object with the edit's name as its `type`, beside its fields and those of its place. */
+/**
+ * An edit of a draft. In JSON, an object with the name of the edit as `type`, its fields and the fields of
+ * its position.
+ */
 export type DraftEdit = { "type": "add",
   /** Ids of blocks. */
   blocks: ReadonlyArray<string>,
@@ -463,9 +466,9 @@ export type DraftEdit = { "type": "add",
   at: number,
 }
 | { "type": "move",
-  /** The layer that it goes to. */
+  /** The target layer. */
   toLayer: Layer,
-  /** Its place there; the end where that is beyond it. */
+  /** Index in the target layer, limited to its end. */
   to: number,
   /** The layer, */
   layer: Layer,
@@ -485,7 +488,7 @@ export type DraftEdit = { "type": "add",
   at: number,
 }
 | { "type": "bypass",
-  /** Whether it is left out. */
+  /** Whether it is bypassed. */
   on: boolean,
   /** The layer, */
   layer: Layer,
@@ -503,7 +506,7 @@ export type DraftEdit = { "type": "add",
   at: number,
 }
 | { "type": "where",
-  /** For all of it where it is null. */
+  /** Null for the whole image. */
   part: StylePart | null,
   /** The layer, */
   layer: Layer,
@@ -513,7 +516,7 @@ export type DraftEdit = { "type": "add",
 | { "type": "layer-where",
   /** Which layer. */
   layer: Layer,
-  /** For all of it where it is null. */
+  /** Null for the whole image. */
   part: StylePart | null,
 }
 | { "type": "reset",
@@ -535,31 +538,31 @@ export type DraftEdit = { "type": "add",
   ink: string,
 };
 
-/** What is known of a draft. */
+/** Analysis of a draft. */
 export type DraftFacts = {
   /** Its file. */
   style: Style,
-  /** The same with blocks passed over that cannot work where they are. */
+  /** The file with unusable blocks bypassed. */
   shown: Style,
-  /** Whether all can. */
+  /** Whether all blocks are usable. */
   whole: boolean, background: LayerFacts, foreground: LayerFacts,
 };
 
-/** What is known of a layer of a draft. */
+/** Analysis of a layer of a draft. */
 export type LayerFacts = {
-  /** Of each of its blocks, */
+  /** For each of its blocks. */
   misfits: ReadonlyArray<Misfit | null>,
-  /** and by its id of each block that could come behind them. */
+  /** For each block that could be added at the end, by id. */
   brings: Record<string, Misfit | null>,
 };
 
-/** What a block needs and does not get. */
+/** Missing input of a block. */
 export type Misfit = { lacks: Lack,
   /** The block that gives it. */
   remedy: string,
 };
 
-/** What a block needs and does not get. */
+/** Missing input of a block. */
 export type Lack = "luma" | "color";
 
 /** A page that was shown. */
@@ -586,7 +589,7 @@ export type History = {
   shown: ReadonlyArray<Shown>,
 };
 
-/** What is done. In JSON an object with the edit's name as its `type`, beside its fields. */
+/** An edit. In JSON, an object with the name of the edit as `type`, and its fields. */
 export type Edit = { "type": "add-photos",
   /** Their ids. */
   ids: ReadonlyArray<string>,
@@ -604,9 +607,9 @@ export type Edit = { "type": "add-photos",
   uses: Record<string, boolean>,
 }
 | { "type": "exchange-photo",
-  /** The one that goes. */
+  /** The replaced photo. */
   id: string,
-  /** The one that comes. */
+  /** The new photo. */
   by: string,
 }
 | { "type": "choose-by",
@@ -618,7 +621,7 @@ export type Edit = { "type": "add-photos",
 | { "type": "focus-photo",
   /** The photo. */
   id: string,
-  /** None takes the mark away. */
+  /** `None` removes the focus point. */
   focus: Focus | null,
 }
 | { "type": "star-photo",
@@ -630,17 +633,17 @@ export type Edit = { "type": "add-photos",
 | { "type": "mask-photo",
   /** The photo. */
   id: string,
-  /** None goes back to what was found. */
+  /** `None` restores the detected mask. */
   mask: string | null,
-  /** That, for the figures of the photo that step out of their panels. */
+  /** The detected mask, for the panel breakouts of the photo. */
   found?: string,
 }
 | { "type": "describe-shots",
-  /** All that is told of each, by the ids of the photos. */
+  /** The complete metadata of each shot, by photo id. */
   shots: Record<string, Shot>,
 }
 | { "type": "set-board",
-  /** All that is told of that. */
+  /** The complete settings of the storyboard. */
   board: Board,
 }
 | { "type": "lock",
@@ -656,17 +659,17 @@ export type Edit = { "type": "add-photos",
 | { "type": "show-page",
   /** It. */
   page: PageDocument,
-  /** Names it among those shown. */
+  /** Id of the page in the page history. */
   pageId: number,
 }
 | { "type": "change-page",
-  /** What it is now. */
+  /** The new page. */
   page: PageDocument,
 }
 | { "type": "change-settings",
   /** The settings. */
   settings: PageSettings,
-  /** The page; none where there is none. */
+  /** The page, or `None` without a page. */
   page: PageDocument | null,
 }
 | { "type": "set-sheets",
@@ -677,8 +680,8 @@ export type Edit = { "type": "add-photos",
 }
 | { "type": "add-words",
   /**
-   * Each with the place of its page as `sheet` and its `panel`, or with its `photo`; `joins` those that go on with what the
-   * one before says.
+   * Each has its page index as `sheet` and its `panel`, or its `photo`. `joins` continues the text
+   * item before.
    */
   words: ReadonlyArray<Word & { sheet?: number; joins?: boolean }>,
 }
@@ -688,7 +691,7 @@ export type Edit = { "type": "add-photos",
 }
 | { "type": "no-page" }
 | { "type": "design",
-  /** None where nothing is. */
+  /** `None` for an empty designer. */
   draft: Draft | null,
 }
 | { "type": "own-styles",
@@ -710,33 +713,33 @@ export type Edit = { "type": "add-photos",
   on: boolean,
 }
 | { "type": "rename",
-  /** What the person calls it. */
+  /** The project name. */
   name: string,
 }
 | { "type": "styling",
-  /** What is told of that. */
+  /** Its settings. */
   styling: Styling,
 }
 | { "type": "undo" }
 | { "type": "redo" }
 | { "type": "share",
-  /** Those that changed. */
+  /** The lists that changed. */
   lists: Partial<SharedLists>,
 }
 | { "type": "join",
-  /** Those that there are. */
+  /** The lists to merge. */
   lists: Partial<SharedLists>,
 };
 
 /** A part of the page. */
 export type Part = "layout" | "style" | "photos";
 
-/** How an edit counts: fields beside those of the edit. */
+/** How an edit is recorded in the history. In JSON, fields next to the fields of the edit. */
 export type How = {
-  /** It amends the present without a step, as for a page that is still growing. */
+  /** Amends the present state without an undo step, for example while a page is still being completed. */
   silent?: boolean,
   /**
-   * Names the edit that it belongs to, such as one drag of a slider: a step with the gesture of the step before joins
+   * Name of a coalesced edit, such as one drag of a slider. A step with the name of the step before joins
    * it.
    */
   gesture?: string,
@@ -752,9 +755,9 @@ export type PageDocument = {
   layout: LayoutChoice,
   /** Id of a style, or a style in full. */
   style: StyleChoice,
-  /** Photos in reading order; there may be more than panels. */
+  /** Photos in reading order, possibly more than panels. */
   order: ReadonlyArray<string>,
-  /** What each panel shows, in paint order. */
+  /** Content of each panel, in paint order. */
   panels: ReadonlyArray<PanelUse>,
   /** Groups of panels that share one image. */
   merges: ReadonlyArray<ReadonlyArray<number>>,
@@ -762,25 +765,25 @@ export type PageDocument = {
   page: PageSettings,
   /** The photos get one white point. Pages that were saved before this field have the colours of each photo. */
   balanced?: boolean,
-  /** Words on the page, as `Word`(super::words::Word) has them, in paint order. Whoever draws them checks them. */
+  /** Text items on the page, see `Word`(super::words::Word), in paint order. The renderer checks them. */
   words: ReadonlyArray<Word>,
 };
 
-/** What one panel shows. */
+/** Content of a panel. */
 export type PanelUse = {
-  /** Id of the photo; none leaves the panel empty. */
+  /** Id of the photo; `None` for an empty panel. */
   photo: string | null,
   /** The part of the photo that fills the panel, or the group it is merged into. */
   crop: Crop | null,
-  /** Faces of the photo, in fractions of it, which the style takes care of. Pages of before have none, and look as they did. */
+  /** Faces of the photo, in fractions of it, which the style protects. Old pages have no faces here, and look unchanged. */
   faces?: ReadonlyArray<Crop>,
-  /** The subject of the photo, which steps out of the panel where there is room; none, and nothing does. */
+  /** Subject mask of the photo for a panel breakout. `None` disables the breakout. */
   figure?: string,
-  /** The picture is shown as it is: in no style, without a border, and it is told as a logo. */
+  /** Whether the panel is a logo: no style, no border, and described as a logo. */
   plain?: boolean,
-  /** Kept by every shuffle. */
+  /** Whether every shuffle preserves the panel. */
   locked?: boolean,
-  /** The crop was made by hand: it stays while the photo stays in this panel. */
+  /** Whether the crop is manual. It stays as long as the photo stays in this panel. */
   edited?: boolean,
 };
 
@@ -812,9 +815,12 @@ export type PageSettings = {
   borderColor: string,
   /** Text is set for screens, where it is larger than in print. */
   forScreens?: boolean,
-  /** How far what ends at the edge goes on beyond it, 0..=0.1: for a file that is printed and cut, never saved. */
+  /** Bleed in page widths, 0 to 0.1. For print files only; it is never saved. */
   bleed?: number,
-  /** Photos that have fewer than `COARSE` pixels an inch are enlarged well: for a file that is printed, never saved. */
+  /**
+   * Upscale photos below `COARSE` pixels per inch with edge enhancement. For printed files only; it is
+   * never saved.
+   */
   enlarge?: boolean,
 };
 
@@ -831,21 +837,21 @@ export type Crop = {
 };
 
 /**
- * A caption, a balloon or a sound effect; what is left out is usual. Places are fractions of the bounds of its panel, or
- * of the page where it has none.
+ * A caption, a balloon or a sound effect. Omitted fields have defaults. Positions are fractions of the
+ * bounds of its panel, or of the page without a panel.
  */
 export type Word = { kind: 'caption' | 'balloon' | 'effect',
-  /** What it says. */
+  /** Text. */
   text: string,
   /** The outline of a balloon. */
   shape?: 'oval' | 'thought' | 'shout' | 'whisper' | 'radio',
-  /** The panel that it stands on. */
+  /** Its panel. */
   panel?: number | null, x?: number, y?: number,
   /** Width in page widths; null fits the text. */
   width?: number | null,
   /** Height of an em in page widths; `auto` or null fits the text. */
   size?: number | 'auto' | null,
-  /** Where the tail of a balloon points. */
+  /** Target of the tail of a balloon. */
   tail?: Focus | null,
   /** Id of a font. */
   font?: string,
@@ -857,7 +863,7 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   angle?: number,
   /** How far the line of an effect bends, -1 to 1. */
   arc?: number,
-  /** Nobody has moved it: it goes where it hides no face. */
+  /** Whether the item is placed automatically, away from faces. */
   auto?: boolean,
   /** Shuffle made it: the next shuffle replaces it. */
   made?: boolean,
@@ -866,8 +872,8 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   /** The subtitle that it was made of: none is added twice. */
   cue?: string | null,
   /**
-   * The conventions that it follows: 2 are those of letterers, which new words get; words without are those of
-   * earlier pages, and look as they did.
+   * Lettering rules: 2 for the rules of letterers, for all new items. Items without it are from old pages
+   * and keep their look.
    */
   craft?: 1 | 2,
   /** A caption without a box. */
@@ -878,17 +884,17 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   slant?: number,
   /** Half the width of the line around the letters of an effect, in ems, 0 to 0.4; null is as usual. */
   outline?: number | null,
-  /** An effect that stands behind the figures. */
+  /** Whether an effect is behind the subjects. */
   behind?: boolean,
-  /** Its name, for those that are joined to it. */
+  /** Id, for links of other balloons. */
   id?: string | null,
   /** The name of the balloon that this one is joined to. */
   joined?: string | null,
-  /** The same, found when the balloon was placed by itself. */
+  /** Automatically linked balloon. */
   linked?: string | null,
-  /** It is joined to no balloon by itself. */
+  /** Whether this balloon is never linked automatically. */
   apart?: boolean,
-  /** Who says it, where that is known. */
+  /** Name of the speaker, if known. */
   by?: string,
   /** The language of its text: long words part by its rules. */
   language?: string | null,
@@ -898,7 +904,7 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   room?: readonly [width: number, height: number] | null,
 };
 
-/** Where a word is without its tail, in page widths. */
+/** Bounds of a text item without its tail, in page widths. */
 export type WordBox = {
   /** Left edge. */
   x: number,
@@ -908,15 +914,15 @@ export type WordBox = {
   width: number,
   /** Height. */
   height: number,
-  /** Where its tail ends. */
+  /** End of the tail. */
   tip: Point | null,
   /** Height of an em. */
   size: number,
-  /** The end of its text found no room. */
+  /** Whether the end of the text was cut off. */
   cut: boolean,
-  /** Colour of its letters, `#rrggbb`. */
+  /** Text colour, `#rrggbb`. */
   color: string,
-  /** Colour inside of its outline, or around its letters. */
+  /** Fill colour of its outline, or of the line around its glyphs. */
   fill: string,
   /** Id of its font. */
   font: string,
@@ -1074,19 +1080,19 @@ export type PhotoMeta = {
   fingerprint: string,
   /** Sharpness by the default metric; comparable within an album only. */
   sharpness: number,
-  /** Where the photo has something to see. */
+  /** Energy map of the photo. */
   energy: EnergyMap,
-  /** When it was taken, `YYYY:MM:DD HH:MM:SS`, where the file says so. */
+  /** Capture time, `YYYY:MM:DD HH:MM:SS`, if the file contains it. */
   taken: string | null,
   /** Lettering, and the faces and objects found in it once detection has run. */
   subjects: ReadonlyArray<Subject>,
-  /** The point that a person marked as the one that matters. */
+  /** The focus point that the user set. */
   focus: Focus | null,
-  /** Tones, texture and colour; none where the photo was never measured, as in projects of before. */
+  /** Tones, texture and colour. `None` if the photo was never measured, as in old projects. */
   facts?: string,
-  /** Which part of it is its subject, once that was looked for. */
+  /** Subject mask, after detection. */
   mask?: string,
-  /** Marked by a person as one that matters: it gets the large panel. */
+  /** Whether the user starred it: it gets a large panel. */
   starred?: boolean,
 };
 
@@ -1110,17 +1116,17 @@ export type Subject = {
   score: number,
 };
 
-/** A filter block, as the page makes its controls of it. */
+/** A filter block, as data for its controls. */
 export type Block = {
   /** Name in style files. */
   id: string,
-  /** Name for people. */
+  /** Display name. */
   label: string,
-  /** What it does, in one line. */
+  /** Description in one line. */
   help: string,
-  /** What it takes. */
+  /** Channels of the input. */
   input: Channels,
-  /** What it gives. */
+  /** Channels of the output. */
   output: Channels,
   /** Its parameters. */
   params: ReadonlyArray<BlockParam>,
@@ -1132,11 +1138,11 @@ export type BlockParam = {
   id: string,
   /** Name of the control. */
   label: string,
-  /** One line for people. */
+  /** Description in one line. */
   help: string,
-  /** What it is. */
+  /** Type and range. */
   kind: ParamKind,
-  /** Used where a style file says nothing. */
+  /** Default value in style files. */
   default: ParamValue,
   /** Smallest value of a number. */
   min?: number,
@@ -1144,13 +1150,13 @@ export type BlockParam = {
   max?: number,
   /** Step of its slider. */
   step?: number,
-  /** Sign behind it. */
+  /** Unit symbol. */
   unit?: string,
   /** The names to choose from. */
   choices?: ReadonlyArray<string>,
 };
 
-/** What a parameter is. */
+/** Type of a parameter. */
 export type ParamKind = "number" | "integer" | "boolean" | "choice" | "texture" | "colour";
 
 /** Which images a block takes or gives. */
@@ -1167,11 +1173,11 @@ export type LayerParts = {
   foreground?: StylePart,
 };
 
-/** What the list of layouts shows of a template, in unit coordinates. */
+/** An entry in the list of layouts, in unit coordinates. */
 export type Layout = {
   /** Unique name in kebab-case. */
   id: string,
-  /** What people call it. */
+  /** Display name. */
   name: string,
   /** Its family. */
   family: string,
@@ -1189,7 +1195,7 @@ export type LayoutPanel = {
   shape: Outline,
   /** How much it draws the eye. */
   weight: number,
-  /** It lies on top of others. */
+  /** Whether the panel is an overlay. */
   overlay: boolean,
 };
 
@@ -1215,13 +1221,13 @@ export type Circle = {
 export type LayoutEntry = {
   /** Unique name in kebab-case. */
   id: string,
-  /** What people call it. */
+  /** Display name. */
   name: string,
   /** Its family. */
   family: string,
   /** Panels. */
   count: number,
-  /** Its place among a person's own; null for one of the catalogue. */
+  /** Index among the custom layouts; null for a built-in layout. */
   own: number | null,
   /** Its panels as an SVG path on a page 1000 wide. */
   base: string,
@@ -1229,11 +1235,11 @@ export type LayoutEntry = {
   over: string,
 };
 
-/** What can be done to a layout on a page. */
+/** Possible changes of a layout on a page. */
 export type LayoutFacts = {
   /** Unique name in kebab-case. */
   id: string,
-  /** What people call it. */
+  /** Display name. */
   name: string,
   /** Its family. */
   family: string,
@@ -1259,7 +1265,7 @@ export type Cut = {
   from: Point,
   /** Its right or lower end, in page widths. */
   to: Point,
-  /** Where it lies in its cell, 0..1. */
+  /** Position in its cell, 0 to 1. */
   fraction: number,
   /** Its slant, as in the file. */
   slant: number,
@@ -1273,11 +1279,11 @@ export type Cut = {
 /** Which way a split runs. */
 export type Axis = "rows" | "columns";
 
-/** A change to a layout by hand. */
+/** A manual change of a layout. */
 export type LayoutChange = { "type": "move-cut",
   /** Its place among the cuts. */
   cut: number,
-  /** Where it lies in its cell, 0..1. */
+  /** Position in its cell, 0 to 1. */
   fraction: number,
   /** As in the file. */
   slant: number,
@@ -1285,7 +1291,7 @@ export type LayoutChange = { "type": "move-cut",
 | { "type": "split",
   /** Which. */
   panel: number,
-  /** Which way they lie. */
+  /** Direction of the division. */
   axis: Axis,
 }
 | { "type": "remove",
@@ -1297,7 +1303,7 @@ export type LayoutChange = { "type": "move-cut",
   panels: ReadonlyArray<number>,
 };
 
-/** What the list of layouts is asked. */
+/** Request of the list of layouts. */
 export type LayoutsRequest = {
   /** The page that they are for. */
   page: PageSettings,
@@ -1305,9 +1311,9 @@ export type LayoutsRequest = {
   own?: ReadonlyArray<Template>,
 };
 
-/** What a new layout is to be like. */
+/** Requirements of a generated layout. */
 export type GenerateRequest = {
-  /** Of all that is left to chance. */
+  /** Random seed. */
   seed: number,
   /** The page that it is for. */
   page: PageSettings,
@@ -1317,7 +1323,7 @@ export type GenerateRequest = {
   most: number,
 };
 
-/** Where the panels are on a page whose width is 1, gutters and margins applied. */
+/** Panels on a page of width 1, with gutters and margins. */
 export type Geometry = {
   /** 1. */
   width: number,
@@ -1337,9 +1343,9 @@ export type PlacedPanel = {
   circle?: Circle,
   /** The rectangle round the outline. */
   bounds: Bounds,
-  /** It lies on top of others. */
+  /** Whether the panel is an overlay. */
   overlay: boolean,
-  /** Width of the paper-coloured ring outside the outline; 0 when there is none. */
+  /** Width of the paper-coloured outline around the panel. 0 without an outline. */
   halo: number,
 };
 
@@ -1358,19 +1364,19 @@ export type Bounds = {
 /** A point, or a vector, in the plane; y grows downward. */
 export type Point = [number, number];
 
-/** The selection's word on a photo. */
+/** The selection's verdict on a photo. */
 export type Verdict = {
-  /** Of the photo. */
+  /** Id of the photo. */
   id: string,
   /** Number of its group of look-alikes. */
   group: number,
   /** Whether it is used. */
   kept: boolean,
-  /** In a few words. */
+  /** The reason, in a few words. */
   why: string,
 };
 
-/** What is asked of the selection. */
+/** Request of a selection. */
 export type ChoiceRequest = {
   /** All photos. */
   photos: ReadonlyArray<Candidate>,
@@ -1382,7 +1388,7 @@ export type ChoiceRequest = {
 export type Candidate = {
   /** Its id. */
   id: string,
-  /** What people call it. */
+  /** Display name. */
   name: string,
   /** See `MeasuresEntry`. */
   fingerprint: string,
@@ -1396,27 +1402,27 @@ export type Candidate = {
   film?: string | null,
 };
 
-/** What selection compares, as JSON has it. */
+/** Measurements for the selection, as JSON. */
 export type Measures = {
   /** The 64-bit fingerprint in 16 hexadecimal digits. */
   fingerprint: string,
   /** Sharpness, comparable between photos that show the same. */
   gradient: number,
-  /** How much of it is paper. */
+  /** Sharpness by the measure of Garcia-Dorado et al., see `select::sharpness::paper`. */
   paper: number,
   /** Sharpness, comparable across an album. */
   laplacian: number,
 };
 
-/** What the page is told of a photo that was read. */
+/** Data of an imported photo for the app. */
 export type ImportEntry = {
-  /** What framing knows of it. */
+  /** Measurements for framing. */
   meta: PhotoMeta,
   /** Name of the file's format. */
   format: string,
   /** The damage of the file, if any. */
   damage: Damage | null,
-  /** What selection compares. */
+  /** Measurements for the selection. */
   measures: Measures,
   /** Size of the photo at `WORK_SIDE` or less. */
   work: PixelSize,
@@ -1434,9 +1440,9 @@ export type PixelSize = {
 
 /** Damage of a file that was decoded nevertheless. */
 export type Damage = {
-  /** Share of the picture that is missing and drawn grey, from 0 to 1. */
+  /** Missing share of the image, drawn grey, from 0 to 1. */
   missing: number,
-  /** Share of the picture that lacks detail, from 0 to 1. */
+  /** Share of the image without detail, from 0 to 1. */
   coarse: number,
 };
 
@@ -1456,7 +1462,7 @@ export type Detection = {
   height: number,
 };
 
-/** What the first look for faces found. */
+/** Result of the first search for faces. */
 export type FirstLook = {
   /** The faces. */
   boxes: ReadonlyArray<Detection>,
@@ -1464,27 +1470,27 @@ export type FirstLook = {
   closer: boolean,
 };
 
-/** A sound of a film. */
+/** A sound of a video. */
 export type SoundEvent = {
   /** Seconds at which it begins */
   start: number,
   /** and ends. */
   end: number,
-  /** What it is like. */
+  /** Kind of the sound. */
   kind: SoundKind,
-  /** Of its loudest frame, of music on average, in whole dB below full scale: -42 to about 0. */
+  /** Loudness in whole dB below full scale, -42 to about 0: of the loudest frame, or the mean for music. */
   loudness: number,
-  /** Words that it may be written with, the best first. */
+  /** Suggested sound effects, the best first. */
   words: [SoundWord, SoundWord, SoundWord],
 };
 
-/** What a sound is like. */
+/** Kind of a sound. */
 export type SoundKind = "hit" | "sweep" | "music";
 
-/** Names of words of sound, which languages write as they do. */
+/** Names of sound effects. Each language has its own spelling. */
 export type SoundWord = "bang" | "boom" | "clang" | "clap" | "click" | "clink" | "crack" | "crash" | "ding" | "knock" | "note" | "notes" | "rumble" | "slam" | "snap" | "swish" | "tap" | "thud" | "thump" | "tick" | "tune" | "vroom" | "whoosh" | "zip" | "zoom";
 
-/** What is asked for a child of two styles. */
+/** Request to combine two styles. */
 export type BreedRequest = { a: StyleChoice, b: StyleChoice, seed: number,
   /** 0 to 1. */
   surprise: number,
@@ -1494,7 +1500,7 @@ export type BreedRequest = { a: StyleChoice, b: StyleChoice, seed: number,
 export type Tables = { items: ReadonlyArray<TrayItem>, trays: ReadonlyArray<ReadonlyArray<number>>, pages: ReadonlyArray<PageDocument>, sheets: ReadonlyArray<KeptSheet>, books: ReadonlyArray<ReadonlyArray<number>>, styles: ReadonlyArray<Style>, shelves: ReadonlyArray<ReadonlyArray<number>>, layouts: ReadonlyArray<Template>, layoutShelves: ReadonlyArray<ReadonlyArray<number>>, settings: ReadonlyArray<PageSettings>, drafts: ReadonlyArray<Draft>, words: ReadonlyArray<Word>, waits: ReadonlyArray<ReadonlyArray<number>>, boards: ReadonlyArray<Board>,
 };
 
-/** What an edit changed: `difference` in `src/document/kept.rs` says how it is read. */
+/** The difference after an edit, see `difference` in `src/document/kept.rs`. */
 export type Difference = {
   /** As the one of that number was, but for these fields. */
   states: ReadonlyArray<[of: number, fields: Partial<KeptState>]>, past: Runs, present: number, future: Runs, entries: ReadonlyArray<KeptShown>, shown: Runs, parts: Tables,
@@ -1514,7 +1520,7 @@ export type RepairedSheets = {
 
 /** A history that was put into an editor. */
 export type Loaded = {
-  /** What was left out, as sentences. */
+  /** Dropped parts, as sentences. */
   dropped: ReadonlyArray<string>,
   /** An id for a new page, */
   pageId: number,
@@ -1528,17 +1534,17 @@ export type TabledHistory = { parts: Tables, past: ReadonlyArray<KeptState>, pre
 
 /** A history out of the database, checked. */
 export type ReadHistory = { version: number, history: TabledHistory,
-  /** What was left out, as sentences. */
+  /** Dropped parts, as sentences. */
   dropped: ReadonlyArray<string>,
 };
 
 /** A project file or the text of a page, checked. */
 export type ReadProject = { format: string, version: number, history: { present: Project; shown: ReadonlyArray<Shown> }, photos: ReadonlyArray<FilePhoto>, videos: ReadonlyArray<FileVideo>,
-  /** What was left out, as sentences. */
+  /** Dropped parts, as sentences. */
   dropped: ReadonlyArray<string>,
 };
 
-/** What a file tells of a photo. */
+/** Metadata of a photo in a file. */
 export type FilePhoto = {
   /** Its id in the document. */
   id: string,
@@ -1546,7 +1552,7 @@ export type FilePhoto = {
   name: string,
   /** Its place in the archive. */
   path: string,
-  /** The type of its file, empty where nobody knows it. */
+  /** Media type of the file, empty if unknown. */
   type: string,
   /** Its author. */
   credit?: string,
@@ -1558,19 +1564,19 @@ export type FilePhoto = {
   shot?: number,
   /** Whether it is compared with other photos. */
   measured: boolean,
-  /** What was found in it; none when it was not searched. */
+  /** Detected subjects; `None` before detection. */
   subjects: ReadonlyArray<Subject> | null,
-  /** Which part of it is its subject. */
+  /** Subject mask. */
   mask?: string,
   /** Its place in time among the photos. */
   rank: number | null,
-  /** How it is recognised where its file is not at hand. */
+  /** Identity, to find the photo without its file. */
   like: Likeness | null,
-  /** An empty frame stands for it. */
+  /** Whether an empty frame replaces the photo. */
   absent: boolean,
 };
 
-/** What a file tells of a video. */
+/** Metadata of a video in a file. */
 export type FileVideo = {
   /** Names it. */
   key: string,
@@ -1580,15 +1586,15 @@ export type FileVideo = {
   path: string,
   /** The type of its file. */
   type: string,
-  /** Photos that are frames of it. */
+  /** Ids of photos that are frames of the video. */
   ids: ReadonlyArray<string>,
-  /** Seconds; none until the file was opened. */
+  /** Duration in seconds; `None` until the file was opened. */
   duration: number | null,
   /** Frames are taken from here, */
   start: number,
   /** to here. */
   end: number | null,
-  /** The timecode of its first picture. */
+  /** Timecode of the first frame. */
   timecode?: StartTimecode,
 };
 
@@ -1604,22 +1610,22 @@ export type Likeness = {
   height: number,
 };
 
-/** How a file is made of pages; nothing told gives one sheet a page, in colour, without marks. */
+/** Options of a PDF file. Default: one sheet per page, in colour, without marks. */
 export type PdfOptions = {
-  /** What the file is called where it is shown. */
+  /** Title of the file. */
   title?: string,
-  /** Language of what stands in it, as a tag such as `pt-BR`; empty says nothing. */
+  /** Language of the text, as a tag such as `pt-BR`. Empty: not specified. */
   language?: string,
-  /** Lines beyond the corners that say where to cut and fold. */
+  /** Crop marks and fold marks. */
   marks?: boolean,
   /** How pages share sheets. */
   imposition?: Imposition | null,
   /**
-   * Width and height in millimetres of the sheets that all is fitted to, upright or not; none makes sheets as large as
-   * what is on them.
+   * Width and height in millimetres of the sheets, in either orientation. The content is scaled to fit.
+   * `None`: sheets fit the content.
    */
   paper?: [number, number] | null,
-  /** The ink whose plate this is, by its place in `inks`; none is for all colours. */
+  /** Index in `inks` of the ink of this plate. `None`: all colours. */
   plate?: number | null,
   /** The colours on white paper of the inks of plates, the strongest last. */
   inks?: ReadonlyArray<[number, number, number]>,
@@ -1630,11 +1636,14 @@ export type Imposition = "booklet" | "zine" | "2up" | "spreads";
 
 /** Pages that become one file. */
 export type Comic = {
-  /** What it is called. */
+  /** Title. */
   title: string,
-  /** BCP 47, such as `en`; what a reader says itself is in that language where there is one, else in English. */
+  /**
+   * BCP 47 tag, such as `en`. The reader's interface uses this language, or English if it is not
+   * available.
+   */
   language: string,
-  /** The files that its pictures are. */
+  /** File format of the images. */
   picture: PictureKind,
   /** Its pages in order. */
   pages: ReadonlyArray<ComicPage>,
@@ -1642,20 +1651,20 @@ export type Comic = {
 
 /** A page of a comic. */
 export type ComicPage = {
-  /** The page; its picture is as large as that. */
+  /** The page. Its image has the page's size. */
   document: PageDocument,
-  /** What each panel shows, such as `two people and a dog`, in paint order; empty where nobody knows. */
+  /** Content of each panel, such as `two people and a dog`, in paint order. Empty if unknown. */
   shows: ReadonlyArray<string>,
-  /** Where pictures that move lie over that of the page, in fractions of it, in paint order. HTML alone shows them. */
+  /** Areas of animated panels, in fractions of the page, in paint order. Only HTML comics show them. */
   moving?: ReadonlyArray<Crop>,
 };
 
-/** A kind of picture. */
+/** An image format. */
 export type PictureKind = "png" | "jpeg" | "webp";
 
 /**
- * A part of a file: text, or the picture of the page of that number, from 0. Behind those of all pages come the pictures that
- * move, page after page.
+ * A part of a file: text, or the image of the page with this index. The animated panels follow after the
+ * images of all pages, page by page.
  */
 export type Piece = string | number;
 
@@ -1663,7 +1672,7 @@ export type Piece = string | number;
 export type ComicFile = {
   /** Its name, with the folders that it is in. */
   name: string,
-  /** What is in it. */
+  /** Content. */
   content: Piece,
 };
 
