@@ -91,7 +91,6 @@ pub(crate) fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkp
         style: Some(json!(STYLES[start % STYLES.len()])),
         panels: Some(count),
         merge: Some(false),
-        ordered: Some(true),
         ..Request::default()
     };
     let mut page = shuffle::plan(&request)?;
