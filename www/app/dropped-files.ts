@@ -162,7 +162,7 @@ export function createDroppedFiles({
     return { photos: stopped ? [] : photos.filter((file) => !placed.has(file)), shown: opened.at(-1) };
   }
 
-  /** Finds PNG files of pages whose photos are missing: somebody shared them as pictures. */
+  /** Finds PNG files of pages whose photos are missing: they were shared as pictures. */
   async function withoutPhotos(found: readonly PageFile[]): Promise<PageFile[]> {
     const lost: PageFile[] = [];
     for (const page of found) if (await keeping.pageFiles.lacksPhotos(page)) lost.push(page);

@@ -154,7 +154,7 @@ const download = createDownload({
   pageFiles: keeping.pageFiles,
   shotList: boards.shotList,
   animatics,
-  // Sheets of a board say nothing of the layouts that a person likes.
+  // Storyboard sheets do not count as preferred layouts.
   onSaved: (saved) => saved.filter(isComic).forEach(taste.learn),
 });
 const exportChoice = createExportChoice(() => window.localStorage);

@@ -8,7 +8,7 @@ import { Views } from './views.tsx';
 import { ActionButton } from '../ui/action-button.tsx';
 import { Icon } from '../ui/icon.tsx';
 
-/** The quiet bar above: the project, undo, the views, and the ways out. On a small screen the views are in the menu. */
+/** The quiet bar above: the project, undo, the views, and the exports. On a small screen the views are in the menu. */
 export function TopBar() {
   const { store, ui, actions } = useApp();
   const wide = ui.wide.value;
@@ -53,7 +53,7 @@ function Steps() {
   );
 }
 
-/** One button in two parts: all ways out, and the quickest one. */
+/** One button in two parts: all exports, and the fastest one. */
 function Ways() {
   const { exportPages, download } = useApp().actions.download;
   return (

@@ -46,7 +46,7 @@ test('the shots follow the pages, with their balloons and captions as dialogue, 
   expect(dialogue()).toEqual(['Later\nAnd you?', 'Ann: Me?', '', '']);
   boards.put({ row: 1, column: boards.columns.value.findIndex(({ id }) => id === 'dialogue') }, [['Mine']]);
   expect(dialogue()).toEqual(['Later\nAnd you?', 'Mine', '', '']);
-  // A shot that is moved by hand stays there, until the pages give the order again.
+  // A shot that was dragged stays there until the order follows the pages again.
   boards.move(3, 0);
   expect(boards.rows.value.map(({ id }) => id)).toEqual([d, c, a, b]);
   boards.followPages();

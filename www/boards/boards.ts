@@ -1,6 +1,6 @@
 /**
  * The pages as a board: their photos as shots in reading order, then the photos that no page shows; the edits that change them,
- * the sheets, and the lists as files. All that is told of a shot stands with its photo in the document.
+ * the sheets, and the lists as files. Shot metadata is stored on the photo in the document.
  */
 
 import { computed } from '@preact/signals';
@@ -51,7 +51,7 @@ export function createBoards({
 }) {
   const logoOf = createLogos(engine);
   const board = computed(() => store.project.value.board ?? NO_BOARD);
-  /** What the pages tell of the shots. Sheets of a board are not pages of the comic. */
+  /** The shots of the pages. Sheets of a board are not pages of the comic. */
   const pageShots = computed(() => shotsOf(store.sheets.value.filter(isComic), store.planner.value));
   const rows = computed((): readonly ShotRow[] => {
     const items = new Map(store.tray.value.map((item) => [item.id, item]));
@@ -91,7 +91,7 @@ export function createBoards({
     return shot.frames ?? USUAL_SECONDS * board.value.fps;
   }
 
-  /** What stands in a cell. */
+  /** The text of a cell. */
   function textOf({ shot, said }: Pick<ShotRow, 'shot' | 'said'>, { kind, id }: Column): string {
     if (kind === 'own') return shot.more?.[id] ?? '';
     if (kind === 'length') return shot.frames === undefined ? '' : lengthText(shot.frames, board.value);

@@ -1,11 +1,11 @@
-/** The photos of the pages as shots: in reading order, with what the balloons and captions of their panels say. */
+/** The photos of the pages as shots: in reading order, with the text of the balloons and captions. */
 
 import { MOST } from '../engine/bounds.ts';
 import { readingOrder } from '../page/reading-order.ts';
 import type { PageDocument, Word } from '../engine/types.ts';
 import type { Planner } from '../document/store.ts';
 
-/** As in `src/document/listing.rs`: what text counts to the right, against what it counts down the panel. */
+/** As in `src/document/listing.rs`: the weight of the horizontal position against the vertical one. */
 const SLANT = 0.3;
 
 /** Returns the dialogue of each photo on the pages, by the ids of the photos in reading order. */

@@ -75,7 +75,7 @@ export function createBookActions({ store, book, messages, ui }: Pick<Parts, 'st
   } satisfies Record<string, Action>;
 }
 
-/** Whether a person wrote on the page, or moved or locked photos. */
+/** Whether the user wrote on the page, or moved or locked photos. */
 function isHandMade({ panels, words = [] }: PageDocument): boolean {
   return words.length > 0 || panels.some(({ edited, locked }) => edited || locked);
 }

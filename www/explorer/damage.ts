@@ -1,5 +1,5 @@
 /**
- * Invented styles that nobody wants on a photo: those that burn out its details, and those that lose its faces. Both follow from
+ * Detects generated styles that burn out the details of a photo or lose its faces. Both follow from
  * the signature of the picture, so that no pixels are read again.
  */
 

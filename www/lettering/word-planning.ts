@@ -87,7 +87,7 @@ export function createWordPlanning({
 
   /**
    * The page with its words where they hide no face, and as little of bodies as they can. If the layout has changed, words
-   * that a person placed move off faces as well.
+   * that the user placed move off faces as well.
    * @param only the words that may move; all unless told
    */
   function settled(page: PageDocument, only?: readonly number[]): PageDocument {

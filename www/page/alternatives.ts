@@ -69,7 +69,7 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
     } finally {
       running = false;
     }
-    // What it depends on has changed meanwhile, and nobody else would begin again.
+    // Its inputs have changed, so the stream starts again.
     if (basis.peek() !== '' && current(basis.peek()).items.length === 0 && !current(basis.peek()).over)
       await more(count);
   }

@@ -1,5 +1,5 @@
 /**
- * The tools for what is selected: one panel, several panels, the layout while it is edited, or the page. A few tools that can be
+ * The tools of the selection: one panel, several panels, the layout while it is edited, or the page. A few tools that can be
  * used are shown; `More` has the others, each with the reason why it cannot be used.
  */
 
@@ -18,7 +18,7 @@ const SHOWN = { most: 5, small: 4, page: 2 };
 /** `shown`: tools besides `More`; `end`: ends the mode that the tools belong to */
 type Tools = { title: string; tools: readonly Action[]; shown: number; end?: Action };
 
-/** @param props `bare`: only what the next click does, where another bar is open */
+/** @param props `bare`: show only the effect of the next click, if another bar is open */
 export function ContextBar({ bare = false }: { bare?: boolean }) {
   const app = useApp();
   const { ui } = app;
@@ -59,7 +59,7 @@ export function ContextBar({ bare = false }: { bare?: boolean }) {
   );
 }
 
-/** What the next click or key on the page does. */
+/** The effect of the next click or key on the page. */
 function ModeHint() {
   const { framing, reshaping, selection } = useApp();
   const mode = framing.mode.value;

@@ -3,7 +3,7 @@
 import type { PageDocument } from '../engine/types.ts';
 import type { Planner } from '../document/store.ts';
 
-/** Returns the panels in reading order. Of merged panels, it contains the one that leads. */
+/** Returns the panels in reading order. It contains the first of merged panels. */
 export function readingOrder({ layout, page, panels, merges }: PageDocument, planner: Planner | null): number[] {
   const order = planner?.geometry(layout, page).order ?? panels.map((_, panel) => panel);
   const leads = (panel: number) => merges.every((group) => !group.includes(panel) || group[0] === panel);

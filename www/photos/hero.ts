@@ -13,7 +13,7 @@ const [LEAST_FACE, MOST_FACE] = [0.01, 0.35];
 
 /**
  * The photo of style previews. It stays the same as long as it is in use, so that previews do not change with pages. It changes
- * once if a face is found in another photo and it has none.
+ * once if a face is found in another photo and not in this one.
  */
 export function useHero(): string | null {
   const app = useApp();
@@ -51,7 +51,7 @@ function faceIn(photo: PhotoMeta | undefined): number {
     const size = width * height;
     return size >= LEAST_FACE && size <= MOST_FACE ? Math.sqrt(size) * score : 0;
   });
-  // Of a crowd, no face is seen well in a small picture.
+  // A small picture of a crowd shows no face well.
   return Math.max(0, ...sizes) / Math.sqrt(Math.max(1, faces.length));
 }
 

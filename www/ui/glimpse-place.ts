@@ -8,7 +8,7 @@ export const GAP = 12;
 /** Below this width it shows no more than the thumbnail. */
 const LEAST = 160;
 
-/** Inside of the room and as near to the control as possible, so that it covers nothing outside of the room. */
+/** Inside the free area and as near to the control as possible. */
 export function inside(at: Box, size: Size, room: Box): Box {
   const by = Math.min(1, (room.width - 2 * GAP) / size.width, (room.height - 2 * GAP) / size.height);
   const [width, height] = [size.width * by, size.height * by];

@@ -17,7 +17,7 @@ export const bookStrings = {
     later: 'Move page later',
     spreadAlbum: 'Spread album over pages',
     spreadHelp: (n: number) => `Creates several pages with all ${n} photos, in their order`,
-    spreadAsk: 'The new pages replace your pages, also what you changed by hand.',
+    spreadAsk: 'The new pages replace your pages, including your edits.',
     spreadYes: 'Replace pages',
     styleAll: 'Use this style on all pages',
     left: (n: number) => `${count(n, 'photo')} on no page`,

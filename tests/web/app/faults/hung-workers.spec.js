@@ -103,7 +103,7 @@ test('Cancel terminates workers that hang during a download', { tag: '@ci' }, as
   const progress = page.getByRole('progressbar', { name: /full size/ });
   await expect(progress).toBeVisible();
   await page.getByRole('button', { name: 'Cancel' }).click();
-  // Workers have 50 ms to end by themselves. The time limits of jobs are longer than a second.
+  // Workers have 50 ms to end. The time limits of jobs are longer than a second.
   await page.clock.runFor(200);
   await expect.poll(ended).toBeGreaterThan(before);
   await page.clock.resume();

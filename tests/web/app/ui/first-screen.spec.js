@@ -1,5 +1,5 @@
 // @ts-check
-/** What a person sees first: the start screen, the size of the comic page, and the number of controls. */
+/** The first screens: the start screen, the size of the comic page, and the number of controls. */
 
 import { panel } from '../panel-hands.js';
 import {
@@ -75,7 +75,7 @@ for (const viewport of [
       await expect(tools).toHaveText(['Crop', 'Replace', 'Lock', 'Star', 'Split panel', 'More']);
       expect(await share(page)).toBeCloseTo(before, 3);
       await tools.last().click();
-      // What cannot be used says why.
+      // A disabled tool explains why it is disabled.
       await expect(tools.filter({ hasText: 'Reset' })).toContainText('the crop is the automatic one');
       await accessible(page);
     });
