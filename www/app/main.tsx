@@ -358,7 +358,7 @@ effect(() => {
   if (selection.panels.value.length === 0) return;
   untracked(() => lettering.choose(-1));
 });
-/** What belongs to a panel ends with its selection. */
+/** Modes of a panel end with its selection. */
 effect(() => {
   const [panel, other] = selection.panels.value;
   const { mode, cropping } = framing;
