@@ -316,7 +316,7 @@ test('subtitles of a video become balloons on its frames, and a malformed file i
 test('characters that no font contains are reported', async ({ page }) => {
   await openBoard(page);
   await write(page, 'balloon', 'GO \u{e123}');
-  const note = page.getByRole('note').filter({ hasText: 'in no font' });
+  const note = page.getByRole('note').filter({ hasText: 'No font has these characters' });
   await expect(note).toContainText('U+E123');
   expect((await inked(page)).count).toBeGreaterThan(100);
 });
