@@ -18,8 +18,8 @@ export const photoStrings = {
   kept: 'Utilisées',
   unseen: {
     waits: 'Pas encore montrée',
-    text: 'Pas montrée : on dirait une page de texte',
-    small: 'Pas montrée : trop peu de pixels',
+    text: 'Pas montrée : on dirait une page de texte',
+    small: 'Pas montrée : trop peu de pixels',
   },
   setAside: 'Exclues',
   setAsideWhy: 'Semblables ou floues. Cochez-en une pour l’utiliser.',
