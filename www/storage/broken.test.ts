@@ -177,7 +177,7 @@ describe('a project that cannot be read', () => {
     expect([tab.keeping.broken.value, documentOf(tab).present, said(tab)]).toEqual([
       null,
       before.present,
-      [expect.stringContaining('Trip is back')],
+      ['The last good version of Trip was restored.'],
     ]);
     await tab.keeping.flush();
     const again = await later();

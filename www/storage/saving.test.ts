@@ -570,7 +570,7 @@ describe('a film', () => {
     const after = await browser.died().tab();
     expect([after.names().length, absent(after), after.store.videos.value.size]).toEqual([24, [], 0]);
     expect(after.messages.list.value.map(({ text }) => text)).toEqual([
-      expect.stringContaining('film.mp4 is no longer in this browser; its frames are.'),
+      'film.mp4 is no longer in this browser, but the frames are. To use other frames, add the video again.',
     ]);
   });
 });
