@@ -2,7 +2,7 @@
 
 import { readFileSync } from 'node:fs';
 import { beforeAll, expect, test, vi } from 'vitest';
-import { fakeApp } from '../document/testing.ts';
+import { fakeApp, orderByName } from '../document/testing.ts';
 import { initSync, shotFile } from '../pkg-exports/inkpanel.js';
 import { importShots } from './board-import.ts';
 import { createBoards } from './boards.ts';
@@ -11,8 +11,10 @@ beforeAll(() => {
   initSync({ module: readFileSync(new URL('../pkg-exports/inkpanel_bg.wasm', import.meta.url)) });
 });
 
+/** A board with the shots in the order of the names. */
 async function board(...names: string[]) {
   const app = fakeApp();
+  orderByName(app);
   await app.reading.addFiles(names.map((name, i) => new File([String(i)], name)));
   const messages = { alert: vi.fn(), note: vi.fn(), fileFailed: vi.fn() };
   const boards = createBoards({ store: app.store, engine: app.engine, chooseStyle: () => {} });

@@ -2,15 +2,19 @@
 
 import { createBook } from './book.ts';
 import { keepBook } from './book-upkeep.ts';
-import { fakeApp } from '../document/testing.ts';
+import { fakeApp, orderByName } from '../document/testing.ts';
 import type { PageDocument } from '../engine/types.ts';
 
 const names = (count: number) => Array.from({ length: count }, (_, i) => `${i}.jpg`);
 export const photosOfPage = (page: PageDocument) => page.panels.map(({ photo }) => photo);
 
-/** A storyboard of one page, with a number of photos. */
-export async function opened(count: number) {
+/**
+ * A storyboard of one page, with a number of photos.
+ * @param how `byName`: they stay in the order of their names
+ */
+export async function opened(count: number, { byName = false }: { byName?: boolean } = {}) {
   const app = fakeApp();
+  if (byName) orderByName(app);
   const book = createBook(app);
   const waiting: (() => void)[] = [];
   keepBook({ store: app.store, pages: app.pages, later: (work) => waiting.push(work) });

@@ -53,7 +53,7 @@ describe('adding a page', () => {
 
 describe('spreading the album', () => {
   test('puts every photo on one page, in order, in one style', async () => {
-    const { book, store, shown, ids } = await opened(40);
+    const { book, store, shown, ids } = await opened(40, { byName: true });
     const style = store.page.value?.style;
     book.spreadAlbum();
     expect(shown().flat()).toEqual(ids());

@@ -1,6 +1,6 @@
 import { describe, expect, test, vi } from 'vitest';
 import { createAlternatives } from '../page/alternatives.ts';
-import { fakeApp } from './testing.ts';
+import { fakeApp, orderByName } from './testing.ts';
 import type { PageDocument } from '../engine/types.ts';
 
 vi.useFakeTimers();
@@ -149,6 +149,7 @@ describe('alternatives', () => {
 
   test('never repeat themselves, and end when there are no more', async () => {
     const { pages, store } = await opened();
+    orderByName({ store });
     const alternatives = createAlternatives({ store, pages });
     pages.lock('style', true);
     pages.lock('layout', true);

@@ -11,6 +11,7 @@ import { createStore } from './store.ts';
 import type { Wish } from '../engine/core.ts';
 import type { Layout, PageDocument, PhotoMeta } from '../engine/types.ts';
 import type { Editing } from './editing.ts';
+import type { Store } from './store.ts';
 import type { Change } from './history.ts';
 
 /** One layout of the catalogue a number of panels. */
@@ -76,6 +77,11 @@ export function fakePlanner() {
       photos.map(({ id, twin }) => ({ id, group: 0, kept: !twin, why: twin ? 'same as another' : '' })),
   };
   return planner;
+}
+
+/** Has the planner keep the photos in the order of their names, which chance decides otherwise. */
+export function orderByName({ store }: { store: Pick<Store, 'change'> }) {
+  store.change({ type: 'choose-by', order: 'name', silent: true });
 }
 
 /** @param odd files that cannot be read, that are damaged or that look like another */

@@ -38,6 +38,12 @@ test('photos are put in order without those that are locked, and merged panels s
 
 test('to take another, to set how alike photos are and to order them are each one step', async () => {
   const app = fakeApp({ 'b.jpg': 'twin' });
+  // Photos of different times keep their order.
+  const { importPhoto } = app.engine;
+  app.engine.importPhoto = async (id: string, file: File) => ({
+    ...(await importPhoto(id, file)),
+    taken: `2026:01:01 00:00:0${id.slice(1)}`,
+  });
   const choosing = createChoosing(app);
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg'));
   expect(names(app)).toEqual(['a.jpg', 'c.jpg']);

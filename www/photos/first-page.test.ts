@@ -1,5 +1,5 @@
 import { describe, expect, test, vi } from 'vitest';
-import { edited, fakeApp, pageOf } from '../document/testing.ts';
+import { edited, fakeApp, orderByName, pageOf } from '../document/testing.ts';
 
 vi.useFakeTimers();
 
@@ -37,6 +37,7 @@ describe('the first page', () => {
     const { store, reading, files, names, planner } = app((name) => Number.parseInt(name, 10) >= 7, {
       '1.jpg': 'twin',
     });
+    orderByName({ store });
     void reading.addFiles(files(...ten));
     await vi.advanceTimersByTimeAsync(100);
     expect(store.sketch.value).toBe(true);

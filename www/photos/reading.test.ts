@@ -1,6 +1,6 @@
 import { describe, expect, test, vi } from 'vitest';
 import { unreadMeta } from '../document/album.ts';
-import { fakeApp } from '../document/testing.ts';
+import { fakeApp, orderByName } from '../document/testing.ts';
 
 vi.useFakeTimers();
 
@@ -11,6 +11,7 @@ const alerts = ({ messages }: ReturnType<typeof fakeApp>) => messages.list.value
 describe('the first photos', () => {
   test('are laid out before any is read, in the order of their names', async () => {
     const app = fakeApp();
+    orderByName(app);
     /** The state after the first photo was read. */
     let first: unknown = null;
     app.store.reading.subscribe((reading) => {
@@ -98,6 +99,7 @@ test('of hundreds those that are not on the page are told of together, and all a
 describe('photos added later', () => {
   test('join the page as one step', async () => {
     const app = fakeApp();
+    orderByName(app);
     await app.reading.addFiles(app.files('a.jpg'));
     const before = app.store.page.value;
     await app.reading.addFiles(app.files('b.jpg', 'c.jpg'));
@@ -122,6 +124,7 @@ describe('photos added later', () => {
 describe('the tray', () => {
   test('a photo that is not used any more leaves the page, as one step', async () => {
     const app = fakeApp();
+    orderByName(app);
     await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg'));
     app.reading.use('p2', false);
     expect(names(app)).toEqual(['a.jpg', 'c.jpg']);

@@ -1,6 +1,7 @@
 /** Pages that carry their project, for the tests of keeping. */
 
 import { chunkOf, chunksOf, pngOf, textHead, textOf } from '../../engine/png-chunks.ts';
+import { orderByName } from '../../document/testing.ts';
 import { fakeBrowser } from '../testing.ts';
 import type { Cargo } from './page-files.ts';
 
@@ -17,10 +18,12 @@ export const bare = async () =>
     await chunkOf('IEND', new Uint8Array(0)),
   ]);
 
-/** A browser with a page of three photos with manual crops. */
+/** A browser with a page of three photos in the order of their names, with manual crops. */
 export async function tripTab(): Promise<Tab> {
   const tab = await fakeBrowser().tab();
+  orderByName(tab);
   await tab.add('a.jpg', 'b.jpg', 'c.jpg');
+  tab.store.change({ type: 'choose-by', order: 'time', silent: true });
   const page = tab.store.page.value as any;
   const panels = page.panels.map((panel: any) => ({ ...panel, crop: CROP, edited: true }));
   tab.store.change({ type: 'change-page', page: { ...page, panels, words: [{ kind: 'caption', text: 'Meanwhile' }] } });
