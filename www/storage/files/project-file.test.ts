@@ -69,7 +69,8 @@ describe('a project file', () => {
   });
 
   it('has no photos that only the undo history needs', async () => {
-    await tab.add(...'defghijkl'.split('').map((name) => `${name}.jpg`));
+    // More than a page has room for, besides the three of the pages before.
+    await tab.add(...'defghijklmnop'.split('').map((name) => `${name}.jpg`));
     const { shown } = tab.store.history.value;
     const onPages = photosOn(shown.map(({ page }) => page));
     const unseen = tab.store.facts.value.find(({ id }) => !onPages.has(id)) as Fact;
