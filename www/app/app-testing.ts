@@ -62,7 +62,12 @@ export async function fakeParts(): Promise<Parts> {
     choosing: createChoosing({ store, pages, reading }),
     reshaping: createReshaping({ store, pages, seed: () => 1 }),
     scrubbing: createScrubbing({ store, pages, reading, engine, messages }),
-    narrating: createNarrating({ store, ui, album: { title: () => '', moments: () => new Map() } }),
+    narrating: createNarrating({
+      store,
+      ui,
+      album: { title: () => '', moments: () => new Map() },
+      settled: (page) => page,
+    }),
     lettering: createLettering({ store, messages, selection, load: () => new Promise(() => {}) }),
     ownLayouts: createOwnLayouts({ store, pages, messages }),
     explorer: createExplorer({ store, engine, messages, ownStyles, seed: () => 1, judged: false }),

@@ -78,12 +78,17 @@ const pages = createPages(store, {
   settled: (page) => lettering.settled(page),
   shuffled: () => hints.shuffled(),
 });
-const reading = createReading({ store, pages, engine, messages, prefix: freshPhotoPrefix() });
+const reading = createReading({ store, pages, engine, messages, prefix: freshPhotoPrefix(), detects: ui.detects });
 const book = createBook({ store, pages, messages, onKept: (page) => taste.learn(page) });
 const choosing = createChoosing({ store, pages, reading });
 const scrubbing = createScrubbing({ store, pages, reading, engine, messages });
 const selection = createSelection({ store });
-const narrating = createNarrating({ store, ui, album: reading });
+const narrating = createNarrating({
+  store,
+  ui,
+  album: reading,
+  settled: (page, only) => lettering.settled(page, only),
+});
 const lettering = createLettering({ store, messages, selection, load: engine.lettering });
 const subtitling = createSubtitling({ store, lettering, messages });
 const filmSounds = createFilmSounds({ store, engine, lettering, messages });
@@ -132,7 +137,10 @@ const subjects = createSubjects({
   messages,
   engine,
   painted: () => ui.painted.value === store.page.value,
-  onFound: crops.found,
+  onFound: () => {
+    crops.found();
+    narrating.avoidFaces();
+  },
   wanted: ui.detects,
   window,
 });

@@ -9,17 +9,19 @@ import type { Moment } from './narration.ts';
 
 export type Narrating = ReturnType<typeof createNarrating>;
 
-/** @param app `album`: the title of the album, and when and where its photos were taken */
+/** @param app `album`: the title of the album, and when and where its photos were taken; `settled` places text */
 export function createNarrating({
   store,
   ui,
   album,
+  settled,
 }: {
   store: Store;
   ui: Pick<Ui, 'narrates' | 'narrate'>;
   album: { title: () => string; moments: () => Map<string, Moment> };
+  settled: (page: PageDocument, only: readonly number[]) => PageDocument;
 }) {
-  return { narrated, turn };
+  return { narrated, turn, avoidFaces };
 
   /** @param page a new page at `at` among the pages; only the first has a title */
   function narrated(page: PageDocument, at: number): PageDocument {
@@ -31,6 +33,16 @@ export function createNarrating({
       day: strings.dayOf,
       time: strings.timeOf,
     });
+  }
+
+  /** Moves the title and captions off faces that were detected after the page was planned. */
+  function avoidFaces() {
+    const page = store.page.peek();
+    const made = (page?.words ?? []).flatMap((word, i) => (word.made ? [i] : []));
+    if (!page || made.length === 0) return;
+    const moved = settled(page, made);
+    if (JSON.stringify(moved.words) !== JSON.stringify(page.words))
+      store.change({ type: 'change-page', page: moved, silent: true });
   }
 
   /** Turns title and captions on or off, for the shown page at once. */

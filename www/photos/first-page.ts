@@ -13,19 +13,23 @@ import type { PhotoMeta } from '../engine/types.ts';
 /** Milliseconds after the photos of a page are there, in which faces are found at most; more where the nets are still being made. */
 const WAIT = 120;
 const LONGER_WAIT = 250;
+/** Maximum wait for faces after all photos are read, in milliseconds. The sketch is visible meanwhile. */
+const FACE_WAIT = 1500;
 /** Milliseconds that the page waits for the others, as far as one can tell: of look-alikes it should have the best. */
 const PATIENCE = 250;
 const ALL_NEW = Object.freeze({ layout: false, style: false, photos: false });
 
-/** `facesReady`: whether face detection can start immediately */
+/** `facesReady`: whether face detection can start immediately; `detects`: whether faces are detected at all */
 export function createFirstPage({
   store,
   pages,
   facesReady = () => true,
+  detects = false,
 }: {
   store: Store;
   pages: Pick<Pages, 'plan' | 'show'>;
   facesReady?: () => boolean;
+  detects?: boolean;
 }) {
   /** Whether its photos are being read, or planning is about to start. Not while photos replace others. */
   const near = signal(false);
@@ -33,6 +37,8 @@ export function createFirstPage({
   /** The page that is the sketch, and since when. */
   let sketched = '';
   let since = 0;
+  /** Whether all photos are read and only faces are missing. */
+  let finishing = false;
 
   effect(() => {
     const { page } = store.project.value;
@@ -48,7 +54,7 @@ export function createFirstPage({
     // The wait ends when all photos are read.
     const soon = restOf(read.size) <= PATIENCE;
     if (enough) timer ??= setTimeout(compose, soon ? 2 * PATIENCE : facesReady() ? WAIT : LONGER_WAIT);
-    if (enough && !soon && [...read].every((id) => store.faced.value.has(id))) {
+    if (enough && (!soon || finishing) && [...read].every((id) => store.faced.value.has(id))) {
       clearTimeout(timer);
       timer = setTimeout(compose);
     }
@@ -58,7 +64,7 @@ export function createFirstPage({
     return undefined;
   });
 
-  return { sketch, compose, near };
+  return { sketch, finish, near };
 
   /** estimated milliseconds for the remaining photos */
   function restOf(read: number): number {
@@ -76,6 +82,19 @@ export function createFirstPage({
       since = performance.now();
       store.sketch.value = page !== null;
     });
+  }
+
+  /**
+   * Plans the first page after all photos are read. The page is about people, so it waits a moment for their faces.
+   * @returns whether there is a page to plan
+   */
+  function finish(): boolean {
+    const faced = store.faced.peek();
+    if (!detects || !store.sketch.peek() || known().every(({ id }) => faced.has(id))) return compose();
+    end();
+    finishing = true;
+    timer = setTimeout(compose, FACE_WAIT);
+    return true;
   }
 
   /**
@@ -117,5 +136,6 @@ export function createFirstPage({
   function end() {
     clearTimeout(timer);
     timer = undefined;
+    finishing = false;
   }
 }

@@ -30,19 +30,21 @@ type Engine = Pick<
 >;
 export type Reading = ReturnType<typeof createReading>;
 
-/** @param app `prefix` begins the ids of photos */
+/** @param app `prefix` begins the ids of photos; `detects`: whether faces are detected */
 export function createReading({
   store,
   pages,
   engine,
   messages,
   prefix,
+  detects,
 }: {
   store: Store;
   pages: Pages;
   engine: Engine;
   messages: Messages;
   prefix?: string;
+  detects?: boolean;
 }) {
   let clicks = 0;
   /** The photos of the last plan, to see whether another is due. */
@@ -60,7 +62,7 @@ export function createReading({
   const intake = createIntake({ store, pages, engine, messages, prefix });
   const frames = createFrames({ store, engine, intake, messages });
   const naming = createAlbumNaming({ store });
-  const firstPage = createFirstPage({ store, pages, facesReady: () => engine.facesReady() });
+  const firstPage = createFirstPage({ store, pages, facesReady: () => engine.facesReady(), detects });
 
   return {
     addFiles,
@@ -245,7 +247,7 @@ export function createReading({
       // For a single file the error message is enough.
       if (files > 1) complaint = messages.alert(strings.noUsablePhoto);
     } else if (step === null) {
-      if (!firstPage.compose()) keepShown();
+      if (!firstPage.finish()) keepShown();
     } else if (planned !== inUse()) {
       pages.show(pages.refit({ grow: true }), { gesture: step });
     }
