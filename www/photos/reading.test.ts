@@ -23,6 +23,16 @@ describe('the first photos', () => {
     expect(names(app)).toEqual(['p1.jpg', 'p2.jpg', 'p10.jpg']);
   });
 
+  test('are no near-duplicates of each other before they are read', () => {
+    for (const prefix of ['p', 'p0.5514308192382507-']) {
+      const prints = Array.from({ length: 120 }, (_, i) => BigInt(`0x${unreadMeta(`${prefix}${i + 1}`).fingerprint}`));
+      const bits = (value: bigint) => value.toString(2).replaceAll('0', '').length;
+      const distances = prints.flatMap((one, i) => prints.slice(0, i).map((other) => bits(one ^ other)));
+      // The core sets photos aside that differ in 10 bits or fewer.
+      expect(Math.min(...distances)).toBeGreaterThan(10);
+    }
+  });
+
   test('cannot be undone: there is nothing before them', async () => {
     const app = fakeApp();
     await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
