@@ -66,6 +66,7 @@ import { drawn } from './guard.tsx';
 import { keepFocus } from './focus-keeper.ts';
 import { openFiles } from '../photos/file-input.tsx';
 import { createActions } from './actions.ts';
+import { enlarged } from '../page/panels/enlarging.ts';
 import type { Parts } from '../ui/context.ts';
 
 const engine = createEngine({ sparing: isHandheld(window) });
@@ -80,7 +81,7 @@ const pages = createPages(store, {
 });
 const reading = createReading({ store, pages, engine, messages, prefix: freshPhotoPrefix(), detects: ui.detects });
 const book = createBook({ store, pages, messages, onKept: (page) => taste.learn(page) });
-const choosing = createChoosing({ store, pages, reading });
+const choosing = createChoosing({ store, pages, reading, enlarged });
 const scrubbing = createScrubbing({ store, pages, reading, engine, messages });
 const selection = createSelection({ store });
 const narrating = createNarrating({

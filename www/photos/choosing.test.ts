@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
 import { createChoosing, exchanged, resorted } from './choosing.ts';
 import { fakeApp } from '../document/testing.ts';
+import { enlarged } from '../page/panels/enlarging.ts';
 import type { PageDocument } from '../document/project.ts';
 
 const names = ({ store }: ReturnType<typeof fakeApp>) =>
@@ -44,7 +45,7 @@ test('to take another, to set how alike photos are and to order them are each on
     ...(await importPhoto(id, file)),
     taken: `2026:01:01 00:00:0${id.slice(1)}`,
   });
-  const choosing = createChoosing(app);
+  const choosing = createChoosing({ ...app, enlarged });
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg'));
   expect(names(app)).toEqual(['a.jpg', 'c.jpg']);
   choosing.take('p2', ['p1', 'p2']);
@@ -65,7 +66,7 @@ test('to take another, to set how alike photos are and to order them are each on
 
 test('the order is that of time only where the person wants it', async () => {
   const app = fakeApp();
-  const choosing = createChoosing(app);
+  const choosing = createChoosing({ ...app, enlarged });
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
   for (const [id, taken] of [
     ['p1', '2026:02:01 00:00:00'],

@@ -3,18 +3,29 @@
  * at once, and each change is one step of the undo.
  */
 
-import { enlarged } from '../page/panels/enlarging.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Order } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument } from '../engine/types.ts';
+import type { Planner } from '../engine/core.ts';
+import type { LayoutChoice, PageDocument } from '../engine/types.ts';
 import type { Reading } from './reading.ts';
 
 export type Choosing = ReturnType<typeof createChoosing>;
 
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
-export function createChoosing({ store, pages, reading }: { store: Store; pages: Pages; reading: Reading }) {
+/** @param app `enlarged` returns the layout with a larger panel, or null */
+export function createChoosing({
+  store,
+  pages,
+  reading,
+  enlarged,
+}: {
+  store: Store;
+  pages: Pages;
+  reading: Reading;
+  enlarged: (planner: Planner, page: PageDocument, panel: number) => LayoutChoice | null;
+}) {
   let stars = 0;
   return { setAlike, setOrder, take, star };
 
