@@ -153,7 +153,7 @@ mod tests {
         let found = files(&[folder.path().to_owned()]).unwrap();
         assert_eq!(found, ["2.jpg", "10.PNG", "b/c/x.webp"].map(at));
         std::fs::create_dir(at("empty")).unwrap();
-        assert!(files(&[at("empty")]).unwrap_err().contains("no picture in this folder"));
+        assert!(files(&[at("empty")]).unwrap_err().contains("the folder contains no pictures"));
         assert!(files(&["-".into(), "-".into()]).unwrap_err().contains("only once"));
     }
 }

@@ -314,8 +314,8 @@ fn what_pages_do_not_have_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let frames = folder.path().join("frames");
     for (more, why) in [
-        (&["--captions"][..], "--captions is of shots"),
-        (&["--style", "noir"], "--style is of shots"),
+        (&["--captions"][..], "--captions cannot be combined"),
+        (&["--style", "noir"], "--style cannot be combined"),
         (&["--seconds", "61"], "--seconds is at most 60 with --pages"),
         (&["--dissolve", "1.5"], "--dissolve is at most 1 with --pages"),
     ] {
@@ -355,13 +355,13 @@ fn panels_that_move_in_the_page_are_told_to_stand_still() {
         done(&made);
         let said = String::from_utf8_lossy(&made.stderr).into_owned();
         assert!(
-            said.contains(&format!("{what} a frame of a film and moves in a film that the page makes")),
+            said.contains(&format!("{what} a video frame; here it does not move")),
             "{said}"
         );
     }
     let plain = animate(&project(), &folder.path().join("plain"), &READ);
     done(&plain);
-    assert!(!String::from_utf8_lossy(&plain.stderr).contains("film that the page makes"));
+    assert!(!String::from_utf8_lossy(&plain.stderr).contains("does not move"));
 }
 
 #[test]

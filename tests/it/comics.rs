@@ -85,13 +85,16 @@ fn frames_are_the_panels_within_a_pixel() {
     for template in layouts {
         let page = document(template.id(), (1240, 1754), &json!([]));
         let scene = Scene::new(&page, 1240).unwrap();
+        let page_order = page.reading_order();
         let files = cbz::write(&comic(vec![page]), &letters()).unwrap();
         let acbf = parsed(text(&files, "comic.acbf"));
         let told = acbf.descendants().filter(|node| node.tag_name().name() == "frame");
         let told: Vec<Vec<(f64, f64)>> =
             told.map(|frame| points(frame.attribute("points").unwrap())).collect();
         assert_eq!(told.len(), scene.panels.len(), "{}", template.id());
-        for (frame, panel) in told.iter().zip(&scene.panels) {
+        // Frames are in reading order.
+        let order = page_order.iter().map(|&panel| &scene.panels[panel]);
+        for (frame, panel) in told.iter().zip(order) {
             frames += 1;
             match &panel.shape {
                 ResolvedShape::Polygon(corners) => {

@@ -569,7 +569,9 @@ fn an_edit_in_json_tells_what_it_changed_or_changes_nothing() {
     assert_eq!((&told["parts"]["trays"], &told["states"]), (&json!([[0, 1]]), &json!([[0, { "tray": 0 }]])));
     assert_eq!([&told["past"], &told["present"], &told["future"]], [&json!([[0, 1]]), &json!(1), &json!([])]);
     assert_eq!((&told["entries"], &told["shown"]), (&json!([]), &json!([])));
-    let full: Value = serde_json::from_str(&page(3).to_json()).unwrap();
+    // The page has the settings of a new project, so these do not change.
+    let mut full: Value = serde_json::from_str(&page(3).to_json()).unwrap();
+    full["page"]["forScreens"] = json!(true);
     let told = apply(json!({ "type": "show-page", "page": full, "pageId": 4 })).unwrap();
     assert_eq!(told["states"], json!([[1, { "page": 0, "pageId": 4 }]]));
     assert_eq!((&told["parts"]["pages"], &told["past"]), (&json!([full]), &json!([[0, 2]])));
@@ -1225,7 +1227,10 @@ fn comparable(value: Value) -> Value {
         Value::Array(list) => list.into_iter().map(comparable).collect(),
         // No mark is as good as none.
         Value::Object(map) => {
-            let told = map.into_iter().filter(|(name, value)| name != "focus" || !value.is_null());
+            // The stored runs are older than the text size for screens.
+            let told = map
+                .into_iter()
+                .filter(|(name, value)| (name != "focus" || !value.is_null()) && name != "forScreens");
             told.map(|(name, value)| (name, comparable(value))).collect()
         }
         other => other,

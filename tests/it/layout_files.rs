@@ -85,7 +85,7 @@ fn faults_of_the_head() -> Vec<Case> {
 fn faults_of_trees() -> Vec<Case> {
     vec![
         (file("\"weights\": []"), "file", "tree or polygons"),
-        (file(&format!("{TREE}, \"polygons\": []")), "polygons", "beside tree"),
+        (file(&format!("{TREE}, \"polygons\": []")), "polygons", "cannot be combined with tree"),
         (file("\"tree\": null"), "tree", "object"),
         (file("\"tree\": {}"), "tree", "rows or columns"),
         (file("\"tree\": \"pannel\""), "tree", "object"),

@@ -115,7 +115,7 @@ fn what_is_no_plan_is_refused_by_name() {
     let page =
         |panels: Value| json!({ "pages": [{ "page": { "width": 10, "height": 10 }, "panels": panels }] });
     for (text, word) in [
-        ("[1".to_owned(), "is no JSON"),
+        ("[1".to_owned(), "not valid JSON"),
         ("{}".to_owned(), "has no list of \"pages\""),
         (json!({ "pages": [{}] }).to_string(), "a width and a height"),
         (page(json!([])).to_string(), "from 1 to"),

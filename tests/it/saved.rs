@@ -290,7 +290,7 @@ fn a_project_that_cannot_be_drawn_is_refused_with_a_sentence() {
         "project.json: is missing",
     );
     refused("cut.inkpanel", &project[..project.len() / 2], &[], "is damaged");
-    refused("many.inkpanel", &project, &["--page", "9"], "there is no page 9 in it, only");
+    refused("many.inkpanel", &project, &["--page", "9"], "page 9 does not exist: the project has");
     // One byte of the text, of a photo.
     for (part, sentence) in [(&b"\"history\""[..], "project.json: is damaged"), (b"JFIF", "is damaged")] {
         let mut flipped = project.clone();

@@ -188,8 +188,8 @@ fn a_saved_project_tells_its_shots_in_their_order_with_their_films() {
     });
     let list = ProjectFile::parse(&project.to_string()).unwrap().shot_list();
     let told: Vec<_> = list.shots.iter().map(|shot| (shot.name.as_str(), shot.number.as_str())).collect();
-    // `d` is on no page and nobody chose it, `c` is not used; those that were moved go before.
-    assert_eq!(told, [("e.jpg", "1B"), ("b.jpg", "1"), ("a.jpg", "2")]);
+    // `a` is on the page, `d` is not, and `c` is excluded. Moved shots keep their order.
+    assert_eq!(told, [("a.jpg", "1"), ("e.jpg", "1B"), ("b.jpg", "2")]);
     let film = Film {
         key: "v".into(),
         name: "film.mp4".into(),
@@ -197,7 +197,7 @@ fn a_saved_project_tells_its_shots_in_their_order_with_their_films() {
         length: Some(60.0),
         timecode: Some(StartTimecode { frame: 900_000, fps: 25, drop: false }),
     };
-    assert_eq!((list.shots[1].film.as_ref(), list.shots[2].frames, list.fps), (Some(&film), Some(12), 25));
+    assert_eq!((list.shots[2].film.as_ref(), list.shots[0].frames, list.fps), (Some(&film), Some(12), 25));
     assert_eq!(list.shots[2].more["Lens"], "35");
 }
 

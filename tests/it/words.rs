@@ -290,8 +290,8 @@ fn the_first_font_that_has_a_letter_gives_it_and_what_none_has_is_named() {
 #[test]
 fn fonts_that_are_broken_are_refused_or_read_as_far_as_they_are_whole() {
     let mut fonts = GivenFonts::default();
-    assert!(fonts.add(Vec::new()).unwrap_err().contains("no TrueType"));
-    assert!(fonts.add(b"no font at all".to_vec()).unwrap_err().contains("no TrueType"));
+    assert!(fonts.add(Vec::new()).unwrap_err().contains("not a valid TrueType"));
+    assert!(fonts.add(b"no font at all".to_vec()).unwrap_err().contains("not a valid TrueType"));
     assert!(fonts.add(vec![0; (64 << 20) + 1]).unwrap_err().contains("64 MB"));
     for name in ["arabic.ttf", "japanese.ttf", "cubic.otf"] {
         let whole = font_file(name);
