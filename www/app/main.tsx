@@ -5,7 +5,7 @@
 import { createBoards, isComic } from '../boards/boards.ts';
 import { createAnimatics } from '../motion/animatics.ts';
 import './framed.ts';
-import { effect, untracked } from '@preact/signals';
+import { computed, effect, untracked } from '@preact/signals';
 import { render } from 'preact';
 import { createEngine } from '../engine/engine.ts';
 import { unreadMeta } from '../document/album.ts';
@@ -375,8 +375,9 @@ effect(() => {
   if (mode.peek()?.kind === 'replace' && mode.peek()?.panel !== panel) mode.value = null;
 });
 /** Another version of the page, and the page in full screen, begin without a selection. */
+const pageId = computed(() => store.project.value.pageId);
 effect(() => {
-  void store.project.value.pageId;
+  void pageId.value;
   untracked(() => lettering.choose(-1));
 });
 effect(() => {
