@@ -323,7 +323,7 @@ test('a logo is in the head of each sheet, can be undone, and is stored and save
   await expect.poll(() => logoColour(page)).toBe(red);
 
   await file.setInputFiles({ name: 'words.png', mimeType: 'image/png', buffer: Buffer.from('a logo') });
-  await expect(page.getByRole('alert').filter({ hasText: 'words.png is no picture' })).toBeVisible();
+  await expect(page.getByRole('alert').filter({ hasText: 'words.png is not an image' })).toBeVisible();
   await expect(shown).toBeVisible();
 
   await page.reload();

@@ -12,6 +12,7 @@ import {
   pixelsOf,
   tab,
   sharedBoardTest as test,
+  reach,
 } from '../support.js';
 
 test('mouse: blocks are added, moved, bypassed, duplicated, removed and undone, and the style is used', async ({
@@ -152,7 +153,7 @@ test('keyboard: a style is built, saved, and edited after a reload', async ({ pa
   await page.keyboard.press('Enter');
   await idle(page);
   expect((await contents(page)).style).toBe('By keys');
-  await page.getByRole('button', { name: 'Edit By keys' }).focus();
+  await (await reach(page, 'Edit By keys')).focus();
   await page.keyboard.press('Enter');
   expect(await names(page)).toEqual(['Saturation', 'Posterization']);
   await page.keyboard.press('Escape');

@@ -1,6 +1,6 @@
 // @ts-check
 import { FOUR, drawn, invent, names } from '../designer-hands.js';
-import { accessible, contents, expect, idle, openBoard, picture, press, tab, test } from '../support.js';
+import { accessible, contents, expect, idle, openBoard, picture, press, reach, tab, test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 
@@ -93,7 +93,7 @@ test('styles are invented, sorted, filtered, favoured, bred and used', async ({ 
       .getByRole('option', { name: String(second), exact: true })
       .first(),
   ).toBeVisible();
-  await page.getByRole('button', { name: `Edit ${style}` }).click();
+  await (await reach(page, `Edit ${style}`)).click();
   await drawn(page);
   expect((await names(page)).length).toBeGreaterThan(2);
 

@@ -11,6 +11,7 @@ import {
   makePageSmall,
   openBoard,
   press,
+  reach,
   test as plainTest,
   sharedBoardTest as test,
 } from '../support.js';
@@ -49,7 +50,7 @@ function pixelsOf(page, bytes, type) {
 test('Download PNG saves the page in print size, and another page gives another file', async ({ page }) => {
   await openBoard(page);
   // The message disappears again, perhaps before a file of this size is read.
-  const message = expect(page.getByRole('status')).toContainText('saved', { timeout: 150_000 });
+  const message = expect(page.locator('.toast-list[role=status]')).toContainText('saved', { timeout: 150_000 });
   const print = await download(page);
   await message;
   expect(print.name).toMatch(/\d{4}\.png$/);
@@ -142,7 +143,7 @@ test('the page is copied to the clipboard', async ({ page, context }) => {
 test('one panel is saved in its print size', async ({ page }) => {
   await openBoard(page);
   await panel(page, 1).click();
-  const { bytes, name } = await saved(page, () => page.getByRole('button', { name: 'Save this panel' }).click());
+  const { bytes, name } = await saved(page, async () => (await reach(page, 'Save this panel')).click());
   expect(name).toMatch(/ \d{4} - panel 1\.png$/);
   const box = /** @type {{ width: number, height: number }} */ (await panel(page, 1).boundingBox());
   const sheet = /** @type {{ width: number }} */ (await page.locator('.page-canvas').boundingBox());
