@@ -13,10 +13,13 @@ const MIN_BYTES = 500_000;
 test('a fresh checkout makes a page of the sample album and detects faces', async ({ page }) => {
   await page.goto('./');
   await page.getByRole('button', { name: 'Try the sample album' }).click();
-  await page.getByRole('button', { name: 'Show subjects', exact: true }).click({ timeout: 120_000 });
+  await expect(page.locator('body')).toHaveAttribute('data-idle', 'true', { timeout: 120_000 });
   // The detector module is still being compiled when the page is served.
-  const face = page.locator('.page .subject-boxes rect[data-label="face"]');
-  await expect(face.first()).toBeAttached({ timeout: 500_000 });
+  await expect(page.locator('body')).toHaveAttribute('data-detected', 'true', { timeout: 500_000 });
+  await page.getByRole('button', { name: 'Shuffle', exact: true }).click();
+  await page.locator('.context-bar').getByRole('button', { name: 'More', exact: true }).click();
+  await page.getByRole('button', { name: 'Show subjects', exact: true }).click();
+  await expect(page.locator('.page .subject-boxes rect[data-label="face"]').first()).toBeAttached({ timeout: 120_000 });
 
   const download = page.waitForEvent('download', { timeout: 120_000 });
   await page.getByRole('button', { name: 'Download PNG', exact: true }).click();
