@@ -10,7 +10,7 @@ use crate::page::words::model::{Kind, Word};
 use crate::page::words::wording::read;
 use std::collections::{HashMap, HashSet};
 
-/// What text counts to the right, against what it counts down the panel, when it is read.
+/// Weight of the horizontal position against the vertical one in the order of text.
 const SLANT: f64 = 0.3;
 
 /// A photo on the pages.
@@ -19,7 +19,7 @@ struct Shown {
     said: Vec<String>,
 }
 
-/// What the balloons and captions of a panel say, in reading order.
+/// Returns the text of the balloons and captions of a panel, in reading order.
 fn said_in(page: &Document, panel: usize) -> Vec<String> {
     let words = Word::parse_all(&page.words).unwrap_or_default();
     let mut own: Vec<&Word> =
@@ -65,7 +65,7 @@ impl ProjectFile {
         ordered(&present.board.order, &own)
     }
 
-    /// The photos on the pages, by their ids: where each is read first, and what the balloons and captions of its panels say.
+    /// Returns the photos on the pages, by id: the first place in reading order, and the text of the panels.
     fn on_pages(&self) -> HashMap<String, Shown> {
         let mut all: HashMap<String, Shown> = HashMap::new();
         for sheet in self.history.present.sheets() {
@@ -99,7 +99,7 @@ impl ProjectFile {
         ShotList { title: present.name.clone(), fps, pace, columns, headings: Vec::new(), shots }
     }
 
-    /// `said`: what the pages say, for a shot whose dialogue nobody wrote.
+    /// `said`: the text on the pages, for a shot without dialogue.
     fn listed(&self, item: &TrayItem, number: String, said: &[String]) -> ListedShot {
         let mut shot = item.shot.clone();
         if shot.dialogue.is_empty() {

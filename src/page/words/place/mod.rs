@@ -25,7 +25,7 @@ const INSET: f64 = 0.008;
 /// Points across and down at which a word is compared with panels on its own.
 const SAMPLES: usize = 8;
 
-/// The part of a face, or of a word, from which on a word that a person placed is in the way.
+/// Minimum covered part of a face or text item at which a text item counts as in the way.
 const FAR: f64 = 0.12;
 
 /// A box that holds more of a figure than this part of it is the box of that figure: the mask says better where it is.
@@ -105,8 +105,8 @@ pub fn settle<'s>(
     placed_on(document, known, letters, false)
 }
 
-/// As [`settle`], after the layout has changed: a word that a person placed moves as well, if it now hides a face or is on
-/// another panel. It stays close, and remains a word that a person placed.
+/// As [`settle`], after a change of the layout. Text items that the user placed move too, if they now cover a face or are on
+/// another panel. They stay close, and still count as placed by the user.
 ///
 /// # Errors
 /// As [`settle`].
@@ -462,7 +462,7 @@ mod tests {
             height: 0.3 * frame.height,
         };
         assert!(shared(*area, seen) <= 0.0, "{area:?} on {seen:?}");
-        // What is in nobody's way stays.
+        // Text that covers nothing stays.
         let again = document.words.clone();
         resettle(&mut document, known, &letters).unwrap();
         assert_eq!(document.words, again);
