@@ -1,10 +1,10 @@
 //! Pages of the photos that come with the program, with balloons that are placed by themselves.
 
+use inkpanel::Error;
 use inkpanel::framing::{PhotoMeta, Subject};
-use inkpanel::page::request::Request;
+use inkpanel::page::Document;
 use inkpanel::page::words::Letters;
 use inkpanel::page::words::place::{self, Known as Of};
-use inkpanel::page::{Document, shuffle};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -67,33 +67,22 @@ pub(crate) fn photos(known: &[Known]) -> Vec<PhotoMeta> {
     known.iter().map(meta).collect()
 }
 
-/// A page: its layout, photos and crops by the planner, two balloons on the panel with most faces and one on another.
+/// Returns a stored page with two balloons on the panel with most faces and one on another panel. The layouts, photos and crops
+/// are stored, so the measurements depend on the placement of text and not on the planner.
 ///
 /// # Errors
-/// Those of the planner.
+/// `invalid-document` if the stored pages cannot be read; layout errors.
 pub(crate) fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkpanel::Result<Document> {
-    // Photos with people take turns with others, so that most pages have somebody who speaks.
-    let (people, others): (Vec<&PhotoMeta>, Vec<&PhotoMeta>) = photos
-        .iter()
-        .partition(|photo| photo.subjects.iter().any(|s| s.label == "face" || s.label == "person"));
-    let count = 2 + number as usize % 5;
-    let pick = |list: &[&PhotoMeta], from: usize, count: usize| -> Vec<PhotoMeta> {
-        (0..count).map(|i| list[(from + i) % list.len()].clone()).collect()
-    };
     let start = number as usize;
-    let mut chosen = pick(&people, start * 2, count.div_ceil(2) + 1);
-    chosen.extend(pick(&others, start * 3, count / 2));
-    chosen.sort_by(|a, b| a.id.cmp(&b.id));
-    chosen.dedup_by(|a, b| a.id == b.id);
-    let request = Request {
-        seed: number + 1,
-        photos: chosen,
-        style: Some(json!(STYLES[start % STYLES.len()])),
-        panels: Some(count),
-        merge: Some(false),
-        ..Request::default()
-    };
-    let mut page = shuffle::plan(&request)?;
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/lettering-pages.json");
+    let unreadable =
+        |reason: String| Error::InvalidDocument { location: "lettering-pages.json".into(), reason };
+    let text = std::fs::read_to_string(file).map_err(|error| unreadable(error.to_string()))?;
+    let stored: Vec<Value> = serde_json::from_str(&text).map_err(|error| unreadable(error.to_string()))?;
+    let mut stored = stored.get(start).cloned().ok_or_else(|| unreadable(format!("has no page {start}")))?;
+    stored["version"] = json!(1);
+    stored["style"] = json!(STYLES[start % STYLES.len()]);
+    let mut page = Document::parse(&stored.to_string())?;
     let of = |id: &str| photos.iter().find(|photo| photo.id == id).map(Of::from).unwrap_or_default();
     let faces = |panel: usize| {
         let photo = page.panels[panel].photo.as_deref().unwrap_or_default();
