@@ -354,10 +354,7 @@ fn panels_that_move_in_the_page_are_told_to_stand_still() {
         let made = animate(&of_film, &folder.path().join(what), &[more, &["--still"]].concat());
         done(&made);
         let said = String::from_utf8_lossy(&made.stderr).into_owned();
-        assert!(
-            said.contains(&format!("{what} a video frame; here it does not move")),
-            "{said}"
-        );
+        assert!(said.contains(&format!("{what} a video frame; here it does not move")), "{said}");
     }
     let plain = animate(&project(), &folder.path().join("plain"), &READ);
     done(&plain);

@@ -578,8 +578,9 @@ fn an_edit_in_json_tells_what_it_changed_or_changes_nothing() {
     assert_eq!((&told["entries"], &told["shown"]), (&json!([{ "id": 4, "page": 0 }]), &json!([[0, 1]])));
     assert_eq!((&told["pageId"], &told["sheet"]), (&json!(5), &json!(1)));
     // A page that is known is told by its id, there and back: it is the second of the two shown, behind the page itself.
-    apply(json!({ "type": "show-page", "page": page(5).to_json().parse::<Value>().unwrap(), "pageId": 5 }))
-        .unwrap();
+    let mut other = page(5).to_json().parse::<Value>().unwrap();
+    other["page"]["forScreens"] = json!(true);
+    apply(json!({ "type": "show-page", "page": other, "pageId": 5 })).unwrap();
     let told = apply(json!({ "type": "show-page", "pageId": 4 })).unwrap();
     assert_eq!(
         (&told["parts"]["pages"], &told["states"]),

@@ -99,7 +99,7 @@ fn faults_of_trees() -> Vec<Case> {
         (
             with_cell("{\"rows\": [\"panel\", \"panel\"], \"columns\": [\"panel\", \"panel\"]}"),
             "tree.rows[1].columns",
-            "beside rows",
+            "cannot be combined with rows",
         ),
         (
             with_cell("{\"columns\": [\"panel\", \"panel\"], \"shares\": [1]}"),

@@ -198,7 +198,7 @@ fn a_saved_project_tells_its_shots_in_their_order_with_their_films() {
         timecode: Some(StartTimecode { frame: 900_000, fps: 25, drop: false }),
     };
     assert_eq!((list.shots[2].film.as_ref(), list.shots[0].frames, list.fps), (Some(&film), Some(12), 25));
-    assert_eq!(list.shots[2].more["Lens"], "35");
+    assert_eq!(list.shots[0].more["Lens"], "35");
 }
 
 #[test]
