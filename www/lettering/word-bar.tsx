@@ -37,8 +37,15 @@ export function WordBar({ index, box }: { index: number; box: WordBox }) {
   const hidden = !ui.wide.value && ui.sheet.value !== null;
 
   useLayoutEffect(() => {
+    const shown = bar.current;
+    if (!shown) return;
     const knob = word?.kind === 'effect' ? knobOf(lettering.pageAt(index), box, word.angle) : undefined;
-    if (bar.current) place(bar.current, box, height, knob);
+    const settle = () => place(shown, box, height, knob);
+    settle();
+    // The bar stays in the stage when the window changes its size.
+    const sizes = new ResizeObserver(settle);
+    for (const element of [shown.parentElement, shown.closest('.stage-area')]) if (element) sizes.observe(element);
+    return () => sizes.disconnect();
   });
   if (!word || hidden) return null;
 
