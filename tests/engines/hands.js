@@ -5,7 +5,7 @@ import { readFile, readdir, stat, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { Key, Origin, PNG, QUERIES, expect, test as plain } from '../../www/testing.ts';
-import { WAYS } from '../web/app/export-hands.js';
+import { WAYS } from '../web/app/export-dialog.js';
 import { inTime, start } from './engines.js';
 
 /** @typedef {import('../../www/testing.ts').WebElement} WebElement */

@@ -2,10 +2,10 @@
 /** Projects and pages as people make and save them, by the gestures of the browser tests: README.md says how it is run. */
 
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
-import { openExport, saved } from '../../web/app/export-hands.js';
-import { panel } from '../../web/app/panel-hands.js';
+import { openExport, saved } from '../../web/app/export-dialog.js';
+import { panel } from '../../web/app/panels.js';
 import { add, choose, drop, idle, openBoard, press, test } from '../../web/app/support.js';
-import { write } from '../../web/app/word-hands.js';
+import { write } from '../../web/app/text-items.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 

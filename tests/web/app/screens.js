@@ -1,10 +1,10 @@
 // @ts-check
 /** Every screen of the page, and the way to it from a board of six photos: for tests that go through all of them. */
 
-import { drawn } from './designer-hands.js';
-import { four, panel } from './panel-hands.js';
+import { drawn } from './style-designer.js';
+import { four, panel } from './panels.js';
 import { add, choose, expect, idle, photos, reach, tab, test } from './support.js';
-import { openWords } from './word-hands.js';
+import { openWords } from './text-items.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 

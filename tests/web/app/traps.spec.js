@@ -5,7 +5,7 @@ import { readFile, writeFile } from 'node:fs/promises';
 import { crc32 } from 'node:zlib';
 import { chunkOf, textChunk, withChunks } from '../../../www/engine/png-chunks.ts';
 import { packedNothing, zipOf } from '../../../www/engine/testing-archives.ts';
-import { saved } from './export-hands.js';
+import { saved } from './export-dialog.js';
 import { contents, expect, idle, openBoard, photos, picture, press, test } from './support.js';
 
 /** @typedef {import('./support.js').Page} Page */

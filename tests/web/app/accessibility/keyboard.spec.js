@@ -1,8 +1,8 @@
 // @ts-check
 /** Every task by keyboard, with a visible focus at each step, and the shortcuts. */
 
-import { saved } from '../export-hands.js';
-import { four } from '../panel-hands.js';
+import { saved } from '../export-dialog.js';
+import { four } from '../panels.js';
 import {
   contents,
   expect,

@@ -4,8 +4,8 @@
 import { execFile } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { promisify } from 'node:util';
-import { probed } from '../film-hands.js';
-import { chooseFormat, saved } from '../export-hands.js';
+import { probed } from '../video-files.js';
+import { chooseFormat, saved } from '../export-dialog.js';
 import {
   accessible,
   expect,

@@ -1,7 +1,7 @@
 // @ts-check
 /** The style designer: blocks, layers, sliders, preview and saved styles. */
 
-import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from '../designer-hands.js';
+import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from '../style-designer.js';
 import {
   accessible,
   contents,

@@ -1,7 +1,7 @@
 // @ts-check
 /** Blocks inserted at any place of the style designer, their names, and the preview of the comic page. */
 
-import { FOUR, addBlock, button, cards, drawn, names, openDesigner, region } from '../designer-hands.js';
+import { FOUR, addBlock, button, cards, drawn, names, openDesigner, region } from '../style-designer.js';
 import { accessible, expect, idle, openBoard, sharedBoardTest as test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */

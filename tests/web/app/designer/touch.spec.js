@@ -1,9 +1,9 @@
 // @ts-check
 /** Cards and blocks of the style designer, moved by touch. */
 
-import { addBlock, cards, names, openDesigner, preview, region } from '../designer-hands.js';
+import { addBlock, cards, names, openDesigner, preview, region } from '../style-designer.js';
 import { expect, sharedBoardTest as test } from '../support.js';
-import { touch, way } from '../touch-hands.js';
+import { touch, way } from '../touch.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 

@@ -1,6 +1,6 @@
 // @ts-check
 /** The wall of styles in the explorer. */
-import { FOUR } from '../designer-hands.js';
+import { FOUR } from '../style-designer.js';
 import { accessible, contents, expect, idle, openBoard, picture, step, test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */

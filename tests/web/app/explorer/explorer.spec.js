@@ -1,5 +1,5 @@
 // @ts-check
-import { FOUR, drawn, invent, names } from '../designer-hands.js';
+import { FOUR, drawn, invent, names } from '../style-designer.js';
 import { accessible, contents, expect, idle, openBoard, picture, press, reach, tab, test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */

@@ -1,7 +1,7 @@
 // @ts-check
 /** Styles sorted by the model, if the site was built with it. */
 import { existsSync } from 'node:fs';
-import { invent } from '../designer-hands.js';
+import { invent } from '../style-designer.js';
 import { accessible, detectingTest as test, expect } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */

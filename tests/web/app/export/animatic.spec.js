@@ -1,8 +1,8 @@
 // @ts-check
 /** Animatics: played in the app, and saved as MP4, WebM and GIF files that ffprobe reads. */
 
-import { chooseFormat, openExport, saved } from '../export-hands.js';
-import { probed } from '../film-hands.js';
+import { chooseFormat, openExport, saved } from '../export-dialog.js';
+import { probed } from '../video-files.js';
 import { accessible, expect, idle, openBoard, sharedBoardTest as test } from '../support.js';
 
 /** @typedef {import('../support.js').Page} Page */

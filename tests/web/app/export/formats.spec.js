@@ -1,8 +1,8 @@
 // @ts-check
 /** Files of the comic page: formats, sizes, clipboard, sharing, progress and Cancel. */
 
-import { chooseFormat, download, openExport, saved, savedAs } from '../export-hands.js';
-import { panel } from '../panel-hands.js';
+import { chooseFormat, download, openExport, saved, savedAs } from '../export-dialog.js';
+import { panel } from '../panels.js';
 import {
   PNG,
   accessible,

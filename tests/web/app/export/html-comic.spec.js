@@ -3,9 +3,9 @@
 
 import { writeFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
-import { savedAs } from '../export-hands.js';
+import { savedAs } from '../export-dialog.js';
 import { accessible, expect, makePageSmall, openBoard, test } from '../support.js';
-import { write } from '../word-hands.js';
+import { write } from '../text-items.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 

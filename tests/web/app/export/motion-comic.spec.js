@@ -5,10 +5,10 @@ import { execFile } from 'node:child_process';
 import { readFile, writeFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
-import { chooseFormat, openExport, saved } from '../export-hands.js';
-import { probed } from '../film-hands.js';
+import { chooseFormat, openExport, saved } from '../export-dialog.js';
+import { probed } from '../video-files.js';
 import { accessible, different, expect, idle, openBoard, pixelsOf, tab, sharedBoardTest as test } from '../support.js';
-import { write } from '../word-hands.js';
+import { write } from '../text-items.js';
 
 /** @typedef {import('../support.js').Page} Page */
 /** @typedef {ReturnType<Page['locator']>} Locator */

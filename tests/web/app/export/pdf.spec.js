@@ -5,10 +5,10 @@ import { execFile } from 'node:child_process';
 import { readFile, writeFile } from 'node:fs/promises';
 import { promisify } from 'node:util';
 import { PNG } from '../../../../www/testing.ts';
-import { thumbs } from '../book-hands.js';
-import { chooseFormat, openExport, saved, savedAs } from '../export-hands.js';
+import { thumbs } from '../page-strip.js';
+import { chooseFormat, openExport, saved, savedAs } from '../export-dialog.js';
 import { drop, expect, idle, openBoard, press, tab, sharedBoardTest as test } from '../support.js';
-import { write } from '../word-hands.js';
+import { write } from '../text-items.js';
 
 const run = promisify(execFile);
 

@@ -4,7 +4,7 @@
 import { execFile } from 'node:child_process';
 import { promisify } from 'node:util';
 import { PNG } from '../../../../www/testing.ts';
-import { chooseFormat, openExport, saved } from '../export-hands.js';
+import { chooseFormat, openExport, saved } from '../export-dialog.js';
 import { expect, openBoard, sharedBoardTest as test } from '../support.js';
 
 const run = promisify(execFile);

@@ -3,8 +3,8 @@
 
 import { withoutMetadata } from '../../../../www/engine/metadata/strip.ts';
 import { SECRETS, loaded } from '../../../../www/engine/metadata/testing.ts';
-import { download as downloaded, openExport, saved } from '../export-hands.js';
-import { panel } from '../panel-hands.js';
+import { download as downloaded, openExport, saved } from '../export-dialog.js';
+import { panel } from '../panels.js';
 import {
   SIX,
   accessible,
@@ -20,7 +20,7 @@ import {
   tab,
   sharedBoardTest as test,
 } from '../support.js';
-import { word, write } from '../word-hands.js';
+import { word, write } from '../text-items.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 

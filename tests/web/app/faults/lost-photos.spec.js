@@ -3,7 +3,7 @@
 
 import { copyFile, mkdir, rename } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
-import { download } from '../export-hands.js';
+import { download } from '../export-dialog.js';
 import {
   SIX,
   add,

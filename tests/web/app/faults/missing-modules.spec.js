@@ -2,10 +2,10 @@
 /** Modules that are loaded when they are needed, and whose loading fails. */
 
 import { fileURLToPath } from 'node:url';
-import { FOUR } from '../designer-hands.js';
-import { chooseFormat, openExport, saved } from '../export-hands.js';
+import { FOUR } from '../style-designer.js';
+import { chooseFormat, openExport, saved } from '../export-dialog.js';
 import { expect, faultTest as test, idle, openBoard } from '../support.js';
-import { openWords, word, write } from '../word-hands.js';
+import { openWords, word, write } from '../text-items.js';
 
 const LETTERS = /letters-[^/]*\.bin$/;
 

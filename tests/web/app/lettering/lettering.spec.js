@@ -2,8 +2,8 @@
 /** Text items: captions, balloons and sound effects, by mouse and keyboard, from scripts and from subtitles. */
 
 import { readFile } from 'node:fs/promises';
-import { download } from '../export-hands.js';
-import { drag } from '../panel-hands.js';
+import { download } from '../export-dialog.js';
+import { drag } from '../panels.js';
 import {
   PNG,
   SIX,
@@ -19,7 +19,7 @@ import {
   tab,
   sharedBoardTest as test,
 } from '../support.js';
-import { box, inked, word, write } from '../word-hands.js';
+import { box, inked, word, write } from '../text-items.js';
 
 const VIDEO = new URL('../../../videos/album.mp4', import.meta.url);
 

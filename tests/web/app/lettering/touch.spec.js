@@ -2,7 +2,7 @@
 /** Text items edited by touch: the text stays visible above the on-screen keyboard, and a second tap edits. */
 
 import { accessible, expect, idle, openBoard, test as plainTest, sharedBoardTest as test } from '../support.js';
-import { box, word } from '../word-hands.js';
+import { box, word } from '../text-items.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 

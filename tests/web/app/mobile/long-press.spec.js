@@ -1,6 +1,6 @@
 // @ts-check
 /** A long press on a thumbnail shows it large. */
-import { FOUR } from '../designer-hands.js';
+import { FOUR } from '../style-designer.js';
 import { expect, openBoard, test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */

@@ -1,7 +1,7 @@
 // @ts-check
 /** A phone in portrait orientation: fit of the page, drawers, swipes, and photos in their panels by touch. */
 
-import { boxOf, panel } from '../panel-hands.js';
+import { boxOf, panel } from '../panels.js';
 import {
   choose,
   expect,
@@ -14,10 +14,10 @@ import {
   reach,
   sharedBoardTest as test,
 } from '../support.js';
-import { touch, way } from '../touch-hands.js';
+import { touch, way } from '../touch.js';
 
 /** @typedef {import('../support.js').Page} Page */
-/** @typedef {import('../touch-hands.js').Point} Point */
+/** @typedef {import('../touch.js').Point} Point */
 
 test.use({ viewport: { width: 360, height: 740 }, hasTouch: true, deviceScaleFactor: 2 });
 

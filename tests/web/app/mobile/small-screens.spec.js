@@ -2,10 +2,10 @@
 /** Small screens: no control is covered, cut off, too small for a finger or outside of the window. */
 
 import { covered } from '../../covered.js';
-import { drawn, region } from '../designer-hands.js';
-import { panel } from '../panel-hands.js';
+import { drawn, region } from '../style-designer.js';
+import { panel } from '../panels.js';
 import { SIX, drop, expect, idle, openBoard, reach, sharedBoardTest as test } from '../support.js';
-import { expectTouchTargets } from '../touch-hands.js';
+import { expectTouchTargets } from '../touch.js';
 
 /** @typedef {import('../support.js').Page} Page */
 

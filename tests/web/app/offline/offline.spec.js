@@ -3,9 +3,9 @@
 
 import { readFile } from 'node:fs/promises';
 import { PNG } from '../../../../www/testing.ts';
-import { kept, netsKept, test } from '../offline-hands.js';
+import { kept, netsKept, test } from '../service-worker.js';
 import { SIX, accessible, add, colours, expect, idle, photos, picture, pixelsOf, press, reach } from '../support.js';
-import { write } from '../word-hands.js';
+import { write } from '../text-items.js';
 
 const WEBP = new URL('../../../oracles/data/files/webp-lossy.webp', import.meta.url);
 

@@ -3,10 +3,10 @@
 
 import { readdir, unlink } from 'node:fs/promises';
 import { join } from 'node:path';
-import { buildOf, builds, kept, lookForUpdate, offer, test } from '../offline-hands.js';
+import { buildOf, builds, kept, lookForUpdate, offer, test } from '../service-worker.js';
 import { anotherBuild } from '../site-host.js';
 import { SIX, accessible, add, contents, expect, idle, photos } from '../support.js';
-import { word, write } from '../word-hands.js';
+import { word, write } from '../text-items.js';
 
 test('a new version is used after Reload, and a tab with the old version continues with its own files', {
   tag: '@ci',

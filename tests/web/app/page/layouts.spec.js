@@ -1,7 +1,7 @@
 // @ts-check
 /** Layouts: families, page sizes, layouts of the user, layout files and cuts. */
 
-import { download, saved } from '../export-hands.js';
+import { download, saved } from '../export-dialog.js';
 import {
   choose,
   contents,

@@ -1,8 +1,8 @@
 // @ts-check
 /** Comics of several pages: an album spread over pages; pages added, opened, moved and removed. */
 
-import { photosOfPages, strip, thumb, thumbs } from '../book-hands.js';
-import { touch, way } from '../touch-hands.js';
+import { photosOfPages, strip, thumb, thumbs } from '../page-strip.js';
+import { touch, way } from '../touch.js';
 import {
   SAMPLES,
   accessible,

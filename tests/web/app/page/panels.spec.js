@@ -1,7 +1,7 @@
 // @ts-check
 /** Panels: split, joined, merged into one photo across several panels, selected by mouse, keyboard and touch. */
 
-import { four } from '../panel-hands.js';
+import { four } from '../panels.js';
 import {
   accessible,
   choose,

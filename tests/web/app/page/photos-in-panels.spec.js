@@ -1,7 +1,7 @@
 // @ts-check
 /** Photos in their panels: crops by mouse and keyboard, swaps, locks and focus points. */
 
-import { boxOf, changed, drag, four, panel } from '../panel-hands.js';
+import { boxOf, changed, drag, four, panel } from '../panels.js';
 import { contents, expect, idle, picture, press, reach, tab, sharedBoardTest as test } from '../support.js';
 
 test('mouse: the wheel zooms, a drag pans, a double click fits, and Reset restores the crop', async ({ page }) => {

@@ -1,7 +1,7 @@
 // @ts-check
 /** Zoom of the comic page. */
 
-import { four, panel } from '../panel-hands.js';
+import { four, panel } from '../panels.js';
 import { expect, idle, press, testsOn } from '../support.js';
 
 /** @typedef {import('../support.js').Page} Page */

@@ -2,8 +2,8 @@
 /** File formats of photos and animations. */
 
 import { readFile } from 'node:fs/promises';
-import { download } from '../export-hands.js';
-import { panel } from '../panel-hands.js';
+import { download } from '../export-dialog.js';
+import { panel } from '../panels.js';
 import {
   add,
   colours,

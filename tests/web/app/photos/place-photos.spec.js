@@ -1,7 +1,7 @@
 // @ts-check
 /** Photos of the tray: a click chooses and places a photo, its check box leaves it out. */
 
-import { panel } from '../panel-hands.js';
+import { panel } from '../panels.js';
 import { expect, idle, openBoard, sharedBoardTest as test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */

@@ -2,9 +2,9 @@
 /** The Content-Security-Policy: it blocks other hosts, and nothing that the app does. */
 
 import { readFile } from 'node:fs/promises';
-import { addBlock, drawn } from '../designer-hands.js';
+import { addBlock, drawn } from '../style-designer.js';
 import { add, detectingTest, expect, idle, press, test } from '../support.js';
-import { write } from '../word-hands.js';
+import { write } from '../text-items.js';
 
 /** @typedef {import('../support.js').Page} Page */
 

@@ -4,11 +4,11 @@
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
 import { headersOfAll } from '../../../../www/host-headers.js';
-import { savedAs } from '../export-hands.js';
-import { kept } from '../offline-hands.js';
+import { savedAs } from '../export-dialog.js';
+import { kept } from '../service-worker.js';
 import { startHost } from '../site-host.js';
 import { accessible, add, expect, faultTest, idle, photos, press, test } from '../support.js';
-import { write } from '../word-hands.js';
+import { write } from '../text-items.js';
 
 const HEADERS = headersOfAll(await readFile(new URL('../../../../www/public/_headers', import.meta.url), 'utf8'));
 const REFUSED = 'Inkpanel does not run inside other websites, to protect you from clickjacking.';

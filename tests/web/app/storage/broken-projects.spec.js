@@ -2,9 +2,9 @@
 /** A project that cannot be shown: its last good version, its file, and other projects. `www/storage/broken.test.ts` has more damage. */
 
 import { readFile } from 'node:fs/promises';
-import { expectSaved } from '../project-hands.js';
+import { expectSaved } from '../project-files.js';
 import { SIX, accessible, contents, expect, idle, openBoard, press, test } from '../support.js';
-import { backUp, leave, spoil } from '../table-hands.js';
+import { backUp, leave, spoil } from '../database.js';
 
 /** @typedef {import('../support.js').Page} Page */
 

@@ -1,7 +1,7 @@
 // @ts-check
 /** Projects and photos that are dropped together. */
 
-import { saved } from '../export-hands.js';
+import { saved } from '../export-dialog.js';
 import { SIX, accessible, add, drop, expect, idle, openBoard, photos, test } from '../support.js';
 
 /** @typedef {import('../support.js').Page} Page */

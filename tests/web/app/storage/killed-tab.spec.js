@@ -2,7 +2,7 @@
 /** A tab that the system kills: all work remains when the app is opened again. */
 
 import { contents, expect, idle, openBoard, press, test } from '../support.js';
-import { openWords, word, write } from '../word-hands.js';
+import { openWords, word, write } from '../text-items.js';
 
 /** @typedef {import('../support.js').Page} Page */
 

@@ -7,9 +7,9 @@
 
 import { readFileSync } from 'node:fs';
 import { essence, malformedPage, malformedProject, soundPage, soundProject, unshared } from '../malformed-files.js';
-import { SMALL, expectSaved, goodFiles } from '../project-hands.js';
+import { SMALL, expectSaved, goodFiles } from '../project-files.js';
 import { add, expect, idle, press, test } from '../support.js';
-import { tables } from '../table-hands.js';
+import { tables } from '../database.js';
 
 /** @typedef {import('../support.js').Page} Page */
 /** @typedef {import('../malformed-files.js').Malformed} Malformed */

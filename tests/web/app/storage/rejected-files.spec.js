@@ -2,10 +2,10 @@
 /** Project files that cannot be opened change nothing, and stored text can be read again. */
 
 import { soundPage, soundProject } from '../malformed-files.js';
-import { SMALL, expectSaved, goodFiles } from '../project-hands.js';
+import { SMALL, expectSaved, goodFiles } from '../project-files.js';
 import { accessible, add, contents, drop, expect, idle, picture, press, tab, test } from '../support.js';
-import { tables } from '../table-hands.js';
-import { word, write } from '../word-hands.js';
+import { tables } from '../database.js';
+import { word, write } from '../text-items.js';
 
 /** @typedef {import('../support.js').Page} Page */
 

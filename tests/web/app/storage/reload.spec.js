@@ -3,9 +3,9 @@
  * Work after a reload, a crash and full storage, in two tabs, and in projects and project files.
  */
 
-import { saved } from '../export-hands.js';
+import { saved } from '../export-dialog.js';
 import { SIX, contents, drop, expect, idle, openBoard, photos, press, test } from '../support.js';
-import { expectSaved } from '../project-hands.js';
+import { expectSaved } from '../project-files.js';
 
 /** @typedef {import('../support.js').Page} Page */
 

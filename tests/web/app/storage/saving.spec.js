@@ -4,7 +4,7 @@
  * closes, and the question before the tab closes.
  */
 
-import { expectSaved } from '../project-hands.js';
+import { expectSaved } from '../project-files.js';
 import { PNG, SIX, add, contents, expect, idle, openBoard, photos, press, test } from '../support.js';
 
 /** @typedef {import('../support.js').Page} Page */

@@ -1,8 +1,8 @@
 // @ts-check
 /** Styles as files and links, and deleted styles. */
 
-import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from '../designer-hands.js';
-import { saved } from '../export-hands.js';
+import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from '../style-designer.js';
+import { saved } from '../export-dialog.js';
 import { drop, expect, idle, openBoard, picture, tab, sharedBoardTest as test } from '../support.js';
 
 test('a style is exported as a file and a link, and imported from both', async ({ page, context }) => {

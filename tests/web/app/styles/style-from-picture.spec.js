@@ -2,7 +2,7 @@
 /** Styles found for the look of a picture. */
 
 import { readFile } from 'node:fs/promises';
-import { FOUR } from '../designer-hands.js';
+import { FOUR } from '../style-designer.js';
 import { accessible, drop, expect, idle, openBoard, photos, test } from '../support.js';
 
 test('styles are found for a picture that is dropped with Alt, and one is saved and used', async ({ page }) => {

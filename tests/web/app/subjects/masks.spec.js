@@ -1,9 +1,9 @@
 // @ts-check
 /** Subject masks: subjects that break the panel border, text behind subjects, and blocks for the subject only. */
 
-import { addBlock, button, cards, drawn, preview, region } from '../designer-hands.js';
-import { savedAs } from '../export-hands.js';
-import { expectSaved } from '../project-hands.js';
+import { addBlock, button, cards, drawn, preview, region } from '../style-designer.js';
+import { savedAs } from '../export-dialog.js';
+import { expectSaved } from '../project-files.js';
 import {
   accessible,
   add,
@@ -18,7 +18,7 @@ import {
   detectingTest as test,
   reach,
 } from '../support.js';
-import { box, inked, openWords, word, write } from '../word-hands.js';
+import { box, inked, openWords, word, write } from '../text-items.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 

@@ -15,9 +15,9 @@ import {
   sharedBoardTest as test,
   reach,
 } from '../support.js';
-import { expectSaved } from '../project-hands.js';
-import { touch, way } from '../touch-hands.js';
-import { box, word, write } from '../word-hands.js';
+import { expectSaved } from '../project-files.js';
+import { touch, way } from '../touch.js';
+import { box, word, write } from '../text-items.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 

@@ -1,7 +1,7 @@
 // @ts-check
 /** The first screens: the start screen, the size of the comic page, and the number of controls. */
 
-import { panel } from '../panel-hands.js';
+import { panel } from '../panels.js';
 import {
   SAMPLES,
   accessible,

@@ -1,12 +1,12 @@
 // @ts-check
 /** The app in other languages: all texts are translated, and no text is cut off. */
 
-import { LONGEST, STRINGS, englishLeft, lookInLanguage, onlyEnglish, speakLongest } from '../language-hands.js';
+import { LONGEST, STRINGS, englishLeft, lookInLanguage, onlyEnglish, speakLongest } from '../languages.js';
 import { expect, idle, openBoard, test } from '../support.js';
 import { cutTexts, unreachable } from '../text-checks.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
-/** @typedef {import('../language-hands.js').Strings} Strings */
+/** @typedef {import('../languages.js').Strings} Strings */
 
 const SIZES = /** @type {const} */ ([
   [1366, 768],

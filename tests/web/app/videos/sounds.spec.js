@@ -2,7 +2,7 @@
 /** Sounds of a video, as sound effects on its frames. */
 
 import { readFile } from 'node:fs/promises';
-import { word } from '../word-hands.js';
+import { word } from '../text-items.js';
 import { accessible, expect, idle, openBoard, press, tab, test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */

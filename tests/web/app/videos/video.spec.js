@@ -1,6 +1,6 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
-import { download, saved } from '../export-hands.js';
+import { download, saved } from '../export-dialog.js';
 import {
   add,
   contents,

@@ -4,7 +4,7 @@
 import { readFile } from 'node:fs/promises';
 import { chunksOf, dataOf, textHead, textOf } from '../../../www/engine/png-chunks.ts';
 import { readArchive } from '../../../www/engine/archive.ts';
-import { savedAs } from './export-hands.js';
+import { savedAs } from './export-dialog.js';
 import { enriched } from './malformed-files.js';
 import { PNG, expect } from './support.js';
 
