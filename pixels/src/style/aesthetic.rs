@@ -10,7 +10,7 @@ use crate::simd::table::histogram;
 const FULL_CONTRAST: f64 = 64.0;
 /// Colourfulness after Hasler and Suesstrunk that counts as full.
 const FULL_COLOUR: f64 = 80.0;
-/// Roughness (mean difference to the mean of the neighbours, in grey steps) that counts as nothing but noise.
+/// Roughness (mean difference to the mean of the neighbours, in grey steps) of pure noise.
 const ALL_NOISE: f64 = 40.0;
 /// Share of black and white pixels up to which a picture is not called clipped: line drawings are white by nature.
 const FREE_CLIPPING: f64 = 0.75;
@@ -39,7 +39,7 @@ const SAME: f64 = 0.93;
 /// Mean difference of the colours, in grey steps, up to which they are the photo's.
 const SAME_COLOUR: f64 = 14.0;
 
-/// Why nobody would want a picture.
+/// The reason to reject a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fault {
     /// Hardly any contrast.
@@ -68,14 +68,14 @@ impl Fault {
     }
 }
 
-/// What is known of a stylised picture without a net.
+/// The measurements of a stylised picture without a net.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Judgement {
     /// The light score, 0 to 1.
     pub score: f64,
-    /// What any score is to be multiplied by: 1, down to .5 for the photo itself, which must not win.
+    /// The factor of any score: 1, down to .5 for the photo itself, which must not win.
     pub novelty: f64,
-    /// What is wrong with it, if anything.
+    /// The fault of the picture, if any.
     pub fault: Option<Fault>,
 }
 
@@ -187,7 +187,7 @@ fn gradients(plane: &Plane) -> Vec<f64> {
     out
 }
 
-/// Pearson's correlation; 0 where one of them is constant.
+/// Pearson's correlation; 0 if one of them is constant.
 fn correlation(a: &[f64], b: &[f64]) -> f64 {
     let count = a.len().max(1) as f64;
     let (mean_a, mean_b) = (a.iter().sum::<f64>() / count, b.iter().sum::<f64>() / count);

@@ -24,7 +24,7 @@ const NEUTRAL: u8 = 128;
 /// Runs one layer on a photo. The result has the photo's size.
 ///
 /// # Errors
-/// `cancelled` when the context says so.
+/// `cancelled` if the context is cancelled.
 #[inline(never)]
 pub fn run(steps: &[Step], photo: &Image, context: &mut Context<'_>) -> Result<Image> {
     let image = run_owned(steps, copy(photo, context)?, context)?;
@@ -35,19 +35,19 @@ pub fn run(steps: &[Step], photo: &Image, context: &mut Context<'_>) -> Result<I
     Ok(crate::raster::resize::resample_image(&image, whole, photo.width(), photo.height()))
 }
 
-/// The same on an image that may be changed in place, gray or in colour. The result keeps the size that the
-/// blocks gave it.
+/// Runs a layer on an image that may be changed in place, gray or in colour. The result keeps the size
+/// from the blocks.
 ///
 /// # Errors
-/// `cancelled` when the context says so.
+/// `cancelled` if the context is cancelled.
 pub fn run_owned(steps: &[Step], image: Image, context: &mut Context<'_>) -> Result<Image> {
     run_until(steps, steps.len(), image, context)
 }
 
-/// The same for the blocks before `end`, with U and V where one behind wants them back.
+/// Runs the blocks before `end`, with U and V if a later block needs them.
 ///
 /// # Errors
-/// `cancelled` when the context says so.
+/// `cancelled` if the context is cancelled.
 pub fn run_until(steps: &[Step], end: usize, mut image: Image, context: &mut Context<'_>) -> Result<Image> {
     let active = |steps: &[Step]| steps.iter().filter(|step| !step.bypass).count();
     let end = active(&steps[..end.min(steps.len())]);
@@ -78,7 +78,7 @@ pub fn run_until(steps: &[Step], end: usize, mut image: Image, context: &mut Con
 /// the block gave it.
 ///
 /// # Errors
-/// `cancelled` when the context says so.
+/// `cancelled` if the context is cancelled.
 pub(in crate::style) fn run_last(
     steps: &[Step],
     chroma_wanted: bool,
@@ -117,7 +117,7 @@ fn copy(photo: &Image, context: &mut Context<'_>) -> Result<Image> {
 
 fn point_op(step: &Step, scale: f32) -> Option<PointOp> {
     match step.block.kernel {
-        // What is for a part is mixed with what was before it, so it is no part of a longer pass.
+        // A block with a part is mixed with its input, so it cannot join a longer pass.
         Kernel::Point(op) if step.part.is_none() => Some(op(Args::of(step, scale))),
         _ => None,
     }
@@ -131,7 +131,7 @@ fn push_fused(ops: &mut Vec<PointOp>, op: PointOp) {
     }
 }
 
-/// Runs a block, in its part alone where it is for one.
+/// Runs a block. A block with a part changes only that part.
 fn run_block(step: &Step, chroma_wanted: bool, image: Image, context: &mut Context<'_>) -> Result<Image> {
     let Some(part) = step.part else { return run_everywhere(step, chroma_wanted, image, context) };
     let before = image.clone();
@@ -211,7 +211,7 @@ fn assemble(mut planes: Vec<Plane>, chroma: Option<[Plane; 2]>) -> Result<Image>
     })
 }
 
-/// What the three planes of a pass hold at the moment.
+/// The current content of the three planes of a pass.
 #[derive(Clone, Copy, PartialEq)]
 enum State {
     Luma,
@@ -273,7 +273,7 @@ fn run_points(
     assemble(planes, chroma)
 }
 
-/// Kept chroma at the size of the luma it returns to: a Size block may stand between.
+/// Kept chroma at the size of the luma it returns to: a Size block may be between them.
 fn sized(plane: Plane, width: usize, height: usize) -> Plane {
     if (plane.width(), plane.height()) == (width, height) {
         return plane;

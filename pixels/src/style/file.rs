@@ -1,4 +1,4 @@
-//! The style file: two layers of blocks with their parameters, as people save, share and edit it.
+//! The style file: two layers of blocks with their parameters, in the format to save, share and edit.
 //!
 //! The schema is `styles/README.md`. Nothing is guessed: an unknown block or parameter, a wrong type or a value
 //! out of range is an error that names the file, the block's position and the parameter.
@@ -13,10 +13,10 @@ use crate::error::{Error, Result};
 use serde_json::{Map, Value, json};
 use std::sync::Arc;
 
-/// Blocks that one layer may hold; far beyond what looks good, and a bound on the work that a file can ask for.
+/// Maximum number of blocks in a layer: more than any useful style has, and a limit on the work of a file.
 pub const MOST_BLOCKS: usize = 32;
 
-/// A style: a background layer and, where there is one, a foreground layer of lines.
+/// A style: a background layer and an optional foreground layer of lines.
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(optional_fields))]
 pub struct Style {
@@ -26,7 +26,7 @@ pub struct Style {
     pub name: String,
     /// Families it belongs to; the first is the main one.
     pub tags: Vec<String>,
-    /// The colour layer. Empty means the photo as it is.
+    /// The colour layer. An empty layer leaves the photo unchanged.
     pub background: Vec<Step>,
     /// The line layer; its luma is the alpha of the background over the ink.
     pub foreground: Option<Vec<Step>>,
@@ -54,15 +54,15 @@ pub struct Style {
     )
 )]
 pub struct Step {
-    /// What runs.
+    /// The kind of the block.
     pub block: &'static Block,
     /// Its values in the order of the descriptor.
     pub values: Vec<f32>,
     /// The picture of its texture parameter, where it has one and a person gave one.
     pub texture: Option<Arc<Texture>>,
-    /// Kept in the file but left out of the chain.
+    /// The block stays in the file but is left out of the chain.
     pub bypass: bool,
-    /// The part of the picture that it is for; all of it where none is told.
+    /// The part of the picture that it applies to; the whole picture if no part is defined.
     pub part: Option<Part>,
 }
 
@@ -77,7 +77,7 @@ impl Style {
         Self::from_value(file, &value)
     }
 
-    /// The same from JSON that is parsed already.
+    /// Reads a style file from JSON that is parsed already.
     ///
     /// # Errors
     /// `invalid-style`, naming file, place and reason.
@@ -220,7 +220,7 @@ impl Param {
     /// A value as it is written: 2 and 2.0 are the same.
     ///
     /// # Errors
-    /// What would be right where it is not.
+    /// The expected value, if the value is invalid.
     pub fn normalized(&self, value: &Value) -> std::result::Result<Value, String> {
         match self.kind {
             Kind::Texture => texture(value).map(|texture| json!(texture.map_or("", |(url, _)| url))),
@@ -266,7 +266,7 @@ impl Param {
     }
 }
 
-/// A texture and its data URL; none for an empty text.
+/// A texture and its data URL; `None` for an empty text.
 fn texture(value: &Value) -> std::result::Result<Option<(&str, Texture)>, String> {
     match value.as_str() {
         Some("") => Ok(None),
@@ -433,7 +433,7 @@ mod tests {
             for param in block.params.iter().filter(|param| matches!(param.kind, Kind::Number { .. })) {
                 let (min, max) = param.kind.range();
                 for end in [min, max] {
-                    // As people write it: the shortest decimal of this f32.
+                    // The shortest decimal of this f32.
                     let value: Value = serde_json::from_str(&end.to_string()).unwrap();
                     assert_eq!(param.value_from_json(&value), Ok(end), "{} {}", block.id, param.id);
                 }

@@ -24,7 +24,7 @@ pub struct Param {
 pub enum Kind {
     /// A number of `min..=max`.
     Number {
-        /// Used where a style file says nothing.
+        /// The default if a style file has no value.
         default: f32,
         /// Smallest value.
         min: f32,
@@ -37,7 +37,7 @@ pub enum Kind {
     },
     /// A whole number of `min..=max`.
     Integer {
-        /// Used where a style file says nothing.
+        /// The default if a style file has no value.
         default: i32,
         /// Smallest value.
         min: i32,
@@ -46,7 +46,7 @@ pub enum Kind {
     },
     /// True or false.
     Flag {
-        /// Used where a style file says nothing.
+        /// The default if a style file has no value.
         default: bool,
     },
     /// One of some names; the first is the default.
@@ -59,7 +59,7 @@ pub enum Kind {
     Texture,
     /// A colour; in style files it is `#rrggbb`.
     Colour {
-        /// Used where a style file says nothing.
+        /// The default if a style file has no value.
         default: [u8; 3],
     },
 }
@@ -189,7 +189,7 @@ pub fn colour_of(value: f32) -> [u8; 3] {
     [r, g, b]
 }
 
-/// What a block is given: its values in the order of its descriptor, its texture, and the scale of the render.
+/// The input of a block: its values in the order of its descriptor, its texture, and the scale of the render.
 #[derive(Debug, Clone, Copy)]
 pub struct Args<'a> {
     values: &'a [f32],
@@ -216,7 +216,7 @@ impl<'a> Args<'a> {
         self.texture
     }
 
-    /// Parameter `i` as it stands.
+    /// The stored value of parameter `i`.
     #[must_use]
     pub fn number(&self, i: usize) -> f32 {
         self.values[i]

@@ -1,7 +1,7 @@
-//! Layers and blocks that are for a part of the picture: for its subject, or for what is behind it.
+//! Layers and blocks that apply to a part of the picture: to its subject or to the background.
 //!
-//! Where nobody knows what the subject is, or where it is too vague to be cut out, all of the picture is the subject: a style
-//! that uses parts is made so that it looks complete then.
+//! If the subject is unknown or too vague to be cut out, the whole picture is the subject. A style that uses
+//! parts must look complete in that case.
 
 use super::context::Context;
 use crate::raster::guided::{refined, steepen};
@@ -13,19 +13,19 @@ use crate::simd::point::luma_plane;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename = "StylePart", rename_all = "lowercase"))]
 pub enum Part {
-    /// What the photo shows.
+    /// The subject of the photo.
     Subject,
-    /// All else.
+    /// The background of the subject.
     Background,
 }
 
-/// The parts that the layers of a style are for; all of the picture where none is told.
+/// The parts that the layers of a style apply to; the whole picture if a layer defines no part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(rename = "LayerParts", optional_fields))]
 pub struct Parts {
-    /// That of the colours: the photo stays as it is elsewhere.
+    /// The part of the colour layer: the photo is unchanged outside it.
     pub background: Option<Part>,
-    /// That of the lines: there are none elsewhere.
+    /// The part of the line layer: no lines are drawn outside it.
     pub foreground: Option<Part>,
 }
 
@@ -49,7 +49,7 @@ impl Part {
         }
     }
 
-    /// By how much a pixel is of this part, where by so much it is of the subject.
+    /// The share of a pixel in this part, from its share in the subject.
     fn share(self, subject: u8) -> u32 {
         u32::from(if self == Self::Subject { subject } else { 255 - subject })
     }
@@ -123,7 +123,7 @@ pub(in crate::style) fn widened(image: Image) -> Image {
         return image;
     }
     let y = &image.planes()[0];
-    // The three copies have one size, so this cannot fail; the luma image stands in where it would.
+    // The three copies have one size, so this cannot fail; the luma image is the fallback.
     Image::from_rgb([y.clone(), y.clone(), y.clone()]).unwrap_or(image)
 }
 
@@ -197,7 +197,7 @@ mod tests {
         let rgb = drawn(json, Some(half()));
         assert_eq!(side(&rgb, true), side(&gray, true));
         assert_eq!(side(&rgb, false), side(&photo().to_rgb(), false));
-        // Colour comes back in one part alone.
+        // Colour comes back in only one part.
         let json = r#"{"background":[{"block":"to_gray"},{"block":"to_color","where":"subject"}]}"#;
         let rgb = drawn(json, Some(half()));
         assert_eq!(side(&rgb, true), side(&gray, true));

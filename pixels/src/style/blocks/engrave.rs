@@ -1,8 +1,8 @@
 //! Engrave: lines that follow form and swell with tone, as a burin cuts them.
 //!
-//! A screen of lines has a phase whose gradient is its density and direction. The one that is wanted bends from the chosen
-//! angle toward the tangent of edges and over the relief that light and shade tell of; the phase that comes nearest to it
-//! (least squares) has no seam anywhere:
+//! A screen of lines has a phase whose gradient is its density and direction. The target gradient bends from
+//! the chosen angle toward the tangent of edges and over the relief from light and shade. The phase nearest
+//! to the target (least squares) has no seam anywhere:
 //!
 //! ```text
 //! v   = (normal of the bent direction) / pitch + relief grad H        |bend| <= 45 degrees
@@ -10,7 +10,7 @@
 //! ink where |2 frac(phi) - 1| < darkness                              one pixel soft
 //! ```
 //!
-//! Darker tones get a second and a third screen across; what two screens leave white multiplies.
+//! Darker tones get a second and a third screen across. The white shares left by the screens multiply.
 //!
 //! Sources: Ostromoukhov, "Digital facial engraving", 1999 (lines of swelling width over form, laid in layers by tone);
 //! Kyprianidis and Döllner, 2008 (the field, see [`crate::style::tangents`]).
@@ -82,7 +82,7 @@ fn run(args: Args<'_>, mut plane: Plane, context: &mut Context<'_>) -> Result<Pl
     }
     let mut phases = vec![0.0; plane.width()];
     let mut shades = vec![0.0f32; plane.width()];
-    // What is still to be covered, and what is left white.
+    // Share of the tone still to be covered, and share left white.
     let mut rest = vec![0.0f32; plane.width()];
     let mut white = vec![1.0f32; plane.width()];
     for y in 0..plane.height() {
@@ -97,7 +97,8 @@ fn run(args: Args<'_>, mut plane: Plane, context: &mut Context<'_>) -> Result<Pl
         white.fill(1.0);
         for (i, (screen, from)) in screens.iter().enumerate() {
             screen.row(y, &mut phases);
-            // What comes later takes over where it begins: until then this one holds all of the tone.
+            // The next screen takes over from its start darkness. Up to there, this screen covers the whole
+            // tone.
             let limit = screens.get(i + 1).map_or(1.0, |(_, next)| next.max(0.5));
             cut(&phases, &shades, (*from, limit, 0.5 * pitch), &mut rest, &mut white);
         }
@@ -122,13 +123,13 @@ fn cut(
         let wanted = wanted.clamp(0.0, limit);
         let distance = (2.0 * (phase - phase.floor()) - 1.0).abs();
         let paper = ((distance - wanted) * sharp + 0.5).clamp(0.0, 1.0);
-        // Nothing where nothing is wanted.
+        // Pixels that need no ink stay unchanged.
         *white *= if wanted > 0.0 { paper } else { 1.0 };
         *rest *= 1.0 - wanted;
     }
 }
 
-/// What lines follow, on the coarse grid: directions, and the relief of light and shade.
+/// The guides of lines on the coarse grid: directions, and the relief of light and shade.
 struct Form {
     columns: usize,
     rows: usize,
@@ -219,7 +220,7 @@ impl Screen {
         let (above, below) = (points(line), points(line + 1));
         let point = |i: usize| above[i] + between * (below[i] - above[i]);
         let start = middle * self.wave.1;
-        // What is whole in it says nothing, and would cost precision far from the corner.
+        // The integer part has no effect, and would cost precision far from the corner.
         let start = start - start.floor();
         let (mut x, mut i) = (0, 0);
         while x < phases.len() {

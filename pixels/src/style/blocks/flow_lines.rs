@@ -6,8 +6,8 @@
 //! ink = 1 + tanh(phi min(0, S - epsilon))
 //! ```
 //!
-//! A difference of Gaussians finds lines, and the average along the tangent joins their pieces and drops what has no
-//! direction, such as grass. What is left of pieces shorter than `shortest` is taken away whole.
+//! A difference of Gaussians finds lines. The average along the tangent joins their pieces and drops texture
+//! without a direction, such as grass. Remaining pieces shorter than `shortest` are removed completely.
 //!
 //! Sources: Kang, Lee and Chui, "Coherent line drawing", 2007; Winnemöller et al., "`XDoG`", 2012 (the threshold and the
 //! smoothing along the flow behind it); Kyprianidis and Döllner, 2008 (the field, see [`crate::style::tangents`]).
@@ -71,7 +71,7 @@ const PAPER: f32 = 200.0;
 /// The field is smoothed over this many pixels, and over more for wide lines.
 const FIELD: (f32, f32) = (5.0, 2.0);
 
-/// Bounds of D, in grey steps: what one strong edge can give to its neighbours along the line.
+/// Bounds of D, in grey steps: limits the effect of one strong edge on its neighbours along the line.
 const BOUNDS: (i32, i32) = (-512, 767);
 
 /// From this tone down a pixel belongs to a line.
@@ -113,7 +113,7 @@ fn run(args: Args<'_>, mut plane: Plane, context: &mut Context<'_>) -> Result<Pl
     Ok(plane)
 }
 
-/// One row of D in 1/32 grey steps. p in Q10: 100 * 1024 * 16320 and what is added fit an i32.
+/// One row of D in 1/32 grey steps. p in Q10: 100 * 1024 * 16320 and the added terms fit an i32.
 fn difference(narrow: &Fine, wide: &Fine, y: usize, (p, tone): (f32, f32), out: &mut [i16]) {
     let (p, tone) = ((p * 1024.0).round() as i32, (tone * 1024.0).round() as i32);
     let paper = (1024 - tone) * (PAPER * 64.0) as i32;
@@ -136,8 +136,8 @@ fn tones(epsilon: f32, phi: f32) -> Vec<u8> {
         .collect()
 }
 
-/// Turns lines white that are shorter than `shortest` pixels, both ways, together with their soft borders. Lines are told
-/// apart on half the resolution.
+/// Turns lines white that are shorter than `shortest` pixels, both ways, together with their soft borders.
+/// Lines are separated on half the resolution.
 fn drop_short(plane: &mut Plane, shortest: f32) {
     // Twice two pixels: less would be no length on half the resolution.
     if shortest < 4.0 {
@@ -165,7 +165,7 @@ fn drop_short(plane: &mut Plane, shortest: f32) {
     }
 }
 
-/// Runs of dark pixels of a row, joined with those that touch them in the row above.
+/// Runs of dark pixels of a row, joined with touching runs in the row above.
 struct Run {
     start: usize,
     end: usize,
@@ -173,7 +173,7 @@ struct Run {
     piece: u32,
 }
 
-/// Where on half the resolution a piece of lines is that reaches at least `shortest` pixels across or down.
+/// Mask, on half the resolution, of line pieces that reach at least `shortest` pixels across or down.
 fn long_pieces(plane: &Plane, (width, height): (usize, usize), shortest: usize) -> Vec<bool> {
     let mut runs: Vec<Run> = Vec::new();
     let mut pieces = Sets::default();

@@ -1,10 +1,11 @@
 //! Kuwahara: paint. Every pixel takes the colour of the calmest places about it, so that areas become strokes and
 //! edges stay where they are.
 //!
-//! Eight windows, Gaussians of .4 radius, stand on an ellipse about the pixel: .6 radius from it, longer along the tangent
-//! of edges and narrower across it by the stretch and the coherence there. A window's spread is the mean distance of its
-//! luma from its mean; windows weigh by it as [`crate::simd::oriented::choose`] tells. Means of windows stand for the
-//! sectors of the original, which costs eight reads a pixel and no loop over the radius.
+//! Eight windows, Gaussians of .4 radius, are placed on an ellipse around the pixel, at .6 radius from it.
+//! The stretch and the coherence there make the ellipse longer along the tangent of edges and narrower across
+//! it. A window's spread is the mean distance of its luma from its mean. [`crate::simd::oriented::choose`]
+//! weighs windows by it. Means of windows replace the sectors of the original, at eight reads per pixel and
+//! no loop over the radius.
 //!
 //! Sources: Kyprianidis, Kang and Döllner, "Image and video abstraction by anisotropic Kuwahara filtering", 2009;
 //! Kyprianidis, "Image and video abstraction by multi-scale anisotropic Kuwahara filtering", 2011 (several passes).
@@ -50,10 +51,10 @@ const LENGTHS: usize = 4;
 /// Units of spread in an octave.
 const OCTAVE: f64 = 256.0;
 
-/// Octaves of spread over which windows share, at sharpness 0 and 100.
+/// Windows share the weight over this many octaves of spread, at sharpness 0 and 100.
 const SHARED: (f32, f32) = (4.0, 0.25);
 
-/// What is added to every spread, in grey steps: differences within the noise of a photo count for nothing.
+/// Constant added to every spread, in grey steps: differences within the noise of a photo have no effect.
 const NOISE: f64 = 1.0;
 
 fn run(args: Args<'_>, mut image: Image, context: &mut Context<'_>) -> Result<Image> {

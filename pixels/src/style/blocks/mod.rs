@@ -43,7 +43,7 @@ use serde::Serialize;
 pub(in crate::style) use tvf::Buffers as FlowBuffers;
 use wide::i16x8;
 
-/// All blocks, in the order in which people are shown them.
+/// All blocks, in their display order.
 pub static ALL: &[&Block] = &[
     &to_gray::BLOCK,
     &to_color::BLOCK,
@@ -87,11 +87,11 @@ pub struct Block {
     pub id: &'static str,
     /// Name for people.
     pub label: &'static str,
-    /// What it does, in one line.
+    /// Summary of its effect, in one line.
     pub help: &'static str,
-    /// What it takes.
+    /// Its input channels.
     pub input: Channels,
-    /// What it gives.
+    /// Its output channels.
     pub output: Channels,
     /// Its parameters, in the order of [`Args`].
     pub params: &'static [Param],
@@ -100,8 +100,8 @@ pub struct Block {
 }
 
 impl Block {
-    /// What it gives where it is given `channels`. One that is for a part of the picture leaves the other as it was: where either has
-    /// colour, so has the result.
+    /// Output channels for an input of `channels`. A block for a part of the picture leaves the other part
+    /// unchanged. The result has colour if either part has colour.
     #[must_use]
     pub fn given(&self, channels: Channels, part: Option<Part>) -> Channels {
         match self.output {
@@ -149,7 +149,7 @@ pub enum PointOp {
     LumaTable(Table),
     /// R, G, B from R, G, B.
     Color(ColorOp),
-    /// Luma from R, G, B; U and V are kept where a later To Color wants them.
+    /// Luma from R, G, B; U and V are stored if a later To Color needs them.
     ToGray,
     /// R, G, B from luma and the kept U and V.
     ToColor,
@@ -188,8 +188,8 @@ impl ColorOp {
     }
 }
 
-/// What a block makes in a test, at the scale of a 1920 x 1080 picture: its parameters at their defaults but for those of `change`, each
-/// by its place and value.
+/// Result of a block in a test, at the scale of a 1920 x 1080 picture. Parameters have their defaults, except
+/// the ones in `change`, each by its index and value.
 #[cfg(test)]
 pub(in crate::style) fn tried<T>(
     block: &Block,

@@ -73,7 +73,7 @@ const LIGHT: f32 = 16.0;
 /// Share of paint that the deepest hollows gather at full strength.
 const PIGMENT: f32 = 0.45;
 
-/// The heights of a sheet on a square that repeats, and what they were drawn for.
+/// The heights of a sheet on a square that repeats, and the settings of their drawing.
 pub(in crate::style) struct Drawn {
     key: (usize, u32, u32),
     side: usize,

@@ -1,8 +1,9 @@
 //! Plates: a picture printed in a few inks, one plate each, as a risograph or a screen printer does.
 //!
-//! Each ink takes its share of what is missing to white, (1 - R, 1 - G, 1 - B), by least squares, scaled so that black is
-//! full ink on its plate: no tone is lost, whatever the inks are. A spot colour beside black has no share in grays, and
-//! keeps its own scale. The plates are grained or screened, shifted against each other by a seed, and multiply:
+//! Each ink takes its share of the difference to white, (1 - R, 1 - G, 1 - B), by least squares. The shares
+//! are scaled so that black is full ink on its plate. No tone is lost with any set of inks. A spot colour
+//! beside black has no share in grays and keeps its own scale. The plates are grained or screened and shifted
+//! against each other by a seed. Their inks multiply:
 //!
 //! ```text
 //! a    = clamp(M (1 - rgb))                M: pseudo-inverse of the inks' own (1 - rgb), each row scaled to a sum of 1
@@ -68,7 +69,7 @@ const NAMES: &[&str] = &[
     "own",
 ];
 
-/// Where the parameters of inks of one's own begin.
+/// Index of the first parameter of the inks of the set "own".
 const OWN: usize = 7;
 
 /// An ink as printers name it, and how it looks in full on white paper.
@@ -225,7 +226,7 @@ fn run(args: Args<'_>, image: &Image, context: &mut Context<'_>) -> Result<Image
     Image::from_rgb(out)
 }
 
-/// Where a plate lies against the one that fits.
+/// Offset of a plate from the plate that fits.
 fn misfit(shift: f32, seed: u32, plate: u32) -> (isize, isize) {
     let random = |part: u32| 2.0 * chance(seed, plate, part) - 1.0;
     let (x, y) = (random(1), random(2));
@@ -240,7 +241,8 @@ fn shares(inks: &[Ink], density: f32) -> Vec<[i32; 3]> {
     let colors: Vec<[f64; 3]> =
         inks.iter().map(|ink| ink.rgb.map(|tone| 1.0 - f64::from(tone) / 255.0)).collect();
     let n = colors.len();
-    // (C C^T + small)^-1 C by elimination; what is added keeps two alike inks from pulling against each other.
+    // (C C^T + small)^-1 C by elimination. The added diagonal keeps two similar inks from pulling against
+    // each other.
     let mut rows: Vec<Vec<f64>> = (0..n)
         .map(|i| {
             let product = |j: usize| (0..3).map(|c| colors[i][c] * colors[j][c]).sum::<f64>();
@@ -266,7 +268,7 @@ fn shares(inks: &[Ink], density: f32) -> Vec<[i32; 3]> {
         .collect()
 }
 
-/// The ink of a row: its share of what is missing to white, in steps where there are some.
+/// The ink of a row: its share of the difference to white, in steps if the plate has steps.
 fn cover(image: &Image, y: usize, share: &[i32; 3], steps: i32, out: &mut [u8]) {
     match image.planes() {
         [r, g, b] => {
@@ -294,8 +296,8 @@ fn cover(image: &Image, y: usize, share: &[i32; 3], steps: i32, out: &mut [u8]) 
     }
 }
 
-/// Ink that did not reach every fibre, and was not rolled on evenly: a + 3.2 grain (noise - 1/2) a (1.25 - a), and of that
-/// all but .3 grain cloud^2. `grain` is in 1/256.
+/// Coverage of ink that missed some fibres and was rolled on unevenly.
+/// It is (a + 3.2 grain (noise - 1/2) a (1.25 - a)) (1 - .3 grain cloud^2). `grain` is in 1/256.
 #[inline]
 fn grained(tone: u8, noise: u8, cloud: u8, grain: i32) -> u8 {
     let (a, noise, cloud) = (i32::from(tone), i32::from(noise) - 128, i32::from(cloud));

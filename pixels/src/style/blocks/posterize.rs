@@ -14,7 +14,7 @@ pub(super) static BLOCK: Block = Block {
     kernel: Kernel::Point(|args| PointOp::Table(table(args.number(0)))),
 };
 
-/// The table of a posterisation to so many levels.
+/// The table of a posterisation to N levels.
 pub(super) fn table(levels: f32) -> Table {
     Table::from_fn(|v| (v * levels / 256.0).floor() * 255.0 / (levels - 1.0))
 }

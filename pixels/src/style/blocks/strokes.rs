@@ -1,16 +1,16 @@
 //! Pencil Strokes: tones hatched with the grain of a pencil, along shapes where they have a direction.
 //!
-//! Noise averaged along a field of directions makes strokes; as values they are spread evenly over 0 to 1, so that the share
-//! of a place that lies below its darkness is its darkness. Where the photo has no direction, strokes run at the chosen
-//! angle, and darker tones get a second hand of strokes across:
+//! Noise averaged along a field of directions makes strokes. Their values are spread evenly over 0 to 1, so
+//! the share of an area with values below its darkness equals its darkness. Strokes run at the chosen angle
+//! in areas without a direction. Darker tones get a second hand of strokes across:
 //!
 //! ```text
 //! u   = F(noise averaged along the field)                  evenly spread, F its distribution
 //! ink = clamp((darkness - u) hardness + 1/2)
 //! ```
 //!
-//! In colour the darkness is that of the strongest ink, 1 - min(R, G, B), and the stroke has the colour that this ink
-//! has by itself, so pale colours are sparse strokes of a full one, as with coloured pencils.
+//! In colour the darkness is the darkness of the strongest ink, 1 - min(R, G, B). The stroke has the full
+//! colour of this ink. Pale colours are sparse strokes of a full colour, as with coloured pencils.
 //!
 //! Sources: Mao, Nagasaka and Imamiya, "Automatic generation of pencil drawing using LIC", 2001; Praun et al., "Real-time
 //! hatching", 2001 (darker tones keep the strokes of lighter ones).
@@ -138,7 +138,7 @@ fn hand(
     wide.pad();
     let mut spare = Wide::new(width, height, margin);
     field.smooth_along(&mut wide, &mut spare, length);
-    // So many spots of noise are averaged in one stroke.
+    // Number of spots of noise averaged in one stroke.
     let spots = ((2.0 * std::f32::consts::PI.sqrt() * length) / (1.2 * thick)).max(1.0);
     let deviation = DEVIATION / spots.sqrt();
     let table = spread(deviation);
@@ -171,7 +171,7 @@ struct Pen {
     slope: i32,
     /// Share of a stroke's ink for each darkness, in 1/256: a hand presses harder in the shade.
     press: [i32; 256],
-    /// The same over the darkness: what a stroke makes of what is missing to white.
+    /// `press` divided by the darkness: a factor for the difference to white, in 1/256.
     full: [i32; 256],
 }
 

@@ -8,11 +8,11 @@
 //! ```
 //!
 //! with forward differences for grad, backward for div, reflecting borders and tau = 1/4. A long time needs
-//! information from far away, which an iteration carries one pixel: a field solved on half the resolution, where
-//! an iteration costs a quarter and reaches twice as far, is the start.
+//! information from far away, and an iteration carries it by one pixel. The start is therefore a field solved
+//! on half the resolution. An iteration there costs a quarter and reaches twice as far.
 //!
-//! All iterations run in one sweep over the rows, each one row behind the one before it, so a row of the field
-//! stays in cache from its first step to its last.
+//! All iterations run in one sweep over the rows, each one row behind the one before it. A row of the field
+//! therefore stays in cache from its first step to its last.
 //!
 //! Source: Chambolle, "An algorithm for total variation minimization and applications", 2004.
 
@@ -43,7 +43,7 @@ pub(super) static BLOCK: Block = Block {
     }),
 };
 
-/// From this time on, half the resolution has something to say.
+/// From this time on, solving on half the resolution first improves the result.
 const COARSE_FROM: f32 = 7.0;
 
 /// Iterations after which the result is within the error that is asked for (42 dB against the exact minimum at a
@@ -52,7 +52,7 @@ fn iterations(time: f32) -> usize {
     (2.7 + time / 12.0).min(12.0) as usize
 }
 
-/// The same on half the resolution.
+/// Like `iterations`, on half the resolution.
 fn coarse_iterations(time: f32) -> usize {
     (4.0 + time / 10.0).min(16.0) as usize
 }

@@ -1,11 +1,11 @@
-//! How far the look of one picture is from another's, part by part. One unit of each part is about what people notice.
+//! The difference between the looks of two pictures, part by part. One unit of each part is barely visible.
 
 use super::colours::palette_distance;
 use super::features::{Features, TONES};
 use super::lines::Lines;
 use crate::style::context::scale_of;
 
-/// Pitches below so many pixels of a trial do not show in it.
+/// Minimum pitch, in pixels of a trial, that is visible in it.
 const FINEST: f32 = 2.4;
 
 /// What a screen counts that was not seen close yet: about as much as one that is far off.
@@ -20,11 +20,11 @@ const MISS: f32 = 1.0;
 /// The parts of a distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Apart {
-    /// Of the palettes.
+    /// The difference of the palettes.
     pub(super) palette: f32,
-    /// Of all else.
+    /// The difference of the remaining features.
     pub(super) shape: f32,
-    /// Of the screens.
+    /// The difference of the screens.
     pub(super) screen: f32,
 }
 
@@ -62,7 +62,7 @@ pub(super) fn apart(wanted: &Features, found: &Features) -> Apart {
     }
 }
 
-/// Of the screens of two pictures.
+/// The difference of the screens of two pictures.
 pub(super) fn screens(wanted: &Features, found: &Features) -> f32 {
     let (a, b) = (&wanted.screen, &found.screen);
     let directed = 1.5 * (a.directed - b.directed).abs();

@@ -1,4 +1,4 @@
-//! What a picture looks like, in numbers that do not depend on what it shows more than they must.
+//! The look of a picture, in numbers that depend as little as possible on its content.
 
 use super::colours::{self, Colour, palette};
 use super::lines::{Lines, lines};
@@ -21,7 +21,7 @@ pub(super) const FINE: usize = 1_200_000;
 /// Steps of the tones.
 pub(super) const TONES: usize = 16;
 
-/// Differences of neighbours up to this many grey steps are none.
+/// Differences of neighbours up to this many grey steps are ignored.
 const EQUAL: u8 = 2;
 
 /// The look of a picture.
@@ -54,18 +54,18 @@ pub struct Features {
     /// Share of the pixels next to which nothing changes, of those where it changes little: near 1 where areas are of one
     /// colour each, with edges between them; 0 where nobody asked.
     pub terraced: f32,
-    /// Share of the pixels next to a hard edge; 0 where nobody asked.
+    /// Share of the pixels next to a hard edge; 0 if not requested.
     pub edges: f32,
 }
 
 impl Features {
-    /// Of a picture of any size. Whatever is larger than needed is reduced first.
+    /// Measures a picture of any size. A larger picture than needed is reduced first.
     #[must_use]
     pub fn of(picture: &Image) -> Self {
         Self::within(picture, AREA)
     }
 
-    /// The same at so many pixels at most, at which styles are tried then.
+    /// Measures at the given maximum number of pixels; trials of styles then use that size.
     #[must_use]
     pub fn within(picture: &Image, area: usize) -> Self {
         let small = reduced(picture, area.min(AREA));
@@ -82,7 +82,7 @@ impl Features {
         }
     }
 
-    /// Of a picture at the size at which it is measured.
+    /// Measures a picture at its measuring size.
     pub(super) fn at_size(picture: &Image) -> Self {
         let luma = luma_plane(picture);
         let area = luma.samples().len();
@@ -113,7 +113,7 @@ impl Features {
     }
 }
 
-/// A picture with at most so many pixels.
+/// A picture with at most the given number of pixels.
 pub(super) fn reduced(picture: &Image, area: usize) -> Image {
     let (width, height) = (picture.width(), picture.height());
     let factor = (area as f64 / (width as f64 * height as f64)).sqrt().min(1.0);

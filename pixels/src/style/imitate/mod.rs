@@ -16,8 +16,8 @@
 //! | `inks` | the paper and inks that a print was made with |
 //! | `dressing` | designed styles in the colours of the picture |
 //! | `apart` | how far one look is from another |
-//! | `search` | what is tried, and what is proposed |
-//! | `nothing` | pictures that have no look of their own |
+//! | `search` | the styles to try and to propose |
+//! | `nothing` | pictures without a distinct look |
 
 mod apart;
 mod colours;
@@ -48,7 +48,7 @@ use serde::{Deserialize, Serialize};
 /// Reads the look of a picture.
 ///
 /// # Errors
-/// `small-picture`, `blank-picture` or `plain-photo` where there is nothing to imitate.
+/// `small-picture`, `blank-picture` or `plain-photo` if the picture has no look to imitate.
 pub fn read(picture: &Image) -> Result<Features> {
     let features = read_any(picture)?;
     nothing::check_look(&features)?;
@@ -64,7 +64,7 @@ pub fn read_any(picture: &Image) -> Result<Features> {
     Ok(Features::of(picture))
 }
 
-/// What came of a style.
+/// The result of a trial of a style.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Trial {
     /// The look of the photo in it.
@@ -96,7 +96,7 @@ impl Seen {
 /// Draws a photo in a style and reads its look.
 ///
 /// # Errors
-/// `cancelled` when the context says so.
+/// `cancelled` if the context is cancelled.
 pub fn attempt(seen: &Seen, style: &Style, context: &mut Context<'_>) -> Result<Trial> {
     context.set_scale(seen.scale);
     let drawn = stylize(&seen.image, style, context)?;

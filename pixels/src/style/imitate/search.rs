@@ -1,5 +1,5 @@
-//! The search for styles that look like a picture. It asks for trials and is told what came of them, so whoever runs it
-//! decides where they are drawn, how many at once, and when to stop:
+//! The search for styles that look like a picture. It requests trials and receives their results. The caller
+//! decides where to draw them, how many to draw at once, and when to stop:
 //!
 //! ```text
 //! survey   every designed style as it is
@@ -8,7 +8,7 @@
 //! tune     the pitch of screens, seen close
 //! ```
 //!
-//! All chance comes from the seed, and trials are told in the order in which they were asked for, so the same picture,
+//! All chance comes from the seed. Trials are reported in the order of the requests, so the same picture,
 //! photo and seed give the same styles.
 //!
 //! Source: Rechenberg, "Evolutionsstrategie", 1973 (steps that shrink, and the best of parents and children kept).
@@ -38,9 +38,9 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// What a person waits for: 300 to 350 trials.
+    /// The effort for interactive use: 300 to 350 trials.
     pub const FULL: Self = Self { nearest: 12, rounds: 5, children: 24, tuned: 8 };
-    /// What tests can wait for.
+    /// The effort for tests.
     pub const BRIEF: Self = Self { nearest: 6, rounds: 3, children: 12, tuned: 4 };
 }
 
@@ -53,10 +53,10 @@ const TUNINGS: usize = 2;
 /// Proposals, at least and at most.
 const PROPOSALS: (usize, usize) = (3, 6);
 
-/// Pixels of a trial, at least: a smaller picture is no measure for lines.
+/// Minimum number of pixels of a trial: lines cannot be measured in a smaller picture.
 const SMALLEST: usize = 40_000;
 
-/// Mean difference of two signatures up to which nobody tells two pictures apart.
+/// Maximum mean difference of two signatures at which two pictures look identical.
 const ALIKE: f32 = 7.0;
 
 /// A style to be tried.
@@ -77,13 +77,13 @@ pub fn survey() -> Vec<Ask> {
     catalogue().iter().map(|style| Ask { style: style.clone(), area: AREA, close: false }).collect()
 }
 
-/// Pixels at which trials are drawn for a picture that was measured at so many.
+/// Number of pixels of a trial for a picture that was measured at the given number of pixels.
 fn trial_area(measured: usize) -> usize {
     // Whole sides of a reduced picture make some pixels more or less.
     if measured > AREA / 64 * 63 { AREA } else { measured.max(SMALLEST) }
 }
 
-/// Where a search is.
+/// The phase of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Stage {
     Survey,
@@ -135,13 +135,13 @@ impl Search {
         }
     }
 
-    /// The same with another effort.
+    /// Returns this search with another effort.
     #[must_use]
     pub fn with(self, effort: Effort) -> Self {
         Self { effort, ..self }
     }
 
-    /// How far it is, 0 to 1, with so many trials made of those that were asked for last.
+    /// Progress, 0 to 1, with the given number of trials of the last request completed.
     #[must_use]
     pub fn progress(&self, tried: usize) -> f64 {
         // As many as there are of most pictures.
@@ -150,7 +150,7 @@ impl Search {
         if self.stage == Stage::Done { 1.0 } else { ((self.done + tried) as f64 / total as f64).min(0.99) }
     }
 
-    /// The next styles to try, all at once; none when it is done. Each batch is to be told before the next is asked for.
+    /// The next styles to try, all at once; empty at the end. Report each batch before the next request.
     pub fn ask(&mut self) -> Vec<Ask> {
         self.asked.clear();
         while self.asked.is_empty() && self.stage != Stage::Done {
@@ -168,7 +168,7 @@ impl Search {
         self.asked.iter().map(|(ask, _)| ask.clone()).collect()
     }
 
-    /// What came of the styles that were asked for, in their order; what could not be drawn is none.
+    /// Receives the results of the requested styles, in their order; `None` for a style that was not drawn.
     pub fn tell(&mut self, trials: Vec<Option<Trial>>) {
         self.done += self.asked.len();
         for ((ask, origin), trial) in std::mem::take(&mut self.asked).into_iter().zip(trials) {
@@ -315,7 +315,7 @@ impl Search {
         let wanted = &self.wanted.features;
         candidate.apart.screen = screens(wanted, close);
         let ratio = wanted.screen.pitch / close.screen.pitch.max(1e-3);
-        // What is far off is another thing that repeats, a harmonic say.
+        // A distant value belongs to another periodic pattern, for example a harmonic.
         if close.screen.pitch > 0.0 && (ratio - 1.0).abs() > 0.03 && (0.4..2.5).contains(&ratio) {
             scaled(&mut candidate.style, ratio);
         }
@@ -333,7 +333,7 @@ fn difference(a: &[u8], b: &[u8]) -> f32 {
     sum as f32 / a.len().max(1) as f32
 }
 
-/// What a style lacks, as factors on a logarithmic scale; more is wanted where they are above 0.
+/// The deficits of a style, as factors on a logarithmic scale; values above 0 require an increase.
 struct Gaps {
     lines: f32,
     width: f32,

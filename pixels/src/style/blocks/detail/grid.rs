@@ -9,15 +9,15 @@ use crate::simd::volume::{
 };
 use crate::style::context::Context;
 
-/// Cells for one sigma: gathering into a cell, the blur of one cell and reading back between cells add up to
-/// a Gaussian of 1.12 cells, so cells are that much smaller than sigma.
+/// Cells for one sigma. Gathering into a cell, the blur of one cell and reading back between cells add up to
+/// a Gaussian of 1.12 cells. Cells are therefore smaller than sigma by this factor.
 const CELL: f32 = 0.89;
 
 /// No grid has more cells: tiny sigmas are coarsened until they fit.
 const MAX_CELLS: usize = 6_000_000;
 
-/// Empty cells behind the tones of a column, so that a blur along the tone is one sum over the whole row: what it
-/// carries across an end is lost in them.
+/// Empty cells behind the tones of a column. They absorb the values that a blur along the tone carries across
+/// an end, so that the blur is one sum over the whole row.
 const GAP: usize = 2;
 
 /// Rows of cells that the blur along y sees.
@@ -84,7 +84,7 @@ impl Grid {
         }
         refill(&mut buffers.own, (0..count).map(|i| ((i % column) as f32 / per_grey).min(255.0)));
         for tones in &mut buffers.tones {
-            // A column and a cell more for what lies beyond the last corners.
+            // One more column and one more cell, for reads beyond the last corners.
             tones.resize(count + column + 1, 0);
         }
         buffers.corners.resize(count, [0; 8]);
@@ -105,7 +105,7 @@ impl Grid {
     /// Moves every sample of a plane of that size away from its base by `amount` times its distance.
     ///
     /// # Errors
-    /// `cancelled` when the context says so.
+    /// `cancelled` when the context is cancelled.
     pub(super) fn run(&mut self, plane: &mut Plane, amount: f32, context: &Context<'_>) -> Result<()> {
         let mut ready = 0;
         for y in 0..plane.height() {

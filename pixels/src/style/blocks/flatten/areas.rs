@@ -11,7 +11,7 @@ const ROUNDS: usize = 3;
 /// Cost of a neighbour that differs at full smoothness, in units of the costs.
 const PULL: f32 = 420.0;
 
-/// Stands around the picture, where no label is.
+/// Marks the margin around the picture, which has no labels.
 const OUTSIDE: u8 = u8::MAX;
 
 /// Iterated conditional modes: every pixel takes the label whose distance, less what equal neighbours are worth, is least.
@@ -71,8 +71,8 @@ pub(super) struct Areas {
     pub(super) count: usize,
 }
 
-/// Areas of equal labels, where those of fewer than `least` pixels have joined the neighbour with which they share most
-/// of their border. Labels change alike.
+/// Areas of equal labels. Areas of fewer than `least` pixels have joined the neighbour with the longest
+/// common border. Labels change alike.
 pub(super) fn merge_small(labels: &mut [u8], (width, height): (usize, usize), least: usize) -> Areas {
     // Areas join the ones around them; several rounds, as small ones may lie side by side.
     for _ in 0..4 {
@@ -159,7 +159,7 @@ fn connect(labels: &[u8], (width, height): (usize, usize)) -> Areas {
     Areas { numbers, count: count as usize }
 }
 
-/// The colour of each area: the palette's, and as much of its own mean as is wanted.
+/// The colour of each area: the palette's colour, mixed with the requested share of the area's mean.
 pub(super) fn colors(
     areas: &Areas,
     labels: &[u8],
@@ -202,7 +202,7 @@ pub(super) fn paint(
     let (full_width, full_height) = (planes[0].width(), planes[0].height());
     let reach = (2.0 * sigma).ceil() as isize;
     let border = borders(areas, (width, height), reach as usize);
-    // Of each place about a square, what it weighs for the four pixels of it.
+    // The weights of each place around a square for the four pixels of the square.
     let weights: Vec<[f32; CORNERS]> = (-reach..=reach)
         .flat_map(|dy| (-reach..=reach).map(move |dx| (dx, dy)))
         .map(|(dx, dy)| {
@@ -252,12 +252,12 @@ pub(super) fn paint(
 /// Pixels of the picture in one of the areas' resolution: a row of two above another.
 const CORNERS: usize = STEP * STEP;
 
-/// What the colour of a pixel near a border is made of.
+/// The inputs for the colour of a pixel near a border.
 struct Votes<'a> {
     areas: &'a Areas,
     size: (usize, usize),
     colors: &'a [[u8; 3]],
-    /// Of each place about a square, row by row, what it weighs for each of the square's pixels.
+    /// The weights of each place around a square, row by row, for each of the square's pixels.
     weights: &'a [[f32; CORNERS]],
     reach: isize,
     slope: f32,
@@ -315,7 +315,7 @@ fn add(sums: &mut [f32; CORNERS], weights: [f32; CORNERS]) {
     }
 }
 
-/// Where another area is within `reach`, both ways.
+/// Mask of pixels with another area within `reach`, both ways.
 fn borders(areas: &Areas, (width, height): (usize, usize), reach: usize) -> Vec<bool> {
     let mut near = vec![false; areas.numbers.len()];
     for y in 0..height {

@@ -72,7 +72,7 @@ pub(super) static BLOCK: Block = Block {
     kernel: Kernel::Image(run),
 };
 
-/// Where the colours of a palette of one's own begin, and how many there are.
+/// Index of the first colour parameter of the palette "own", and the number of its colours.
 const OWN_COLORS: (usize, usize) = (5, 8);
 
 const fn own_color(id: &'static str, label: &'static str, default: [u8; 3]) -> Param {

@@ -4,11 +4,11 @@ use crate::order::sort_by_key;
 use crate::raster::Image;
 use std::sync::OnceLock;
 
-/// The palettes; the first is taken from the photo, the last is told by parameters.
+/// The palettes; the first is taken from the photo, the last is defined by parameters.
 pub(super) const NAMES: &[&str] =
     &["photo", "comic", "gouache", "pastel", "retro", "earth", "night", "sunset", "poster", "own"];
 
-/// The choice of a palette of one's own.
+/// Index of the palette "own".
 pub(super) const OWN: usize = 9;
 
 /// Colours of the named palettes, dark to light.
@@ -127,7 +127,7 @@ const UNIT: f32 = 8192.0;
 /// The distance of every colour to each of a palette.
 pub(super) struct Costs {
     palette: Vec<[u8; 3]>,
-    /// For each of 32 x 32 x 32 cells, its place among those that the photo has.
+    /// For each of 32 x 32 x 32 cells, its index among the photo's cells.
     places: Vec<u16>,
     /// For each of these, the distance to each colour.
     table: Vec<u16>,
@@ -150,7 +150,7 @@ impl Costs {
         Self::of_palette(picture, palette)
     }
 
-    /// The costs of these colours, of which there is at least one.
+    /// The costs of these colours, at least one.
     pub(super) fn of_palette(picture: &Image, palette: Vec<[u8; 3]>) -> Self {
         let seen = seen(picture);
         let cells = cells();

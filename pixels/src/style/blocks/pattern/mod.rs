@@ -42,7 +42,7 @@ pub(super) static BLOCK: Block = Block {
             return own::fill(plane, texture, args.number(0) as usize, scale, context);
         }
         let key = (args.choice(1), args.number(0) as usize, scale.to_bits());
-        // Drawing takes longer than filling: a slider elsewhere or another panel finds the tiles as they were.
+        // Drawing takes longer than filling, so tiles are cached across changes of other sliders and panels.
         let drawn = context.tiles.take().filter(|drawn| drawn.key == key);
         let drawn = drawn.unwrap_or_else(|| Drawn { key, tiles: tiles::draw(key.0, key.1, scale) });
         let filled = fill(plane, &drawn.tiles, context);
@@ -51,13 +51,13 @@ pub(super) static BLOCK: Block = Block {
     }),
 };
 
-/// Tiles and what they were drawn for: pattern, levels, bits of the scale.
+/// Tiles and the settings of their drawing: pattern, levels, bits of the scale.
 pub(in crate::style) struct Drawn {
     key: (usize, usize, u32),
     tiles: Vec<Tile>,
 }
 
-/// Replaces each pixel by that of the tile of its level: floor(Y levels / 256).
+/// Replaces each pixel by the tile pixel of its level: floor(Y levels / 256).
 fn fill(mut plane: Plane, tiles: &[Tile], context: &mut Context<'_>) -> Result<Plane> {
     context.check_cancelled()?;
     let (width, height) = (plane.width(), plane.height());

@@ -1,5 +1,5 @@
-//! Tones by a person's own texture. A tone of darkness d takes ink where the texture is among its darkest parts, so much of
-//! it that they cover the share d: each tone holds the ink of the lighter ones, as with the patterns of code.
+//! Tones by a person's own texture. A tone of darkness d takes ink in the darkest parts of the texture, which
+//! cover the share d. Each tone holds the ink of the lighter ones, as with the patterns of code.
 
 use crate::error::Result;
 use crate::raster::Plane;
@@ -8,7 +8,7 @@ use crate::style::context::Context;
 use crate::style::texture::Texture;
 use std::sync::Arc;
 
-/// Ranks, of 255, over which ink turns to paper: the soft edge of a line.
+/// Width of the soft edge of a line, from ink to paper, in ranks of 255.
 const EDGE: f32 = 24.0;
 
 /// Longest side of a tile in pixels of the render, which bounds its memory, and its shortest.
@@ -57,7 +57,7 @@ pub(super) fn fill(
     Ok(plane)
 }
 
-/// What each rank is in a tone: 0 for ink, 255 for paper.
+/// Tone of each rank: 0 for ink, 255 for paper.
 fn ink(level: usize, levels: usize) -> [u8; 256] {
     let darkness = 1.0 - level as f32 / (levels - 1) as f32;
     std::array::from_fn(|rank| {
@@ -70,7 +70,7 @@ fn ink(level: usize, levels: usize) -> [u8; 256] {
     })
 }
 
-/// Tones as ranks: how many are darker, and half of those that are alike.
+/// Tones as ranks: the number of darker tones plus half the number of equal ones.
 fn ranked(mut plane: Plane) -> Plane {
     let mut counts = [0_u64; 256];
     for &tone in plane.samples() {

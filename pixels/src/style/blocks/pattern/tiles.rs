@@ -53,11 +53,11 @@ pub(super) fn draw(pattern: usize, levels: usize, scale: f32) -> Vec<Tile> {
         .collect()
 }
 
-/// How often a tile repeats the pattern, and its side in pixels. A side of one pattern rounded to whole pixels would
-/// space the lines of a small render otherwise than those of a large one; of several, it is nearly exact, and quite
-/// so where the scale is a multiple of 1/40.
+/// Number of repeats of the pattern in a tile, and the tile's side in pixels. With one repeat, rounding the
+/// side to whole pixels would change the line spacing between small and large renders. With several repeats
+/// the spacing is nearly exact. It is exact if the scale is a multiple of 1/40.
 fn whole_side(scale: f32) -> (usize, usize) {
-    /// Share of a length that nobody sees across a page.
+    /// Share of a length that is invisible across a page.
     const DRIFT: f32 = 1e-4;
     /// Longest side that is worth its memory, and most repeats.
     const MOST: (f32, usize) = (600.0, 10);
