@@ -933,7 +933,7 @@ export type Template = { id: string, name: string, family: string, aspect: numbe
 } & ({ "tree": string | object }
 | { "polygons": ReadonlyArray<ReadonlyArray<Point>> });
 
-/** A style: a background layer and, where there is one, a foreground layer of lines. */
+/** A style: a background layer and an optional foreground layer of lines. */
 export type Style = {
   /** Name for programs. */
   id: string,
@@ -941,7 +941,7 @@ export type Style = {
   name: string,
   /** Families it belongs to; the first is the main one. */
   tags: ReadonlyArray<string>,
-  /** The colour layer. Empty means the photo as it is. */
+  /** The colour layer. An empty layer leaves the photo unchanged. */
   background: ReadonlyArray<StyleStep>,
   /** The line layer; its luma is the alpha of the background over the ink. */
   foreground?: ReadonlyArray<StyleStep>,
@@ -1165,11 +1165,11 @@ export type Channels = "luma" | "color" | "any";
 /** A part of a picture. */
 export type StylePart = "subject" | "background";
 
-/** The parts that the layers of a style are for; all of the picture where none is told. */
+/** The parts that the layers of a style apply to; the whole picture if a layer defines no part. */
 export type LayerParts = {
-  /** That of the colours: the photo stays as it is elsewhere. */
+  /** The part of the colour layer: the photo is unchanged outside it. */
   background?: StylePart,
-  /** That of the lines: there are none elsewhere. */
+  /** The part of the line layer: no lines are drawn outside it. */
   foreground?: StylePart,
 };
 
