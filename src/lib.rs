@@ -28,8 +28,8 @@
 //! | draw any picture in a style | [`Style::draw`] |
 //! | know what went wrong | [`Failure`] |
 //!
-//! The same photos and options make the same pixels, on every machine and in the browser. There is no global
-//! state, no clock, and no randomness except from the caller's seed. Work is spread over all cores;
+//! The same photos and options make the same pixels, on every machine and in the browser. The crate
+//! has no global state, no clock, and no randomness except from the caller's seed. Work is spread over all cores;
 //! `RAYON_NUM_THREADS` says over how many.
 //!
 //! # Features

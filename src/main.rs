@@ -311,7 +311,7 @@ struct Planned {
     /// Random seed. [default: 1]
     #[arg(long)]
     seed: Option<u32>,
-    /// Maximum fingerprint distance of near-duplicates, of which only the best is used. [default: 10]
+    /// Maximum fingerprint distance of near-duplicates. Only the best of them is used. [default: 10]
     #[arg(long, value_name = "BITS", value_parser = clap::value_parser!(u32).range(0..=64))]
     alike: Option<u32>,
     /// Use all photos, including near-duplicates and blurred ones.

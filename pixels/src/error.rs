@@ -127,7 +127,7 @@ pub enum Error {
     /// A page refers to a photo whose pixels are not at hand.
     #[error("the photo \"{0}\" is not loaded")]
     MissingPhoto(String),
-    /// There are no photos for a page.
+    /// A page was requested without photos.
     #[error("there is no usable photo")]
     NoPhotos,
     /// A picture for a style search has too few pixels.

@@ -130,8 +130,8 @@ fn alike(a: &Value, b: &Value) -> bool {
 
 impl Project {
     /// Adds new text items: on the page and the panel in `sheet` and `panel`, or at its `photo`. Text items
-    /// without a page or space stay unplaced. A text item of a known `cue` is not added again. `None` if
-    /// there are no new text items.
+    /// without a page or space stay unplaced. A text item of a known `cue` is not added again. Returns `None`
+    /// without new text items.
     pub(super) fn with_words(&self, words: &[Value]) -> Option<Self> {
         let mut known: HashSet<String> = HashSet::new();
         let mut number = 0;

@@ -90,8 +90,8 @@ pub fn write(history: &History, dropped: &Dropped) -> String {
 /// - States have numbers. The old states (past, present, future) count from 0, and the new ones in `states`
 ///   follow.
 /// - A new state is `[of, fields]`: a copy of state `of` with changed fields.
-/// - `past` and `future` are runs of numbers, each `[first, count]`. `shown` is the same for the old page
-///   history and `entries`.
+/// - `past` and `future` are runs of numbers: pairs of `[first, count]`. `shown` has runs of entries of the
+///   old page history.
 /// - `parts` are tables that extend the known tables (`Interner::knowing`).
 /// - `pageId` and `sheet` are ids for a new page and a new sheet.
 #[must_use]

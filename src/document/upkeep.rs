@@ -72,7 +72,7 @@ impl Planning<'_> {
         self.photos.iter().map(Known::id).collect()
     }
 
-    /// The page with only photos in use. `None` if there are no photos for it.
+    /// Returns the page with only photos in use, or `None` if no photo is left.
     #[inline(never)]
     fn mended(
         &self,

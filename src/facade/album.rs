@@ -1,4 +1,4 @@
-//! Albums: imported photos, from which pages are made.
+//! Albums: the imported photos of a project.
 
 use super::failure::Failure;
 #[cfg(feature = "detect")]

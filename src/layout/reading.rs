@@ -3,9 +3,9 @@
 use super::polygon::Bounds;
 use super::resolve::ResolvedPanel;
 
-/// Part of an overlay that lies on one panel, from which on that panel is its ground.
+/// Minimum part of an overlay that lies on its ground panel.
 const GROUND: f64 = 0.9;
-/// How far the middle of an overlay is inside a row, in heights of the overlay, from which on it belongs to that row.
+/// Minimum distance of the middle of an overlay from the edge of its row, in heights of the overlay.
 const IN_ROW: f64 = 0.15;
 
 /// Returns the panels in reading order, as numbers in paint order.

@@ -38,7 +38,7 @@ pub struct PageSettings {
     pub paper: String,
     /// Colour of the line round a panel, `#rrggbb`.
     pub border_color: String,
-    /// Text is set for screens, where it is larger than in print.
+    /// Whether text has the larger size for screens.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>", optional))]
     pub for_screens: bool,

@@ -12,7 +12,7 @@ use crate::error::Result;
 /// Minimum thickness of a panel, in page widths. Templates with thinner panels are not offered.
 pub const LEAST_THICKNESS: f64 = 0.12;
 /// Maximum elongation of panels (width over height, height over width): near the intended aspect ratio of the
-/// template, and on other pages, where the layout is only chosen automatically.
+/// template, and on other pages. The second limit applies to automatic choices.
 const MOST_ELONGATED: [(f64, f64); 2] = [(4.6, 3.2), (3.2, 2.1)];
 /// How far an aspect may be from another and still be near.
 const NEAR: f64 = 1.35;

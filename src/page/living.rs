@@ -200,7 +200,7 @@ fn block_differences(a: &[u8], b: &[u8], width: usize) -> Vec<f64> {
     sums.into_iter().map(|(sum, count)| f64::from(sum) / f64::from(count.max(1))).collect()
 }
 
-/// The mean difference up to which a block of these pictures stands still, of 255. Even if the whole frame
+/// Maximum mean difference of a block without motion, of 255. Even if the whole frame
 /// moves, a tenth of it is smooth and shows only the grain.
 fn stillness(sources: &[Vec<u8>], width: usize) -> f64 {
     let between = sources.windows(2).step_by(4).map(|pair| {

@@ -44,7 +44,7 @@ pub(super) fn patch(
     let area = seen(&alpha, part, reach);
     let inside = mask::inside(&panel.shape, scene.corner_radius, area);
     let (left, top) = ((area.x - part.x) as usize, (area.y - part.y) as usize);
-    // Inside the panel there is no outline. Parts that end near an edge, or must not cross it, leave the
+    // Only parts outside the panel have an outline. Parts that end near an edge, or must not cross it, leave the
     // border intact.
     let beyond = |x: usize, y: usize| {
         if inside[y * area.width + x] < 255 { alpha.at(left + x, top + y) } else { 0 }

@@ -20,11 +20,11 @@ const NEAR_DUPLICATE: u32 = 10;
 const MANY: usize = 24;
 /// Labels of vehicles.
 const VEHICLES: [&str; 8] = ["bicycle", "car", "motorcycle", "airplane", "bus", "train", "truck", "boat"];
-/// The score from which on a small face needs no person around it.
+/// Minimum score of a small face without a person around it.
 const SURE: f64 = 0.78;
 /// Labels that detectors give to pages of text and to screenshots.
 const SCREENS: [&str; 7] = ["cell phone", "tv", "laptop", "remote", "book", "keyboard", "refrigerator"];
-/// Minimum value of a person or an animal that makes a photo a photo of people or animals.
+/// Minimum value of a person or animal in a photo of kind `Alive`.
 const ALIVE: f64 = 0.3;
 /// Bonus of the second and of the third face.
 const GROUP: f64 = 0.06;

@@ -6,7 +6,7 @@ use crate::framing::PhotoMeta;
 pub const PAGES: usize = 24;
 /// Panels of a usual page: as many photos have their turn at once.
 const A_PAGE: f64 = 5.0;
-/// Number of pages after which a photo is overdue, and the bonus per further page.
+/// Maximum wait of a photo in pages, and the bonus per page beyond it.
 const OVERDUE: usize = 8;
 const EACH: f64 = 2.5;
 /// Bonus per page of waiting before a photo is overdue.

@@ -24,8 +24,7 @@ const OF_THE_GROUP: f64 = 0.5;
 const STRONG: f64 = 0.25;
 /// The part of a head or of lettering that other panels must leave.
 const SEEN: f64 = 0.9;
-/// Width over height of a panel, and height over width, from which on it is a strip, and the part of its photo that a strip shows at
-/// least.
+/// Minimum elongation of a strip (width over height, height over width), and the minimum part of a photo in it.
 const STRIP: f64 = 2.4;
 const STRIP_UPRIGHT: f64 = 2.6;
 const STRIP_KEPT: f64 = 0.6;

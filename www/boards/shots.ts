@@ -120,7 +120,7 @@ function withoutDropped(number: number, fps: number): number {
 
 /**
  * A length as people write it: `2` or `2.5` are seconds, `36f` are frames, `2:12` are seconds and frames, `0:02:12` has minutes
- * before them, `0:00:02:12` hours; `1 min 4 s 12 f` has units. At 29.97 DF what is told in seconds and frames is a time code.
+ * before them, `0:00:02:12` hours; `1 min 4 s 12 f` has units. At 29.97 DF, seconds and frames are a time code.
  * @returns frames; null for nothing, undefined for what is no length
  */
 export function lengthOf(text: string, { fps, pace }: Rate, most: number): number | null | undefined {

@@ -1,4 +1,4 @@
-/** Address of the detector module: next to the worker that loads it, where the build puts it (`nets-module.js`). */
+/** Address of the detector module. The build puts it next to its worker (`nets-module.js`). */
 
 /** A constant of the build. */
 declare const INKPANEL_NETS: string[];

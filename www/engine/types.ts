@@ -813,7 +813,7 @@ export type PageSettings = {
   paper: string,
   /** Colour of the line round a panel, `#rrggbb`. */
   borderColor: string,
-  /** Text is set for screens, where it is larger than in print. */
+  /** Whether text has the larger size for screens. */
   forScreens?: boolean,
   /** Bleed in page widths, 0 to 0.1. For print files only; it is never saved. */
   bleed?: number,

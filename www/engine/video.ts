@@ -53,7 +53,7 @@ export type Listener = {
 /** Milliseconds without a word of the reader: a slow device may decode hundreds of frames between two of the times. */
 const SILENCE = 60_000;
 
-/** Errors after which the browser's player may still read the file. */
+/** Errors of files that the browser's player may still read. */
 const BY_ELEMENT = ['film-codec', 'film-empty', 'film-cut'];
 
 /** @returns when all frames were dealt with */

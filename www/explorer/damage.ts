@@ -9,7 +9,7 @@ import type { EnergyMap, Subject } from '../engine/types.ts';
 const FACE = 'face';
 /** The grid of a signature, and the bytes of a cell: red, green, blue and roughness. */
 const [COLUMNS, ROWS, CELL] = [12, 9, 4];
-/** Channels from which on a cell is white paper, and up to which it is black. */
+/** Minimum channel value of white paper, and maximum channel value of black. */
 const [WHITE, BLACK] = [240, 14];
 /** Roughness up to which a cell shows nothing. */
 const SMOOTH = 6;

@@ -22,7 +22,7 @@ import type { Signal } from '@preact/signals';
 
 export type { Item };
 type Parent = Pick<Style, 'id' | 'name'>;
-/** Parents of a combined style, twice the same for a variation. A litter shares them. */
+/** Parents of a combined style. A variation has one parent twice. Styles of one run share them. */
 export type Parents = readonly [Parent, Parent];
 /** the photo of the wall, and its size */
 export type Photo = { id: string; width: number; height: number };

@@ -1,5 +1,5 @@
 //! The detector module. It is separate from the core, so that the first page does not wait for its code. It
-//! is made of `inkpanel-detect` alone.
+//! contains only `inkpanel-detect`.
 
 #[cfg(target_arch = "wasm32")]
 mod boundary;

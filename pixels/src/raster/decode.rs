@@ -1,7 +1,7 @@
 //! Bytes of a file to pixels, with limits and EXIF orientation.
 //!
 //! The format is detected by content, never by file name. Everything that the header announces is checked
-//! before memory is taken for it. The readable part of a damaged JPEG or PNG file is decoded, and the damage
+//! before memory is allocated. The readable part of a damaged JPEG or PNG file is decoded, and the damage
 //! is reported. Other damaged files are an error.
 
 use std::fmt::{self, Display, Formatter};

@@ -85,7 +85,7 @@ impl Sheet {
                     column as f64 * cell.0 + (cell.0 - size.0) / 2.0,
                     row as f64 * cell.1 + (cell.1 - size.1) / 2.0,
                 );
-                // There is no bleed between adjacent pages.
+                // Adjacent pages have no bleed between them.
                 let outside = [column == 0, row == 0, column + 1 == grid.0, row + 1 == grid.1];
                 let mut room = outside.map(|free| if free { bleed_of(document) / scale } else { 0.0 });
                 if turned {

@@ -193,7 +193,7 @@ pub fn draw(laid: &Laid, width: f64, letters: &Letters) -> Patch {
     };
     let word = &laid.word;
     if ringed {
-        // Without a line width there is no outline.
+        // A line width of 0 draws no outline.
         if line > 0.0 {
             lay_over(&mut rgba, &ring(&text, line, None), word.fill);
         }

@@ -1,6 +1,6 @@
 /**
  * Removes metadata from photos in boxes (HEIC, AVIF). Such a file is a list of items. Images stay. Metadata items and
- * everything outside of items are blanked in place. The record of a camera leaves which side is up. Sources: ISO/IEC
+ * everything outside of items are blanked in place. The orientation in the camera record stays. Sources: ISO/IEC
  * 14496-12, 23008-12 (HEIF); AV1 Image File Format.
  */
 

@@ -19,7 +19,7 @@ export const animaticStrings = {
     cuts: 'Cuts',
     dissolves: 'Dissolves',
     moves: 'Camera moves',
-    captions: 'Captions: dialogue, or the action if there is no dialogue',
+    captions: 'Captions: dialogue, otherwise action',
     sound: 'Soundtrack',
     noSound: (name: string) => `Remove ${name}`,
     gifMute: 'GIF files have no sound.',
