@@ -3,6 +3,7 @@
  * with the photos.
  */
 
+import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { albumName, albumTitle, momentOf } from './album-name.ts';
 import { foldersOf } from './folders.ts';
@@ -18,37 +19,41 @@ export function createAlbumNaming({ store }: { store: Store }) {
   /** The automatic name of the project; null if the user named it. */
   let free: { place: Place; name: string } | null = null;
 
-  return { automatic, title, moments, begin, settle };
-
-  /** @returns the automatic name of the project; empty without information */
-  function automatic(): string {
-    return bounded(albumName(origins(), { samples: strings.sampleAlbum, dates: strings.dates, now: Date.now() }));
-  }
-
-  /** @returns the title of a page: the project name that the user chose, or the folder or days of the photos */
-  function title(): string {
-    const { name } = store.project.peek();
-    if (name !== '' && !isFree(name) && name !== automatic()) return name;
-    return bounded(albumTitle(origins(), { samples: strings.sampleAlbum, dates: strings.dates, now: Date.now() }));
-  }
-
-  /** time and place of each photo, by id */
-  function moments(): Map<string, { at: number | null; place: string }> {
-    const now = Date.now();
-    const found = origins().map((origin) => [origin.id, momentOf(origin, now)] as const);
-    // The folder that all photos share is not a place of some.
-    const places = new Set(found.map(([, { place }]) => place));
-    return new Map(found.map(([id, moment]) => [id, places.size > 1 ? moment : { ...moment, place: '' }]));
-  }
-
-  function origins() {
-    return store.facts.peek().map(({ id, meta, credit, absent }) => ({
+  /** Every plan of a page reads the origins and the moments, so they are computed once per change of the album. */
+  const origins = computed(() =>
+    store.facts.value.map(({ id, meta, credit, absent }) => ({
       id,
       folders: files.get(id)?.folders ?? [],
       modified: files.get(id)?.modified ?? null,
       taken: absent ? null : (meta?.taken ?? null),
       sample: credit !== undefined,
-    }));
+    })),
+  );
+  /** The time and place of each photo, by id. */
+  const moments = computed(() => {
+    const now = Date.now();
+    const found = origins.value.map((origin) => [origin.id, momentOf(origin, now)] as const);
+    // The folder that all photos share is not a place of some.
+    const places = new Set(found.map(([, { place }]) => place));
+    return new Map(found.map(([id, moment]) => [id, places.size > 1 ? moment : { ...moment, place: '' }]));
+  });
+
+  return { automatic, title, moments: () => moments.peek(), begin, settle };
+
+  /** @returns the automatic name of the project; empty without information */
+  function automatic(): string {
+    return named(albumName);
+  }
+
+  /** @returns the title of a page: the project name that the user chose, or the folder or days of the photos */
+  function title(): string {
+    const { name } = store.project.peek();
+    return name !== '' && !isFree(name) && name !== automatic() ? name : named(albumTitle);
+  }
+
+  function named(by: typeof albumName): string {
+    const name = by(origins.peek(), { samples: strings.sampleAlbum, dates: strings.dates, now: Date.now() });
+    return [...name].slice(0, MOST).join('');
   }
 
   /** Prepares for new photos. @param sources their files, with the ids of the photos */
@@ -75,8 +80,4 @@ export function createAlbumNaming({ store }: { store: Store }) {
   function isFree(name: string): boolean {
     return free?.place === store.place.peek() && free.name === name;
   }
-}
-
-function bounded(name: string): string {
-  return [...name].slice(0, MOST).join('');
 }
