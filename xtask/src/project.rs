@@ -23,7 +23,9 @@ impl Project {
         // Read at run time, because checkouts with a shared target folder share this program.
         let told = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
         let here = told.as_deref().unwrap_or(Path::new(env!("CARGO_MANIFEST_DIR")));
-        let root = here.parent().context("xtask stands in the workspace's top folder")?.to_path_buf();
+        // The release tool is deeper in the workspace than the task runner.
+        let root = here.ancestors().find(|folder| folder.join("Cargo.lock").is_file());
+        let root = root.context("no folder above this program has a Cargo.lock")?.to_path_buf();
         let metadata = tools::output(
             Command::new(cargo())
                 .args(["metadata", "--format-version", "1", "--no-deps", "--offline"])

@@ -244,8 +244,6 @@ fn fonts_not_told(folder: &std::path::Path) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
-
     use serde_json::json;
     use time::format_description::well_known::Iso8601;
 
@@ -340,7 +338,7 @@ mod tests {
             &list["components"].as_array().unwrap().iter().find(|one| one["name"] == "faces.onnx").unwrap();
         assert_eq!(net["type"], "machine-learning-model");
         assert_eq!(net["hashes"][0]["content"].as_str().unwrap().len(), 64);
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fonts");
+        let folder = Project::locate().unwrap().root.join("fonts");
         assert_eq!(fonts_not_told(&folder), Vec::<String>::new());
     }
 
