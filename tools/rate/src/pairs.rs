@@ -104,7 +104,9 @@ mod tests {
         let pages = [page("a", 1), page("a", 2), page("b", 1), page("a", 3), page("b", 2)];
         let mut duels = duels(&pages, 1);
         assert!(duels.iter().all(|[a, b]| pages[*a].album == pages[*b].album));
-        duels.iter_mut().for_each(|pair| pair.sort_unstable());
+        for pair in &mut duels {
+            pair.sort_unstable();
+        }
         duels.sort_unstable();
         assert_eq!(duels, [[0, 1], [0, 3], [1, 3], [2, 4]]);
     }

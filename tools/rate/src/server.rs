@@ -24,17 +24,14 @@ pub(crate) fn serve(pages: &[Page], duels: &[[usize; 2]], file: &Path, port: u16
     println!("Rate {} pairs at http://127.0.0.1:{port}/ (stop with Ctrl+C)", duels.len());
     for mut request in server.incoming_requests() {
         let url = request.url().to_owned();
-        let last = match (request.method(), url.as_str()) {
+        match (request.method(), url.as_str()) {
             (Method::Get, "/") => answer(request, html(duels), "text/html; charset=utf-8"),
             (Method::Post, "/better") => {
-                let stored = answer_of(&mut request).and_then(|[duel, side]| {
-                    let (better, worse) = (duels.get(duel)?.get(side)?, duels[duel].get(1 - side)?);
-                    Some((duel, &pages[*better], &pages[*worse]))
-                });
-                let Some((duel, better, worse)) = stored else {
-                    let _ = request.respond(Response::empty(400));
+                let Some([number, side]) = answer_of(&mut request, duels.len()) else {
+                    refuse(request, 400);
                     continue;
                 };
+                let (better, worse) = (&pages[duels[number][side]], &pages[duels[number][1 - side]]);
                 let pair = Pair {
                     album: better.album.clone(),
                     seeds: [better.seed, worse.seed],
@@ -43,41 +40,44 @@ pub(crate) fn serve(pages: &[Page], duels: &[[usize; 2]], file: &Path, port: u16
                 };
                 pairs::store(file, &pair)?;
                 answer(request, Vec::new(), "text/plain");
-                duel + 1 == duels.len()
+                if number + 1 == duels.len() {
+                    println!("All pairs are rated: {}", file.display());
+                    break;
+                }
             }
             (Method::Get, path) => {
                 let number = path.strip_prefix("/page/").and_then(|number| number.parse::<usize>().ok());
                 match number.and_then(|number| pages.get(number)).and_then(|page| fs::read(&page.file).ok()) {
                     Some(bytes) => answer(request, bytes, "image/png"),
-                    None => request.respond(Response::empty(404)).is_err() && false,
+                    None => refuse(request, 404),
                 }
             }
-            _ => request.respond(Response::empty(405)).is_err() && false,
-        };
-        if last {
-            println!("All pairs are rated: {}", file.display());
-            break;
+            _ => refuse(request, 405),
         }
     }
     Ok(())
 }
 
-/// The number of a pair and the side that is better, from a body such as `3 0`.
-fn answer_of(request: &mut Request) -> Option<[usize; 2]> {
+/// Returns the number of a pair and the side that is better, from a body such as `3 0`.
+fn answer_of(request: &mut Request, count: usize) -> Option<[usize; 2]> {
     let mut body = String::new();
     request.as_reader().take(MOST).read_to_string(&mut body).ok()?;
-    let mut numbers = body.split(' ').map(|number| number.parse().ok());
-    Some([numbers.next()??, numbers.next()??])
+    let (number, side) = body.split_once(' ')?;
+    let answer = [number.parse().ok()?, side.parse().ok()?];
+    (answer[0] < count && answer[1] < 2).then_some(answer)
 }
 
-/// Sends bytes and ignores a closed connection. Returns false, so serving continues.
-fn answer(request: Request, bytes: Vec<u8>, kind: &str) -> bool {
+/// Sends bytes and ignores a closed connection.
+fn answer(request: Request, bytes: Vec<u8>, kind: &str) {
     let mut response = Response::from_data(bytes);
     if let Ok(header) = Header::from_bytes("Content-Type", kind) {
         response.add_header(header);
     }
     let _ = request.respond(response);
-    false
+}
+
+fn refuse(request: Request, status: u16) {
+    let _ = request.respond(Response::empty(status));
 }
 
 fn html(duels: &[[usize; 2]]) -> Vec<u8> {
