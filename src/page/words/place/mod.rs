@@ -206,21 +206,7 @@ fn placed_on<'s>(
             value["tail"] = Value::Null;
         }
         let word = &mut document.words[i];
-        for name in ["x", "y", "tail", "room"] {
-            if let Some(value) = value.get(name) {
-                // Items without a room omit the field, for compatibility.
-                if name == "room" && value.is_null() {
-                    if let Some(fields) = word.as_object_mut() {
-                        fields.remove(name);
-                    }
-                } else {
-                    word[name] = value.clone();
-                }
-            }
-        }
-        if let Some(fields) = word.as_object_mut() {
-            fields.remove("linked");
-        }
+        set_place(word, &value);
         word["auto"] = json!(!by_hand);
     }
     for (later, before) in links {
@@ -228,6 +214,24 @@ fn placed_on<'s>(
         document.words[later]["linked"] = json!(name);
     }
     Ok(())
+}
+
+/// Writes a place into the JSON of a text item, and removes its link.
+fn set_place(word: &mut Value, place: &Value) {
+    let Some(fields) = word.as_object_mut() else { return };
+    fields.remove("linked");
+    for name in ["x", "y", "tail", "room"] {
+        match place.get(name) {
+            // Items without a room omit the field, for compatibility.
+            Some(Value::Null) if name == "room" => {
+                fields.remove(name);
+            }
+            Some(value) => {
+                fields.insert(name.to_owned(), value.clone());
+            }
+            None => {}
+        }
+    }
 }
 
 /// Removes automatic links, except to balloons with a fixed position.
@@ -399,7 +403,7 @@ mod tests {
     use super::*;
     use crate::page::words::layout::measured;
 
-    fn page(layout: &str, panels: usize, words: Value, settings: Value) -> Document {
+    fn page(layout: &str, panels: usize, words: &Value, settings: &Value) -> Document {
         let photo = json!({ "photo": "a" });
         let value = json!({
             "version": 1, "seed": 1, "style": "noir", "merges": [], "order": ["a"], "words": words,
@@ -427,7 +431,7 @@ mod tests {
             let words: Vec<Value> = (0..base)
                 .flat_map(|panel| ["Over there, I said!", "Honk!"].map(|text| balloon(panel, text)))
                 .collect();
-            let mut document = page(layout, panels, json!(words), json!({ "forScreens": true }));
+            let mut document = page(layout, panels, &json!(words), &json!({ "forScreens": true }));
             settle(&mut document, |_| Known::default(), &letters).unwrap();
             let ground = Ground::new(&document).unwrap();
             for (word, area) in placed_words(&document, &letters) {
@@ -446,7 +450,7 @@ mod tests {
         let by_hand = json!({
             "kind": "balloon", "text": "Hello!", "panel": 0, "craft": 2, "auto": false, "x": 0.5, "y": 0.45,
         });
-        let mut document = page("grid-4", 4, json!([by_hand]), json!({}));
+        let mut document = page("grid-4", 4, &json!([by_hand]), &json!({}));
         let before = document.words.clone();
         settle(&mut document, known, &letters).unwrap();
         assert_eq!(document.words, before);
@@ -473,7 +477,7 @@ mod tests {
         let letters = Letters::bundled().unwrap();
         let size = |settings: Value| {
             let mut document =
-                page("grid-6", 6, json!([balloon(0, "Where have you been all day?")]), settings);
+                page("grid-6", 6, &json!([balloon(0, "Where have you been all day?")]), &settings);
             settle(&mut document, |_| Known::default(), &letters).unwrap();
             measured(&document, &letters).unwrap()[0].size
         };
