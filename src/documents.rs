@@ -67,7 +67,9 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
     drawing::tell_missing(&pages, &fonts)?;
     if how.strict {
         // Damage is reported before anything is written; errors come back when the photo is drawn.
-        paths.values().for_each(|path| drop(decode_file(path)));
+        for path in paths.values() {
+            drop(decode_file(path));
+        }
     }
     check_strict(how)?;
     let printed: drawing::Printed<'_> = (&how.printing, &|_| &[]);

@@ -91,7 +91,9 @@ fn drawn(
     drawing::tell_missing(&wanted, &fonts)?;
     if how.strict {
         // Damage is reported before anything is written; errors come back when the photo is drawn.
-        files.keys().for_each(|id| drop(photos(id)));
+        for id in files.keys() {
+            drop(photos(id));
+        }
     }
     check_strict(how)?;
     match kind {

@@ -757,7 +757,9 @@ fn an_album_is_spread_over_pages_in_order_in_one_style() {
     // On its page each photo goes where it fits best.
     let number = |id: &String| id[1..].parse::<usize>().unwrap();
     let mut pages = shown(&editor);
-    pages.iter_mut().for_each(|page| page.sort_by_key(number));
+    for page in &mut pages {
+        page.sort_by_key(number);
+    }
     assert_eq!(pages.concat(), photos.iter().map(|photo| photo.id.clone()).collect::<Vec<_>>());
     let sheets = editor.project().sheets();
     assert_eq!(sheets.len(), 7);

@@ -72,7 +72,7 @@ impl Steps {
                 taken += length;
                 match symbol {
                     0xF0 => passed += 16,
-                    _ if symbol & 15 == 0 => return 1 << 12 | passed << 5 | taken as u16,
+                    _ if symbol.trailing_zeros() >= 4 => return 1 << 12 | passed << 5 | taken as u16,
                     _ => passed += (symbol >> 4) + 1,
                 }
             }
@@ -134,7 +134,7 @@ impl<'a> Bits<'a> {
             if !may_end && (0..56).contains(&self.count) {
                 self.ahead |= word >> self.count;
                 self.at += (63 - self.count as usize) / 8;
-                self.count |= 56;
+                self.count |= 0x38;
                 return;
             }
         }

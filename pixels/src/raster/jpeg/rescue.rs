@@ -46,7 +46,7 @@ enum Read {
 
 /// The blocks of a component.
 struct Blocks {
-    blocks: Vec<Block>,
+    values: Vec<Block>,
     read: Vec<Read>,
     /// Blocks of a row, including padding in the last unit.
     stride: usize,
@@ -197,7 +197,7 @@ impl Picture {
                 let stride = self.header.units.0 * component.blocks.0;
                 let count = stride * self.header.units.1 * component.blocks.1;
                 Blocks {
-                    blocks: vec![[0; 64]; count],
+                    values: vec![[0; 64]; count],
                     read: vec![Read::Nothing; count],
                     stride,
                     lowest: [u8::MAX; 64],
@@ -273,7 +273,7 @@ impl Picture {
     /// Whether the first coefficients of a unit are plausible.
     fn is_possible(&self, scan: &Scan, unit: usize) -> bool {
         scan.layout.blocks(unit).all(|(index, at)| {
-            i32::from(self.components[index].blocks[at][0]).abs() <= self.header.largest(index)
+            i32::from(self.components[index].values[at][0]).abs() <= self.header.largest(index)
         })
     }
 
@@ -354,9 +354,9 @@ impl Picture {
         let sums: Vec<f32> = steps.windows(row).map(|steps| steps.iter().sum()).collect();
         let Some(most) = sums.iter().copied().reduce(f32::max) else { return [front, end..end] };
         // Damaged units may precede the first sound one.
-        let first = sums.iter().position(|&sum| sum == most).unwrap_or(0);
-        let near = sums.iter().enumerate().skip(first).take(row).filter(|(_, sum)| **sum > 0.9 * most);
-        let at = near.last().map_or(first, |(at, _)| at);
+        let first = sums.iter().position(|&sum| sum >= most).unwrap_or(0);
+        let mut near = sums.iter().enumerate().skip(first).take(row).filter(|(_, sum)| **sum > 0.9 * most);
+        let at = near.next_back().map_or(first, |(at, _)| at);
         let median = |mut steps: Vec<f32>| {
             let middle = steps.len() / 2;
             *steps.select_nth_unstable_by(middle, f32::total_cmp).1
@@ -384,7 +384,7 @@ impl Picture {
             let component = &self.components[part.index];
             let at = scan.layout.first(part, unit);
             if let Some(above) = component.above(at) {
-                *step = component.blocks[at][0].abs_diff(component.blocks[above][0]).into();
+                *step = component.values[at][0].abs_diff(component.values[above][0]).into();
             }
         }
         steps
@@ -394,7 +394,7 @@ impl Picture {
     fn forget(&mut self, scan: &Scan, units: Range<usize>) {
         for (component, at) in units.flat_map(|unit| scan.layout.blocks(unit)) {
             self.components[component].read[at] = Read::Nothing;
-            self.components[component].blocks[at] = [0; 64];
+            self.components[component].values[at] = [0; 64];
         }
     }
 
@@ -428,7 +428,7 @@ impl Picture {
                     if scan.is_dependent() && component.read[at] == Read::Coarse {
                         return None;
                     }
-                    let block = &mut component.blocks[at];
+                    let block = &mut component.values[at];
                     if writes {
                         scan.block(state, part.index, tables, block)?;
                     } else {
@@ -468,7 +468,7 @@ impl Picture {
                 let all = units.clone().flat_map(|unit| scan.layout.blocks(unit));
                 all.filter(|(index, _)| *index == part.index).map(|(_, at)| at)
             };
-            let first = |at: usize| i32::from(component.blocks[at][0]);
+            let first = |at: usize| i32::from(component.values[at][0]);
             let difference = |at| Some(first(component.above(at)?) - first(at));
             let mut offsets: Vec<_> = blocks().filter_map(difference).take(component.stride).collect();
             if offsets.is_empty() {
@@ -477,7 +477,7 @@ impl Picture {
             let middle = offsets.len() / 2;
             let offset = *offsets.select_nth_unstable(middle).1;
             for at in blocks() {
-                component.blocks[at][0] = component.blocks[at][0].wrapping_add(offset as i16);
+                component.values[at][0] = component.values[at][0].wrapping_add(offset as i16);
                 component.read[at] = Read::Whole;
             }
         }

@@ -31,7 +31,7 @@ impl Picture {
             for (index, at) in (0..layout.count()).flat_map(|unit| layout.blocks(unit)) {
                 let component = &self.components[index];
                 let is_read = component.read[at] != Read::Nothing;
-                let block = if is_read { &component.blocks[at] } else { &[0; 64] };
+                let block = if is_read { &component.values[at] } else { &[0; 64] };
                 bits.push_block(block, &mut last[index]);
             }
         }
