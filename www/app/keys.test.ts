@@ -15,11 +15,13 @@ class FakeElement {
 
 const runs = { shuffle: vi.fn(), layout: vi.fn(), undo: vi.fn(), redo: vi.fn(), save: vi.fn(), zoom: vi.fn() };
 const enabled = signal(true);
-const ui = { dialog: signal(null), work: signal(null), letterKeys: signal(true) } as any;
+let isCovered = false;
+const ui = { work: signal(null), letterKeys: signal(true) } as any;
 const leave = vi.fn();
 const listen = createKeys({
   ui,
   leave: () => leave,
+  covered: () => isCovered,
   actions: {
     page: {
       shuffle: { label: 'Shuffle', keys: ['Space'], enabled, run: runs.shuffle },
@@ -57,7 +59,7 @@ beforeEach(() => {
   vi.stubGlobal('HTMLElement', FakeElement);
   vi.stubGlobal('Element', FakeElement);
   enabled.value = true;
-  ui.dialog.value = null;
+  isCovered = false;
   ui.work.value = null;
   ui.letterKeys.value = true;
 });
@@ -87,7 +89,7 @@ test('keys are left to fields, to what has the focus, to dialogs and to Alt', ()
   press(' ', on('button'));
   press('l', { altKey: true });
   press('+');
-  ui.dialog.value = 'help';
+  isCovered = true;
   press('l');
   expect(ran()).toEqual([]);
 });

@@ -17,19 +17,22 @@ const OWN_USE: Record<string, string> = {
 const TEXT_FIELDS = 'input:not([type=checkbox], [type=range], [type=color], [type=file]), textarea, select';
 
 /**
- * @param parts `leave`: what Escape does on the board, where it does something; `pointed`: the button that was pressed by the
- *   pointer and has the focus by that alone: Space is not meant for it
+ * @param parts `leave`: what Escape does on the board, where it does something; `covered`: whether a modal dialog is open,
+ *   which has keys of its own; `pointed`: the button that was pressed by the pointer and has the focus by that alone: Space
+ *   is not meant for it
  * @returns a listener for `keydown` on the window
  */
 export function createKeys({
   actions,
   ui,
   leave,
+  covered,
   pointed = () => null,
 }: {
   actions: Tables;
-  ui: Pick<Ui, 'dialog' | 'work' | 'letterKeys'>;
+  ui: Pick<Ui, 'work' | 'letterKeys'>;
   leave: () => (() => void) | undefined;
+  covered: () => boolean;
   pointed?: () => Element | null;
 }): (event: KeyboardEvent) => void {
   const byKeys = new Map(
@@ -39,7 +42,7 @@ export function createKeys({
   );
 
   return (event) => {
-    if (event.defaultPrevented || ui.dialog.peek() !== null || event.altKey || typesText(event.target)) return;
+    if (event.defaultPrevented || covered() || event.altKey || typesText(event.target)) return;
     if (event.key === 'Escape' && !event.ctrlKey && !event.metaKey) {
       take(event, ui.work.peek() !== null ? () => void (ui.work.value = null) : leave());
       return;

@@ -259,7 +259,16 @@ const parts: Parts = {
   engine,
 };
 const actions = createActions(parts);
-window.addEventListener('keydown', createKeys({ actions, ui, leave: leaveMode, pointed: trackPointed(window) }));
+window.addEventListener(
+  'keydown',
+  createKeys({
+    actions,
+    ui,
+    leave: leaveMode,
+    covered: () => document.querySelector('dialog:modal') !== null,
+    pointed: trackPointed(window),
+  }),
+);
 acceptFiles(window, {
   accept: (files) => void intake(files),
   imitate: imitation.take,
