@@ -26,8 +26,8 @@ export const pageStrings = {
     'us-comic': 'アメコミ',
     'manga-b5': '漫画 B5',
     tankobon: '単行本',
-    'spread-a4': 'フォトブック見開き A4',
-    'spread-square': 'フォトブック見開き 正方形',
+    'spread-a4': 'ブック見開き A4',
+    'spread-square': 'ブック見開き 正方形',
     custom: 'カスタム',
   },
 
