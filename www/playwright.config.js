@@ -91,8 +91,6 @@ export default defineConfig({
   expect: { timeout: 30_000 },
   reporter: [['list']],
   forbidOnly: !!process.env.CI,
-  // A second try in CI reports a race as flaky instead of losing the run. `cargo xtask test` lists flaky tests.
-  retries: process.env.CI ? 1 : 0,
   use: {
     baseURL: site.url,
     viewport: { width: 1280, height: 800 },
