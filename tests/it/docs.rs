@@ -21,6 +21,8 @@ const SAMPLES: [(&str, &str); 11] = [
 ];
 /// Languages of fenced blocks, and the files that they become in the folder of the commands.
 const FILES: [(&str, &str); 2] = [("toml", "settings.toml"), ("json", "words.json")];
+/// Width of the pages, in pixels, of commands without a width. Pages in print size would take most of the time of the test.
+const WIDTH: u64 = 800;
 /// Link to the forms for bugs and features, relative to the address of the repository.
 const ISSUES: &str = "../../issues/new/choose";
 
@@ -62,11 +64,24 @@ fn commands(text: &str) -> Vec<String> {
         .collect()
 }
 
+/// Returns a command with a page width, if it draws pages in print size. A thorough run draws them in print size.
+fn with_small_pages(command: &str) -> String {
+    // Projects and documents have a width.
+    let is_small = |rest: &str| {
+        let draws_photos = rest.contains(" photos/") && !rest.contains("--document");
+        draws_photos && !rest.contains("--width") && crate::trials(0, 1) == 0
+    };
+    match command.strip_prefix("inkpanel render ") {
+        Some(rest) if is_small(rest) => format!("inkpanel render --width {WIDTH} {rest}"),
+        _ => command.to_owned(),
+    }
+}
+
 /// Runs the `inkpanel` commands of a document in a folder with the sample files. Returns their number and the errors.
 fn run(document: &Path) -> (usize, Vec<String>) {
     let text = fs::read_to_string(crate::root(document)).unwrap();
-    let calls: Vec<String> =
-        commands(&text).into_iter().filter(|command| command.starts_with("inkpanel ")).collect();
+    let commands = commands(&text).into_iter().filter(|command| command.starts_with("inkpanel "));
+    let calls: Vec<String> = commands.map(|command| with_small_pages(&command)).collect();
     if calls.is_empty() {
         return (0, Vec::new());
     }
