@@ -48,14 +48,13 @@ function fixSeeds() {
 /** Makes chance repeatable. @param {Page} page @param {boolean} detects */
 async function prepare(page, detects) {
   await page.addInitScript(fixSeeds);
-  // Titles and captions of new pages would be among the text items that tests add.
-  await page.addInitScript(() => {
-    if (location.protocol.startsWith('http')) localStorage.setItem('inkpanel.narration', 'off');
-  });
-  if (!detects)
-    await page.addInitScript(() => {
-      if (location.protocol.startsWith('http')) localStorage.setItem('inkpanel.detect', 'off');
-    });
+  // Titles and captions of new pages would be among the text items that tests add. Frames share what the page sets, or are of
+  // another origin, where a test expects that nothing is stored.
+  const settings = ['inkpanel.narration', ...(detects ? [] : ['inkpanel.detect'])];
+  await page.addInitScript((off) => {
+    if (window === window.top && location.protocol.startsWith('http'))
+      for (const setting of off) localStorage.setItem(setting, 'off');
+  }, settings);
 }
 
 /** Errors of pages and their requests to other origins. @type {WeakMap<Page, string[]>} */

@@ -41,6 +41,22 @@ export async function inked(page) {
   return { count, x: x / count / width, y: y / count / height };
 }
 
+/** The most frequent colour of the drawn text items: the fill of a balloon. @param {Page} page */
+export async function drawnFill(page) {
+  const address = await page
+    .locator('.word-canvas')
+    .evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
+  const { data } = pixelsOf(address);
+  /** @type {Map<number, number>} */
+  const counts = new Map();
+  for (let i = 0; i < data.length; i += 4) {
+    const colour = data.readUIntBE(i, 3);
+    if (data[i + 3] === 255) counts.set(colour, (counts.get(colour) ?? 0) + 1);
+  }
+  const [[most]] = [...counts].sort(([, a], [, b]) => b - a);
+  return `rgb(${most >> 16}, ${(most >> 8) & 255}, ${most & 255})`;
+}
+
 /** @param {ReturnType<Page['locator']>} element */
 export async function box(element) {
   return /** @type {{ x: number, y: number, width: number, height: number }} */ (await element.boundingBox());

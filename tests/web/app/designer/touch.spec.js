@@ -64,7 +64,7 @@ test('a card is dragged by its handle, also to the other layer, and a swipe next
 test('a block is dragged from the palette by its handle, or after a long press', async ({ page }) => {
   await openDesigner(page);
   for (const block of ['Gaussian', 'Saturation']) await addBlock(page, block);
-  await page.getByRole('button', { name: 'Add block' }).click();
+  // The palette is still open.
   const palette = page.getByRole('region', { name: 'Blocks to add' });
   const block = (/** @type {RegExp} */ name) => palette.getByRole('button', { name }).first();
   await touch(page, [way(await middle(block(/Posterization/).locator('.card-handle')), await middle(head(page, 0)))]);

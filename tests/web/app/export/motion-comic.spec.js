@@ -152,8 +152,8 @@ test('an HTML comic moves, can be stopped, and respects reduced motion', { tag: 
   await openBoard(page, ['video, moves: true'], [await film(info.outputPath('film.webm'), true)]);
   await styled(page);
   const dialog = await openExport(page);
-  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
   await chooseFormat(dialog, 'html');
+  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
   // On a busy machine this takes more than half a minute.
   await expect(dialog.getByRole('checkbox', { name: 'Animate panels with video frames' })).toBeChecked({
     timeout: 120_000,

@@ -19,7 +19,7 @@ import {
   tab,
   sharedBoardTest as test,
 } from '../support.js';
-import { box, inked, word, write } from '../text-items.js';
+import { box, drawnFill, inked, word, write } from '../text-items.js';
 
 const VIDEO = new URL('../../../videos/album.mp4', import.meta.url);
 
@@ -114,13 +114,14 @@ test('text is written in its balloon, and is at least 10 pixels high', async ({ 
   const points = Number(await page.getByRole('spinbutton', { name: 'Text size' }).inputValue());
   expect((points / 72 / (2480 / 300)) * canvas.width).toBeGreaterThanOrEqual(10);
   const balloon = await box(word(page, /^Balloon: /));
+  const fill = await drawnFill(page);
   await word(page, /^Balloon: /).press('Enter');
   const field = page.getByRole('textbox', { name: /^Text of/ });
   const look = await field.evaluate((area) => {
     const { backgroundColor, textTransform, borderTopLeftRadius } = getComputedStyle(area);
     return [backgroundColor, textTransform, borderTopLeftRadius];
   });
-  expect(look).toEqual(['rgb(255, 255, 255)', 'uppercase', '42%']);
+  expect(look).toEqual([fill, 'uppercase', '42%']);
   const editor = await box(field);
   const middle = (/** @type {typeof editor} */ area) => [area.x + area.width / 2, area.y + area.height / 2];
   const [[x, y], [u, v]] = [middle(balloon), middle(editor)];
@@ -212,8 +213,8 @@ test('text items remain after Shuffle and on alternatives, and are in the PNG fi
   expect(pixels.length).toBeGreaterThan(2000 * (600 / 2480) ** 2);
   const mean = (/** @type {number} */ k) => pixels.reduce((sum, place) => sum + place[k], 0) / pixels.length;
   expect(Math.hypot(mean(0) - at.x, mean(1) - at.y)).toBeLessThan(0.03);
-  await page.getByRole('button', { name: 'Suggestion 2', exact: true }).click();
-  await idle(page);
+  await page.getByRole('button', { name: 'Show suggestions' }).click();
+  await press(page, 'Suggestion 2');
   await expect(word(page, 'Caption: ONCE UPON A TIME')).toBeVisible();
 });
 
@@ -255,7 +256,7 @@ test('subtitles of a whole film are spread over the panels of photos, and the re
   const time = (/** @type {number} */ second) => new Date(second * 1000).toISOString().slice(11, 19);
   const cues = Array.from({ length: 1332 }, (_, i) => `${time(i * 4)},000 --> ${time(i * 4 + 2)},000\nLine ${i}\n`);
   await drop(page, [textFile('film.srt', cues.join('\n'))]);
-  const message = page.getByRole('status');
+  const message = page.getByRole('status').filter({ hasText: '1332' });
   await expect(message).toContainText(/^\D*(\d+) of 1332 lines were placed; \d+ did not fit/);
   await idle(page);
   const panels = page.getByRole('region', { name: 'Comic page' }).getByRole('group', { name: /^Panel \d/ });

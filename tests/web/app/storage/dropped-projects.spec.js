@@ -34,7 +34,7 @@ test('two projects and a photo that are dropped together are all opened', async 
   await other.addInitScript(() => localStorage.setItem('inkpanel.detect', 'off'));
   await openBoard(other, SIX.slice(4, 5));
   await drop(other, [beta, ...(await photos(SIX[5])), alpha]);
-  const status = other.getByRole('status');
+  const status = other.locator('.toast-list[role=status]');
   await expect(status).toContainText('2 projects were opened separately. Beta is on the page; Alpha is in Projects.');
   await expect(status).toContainText('The photo from the same drop was added to Beta.');
   await idle(other);

@@ -138,17 +138,22 @@ test('a sound effect is drawn behind the subject of its panel, on the page and i
   await masked(page);
   await expect(behind).not.toBeChecked();
   for (const [label, value] of [
-    ['Width', '90'],
-    ['X', '50'],
-    ['Y', '38'],
+    ['Width', '189'],
+    ['X', '105'],
+    ['Y', '113'],
   ]) {
-    await page.getByLabel(label, { exact: true }).fill(value);
-    await page.getByLabel(label, { exact: true }).blur();
+    const field = page.getByRole('spinbutton', { name: label, exact: true });
+    await field.fill(value);
+    await field.blur();
   }
   await idle(page);
   const before = await inked(page);
   const file = await exported(page);
-  await openWords(page);
+  const select = async () => {
+    await openWords(page);
+    await word(page, /^Sound effect: /).click();
+  };
+  await select();
   await behind.check();
   await idle(page);
   const cut = await inked(page);
@@ -156,9 +161,9 @@ test('a sound effect is drawn behind the subject of its panel, on the page and i
   expect(cut.count).toBeLessThan(before.count * 0.9);
   expect(cut.count).toBeGreaterThan(before.count * 0.1);
   expect(different(file, await exported(page))).toBeGreaterThan(1000);
-  await openWords(page);
   await page.getByRole('button', { name: 'Undo' }).first().click();
   await idle(page);
+  await select();
   await expect(behind).not.toBeChecked();
   expect((await inked(page)).count).toBe(before.count);
   await page.getByRole('button', { name: 'Redo' }).first().click();

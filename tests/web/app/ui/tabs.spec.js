@@ -35,6 +35,7 @@ test('layouts show their number of panels', async ({ page }) => {
   const four = page.getByRole('listbox', { name: 'Layouts' }).getByRole('option', { name: 'Four', exact: true });
   await expect(four).toHaveAccessibleDescription('4 panels');
   await expect(four.getByText('4 panels')).toBeVisible();
+  await page.getByRole('combobox', { name: 'Family' }).selectOption('');
 });
 
 test('pointing at a style shows the page in this style, and Escape closes the preview', async ({ page }) => {

@@ -10,10 +10,12 @@ import {
   idle,
   makePageSmall,
   openBoard,
+  openNewBoard,
   openStart,
   photos,
   picture,
   press,
+  reach,
   sharedBoardTest as test,
 } from '../support.js';
 
@@ -112,7 +114,7 @@ test('the frame of a panel is replaced by a later or earlier one, by button and 
   const panel = page.getByRole('region', { name: 'Comic page' }).getByRole('group', { name: /^Panel 1 of/ });
   await panel.click();
   const changed = async () => (await times(page)).filter((time) => !before.times.includes(time));
-  await page.getByRole('button', { name: 'Later frame' }).click();
+  await (await reach(page, 'Later frame')).click();
   await expect.poll(async () => (await changed()).length).toBe(1);
   await idle(page);
   const [later] = await changed();
@@ -129,7 +131,7 @@ test('the frame of a panel is replaced by a later or earlier one, by button and 
 });
 
 test('a project with a video opens from its file as the same page', async ({ page }) => {
-  await openBoard(page, ['album.mp4'], [await video('album.mp4', 'video/mp4')]);
+  await openNewBoard(page, ['album.mp4'], [await video('album.mp4', 'video/mp4')]);
   const before = { ...(await contents(page)), times: await times(page) };
   const drawn = await picture(page);
   await page.getByLabel('Project name').fill('Video');
