@@ -7,17 +7,11 @@ const site = servedSite(4187);
 /** Specs that take more than half a minute. */
 const LONG = /\/(explorer|explorer-wall|languages|malformed-files|masks|screens|subject-brush)\.spec\.js$/;
 
-/**
- * Specs that are left out of the tests of a change: rare events, details, and specs that are still being restructured. A push
- * runs them.
- */
+/** Specs that are left out of the tests of a change: rare events, and specs that take long for what they find. */
 const RARE = [
-  'add-photos',
   'animatic',
   'broken-projects',
   'content-security-policy',
-  'crashed-workers',
-  'dropped-folders',
   'dropped-projects',
   'explorer-wall',
   'framed',
@@ -28,7 +22,6 @@ const RARE = [
   'killed-tab',
   'language-and-theme',
   'languages',
-  'lettering',
   'long-press',
   'look-alikes',
   'lost-photos',
@@ -38,9 +31,6 @@ const RARE = [
   'motion-comic',
   'multiple-pages',
   'offline',
-  'panels',
-  'photos-in-panels',
-  'place-photos',
   'print-resolution',
   'project-in-png',
   'rejected-files',
@@ -48,14 +38,11 @@ const RARE = [
   'saving',
   'scores',
   'screens',
-  'shuffle',
   'sounds',
   'start-times',
   'style-files',
   'style-from-picture',
   'subject-brush',
-  'system-settings',
-  'tabs',
   'touch',
   'traps',
   'unreadable-files',

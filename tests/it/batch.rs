@@ -160,7 +160,7 @@ fn the_quality_of_jpeg_is_told_and_what_is_there_is_not_planned_again() {
 #[test]
 fn coarse_photos_are_enlarged_where_that_is_asked_for_and_each_is_told() {
     let folder = album();
-    let large = ["--no-detect", "--page-size", "a4", "--style", "noir", "--panels", "2"];
+    let large = ["--no-detect", "--page-size", "a5", "--style", "noir", "--panels", "2"];
     let drawn = |more: &[&str], page: &str| {
         let arguments =
             [&["render"][..], &large, more, &["-o", page, "album/bee.jpg", "album/cat.jpg"]].concat();
