@@ -144,7 +144,7 @@ fn seen_of_words(page: &Document, photos: &native::Photos) -> (usize, usize) {
 fn on_random_pages_no_figure_covers_a_face_or_a_word_or_leaves_the_margin() {
     let (mut stepped, mut lettered) = (0, 0);
     let mut photos = Vec::new();
-    let pages = crate::trials(100, 500) as u32;
+    let pages = crate::trials(50, 500) as u32;
     for seed in 0..pages {
         if seed.is_multiple_of(25) {
             photos = album(u64::from(seed) / 25, 7);
@@ -334,8 +334,12 @@ fn a_panel_and_its_figure_are_cut_out_of_one_drawing() {
 #[test]
 fn a_border_that_no_figure_crosses_stays_whole() {
     let (mut whole, mut crossed) = (0, 0);
+    let mut photos = Vec::new();
     for seed in 0..40 {
-        let photos = album(seed, 7);
+        // It takes longer to make the photos than to draw a page.
+        if seed % 8 == 0 {
+            photos = album(seed, 7);
+        }
         let mut page = page(&photos, seed as u32);
         let Some(own) = breaks(&page).unwrap().iter().position(|breaks| *breaks) else { continue };
         (page.page.width, page.page.height) = (620, 877);

@@ -148,7 +148,8 @@ fn bad_light_does_not_lose_the_picture() {
         assert!(catalogue().iter().any(|style| style.id == id), "no style {id}");
     }
     let mut lost = Vec::new();
-    for photo in ["06-castle.jpg", "07-red-panda.jpg"] {
+    let photos = ["06-castle.jpg", "07-red-panda.jpg"];
+    for photo in &photos[..crate::trials(1, 2) as usize] {
         let good = panel(photo);
         for style in catalogue().iter().filter(|style| !AS_PRINTED.contains(&style.id.as_str())) {
             let wanted = contrast(&drawn(style, &good)) * KEPT;
