@@ -7,7 +7,7 @@ const site = servedSite(4187);
 /** Specs that take more than half a minute. */
 const LONG = /\/(explorer|explorer-wall|languages|malformed-files|masks|screens|subject-brush)\.spec\.js$/;
 
-/** Specs that are left out of the tests of a change: rare events, and specs that take long for what they find. */
+/** The tests of a change leave these specs out: specs of rare events, and slow specs. */
 const RARE = [
   'animatic',
   'broken-projects',

@@ -175,7 +175,7 @@ test('the page strip shows a thumbnail of each page, and axe finds nothing', asy
   expect(new Set(drawn).size).toBe(3);
 });
 
-/** A hint is in the place of the button for another page. @param {Page} page */
+/** Closes the hint that hides the button Add page. @param {Page} page */
 async function leaveHint(page) {
   await page.keyboard.press('Escape');
   await expect(page.locator('.hint')).toBeEmpty();
