@@ -107,7 +107,8 @@ impl<'a> Care<'a> {
                 && inside(face.x + face.width / 2.0, width)
                 && inside(face.y + face.height / 2.0, height)
         };
-        let seen: Vec<&FaceBox> = faces.iter().filter(seen).filter(|face| !is_silhouette(luma, face)).collect();
+        let seen: Vec<&FaceBox> =
+            faces.iter().filter(seen).filter(|face| !is_silhouette(luma, face)).collect();
         let largest = seen.iter().map(|face| face.height).fold(0.0, f64::max);
         let faces: Vec<&FaceBox> = seen.into_iter().filter(|face| face.height >= CROWD * largest).collect();
         let least = faces.iter().map(|face| face.height).reduce(f64::min)?;
@@ -495,7 +496,8 @@ mod tests {
         let posterized = style(r#"{"background":[{"block":"luma_posterize","levels":16}]}"#);
         let darkest_of = |body: u8| {
             // A body on a bright sky.
-            let plane = Plane::from_fn(160, 120, |x, y| if (x + y) % 3 == 0 { 150 } else { body + (x % 3) as u8 });
+            let plane =
+                Plane::from_fn(160, 120, |x, y| if (x + y) % 3 == 0 { 150 } else { body + (x % 3) as u8 });
             let photo = Image::from_luma(plane);
             let mut context = Context::for_image(&photo);
             let draw = |context: &mut Context<'_>| stylize(&photo, &posterized, context).unwrap();
