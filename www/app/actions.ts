@@ -8,7 +8,7 @@ import { createExplorerActions } from '../explorer/explorer-actions.ts';
 import { createImitationActions } from '../imitation/imitation-actions.ts';
 import { createDownloadActions } from '../export/download-actions.ts';
 import { createLayoutActions } from '../layouts/layout-actions.ts';
-import { createWordActions } from '../lettering/word-actions.ts';
+import { createTextActions, createWordActions } from '../lettering/word-actions.ts';
 import { createPageActions } from '../page/page-actions.ts';
 import { createPanelActions } from '../page/panels/panel-actions.ts';
 import { createPhotoActions } from '../photos/photo-actions.ts';
@@ -29,6 +29,7 @@ export function createActions(parts: Parts) {
     layouts: createLayoutActions(parts),
     styles: createStyleActions(parts),
     words: createWordActions(parts),
+    text: createTextActions(parts),
     photos: createPhotoActions(parts),
     designer: createDesignerActions(parts),
     explorer: createExplorerActions(parts),

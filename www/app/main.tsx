@@ -303,6 +303,11 @@ effect(() => {
   if (store.page.value && ui.painted.value === store.page.value) keeping.drawn();
 });
 
+// The fields of a selected text item are in the tab Text.
+effect(() => {
+  if (lettering.chosen.value >= 0 && ui.wide.peek()) ui.sideTab.value = 'words';
+});
+
 effect(() => {
   const page = store.page.value;
   // A page without photos to choose from is not shown.

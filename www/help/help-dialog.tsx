@@ -46,8 +46,10 @@ export function HelpDialog() {
           {strings.allTopics}
         </button>
       )}
-      {topics.length > 0 && <Topics of={topics} open={searching} />}
-      {lines.length > 0 && <Keys of={lines} />}
+      <div class="help-found-lists">
+        {topics.length > 0 && <Topics of={topics} open={searching} />}
+        {lines.length > 0 && <Keys of={lines} />}
+      </div>
       {!searching && (
         <div class="help-foot">
           <label class="letter-keys">

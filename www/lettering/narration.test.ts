@@ -69,3 +69,10 @@ test('text of an earlier shuffle is replaced, and text of a person keeps the pag
   const empty = pageOf(['a']);
   expect(plain(empty)).toBe(empty);
 });
+
+test('undated photos, and photos of many years, leave a page without days', () => {
+  const dated = { a: { at: at('2026-06-01T09:00') } };
+  expect(told(narrated(pageOf(['a', 'b', 'c']), narration(dated, '')))).toEqual([]);
+  const years = { a: { at: at('2019-06-01T09:00') }, b: { at: at('2026-06-01T10:00') } };
+  expect(told(narrated(pageOf(['a', 'b']), narration(years, '')))).toEqual([]);
+});

@@ -3,6 +3,7 @@
  * are marked `made`, so the next shuffle replaces them. An edit removes the mark.
  */
 
+import { isOneEvent } from '../photos/album-name.ts';
 import type { PageDocument, Word } from '../engine/types.ts';
 
 /** When and where a photo was taken. `at` is the local time in milliseconds, as if it were UTC; null if unknown. */
@@ -60,11 +61,14 @@ function captionsOf(photos: readonly string[], { title, moments, language, day, 
   const steps: { panel: number; text: string; gap: number }[] = [];
   let last = null as Moment | null;
   const seen = new Set<string>();
+  // The day of one photo among undated photos, or among those of many years, would be taken for the day of the page.
+  const showsTimes = isOneEvent([...new Set(photos)].map((photo) => moments.get(photo)?.at ?? null));
   for (const [panel, photo] of photos.entries()) {
     const moment = moments.get(photo);
     if (!moment || seen.has(photo)) continue;
     seen.add(photo);
-    const { at: now, place } = moment;
+    const now = showsTimes ? moment.at : null;
+    const { place } = moment;
     const before: number | null = last?.at ?? null;
     // Captions tell time in one direction.
     if (before !== null && now !== null && now < before) return [];

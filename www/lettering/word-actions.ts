@@ -1,10 +1,12 @@
-/** Words added to the page. */
+/** Actions that add text items, and actions of the selected text item. */
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import type { Parts } from '../ui/context.ts';
 import type { Kind } from '../strings/en/words.ts';
 import type { Action } from '../ui/action.ts';
+import type { Mode } from './lettering.ts';
+import { LEAST_SIZE, MOST_SIZE } from './word-units.ts';
 
 export function createWordActions({ store, ui, lettering }: Pick<Parts, 'store' | 'ui' | 'lettering'>) {
   const enabled = computed(() => store.page.value !== null);
@@ -26,4 +28,76 @@ export function createWordActions({ store, ui, lettering }: Pick<Parts, 'store' 
   }
 
   return { addCaption: added('caption'), addBalloon: added('balloon'), addEffect: added('effect') };
+}
+
+/** The text size changes by this factor with each press. */
+const GROWTH = 1.12;
+
+export function createTextActions({ ui, lettering }: Pick<Parts, 'ui' | 'lettering'>) {
+  const { chosen, mode } = lettering;
+  const word = computed(() => lettering.words.value[chosen.value]);
+  const box = computed(() => lettering.boxes.value[chosen.value]);
+  const enabled = computed(() => box.value !== undefined);
+  const isBalloon = computed(() => word.value?.kind === 'balloon');
+
+  /** The next click on the page sets a place. On a small screen the drawer would hide the page. */
+  function aim(next: Mode) {
+    mode.value = mode.peek() === next ? null : next;
+    if (!ui.wide.peek()) ui.sheet.value = null;
+  }
+
+  function grow(by: number) {
+    const { size } = box.peek() ?? {};
+    if (size === undefined) return;
+    lettering.edit(chosen.peek(), { size: Math.min(MOST_SIZE, Math.max(LEAST_SIZE, size * by)) }, lettering.step());
+  }
+
+  return {
+    edit: {
+      label: strings.editWord,
+      icon: 'text',
+      enabled,
+      run: () => {
+        lettering.editing.value = chosen.peek();
+        if (!ui.wide.peek()) ui.sheet.value = null;
+      },
+    },
+    smaller: { label: strings.barSmaller, icon: 'smaller', enabled, run: () => grow(1 / GROWTH), undo: 'step' },
+    larger: { label: strings.barLarger, icon: 'larger', enabled, run: () => grow(GROWTH), undo: 'step' },
+    pointTail: {
+      label: strings.pointTail,
+      icon: 'focus',
+      enabled: isBalloon,
+      on: computed(() => mode.value === 'tail'),
+      run: () => aim('tail'),
+    },
+    move: {
+      label: strings.moveWord,
+      icon: 'put',
+      enabled,
+      on: computed(() => mode.value === 'move'),
+      run: () => aim('move'),
+    },
+    place: {
+      label: strings.placeWord,
+      icon: 'reset',
+      enabled,
+      run: () => lettering.settleOne(chosen.peek()),
+      undo: 'step',
+    },
+    removeTail: {
+      label: strings.removeTail,
+      icon: 'close',
+      enabled: computed(() => isBalloon.value && (box.value?.tip ?? null) !== null),
+      run: () => lettering.point(chosen.peek(), null),
+      undo: 'step',
+    },
+    remove: {
+      label: strings.removeWord,
+      icon: 'bin',
+      enabled,
+      run: () => lettering.remove(chosen.peek()),
+      undo: 'step',
+    },
+  } satisfies Record<string, Action>;
 }

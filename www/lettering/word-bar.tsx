@@ -1,6 +1,6 @@
 /**
- * What is changed most often of the word that is chosen, in a bar beside it on the page: above it or below it, where there is
- * room, never over it. While text is written there is none, so that it and the keyboard of a screen never meet.
+ * The bar of the selected text item on a small screen: above or below the item, never over it. It is hidden while text is
+ * edited, because the screen keyboard needs the room. A large screen has the contextual bar instead.
  */
 
 import { useLayoutEffect, useRef } from 'preact/hooks';
@@ -8,7 +8,8 @@ import type { Word, WordBox } from '../engine/types.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
-import { capitals, LEAST_SIZE, MOST_SIZE, USUAL_OUTLINE } from './word-fields.tsx';
+import { capitals, USUAL_OUTLINE } from './word-fields.tsx';
+import { LEAST_SIZE, MOST_SIZE } from './word-units.ts';
 import type { Place } from './word-places.ts';
 import { knobOf } from './word-places.ts';
 
@@ -34,7 +35,7 @@ export function WordBar({ index, box }: { index: number; box: WordBox }) {
   const gesture = useRef(lettering.step());
   const word = lettering.words.value[index];
   const height = store.geometry.value?.height ?? 1;
-  const hidden = !ui.wide.value && ui.sheet.value !== null;
+  const hidden = ui.wide.value || ui.sheet.value !== null;
 
   useLayoutEffect(() => {
     const shown = bar.current;

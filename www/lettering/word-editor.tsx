@@ -15,8 +15,8 @@ const NARROWEST = 110;
 const PADS = { balloon: 0.1, caption: 0.05, effect: 0.03 };
 
 /**
- * The text of a word, written in its balloon, which grows with the text. Enter takes it, Shift with Enter begins a line, and
- * Escape leaves it as it was.
+ * The field for the text of an item, inside its balloon, which grows with the text. Enter, Escape and a click elsewhere accept
+ * the text; Shift+Enter starts a line. Undo restores the text before.
  * @param props `height` of the page, in its widths
  */
 export function WordEditor({ index, box, height }: { index: number; box: WordBox; height: number }) {
@@ -48,13 +48,11 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
     };
   }, []);
 
-  /** @param text null leaves it as it was */
-  function end(text: string | null, byKey: boolean) {
+  function end(text: string, byKey: boolean) {
     if (done.current) return;
     done.current = true;
-    if (text === null) lettering.editing.value = -1;
-    else lettering.write(index, text);
-    // Whoever clicked elsewhere has the focus there.
+    lettering.write(index, text);
+    // After a click elsewhere, the focus is there.
     if (byKey)
       requestAnimationFrame(() => focusOn(`[data-word="${index}"]`, '[data-word]', '.panels > [tabindex="0"]'));
   }
@@ -62,9 +60,8 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
   function press(event: KeyboardEvent & { currentTarget: HTMLTextAreaElement }) {
     event.stopPropagation();
     if (event.isComposing) return;
-    if (event.key === 'Escape') end(null, true);
-    else if (event.key === 'Enter' && !event.shiftKey) end(event.currentTarget.value, true);
-    else return;
+    if (event.key !== 'Escape' && (event.key !== 'Enter' || event.shiftKey)) return;
+    end(event.currentTarget.value, true);
     event.preventDefault();
   }
 

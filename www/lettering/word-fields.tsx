@@ -3,12 +3,12 @@
 import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
-import { IconButton } from '../ui/button.tsx';
+import { ActionButton } from '../ui/action-button.tsx';
+import { isEnabled } from '../ui/action.ts';
 import { subjectOf } from '../page/subjects-of.ts';
 import type { Word } from '../engine/types.ts';
 import { balloonBefore, hangsOn } from './joining.ts';
-import type { Mode } from './lettering.ts';
-import { unitsOf } from './word-units.ts';
+import { LEAST_SIZE, MOST_SIZE, unitsOf } from './word-units.ts';
 import type { Unit } from './word-units.ts';
 
 type AmountProps = {
@@ -30,9 +30,8 @@ export function capitals({ capitals, craft, kind }: Word): boolean {
   return capitals ?? (craft === 2 && kind !== 'effect');
 }
 
-/** Limits of widths and of text sizes, in page widths. */
-export const [NARROWEST, WIDEST] = [0.04, 0.96];
-export const [LEAST_SIZE, MOST_SIZE] = [0.005, 0.4];
+/** Limits of the width, in page widths. */
+const [NARROWEST, WIDEST] = [0.04, 0.96];
 
 /** A letter as it is told; one for private use, which nothing shows, by its number. */
 function named(letter: string): string {
@@ -41,7 +40,7 @@ function named(letter: string): string {
 }
 
 export function WordFields({ index }: { index: number }) {
-  const { store, ui, lettering } = useApp();
+  const { store, ui, lettering, actions } = useApp();
   const words = lettering.words.value;
   const word = words[index];
   const hangs = hangsOn(words, index) >= 0;
@@ -60,43 +59,18 @@ export function WordFields({ index }: { index: number }) {
   const isKnown = subjectOf(store, word) !== '';
   const missing = [...lettering.missing(word.text, box.font)].map(named).join(' ');
 
-  function aim(mode: Mode) {
-    lettering.mode.value = lettering.mode.peek() === mode ? null : mode;
-    // On a small screen the drawer would hide what is to be clicked.
-    if (!ui.wide.peek()) ui.sheet.value = null;
-  }
-
   return (
     <div class="word-fields">
-      <div class="word-deeds">
-        <IconButton
-          icon="text"
-          label={strings.editWord}
-          onClick={() => {
-            lettering.editing.value = index;
-            if (!ui.wide.peek()) ui.sheet.value = null;
-          }}
-        />
-        <IconButton
-          icon="put"
-          label={strings.moveWord}
-          pressed={lettering.mode.value === 'move'}
-          onClick={() => aim('move')}
-        />
-        {word.kind === 'balloon' && (
-          <IconButton
-            icon="focus"
-            label={strings.pointTail}
-            pressed={lettering.mode.value === 'tail'}
-            onClick={() => aim('tail')}
-          />
-        )}
-        {word.kind === 'balloon' && box.tip && (
-          <IconButton icon="close" label={strings.removeTail} onClick={() => lettering.point(index, null)} />
-        )}
-        <IconButton icon="reset" label={strings.placeWord} onClick={() => lettering.settleOne(index)} />
-        <IconButton icon="bin" label={strings.removeWord} onClick={() => lettering.remove(index)} />
-      </div>
+      {/* On a large screen the bar next to the page has these tools. */}
+      {!ui.wide.value && (
+        <div class="word-deeds">
+          {Object.values(actions.text)
+            .filter(isEnabled)
+            .map((action) => (
+              <ActionButton key={action.label} action={action} class="tool" text />
+            ))}
+        </div>
+      )}
       {lettering.mode.value && (
         <p class="quiet" role="note">
           {strings.wordModes[lettering.mode.value]}

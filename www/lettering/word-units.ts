@@ -22,3 +22,6 @@ export function unitsOf({ width, dpi }: Pick<PageSettings, 'width' | 'dpi'>): { 
     text: { unit: 'pt', per: inches * POINTS, digits: 1 },
   };
 }
+
+/** Limits of the text size, in page widths. */
+export const [LEAST_SIZE, MOST_SIZE] = [0.005, 0.4];

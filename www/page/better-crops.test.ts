@@ -38,17 +38,17 @@ async function app() {
 }
 
 describe('crops that got better', () => {
-  test('are taken at once on a page that nobody has looked at', async () => {
+  test('are taken on the first page while its photos are searched', async () => {
     const { find, shown, crops, store } = await app();
-    find(upper, 900);
+    find(upper, 9_000);
     expect(shown()).toEqual([upper, upper]);
     expect(crops.offered.value).toBeNull();
     expect(store.history.value.past).toEqual([]);
   });
 
-  test('are offered once it was looked at, and taken as one step', async () => {
+  test('are offered on the first page after ten seconds, and accepted as one step', async () => {
     const { find, shown, crops, pages } = await app();
-    find(upper, 1100);
+    find(upper, 10_100);
     expect(shown()).toEqual([whole, whole]);
     expect(crops.offered.value).not.toBeNull();
     crops.accept();
@@ -60,18 +60,18 @@ describe('crops that got better', () => {
 
   test('that look the same are not offered', async () => {
     const { find, crops } = await app();
-    find({ ...whole, width: 0.98 }, 1100);
+    find({ ...whole, width: 0.98 }, 10_100);
     expect(crops.offered.value).toBeNull();
   });
 
   test('go with the page that they were found for', async () => {
     const { find, crops, pages } = await app();
-    find(upper, 1100);
+    find(upper, 10_100);
     pages.shuffle('all');
     expect(crops.offered.value).toBeNull();
   });
 
-  test('of another page start anew', async () => {
+  test('of another page are taken within a second, then offered', async () => {
     const { find, crops, pages, show, shown } = await app();
     find(whole, 1100);
     pages.shuffle('all');
@@ -79,5 +79,8 @@ describe('crops that got better', () => {
     find(upper, 500);
     expect(crops.offered.value).toBeNull();
     expect(shown()).toEqual([upper, upper]);
+    find(whole, 600);
+    expect(shown()).toEqual([upper, upper]);
+    expect(crops.offered.value).not.toBeNull();
   });
 });

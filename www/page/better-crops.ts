@@ -1,6 +1,6 @@
 /**
- * Crops that got better after a page was shown, for more was found in its photos. What a person has looked at does not change by
- * itself: then they are offered.
+ * Better crops for the shown page, after more faces or objects were detected in its photos. A page that the user has just
+ * got takes them. Later they are offered, because a page should not change while the user looks at it.
  */
 
 import { computed, effect, signal } from '@preact/signals';
@@ -11,8 +11,10 @@ import type { Bounds, PageDocument } from '../engine/types.ts';
 
 export type BetterCrops = ReturnType<typeof createBetterCrops>;
 
-/** Milliseconds on the screen after which a page was looked at. */
+/** Milliseconds on the screen after which a page no longer changes by itself. */
 const LOOK = 1000;
+/** The same for the first page of a project before any change. Detection of a large album takes several seconds. */
+const FIRST_LOOK = 10_000;
 /** Crops that overlap so much look alike. */
 const SAME = 0.9;
 
@@ -27,9 +29,9 @@ export function createBetterCrops({
   ui: Pick<Ui, 'painted'>;
   now?: () => number;
 }) {
-  /** The page that is offered in the place of another. */
+  /** The page that is offered instead of another. */
   const offer = signal<{ of: PageDocument; better: PageDocument } | null>(null);
-  /** When the page came to the screen. */
+  /** When the page appeared on the screen. */
   let seen: { version: string; at: number } | null = null;
 
   effect(() => {
@@ -41,26 +43,27 @@ export function createBetterCrops({
 
   return { offered, found, accept };
 
-  /** More is known of a photo on the page. */
+  /** Call this after something was detected in a photo of the page. */
   function found() {
     const of = store.page.peek();
-    // A sketch is planned on all that is known by then.
+    // A sketch will be planned with everything that is known by then.
     if (!of || store.sketch.peek()) return;
     const better = pages.refined();
     if (better && !looked()) store.change({ type: 'change-page', page: better, silent: true });
     else offer.value = better && differs(of, better) ? { of, better } : null;
   }
 
-  /** Takes what is offered, as one step. */
+  /** Accepts the offered crops as one undo step. */
   function accept() {
     const better = offered.peek();
     offer.value = null;
     if (better) store.change({ type: 'change-page', page: better });
   }
 
-  /** Whether a person has looked at the page. */
+  /** Whether the page has been on the screen for a while. */
   function looked(): boolean {
-    return seen !== null && seen.version === store.version.peek() && now() - seen.at >= LOOK;
+    const look = store.history.peek().past.length === 0 ? FIRST_LOOK : LOOK;
+    return seen !== null && seen.version === store.version.peek() && now() - seen.at >= look;
   }
 }
 

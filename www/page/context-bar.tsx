@@ -1,5 +1,5 @@
 /**
- * The tools of the selection: one panel, several panels, the layout while it is edited, or the page. A few tools that can be
+ * The tools of the selection: a text item, one panel, several panels, the layout while it is edited, or the page. A few tools that can be
  * used are shown; `More` has the others, each with the reason why it cannot be used.
  */
 
@@ -21,14 +21,19 @@ type Tools = { title: string; tools: readonly Action[]; shown: number; end?: Act
 /** @param props `bare`: show only the effect of the next click, if another bar is open */
 export function ContextBar({ bare = false }: { bare?: boolean }) {
   const app = useApp();
-  const { ui } = app;
+  const { ui, lettering } = app;
   const found = bare ? null : toolsFor(app);
   const open = ui.allTools.value;
   const usable = found?.tools.filter(isEnabled) ?? [];
   const first = usable.slice(0, found?.shown);
   const rest = found?.tools.filter((tool) => !first.includes(tool)) ?? [];
   return (
-    <div class="context-bar" role="toolbar" aria-label={strings.panelTools} data-open={open}>
+    <div
+      class="context-bar"
+      role="toolbar"
+      aria-label={lettering.chosen.value >= 0 ? strings.wordBar : strings.panelTools}
+      data-open={open}
+    >
       <p class="context-title" aria-live="polite">
         {found?.title}
       </p>
@@ -61,18 +66,19 @@ export function ContextBar({ bare = false }: { bare?: boolean }) {
 
 /** The effect of the next click or key on the page. */
 function ModeHint() {
-  const { framing, reshaping, selection } = useApp();
+  const { framing, reshaping, selection, lettering } = useApp();
   const mode = framing.mode.value;
+  const aim = lettering.mode.value;
   const edits = reshaping.editing.value && reshaping.cut.value === null && selection.panels.value.length === 0;
   const kind = mode?.kind ?? (framing.placing.value !== null ? 'place' : edits ? 'layout' : null);
   return (
     <p class="context-hint" aria-live="polite">
-      {kind && strings.modes[kind]}
+      {aim ? strings.wordModes[aim] : kind && strings.modes[kind]}
     </p>
   );
 }
 
-/** Returns null while a text item is selected, which has its own bar, and on a small screen without a selection. */
+/** Returns null on a small screen for a text item, which has its own bar there, and without a selection. */
 function toolsFor({ store, selection, reshaping, framing, scrubbing, lettering, actions, ui }: App): Tools | null {
   const { panels, layouts, book, styles, page, photos, window } = actions;
   const facts = store.layoutFacts.value;
@@ -80,7 +86,20 @@ function toolsFor({ store, selection, reshaping, framing, scrubbing, lettering, 
   const [panel, other] = chosen;
   const wide = ui.wide.value;
   const shown = wide ? SHOWN.most : SHOWN.small;
-  if (!facts || lettering.chosen.value >= 0) return null;
+  if (!facts) return null;
+  const word = lettering.words.value[lettering.chosen.value];
+  if (word) {
+    const { edit, smaller, larger, pointTail, remove, place, move, removeTail } = actions.text;
+    const tail = word.kind === 'balloon' ? [pointTail] : [];
+    const more = word.kind === 'balloon' ? [removeTail] : [];
+    return wide
+      ? {
+          title: strings.word(word.kind, word.text),
+          tools: [edit, smaller, larger, ...tail, remove, place, move, ...more],
+          shown,
+        }
+      : null;
+  }
   const merged = isEnabled(panels.split) ? [panels.split] : [];
   if (reshaping.editing.value) {
     const cuts = [panels.cutBack, panels.cutForth, panels.slantBack, panels.slantForth];

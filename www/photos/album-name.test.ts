@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { albumName } from './album-name.ts';
+import { albumName, albumTitle } from './album-name.ts';
 import { numbersIn } from '../strings/numbers.ts';
 import type { Origin } from './album-name.ts';
 
@@ -49,4 +49,17 @@ test('times of files count where cameras are silent', () => {
 test('the samples are called so', () => {
   expect(named(photo({ sample: true }), photo({ sample: true }))).toBe('Sample album');
   expect(named(photo({ sample: true }), photo({ taken: '2026:06:03 10:00:00' }))).toBe('3 June 2026');
+});
+
+test('a page has the days of one event as its title', () => {
+  const titled = (...taken: (string | null)[]) =>
+    albumTitle(
+      taken.map((day) => photo({ taken: day && `${day} 12:00:00`, modified: NOW })),
+      { samples: 'Sample album', dates, now: NOW },
+    );
+  expect(titled('2026:06:03', '2026:06:05', null)).toBe('3 – 5 June 2026');
+  // Most photos are undated.
+  expect(titled('2026:06:03', null)).toBe('');
+  expect(titled('2019:01:03', '2026:08:20')).toBe('');
+  expect(titled(null)).toBe('');
 });

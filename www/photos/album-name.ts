@@ -16,6 +16,8 @@ const EMPTY_NAMES =
   /^(dcim|\d{3}[a-z0-9_]{5}|camera( roll)?|downloads?|desktop|documents?|pictures?|photos?|images?|fotos?|bilder|imágenes|imagens|descargas|téléchargements|ダウンロード|画像|写真|new folder.*|neuer ordner.*|tmp|temp)$/i;
 
 const DAY = 86_400_000;
+/** A longer album has no single event, so its days do not make a title. */
+const MAX_EVENT = 31 * DAY;
 /** Earliest plausible capture date. Earlier dates mean that the clock was not set. */
 const FIRST_DAY = Date.UTC(1990, 0, 2);
 
@@ -34,13 +36,21 @@ export function albumName(
 
 /**
  * The title of a page. File times are ignored, because copying changes them.
- * @returns empty if neither folders nor cameras name the album
+ * @returns empty if the photos have no common folder, and if most have no date or they are not from one event
  */
 export function albumTitle(origins: readonly Origin[], how: Parameters<typeof albumName>[1]): string {
+  const days = origins.map((origin) => dayTaken(origin, how.now));
+  const dated = isOneEvent(days) ? origins : origins.map((origin) => ({ ...origin, taken: null }));
   return albumName(
-    origins.map((origin) => ({ ...origin, modified: null })),
+    dated.map((origin) => ({ ...origin, modified: null })),
     how,
   );
+}
+
+/** @param times in ms, `null` if unknown @returns whether at least two thirds are known, and all within a month */
+export function isOneEvent(times: readonly (number | null)[]): boolean {
+  const known = times.filter((time) => time !== null);
+  return known.length * 3 >= times.length * 2 && Math.max(...known) - Math.min(...known) <= MAX_EVENT;
 }
 
 /** When a photo was taken, in local milliseconds as if they were UTC, and the folder that names the place. */

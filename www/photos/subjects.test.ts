@@ -133,6 +133,21 @@ describe('subjects', () => {
     expect(subjects.settled.value).toBe(true);
   });
 
+  it('lets the first page not wait for faces if the detectors are missing', async () => {
+    const { reading, files, store, engine } = app(async () => {
+      throw Object.assign(new Error('gone'), { code: 'detector-missing' });
+    });
+    const { importPhoto } = engine;
+    engine.importPhoto = async (id: string, file: File) => {
+      if (file.name === '2.jpg') await new Promise((read) => setTimeout(read, 50));
+      return importPhoto(id, file);
+    };
+    const done = reading.addFiles(files('1.jpg', '2.jpg'));
+    await settle();
+    expect([store.sketch.value, [...store.faced.value]]).toEqual([true, ['p1', 'p2']]);
+    await done;
+  });
+
   it('tries again when the connection is back, and says nothing twice', async () => {
     const net = { there: false };
     const window = Object.assign(new EventTarget(), { navigator: { onLine: false } });

@@ -165,6 +165,8 @@ export function createSubjects({
     lacking.said = true;
     lacking.now = missing;
     off.value = true;
+    // A first page must not wait for faces that are not detected.
+    if (store.sketch.peek()) store.faced.value = new Set(store.tray.peek().map(({ id }) => id));
   }
 
   /** Progress of the first looks; the closer ones change little. */

@@ -17,7 +17,7 @@ import type { VNode } from 'preact';
 
 export function Tray() {
   const tile = useTiles();
-  const { store, subjects, masks, framing, ui, actions } = useApp();
+  const { store, framing, ui, actions } = useApp();
   const section = useRef(null as HTMLElement | null);
   const replaces = framing.mode.value?.kind === 'replace';
   useEffect(() => {
@@ -26,8 +26,6 @@ export function Tray() {
   const tray = store.tray.value;
   const verdicts = store.verdicts.value;
   const reading = store.reading.value;
-  const finding = subjects.progress.value;
-  const masking = masks.progress.value;
   const kept = tray.filter((item) => isUsed(item, verdicts));
   const all = stacks(tray, verdicts);
   const open = all.get(ui.stack.value ?? '') ?? [];
@@ -48,9 +46,6 @@ export function Tray() {
       <header class="section-head">
         <h2>{strings.photos}</h2>
         <span class="count">{strings.photoCount(kept.length, tray.length)}</span>
-        {/* Where the line of the search is, and no row more: what is below it stays in its place. */}
-        {!finding && masking && <ActionButton action={actions.photos.stopMasks} />}
-        {masks.held.value && <ActionButton action={actions.photos.goOnMasks} />}
         {!ui.wide.value && <ActionButton action={actions.photos.subjects} />}
         <ActionButton action={actions.photos.add} />
       </header>
@@ -58,8 +53,6 @@ export function Tray() {
       {[...store.looking.value].map(([key, { name, part }]) => (
         <Looking key={key} name={name} part={part} />
       ))}
-      {finding && <Finding label={strings.finding(finding.done, finding.total)} {...finding} />}
-      {!finding && masking && <Finding label={strings.masking(masking.done, masking.total)} {...masking} />}
       <Videos />
       {tray.length > 1 && <ChoiceOfPhotos />}
       <ul class="photos">
@@ -82,6 +75,7 @@ export function Tray() {
       {aside.length > 0 && (
         <ul class="photos">{aside.filter(({ id }) => shown.has(`aside ${id}`)).map((item) => tile(item, false, 0))}</ul>
       )}
+      <Detection />
     </section>
   );
 }
@@ -117,9 +111,25 @@ function Looking({ name, part }: { name: string; part: number }) {
   );
 }
 
-/** A single line, because faces and masks only improve existing pages. */
-function Finding({ label, done, total }: Progress & { label: string }) {
-  return <progress class="progress finding" aria-label={label} title={label} value={done} max={total} />;
+/** The progress of face and subject detection, at the bottom of the tray, so that no photo moves when it appears. */
+function Detection() {
+  const { subjects, masks, actions } = useApp();
+  const finding = subjects.progress.value;
+  const masking = finding ? null : masks.progress.value;
+  const progress = finding ?? masking;
+  const isHeld = masks.held.value;
+  if (!progress && !isHeld) return null;
+  const label = finding
+    ? strings.finding(finding.done, finding.total)
+    : masking && strings.masking(masking.done, masking.total);
+  return (
+    <div class="detection">
+      {progress && <progress class="progress" aria-label={label ?? ''} value={progress.done} max={progress.total} />}
+      {label && <span aria-hidden="true">{label}</span>}
+      {masking && <ActionButton action={actions.photos.stopMasks} />}
+      {isHeld && <ActionButton action={actions.photos.goOnMasks} text={!label} />}
+    </div>
+  );
 }
 
 function Reading({ done, total }: Progress) {

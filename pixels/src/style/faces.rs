@@ -57,6 +57,8 @@ const CONTRAST: (f32, f32) = (110.0, 1.5);
 const LIGHT: (f32, f32, f32) = (92.0, 176.0, 30.0);
 /// Light for the line layer, whose blacks would fill dark skin.
 const LINE_LIGHT: (f32, f32, f32) = (124.0, 190.0, 64.0);
+/// Darkest tones that have no detail, up to this one, and the part of such pixels that makes a face a silhouette.
+const SILHOUETTE: (u8, f32) = (8, 0.2);
 /// How much stronger than in the photo colours of a face may be, and what is always allowed, in grey steps.
 const CHROMA: (f32, f32) = (1.55, 9.0);
 /// Least strength of colours in a face, as a part of their strength in the photo.
@@ -96,15 +98,17 @@ pub(super) struct Care<'a> {
 }
 
 impl<'a> Care<'a> {
-    /// None where no face is in view.
-    pub(super) fn of(faces: &'a [FaceBox], width: usize, height: usize) -> Option<Self> {
+    /// Returns `None` if no face is in view. A silhouette has no features to protect. `luma`: the photo in gray.
+    pub(super) fn of(faces: &'a [FaceBox], luma: &Plane) -> Option<Self> {
+        let (width, height) = (luma.width(), luma.height());
         let inside = |at: f64, side: usize| at > 0.0 && at < side as f64;
         let seen = |face: &&FaceBox| {
             face.height >= 1.0
                 && inside(face.x + face.width / 2.0, width)
                 && inside(face.y + face.height / 2.0, height)
         };
-        let seen: Vec<&FaceBox> = faces.iter().filter(seen).collect();
+        let seen: Vec<&FaceBox> =
+            faces.iter().filter(seen).filter(|face| !is_silhouette(luma, face)).collect();
         let largest = seen.iter().map(|face| face.height).fold(0.0, f64::max);
         let faces: Vec<&FaceBox> = seen.into_iter().filter(|face| face.height >= CROWD * largest).collect();
         let least = faces.iter().map(|face| face.height).reduce(f64::min)?;
@@ -380,16 +384,28 @@ fn chroma(rgb: [f32; 3]) -> f32 {
     ((rgb[2] - y) / 1.772).hypot((rgb[0] - y) / 1.402)
 }
 
-/// Fifth percentile, median and 95th of the light in the middle of a face; none where it has no pixel.
-fn light(luma: &Plane, face: &FaceBox) -> Option<(f32, f32, f32)> {
+/// The number of pixels in the middle of a face, by luma.
+fn histogram(luma: &Plane, face: &FaceBox) -> [u32; 256] {
     let mut counts = [0_u32; 256];
-    let mut all = 0;
     each_pixel(face, luma.width(), luma.height(), |x, y, share| {
         if share >= 1.0 {
             counts[usize::from(luma.at(x, y))] += 1;
-            all += 1;
         }
     });
+    counts
+}
+
+/// Whether a large part of a face is black without detail.
+fn is_silhouette(luma: &Plane, face: &FaceBox) -> bool {
+    let counts = histogram(luma, face);
+    let black: u32 = counts[..=usize::from(SILHOUETTE.0)].iter().sum();
+    black as f32 > SILHOUETTE.1 * counts.iter().sum::<u32>() as f32
+}
+
+/// Returns the fifth percentile, the median and the 95th percentile of luma in the middle of a face, or `None` without pixels.
+fn light(luma: &Plane, face: &FaceBox) -> Option<(f32, f32, f32)> {
+    let counts = histogram(luma, face);
+    let all: u32 = counts.iter().sum();
     let percentile = |percent: u32| {
         let mut left = (all * percent).div_ceil(100).max(1);
         let at = counts.iter().position(|&count| {
@@ -443,7 +459,7 @@ mod tests {
     #[test]
     fn cells_fit_fourteen_times_into_a_face_and_lines_shrink_with_it() {
         let faces = [face(10.0, 10.0, 140.0), face(400.0, 20.0, 100.0), face(600.0, 9.0, 20.0)];
-        let care = Care::of(&faces, 960, 540).unwrap();
+        let care = Care::of(&faces, &Plane::from_fn(960, 540, |_, _| 90)).unwrap();
         let dots = style(
             r#"{"background":[{"block":"halftone","pitch":30},{"block":"plates"}],
             "foreground":[{"block":"to_gray"},{"block":"xdog","sigma":8},{"block":"pattern","scale":4}]}"#,
@@ -473,6 +489,24 @@ mod tests {
         assert!(plain == draw(&style(&careless), faces.clone()));
         assert_eq!(style(&careless).to_value()["faces"], false);
         assert!(plain != draw(&style(json), faces));
+    }
+
+    #[test]
+    fn silhouettes_stay_black_and_dark_faces_get_light() {
+        let posterized = style(r#"{"background":[{"block":"luma_posterize","levels":16}]}"#);
+        let darkest_of = |body: u8| {
+            // A body on a bright sky.
+            let plane =
+                Plane::from_fn(160, 120, |x, y| if (x + y) % 3 == 0 { 150 } else { body + (x % 3) as u8 });
+            let photo = Image::from_luma(plane);
+            let mut context = Context::for_image(&photo);
+            let draw = |context: &mut Context<'_>| stylize(&photo, &posterized, context).unwrap();
+            let plain = draw(&mut context);
+            context.show_faces(vec![face(40.0, 30.0, 60.0)]);
+            (plain == draw(&mut context), photo)
+        };
+        assert!(darkest_of(3).0);
+        assert!(!darkest_of(30).0);
     }
 
     #[test]
@@ -561,7 +595,7 @@ mod tests {
     fn a_dull_dark_face_gets_light() {
         let care = [face(40.0, 30.0, 60.0)];
         let photo = photo();
-        let lit = Care::of(&care, 160, 120).unwrap().lit(&photo);
+        let lit = Care::of(&care, &luma_plane(&photo)).unwrap().lit(&photo);
         let (before, after) = (luma_plane(&photo), luma_plane(&lit));
         let (_, was, _) = light(&before, &care[0]).unwrap();
         let (_, is, _) = light(&after, &care[0]).unwrap();

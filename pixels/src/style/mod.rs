@@ -47,6 +47,7 @@ pub use file::Style;
 
 use crate::error::Result;
 use crate::raster::Image;
+use crate::simd::point::luma_plane;
 
 /// Runs a style on an image: the background layer, and the foreground layer laid over it as ink.
 ///
@@ -66,7 +67,8 @@ pub fn stylize(image: &Image, style: &Style, context: &mut Context<'_>) -> Resul
 
 fn cared(image: &Image, style: &Style, context: &mut Context<'_>) -> Result<Image> {
     let faces = context.shown_faces(style.faces);
-    let Some(care) = faces::Care::of(&faces, image.width(), image.height()) else {
+    let care = if faces.is_empty() { None } else { faces::Care::of(&faces, &luma_plane(image)) };
+    let Some(care) = care else {
         return layered(style, (image, image), context, None);
     };
     let style = care.scaled(style, context.scale());

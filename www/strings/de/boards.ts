@@ -28,7 +28,7 @@ export const boardsStrings = {
     help: 'Eingabe geht zur nächsten Einstellung, Tab zum nächsten Feld, Escape verwirft das Getippte. Alt mit den Pfeiltasten verschiebt eine Einstellung. Längen sind Sekunden (2), Sekunden und Bilder (2:12) oder Bilder (36f). Zellen einer Tabelle lassen sich einfügen.',
     followPages: 'Reihenfolge der Seiten',
     dragHelp: 'Ziehen, um sie woanders einzureihen.',
-    copy: 'Liste kopieren',
+    copy: 'Tabelle kopieren',
     copied: 'Die Liste wurde kopiert. Du kannst sie in eine Tabelle einfügen.',
     newColumn: 'Neue Spalte',
     addColumn: 'Spalte hinzufügen',

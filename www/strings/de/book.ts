@@ -14,7 +14,7 @@ export const bookStrings = {
     turnOn: 'Nächste Seite',
     earlier: 'Seite nach vorn',
     later: 'Seite nach hinten',
-    spreadAlbum: 'Album auf Seiten verteilen',
+    spreadAlbum: 'Seiten aus allen Fotos machen',
     spreadHelp: (n: number) => `Mehrere Seiten mit allen ${n} Fotos, in ihrer Reihenfolge`,
     spreadAsk: 'Die neuen Seiten ersetzen deine Seiten, auch was du von Hand geändert hast.',
     spreadYes: 'Seiten ersetzen',

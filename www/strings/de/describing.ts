@@ -98,7 +98,7 @@ export const describingStrings = {
   emptyPanel: 'leer',
   ownLayout: 'von dir',
   ownStyle: 'von dir',
-  description: 'Beschreibung der Seite',
+  description: 'Alternativtext',
   copyDescription: 'Beschreibung kopieren',
   descriptionHelp: 'Für alle, die sie nicht sehen können, wo immer du die Seite zeigst.',
   descriptionCopied: 'Die Beschreibung wurde kopiert.',

@@ -13,7 +13,7 @@ export const designerStrings = {
   startFromWhat: 'Vorlage…',
   newStyle: 'Ein leerer Stil',
   pageStyle: 'Der Stil der Seite',
-  beginWithPage: 'Mit dem Stil der Seite beginnen',
+  beginWithPage: 'Mit dem Stil dieser Seite beginnen',
   styleName: 'Name des Stils',
   saveStyle: 'Stil speichern',
   useStyle: 'Nehmen',
@@ -124,7 +124,7 @@ export const designerStrings = {
     wild: 'Wild',
     favourites: 'Favoriten',
   },
-  surpriseDial: 'Überraschung',
+  surpriseDial: 'Vielfalt',
   stylesShown: (shown: number, all: number) => (shown === all ? `${all} Stile` : `${shown} von ${all} Stilen`),
   dropped: (n: number) => `${n} ähnliche oder leere Stile ausgelassen`,
   scoreOf: (score: string) => `Wertung ${score} von 100`,
@@ -169,7 +169,7 @@ export const designerStrings = {
   parent: 'Elternstil',
 
   // Shuffle
-  styleShuffle: 'Wie Mischen Stile wählt',
+  styleShuffle: 'Einstellungen für Mischen',
   inventedShare: 'Erzeugte Stile',
   keepLines: 'Linien fixieren',
   keepColours: 'Farben fixieren',

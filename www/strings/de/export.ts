@@ -1,5 +1,5 @@
 export const exportStrings = {
-  exportPage: 'Seite exportieren',
+  exportPage: 'Exportieren',
   resolution: 'Qualität',
   full: (dpi: number) => (dpi >= 150 ? `Druck, ${dpi} dpi` : 'Volle Größe'),
   half: 'Halb, fürs Web',
@@ -62,14 +62,14 @@ export const exportStrings = {
   pixels: (w: number, h: number) => `${w} × ${h} Pixel`,
   aboutSize: (size: string) => `etwa ${size}`,
   measuring: 'Dateigröße wird geschätzt …',
-  save: 'Datei speichern',
+  save: 'Herunterladen',
   copyPage: 'In die Zwischenablage',
   shareFile: 'Teilen',
   sharePart: 'Jetzt teilen',
   /** Parts of names of files. */
   filePage: (n: number) => `Seite ${n}`,
   filePanel: (n: number) => `Panel ${n}`,
-  savePanel: 'Dieses Panel speichern',
+  savePanel: 'Panel speichern',
   noPhotoHere: 'dieses Panel ist leer',
   exporting: (percent: string) => `Die Seite wird in voller Größe gezeichnet, ${percent}`,
   pagesSaved: (count: number) =>

@@ -28,7 +28,7 @@ export const boardsStrings = {
     help: 'Enter moves to the next shot, Tab to the next field. Escape discards the text that you typed. Alt with an arrow key moves the shot. Enter a length as seconds (2), seconds and frames (2:12) or frames (36f). You can paste cells from a spreadsheet.',
     followPages: 'Use the page order',
     dragHelp: 'Drag to move.',
-    copy: 'Copy list',
+    copy: 'Copy table',
     copied: 'The list was copied. You can paste it into a spreadsheet.',
     newColumn: 'New column',
     addColumn: 'Add column',

@@ -15,7 +15,7 @@ export const bookStrings = {
     turnOn: 'Next page',
     earlier: 'Move page earlier',
     later: 'Move page later',
-    spreadAlbum: 'Spread album over pages',
+    spreadAlbum: 'Make pages from all photos',
     spreadHelp: (n: number) => `Creates several pages with all ${n} photos, in their order`,
     spreadAsk: 'The new pages replace your pages, including your edits.',
     spreadYes: 'Replace pages',

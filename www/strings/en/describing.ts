@@ -49,7 +49,7 @@ export const describingStrings = {
   emptyPanel: 'empty',
   ownLayout: 'custom',
   ownStyle: 'custom',
-  description: 'Description of the page',
+  description: 'Alt text',
   copyDescription: 'Copy description',
   descriptionHelp: 'For people who cannot see the page, wherever you publish it.',
   descriptionCopied: 'The description was copied to the clipboard.',

@@ -15,7 +15,7 @@ export const designerStrings = {
   startFromWhat: 'Start from…',
   newStyle: 'An empty style',
   pageStyle: 'The style of the page',
-  beginWithPage: 'Begin with the style of the page',
+  beginWithPage: 'Start from this page’s style',
   styleName: 'Style name',
   saveStyle: 'Save style',
   useStyle: 'Use',
@@ -126,7 +126,7 @@ export const designerStrings = {
     wild: 'Wild',
     favourites: 'Favourites',
   },
-  surpriseDial: 'Surprise',
+  surpriseDial: 'Variety',
   stylesShown: (shown: number, all: number) => (shown === all ? `${all} styles` : `${shown} of ${all} styles`),
   dropped: (n: number) => `${n} similar or empty styles skipped`,
   scoreOf: (score: string) => `Score ${score} of 100`,
@@ -171,7 +171,7 @@ export const designerStrings = {
   parent: 'Parent',
 
   // Shuffle
-  styleShuffle: 'How Shuffle chooses styles',
+  styleShuffle: 'Shuffle settings',
   inventedShare: 'Generated styles',
   keepLines: 'Lock lines',
   keepColours: 'Lock colours',

@@ -1,7 +1,7 @@
 /** Strings of export, clipboard and sharing. */
 
 export const exportStrings = {
-  exportPage: 'Export the page',
+  exportPage: 'Export',
   resolution: 'Quality',
   full: (dpi: number) => (dpi >= 150 ? `Print, ${dpi} dpi` : 'Full size'),
   half: 'Half, for the web',
@@ -63,14 +63,14 @@ export const exportStrings = {
   pixels: (w: number, h: number) => `${w} × ${h} pixels`,
   aboutSize: (size: string) => `about ${size}`,
   measuring: 'estimating the file size…',
-  save: 'Save the file',
+  save: 'Download',
   copyPage: 'Copy to clipboard',
   shareFile: 'Share',
   sharePart: 'Share now',
   /** Parts of names of files. */
   filePage: (n: number) => `page ${n}`,
   filePanel: (n: number) => `panel ${n}`,
-  savePanel: 'Save this panel',
+  savePanel: 'Save panel',
   noPhotoHere: 'this panel is empty',
   exporting: (percent: string) => `Drawing the page at full size, ${percent}`,
   pagesSaved: (count: number) => (count === 1 ? 'The page was saved.' : `${count} pages were saved in one file.`),

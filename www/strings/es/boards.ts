@@ -39,7 +39,7 @@ export const boardsStrings = {
     help: 'Intro pasa al plano siguiente, Tab al campo siguiente y Escape descarta lo escrito. Alt con las flechas mueve un plano. Las duraciones son segundos (2), segundos y fotogramas (2:12) o fotogramas (36f). Se pueden pegar celdas de una hoja de cálculo.',
     followPages: 'Usar el orden de las páginas',
     dragHelp: 'Arrastra para moverlo.',
-    copy: 'Copiar la lista',
+    copy: 'Copiar la tabla',
     copied: 'La lista se ha copiado. Puedes pegarla en una hoja de cálculo.',
     newColumn: 'Columna nueva',
     addColumn: 'Añadir columna',

@@ -13,7 +13,7 @@ export const bookStrings = {
     turnOn: 'Página siguiente',
     earlier: 'Adelantar página',
     later: 'Atrasar página',
-    spreadAlbum: 'Repartir el álbum en páginas',
+    spreadAlbum: 'Hacer páginas con todas las fotos',
     spreadHelp: (n: number) => `Varias páginas con las ${n} fotos, en su orden`,
     spreadAsk: 'Las páginas nuevas reemplazan las tuyas, también lo que cambiaste a mano.',
     spreadYes: 'Reemplazar páginas',

@@ -98,7 +98,7 @@ export const describingStrings = {
   emptyPanel: 'vacía',
   ownLayout: 'propia',
   ownStyle: 'propio',
-  description: 'Descripción de la página',
+  description: 'Texto alternativo',
   copyDescription: 'Copiar descripción',
   descriptionHelp: 'Para quien no puede verla, dondequiera que muestres la página.',
   descriptionCopied: 'La descripción se ha copiado.',

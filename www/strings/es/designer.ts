@@ -13,7 +13,7 @@ export const designerStrings = {
   startFromWhat: 'Partir de…',
   newStyle: 'Un estilo vacío',
   pageStyle: 'El estilo de la página',
-  beginWithPage: 'Empezar con el estilo de la página',
+  beginWithPage: 'Empezar con el estilo de esta página',
   styleName: 'Nombre del estilo',
   saveStyle: 'Guardar estilo',
   useStyle: 'Usar',
@@ -123,7 +123,7 @@ export const designerStrings = {
     wild: 'Salvaje',
     favourites: 'Favoritos',
   },
-  surpriseDial: 'Sorpresa',
+  surpriseDial: 'Variedad',
   stylesShown: (shown: number, all: number) => (shown === all ? `${all} estilos` : `${shown} de ${all} estilos`),
   dropped: (n: number) => `${n} estilos parecidos o vacíos omitidos`,
   scoreOf: (score: string) => `Puntuación: ${score} de 100`,
@@ -169,7 +169,7 @@ export const designerStrings = {
   parent: 'Progenitor',
 
   // Shuffle
-  styleShuffle: 'Cómo elige estilos Barajar',
+  styleShuffle: 'Ajustes de Barajar',
   inventedShare: 'Estilos generados',
   keepLines: 'Fijar líneas',
   keepColours: 'Fijar colores',

@@ -1,5 +1,5 @@
 export const exportStrings = {
-  exportPage: 'Exportar la página',
+  exportPage: 'Exportar',
   resolution: 'Calidad',
   full: (dpi: number) => (dpi >= 150 ? `Impresión, ${dpi} ppp` : 'Tamaño completo'),
   half: 'La mitad, para la web',
@@ -61,14 +61,14 @@ export const exportStrings = {
   pixels: (w: number, h: number) => `${w} × ${h} píxeles`,
   aboutSize: (size: string) => `unos ${size}`,
   measuring: 'estimando el tamaño…',
-  save: 'Guardar el archivo',
+  save: 'Descargar',
   copyPage: 'Copiar al portapapeles',
   shareFile: 'Compartir',
   sharePart: 'Compartir ahora',
   /** Parts of names of files. */
   filePage: (n: number) => `página ${n}`,
   filePanel: (n: number) => `viñeta ${n}`,
-  savePanel: 'Guardar esta viñeta',
+  savePanel: 'Guardar viñeta',
   noPhotoHere: 'esta viñeta está vacía',
   exporting: (percent: string) => `Dibujando la página a tamaño completo, ${percent}`,
   pagesSaved: (count: number) =>

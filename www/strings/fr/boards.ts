@@ -28,7 +28,7 @@ export const boardsStrings = {
     help: 'Entrée passe au plan suivant, Tab au champ suivant, Échap abandonne la saisie. Alt avec les flèches déplace un plan. Les durées sont en secondes (2), en secondes et images (2:12) ou en images (36f). On peut coller les cellules d’un tableur.',
     followPages: 'Suivre l’ordre des pages',
     dragHelp: 'Faites glisser pour le déplacer.',
-    copy: 'Copier la liste',
+    copy: 'Copier le tableau',
     copied: 'La liste a été copiée. Vous pouvez la coller dans un tableur.',
     newColumn: 'Nouvelle colonne',
     addColumn: 'Ajouter la colonne',

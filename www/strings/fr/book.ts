@@ -14,7 +14,7 @@ export const bookStrings = {
     turnOn: 'Page suivante',
     earlier: 'Avancer la page',
     later: 'Reculer la page',
-    spreadAlbum: 'Répartir l’album sur des pages',
+    spreadAlbum: 'Faire des pages de toutes les photos',
     spreadHelp: (n: number) => `Plusieurs pages avec les ${n} photos, dans leur ordre`,
     spreadAsk: 'Les nouvelles pages remplacent les vôtres, y compris vos retouches.',
     spreadYes: 'Remplacer les pages',

@@ -98,7 +98,7 @@ export const describingStrings = {
   emptyPanel: 'vide',
   ownLayout: 'de vous',
   ownStyle: 'de vous',
-  description: 'Description de la page',
+  description: 'Texte alternatif',
   copyDescription: 'Copier la description',
   descriptionHelp: 'Pour qui ne peut pas la voir, partout où vous montrez la page.',
   descriptionCopied: 'La description a été copiée.',

@@ -13,7 +13,7 @@ export const designerStrings = {
   startFromWhat: 'Partir de…',
   newStyle: 'Un style vide',
   pageStyle: 'Le style de la page',
-  beginWithPage: 'Commencer par le style de la page',
+  beginWithPage: 'Commencer par le style de cette page',
   styleName: 'Nom du style',
   saveStyle: 'Enregistrer le style',
   useStyle: 'Utiliser',
@@ -129,7 +129,7 @@ export const designerStrings = {
     wild: 'Déchaîné',
     favourites: 'Favoris',
   },
-  surpriseDial: 'Surprise',
+  surpriseDial: 'Variété',
   stylesShown: (shown: number, all: number) => (shown === all ? `${all} styles` : `${shown} sur ${all} styles`),
   dropped: (n: number) => (n < 2 ? `${n} style semblable ou vide omis` : `${n} styles semblables ou vides omis`),
   scoreOf: (score: string) => `Note ${score} sur 100`,
@@ -175,7 +175,7 @@ export const designerStrings = {
   parent: 'Parent',
 
   // Shuffle
-  styleShuffle: 'Choix des styles',
+  styleShuffle: 'Réglages de Mélanger',
   inventedShare: 'Styles générés',
   keepLines: 'Verrouiller les lignes',
   keepColours: 'Verrouiller les couleurs',

@@ -1,5 +1,5 @@
 export const exportStrings = {
-  exportPage: 'Exporter la page',
+  exportPage: 'Exporter',
   resolution: 'Qualité',
   full: (dpi: number) => (dpi >= 150 ? `Impression, ${dpi} ppp` : 'Taille réelle'),
   half: 'Moitié, pour le web',
@@ -62,14 +62,14 @@ export const exportStrings = {
   pixels: (w: number, h: number) => `${w} × ${h} pixels`,
   aboutSize: (size: string) => `environ ${size}`,
   measuring: 'estimation de la taille…',
-  save: 'Enregistrer le fichier',
+  save: 'Télécharger',
   copyPage: 'Copier dans le presse-papiers',
   shareFile: 'Partager',
   sharePart: 'Partager maintenant',
   /** Parts of names of files. */
   filePage: (n: number) => `page ${n}`,
   filePanel: (n: number) => `case ${n}`,
-  savePanel: 'Enregistrer cette case',
+  savePanel: 'Enregistrer la case',
   noPhotoHere: 'cette case est vide',
   exporting: (percent: string) => `Dessin de la page en taille réelle, ${percent}`,
   pagesSaved: (count: number) =>

@@ -21,7 +21,7 @@ export const boardsStrings = {
     help: 'Enter で次のショット、Tab で次の欄へ進み、Escape で入力を取り消します。Alt と矢印キーでショットを動かします。長さは秒（2）、秒とフレーム（2:12）、フレーム（36f）で書きます。表計算のセルを貼り付けられます。',
     followPages: 'ページの順に戻す',
     dragHelp: 'ドラッグすると順番を変えられます。',
-    copy: '一覧をコピー',
+    copy: '表をコピー',
     copied: '一覧をコピーしました。表計算に貼り付けられます。',
     newColumn: '新しい列',
     addColumn: '列を追加',

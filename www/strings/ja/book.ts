@@ -11,7 +11,7 @@ export const bookStrings = {
     turnOn: '次のページ',
     earlier: 'ページを前へ移動',
     later: 'ページを後ろへ移動',
-    spreadAlbum: 'アルバムを複数ページに割り付け',
+    spreadAlbum: 'すべての写真でページを作る',
     spreadHelp: (n: number) => `写真${n}枚すべてを、順番どおりに複数のページに並べます`,
     spreadAsk: '新しいページは今のページを置き換えます。手で変えたところも失われます。',
     spreadYes: 'ページを置き換える',

@@ -102,7 +102,7 @@ export const describingStrings = {
   emptyPanel: '空',
   ownLayout: '自作',
   ownStyle: '自作',
-  description: 'ページの説明',
+  description: '代替テキスト',
   copyDescription: '説明をコピー',
   descriptionHelp: 'ページを公開する場所で、見ることができない人のために使えます。',
   descriptionCopied: '説明をクリップボードにコピーしました。',

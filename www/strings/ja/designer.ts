@@ -13,7 +13,7 @@ export const designerStrings = {
   startFromWhat: '出発点を選ぶ…',
   newStyle: '空のスタイル',
   pageStyle: 'ページのスタイル',
-  beginWithPage: 'ページのスタイルから始める',
+  beginWithPage: 'このページのスタイルから始める',
   styleName: 'スタイル名',
   saveStyle: 'スタイルを保存',
   useStyle: '使う',
@@ -129,7 +129,7 @@ export const designerStrings = {
     wild: '大胆',
     favourites: 'お気に入り',
   },
-  surpriseDial: '意外さ',
+  surpriseDial: '変化',
   stylesShown: (shown: number, all: number) =>
     shown === all ? `${all}件のスタイル` : `${all}件中${shown}件のスタイル`,
   dropped: (n: number) => `似たものと空のもの${n}件を除きました`,
@@ -174,7 +174,7 @@ export const designerStrings = {
   parent: '親',
 
   // Shuffle
-  styleShuffle: 'シャッフルでのスタイルの選び方',
+  styleShuffle: 'シャッフルの設定',
   inventedShare: '生成されたスタイル',
   keepLines: '線をロック',
   keepColours: '色をロック',

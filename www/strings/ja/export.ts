@@ -1,5 +1,5 @@
 export const exportStrings = {
-  exportPage: 'ページを書き出す',
+  exportPage: '書き出し',
   resolution: '品質',
   full: (dpi: number) => (dpi >= 150 ? `印刷用、${dpi} dpi` : '原寸'),
   half: '半分、ウェブ用',
@@ -61,14 +61,14 @@ export const exportStrings = {
   pixels: (w: number, h: number) => `${w} × ${h}ピクセル`,
   aboutSize: (size: string) => `約${size}`,
   measuring: 'サイズを推定中…',
-  save: 'ファイルを保存',
+  save: 'ダウンロード',
   copyPage: 'クリップボードにコピー',
   shareFile: '共有',
   sharePart: '今すぐ共有',
   /** Parts of names of files. */
   filePage: (n: number) => `ページ${n}`,
   filePanel: (n: number) => `コマ${n}`,
-  savePanel: 'このコマを保存',
+  savePanel: 'コマを保存',
   noPhotoHere: 'このコマは空です',
   exporting: (percent: string) => `ページを原寸で描いています：${percent}`,
   pagesSaved: (count: number) =>

@@ -21,7 +21,7 @@ export const boardsStrings = {
     help: 'Enter vai ao próximo plano, Tab ao próximo campo, Escape desiste do que foi digitado. Alt com as setas move um plano. As durações são segundos (2), segundos e quadros (2:12) ou quadros (36f). Células de uma planilha podem ser coladas.',
     followPages: 'Usar a ordem das páginas',
     dragHelp: 'Arraste para mudar de lugar.',
-    copy: 'Copiar a lista',
+    copy: 'Copiar a tabela',
     copied: 'A lista foi copiada. Você pode colá-la em uma planilha.',
     newColumn: 'Nova coluna',
     addColumn: 'Adicionar coluna',

@@ -14,7 +14,7 @@ export const bookStrings = {
     turnOn: 'Próxima página',
     earlier: 'Mover página para antes',
     later: 'Mover página para depois',
-    spreadAlbum: 'Distribuir o álbum em páginas',
+    spreadAlbum: 'Fazer páginas com todas as fotos',
     spreadHelp: (n: number) => `Várias páginas com todas as ${n} fotos, na ordem delas`,
     spreadAsk: 'As páginas novas substituem as suas, também o que você mudou à mão.',
     spreadYes: 'Substituir páginas',

@@ -104,7 +104,7 @@ export const describingStrings = {
   emptyPanel: 'vazio',
   ownLayout: 'próprio',
   ownStyle: 'próprio',
-  description: 'Descrição da página',
+  description: 'Texto alternativo',
   copyDescription: 'Copiar descrição',
   descriptionHelp: 'Para quem não pode vê-la, onde quer que você mostre a página.',
   descriptionCopied: 'A descrição foi copiada.',

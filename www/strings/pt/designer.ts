@@ -13,7 +13,7 @@ export const designerStrings = {
   startFromWhat: 'Partir de…',
   newStyle: 'Um estilo vazio',
   pageStyle: 'O estilo da página',
-  beginWithPage: 'Começar com o estilo da página',
+  beginWithPage: 'Começar com o estilo desta página',
   styleName: 'Nome do estilo',
   saveStyle: 'Salvar estilo',
   useStyle: 'Usar',
@@ -122,7 +122,7 @@ export const designerStrings = {
     wild: 'Selvagem',
     favourites: 'Favoritos',
   },
-  surpriseDial: 'Surpresa',
+  surpriseDial: 'Variedade',
   stylesShown: (shown: number, all: number) => (shown === all ? `${all} estilos` : `${shown} de ${all} estilos`),
   dropped: (n: number) =>
     n < 2 ? `${n} estilo parecido ou vazio omitido` : `${n} estilos parecidos ou vazios omitidos`,
@@ -168,7 +168,7 @@ export const designerStrings = {
   parent: 'Pai ou mãe',
 
   // Shuffle
-  styleShuffle: 'Escolha dos estilos',
+  styleShuffle: 'Ajustes de Embaralhar',
   inventedShare: 'Estilos gerados',
   keepLines: 'Travar linhas',
   keepColours: 'Travar cores',

@@ -1,5 +1,5 @@
 export const exportStrings = {
-  exportPage: 'Exportar a página',
+  exportPage: 'Exportar',
   resolution: 'Qualidade',
   full: (dpi: number) => (dpi >= 150 ? `Impressão, ${dpi} dpi` : 'Tamanho total'),
   half: 'Metade, para a web',
@@ -61,14 +61,14 @@ export const exportStrings = {
   pixels: (w: number, h: number) => `${w} × ${h} pixels`,
   aboutSize: (size: string) => `cerca de ${size}`,
   measuring: 'estimando o tamanho…',
-  save: 'Salvar o arquivo',
+  save: 'Baixar',
   copyPage: 'Copiar a página',
   shareFile: 'Compartilhar',
   sharePart: 'Compartilhar agora',
   /** Parts of names of files. */
   filePage: (n: number) => `página ${n}`,
   filePanel: (n: number) => `quadro ${n}`,
-  savePanel: 'Salvar este quadro',
+  savePanel: 'Salvar quadro',
   noPhotoHere: 'este quadro está vazio',
   exporting: (percent: string) => `Desenhando a página em tamanho total, ${percent}`,
   pagesSaved: (count: number) => (count === 1 ? 'A página foi salva.' : `${count} páginas foram salvas em um arquivo.`),

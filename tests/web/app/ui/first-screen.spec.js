@@ -85,7 +85,7 @@ for (const viewport of [
 test('a click next to the page, another version, full screen and Escape end each selection', async ({ page }) => {
   await openBoard(page);
   const tools = page.getByRole('toolbar', { name: 'Panel tools' });
-  const bar = page.getByRole('toolbar', { name: 'Selected text' }).or(page.locator('.word-bar'));
+  const bar = page.getByRole('toolbar', { name: 'Lettering tools' });
   const area = await page.locator('.stage-area').boundingBox();
   if (!area) throw new Error('no stage');
   const beside = () => page.mouse.click(area.x + 8, area.y + area.height / 2);
