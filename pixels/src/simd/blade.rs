@@ -23,8 +23,8 @@ pub const FRACTION: u32 = 13;
 /// Samples before the first pixel of a widened row.
 pub const LEAD: usize = SIDE / 2;
 
-/// Samples that a widened row holds beyond its pixels: the filter's reach on both sides, and what the last
-/// lanes of the last block read for weights of 0.
+/// Extra samples of a widened row: the reach of the filter on both sides, and padding that the last lanes
+/// read with weight 0.
 pub const MARGIN: usize = LEAD + 8;
 
 /// Rows of weights; the eighth of a row is 0.

@@ -200,8 +200,8 @@ impl Affine {
     }
 }
 
-/// The offsets between which a line of this slope rounds to all entries, clipping at both ends, and the inputs that set
-/// them.
+/// Returns the lowest and the highest offset at which a line of this slope, clipped at both ends, rounds to
+/// all entries. With each offset comes the input that limits it.
 fn bounds(entries: &[u8; 256], slope: f64) -> ((f64, usize), (f64, usize)) {
     let (mut low, mut high) = ((f64::MIN, 0), (f64::MAX, 0));
     for (v, &entry) in entries.iter().enumerate() {

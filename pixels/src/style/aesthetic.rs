@@ -21,12 +21,12 @@ const POOR: f64 = 0.2;
 /// A picture with less spread than this, in grey steps, shows nothing.
 const FLAT: f64 = 6.0;
 
-/// Share of nearly white pixels from which a picture is mostly blank paper, unless its photo was nearly so: this much
-/// less.
+/// Minimum share of nearly white pixels at which a picture counts as mostly blank, and how much higher than
+/// in the photo it must be.
 const PALE: (f64, f64) = (0.55, 0.3);
 /// Share of the photo's edges that must be left where most is paper; drawings keep more.
 const KEPT: f64 = 0.5;
-/// Grey steps from which on a pixel is nearly white.
+/// Lowest grey level that counts as nearly white.
 const WHITE: usize = 226;
 /// Differences of neighbours, in grey steps, that are an edge in a photo, and that show in a picture.
 const EDGES: (f64, f64) = (12.0, 6.0);
@@ -34,7 +34,7 @@ const EDGES: (f64, f64) = (12.0, 6.0);
 const MURKY: (f64, f64) = (0.06, 50.0);
 /// Grey step between dark and light.
 const MIDDLE: usize = 128;
-/// Similarity to the photo from which a style is none, where its colours are the photo's too.
+/// Minimum similarity to the photo at which a style counts as having no effect, if the colours match too.
 const SAME: f64 = 0.93;
 /// Mean difference of the colours, in grey steps, up to which they are the photo's.
 const SAME_COLOUR: f64 = 14.0;
@@ -79,8 +79,8 @@ pub struct Judgement {
     pub fault: Option<Fault>,
 }
 
-/// Judges `result` as a stylised `source`; both of one size, a thumbnail is enough. What is pale or murky in the photo
-/// may be so in the picture.
+/// Rates `result` as a stylised version of `source`. Both have one size, and thumbnails are enough. A picture
+/// may be as pale or as dark as its photo.
 #[must_use]
 pub fn judge(source: &Image, result: &Image) -> Judgement {
     let (before, after) = (luma_plane(source), luma_plane(result));
@@ -140,7 +140,7 @@ fn above(shares: &[f64; 256], step: usize) -> f64 {
     shares[step..].iter().sum()
 }
 
-/// Share of the photo's edges that are seen in the picture; all where there are none.
+/// Returns the share of the photo's edges that the picture still shows; 1 if the photo has no edges.
 fn kept(edges: &[f64], left: &[f64]) -> f64 {
     let at = edges.iter().zip(left).filter(|(edge, _)| **edge > EDGES.0);
     let (seen, all) = at

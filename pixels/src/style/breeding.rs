@@ -96,8 +96,8 @@ fn factor(push: f64) -> f64 {
     if push < 0.0 { 1.0 / (1.0 - 3.0 * push) } else { 1.0 + 3.0 * push }
 }
 
-/// Makes a layer valid again: what cannot take the channels before it goes, so does what is bypassed, a second
-/// Size, which multiplies the work, and what is beyond the most.
+/// Makes a layer valid. It removes blocks whose input channels do not fit, bypassed blocks, a second Size,
+/// which would multiply the work, and blocks beyond the maximum.
 fn repair(layer: &mut Vec<Step>) {
     let mut channels = Channels::Color;
     let mut sized = false;

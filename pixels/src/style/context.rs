@@ -1,4 +1,4 @@
-//! What a run gives to its blocks: scale, scratch memory, cancellation.
+//! State that a run passes to its blocks: scale, scratch memory, cancellation.
 
 use super::blocks::PointOp;
 use super::faces::FaceBox;
@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};
 use crate::simd::gaussian::Buffers;
 
-/// Pixels of the image that spatial parameters are told for.
+/// Number of pixels of the image for which spatial parameters are defined.
 const REFERENCE_PIXELS: f64 = 1920.0 * 1080.0;
 
 /// One render's scale, its scratch memory (kept between renders, so that nothing is allocated again while a
@@ -48,7 +48,7 @@ enum KnownTones {
 }
 
 impl<'a> Context<'a> {
-    /// A context for an image of its own, scaled by its size.
+    /// Returns a context for a stand-alone image. The scale follows its size.
     #[must_use]
     pub fn for_image(image: &Image) -> Self {
         let mut context = Self::default();
@@ -56,7 +56,7 @@ impl<'a> Context<'a> {
         context
     }
 
-    /// Sets the scale for an image that is rendered by itself.
+    /// Sets the scale for an image that is rendered separately.
     pub fn fit_scale(&mut self, image: &Image) {
         self.scale = scale_of(image.width() as f64 * image.height() as f64);
     }
@@ -77,13 +77,15 @@ impl<'a> Context<'a> {
         self.faces = faces;
     }
 
-    /// The faces of this image, which are forgotten: the next has others. None where nobody cares for them.
+    /// Takes the faces of this image, so that the next image starts without faces. Returns an empty list if
+    /// the style does not protect faces.
     pub(in crate::style) fn shown_faces(&mut self, cared: bool) -> Vec<FaceBox> {
         let faces = std::mem::take(&mut self.faces);
         if cared { faces } else { Vec::new() }
     }
 
-    /// Tells the subject of the image that is stylised next, at its size: 255 within, 0 beside it; none where it is not known.
+    /// Sets the subject mask of the next image, at its size: 255 inside, 0 outside. `None` if the subject is
+    /// unknown.
     pub fn show_subject(&mut self, subject: Option<Plane>) {
         self.subject = subject;
     }
@@ -174,7 +176,7 @@ impl<'a> Context<'a> {
     }
 }
 
-/// The scale of an image of so many pixels: sqrt(pixels / (1920 * 1080)).
+/// Returns the scale of an image of `pixels` pixels: sqrt(pixels / (1920 * 1080)).
 #[must_use]
 pub fn scale_of(pixels: f64) -> f32 {
     (pixels / REFERENCE_PIXELS).sqrt() as f32

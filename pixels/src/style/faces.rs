@@ -48,16 +48,17 @@ const MOST: &[(&str, &str, f32)] = &[
     ("tvf", "time", 1.0 / 4.0),
     ("etf", "sigma", 1.0 / 28.0),
 ];
-/// However small faces are, so much of a length stays, but of cells.
+/// Minimum factor of a length, even for very small faces. Cells have no minimum.
 const LEAST: f32 = 0.5;
 
 /// Spread of light in a face, from its fifth to its 95th percentile, up to which it is raised, and how much at most.
 const CONTRAST: (f32, f32) = (110.0, 1.5);
-/// Middle tones between which a face is left, and how far it is moved at most, in grey steps.
+/// Range of middle tones in which a face is not changed, and the maximum shift, in grey levels.
 const LIGHT: (f32, f32, f32) = (92.0, 176.0, 30.0);
 /// Light for the line layer, whose blacks would fill dark skin.
 const LINE_LIGHT: (f32, f32, f32) = (124.0, 190.0, 64.0);
-/// How much stronger than in the photo colours of a face may be, and what is always allowed, in grey steps.
+/// Maximum colour strength of a face relative to the photo, and a difference that is always allowed, in grey
+/// levels.
 const CHROMA: (f32, f32) = (1.55, 9.0);
 /// Least strength of colours in a face, as a part of their strength in the photo.
 const PALEST: f32 = 0.45;
@@ -85,7 +86,8 @@ const FACE_COLORS: f32 = 6.0;
 
 /// Blocks that lay a screen, strokes or paper over a picture. They have to go on evenly across a face.
 const SCREENS: [&str; 6] = ["halftone", "pattern", "engrave", "strokes", "plates", "paper"];
-/// Where the mask of a face begins to fall and where it ends, in half sides of its box.
+/// Distances from the centre of a face at which its mask starts to fall and reaches 0, in half sides of its
+/// box.
 const MASK: (f64, f64) = (0.9, 1.5);
 
 /// The faces of an image that are to be read.
@@ -96,7 +98,7 @@ pub(super) struct Care<'a> {
 }
 
 impl<'a> Care<'a> {
-    /// None where no face is in view.
+    /// Returns `None` if no face is in view.
     pub(super) fn of(faces: &'a [FaceBox], width: usize, height: usize) -> Option<Self> {
         let inside = |at: f64, side: usize| at > 0.0 && at < side as f64;
         let seen = |face: &&FaceBox| {
@@ -157,7 +159,7 @@ impl<'a> Care<'a> {
     /// and the layer keeps colours, the colours in faces stay near the photo.
     ///
     /// # Errors
-    /// `cancelled` when the context says so.
+    /// `cancelled` if the caller cancels.
     pub(super) fn run(
         &self,
         steps: &[Step],
@@ -380,7 +382,8 @@ fn chroma(rgb: [f32; 3]) -> f32 {
     ((rgb[2] - y) / 1.772).hypot((rgb[0] - y) / 1.402)
 }
 
-/// Fifth percentile, median and 95th of the light in the middle of a face; none where it has no pixel.
+/// Returns the 5th, 50th and 95th percentile of the luma in the middle of a face, or `None` if it covers no
+/// pixel.
 fn light(luma: &Plane, face: &FaceBox) -> Option<(f32, f32, f32)> {
     let mut counts = [0_u32; 256];
     let mut all = 0;

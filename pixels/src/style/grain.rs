@@ -1,7 +1,8 @@
-//! Noise of a given size, the same on every platform: what paper, pencils and printing presses leave to chance.
+//! Noise of a given size, identical on every platform. It simulates the irregularity of paper, pencils and
+//! printing presses.
 //!
-//! Values of a lattice that repeats, by a hash, with smooth steps between (value noise). Positions are in units of the
-//! picture's scale, so that the grain of a preview is that of the print.
+//! Value noise: a repeating lattice of hashed values with smooth interpolation. Positions are in units of the
+//! picture's scale, so that preview and print have the same grain.
 
 /// Lattice points before noise repeats.
 const PERIOD: u32 = 256;
@@ -15,7 +16,7 @@ fn hash(x: u32, y: u32, seed: u32) -> u32 {
     h ^ (h >> 16)
 }
 
-/// The same as a number of 0 to 1.
+/// Returns the hash as a number from 0 to 1.
 #[must_use]
 pub fn chance(x: u32, y: u32, seed: u32) -> f32 {
     // 24 bits, which an f32 holds exactly.

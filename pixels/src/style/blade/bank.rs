@@ -147,8 +147,9 @@ impl Bank {
         self.levels.last().map_or(0.0, |level| level.0)
     }
 
-    /// The filters of a strength of at most [`Bank::strongest`], one a bucket; none where it is too weak to be seen.
-    /// Weights between two levels follow the square of the strength, as the variance of a smoothing does.
+    /// Returns the filters for a strength of at most [`Bank::strongest`], one per bucket, or `None` if the
+    /// effect is too weak to be visible. Weights between two levels follow the square of the strength, like
+    /// the variance of a smoothing filter.
     #[must_use]
     pub fn filters(&self, strength: f32) -> Option<Vec<Filter>> {
         let above = self.levels.iter().position(|level| level.0 >= strength).unwrap_or(self.levels.len() - 1);

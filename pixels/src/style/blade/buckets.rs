@@ -86,7 +86,7 @@ mod tests {
         places
     }
 
-    /// A ramp that rises in one direction by so many grey steps a pixel.
+    /// Returns a ramp that rises in one direction by `slope` grey levels per pixel.
     fn ramp(degrees: f32, slope: f32) -> Plane {
         let (sin, cos) = degrees.to_radians().sin_cos();
         Plane::from_fn(60, 60, |x, y| {

@@ -42,7 +42,7 @@ pub(super) static BLOCK: Block = Block {
         number(
             "tone",
             "Solid blacks",
-            "0 draws contours alone, 100 fills what is dark.",
+            "0 draws only contours, 100 fills dark areas.",
             (0.0, 0.0, 100.0, 1.0),
             Unit::Percent,
         ),

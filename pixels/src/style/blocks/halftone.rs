@@ -25,7 +25,7 @@ pub(super) static BLOCK: Block = Block {
         Param {
             id: "mode",
             label: "Inks",
-            help: "Cyan, magenta, yellow and black, or black alone.",
+            help: "Cyan, magenta, yellow and black, or only black.",
             kind: Kind::Choice { names: &["cmyk", "mono"] },
         },
     ],

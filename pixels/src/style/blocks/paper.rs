@@ -1,4 +1,4 @@
-//! Paper: the sheet under everything, with its tint, its tooth and what the tooth does to paint and pencil.
+//! Paper: the sheet under the picture. It has a tint and a tooth, and the tooth affects paint and pencil.
 //!
 //! ```text
 //! t   = the height of the sheet at a place, -1 to 1, from noise of a few sizes
@@ -28,7 +28,7 @@ pub(super) static BLOCK: Block = Block {
         Param {
             id: "sheet",
             label: "Sheet",
-            help: "What the surface is like.",
+            help: "The kind of surface.",
             kind: Kind::Choice { names: &["smooth", "cold-press", "laid", "newsprint", "kraft", "canvas"] },
         },
         Param {

@@ -11,7 +11,13 @@ pub(super) static BLOCK: Block = Block {
     help: "Works at another size from here on: small is coarse, large is fine.",
     input: Channels::Any,
     output: Channels::Any,
-    params: &[number("percent", "Size", "Of the size before.", (100.0, 10.0, 300.0, 5.0), Unit::Percent)],
+    params: &[number(
+        "percent",
+        "Size",
+        "Relative to the previous size.",
+        (100.0, 10.0, 300.0, 5.0),
+        Unit::Percent,
+    )],
     kernel: Kernel::Planes(|args, plane, context| {
         let (width, height) = target(plane.width(), plane.height(), f64::from(args.number(0)) / 100.0);
         if (width, height) == (plane.width(), plane.height()) {

@@ -37,7 +37,7 @@ pub(super) static BLOCK: Block = Block {
         number(
             "angle",
             "Angle",
-            "Direction where the photo has none.",
+            "Direction in areas without edges.",
             (-50.0, -90.0, 90.0, 1.0),
             Unit::Degrees,
         ),

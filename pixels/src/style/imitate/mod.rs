@@ -1,5 +1,5 @@
-//! A style from a picture: chains of blocks are looked for that give a person's own photo the look of a picture (a comic
-//! page, a print, a painting). What comes out is a style like any other, which can be read and designed on.
+//! Style from a picture: searches for chains of blocks that give the user's photo the look of a comic page, a
+//! print or a painting. The result is an ordinary style, which the user can read and edit.
 //!
 //! ```text
 //! picture -> features (features.rs) -> nothing to imitate? (nothing.rs)
@@ -55,7 +55,8 @@ pub fn read(picture: &Image) -> Result<Features> {
     Ok(features)
 }
 
-/// The same of whatever somebody insists on: a painting may be told from a photo by people alone.
+/// Reads the features without the check for plain photos, if the user insists. Only a person can distinguish
+/// some paintings from photos.
 ///
 /// # Errors
 /// `small-picture`.
@@ -123,8 +124,9 @@ fn telling(photo: &Image, area: usize) -> Image {
     resample_image(photo, region, side(width), side(height))
 }
 
-/// Left and upper edge, as parts of the whole, of the window with most of middle tones and least of its own texture: there dots
-/// have room on both sides of their size, and nothing else repeats.
+/// Returns the left and upper edge, as parts of the whole, of the window with the most middle tones and the
+/// least texture. Dots in middle tones have room to grow and to shrink, and no other pattern disturbs the
+/// measurement.
 fn window(luma: &Plane, part: f64) -> (f64, f64) {
     let (width, height) = (luma.width(), luma.height());
     let clear = |x: usize, y: usize| {
