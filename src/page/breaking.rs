@@ -230,7 +230,7 @@ impl Cells<'_> {
 const COARSE: usize = 40;
 /// Candidate crop sizes, as shares of the largest crop, per side.
 const ZOOMS: [f64; 4] = [0.92, 0.8, 0.68, 0.55];
-/// How much of a crop's height or width the figure is to stand over an edge.
+/// Overhang of the subject beyond the panel edge, relative to the height or width of the crop.
 const STEPS: [f64; 3] = [0.08, 0.14, 0.2];
 /// Crops that are good in the coarse and looked at in the fine, the best first.
 const LOOKED_AT: usize = 6;

@@ -202,7 +202,7 @@ pub(super) const EMPTY: [u8; 3] = [226, 226, 228];
 pub(super) struct Shown {
     /// At the page's size.
     pub(super) image: Image,
-    /// Its subject, where it is known and asked for.
+    /// Its subject mask, if it is known and requested.
     subject: Option<Plane>,
     /// Its place on the photo,
     pub(super) region: Region,

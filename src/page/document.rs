@@ -63,7 +63,7 @@ pub struct Document {
 #[cfg(all(test, feature = "cli"))]
 #[derive(ts_rs::TS)]
 #[ts(untagged)]
-#[allow(dead_code, reason = "TypeScript is told of it")]
+#[allow(dead_code, reason = "only for the TypeScript types")]
 pub(crate) enum LayoutChoice {
     Id(String),
     Full(Template),
@@ -73,7 +73,7 @@ pub(crate) enum LayoutChoice {
 #[cfg(all(test, feature = "cli"))]
 #[derive(ts_rs::TS)]
 #[ts(untagged)]
-#[allow(dead_code, reason = "TypeScript is told of it")]
+#[allow(dead_code, reason = "only for the TypeScript types")]
 pub(crate) enum StyleChoice {
     Id(String),
     Full(Style),

@@ -125,7 +125,8 @@ fn differences(sources: &[Vec<u8>]) -> Vec<f64> {
     sources.windows(2).map(apart).collect()
 }
 
-/// The pictures about one of them between which there is no cut. `differences` has one entry fewer than there are pictures.
+/// Returns the range of frames around `still` without a cut. `differences` has one entry fewer than there are
+/// frames.
 fn shot_around(still: usize, differences: &[f64]) -> Range<usize> {
     let mut sorted = differences.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -143,7 +144,7 @@ struct Steady {
     height: usize,
     /// Interleaved RGB; empty before the first picture.
     rgb: Vec<u8>,
-    /// Mean difference up to which a block stands still, of 255.
+    /// Maximum mean difference of a block without motion, of 255.
     still: f64,
 }
 

@@ -2,12 +2,12 @@
 //!
 //! | module | for |
 //! |---|---|
-//! | [`document`] | the page as plain data: what the front end holds, undoes and saves |
+//! | [`document`] | the page as plain data: the front end stores, undoes and saves it |
 //! | [`import`] | a file turned into what the page needs of a photo |
 //! | [`catalogue`] | blocks, layouts and styles as JSON |
 //! | [`layouts`] | layouts listed, made and changed, as JSON |
 //! | [`carrying`] | words and the photos that they belong to |
-//! | [`request`] | what is asked of a new document |
+//! | [`request`] | parameters for planning a document |
 //! | [`shuffle`] | a new document from photos, locks and a seed |
 //! | [`storyboard`] | the photos of an album that pages are made of, and its pages |
 //! | [`styling`] | the style of a page that leaves it to chance |
@@ -20,13 +20,13 @@
 //! | [`coverage`] | exact area coverage of pixels |
 //! | [`compose`] | panels rendered to patches, patches laid on paper |
 //! | [`living`] | panels that move, of a few seconds of a film |
-//! | [`cutout`] | the subject of a photo alone |
+//! | [`cutout`] | the subject of a photo without its background |
 //! | [`words`] | captions, balloons and sound effects, laid on the panels |
-//! | [`png`] | the file that people download |
+//! | [`png`] | the exported PNG file |
 //! | [`jpeg`] | the smaller one |
 //! | `webp` | the one for browsers that make none themselves |
 //! | [`srgb`] | the colour space of all files |
-//! | [`plates`] | colours as inks, each on a plate of its own |
+//! | [`plates`] | colour separation into inks, one plate each |
 //! | [`pdf`] | pages as lines, text and pictures |
 
 mod bleed;

@@ -328,7 +328,7 @@ fn stopped_work_goes_on_and_files_are_there_whole_or_not_at_all() {
     assert_eq!(fs::metadata(page(1)).unwrap().modified().unwrap(), before);
     assert!(page(2).exists());
     let one = render(folder.path(), &["-o", "page-01.png", "--skip-existing", "album"]);
-    assert!(one.status.success() && text(&one.stderr).contains("is there already"));
+    assert!(one.status.success() && text(&one.stderr).contains("exists already, skipped"));
     let left = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name());
     assert!(left.into_iter().all(|name| !name.to_string_lossy().ends_with(".part")));
     let nowhere = render(folder.path(), &["-o", "missing/page.png", "album"]);
@@ -373,7 +373,10 @@ fn a_page_goes_out_as_data_and_comes_in_as_the_same_page() {
     assert!(page("two.pdf").starts_with(b"%PDF"));
     for (arguments, sentence) in [
         (vec!["--document", "two.json", "-o", "x.png"], "is neither beside it nor among the photos given"),
-        (vec!["--document", "two.json", "-o", "x.png", "--style", "noir", "album"], "it is planned already"),
+        (
+            vec!["--document", "two.json", "-o", "x.png", "--style", "noir", "album"],
+            "a saved page takes only",
+        ),
         (vec!["--document", "gone.json", "-o", "x.png"], "gone.json: "),
         (vec!["--document", "album/bee.jpg", "-o", "x.png"], "is not JSON"),
     ] {

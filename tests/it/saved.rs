@@ -275,7 +275,7 @@ fn a_page_that_cannot_be_drawn_is_refused_with_a_sentence() {
         "present.page.seed: is missing",
     );
     refused("foreign.png", &told("{}"), &[], "was not saved by Inkpanel");
-    refused("planned.png", &told(&text), &["--style", "comic"], "it is planned already");
+    refused("planned.png", &told(&text), &["--style", "comic"], "a saved page takes only");
     refused("second.png", &told(&text), &["--page", "2"], "page 2 does not exist: the project has 1 page");
 }
 

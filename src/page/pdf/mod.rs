@@ -4,7 +4,7 @@
 //! | module | for |
 //! |---|---|
 //! | [`picture`] | the picture of a panel, as the file holds it |
-//! | [`options`] | what is asked of a file beside its pages |
+//! | [`options`] | options of a file, apart from its pages |
 //! | [`impose`] | which page goes where on sheets that are folded or cut |
 //! | `sheet` | a side of a sheet, with its measures |
 //! | `drawing` | the panels of a page |
@@ -12,7 +12,7 @@
 //! | `marks` | where a sheet is cut and folded |
 //! | `color` | colours, or the plate of one ink |
 //! | `fonts` | the letters that the words need |
-//! | `tags` | what is read, in its order, and what stands for pictures |
+//! | `tags` | reading order of the text, and alternative texts of the pictures |
 //! | `about` | title, language and colour space |
 //!
 //! The geometry is the same as for pixels, from the same functions.

@@ -116,11 +116,11 @@ pub(in crate::page) struct Lines {
     pub(in crate::page) text: Vec<Vec<Point>>,
     /// Outlines of the letters that are drawn heavier, with half the width of the line that makes them so.
     pub(in crate::page) heavy: (Vec<Vec<Point>>, f64),
-    /// A line around the letters sets them off what is below: there is no body.
+    /// An outline around the glyphs separates them from the background, because there is no body.
     pub(in crate::page) ringed: bool,
     /// Half the width of the line around the body, or around the letters.
     pub(in crate::page) half: f64,
-    /// Lengths of dashes and gaps of the line, where it has some.
+    /// Lengths of dashes and gaps of the line, or `None` for a solid line.
     pub(in crate::page) dash: Option<(f64, f64)>,
 }
 

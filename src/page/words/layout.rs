@@ -28,7 +28,7 @@ pub struct Laid {
 /// Balloons that are joined are drawn as one shape, by the first of them.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub enum Chain {
-    /// It stands alone.
+    /// Not linked to other balloons.
     #[default]
     None,
     /// It is the first, and draws these outlines with its own.

@@ -59,7 +59,7 @@ pub(super) fn number(letter: char) -> Option<usize> {
     u32::from(letter).checked_sub(FIRST).map(|number| number as usize).filter(|number| *number < MOST_LEARNT)
 }
 
-/// How far letters for private use are moved that a text has, so that none is taken for one that was learnt.
+/// Offset of private-use characters in a text, so that none collides with a placeholder.
 const APART: u32 = 0xf_0000 - FIRST;
 
 /// Replaces characters of text that collide with the placeholders.

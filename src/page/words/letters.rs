@@ -157,7 +157,7 @@ impl Letters {
         }
     }
 
-    /// The form of a letter for columns, where its font has one.
+    /// Returns the vertical form of a character, if its font has one.
     pub(super) fn standing(&self, letter: char) -> Option<char> {
         let of = learning::number(letter)?;
         learning::letter(self.learnt.iter().position(|learnt| learnt.stands_for == Some(of))?)

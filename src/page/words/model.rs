@@ -57,7 +57,7 @@ pub enum Craft {
 
 /// A caption, a balloon or a sound effect.
 #[derive(Debug, Clone, PartialEq)]
-#[allow(clippy::struct_excessive_bools, reason = "each is a field of the file by itself")]
+#[allow(clippy::struct_excessive_bools, reason = "each is a separate field of the file")]
 pub struct Word {
     /// Kind.
     pub kind: Kind,
@@ -194,7 +194,7 @@ impl Word {
             boxless: field.truth("boxless")?.unwrap_or(false) && kind == Kind::Caption,
             plain: (field.truth("plain")?.unwrap_or(false) || ruled) && kind == Kind::Caption,
             ruled,
-            // Letterers write all in capitals, but for sounds, that are written as they sound.
+            // By default, letterers write everything in capitals, except sound effects.
             capitals: capitals.unwrap_or(craft == Craft::Letterer && kind != Kind::Effect),
             slant: field.number("slant", -STEEPEST, STEEPEST)?.unwrap_or(0.0),
             outline: field.number("outline", 0.0, WIDEST_OUTLINE)?,

@@ -295,7 +295,8 @@ fn english(word: &str) -> Vec<usize> {
     beginnings.chain(endings).collect()
 }
 
-/// All in capitals. The I with bars is the pronoun's; in words it is a stem, where the font has both.
+/// Converts to capitals. If the font has both forms of I, the pronoun gets serifs and other words get a plain
+/// stem.
 fn capitals(marks: &[Mark], language: &str, font: &Font) -> Vec<Mark> {
     let letter = |at: usize| marks.get(at).map(|mark| mark.letter);
     let within = |letter: Option<char>| letter.is_some_and(char::is_alphanumeric);

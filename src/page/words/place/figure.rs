@@ -33,8 +33,8 @@ pub(super) struct Figure {
 }
 
 impl Figure {
-    /// The figure of a photo that would lie at `photo` if all of it were shown, in a panel. None where the mask is vague, or
-    /// where the panel shows nothing of the figure.
+    /// Returns the subject of a photo in a panel, if the full photo would cover `photo`. `None` if the mask
+    /// is vague, or if the panel shows nothing of the subject.
     pub(super) fn of(mask: &Matte, photo: Bounds, panel: Bounds) -> Option<Self> {
         if mask.facts().is_vague() {
             return None;

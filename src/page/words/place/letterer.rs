@@ -106,13 +106,13 @@ pub(super) struct Page<'a> {
     pub(super) joins: &'a [Option<usize>],
     /// Occupied areas, with the index of the item.
     pub(super) taken: &'a [(usize, Bounds)],
-    /// Where people put words that move now, with the number of the word.
+    /// Position that the user dragged a text item to, with its index.
     pub(super) wanted: &'a [(usize, Point)],
     pub(super) ground: &'a Ground,
     pub(super) letters: &'a Letters,
 }
 
-/// Places of the words of a group, and what the set costs.
+/// Positions of the text items of a group, and their cost.
 type Places = (f64, Vec<Place>);
 
 /// Places the text items of a group and links balloons. Returns the index, the placement and the linked

@@ -52,7 +52,7 @@ impl<'s> From<&'s PhotoMeta> for Known<'s> {
     }
 }
 
-/// Something in a photo, where it is on the page.
+/// A detected object, in page coordinates.
 #[derive(Debug, Clone, Copy)]
 struct Seen {
     bounds: Bounds,
