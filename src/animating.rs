@@ -20,7 +20,7 @@ use std::path::PathBuf;
 
 /// Arguments of `inkpanel animate`.
 #[derive(clap::Args)]
-#[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
+#[allow(clippy::struct_excessive_bools, reason = "each is a separate option")]
 pub(crate) struct Animate {
     /// Saved project: an .inkpanel file, or a page PNG that contains its project and photos.
     project: PathBuf,
@@ -125,8 +125,8 @@ fn is_of_film(saved: &Saved, photo: &str) -> bool {
     saved.photo(photo).is_some_and(|photo| photo.video.is_some() && photo.time.is_some())
 }
 
-/// Says how many panels stand still here that move in the film which the page makes: it decodes the films of a project, for which the
-/// command line has nothing. `called`: one of them, and several.
+/// Warns about panels that show video frames. They move in videos of the app, which decodes the videos of a
+/// project, but not here. `called`: the noun for one of them, and for several.
 fn tell_still(count: usize, called: (&str, &str)) {
     match count {
         0 => {}
@@ -148,7 +148,7 @@ fn size(text: &str) -> Result<[u32; 2], Complaint> {
         _ => {
             let names: Vec<&str> = SIZES.iter().map(|(name, _)| *name).collect();
             Err(format!(
-                "a size is one of {}, or such as 960x540, {least} to {most} pixels a side",
+                "expected one of {}, or WIDTHxHEIGHT such as 960x540, each {least} to {most} pixels",
                 names.join(", ")
             ))
         }

@@ -53,17 +53,17 @@
 //! |---|---|
 //! | `raster` | pixels: planar u8 images, decoding, resampling (under everything) |
 //! | `simd` | row kernels on lanes (under `style`) |
-//! | `select` | fingerprints, near-duplicate groups, the sharpest of each; the shots of films |
-//! | `hearing` | sounds of films that words may stand for, and where music runs |
+//! | `select` | fingerprints, near-duplicate groups and their sharpest photo; shots of videos |
+//! | `hearing` | detection of music and of sounds that can become sound effects |
 //! | `detect` | faces, objects, aesthetic scores and subject masks (feature `detect`) |
 //! | `layout` | page templates: split trees, polygons, gutters, merges |
 //! | `framing` | the crop of a photo that fits a panel |
 //! | `style` | chains of filter blocks in two layers |
-//! | `plan` | which layout, which photo in which panel, judged by what is seen |
+//! | `plan` | choice of layout and photos, scored by the visible content |
 //! | `page` | panels, borders and paper composed into one page; PNG, JPEG, PDF |
-//! | `output` | pages as comics that are read: HTML with a reader in it, EPUB, comic archives |
-//! | `document` | the project that a person edits and saves: its pages, photos, styles and layouts |
-//! | `native` | pages drawn by all cores of a machine |
+//! | `output` | digital comics: HTML with a reader, EPUB, comic archives |
+//! | `document` | the project: pages, photos, styles and layouts, with edits and undo |
+//! | `native` | rendering on all cores |
 //!
 //! `error`, `raster`, `simd` and `style` are in the crate `inkpanel-pixels`, which is compiled for speed. The
 //! rest of the core is compiled for size. `detect` is the crate `inkpanel-detect`, which depends on tract.

@@ -120,7 +120,7 @@ impl Masks {
     }
 }
 
-/// `DIR/NAME.png` for each photo; where two have one name, the later has a number.
+/// Returns `DIR/NAME.png` for each photo. A repeated name gets a number.
 fn names(photos: &[(PathBuf, Imported)], folder: &Path) -> Vec<PathBuf> {
     let mut taken = HashSet::new();
     let name = |(path, _): &(PathBuf, Imported)| {

@@ -25,7 +25,7 @@ const TILES: usize = 2 * LANES;
 /// Tiles of a row that are transformed at a time: with 128 channels what is made of them has three quarters of a megabyte.
 const STRETCH: usize = 40;
 
-/// The fewest channels and pixels a side with which this is worth its transforms.
+/// Minimum number of channels and minimum side in pixels at which this algorithm is faster.
 const LEAST_CHANNELS: usize = 16;
 const LEAST_SIDE: usize = 80;
 

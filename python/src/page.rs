@@ -67,13 +67,13 @@ impl Page {
         self.page.height()
     }
 
-    /// Pixels an inch.
+    /// Resolution in pixels per inch.
     #[getter]
     fn dpi(&self) -> u32 {
         self.page.dpi()
     }
 
-    /// What is not as it was asked for: photos that were left out, and why. The pages of an album share it.
+    /// Warnings: photos that were left out, and why. All pages of an album share them.
     #[getter]
     fn notes(&self) -> Vec<String> {
         self.page.notes().to_vec()

@@ -1,4 +1,4 @@
-"""Pages: their sizes and files, what is drawn, and what is refused."""
+"""Pages: sizes, files, content and errors."""
 
 import io
 import os

@@ -242,7 +242,7 @@ mod tests {
     const SIZE: [usize; 2] = [64, 36];
     const WHOLE: Crop = Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
 
-    /// A page of two colours, left and right, each a panel.
+    /// A page with two panels, left and right, of one colour each.
     fn page() -> Page {
         let pixel = |i: usize| if i % 128 < 64 { [200, 40, 30] } else { [20, 60, 220] };
         let rgb: Vec<u8> = (0..128 * 72).flat_map(pixel).collect();

@@ -38,14 +38,9 @@ pub(super) fn check(asked: &Animate) -> Result<(), Complaint> {
         (asked.style.is_some(), "--style cannot be combined with --pages".to_owned()),
         (
             asked.seconds > MOST_SECONDS,
-            format!("--seconds is at most {MOST_SECONDS} with --pages: so long a panel is seen"),
+            format!("--seconds is at most {MOST_SECONDS} with --pages, the maximum time per panel"),
         ),
-        (
-            asked.dissolve > MOST_DISSOLVE,
-            format!(
-                "--dissolve is at most {MOST_DISSOLVE} with --pages: so long two pages are seen together"
-            ),
-        ),
+        (asked.dissolve > MOST_DISSOLVE, format!("--dissolve is at most {MOST_DISSOLVE} with --pages")),
     ];
     refused.into_iter().find(|(is, _)| *is).map_or(Ok(()), |(_, why)| Err(why))
 }

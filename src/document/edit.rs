@@ -152,7 +152,7 @@ pub enum Edit {
         /// Their numbers.
         words: Vec<usize>,
     },
-    /// There is no page any more.
+    /// The page was removed.
     NoPage,
     /// Sets the draft of the designer.
     Design {

@@ -298,7 +298,7 @@ impl<'p> Planning<'p> {
         self.project.others.iter().map(|sheet| &*sheet.page).collect()
     }
 
-    /// The photos of a page, and, where none is left over, their number.
+    /// Returns the photos of a page. If no photo is left over, sets the number of panels too.
     fn cast(&self, request: &mut Request) -> Result<Vec<Known<'p>>> {
         let elsewhere = self.elsewhere();
         let photos = self.free(&elsewhere, request.current.as_ref());

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 /// Maximum length of a balloon's text in characters, about six short lines. Longer texts are split.
 pub const LONG: usize = 96;
-/// Letters of a part of a long text, at most, where its words allow it.
+/// Maximum characters of one part of a long text. A single longer word may exceed it.
 const PART: usize = 72;
 /// Letters of the name of a speaker.
 const LONGEST_NAME: usize = 24;

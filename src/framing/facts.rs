@@ -10,7 +10,7 @@ use crate::raster::Image;
 const SAMPLES: usize = 240;
 /// Steps of luma that are counted.
 pub(super) const TONES: usize = 16;
-/// Differences of luma between neighbours from which on there is an edge, in grey steps.
+/// Minimum difference of luma between neighbours at an edge, in grey levels.
 const EDGE: u32 = 20;
 
 /// Facts about the pixels of a photo. Shares are in 255ths of the whole.

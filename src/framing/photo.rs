@@ -11,7 +11,7 @@ use crate::raster::Matte;
 
 /// The label of a face among the subjects.
 pub const FACE: &str = "face";
-/// The label of a subject that is known by its mask alone.
+/// Label of a subject without a detected object: only its mask is known.
 pub const FIGURE: &str = "figure";
 
 /// Facts about a photo, measured once at import. All positions are fractions of the oriented photo.

@@ -14,8 +14,8 @@ use super::sums::Sums;
 const MOST_ENLARGED: f64 = 2.0;
 /// Cost of a crop's area relative to its energy. Lower values zoom in less.
 const AREA_COST: f64 = 0.35;
-/// The weight of all subjects together from which on they have their full say. A speck that some detector calls a
-/// sheep is no reason to show a stone in place of the mountains.
+/// Total weight of the subjects at which they decide the score. With less weight, the image content counts
+/// too. So a false detection, such as a stone as a sheep, does not hide the mountains.
 const STRONG: f64 = 0.25;
 /// The least part of a photo that a crop keeps where another can be had.
 const LEAST_KEPT: f64 = 0.44;

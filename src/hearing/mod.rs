@@ -31,7 +31,7 @@ const FALL: f32 = 20.0;
 const LONGEST: usize = 300;
 /// Frames that a sound without a sudden beginning takes at least.
 const SWELL: usize = 15;
-/// Frames until a sound is at its loudest from which on it has no sudden beginning.
+/// Minimum number of frames before the maximum of a sound with a gradual beginning.
 const GRADUAL: usize = 9;
 /// Octaves that the centroid of a sound goes which sweeps past, and how straight it goes: the square of its correlation.
 const OCTAVES: f32 = 1.0;

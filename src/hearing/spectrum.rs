@@ -7,7 +7,7 @@
 pub(super) const STEP: f32 = 0.01;
 /// Seconds that a frame takes at least; it has as many samples as the next power of two.
 const WIDTH: f32 = 0.025;
-/// Frequencies in Hz between which flatness is measured: hum of the mains lies below, and hiss of a codec above.
+/// Frequency range in Hz for measuring flatness. It excludes mains hum below and codec hiss above.
 const BAND: [f32; 2] = [150.0, 5000.0];
 /// How strongly loud parts of a spectrum are pressed down before two are compared.
 const PRESSED: f32 = 300.0;

@@ -104,7 +104,7 @@ fn a_chord_that_holds_is_music_and_so_are_notes_one_after_the_other() {
     assert_eq!(
         kinds(&found),
         [Kind::Music, Kind::Hit],
-        "what is louder than music is heard in it: {found:?}"
+        "sounds louder than the music are detected: {found:?}"
     );
 }
 

@@ -80,7 +80,7 @@ impl Growth<'_> {
         if self.wanted == 1 || small || (may_stay && self.random.rand_float() < STAYS) || depth > 8 {
             return Node::Panel;
         }
-        // Now and then across the shorter side, for variety, where the cell is nearly square.
+        // Nearly square cells are sometimes divided along the other axis, for variety.
         let square = width.max(height) < 1.4 * width.min(height);
         let turned = square && self.random.rand_float() < 0.35;
         let axis = if (height > width) == turned { Axis::Columns } else { Axis::Rows };

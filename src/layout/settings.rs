@@ -9,7 +9,7 @@ use crate::json::{Fields, Read};
 /// Default gutter in page widths.
 pub const DEFAULT_GUTTER: f64 = 0.018;
 
-/// Pixels of a photo an inch below which a print looks soft at arm's length.
+/// Resolution in PPI below which a printed photo looks soft at arm's length.
 pub const COARSE: f64 = 200.0;
 
 /// Pixels that an upright page is wide on a screen.
@@ -197,7 +197,7 @@ impl PageSettings {
         let mut page = Self::default();
         let sides = [("width", &mut page.width), ("height", &mut page.height), ("dpi", &mut page.dpi)];
         for (name, side) in sides {
-            *side = fields.whole(name, 0, u64::from(u32::MAX))?.map_or(*side, |told| told as u32);
+            *side = fields.whole(name, 0, u64::from(u32::MAX))?.map_or(*side, |pixels| pixels as u32);
         }
         let lengths = [
             ("gutter", &mut page.gutter),

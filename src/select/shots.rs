@@ -14,13 +14,13 @@ use super::look::Look;
 const CLOSE: f64 = 0.5;
 /// How many pairs on either side a close pair is compared with.
 const WINDOW: usize = 2;
-/// How many times as far as those about it a close pair lies apart where a film cuts,
+/// Minimum difference at a cut, relative to neighbouring pairs,
 const RATIO: f32 = 3.0;
-/// and how far at least.
+/// and in total. Both apply to close pairs.
 const LEAST: f32 = 10.0;
-/// How far a pair lies apart that is not close, where a film cuts,
+/// Minimum difference at a cut of a pair that is not close,
 const FAR: f32 = 22.0;
-/// or this far, where its tones are other ones, too.
+/// or this much, if the tones differ too.
 const FARTHER: f32 = 14.0;
 const OTHER_TONES: f32 = 0.3;
 /// Minimum duration of a shot in seconds. Shorter ones are flashes.

@@ -19,7 +19,7 @@ const ANOTHER: f32 = 10.0;
 const ASKED: usize = 60;
 /// Below this part of the sharpness of its shot a frame counts as blurred.
 const SHARP: f32 = 0.7;
-/// Seconds off the ends of a shot, where the frames of two are often mixed.
+/// Seconds at both ends of a shot that are skipped, because frames there often mix two shots.
 const EDGE: f64 = 0.1;
 /// Seconds of a shot that must not be left out.
 const LONG: f64 = 1.0;

@@ -33,7 +33,7 @@ pub fn find() -> Result<PathBuf> {
         if given.is_file() {
             return Ok(given);
         }
-        bail!("CHROMIUM is {}, which is no file", given.display());
+        bail!("CHROMIUM: {} is not a file", given.display());
     }
     if let Some(found) = installed() {
         return Ok(found);

@@ -57,7 +57,7 @@ fn copy(project: &Project, root: &Path) -> Result<()> {
         fs::File::options().append(true).open(&to)?.set_modified(found.modified()?)?;
         folders.extend(Path::new(file).ancestors().skip(1).map(Path::to_owned));
     }
-    // A folder cannot be opened on Windows, where the crates are then compiled again.
+    // Windows cannot open a folder. There, the crates are compiled again.
     #[cfg(unix)]
     for folder in folders {
         let modified = project.root.join(&folder).metadata()?.modified()?;

@@ -41,7 +41,8 @@ enum Task {
     },
     /// Build the npm package into target/package/inkpanel
     Package,
-    /// Build the Python wheel into target/wheels, and test it in an environment of its own; needs Python 3.11 or newer
+    /// Build the Python wheel into target/wheels, and test it in a virtual environment; needs Python 3.11 or
+    /// newer
     Wheel {
         /// Also on a cluster of this machine, by Ray and Dask: some minutes
         #[arg(long)]
@@ -102,11 +103,11 @@ enum Task {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         arguments: Vec<String>,
     },
-    /// Read files made to break decoders, and count what became of them into docs/reports/malformed-files.md
+    /// Read malformed files, and write the counts of the results to docs/reports/malformed-files.md
     Corpora,
-    /// Count near-duplicates found and taken for one into docs/reports/near-duplicates.md
+    /// Count detected and false near-duplicates, and write them to docs/reports/near-duplicates.md
     Duplicates,
-    /// Store what is drawn and written now as what it should be, list what changed, and fail if anything did
+    /// Store the current output as the expected output of tests, list changes, and fail if there are any
     Bless {
         /// Only these: goldens, tables, bounds, shots, types
         topics: Vec<String>,

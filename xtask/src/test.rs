@@ -64,7 +64,7 @@ enum Lane {
     Web,
 }
 
-/// What a suite needs.
+/// Requirements of a suite.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Needs {
     Nothing,
@@ -253,7 +253,7 @@ fn is_wanted(suite: &Suite, tier: Tier, names: &[String], skip_default: bool) ->
     suite.tiers.iter().any(|own| *own <= tier && !(skip_default && *own == Change))
 }
 
-/// Installs what the suites share: npm packages and models.
+/// Installs the shared requirements of the suites: npm packages and models.
 fn prepare(project: &Project, wanted: &[&Suite]) -> Result<()> {
     if wanted.iter().any(|suite| suite.needs != Needs::Nothing) {
         npm::install(project)?;

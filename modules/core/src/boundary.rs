@@ -375,13 +375,14 @@ impl Studio {
         Ok(scene)
     }
 
-    /// Tells the subject in a picture of a region of a photo, where it is known and the style asks for it.
+    /// Sets the subject mask for a picture of a region of a photo, if the subject is known and the style uses
+    /// it.
     fn show_subject(&mut self, key: &str, region: Region, picture: &Image, style: &Style) {
         let subject = if style.has_parts() { self.subject_in(key, region, picture) } else { None };
         self.context.show_subject(subject);
     }
 
-    /// The subject in a picture of a region of a photo, where it is known.
+    /// Returns the subject mask for a picture of a region of a photo, if the subject is known.
     fn subject_in(&self, key: &str, region: Region, picture: &Image) -> Option<Plane> {
         let (photo, matte) = (self.photos.get(key)?, self.subjects.get(key)?);
         let scale = scale_of(picture.width() as f64 * picture.height() as f64);

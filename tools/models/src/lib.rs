@@ -57,7 +57,7 @@ const MODELS: &[Model] = &[
     },
 ];
 
-/// The net that scores how good a picture looks. Where there is no pip everything works without it.
+/// The model that rates how good a picture looks. Optional: without pip, it is not installed.
 const AESTHETICS: Model = Model {
     file: "aesthetics.onnx",
     sha256: "be72a8b8b1754005a753b075131c172f7bfe244e5a66405ddc0fcbbc8dc531db",
