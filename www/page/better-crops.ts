@@ -1,6 +1,6 @@
 /**
- * Crops that got better after a page was shown, for more was found in its photos. What a person has looked at does not change by
- * itself: then they are offered.
+ * Crops that became better after a page was shown, because detection found more in its photos. If the user has seen the
+ * page, it does not change automatically, and the app offers the new crops.
  */
 
 import { computed, effect, signal } from '@preact/signals';
@@ -11,9 +11,9 @@ import type { Bounds, PageDocument } from '../engine/types.ts';
 
 export type BetterCrops = ReturnType<typeof createBetterCrops>;
 
-/** Milliseconds on the screen after which a page was looked at. */
+/** Milliseconds on the screen after which the user has seen a page. */
 const LOOK = 1000;
-/** Crops that overlap so much look alike. */
+/** Overlap of two crops that look alike, 0 to 1. */
 const SAME = 0.9;
 
 export function createBetterCrops({
@@ -27,7 +27,7 @@ export function createBetterCrops({
   ui: Pick<Ui, 'painted'>;
   now?: () => number;
 }) {
-  /** The page that is offered in the place of another. */
+  /** The page that is offered to replace another one. */
   const offer = signal<{ of: PageDocument; better: PageDocument } | null>(null);
   /** When the page came to the screen. */
   let seen: { version: string; at: number } | null = null;
@@ -51,20 +51,20 @@ export function createBetterCrops({
     else offer.value = better && differs(of, better) ? { of, better } : null;
   }
 
-  /** Takes what is offered, as one step. */
+  /** Applies the offered page as one undo step. */
   function accept() {
     const better = offered.peek();
     offer.value = null;
     if (better) store.change({ type: 'change-page', page: better });
   }
 
-  /** Whether a person has looked at the page. */
+  /** Whether the user has seen the page. */
   function looked(): boolean {
     return seen !== null && seen.version === store.version.peek() && now() - seen.at >= LOOK;
   }
 }
 
-/** Whether a person would see that a panel shows something else. */
+/** Whether the change of a panel is visible. */
 function differs(before: PageDocument, after: PageDocument): boolean {
   return after.panels.some(({ photo, crop }, i) => {
     const was = before.panels[i];
@@ -73,7 +73,7 @@ function differs(before: PageDocument, after: PageDocument): boolean {
   });
 }
 
-/** @returns the part that two crops have in common over what both cover, 0 to 1 */
+/** @returns the intersection of two crops divided by their union, 0 to 1 */
 function overlap(a: Bounds, b: Bounds): number {
   const side = (from: number, length: number, other: number, its: number) =>
     Math.max(0, Math.min(from + length, other + its) - Math.max(from, other));

@@ -1,4 +1,7 @@
-/** The page in words, from what was found in its photos: for who does not see it, here and wherever it is shown. */
+/**
+ * Describes the page in text, from the detected subjects of its photos: for screen readers, and for alternative texts
+ * elsewhere.
+ */
 
 import { strings } from '../strings/strings.ts';
 import { grown } from './panels/merging.ts';
@@ -9,7 +12,7 @@ import type { Seen } from '../strings/compose.ts';
 /** a box in parts of its photo */
 type Subject = Bounds & { label: string; score?: number };
 
-/** What the net is less sure of is often something else. */
+/** Minimum detection score of a subject in a description. Less certain detections are often wrong. */
 const SURE = 0.5;
 /** The most kinds of things that are named. */
 const MOST = 4;
@@ -36,7 +39,7 @@ function holds(crop: Bounds, { x, y, width, height }: Bounds) {
   return u >= 0 && u <= 1 && v >= 0 && v <= 1;
 }
 
-/** @returns `two people and a dog`; empty where nothing was found */
+/** @returns `two people and a dog`; empty without detected subjects */
 export function describePanel(page: PageDocument, album: Album, panel: number): string {
   // Panels that are merged show one photo together.
   const { photo, crop } = page.panels[grown([panel], page)[0]];
@@ -46,7 +49,7 @@ export function describePanel(page: PageDocument, album: Album, panel: number): 
 
 /**
  * @param style its name
- * @returns sentences that stand for the page, as the `alt` of an image does
+ * @returns sentences that describe the page, as the `alt` text of an image
  */
 export function describePage(page: PageDocument, album: Album, style: string): string {
   const panels = page.panels.map(({ photo }, i) =>

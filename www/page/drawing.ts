@@ -46,7 +46,10 @@ function drawPanel(context: CanvasRenderingContext2D, sheet: Sheet, { patch, coa
   context.restore();
 }
 
-/** A picture that no longer fits: where only the crop was moved it is moved along, else stretched to the panel. */
+/**
+ * Draws an outdated picture. If only the crop was moved, the picture is moved too. Otherwise it is stretched to the
+ * panel.
+ */
 function drawOlder(
   context: CanvasRenderingContext2D,
   { document, geometry, width }: Sheet,

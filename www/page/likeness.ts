@@ -1,4 +1,4 @@
-/** How a page differs from the one before it, which says whether old pictures may stand in for new ones. */
+/** Compares a page with the previous one, to decide whether old pictures can be shown until the new ones are ready. */
 
 import type { Geometry, PageDocument } from '../engine/types.ts';
 import type { Sheet } from './painter.ts';

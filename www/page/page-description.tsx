@@ -14,7 +14,7 @@ export function PageDescription() {
   const text = describePage(page, store.album.value, style ? strings.styleTitle(style) : strings.ownStyle);
 
   function copy() {
-    // Without a secure address there is no clipboard.
+    // The clipboard is only available on secure origins.
     (navigator.clipboard?.writeText(text) ?? Promise.reject(new Error('no clipboard'))).then(
       () => messages.note(strings.descriptionCopied),
       () => messages.alert(strings.descriptionNotCopied(text)),

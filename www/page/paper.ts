@@ -15,7 +15,10 @@ export function sizeId({ width, height }: { width: number; height: number }): st
 /** How far from the edge of a page that has no name faces and words stay, in parts of its shorter side. */
 const USUAL_SAFE = 0.03;
 
-/** What of a page is never cut off: pixels from its sides, from its top and bottom, and from the fold in its middle. */
+/**
+ * The area of a page that trimming never cuts off: distances in pixels from its sides, from its top and bottom, and
+ * from the fold in its middle.
+ */
 export function safeArea(page: { width: number; height: number }): { across: number; down: number; fold: number } {
   const known = PAGE_SIZES.find(({ id }) => id === sizeId(page));
   if (known) return { across: known.safe[0], down: known.safe[1], fold: known.fold };
@@ -52,7 +55,7 @@ export function pixelsOf(length: number, unit: Unit, dpi: number): number {
   return Math.round(unit === 'in' ? length * dpi : (length / 25.4) * dpi);
 }
 
-/** @returns what the core would not take */
+/** @returns the limit that the size exceeds; empty for a valid size */
 export function whyNotSize({
   width,
   height,

@@ -1,4 +1,4 @@
-/** What is never cut off, as a line on the page on the screen: it is in no file. */
+/** The safe area as a line on the page. Exported files do not contain it. */
 
 import type { PageSettings } from '../engine/types.ts';
 import { safeArea } from './paper.ts';

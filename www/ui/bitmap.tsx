@@ -41,7 +41,7 @@ export function Bitmap({
         canvas.getContext('bitmaprenderer')?.transferFromImageBitmap(bitmap);
         setDrawn(true);
       },
-      // A thumbnail that cannot be drawn stays a skeleton; the page itself says what is wrong with a photo.
+      // A thumbnail that cannot be drawn stays a skeleton. The page reports errors of photos.
       () => {},
     );
     return () => stop.abort();

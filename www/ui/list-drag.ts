@@ -6,7 +6,7 @@
 import { useRef, useState } from 'preact/hooks';
 import { onEscape } from './on-escape.ts';
 
-/** an item, and before which one it would land */
+/** The index of the dragged item, and the gap where it would land. */
 type Carried = { from: number; gap: number | null };
 /** Selectors of the scrolling list, and of its items. */
 type Where = { list: string; item: string };

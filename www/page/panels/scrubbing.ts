@@ -76,7 +76,7 @@ export function createScrubbing({
         start: time,
         end: time,
         onPhoto: (_, { measures: _measures, ...meta }) => {
-          // A frame that a person looked for is not set aside for being like its neighbours.
+          // A frame that the user chose is never excluded as a near-duplicate.
           store.know({ id, name: strings.frameName(video.name, time), meta, measures: null, video: video.key, time });
         },
       });

@@ -1,6 +1,5 @@
 /**
- * The panels that a person has chosen to do something with. They are of one page: another page or another number of
- * panels has none chosen.
+ * The selected panels of a page. Showing another page or changing the number of panels clears the selection.
  */
 
 import { computed, signal } from '@preact/signals';
