@@ -1,5 +1,6 @@
 /**
- * Every action of the page, by feature: the only place that knows all tables. Their order is that of the list of keys.
+ * All actions of the app, by feature. Only this file knows all tables. Their order is the order of the list of
+ * shortcuts.
  */
 
 import { createBookActions } from '../book/book-actions.ts';

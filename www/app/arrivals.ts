@@ -64,7 +64,7 @@ export function createArrivals({
       }),
     );
     take(files);
-    // In memory by now, where not even a full storage can take them away.
+    // The file is in memory, so a full storage cannot remove it.
     await Promise.all(requests.map((request) => store.delete(request)));
   }
 

@@ -8,7 +8,7 @@ import { everyAction } from './actions.ts';
 import type { Ui } from './ui.ts';
 import type { Tables } from './actions.ts';
 
-/** What uses a key itself when it has the focus. */
+/** Elements that handle a key themselves when they have the focus. */
 const OWN_USE: Record<string, string> = {
   Space: 'button, [role=button], input, a, select, [role=option], summary',
   PageUp: 'input, select, [role=listbox], [role=slider]',
@@ -17,8 +17,8 @@ const OWN_USE: Record<string, string> = {
 const TEXT_FIELDS = 'input:not([type=checkbox], [type=range], [type=color], [type=file]), textarea, select';
 
 /**
- * @param parts `leave`: what Escape does on the board, where it does something; `pointed`: the button that was pressed by the
- *   pointer and has the focus by that alone: Space is not meant for it
+ * @param parts `leave`: the action of Escape on the board, if any. `pointed`: the button that has the focus because of
+ * a click. Space must not press it again.
  * @returns a listener for `keydown` on the window
  */
 export function createKeys({
@@ -50,15 +50,15 @@ export function createKeys({
     // Over the board the page is out of sight: nothing shuffles it unseen.
     if (ui.work.peek() !== null && action.heard !== 'everywhere') return;
     if (isEnabled(action)) {
-      // Some browsers press a button that has the focus when the key is let go.
+      // Some browsers press a focused button when the key is released.
       if (shortcut === 'Space') (pointed() as HTMLElement | null)?.blur();
       take(event, action.run);
     }
-    // What the browser would do instead, such as saving its own copy of the page, is not what was meant.
+    // Prevents the browser's own action, such as saving a copy of the page.
     else if (shortcut.includes('Mod+')) event.preventDefault();
   };
 
-  /** Letters alone may be switched off; what needs no letter stays. */
+  /** The user can turn off single-letter shortcuts. Other shortcuts stay active. */
   function isSilent(shortcut: string, target: EventTarget | null) {
     if (/^[A-Z?]$/.test(shortcut) && !ui.letterKeys.peek()) return true;
     const own = OWN_USE[shortcut];

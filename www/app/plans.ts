@@ -9,7 +9,7 @@ import type { Messages } from '../ui/messages.ts';
 
 type Kind = 'style' | 'layout' | 'other';
 
-/** Fields of which a file of that kind has at least one. */
+/** A file of this kind has at least one of these fields. */
 const FIELDS = { style: ['background', 'foreground'], layout: ['family', 'tree', 'polygons'] } as const;
 
 /** @param beside whether the files came with photos: then JSON of other programs, such as Google Takeout, is skipped */
@@ -34,7 +34,7 @@ export async function openPlans(
   if (!beside) for (const { name } of of('other')) messages.fileFailed(name, strings.unknownJson);
 }
 
-/** A file that is not JSON counts as a layout: reading it as one says what is wrong with it. */
+/** A file that is not JSON counts as a layout, because the layout reader reports the error. */
 async function kindOf(file: File): Promise<Kind> {
   if (file.size > LONGEST_STYLE) return 'other';
   try {

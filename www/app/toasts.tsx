@@ -110,7 +110,7 @@ function Alerts({ list, class: name }: { list: Message[]; class: string }) {
 const SHORT = 60;
 const SHORT_ALERT = 20;
 
-/** What is long, and two ways on, have a line of their own. */
+/** A long text and two actions are on separate lines. */
 function Said({
   text,
   way,

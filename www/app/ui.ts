@@ -1,5 +1,5 @@
 /**
- * What the window looks like: never part of the document, never undone.
+ * State of the window. It is not part of the document and cannot be undone.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -72,7 +72,7 @@ export function createUi(window: Window) {
     sheet: signal(null) as Signal<Sheet | null>,
     /** The tab that is open beside the page on a large screen. */
     sideTab: signal('styles') as Signal<SideTab>,
-    /** What the dialog of export begins with, where a person came for that. */
+    /** The selected tab of the export dialog, if the user opened it for a specific export. */
     exportWay: signal(null) as Signal<Way | null>,
     work,
     /** Opens a workspace, or closes it where it is open. */
@@ -81,7 +81,7 @@ export function createUi(window: Window) {
     },
     /** Whether photos are looked at for faces and objects; `inkpanel.detect` = `off` in the storage says no. */
     detects: remembered(window, DETECT_KEY) !== 'off',
-    /** Whether what is never cut off is drawn on the page. */
+    /** Whether the page shows its safe area. */
     safeArea: signal(false),
     /** Width on paper in inches for which coarse panels are marked; null marks none. */
     printCheck: signal(null) as Signal<number | null>,
@@ -89,7 +89,7 @@ export function createUi(window: Window) {
     styleShuffle: signal(false),
     /** Whether the bar of tools shows all of them. */
     allTools: signal(false),
-    /** Whether the boxes of what was found are drawn. */
+    /** Whether the boxes of detected subjects are shown. */
     subjects: signal(false),
     /** A photo of the stack that is open. */
     stack: signal(null) as Signal<string | null>,
@@ -98,7 +98,7 @@ export function createUi(window: Window) {
     painted: signal(null) as Signal<PageDocument | null>,
     /** The page whose words are all on the screen, likewise. */
     lettered: signal(null) as Signal<PageDocument | null>,
-    /** What the views threw when they drew what is in the store. */
+    /** The error that the views threw. */
     failed: signal(null) as Signal<unknown>,
   };
 }

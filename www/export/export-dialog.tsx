@@ -24,7 +24,7 @@ import type { Choice } from './export-choice.ts';
 import type { Print } from './print.ts';
 
 const PREVIEW = 330;
-/** Sizes of fewer dots an inch are for screens. */
+/** Lower resolutions, in DPI, are for screens. */
 const COARSE_FROM = 150;
 /** Sizes of where A4 is not what lies in a printer. */
 const AMERICAN = /letter|legal|tabloid|^us-/;

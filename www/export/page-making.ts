@@ -16,8 +16,8 @@ import type { Print } from './print.ts';
 
 export type Work = { signal: AbortSignal; onProgress: (done: number, total: number) => void };
 /**
- * What goes with pages before they leave: `carry` puts it into the PNG of a page, `beside` gives what lies beside the pages
- * of an archive, if anything.
+ * Data that is added to exported pages. `carry` embeds it in the PNG of a page. `beside` returns additional files of an
+ * archive, if any.
  */
 export type Cargo = {
   carry: (png: Blob, page: PageDocument, how: Work) => Promise<Blob>;
