@@ -38,7 +38,7 @@ export function Designer() {
       designer.change({ type: 'move', layer: from.layer, at: from.at, toLayer: gap.layer, to });
   });
 
-  // A slider's drag that is cut short, by leaving say, is kept as far as it went; a card's is not.
+  // If the screen closes during a drag, the new value of a slider is retained, and the move of a card is cancelled.
   useEffect(
     () => () => {
       designer.release();

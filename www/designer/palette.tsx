@@ -47,7 +47,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
     () => new Map(blocks.map((block) => [block.id, facts && styleWith(facts, layer, block)])),
     [facts, layer, blocks],
   );
-  // What is typed next is searched for.
+  // The next typed text goes to the search field.
   useLayoutEffect(() => field.current?.focus(), [layer, at]);
 
   function add(block: Block) {

@@ -111,7 +111,7 @@ function Range({
           onChange={({ currentTarget }) => {
             const typed = currentTarget.valueAsNumber;
             if (Number.isFinite(typed)) onSet(rounded(Math.min(max, Math.max(min, typed)), step));
-            // What was typed may be no value: the field shows what counts.
+            // Typed text may be invalid, so the field shows the accepted value.
             currentTarget.value = String(
               Number.isFinite(typed) ? rounded(Math.min(max, Math.max(min, typed)), step) : value,
             );

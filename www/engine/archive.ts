@@ -204,7 +204,7 @@ async function readEntry(
 
 /**
  * @param local the head of a file
- * @returns whether it says what the list says
+ * @returns whether the local header matches the central directory
  */
 function agrees(local: DataView, { name, flags, method, crc, length, size }: Told): boolean {
   const [flagsHere, methodHere, nameLength] = [6, 8, 26].map((field) => local.getUint16(field, true));

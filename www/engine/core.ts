@@ -86,7 +86,7 @@ export type Wish = Partial<Omit<PlanRequest, 'current'>> &
   Pick<PlanRequest, 'keep'> & { current?: PageDocument; anew?: boolean };
 /** Why no page has shown a photo yet: its turn will come, it is a page of text, or it has too few pixels. */
 export type Unseen = 'waits' | 'text' | 'small';
-/** A seed, and what the person likes where something is drawn. */
+/** A seed, and the user's preferences for random choices. */
 export type Draw = Pick<Request, 'seed' | 'taste'>;
 
 /**
@@ -223,7 +223,7 @@ function plansOf(editor: core.Editor, album: core.Album) {
       JSON.parse(editor.repaired(album, JSON.stringify(draw), JSON.stringify(groups))),
     /** @returns the photos in use that no page has shown yet, and why */
     unseen: (): { photo: string; why: Unseen }[] => JSON.parse(editor.unseen(album)),
-    /** @returns the ids of those that are free for the page, as text */
+    /** @returns the ids of unused photos, as text */
     freePhotos: () => editor.free_photos(album),
   };
 }

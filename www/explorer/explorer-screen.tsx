@@ -114,7 +114,7 @@ function useItems(shown: readonly Item[], photo: Photo | null, point: Point) {
   const { explorer, ownStyles } = useApp();
   const made = useRef(new Map() as Map<string, VNode>);
   const before = made.current;
-  // An element holds its canvas: those that hang there no more are let go.
+  // An element holds its canvas, so elements that are not shown any more are dropped.
   made.current = new Map();
   const pointed = useRef(point);
   pointed.current = point;

@@ -33,7 +33,7 @@ export type Explorer = ReturnType<typeof createExplorer>;
 /** Styles that the wall opens with, and that one press invents. */
 export const FIRST = 120;
 export const ROUND = 240;
-/** Children of two styles, and variations of one; so many are tried at most for them. */
+/** Number of children of two styles, and of variations of one style. `TRIES` limits the attempts. */
 export const LITTER = 12;
 const TRIES = 48;
 /** Styles sent to a worker at a time, and how many such parcels are on their way: no worker waits for the next. */
@@ -65,7 +65,7 @@ export function createExplorer({
   const look = signal('all');
   const hue: Signal<Hue | null> = signal(null);
   const lightness: Signal<Lightness | null> = signal(null);
-  /** The favourites when they were asked for: one that is let go stays in its place until then. */
+  /** The favourites at the time of the last request. A removed favourite keeps its place until the next one. */
   const wasFavourite: Signal<ReadonlySet<string>> = signal(new Set());
   const surprise = signal(0.35);
   /** The style that waits for another to breed with. */

@@ -34,7 +34,7 @@ export function HelpDialog() {
         value={sought}
         onInput={({ currentTarget }) => setSought(currentTarget.value)}
         onKeyDown={(event) => {
-          // Else the browser would only empty the field.
+          // Without this, the browser only empties the field.
           if (event.key === 'Escape') close();
         }}
       />

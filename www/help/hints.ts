@@ -71,9 +71,9 @@ export function createHints({
     lock: () => shuffles.value >= ENOUGH && !locked.value && selection.panels.value.length === 0,
   };
   const done: Record<Hint, () => boolean> = {
-    // Whoever is at work on a panel has found the way on.
+    // A user who selects panels needs no hint for Shuffle.
     shuffle: () => shuffles.value > 0 || selection.panels.value.length > 0,
-    // Who shuffles on is busy with something else.
+    // The hint ends if the user shuffles again.
     crop: () =>
       shuffles.value > before ||
       (cropsOf(store.page.value) !== crops && (store.page.value?.panels.some(({ edited }) => edited) ?? false)),

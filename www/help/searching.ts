@@ -24,7 +24,8 @@ export function searchHelp(
   const has = (text: string) => words.every((word) => plain(text).includes(word));
   const begins = (text: string) => words.every((word) => beginsIn(plain(text), word));
   const found = topics.filter(({ title, text }) => has(`${title} ${text}`));
-  // A lock is no block; but where nothing begins so, a part of a compound may be meant.
+  // Matches at the start of a word are preferred: "lock" should not find "block". Without any, parts of compounds
+  // count.
   const near = found.filter(({ title, text }) => begins(`${title} ${text}`));
   return {
     topics: [...(near.length > 0 ? near : found)].sort((a, b) => Number(has(b.title)) - Number(has(a.title))),

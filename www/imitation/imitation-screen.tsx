@@ -36,7 +36,7 @@ export function ImitationScreen() {
 
   const subject = fact?.id;
   useEffect(() => (subject === undefined ? undefined : imitation.prepare(subject)), [subject]);
-  // A picture that came is looked at without being asked; what is under way ends with the workspace.
+  // Analyses a new picture automatically. Closing the workspace cancels running work.
   useEffect(() => {
     if (picture && fact && imitation.proposals.peek().length === 0 && imitation.fault.peek() === null)
       void imitation.search(fact.id);

@@ -82,7 +82,7 @@ export function createImitation({
    */
   function prepare(id: string): () => void {
     const ends = new AbortController();
-    // What keeps it from its work, a search is kept from too, and tells.
+    // Errors are ignored here. A search would have the same error and report it.
     void engine.surveyLooks(id, { signal: ends.signal }).catch(() => undefined);
     return () => ends.abort();
   }

@@ -1,4 +1,4 @@
-/** The sounds of the films on the table: a button for each that has them heard, and what they may be drawn as. */
+/** Sounds of the imported videos: a button for each video starts the detection, and a list offers sound effects. */
 
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';

@@ -1,6 +1,6 @@
 /**
- * What is changed most often of the word that is chosen, in a bar beside it on the page: above it or below it, where there is
- * room, never over it. While text is written there is none, so that it and the keyboard of a screen never meet.
+ * The toolbar of the selected text item, with its most frequent settings. It is above or below the item, never over it.
+ * It is hidden while text is edited, so that it does not conflict with an on-screen keyboard.
  */
 
 import { useLayoutEffect, useRef } from 'preact/hooks';
@@ -18,7 +18,7 @@ const AIR = 18;
 const HANDLE = 12;
 /** Each press makes the letters so much larger or smaller. */
 const GROWTH = 1.12;
-/** What the switches of an effect give. */
+/** Values of the switches of a sound effect. */
 const ARC = 0.6;
 const SLANT = 15;
 const THICK = 0.14;
@@ -67,12 +67,12 @@ export function WordBar({ index, box }: { index: number; box: WordBox }) {
       class="word-bar"
       role="toolbar"
       aria-label={strings.wordBar}
-      // It finds its place anew where the page is enlarged.
+      // A change of the zoom updates its position.
       data-zoom={ui.zoom.value}
       onClick={stop}
       onPointerDown={stop}
       onKeyDown={(event: KeyboardEvent) => {
-        // Letters pressed here are no shortcuts of the page.
+        // Keys pressed here are not shortcuts of the page.
         if (event.key !== 'Escape' && event.key !== 'Tab') event.stopPropagation();
       }}
     >
@@ -174,7 +174,10 @@ function EffectTools({ word, set }: { word: Word; set: (news: Partial<Word>) => 
   );
 }
 
-/** Puts the bar above the word and its handles, else below them, in the middle over it as far as the window lets it. */
+/**
+ * Places the bar above the text item and its handles. Without enough space, it goes below them. It is centred, as far
+ * as the window allows.
+ */
 function place(bar: HTMLElement, box: WordBox, height: number, knob?: Place) {
   const page = bar.closest('.page') as HTMLElement;
   const [width, tall] = [page.clientWidth, page.clientHeight];

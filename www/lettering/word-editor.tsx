@@ -15,8 +15,8 @@ const NARROWEST = 110;
 const PADS = { balloon: 0.1, caption: 0.05, effect: 0.03 };
 
 /**
- * The text of a word, written in its balloon, which grows with the text. Enter takes it, Shift with Enter begins a line, and
- * Escape leaves it as it was.
+ * Edits the text of an item in its balloon, which grows with the text. Enter applies the text, Shift+Enter begins a new
+ * line, and Escape discards the changes.
  * @param props `height` of the page, in its widths
  */
 export function WordEditor({ index, box, height }: { index: number; box: WordBox; height: number }) {
@@ -48,13 +48,13 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
     };
   }, []);
 
-  /** @param text null leaves it as it was */
+  /** @param text null discards the changes */
   function end(text: string | null, byKey: boolean) {
     if (done.current) return;
     done.current = true;
     if (text === null) lettering.editing.value = -1;
     else lettering.write(index, text);
-    // Whoever clicked elsewhere has the focus there.
+    // After a click elsewhere, the focus stays there.
     if (byKey)
       requestAnimationFrame(() => focusOn(`[data-word="${index}"]`, '[data-word]', '.panels > [tabindex="0"]'));
   }
@@ -88,7 +88,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
 }
 
 /**
- * As large as the balloon and its text are, and not over the edge of the page, where the window may end.
+ * Sets the size to the size of the balloon and its text. The page limits the size, because the window may end there.
  * @param size of the balloon in page widths
  */
 function grow(area: HTMLTextAreaElement, page: HTMLElement, size: readonly [number, number], pad: number) {

@@ -50,15 +50,15 @@ const NEEDED = new Set([
   339,
   340,
   341,
-  342, // what its samples mean
+  342, // interpretation of samples
   282,
   283,
-  296, // pixels an inch
+  296, // resolution
   292,
   293,
   317,
   347,
-  50674, // what its compression needs
+  50674, // LERC parameters
   529,
   530,
   531,
@@ -95,7 +95,8 @@ export function tiffParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[]; 
   const little = bytes[0] === 0x49;
   const directories = directoriesOf(view, little);
   if (!directories) return null;
-  // Smaller copies may show what was cut from the picture; the first is the one that is opened.
+  // Reduced copies may show parts that were cropped from the picture. The first directory is the picture that programs
+  // open.
   const pictures = directories.filter(({ fields }, i) => i === 0 || !(numberOf(view, little, fields, KIND) & REDUCED));
 
   const pixels: Range[] = [];
