@@ -16,7 +16,7 @@ const WORKER = 'service-worker.js';
 const SOURCE = fileURLToPath(new URL('./offline/worker/main.ts', import.meta.url));
 /** The nets and their module: larger than all the rest, and not everyone's. */
 const ON_USE = /^assets\/(?:nets-[^/]*\.wasm|[^/]*\.onnx)$/;
-/** The sample album can be tried without a connection, but nobody needs it. */
+/** The sample album works offline, but is not necessary. */
 const EXTRAS = /^samples\/.*\.(?:jpg|json)$/;
 /** Not asked for by the page, still being built while it is served, or for the host, which may keep it to itself. */
 const NOT = /\.(?:md|map)$|^assets\/nets-later\.|^_headers$/;

@@ -37,7 +37,7 @@ export function keepBook({
       const byId = new Map(photos.map((photo) => [photo.id, photo]));
       repair();
       const stale = remember(byId);
-      // The page that is edited follows by itself, and is up to date when it is turned away.
+      // The edited page is updated automatically, and is up to date when the user leaves it.
       if (page) known.set(page, essence(page, byId));
       if (stale && !waiting) {
         waiting = true;

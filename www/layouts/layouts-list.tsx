@@ -1,6 +1,6 @@
 /**
- * The layouts as thumbnails, filtered by family and number of panels: the layout of the page if it is in no list,
- * custom layouts, and built-in layouts that are good for the page.
+ * The layouts as thumbnails, filtered by family and number of panels. The list has custom layouts and the built-in
+ * layouts that are good for the page. If the layout of the page is in neither list, it comes first.
  */
 
 import { useSignal } from '@preact/signals';

@@ -17,7 +17,7 @@ type Size = { width: number; height: number };
 /**
  * @param frames WebP files of that size
  * @param ms that each is seen
- * @param changes whether each but the first shows what is new in it alone (`changesOf`)
+ * @param changes whether every frame except the first contains only its changes (`changesOf`)
  */
 export function animatedWebp(
   frames: readonly Uint8Array<ArrayBuffer>[],

@@ -33,7 +33,7 @@ export function AnimaticPanel({ of, close, children }: AnimaticProps) {
   const change = (part: Partial<AnimaticWish>) => setWish({ ...chosen, ...part });
   const { planned, failed } = usePlan(wish);
   const kinds = useKinds(wish);
-  // What the browser cannot encode is not offered; the next best is taken.
+  // Formats that the browser cannot encode are not offered. The next best format is used.
   const kind = kinds === null || kinds.includes(wish.kind) ? wish.kind : kinds[0];
   const asked = useMemo(() => ({ ...wish, kind }), [wish, kind]);
   const seconds = planned ? planned.plan.frames / planned.plan.rate : 0;
@@ -196,7 +196,7 @@ function useKinds({ size }: AnimaticWish): readonly Kind[] | null {
   const [kinds, setKinds] = useState(null as readonly Kind[] | null);
   useEffect(() => {
     let gone = false;
-    // Of a film: the size of a GIF file says nothing of what an encoder can do.
+    // Tested with a video, because the size of a GIF does not depend on an encoder.
     void kindsHere(animatics.sizeOf({ kind: 'mp4', size })).then((found) => {
       if (!gone) setKinds(found);
     });

@@ -105,7 +105,8 @@ export function createAnimatics({
 
   /**
    * Which panels of pages or shots can be animated: photos that are frames of an available video.
-   * @returns `apart`: it would, but its style draws subjects apart, which are known of one picture alone
+   * @returns `apart`: it would move, but its style draws subjects separately, and the subject masks of a video are
+   * known for one frame only
    */
   function living(of: AnimaticWish['of']): 'none' | 'apart' | 'some' {
     const page = store.page.value;

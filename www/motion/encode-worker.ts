@@ -38,7 +38,7 @@ export type FromEncoder =
   | { file: ArrayBuffer }
   | { error: { code: string; message: string } };
 
-/** Seconds between two frames from which a film can be shown. */
+/** Seconds between key frames. Playback can start only at a key frame. */
 const KEY_FRAMES = 2;
 /** Frames between two words of how far it is. */
 const TOLD = 6;

@@ -49,7 +49,7 @@ export function createLoops({
     pixels: number,
     { signal, onDrawn = () => {} }: { signal?: AbortSignal; onDrawn?: (loops: DrawnLoop[]) => void } = {},
   ): Promise<DrawnLoop[]> {
-    // Its subjects are known of one picture alone.
+    // The subject masks are known for one frame only.
     if (drawsParts(store, document)) return [];
     const boxes = store.planner.peek()?.geometry(document.layout, document.page).panels ?? [];
     const moving = new Map(
@@ -77,7 +77,7 @@ export function createLoops({
         const patches = await engine.drawLiving(document, pictures[0], width, moment, { signal }).catch(orNone(signal));
         if (patches.length > 0) keep(pictures[0], patches);
       } else {
-        // What lies over a panel that moves is laid over it again.
+        // Pictures that lie above a moving panel are drawn again on top of it.
         const over = pictures.filter((index) =>
           [...moving].some(([below, { box }]) => below < index && overlap(box, boxes[index]?.bounds)),
         );

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * The engine in Node: the same as in a browser, its workers are threads. What browsers alone do is not there: films, and
- * photos that only a browser decodes (AVIF, HEIC).
+ * The engine in Node. It works as in a browser, but its workers are threads. It has no codecs of browsers, so it cannot
+ * read videos, AVIF and HEIC.
  */
 
 import { availableParallelism } from 'node:os';

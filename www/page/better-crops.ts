@@ -11,7 +11,7 @@ import type { Bounds, PageDocument } from '../engine/types.ts';
 
 export type BetterCrops = ReturnType<typeof createBetterCrops>;
 
-/** Milliseconds on the screen after which the user has seen a page. */
+/** Minimum time on the screen, in milliseconds, for a page that counts as seen. */
 const LOOK = 1000;
 /** Overlap of two crops that look alike, 0 to 1. */
 const SAME = 0.9;

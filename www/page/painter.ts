@@ -22,7 +22,7 @@ export type Slot = {
 };
 export type Sheet = { document: PageDocument; geometry: Geometry; width: number; slots: Slot[] };
 
-/** Time in ms after which a new layout appears with the panels that are ready. */
+/** Maximum time in ms that a new layout waits for all of its panels. */
 const PATIENCE = 120;
 /** A page that will take longer than this, in ms, is first drawn at half the size. */
 const COARSE_ABOVE = 100;

@@ -1,4 +1,4 @@
-/** Which language the page speaks: the person's choice, else the browser's first that there is, else English. */
+/** The language of the app: the user's choice, or the first supported language of the browser, or English. */
 
 /** Languages by code, each in its own words. */
 export const LANGUAGES = {
@@ -24,7 +24,7 @@ export function pickLanguage(chosen: string | null, wanted: readonly string[]): 
 }
 
 /**
- * How numbers, dates and lists are written: as where the person lives, if the browser tells of such a place.
+ * The locale for numbers, dates and lists: the user's region, if the browser reports it.
  * @param wanted the browser's languages, the best first
  */
 export function localeOf(language: Language, wanted: readonly string[]): string {
@@ -44,7 +44,7 @@ export function browserLanguages(): readonly string[] {
   return typeof document === 'undefined' ? [] : navigator.languages;
 }
 
-/** Keeps the choice for the next load; where the browser keeps nothing it is lost. */
+/** Stores the choice for the next start, if the browser allows storage. */
 export function rememberLanguage(language: Language) {
   try {
     window.localStorage.setItem(KEY, language);

@@ -30,7 +30,7 @@ export const language: Language = translation === english ? 'en' : wanted;
 
 if (typeof document !== 'undefined') document.documentElement.lang = language;
 
-/** What a language does not say, or not yet, is said in English. */
+/** Missing texts of a language appear in English. */
 const words = filled(translation.words, english.words);
 
 export const strings = compose(localeOf(language, browserLanguages()), { ...translation, words });

@@ -20,7 +20,7 @@ export function createRecentStyles(box: () => Box) {
       try {
         box().setItem(KEY, JSON.stringify(ids.peek()));
       } catch {
-        // Refused or full: what was chosen in this visit is known anyway.
+        // Storage is blocked or full. The choices of this visit are still in memory.
       }
     },
   };

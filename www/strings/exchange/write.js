@@ -1,5 +1,5 @@
 // @ts-check
-/** Puts sentences into the files of a language, which stay as they are written but for these. */
+/** Replaces texts in the files of a language, without other changes. */
 
 import { bare, leavesOf, nameOf, readSource } from './source.js';
 
