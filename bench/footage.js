@@ -12,7 +12,7 @@ const [SHOTS, SECONDS] = [120, 5];
 /**
  * Makes a film with ffmpeg, once: ten minutes that come again until it is as long as it should be.
  * @param {string} album folder of photos
- * @param {string} folder where films are kept
+ * @param {string} folder for the videos
  * @param {number} minutes
  * @returns {string} path of an MP4 file, 854 x 480, 24 frames per second, H.264 and a tone
  */

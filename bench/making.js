@@ -1,14 +1,14 @@
 // @ts-check
 /**
- * Styles in the making, in the real page: how often the designer's preview follows a slider, how fast the explorer invents, and
- * how long styles are looked for that look like a picture.
+ * Custom styles in the real app: updates of the designer's preview while a slider moves, generated styles per second in
+ * the explorer, and the time of a search for a style like a picture.
  */
 
 import { opened } from './opened.js';
 
 /** @typedef {import('playwright-core').Browser} Browser */
 
-/** A chain of three blocks, the first of which is moved: all three are drawn anew for every picture. */
+/** A chain of three blocks. The slider changes the first one, so all three run for every picture. */
 const CHAIN = ['Gaussian Smoothing', 'XDoG', 'Soft Threshold'];
 const DRAG_MS = 3000;
 /** How long a person looks for a picture in the browser's file dialog, at least. */
@@ -19,8 +19,8 @@ const DIALOG_MS = 4000;
  * @param {string} address of the site
  * @param {string[]} photos paths
  * @param {string[]} pictures paths of pictures whose style is wanted
- * @returns {Promise<{ frames: number, width: number, height: number, styles: number, searches: number[], hasty: number }>} pictures a
- *   second, their size, styles a second, milliseconds of each search, and of one whose picture is there with the workspace
+ * @returns {Promise<{ frames: number, width: number, height: number, styles: number, searches: number[], hasty: number }>} pictures per
+ *   second, their size, styles per second, milliseconds of each search, and of a search that starts when the workspace opens
  */
 export async function making(browser, address, photos, pictures) {
   const page = await opened(browser, address, photos);

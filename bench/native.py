@@ -81,7 +81,7 @@ OPERATIONS = {
     "Size, percent 50, colour": size(rgb, 50, cv2.INTER_AREA),
     "Size, percent 200": size(gray, 200, cv2.INTER_CUBIC),
     "Linear Histogram Equalization": equalize,
-    # What OpenCV has for the same purpose; the pictures are not the same.
+    # The OpenCV function for the same purpose. Its pictures differ.
     "Flow Lines": lambda: cv2.pencilSketch(bgr),
     "Engraving": lambda: cv2.pencilSketch(bgr),
     "Pencil Strokes": lambda: cv2.pencilSketch(bgr),

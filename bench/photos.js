@@ -5,8 +5,8 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 
 import { join } from 'node:path';
 
 /**
- * So many 12-megapixel JPEG files, no two alike: the photos of the album, then mirrored parts of them. Kept between
- * runs.
+ * Writes `count` different 12-megapixel JPEG files: the photos of the album, then mirrored parts of them. The files are
+ * reused by later runs.
  * @param {import('playwright-core').Browser} browser
  * @param {string} album folder
  * @param {string} folder for the result

@@ -1,9 +1,9 @@
 // @ts-check
-/** What is timed: every block, the variants in which it differs much, and whole styles. */
+/** Rows of the benchmark: every block, variants with a different cost, and whole styles. */
 
 /** @typedef {import('./page/contest.js').Row} Row */
 
-/** Where the default parameters do nothing. @type {Record<string, Record<string, any>>} */
+/** Parameters of blocks that do nothing by default. @type {Record<string, Record<string, any>>} */
 const TELLING = { hue: { angle: 30 }, size: { percent: 50 }, dynamic_range: { range: 255 } };
 
 /** Blocks that take either and are meant for colour. */

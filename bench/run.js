@@ -30,7 +30,7 @@ const PEERS = {
   photon: '@silvia-odwyer/photon',
 };
 
-/** Photos of an afternoon, and of a journey. */
+/** Number of photos of an afternoon and of a holiday. */
 const [FEW, MANY] = [12, 300];
 /** A part of a series, and a long film. */
 const MINUTES = [30, 120];
@@ -103,9 +103,9 @@ if (broken.length > 0) {
 }
 
 /**
- * Times one part beside the rows, if it is asked for: one that breaks down costs its own figures, not the minutes of the others.
- * @param {string} name as it is asked for
- * @param {string} what it is called while it is timed
+ * Times one part in addition to the rows, if it is requested. If it fails, only its values are missing.
+ * @param {string} name of the part on the command line
+ * @param {string} what label while it is timed
  * @param {() => Promise<void>} time
  */
 async function part(name, what, time) {

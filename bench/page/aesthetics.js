@@ -8,7 +8,10 @@ const PHOTOS = ['/album/09-mariachi.jpg', '/album/02-kitten.jpg', '/album/13-did
 const [WIDTH, HEIGHT] = [240, 180];
 const RUNS = 9;
 
-/** @returns {Promise<{ ms: number, load: number } | null>} the median, and `load` with compiling, once; null where the net was not made */
+/**
+ * @returns {Promise<{ ms: number, load: number } | null>} the median, and `load` with compilation, measured once; null
+ * if the model is missing
+ */
 export async function aesthetics() {
   const file = await fetch('/models/aesthetics.onnx');
   if (!file.ok) return null;

@@ -10,9 +10,9 @@ const FIGURES = ['02-kitten', '07-red-panda', '08-kingfisher', '11-giraffe', '18
 const OTHERS = ['01-coffee', '05-path', '06-castle', '09-mariachi', '12-pyramid', '17-festival'];
 const PAGE = { width: 2480, height: 3508 };
 const KEEP = { layout: false, style: false, photos: false };
-/** Width in pixels at which pages are drawn: that of a large screen. */
+/** Width in pixels of the rendered pages, as on a large screen. */
 const WIDTH = 1600;
-/** Seeds of pages, of which those count on which a figure steps out; and how often each is drawn. */
+/** Number of seeds to try for pages on which a subject breaks its panel border, and number of pages to measure. */
 const SEEDS = 40;
 const PAGES = 7;
 const RUNS = 5;
@@ -49,7 +49,10 @@ export async function figures() {
   return { pages: rows.length, panels: of('panels'), plain: of('plain'), broken: of('broken'), ratio };
 }
 
-/** Both by turns, so that whatever else the machine does is in both. @param {Studio} studio @param {string} plain @param {string} broken */
+/**
+ * Measures both variants alternately, so that other load affects both. @param {Studio} studio @param {string} plain
+ * @param {string} broken
+ */
 function compared(studio, plain, broken) {
   const times = { plain: /** @type {number[]} */ ([]), broken: /** @type {number[]} */ ([]) };
   const draw = (/** @type {string} */ document) => {

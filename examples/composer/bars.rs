@@ -1,4 +1,4 @@
-//! What geometry can tell of pages, over two hundred of them.
+//! Geometric measurements of two hundred automatic pages.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -17,7 +17,7 @@ use crate::seen::seen;
 use crate::{Failure, Photo, page};
 
 const PAGES: u32 = 200;
-/// What stands above the table.
+/// Text above the table.
 const ABOUT: &str = "\
 # Automatic pages
 

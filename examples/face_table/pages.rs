@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use crate::cuts::crops;
 use crate::seen::seen;
 
-/// What stands above the table.
+/// Text above the table.
 const ABOUT: &str = "\
 ## Whole pages
 

@@ -4,7 +4,7 @@ use std::fs;
 
 /// Forgets the peak so far; gives the bytes in use now.
 pub(crate) fn begin() -> Option<u64> {
-    // Documented in proc(5): 5 sets the peak back to what is in use.
+    // See proc(5): writing 5 resets the peak to the current memory use.
     fs::write("/proc/self/clear_refs", "5").ok()?;
     field("VmRSS:")
 }

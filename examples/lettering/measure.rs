@@ -1,4 +1,4 @@
-//! How well the words of a page lie, measured on what is drawn.
+//! Measures the placement of text on rendered pages.
 
 use inkpanel::framing::{Crop, PhotoMeta};
 use inkpanel::layout::{Bounds, Point};
@@ -10,20 +10,20 @@ use inkpanel::page::{Document, Patch};
 /// Width at which pages are drawn to be measured.
 const WIDTH: usize = 620;
 
-/// What was counted on pages.
+/// Counts over several pages.
 #[derive(Debug, Default, Clone)]
 pub(crate) struct Figures {
     /// Balloons.
     pub(crate) balloons: usize,
-    /// Faces that are seen in panels with words, and those of them that a word or a tail covers a part of.
+    /// Visible faces in panels with text, and how many of them are partly covered by text or a tail.
     pub(crate) faces: (usize, usize),
-    /// Area of bodies in panels with words, and what of it is covered.
+    /// Area of bodies in panels with text, and the covered part of it.
     pub(crate) bodies: (f64, f64),
-    /// Area of the figures that masks show in panels with words, and what of it is covered.
+    /// Area of subject masks in panels with text, and the covered part of it.
     pub(crate) silhouettes: (f64, f64),
-    /// Tails, and those that lead to a mouth, or to what is largest where there is none.
+    /// Number of tails, and of tails that point to a mouth. Without a face, the largest subject counts.
     pub(crate) tails: (usize, usize),
-    /// Words with a corner of a line outside of their shape, or a text that is not whole.
+    /// Text items that extend beyond their shape, or whose text is truncated.
     pub(crate) outside: usize,
     /// Pairs of words that overlap.
     pub(crate) overlaps: usize,
@@ -33,14 +33,14 @@ pub(crate) struct Figures {
     pub(crate) disorder: usize,
     /// Smallest and largest letters, in points on A4.
     pub(crate) points: Option<(f64, f64)>,
-    /// Balloons that hang on another, whose tail is theirs.
+    /// Balloons that are linked to another one and share its tail.
     pub(crate) joined: usize,
-    /// What was found wrong, for those who look for it.
+    /// Descriptions of all faults.
     pub(crate) told: Vec<String>,
 }
 
 impl Figures {
-    /// Adds those of another page.
+    /// Adds the counts of another page.
     pub(crate) fn add(&mut self, other: Self) {
         self.balloons += other.balloons;
         self.faces = (self.faces.0 + other.faces.0, self.faces.1 + other.faces.1);
@@ -81,10 +81,10 @@ struct Seen {
     bounds: Bounds,
 }
 
-/// Measures a page; `name` stands in what is told.
+/// Measures a page. Descriptions of faults contain `name`.
 ///
 /// # Errors
-/// Those of drawing it.
+/// Errors of rendering.
 pub(crate) fn measure(
     page: &Document,
     photos: &[PhotoMeta],
@@ -191,7 +191,7 @@ fn seen_in(page: &Document, ground: &Ground, panel: usize, photos: &[PhotoMeta])
             height: subject.height * down,
         },
     });
-    // What is cut off for the most part is not seen.
+    // A subject that is mostly cut off does not count as visible.
     let shown = |seen: &Seen| {
         let part = inside(seen.bounds, image);
         part.width * part.height > 0.3 * seen.bounds.width * seen.bounds.height
@@ -275,7 +275,7 @@ fn touching(a: &Patch, b: &Patch) -> bool {
     })
 }
 
-/// The first balloon of the chain that each word hangs in; none for words that stand alone.
+/// Returns the first balloon of the chain of each text item; `None` for items without a link.
 fn chains(all: &[Laid]) -> Vec<Option<usize>> {
     let before = |i: usize| {
         let name = all[i].word.hangs_on()?;
@@ -305,7 +305,7 @@ fn holds_its_text(laid: &Laid, letters: &Letters) -> bool {
     })
 }
 
-/// What is wrong with a tail: it should lead to a mouth, end before it, and pass nobody else.
+/// Returns the fault of a tail. It should point to a mouth, end before it, and not cross another subject.
 fn wrong_tail(laid: &Laid, seen: &[Seen]) -> Option<String> {
     let Some(tip) = laid.tip else { return Some("is missing".into()) };
     let middle = laid.middle;

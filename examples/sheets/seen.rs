@@ -1,4 +1,5 @@
-//! What of a photo is seen on a page, counted by points against the exact outlines, not by what framing goes by.
+//! Measures the visible part of a photo on a page with sample points against the exact outlines. It does not
+//! use the approximations of framing.
 
 use inkpanel::framing::{Crop, FACE, Subject};
 use inkpanel::layout::{Bounds, Point, ResolvedPanel, ResolvedShape, polygon};

@@ -1,5 +1,5 @@
-//! The reference of Edge Tangent Flow: Kang's field, and a Gaussian line integral along it. The same stands in
-//! `tests/oracles/etf.py`.
+//! The reference of Edge Tangent Flow: Kang's field, and a Gaussian line integral along it.
+//! `tests/oracles/etf.py` has another implementation.
 //!
 //! ```text
 //! t(x)  = Sobel's gradient, turned by a quarter

@@ -12,7 +12,7 @@ use inkpanel::style::blade::buckets;
 
 use crate::Outcome;
 
-/// No photo counts for more pixels than this: what is larger is cut to its middle.
+/// Maximum size of a photo. Larger photos are cropped to their centre.
 const SIDES: (usize, usize) = (1280, 960);
 
 /// A photo's luma.
