@@ -13,7 +13,8 @@ use inkpanel::document::saved::Saved;
 use inkpanel::raster::decode::{Limits, decode};
 use made::Tiff;
 
-/// A folder with a photo, tiles in planes that do not divide their image, and files that are no photos.
+/// A folder with a photo, a TIFF with planar tiles that do not divide its size, and files that are not
+/// photos.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let sample = crate::root("tests/oracles/data/files/jpeg-444.jpg");
@@ -130,7 +131,7 @@ fn a_font_gives_letters_and_what_none_has_is_named() {
     }
     let page = |name: &str| fs::read(folder.path().join(name)).unwrap();
     assert_ne!(page("page.png"), page("bare.png"));
-    // What is not as it was asked for stops strict work; what is no font stops all.
+    // A warning stops a run with --strict. An invalid font stops every run.
     assert_eq!(drawn(&["--strict"], "strict.png").status.code(), Some(1));
     let output = drawn(&["--font", "words.json"], "wrong.png");
     let said = text(&output.stderr);

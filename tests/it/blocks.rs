@@ -19,7 +19,7 @@ enum Bound {
     Rmse(f64),
     /// Peak signal to noise ratio, at least, in decibels.
     Decibels(f64),
-    /// At most 1 off, but for this share of the samples.
+    /// Maximum difference 1, except for this share of the samples.
     OneBut(f64),
     /// Means of areas of 24 x 24 pixels, as shares of full ink.
     Coverage(f64),
@@ -53,7 +53,7 @@ fn bound(block: &str, params: &Map<String, Value>) -> Option<Bound> {
         // The trained filters see 7 x 7 pixels a pass; beyond sigma 2 they are approximate.
         "etf" if number("sigma") <= 2.0 => Decibels(43.0),
         "etf" => Decibels(39.0),
-        // p = 20 multiplies the error of the blurs, which are kept to 1/64 of a grey step.
+        // p = 20 multiplies the error of the blurs, which store 1/64 of a grey level.
         "xdog" => Rmse(1.0),
         // A grid of cells for a sum over all pixels.
         "detail" if number("delta") < 0.0 => Decibels(40.0),
@@ -110,7 +110,7 @@ fn cases() -> Vec<Case> {
         .collect()
 }
 
-/// What the block draws, as three planes or one, each row by row.
+/// Returns the result of the block as three planes or one, row by row.
 fn actual(case: &Case) -> Image {
     let mut image = read(&format!("{}.png", case.source));
     if case.source == "luma" {
@@ -138,7 +138,7 @@ fn expected(case: &Case, channels: usize) -> Vec<Vec<u8>> {
     (0..channels).map(plane).collect()
 }
 
-/// Whether the samples are within the bound, and what was measured.
+/// Returns whether the samples are within the limit, and the measured value.
 fn judge(bound: Bound, actual: &[Vec<u8>], expected: &[Vec<u8>], width: usize) -> (bool, f64) {
     let pairs = || actual.iter().flatten().zip(expected.iter().flatten());
     let count = pairs().count() as f64;

@@ -1,5 +1,5 @@
-//! Sheets of boards with a logo in their heads: it is shown as it is, read with the head, and drawn of a saved project by the
-//! command line.
+//! Storyboard sheets with a logo in their header: the logo is drawn unchanged, read with the header, and
+//! drawn from a saved project by the command line.
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -42,7 +42,7 @@ fn a_plain_picture_is_that_photo_to_the_pixel_in_any_style() {
         page
     };
     let image = checked(60, 50);
-    // Where the style draws a part of it only, too.
+    // Also if the style draws only a part of it.
     let subject = Some(Matte::try_from("2x2:ap2a".to_owned()).unwrap());
     let photos: Photos = [("a".to_owned(), Photo { image: image.clone(), subject })].into();
     for style in ["noir", "storyboard", "spot-colour"] {

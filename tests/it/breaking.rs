@@ -1,4 +1,4 @@
-//! Figures that step out of their panels: where they may be seen, and in which files.
+//! Subjects that break their panel border: their visibility, and the file formats that show them.
 
 use std::collections::BTreeMap;
 
@@ -24,7 +24,8 @@ fn style() -> Value {
     json!({ "id": "plain", "name": "Plain", "tags": [], "background": [] })
 }
 
-/// A figure with a round head on an oval body, its face known; some stand in the middle, some end at the photo's edge.
+/// A person with a round head on an oval body, with a detected face. Some are in the middle, some end at the
+/// photo's edge.
 fn photo(i: u64, random: &mut Rand64) -> (PhotoMeta, Image) {
     let (width, height) = if i.is_multiple_of(3) { (600, 800) } else { (900, 600) };
     let mut between = |low: f64, high: f64| low + random.rand_float() * (high - low);
@@ -122,7 +123,7 @@ fn seen_of_words(page: &Document, photos: &native::Photos) -> (usize, usize) {
         for (i, pixel) in patch.rgba.chunks_exact(4).enumerate().filter(|(_, pixel)| pixel[3] > 0) {
             let at =
                 (patch.area.x + (i % patch.area.width) as i64, patch.area.y + (i / patch.area.width) as i64);
-            // Where two meet the later one lies over the earlier.
+            // If two subjects overlap, the later one is on top.
             if pixel[3] == 255 {
                 seen.insert(at, [pixel[0], pixel[1], pixel[2]]);
             } else {
@@ -204,7 +205,8 @@ fn example() -> (Document, usize, Vec<(PhotoMeta, Image)>) {
     (page, own, photos)
 }
 
-/// A photo of a broad thing with a sure border, which stands on a foot that is hardly one: the mask as a whole is sure enough.
+/// A photo of a broad object with a clear border, on a foot with a vague border. The mask as a whole is clear
+/// enough.
 fn with_a_vague_foot(i: u64) -> (PhotoMeta, Image) {
     let (width, height) = (900, 600);
     let x = 330 + 40 * (i as usize % 4);
@@ -293,7 +295,7 @@ fn without_its_figure_a_page_differs_outside_of_the_panel_alone() {
     }
     let panel: usize = inside.iter().map(|inside| usize::from(*inside == 255)).sum();
     assert!(outside * 200 > panel, "{outside} of {panel}");
-    // Where the border was, and at the figure's own edge.
+    // At the former border, and at the edge of the subject.
     assert!(within * 20 < panel, "{within} of {panel}");
 }
 
@@ -330,7 +332,8 @@ fn a_panel_and_its_figure_are_cut_out_of_one_drawing() {
     assert!(met > 300, "{met}");
 }
 
-/// A figure that ends at a side of its panel leaves the border there as it is, though the line of paper about it would reach it.
+/// If a subject ends at a side of its panel, the border there stays complete, although the outline of the
+/// subject would reach it.
 #[test]
 fn a_border_that_no_figure_crosses_stays_whole() {
     let (mut whole, mut crossed) = (0, 0);

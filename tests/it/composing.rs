@@ -1,4 +1,5 @@
-//! Albums that leave the composer little or nothing to choose from: a page each time, whole, and the same for the same seed.
+//! Albums with little or no choice for the composer: each gives a complete page, and the same seed gives the
+//! same page.
 
 use inkpanel::framing::PhotoMeta;
 use inkpanel::page::Document;

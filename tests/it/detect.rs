@@ -106,7 +106,7 @@ fn small_faces_of_a_large_photo_are_found_in_its_parts() {
     let found = faces(&detectors.detect(&photo).unwrap());
     assert_eq!(found.len(), 1, "{found:?}, at first {first:?}");
     let [left, top, right, bottom] = corners(&found[0]).map(|side| side * 2400.0);
-    // The astronaut's face, as the whole picture alone gives it.
+    // The astronaut's face, as detected in the whole picture.
     let expected =
         [1500.0 + 0.339 * 512.0, 300.0 + 0.133 * 512.0, 1500.0 + 0.546 * 512.0, 300.0 + 0.34 * 512.0];
     for (found, expected) in [left, top, right, bottom].iter().zip(expected) {

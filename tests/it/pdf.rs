@@ -48,7 +48,7 @@ fn count(bytes: &[u8], what: &str) -> usize {
     bytes.windows(what.len()).filter(|window| *window == what.as_bytes()).count()
 }
 
-/// What is packed in the file, but for pictures.
+/// Returns the decompressed streams of the file, except pictures.
 fn streams(bytes: &[u8]) -> Vec<Vec<u8>> {
     let starts = (0..bytes.len() - 8)
         .filter(|&i| bytes[i..].starts_with(b"stream\n") && !bytes[..i].ends_with(b"end"));
@@ -160,7 +160,7 @@ fn what_is_read_has_an_order_and_pictures_have_words() {
     assert_eq!(count(&file, "/Lang(pt-BR)") + count(&file, "/Marked true"), 2);
     assert_eq!(count(&file, "<rdf:li xml:lang=\"x-default\">Sea &lt;1&gt;</rdf:li>"), 1);
     assert_eq!(count(&file, "/Alt(A gray slope & more)"), 1);
-    // A line's end is no letter.
+    // A line break adds no character.
     assert_eq!(count(&file, "/ActualText(KRAK OOM)"), 1);
     assert_eq!(count(&file, "/S/GTS_PDFA1"), 1);
     assert_eq!(count(&file, "/TrimBox[0 0 595.2 841.92]"), 1);
@@ -263,10 +263,11 @@ fn art_goes_on_beyond_the_edge_and_marks_stay_outside() {
             assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 25), "{i}: {a:?} {b:?}");
             assert!(b[0] > b[1] + 60, "{i}: {b:?}");
         }
-        // More of the photo where there is more: darker to the left of its left edge; else its mirror image.
+        // The bleed shows more of the photo if there is more, which is darker to the left. Otherwise it shows
+        // a mirror image.
         let (edge, far) = (at(left + 1, 120)[0], at(left - 12, 120)[0]);
         assert!(if i == 0 { far >= edge } else { far < edge }, "{i}: {edge} {far}");
-        // Between the bleed and the rim are marks, at the corners alone.
+        // Between the bleed and the edge of the sheet there are crop marks, only at the corners.
         let dark = |x: usize, y: usize| at(x, y).iter().sum::<i32>() < 700;
         assert!((left - 2..=left + 1).any(|x| dark(x, 8)) && !(100..250).any(|x| dark(x, 8)));
     }
@@ -286,7 +287,7 @@ fn a_page_without_bleed_has_the_pixels_it_had() {
     document.page.bleed = 0.02;
     assert!(document.to_json().contains("bleed"));
     let after = drawn(&document);
-    // What is within the edge is drawn from the same part of the photo: hardly a pixel of lines moves.
+    // The trimmed page shows the same part of the photo: hardly any pixel of a line moves.
     let off = before.iter().zip(&after).filter(|(a, b)| a.abs_diff(**b) > 64).count();
     assert!(off * 20 < before.len(), "{off} of {}", before.len());
 }

@@ -65,7 +65,7 @@ fn a_look_in_steps_is_the_look_at_once() {
             break;
         }
     }
-    // As many as the net has operators: whoever waits is not kept from a core for long.
+    // About one step per operator, so that other work on the core waits only briefly.
     assert!(steps > 100, "{steps} steps");
 }
 

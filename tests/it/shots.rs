@@ -1,5 +1,5 @@
-//! Lists of shots: what they say is what `OpenTimelineIO` reads in them, to the frame (`tests/oracles/shots.py`), and what a saved
-//! project tells.
+//! Shot lists: `OpenTimelineIO` reads the same shots in them, to the frame (`tests/oracles/shots.py`), and
+//! they match the saved project.
 
 use inkpanel::document::file::ProjectFile;
 use inkpanel::output::shots::timecode::{Pace, Rate, StartTimecode};
@@ -79,7 +79,7 @@ fn is_edl(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|ending| ending == "edl")
 }
 
-/// `cargo xtask bless shots` writes them anew; then `tests/oracles/shots.py` reads them.
+/// `cargo xtask bless shots` updates them. Then `tests/oracles/shots.py` reads them.
 #[test]
 fn lists_are_those_that_were_read() {
     for (name, _, text) in files() {

@@ -3,7 +3,8 @@
 
     python3 tests/oracles/reduced.py        (pillow)
 
-Writes tests/oracles/data/reduced/NAME.jpg and NAME-4.png, NAME-2.png, NAME-1.png: so many samples for eight.
+Writes tests/oracles/data/reduced/NAME.jpg and NAME-4.png, NAME-2.png, NAME-1.png. The number is the reduced
+size of eight samples.
 """
 
 import pathlib

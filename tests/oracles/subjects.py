@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""Photos whose subjects are marked: an outline drawn by hand, its border found by GrabCut, looked at and corrected.
+"""Marks the subjects of photos: a manual outline, refined by GrabCut at its border, reviewed and corrected.
 
     python3 tests/oracles/subjects.py [--looks FOLDER] [--again] [NAME...]    (numpy, pillow, opencv-python-headless)
 
 Writes tests/data/subjects/NAME.png of each photo: 1 bit a pixel, 640 pixels along the longer side, white within. `--looks` writes the
 photos with their marks laid over them, to be looked at.
 
-What a subject is follows what a person would cut out: people and animals with what they hold, of things the one that the photo is of;
-no branch or rock under an animal, no shadow, no whisker or hair by itself. Outlines are in pixels of the photo reduced to 640 along
-its longer side. Farther than `band` from its outline a pixel is sure; between, GrabCut (Rother, Kolmogorov and Blake, 2004) says to
-which side it goes, by the colours of both and the edges. A band of 0 takes the outline as it is.
+A subject is the part to cut out: people and animals with the things that they hold, or the
+main object. Branches and rocks under an animal, shadows, and single whiskers or hairs are not part of it.
+Outlines are in pixels of the photo reduced to 640 along its longer side. Pixels farther than `band` from the
+outline are certain. GrabCut (Rother, Kolmogorov and Blake, 2004) decides the others by the colours of both
+sides and the edges. With a band of 0, the outline is the border.
 """
 
 import json
