@@ -31,7 +31,7 @@ impl Lettering {
     }
 
     /// Makes a run of text a letter of all fonts; see `page::words::learning`. Returns whether it is one now.
-    #[allow(clippy::too_many_arguments, reason = "a picture, as plain numbers")]
+    #[allow(clippy::too_many_arguments, reason = "plain numbers of a picture")]
     pub fn learn(
         &mut self,
         run: &str,

@@ -112,7 +112,7 @@ fn tell(plan: &Animatic, (of, told): (&str, Value), asked: &Animate) -> Result<(
     let pattern = asked.output.join("frame-%05d.png").display().to_string();
     if !asked.json {
         let rate = (plan.rate * 1000.0).round() / 1000.0;
-        return print_lines([format!("{pattern}  {} frames, {rate} a second", plan.frames)]);
+        return print_lines([format!("{pattern}  {} frames, {rate} per second", plan.frames)]);
     }
     crate::print(&json!({
         "frames": plan.frames, "fps": plan.fps, "rate": plan.rate, "width": plan.size[0], "height": plan.size[1],

@@ -23,7 +23,7 @@ pub(crate) fn expanded<C: CommandFactory>(
     let complain = |reason: String| format!("{}: {reason}", file.display());
     let settings = read(&file).map_err(complain)?;
     let command = C::command();
-    let render = command.find_subcommand("render").ok_or("there is no render")?;
+    let render = command.find_subcommand("render").ok_or("the render command is missing")?;
     let folder = file.parent().unwrap_or(Path::new(""));
     let (head, tail) = arguments.split_at(2);
     let (options, files) = options(settings, render, folder, tail).map_err(complain)?;

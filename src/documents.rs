@@ -56,7 +56,7 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
     let mut paths: HashMap<String, PathBuf> = HashMap::new();
     for photo in photos_on(&shown) {
         let path = found(photo, file, files).ok_or_else(|| {
-            complain(format!("the photo {photo} is neither beside it nor among the photos given"))
+            complain(format!("the photo {photo} is neither in its folder nor among the given photos"))
         })?;
         paths.insert(photo.to_owned(), path);
     }

@@ -90,7 +90,7 @@ impl Kind {
             Some("pdf") => Ok(Self::Pdf),
             Some("inkpanel") => Ok(Self::Project),
             _ => Err(format!(
-                "{}: give the page a name that ends in .png, .jpg, .webp, .pdf, .html, .epub, .cbz or .inkpanel",
+                "{}: the name of the page must end in .png, .jpg, .webp, .pdf, .html, .epub, .cbz or .inkpanel",
                 output.display()
             )),
         }
@@ -147,9 +147,9 @@ pub(crate) fn encoded(
         Kind::Png => png::encode_rgb(width, height, rgb, dpi),
         Kind::Jpeg => jpeg::encode_rgb(width, height, rgb, dpi, quality),
         Kind::Webp => webp::encode_rgb(width, height, rgb),
-        Kind::Pdf => return Err("a photo becomes a .png, .jpg or .webp file".into()),
+        Kind::Pdf => return Err("stylize writes .png, .jpg or .webp".into()),
         Kind::Project | Kind::Comic(_) | Kind::Shots(_) => {
-            return Err("that is made of photos, by render".into());
+            return Err("this format is only available in `render`".into());
         }
     };
     file.map_err(|error| error.to_string())
@@ -201,14 +201,14 @@ const MOST_BLEED: f64 = 25.0;
 fn millimetres(text: &str) -> Result<f64, Complaint> {
     let told = text.trim_end_matches("mm").trim().parse::<f64>().ok();
     told.filter(|told| (0.0..=MOST_BLEED).contains(told))
-        .ok_or_else(|| format!("a bleed is a number of millimetres from 0 to {MOST_BLEED}"))
+        .ok_or_else(|| format!("must be a number of millimetres from 0 to {MOST_BLEED}"))
 }
 
 fn imposition(name: &str) -> Result<Imposition, Complaint> {
     let found = Imposition::ALL.iter().find(|(known, _)| *known == name);
     found.map(|(_, how)| *how).ok_or_else(|| {
         let names: Vec<&str> = Imposition::ALL.iter().map(|(known, _)| *known).collect();
-        format!("pages are imposed as one of {}", names.join(", "))
+        format!("must be one of {}", names.join(", "))
     })
 }
 
@@ -221,7 +221,10 @@ fn sheet(text: &str) -> Result<[f64; 2], Complaint> {
         Some(&[width, height]) if [width, height].iter().all(|side| (20.0..=5000.0).contains(side)) => {
             Ok([width, height])
         }
-        _ => Err(format!("a sheet is such as 210x297 in millimetres, or one of {}", PaperSize::names())),
+        _ => Err(format!(
+            "expected WIDTHxHEIGHT in millimetres, such as 210x297, or one of {}",
+            PaperSize::names()
+        )),
     }
 }
 
@@ -326,7 +329,7 @@ pub(crate) fn write_book(
     (printing, subjects): Printed<'_>,
 ) -> Result<Vec<PathBuf>, Complaint> {
     if printing.plates && is_standard(&output.path) {
-        return Err("plates are a file for each ink: give the output a name".into());
+        return Err("--plates writes one file per ink, so it needs --output with a file name".into());
     }
     let name = if printing.plates { &output.path } else { &output.named };
     let mut written = Vec::new();
@@ -357,7 +360,7 @@ fn draw_book(
     let style = documents.first().ok_or("the document has no pages")?.style().map_err(told)?;
     let inks = plates::inks(&style).ok_or_else(|| {
         format!(
-            "the style {} prints no plates; one with the block \"Inks (Printing Plates)\" does",
+            "the style {} has no plates; choose a style with the block \"Inks (Printing Plates)\"",
             style.name
         )
     })?;
@@ -367,7 +370,7 @@ fn draw_book(
         .iter()
         .any(|page| page.style().is_ok_and(|style| plates::inks(&style).as_ref() != Some(&inks)))
     {
-        return Err("the pages are printed with different inks; plates are of pages in one style".into());
+        return Err("the pages have different inks; plates need one style for all pages".into());
     }
     let exact = documents.iter().map(plates::exact).collect::<Result<Vec<_>, _>>().map_err(told)?;
     let mut files = Vec::new();

@@ -546,7 +546,7 @@ fn plan_page(
         drawing::add_words(&mut first.document, file, &photos, &fonts)?;
     }
     if let Some(wanted) = render.pages.filter(|wanted| *wanted as usize != pages.len()) {
-        telling::note(None, &format!("there are {} pages, not {wanted}", pages.len()));
+        telling::note(None, &format!("{} pages instead of {wanted}", pages.len()));
     }
     plans::tell_differences(&pages, render.panels, &request.photos, &photos);
     let drawn: Vec<Document> = pages.iter().map(|page| page.document.clone()).collect();

@@ -75,7 +75,7 @@ impl Album<'_> {
             .collect();
         let others: Vec<&Value> =
             sheets.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, sheet)| sheet).collect();
-        let own = sheets.get(at).ok_or("there is no page")?;
+        let own = sheets.get(at).ok_or("the project has no page")?;
         let tray: Vec<Value> = self
             .photos
             .iter()

@@ -31,7 +31,7 @@ impl Aesthetics {
     pub fn score(&self, picture: &Image) -> Result<f64> {
         let [logits] = self.0.run(&stretched(picture))?;
         if logits.len() != MOST {
-            return Err(Error::Detector("the file holds another net".into()));
+            return Err(Error::Detector("the file has another model".into()));
         }
         Ok(mean(&logits))
     }

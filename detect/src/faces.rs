@@ -81,7 +81,7 @@ impl Faces {
         let (input, place) = letterbox(photo, region, self.net.side());
         let [boxes, logits] = self.net.run(&input)?;
         if boxes.len() != CELLS * CELLS * NUMBERS || logits.len() != CELLS * CELLS {
-            return Err(Error::Detector("the file holds another net than the face detector".into()));
+            return Err(Error::Detector("the file is not the face detector".into()));
         }
         let mut found = Vec::new();
         for (cell, (numbers, logit)) in boxes.chunks_exact(NUMBERS).zip(&logits).enumerate() {

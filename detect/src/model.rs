@@ -32,7 +32,7 @@ impl<const OUTPUTS: usize> Net<OUTPUTS> {
             .and_then(IntoRunnable::into_runnable)
             .map_err(|error| failed(&error))?;
         if plan.model().outputs.len() != OUTPUTS {
-            return Err(Error::Detector("the file holds another net".into()));
+            return Err(Error::Detector("the file has another model".into()));
         }
         Ok(Self { steps: steps(&plan), plan, side })
     }

@@ -10,7 +10,7 @@ use tract_onnx::tract_hir::internal::bail;
 /// The net with each `Cast` of half-precision weights replaced by weights in single precision. Nearly half of a net's
 /// operators are such casts, and the time that tract takes to prepare a net grows faster than their number.
 pub(super) fn unpacked(mut net: ModelProto) -> TractResult<ModelProto> {
-    let Some(graph) = &mut net.graph else { bail!("a net without a graph") };
+    let Some(graph) = &mut net.graph else { bail!("a model without a graph") };
     let mut casts: HashMap<String, String> = HashMap::new();
     graph.node.retain(|node| {
         let cast = node.op_type == "Cast";

@@ -28,7 +28,7 @@ pub enum Error {
         /// Share of the image that can be decoded.
         percent: u8,
     },
-    /// A sound file of a kind that we do not read.
+    /// A valid file in an unsupported variant of the format.
     #[error("this kind of {format} file cannot be read: {reason}")]
     Unsupported {
         /// Name of the format.

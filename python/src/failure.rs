@@ -34,7 +34,7 @@ impl Failure {
 
     /// A fault of ours.
     pub(crate) fn fault(reason: &str) -> Self {
-        Self::new("fault", format!("this is a fault of Inkpanel, please report it: {reason}"))
+        Self::new("fault", format!("internal error; please report it: {reason}"))
     }
 }
 

@@ -20,7 +20,7 @@ pub(crate) fn of(folder: &Path) -> Done<Arc<Nets>> {
         "no-models" => Failure::new(
             "no-models",
             format!(
-                "{failure}; the nets that find faces and objects are not here: pass detect=False, or their folder as models"
+                "{failure}; the detection models are missing; pass detect=False, or their folder as models"
             ),
         ),
         _ => failure.into(),

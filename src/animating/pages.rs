@@ -112,7 +112,7 @@ impl Pages {
     pub(super) fn drawn(&self, clip: usize) -> Result<Drawn, Complaint> {
         let told = |error: Error| error.to_string();
         let Clip { picture, reading: Some(reading), .. } = &self.plan.clips[clip] else {
-            return Err("a page is not read by a fault of Inkpanel".into());
+            return Err("internal error: a page is missing in the plan".into());
         };
         let mut page = Document::parse(&picture.to_string()).map_err(told)?;
         page.words.clone_from(&self.documents[clip].words);

@@ -83,7 +83,7 @@ impl Reel<'_> {
     fn make(&self, look: &Look, frames: &[u32], drawn: &HashMap<usize, Drawn>) -> Result<(), Complaint> {
         let size = self.plan.size.map(|side| side as usize);
         let seen = |shown: &Shown, told: &Told| {
-            let clip = drawn.get(&shown.clip).ok_or("a picture is missing by a fault of Inkpanel")?;
+            let clip = drawn.get(&shown.clip).ok_or("internal error: a picture is missing")?;
             clip.seen(&shown.view, told, size)
         };
         let mut rgb = seen(&look.under, &look.told)?;

@@ -62,7 +62,7 @@ impl From<Error> for Failure {
 pub fn survived<T, F: From<Failure>>(work: impl FnOnce() -> Result<T, F>) -> Result<T, F> {
     // Nothing that the work may have left half done is looked at again.
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| {
-        let message = "this is a fault of Inkpanel, please report it: the reason is on standard error";
+        let message = "internal error; please report it with the message on standard error";
         Err(Failure::new("fault", message).into())
     })
 }

@@ -175,7 +175,7 @@ impl TryFrom<Hexadecimal> for EnergyMap {
         let (columns, rows) = (text.columns, text.rows);
         let sides = 1..=4 * LONGEST;
         if !sides.contains(&columns) || !sides.contains(&rows) || text.values.len() != columns * rows * 2 {
-            return Err(format!("an energy map of {columns} x {rows} cells has two digits a cell"));
+            return Err(format!("an energy map of {columns} x {rows} cells has two digits per cell"));
         }
         let digit = |byte: u8| char::from(byte).to_digit(16).map(|digit| digit as u8);
         let cell = |pair: &[u8]| Some(digit(pair[0])? << 4 | digit(pair[1])?);

@@ -99,7 +99,7 @@ impl TryFrom<String> for Facts {
     type Error = &'static str;
 
     fn try_from(text: String) -> Result<Self, Self::Error> {
-        const WRONG: &str = "facts of a photo are written in 50 hexadecimal digits";
+        const WRONG: &str = "photo metrics must have 50 hexadecimal digits";
         let digits: Option<Vec<u8>> =
             text.chars().map(|digit| digit.to_digit(16).map(|value| value as u8)).collect();
         let digits = digits.filter(|digits| digits.len() == 2 * (TONES + 9)).ok_or(WRONG)?;

@@ -273,6 +273,6 @@ mod hexadecimal {
         u64::from_str_radix(&text, 16)
             .ok()
             .filter(|_| text.len() == 16)
-            .ok_or_else(|| D::Error::custom("a fingerprint has 16 hexadecimal digits"))
+            .ok_or_else(|| D::Error::custom("a fingerprint must have 16 hexadecimal digits"))
     }
 }

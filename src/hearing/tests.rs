@@ -1,5 +1,5 @@
 //! Made-up sounds.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use super::*;
 use proptest::prelude::*;

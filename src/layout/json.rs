@@ -49,7 +49,7 @@ impl<'a> Field<'a> {
             if !allowed.contains(&key.as_str()) {
                 return Err(self
                     .at_key(key, &Value::Null)
-                    .error(format!("is not a field of this object; it may have {}", allowed.join(", "))));
+                    .error(format!("is not a field of this object; the fields are {}", allowed.join(", "))));
             }
         }
         Ok(())

@@ -42,7 +42,7 @@ pub fn balanced(count: usize, most: usize, counts: &[usize]) -> Vec<usize> {
     sizes
 }
 
-/// How much speaks for a cut before each photo but the first, 0 to 1.
+/// Score of a page break before each photo, except the first, 0 to 1.
 #[must_use]
 pub fn cuts(photos: &[PhotoMeta]) -> Vec<f64> {
     let times: Vec<Option<f64>> =

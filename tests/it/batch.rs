@@ -204,7 +204,7 @@ fn an_ending_that_is_not_known_is_refused_and_those_that_are_tell_the_truth() {
         ] {
             let said = text(&done.stderr);
             assert_eq!(done.status.code(), Some(1), "{file}: {said}");
-            assert!(said.contains("a name that ends in .png, .jpg, .webp"), "{said}");
+            assert!(said.contains("must end in .png, .jpg, .webp"), "{said}");
             assert!(!folder.path().join(file).exists());
         }
     }
@@ -244,7 +244,7 @@ fn what_is_not_as_it_was_asked_for_is_told_and_strict_stops_there() {
         "bee",
         "left out",
         "panels, not 50",
-        "photos repeat: there are 4",
+        "photos repeat: 4 photos",
         "nobody.jpg: --star",
     ] {
         assert!(said.contains(part), "{part}: {said}");
@@ -325,7 +325,7 @@ fn stopped_work_goes_on_and_files_are_there_whole_or_not_at_all() {
     let before = fs::metadata(page(1)).unwrap().modified().unwrap();
     fs::remove_file(page(2)).unwrap();
     let again = render(folder.path(), &asked);
-    assert!(text(&again.stderr).contains("page-01.png, which is there"), "{}", text(&again.stderr));
+    assert!(text(&again.stderr).contains("page-01.png, skipped"), "{}", text(&again.stderr));
     assert_eq!(fs::metadata(page(1)).unwrap().modified().unwrap(), before);
     assert!(page(2).exists());
     let one = render(folder.path(), &["-o", "page-01.png", "--skip-existing", "album"]);
@@ -373,7 +373,10 @@ fn a_page_goes_out_as_data_and_comes_in_as_the_same_page() {
     assert!(book.status.success(), "{}", text(&book.stderr));
     assert!(page("two.pdf").starts_with(b"%PDF"));
     for (arguments, sentence) in [
-        (vec!["--document", "two.json", "-o", "x.png"], "is neither beside it nor among the photos given"),
+        (
+            vec!["--document", "two.json", "-o", "x.png"],
+            "is neither in its folder nor among the given photos",
+        ),
         (
             vec!["--document", "two.json", "-o", "x.png", "--style", "noir", "album"],
             "a saved page takes only",

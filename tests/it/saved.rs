@@ -317,7 +317,7 @@ fn a_project_that_cannot_be_drawn_is_refused_with_a_sentence() {
         (
             vec![&project[..]],
             "page.bmp",
-            "give the page a name that ends in .png, .jpg, .webp, .pdf, .html, .epub, .cbz or .inkpanel",
+            "the name of the page must end in .png, .jpg, .webp, .pdf, .html, .epub, .cbz or .inkpanel",
         ),
         (vec!["missing.inkpanel"], "missing.png", "missing.inkpanel: "),
     ] {

@@ -143,7 +143,7 @@ async function listOf(file: Blob): Promise<Told[]> {
   const tail = await viewOf(file.slice(tailAt));
   let at = tail.byteLength - END_SIZE;
   while (at >= 0 && tail.getUint32(at, true) !== END) at -= 1;
-  if (at < 0) throw damaged('its end is missing');
+  if (at < 0) throw damaged('it is truncated');
   const [disk, listDisk, here, count] = [4, 6, 8, 10].map((field) => tail.getUint16(at + field, true));
   const [length, start] = [12, 16].map((field) => tail.getUint32(at + field, true));
   if (count === ELSEWHERE_SHORT || length === ELSEWHERE || start === ELSEWHERE) throw damaged('ZIP64 is not supported');

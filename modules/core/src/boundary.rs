@@ -404,7 +404,7 @@ fn style_of(json: &str) -> Result<Style> {
 }
 
 fn not_begun() -> Error {
-    Error::Encode("no page was begun".into())
+    Error::Encode("no page is open".into())
 }
 
 fn internal(error: &impl std::fmt::Display) -> JsValue {

@@ -118,7 +118,7 @@ impl Plate {
 }
 
 fn no_plate() -> Error {
-    Error::InvalidDocument { location: "style".into(), reason: "prints no plate of that number".into() }
+    Error::InvalidDocument { location: "style".into(), reason: "has no plate with this number".into() }
 }
 
 #[wasm_bindgen]

@@ -124,7 +124,7 @@ pub(super) fn readable(
         Some((file, damage)) => Ok((file, damage.checked(name)?)),
         // An unusual kind, which the decoder may support.
         None if markers.complete => Ok((markers.without_records(bytes), None)),
-        None => Err(Error::damaged(name, "its end is missing")),
+        None => Err(Error::damaged(name, "it is truncated")),
     }
 }
 

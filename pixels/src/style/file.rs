@@ -95,7 +95,7 @@ impl Style {
         let stem = file.rsplit('/').next().unwrap_or(file).trim_end_matches(".json");
         let id = text(file, map, "id")?.unwrap_or_else(|| stem.to_owned());
         let background = layer(file, map, "background")?
-            .ok_or_else(|| invalid(file, "background", "is missing; it is the list of blocks"))?;
+            .ok_or_else(|| invalid(file, "background", "is missing; it must be a list of blocks"))?;
         Ok(Self {
             name: text(file, map, "name")?.unwrap_or_else(|| id.clone()),
             id,

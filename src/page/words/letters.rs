@@ -58,7 +58,7 @@ impl Letters {
     /// # Errors
     /// `damaged` if the table is not complete and valid.
     pub fn parse(bytes: &[u8]) -> Result<Self> {
-        Reader { bytes }.letters().ok_or_else(|| Error::damaged("letters", "the table is not whole"))
+        Reader { bytes }.letters().ok_or_else(|| Error::damaged("letters", "the table is truncated"))
     }
 
     /// The table of the bundled fonts.

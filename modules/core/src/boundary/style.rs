@@ -200,7 +200,7 @@ impl Studio {
 
     fn stages(&self) -> Result<&Stages> {
         let first = self.designs.0.first().map(|(_, stages)| stages);
-        first.ok_or_else(|| Error::Encode("no design was begun".into()))
+        first.ok_or_else(|| Error::Encode("no design is open".into()))
     }
 }
 

@@ -9,7 +9,7 @@ use crate::style::params::{Unit, number};
 pub(super) static BLOCK: Block = Block {
     id: "dynamic_range",
     label: "Histogram Minimum Dynamic Range",
-    help: "Gives dull photos a least contrast and leaves the others alone.",
+    help: "Gives dull photos a minimum contrast. Other photos do not change.",
     input: Channels::Any,
     output: Channels::Any,
     params: &[number(

@@ -35,7 +35,7 @@ pub(super) static BLOCK: Block = Block {
         number(
             "length",
             "Stroke length",
-            "How far strokes are drawn on.",
+            "How far strokes are extended.",
             (6.0, 0.0, 24.0, 0.5),
             Unit::Pixels,
         ),

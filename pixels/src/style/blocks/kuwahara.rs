@@ -33,11 +33,11 @@ pub(super) static BLOCK: Block = Block {
         number(
             "stretch",
             "Stretch",
-            "How much longer than wide strokes are along edges.",
+            "Length of strokes along edges, relative to their width.",
             (70.0, 0.0, 100.0, 1.0),
             Unit::Percent,
         ),
-        integer("passes", "Passes", "How often it is painted over.", (2, 1, 4)),
+        integer("passes", "Passes", "Number of passes.", (2, 1, 4)),
     ],
     kernel: Kernel::Image(run),
 };

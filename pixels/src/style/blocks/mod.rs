@@ -202,6 +202,6 @@ pub(in crate::style) fn tried<T>(
     for &(i, value) in change {
         values[i] = value;
     }
-    #[allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+    #[allow(clippy::unwrap_used, reason = "a test may panic")]
     run(Args::new(&values, 1.0), &mut context).unwrap()
 }

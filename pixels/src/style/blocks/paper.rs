@@ -39,7 +39,7 @@ pub(super) static BLOCK: Block = Block {
                 names: &["white", "ivory", "cream", "newsprint", "kraft", "gray", "blue", "rose", "own"],
             },
         },
-        number("grain", "Grain", "How much of the surface is seen.", (40.0, 0.0, 100.0, 1.0), Unit::Percent),
+        number("grain", "Grain", "How visible the surface is.", (40.0, 0.0, 100.0, 1.0), Unit::Percent),
         number(
             "pigment",
             "In the paint",

@@ -46,7 +46,7 @@ pub(super) static BLOCK: Block = Block {
         ),
         integer("steps", "Steps", "Tones of a plate, paper among them; 1 keeps all.", (1, 1, 6)),
         number("density", "Density", "How much ink is laid.", (100.0, 40.0, 160.0, 1.0), Unit::Percent),
-        integer("seed", "Chance", "Another number shifts the plates another way.", (1, 0, 99)),
+        integer("seed", "Chance", "Random seed for the shift of the plates.", (1, 0, 99)),
         colour("ink_1", "Ink 1", "An ink of the set \"own\". White turns it off.", ink::RED.rgb),
         colour("ink_2", "Ink 2", "An ink of the set \"own\". White turns it off.", ink::BLUE.rgb),
         colour("ink_3", "Ink 3", "An ink of the set \"own\". White turns it off.", [255; 3]),

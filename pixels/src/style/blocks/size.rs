@@ -8,7 +8,7 @@ use crate::style::params::{Unit, number};
 pub(super) static BLOCK: Block = Block {
     id: "size",
     label: "Size",
-    help: "Works at another size from here on: small is coarse, large is fine.",
+    help: "Changes the working size of all later blocks: small is coarse, large is fine.",
     input: Channels::Any,
     output: Channels::Any,
     params: &[number(

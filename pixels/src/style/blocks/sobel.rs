@@ -16,7 +16,7 @@ pub(super) static BLOCK: Block = Block {
         Param {
             id: "invert",
             label: "Invert",
-            help: "Black lines on white, as a line layer wants them.",
+            help: "Black lines on white, for the line layer.",
             kind: Kind::Flag { default: false },
         },
     ],

@@ -24,7 +24,7 @@ use grid::Grid;
 pub(super) static BLOCK: Block = Block {
     id: "detail",
     label: "Image Detail Control",
-    help: "Smooths texture away or brings it forward, and leaves edges alone.",
+    help: "Removes or enhances texture without changing edges.",
     input: Channels::Any,
     output: Channels::Any,
     params: &[
