@@ -17,7 +17,7 @@ import { serve } from './server.js';
 
 const PHOTOS = 12;
 const RUNS = 3;
-/** Milliseconds between two looks at the memory. */
+/** Milliseconds between two measurements of the memory. */
 const LOOK = 250;
 /** Milliseconds without work before the memory is measured again. */
 const WHILE = 20_000;

@@ -1,5 +1,5 @@
 // @ts-check
-/** Films that are long: shots that move over the sample photos, each another part of one, cut hard. */
+/** Long test videos: the camera moves over different parts of the sample photos, with hard cuts. */
 
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, renameSync, writeFileSync } from 'node:fs';
@@ -10,7 +10,7 @@ const [WIDTH, HEIGHT, RATE] = [854, 480, 24];
 const [SHOTS, SECONDS] = [120, 5];
 
 /**
- * Makes a film with ffmpeg, once: ten minutes that come again until it is as long as it should be.
+ * Makes a video with ffmpeg, if it does not exist: ten minutes, repeated up to the requested length.
  * @param {string} album folder of photos
  * @param {string} folder for the videos
  * @param {number} minutes

@@ -123,7 +123,7 @@ async function browserDecodes(browser, photos) {
 }
 
 /**
- * Shuffles while the nets and the alternatives are at work.
+ * Shuffles while detection and the alternatives are running.
  * @param {Browser} browser
  * @param {string} address
  * @param {string[]} photos

@@ -11,7 +11,7 @@ import { opened } from './opened.js';
 /** A chain of three blocks. The slider changes the first one, so all three run for every picture. */
 const CHAIN = ['Gaussian Smoothing', 'XDoG', 'Soft Threshold'];
 const DRAG_MS = 3000;
-/** How long a person looks for a picture in the browser's file dialog, at least. */
+/** Minimum time that a user needs in the browser's file dialog. */
 const DIALOG_MS = 4000;
 
 /**

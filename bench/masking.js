@@ -38,7 +38,10 @@ export async function masking(browser, address, photos) {
   return { count: during.length, during: median(during), after: median(after), first, bare };
 }
 
-/** By turns with the net and without. @param {Browser} browser @param {string} address @param {string[]} photos */
+/**
+ * Runs with and without the model, alternately. @param {Browser} browser @param {string} address @param {string[]}
+ * photos
+ */
 async function firstPages(browser, address, photos) {
   const times = { first: /** @type {number[]} */ ([]), bare: /** @type {number[]} */ ([]) };
   for (let i = 0; i < OPENINGS; i += 1) {

@@ -73,7 +73,7 @@ OPERATIONS = {
     "Gaussian Smoothing": gaussian(gray, 2),
     "Gaussian Smoothing, sigma 6": gaussian(gray, 6),
     "Gaussian Smoothing, sigma 6, colour": gaussian(rgb, 6),
-    # The usual diameter of 9 instead of the 25 and more that the sigma asks for: less work, to OpenCV's advantage.
+    # The usual diameter of 9 instead of at least 25 for this sigma: less work, an advantage for OpenCV.
     "Image Detail Control, delta -100": lambda: cv2.bilateralFilter(gray, 9, 25, 8, borderType=replicate),
     "Sobel": sobel,
     "XDoG": xdog,

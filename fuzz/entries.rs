@@ -36,7 +36,7 @@ pub const ENTRIES: &[(&str, Entry)] = &[
     ("choice", choice),
 ];
 
-/// Small, so that a run is quick and a file that asks for much is seen to be refused.
+/// Small limits, so that runs are fast and large requests are rejected.
 const LIMITS: Limits = Limits { max_pixels: 1_000_000, max_side: 4096, max_bytes: 1 << 24 };
 /// The page that documents are laid out on, in pixels.
 const WIDTH: usize = 200;

@@ -1,6 +1,6 @@
-//! Films of saved projects on the command line, as numbered PNG files: the shots of a board one after the
-//! other, or its pages, read panel by panel. `output::animatic` and `output::motion` plan the frames; this
-//! module draws and writes them.
+//! Renders videos of saved projects on the command line as numbered PNG files: the shots of a storyboard in
+//! order, or animated pages. `output::animatic` and `output::motion` plan the frames; this module draws and
+//! writes them.
 
 mod drawn;
 mod pages;
@@ -120,7 +120,7 @@ fn tell(plan: &Animatic, (of, told): (&str, Value), asked: &Animate) -> Result<(
     }))
 }
 
-/// Whether a photo is a frame of a film.
+/// Returns whether a photo is a video frame.
 fn is_of_film(saved: &Saved, photo: &str) -> bool {
     saved.photo(photo).is_some_and(|photo| photo.video.is_some() && photo.time.is_some())
 }

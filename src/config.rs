@@ -95,7 +95,7 @@ fn options(
             }
             continue;
         }
-        // Files are looked for from the folder of the file of settings.
+        // Relative paths start at the folder of the settings file.
         let names_files = known.get_value_parser().type_id() == TypeId::of::<PathBuf>();
         for text in texts(&value, &key)? {
             let is_file =

@@ -48,7 +48,8 @@ impl Output {
     }
 }
 
-/// Writes a file beside the place where it belongs and puts it there when it is whole; or writes to standard output.
+/// Writes a temporary file in the same folder and renames it, so that the file is never incomplete. Can also
+/// write to standard output.
 ///
 /// # Errors
 /// A sentence with the name. A failed write changes nothing.

@@ -106,7 +106,7 @@ fn read(file: &Path) -> Result<Vec<Document>, Complaint> {
         .collect()
 }
 
-/// The file of a photo that is named as one was given, or in a folder beside the page.
+/// Returns the file of a photo: a given file with this name, or a file in a folder next to the page.
 fn found(photo: &str, page: &Path, files: &[PathBuf]) -> Option<PathBuf> {
     let wanted = Path::new(photo);
     let given =

@@ -279,12 +279,12 @@ impl Printing {
         Means { photos, fonts, masks, quality: self.quality(), enlarges: self.enlarge }
     }
 
-    /// The quality that is asked for.
+    /// Returns the requested quality.
     fn quality(&self) -> u8 {
         self.quality.unwrap_or(QUALITY)
     }
 
-    /// The language that is asked for.
+    /// Returns the requested language.
     pub(crate) fn language(&self) -> &str {
         self.language.as_deref().unwrap_or("en")
     }
@@ -307,7 +307,7 @@ impl Printing {
         }
     }
 
-    /// The page with the bleed that is asked for.
+    /// Returns the page with the requested bleed.
     fn bled(&self, document: &Document) -> Document {
         let mut page = document.clone();
         let width = f64::from(page.page.width) / f64::from(page.page.dpi.max(1)) * 25.4;
@@ -319,7 +319,7 @@ impl Printing {
 /// How pages are printed, and what their photos show.
 pub(crate) type Printed<'a> = (&'a Printing, &'a Subjects<'a>);
 
-/// Writes pages as one PDF file, or as one for each ink beside it.
+/// Writes pages as one PDF file, or also as one file per ink.
 ///
 /// Returns the files.
 pub(crate) fn write_book(

@@ -22,15 +22,15 @@
 //! | to | there is |
 //! |---|---|
 //! | give photos | [`Photo`], and an [`Album`] that has read them |
-//! | find faces and objects, so that no crop cuts them | [`Nets`](https://docs.rs/inkpanel/latest/inkpanel/struct.Nets.html) and `Album::detect` (feature `detect`) |
-//! | ask for pages | [`PageOptions`], [`layouts`], [`Style`] |
+//! | detect faces and objects, so that no crop cuts them | [`Nets`](https://docs.rs/inkpanel/latest/inkpanel/struct.Nets.html) and `Album::detect` (feature `detect`) |
+//! | plan pages | [`PageOptions`], [`layouts`], [`Style`] |
 //! | draw pages | [`Page`], [`Pixels`], [`pdf`] |
 //! | draw any picture in a style | [`Style::draw`] |
 //! | know what went wrong | [`Failure`] |
 //!
-//! The same photos and options make the same pixels, on every machine and in the browser. The crate
-//! has no global state, no clock, and no randomness except from the caller's seed. Work is spread over all cores;
-//! `RAYON_NUM_THREADS` says over how many.
+//! The same photos and options make the same pixels, on every machine and in the browser. The crate has no
+//! global state, no clock, and no randomness except from the caller's seed. Work uses all cores, or the
+//! number of threads in `RAYON_NUM_THREADS`.
 //!
 //! # Features
 //!
@@ -38,7 +38,7 @@
 //!
 //! | feature | for |
 //! |---|---|
-//! | `detect` | nets that find faces and objects |
+//! | `detect` | models that detect faces and objects |
 //! | `rare` | photos as WebP, TIFF and GIF, and with the colours of scanners and presses |
 //! | `files` | saved projects |
 //! | `cli` | the command line `inkpanel`: `cargo install inkpanel --features cli` |

@@ -661,7 +661,8 @@ fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMet
     used
 }
 
-/// Writes a photo in a style. If it `detects`, the style protects the faces, and knows the subject if it asks for it.
+/// Writes a photo in a style. If it `detects`, the style protects the faces, and knows the subject if it
+/// needs it.
 fn stylize_photo(
     style: &str,
     (input, detects): (&Path, bool),

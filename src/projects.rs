@@ -28,7 +28,7 @@ pub(crate) struct Album<'a> {
     pub(crate) photos: &'a [(PathBuf, Imported)],
     /// Ids of photos that pages may show.
     pub(crate) used: Vec<&'a str>,
-    /// Whether faces and objects were looked for.
+    /// Whether detection ran.
     pub(crate) looked: bool,
 }
 

@@ -81,7 +81,7 @@ fn made<D: Borrow<Document>>(
     (subjects, letters): (&Subjects<'_>, &Letters),
     picture: &mut dyn FnMut(&Document) -> Result<Vec<u8>, Complaint>,
 ) -> Result<Vec<u8>, Complaint> {
-    // Descriptions of panels are only in English; other languages say that it is a photo.
+    // Descriptions of panels exist only in English. In other languages, the text is just the word for photo.
     let english = told_of.language.split('-').next().is_some_and(|code| code.eq_ignore_ascii_case("en"));
     let page = |document: &D| {
         let document = document.borrow();

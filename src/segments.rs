@@ -69,7 +69,7 @@ pub(crate) fn add_masks(photos: &mut [(PathBuf, Imported)], models: Option<&Path
 pub(crate) struct Masks {
     pub(crate) known: HashMap<String, Matte>,
     pub(crate) models: Option<PathBuf>,
-    /// Nothing is looked for.
+    /// Without detection.
     blind: bool,
     net: OnceLock<Option<Segmenter>>,
 }

@@ -74,7 +74,7 @@ fn tiff_with_profile(length: u32) -> Vec<u8> {
     file
 }
 
-/// A TIFF file that says to have that many strips.
+/// A TIFF file that declares this many strips.
 fn tiff_of_strips(count: u32) -> Vec<u8> {
     let fields = vec![[273, 4, count, 8], [279, 4, count, 8]];
     let mut file = Tiff { fields, ..Tiff::rgb(45, 27) }.file();

@@ -26,7 +26,7 @@ const SHRINKS = new Set(['.html', '.js', '.css', '.json', '.wasm', '.svg', '.web
 /** Files compressed, by path and time of change. @type {Map<string, Promise<Buffer>>} */
 const small = new Map();
 
-/** Milliseconds between two looks at a file that is still being built. */
+/** Milliseconds between two checks for a file that is still being built. */
 const PATIENCE = 250;
 
 const server = createServer(async (request, response) => {

@@ -1,5 +1,5 @@
 // @ts-check
-/** How long the net that scores pictures takes for one, on this thread. */
+/** Measures the model that rates pictures, for one picture on this thread. */
 
 import init, { AestheticsNet } from '/detector/inkpanel.js';
 

@@ -1,11 +1,11 @@
 // @ts-check
-/** How much longer a page takes to draw when a figure steps out of a panel, on this thread. */
+/** Extra time to draw a page if a subject breaks its panel border, on this thread. */
 
 import initNets, { SubjectNet } from '/detector/inkpanel.js';
 import { subjectOf } from './detect.js';
 import init, { Album, Studio } from '/pkg/inkpanel.js';
 
-/** Photos with a figure, and others that fill the page with them. */
+/** Photos with a subject, and other photos that fill the page. */
 const FIGURES = ['02-kitten', '07-red-panda', '08-kingfisher', '11-giraffe', '18-rocket', '19-astronaut'];
 const OTHERS = ['01-coffee', '05-path', '06-castle', '09-mariachi', '12-pyramid', '17-festival'];
 const PAGE = { width: 2480, height: 3508 };
@@ -18,8 +18,8 @@ const PAGES = 7;
 const RUNS = 5;
 
 /**
- * @returns {Promise<{ pages: number, panels: number, plain: number, broken: number, ratio: number }>} medians over the pages: their
- *   panels, milliseconds without and with the figure, and how many times longer it takes
+ * @returns {Promise<{ pages: number, panels: number, plain: number, broken: number, ratio: number }>} medians over the
+ * pages: number of panels, milliseconds without and with the breakout, and their ratio
  */
 export async function figures() {
   await Promise.all([init(), initNets()]);

@@ -8,7 +8,7 @@ use tract_onnx::tract_hir::internal::*;
 use super::operators::constant;
 use super::planes::{self, Work};
 
-/// Enlarging by factors that a constant says.
+/// Upscaling by factors in a constant.
 #[derive(Debug, Clone)]
 pub(super) struct Enlarge;
 

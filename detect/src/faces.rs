@@ -18,7 +18,7 @@ const CELLS: usize = 48;
 /// Numbers per anchor: the box, and six points of the face, which are not used.
 const NUMBERS: usize = 16;
 const THRESHOLD: f64 = 0.5;
-/// In parts of a photo there is more that merely looks like a face.
+/// Parts of a photo give more false faces.
 const CLOSER_THRESHOLD: f64 = 0.7;
 const SAME: f64 = 0.3;
 
@@ -86,7 +86,7 @@ impl Faces {
         let mut found = Vec::new();
         for (cell, (numbers, logit)) in boxes.chunks_exact(NUMBERS).zip(&logits).enumerate() {
             let score = sigmoid(*logit);
-            // Not `score < threshold`: a net that gives no numbers finds nothing.
+            // Not `score < threshold`, so that NaN values count as no detection.
             if score > threshold {
                 let centre = |at: usize| (at as f64 + 0.5) / CELLS as f64;
                 let [across, down, width, height] = [0, 1, 2, 3].map(|i| f64::from(numbers[i]) / SIDE as f64);

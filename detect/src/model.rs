@@ -11,7 +11,7 @@ use super::operators;
 use super::weights::unpacked;
 use inkpanel_pixels::error::{Error, Result};
 
-/// A net with one input `[1, 3, side, side]` and a known number of outputs.
+/// A model with one input `[1, 3, side, side]` and a known number of outputs.
 pub(super) struct Net<const OUTPUTS: usize = 2> {
     plan: Arc<TypedRunnableModel>,
     steps: Arc<[Step]>,
@@ -19,7 +19,7 @@ pub(super) struct Net<const OUTPUTS: usize = 2> {
 }
 
 impl<const OUTPUTS: usize> Net<OUTPUTS> {
-    /// Reads a net and prepares it for running.
+    /// Reads a model and prepares it for running.
     pub(super) fn new(onnx: &[u8], side: usize) -> Result<Self> {
         let shape = [1, 3, side, side];
         let reader = operators::reader();
@@ -105,7 +105,7 @@ struct Step {
     done: Vec<usize>,
 }
 
-/// The order in which a net is computed.
+/// Returns the order of operations of a model.
 fn steps(plan: &TypedRunnableModel) -> Arc<[Step]> {
     let model = plan.model();
     let mut needed: HashSet<usize> = model.outputs.iter().map(|outlet| outlet.node).collect();

@@ -219,7 +219,7 @@ fn times(photos: &[Photo]) -> Result<String, Failure> {
             .collect();
         let shelf = Shelf::new(count);
         let begin = Instant::now();
-        // A gallery looks at every photo.
+        // A gallery contains every photo.
         let _ = gallery(&album, &shelf);
         let look = begin.elapsed().as_secs_f64() * 1e3 / count as f64;
         let mut request = Request { photos: album, ..Request::default() };

@@ -35,7 +35,7 @@ A person marked the cuts.
 - Recall: the share of same pictures in one group. Precision: the share of grouped pairs that come from one shot.
 ";
 
-/// A frame of a film.
+/// A frame of a video.
 struct Frame {
     shot: (usize, usize),
     time: u32,

@@ -1,4 +1,4 @@
-//! The most memory that a piece of work took, as Linux counts it; other systems are not asked.
+//! Measures peak memory of a task on Linux. Returns nothing on other systems.
 
 use std::fs;
 

@@ -65,7 +65,7 @@ impl Figures {
         100.0 * self.bodies.1 / self.bodies.0.max(1e-9)
     }
 
-    /// Share of the figures' area that is covered, in percent.
+    /// Returns the covered share of the subjects, in percent.
     pub(crate) fn covered_figures(&self) -> f64 {
         100.0 * self.silhouettes.1 / self.silhouettes.0.max(1e-9)
     }
@@ -157,7 +157,8 @@ pub(crate) fn measure(
             figures.told.push(format!("{name}: word {i} crosses the border of its panel"));
         }
         for (j, other) in all.iter().enumerate().skip(i + 1) {
-            // The first of a chain draws the outlines of all: these are looked at one by one.
+            // The first balloon of a chain draws the outlines of the whole chain, so the balloons are checked
+            // one by one.
             let chained = chains[i].is_some() && chains[i] == chains[j];
             let meet = if chained { ovals_meet(laid, other) } else { touching(&patches[i], &patches[j]) };
             if meet {
@@ -233,7 +234,8 @@ fn covered(patches: &[Patch], bounds: Bounds) -> (f64, f64) {
     (bounds.width * bounds.height, count as f64 / scale / scale)
 }
 
-/// The area of the figure that a panel shows by its photo's mask, and what of it words cover: pixel by pixel of the mask.
+/// Returns the area of the subject in a panel, by the mask of its photo, and the part that text covers,
+/// counted in pixels of the mask.
 fn figure_in(
     page: &Document,
     panel: usize,
@@ -363,7 +365,7 @@ fn first_hit(from: Point, to: Point, bounds: Bounds) -> Option<f64> {
     })
 }
 
-/// Whether a word is read before another: it is above, or beside it on the left.
+/// Returns whether a text item is read before another: it is above, or next to it on the left.
 fn read_before(a: &Laid, b: &Laid) -> bool {
     let half = |laid: &Laid| laid.setting.half.1;
     let common =

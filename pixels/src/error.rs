@@ -46,7 +46,7 @@ pub enum Error {
         /// The exceeded limit, as text.
         limit: String,
     },
-    /// A pixel buffer does not have the size that its width and height ask for.
+    /// The size of a pixel buffer does not match its width and height.
     #[error("{width} x {height} pixels need {expected} bytes, got {actual}")]
     BufferSize {
         /// Width in pixels.
@@ -146,7 +146,7 @@ pub enum Error {
     /// A picture for a style search is a plain photo.
     #[error("the picture looks like a plain photo; choose a drawing, a print or a painting")]
     PlainPhoto,
-    /// The caller asked to stop.
+    /// The caller cancelled the work.
     #[error("cancelled")]
     Cancelled,
     /// A model is damaged, unexpected, or failed.

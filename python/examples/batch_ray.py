@@ -22,8 +22,8 @@ PICTURES = {".jpg", ".jpeg", ".png", ".webp", ".gif", ".bmp", ".tif", ".tiff"}
 
 
 class Draw:
-    """A worker: draws the pages of albums, one after the other, on one core. It is made once for many batches, so the nets are
-    read once."""
+    """A worker: draws the pages of albums, one after the other, on one core. It is created once for many
+    batches, so the models are read once."""
 
     def __init__(self, settings, ending, pages, parquet, leave_out, retries):
         import inkpanel

@@ -1,4 +1,4 @@
-//! A page that is planned: drawn when its pixels or a file of it are asked for.
+//! A planned page. It is drawn when the caller requests its pixels or a file.
 
 use crate::failure::{Failure, detached};
 use crate::{arrays, python_of};

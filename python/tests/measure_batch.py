@@ -1,4 +1,5 @@
-"""Measures examples/batch_ray.py with one worker and with two, for docs/guide/batches.md: prints its figures.
+"""Measures examples/batch_ray.py with one worker and with two, for docs/guide/batches.md, and prints the
+results.
 
     python python/tests/measure_batch.py FOLDER [ALBUMS]
 

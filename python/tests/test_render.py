@@ -248,7 +248,7 @@ def test_errors_go_from_process_to_process():
 
 
 def test_faces_are_found_by_the_nets_of_the_wheel(samples):
-    """An astronaut looks at us: she stays whole in a panel that is wide."""
+    """The astronaut's face must be complete in a wide panel."""
     photo = next(file for file in samples if "astronaut" in file.name)
     crops = {}
     for detect in (True, False):

@@ -108,7 +108,7 @@ impl Pages {
         self.plan.clips.iter().enumerate().map(told).collect()
     }
 
-    /// A page as large as its film wants it, from the photos at their full size, with its words apart.
+    /// Returns a page at the size of the video, from the full-size photos, with its text items separately.
     pub(super) fn drawn(&self, clip: usize) -> Result<Drawn, Complaint> {
         let told = |error: Error| error.to_string();
         let Clip { picture, reading: Some(reading), .. } = &self.plan.clips[clip] else {

@@ -14,7 +14,7 @@ use std::collections::hash_map::Entry;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Dots an inch that the frames say they have, as screens do.
+/// Resolution in the frames' metadata, as for screens.
 const DPI: u32 = 96;
 
 /// Source and destination of frames.

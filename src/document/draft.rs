@@ -377,7 +377,7 @@ impl Draft {
     }
 }
 
-/// The ink of a style that says none.
+/// The default ink of a style.
 const BLACK: &str = "#000000";
 
 /// [`Draft::empty`] in JSON.
@@ -508,7 +508,7 @@ impl DraftEdit {
             "move" => Self::Move {
                 place,
                 to_layer: fields.part("toLayer", &mut self::layer)?.unwrap_or(layer),
-                // Who moves a block up says one less, whatever that is.
+                // Moving a block up subtracts one.
                 to: fields.required("to")?.as_f64().unwrap_or_default() as usize,
             },
             "remove" => Self::Remove { place },

@@ -20,7 +20,7 @@ pub const ARCHIVE_ENTRIES: usize = 20_000;
 /// Maximum unpacked size of one file in a project file, in bytes. The file is in memory, and once more during
 /// decoding.
 pub const ENTRY: u64 = 128 << 20;
-/// Chunks of a PNG file: one of more was not made to be looked at.
+/// Maximum number of chunks of a PNG file. More chunks mean a malformed file.
 pub const PNG_CHUNKS: usize = 100_000;
 /// Maximum number of other text chunks before the project in a PNG file. Files with more are treated as
 /// images.

@@ -19,7 +19,7 @@ use crate::plan::{Shelf, turns};
 use oorandom::Rand64;
 use std::collections::HashSet;
 
-/// A page of more panels than this is a page of stamps, unless a person asks for it.
+/// Maximum number of panels of a page, unless the user requests more.
 const MOST_PANELS: usize = 9;
 
 /// A photo narrower than this part of the page's width in pixels is too coarse for any panel.
@@ -209,7 +209,7 @@ impl<'p> Planning<'p> {
         let layout = locks.layout || wanted || (enough && !grow);
         let mut request = self.request(seed);
         request.keep = Keep { layout, style: true, photos: locks.photos || !grow };
-        // A photo that was just added is looked for on the page, so each gets a panel.
+        // Users expect to see a new photo on the page, so each gets a panel.
         if grow && !layout && panels.is_none() {
             request.panels = Some(self.photos.len().min(MOST_PANELS));
         }

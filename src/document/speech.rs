@@ -38,7 +38,7 @@ pub struct Said {
     pub manner: Manner,
     /// Name of the speaker, if known.
     pub speaker: Option<String>,
-    /// Whether another person speaks than before, marked by a dash.
+    /// Whether the speaker changes, marked by a dash.
     pub turn: bool,
     /// Text.
     pub text: String,
@@ -141,7 +141,7 @@ fn bracketed(line: &str) -> Option<(&str, &str, &str)> {
     Some((before, inside, after))
 }
 
-/// Whether a dash begins what another says, and the text without it.
+/// Returns whether a dash marks a change of the speaker, and the text without it.
 fn undashed(text: &str) -> (bool, &str) {
     let text = trimmed(text);
     let rest = text.strip_prefix(">>").or_else(|| text.strip_prefix(['-', '–', '—', '‐', '‑']));

@@ -1,4 +1,4 @@
-//! Pages that are planned: drawn when their pixels or a file of them are asked for.
+//! Planned pages. They are drawn when the caller requests their pixels or a file.
 
 use super::album::id;
 use super::failure::Failure;

@@ -15,7 +15,7 @@ use crate::order::sort_by;
 const EYE_LINE: f64 = 0.42;
 /// The paper's 40 pixels, as a fraction of the photo's longer side.
 const FIXED_EXPANSION: f64 = 0.04;
-/// Subjects that are looked at; the largest count.
+/// Maximum number of subjects; the largest ones count.
 const MOST_SUBJECTS: usize = 12;
 /// Faces that no crop may cut; a class or a wedding has more than crops are drawn round.
 const MOST_FACES: usize = 40;
@@ -23,7 +23,7 @@ const MOST_FACES: usize = 40;
 const STEPS: [f64; 3] = [1.0, 0.8, 0.6];
 /// Places across and down that the rule without detection tries at each step.
 const PLACES: u32 = 7;
-/// Closer looks, for a photo that is used again.
+/// Zoom factors for a photo that is used again.
 const CLOSER_STEPS: [f64; 2] = [0.5, 0.4];
 
 /// A rectangle in pixels of the photo.

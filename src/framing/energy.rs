@@ -7,7 +7,7 @@ use crate::raster::Image;
 
 /// Cells along the longer side of a photo.
 const LONGEST: usize = 48;
-/// Pixels along the longer side that are looked at; more give the same map.
+/// Maximum pixels along the longer side that are analysed. More pixels give the same map.
 const SAMPLES: usize = 480;
 
 /// The part of detail in the energy of a cell; the rest is contrast of colour.

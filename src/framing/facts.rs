@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::energy::{luma, rgb};
 use crate::raster::Image;
 
-/// Pixels along the longer side that are looked at.
+/// Maximum pixels along the longer side that are analysed.
 const SAMPLES: usize = 240;
 /// Steps of luma that are counted.
 pub(super) const TONES: usize = 16;

@@ -1,5 +1,5 @@
-//! Lettering in photos: signs, titles, names on boats. A crop that cuts through text looks like a mistake, so
-//! lines of text count as subjects.
+//! Lettering in photos: signs, titles, names on boats. A crop that cuts through text is a mistake, so lines
+//! of text count as subjects.
 //!
 //! Letters are strokes of even width, darker or lighter than their surroundings, of similar height, side by
 //! side. These observations are from Epshtein, Ofek, Wexler 2010, "Detecting text in natural scenes with

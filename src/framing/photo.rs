@@ -88,14 +88,14 @@ impl PhotoMeta {
         self.subjects.splice(0..0, found);
     }
 
-    /// Subjects for cropping: the detected ones and, if no person or animal is among them, the figure of the
-    /// mask.
+    /// Subjects for cropping: the detected ones, and the subject of the mask if no person or animal was
+    /// detected.
     pub fn marked(&self) -> impl Iterator<Item = Cow<'_, Subject>> {
         self.subjects.iter().map(Cow::Borrowed).chain(self.figure().map(Cow::Owned))
     }
 
     /// The box of the mask, for a photo without faces, people and animals. `None` if the mask confidence is
-    /// too low, or the figure is too large for a crop.
+    /// too low, or the subject is too large for a crop.
     fn figure(&self) -> Option<Subject> {
         if self.subjects.iter().any(Subject::is_alive) {
             return None;

@@ -1,8 +1,8 @@
 //! The visible part of a panel's rectangle: inside its outline, not covered by later panels, not in the
 //! gutters of a merge.
 //!
-//! It is sampled once on a grid and summed up, so that any of the many crops of a photo asks in constant time how much
-//! of a head it shows.
+//! A grid of samples with running sums gives the visible part of a head in constant time, for any of the many
+//! crops of a photo.
 
 use crate::layout::{Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
 

@@ -206,8 +206,8 @@ pub fn events(mut samples: Vec<f32>, rate: f32) -> Vec<Event> {
     all
 }
 
-/// The sounds as JSON, equal to the output of serde. A general number formatter would add half of the size of
-/// the films module.
+/// The sounds as JSON, equal to the output of serde. A general number formatter would increase the size of
+/// the `films` module by half.
 #[must_use]
 pub fn to_json(events: &[Event]) -> String {
     let time = |seconds: f64| {

@@ -1,7 +1,7 @@
 //! Spectra of sound: the frequencies in a frame of samples, and their measurements.
 //!
 //! The transform is a plain radix-2 FFT of one small size. Libraries add planners for every size, or sine
-//! tables half as large as the films module.
+//! tables of half the size of the `films` module.
 
 /// Seconds between two frames.
 pub(super) const STEP: f32 = 0.01;

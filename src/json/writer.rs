@@ -124,7 +124,7 @@ impl Writer {
         String::from_utf8(self.0).unwrap_or_default()
     }
 
-    /// Anything that says itself how it is written.
+    /// Writes any serialisable value.
     pub fn put(&mut self, value: &impl Serialize) {
         // Writing into memory cannot fail, and all keys are text.
         let _: Result<(), serde_json::Error> = serde_json::to_writer(&mut self.0, value);

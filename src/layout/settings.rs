@@ -138,7 +138,7 @@ const fn screen(
     PagePreset { id, name, purpose: Purpose::Screen, width, height, dpi: 96, safe, fold: 0 }
 }
 
-/// Two pages of a book beside each other.
+/// Two adjacent pages of a book.
 const fn spread(id: &'static str, name: &'static str, size: (u32, u32)) -> PagePreset {
     PagePreset { fold: tenths(100), ..printed(id, name, Purpose::Book, size, 60) }
 }
@@ -226,7 +226,8 @@ impl PageSettings {
         f64::from(self.width) / f64::from(self.height.max(1))
     }
 
-    /// Whether the page becomes a printed book, so that it needs the pixels of print. Other pages are looked at on screens first.
+    /// Whether the page becomes a printed book, so that it needs the pixels of print. Other pages are mainly
+    /// for screens.
     #[must_use]
     pub fn is_for_print(&self) -> bool {
         let size = (self.width, self.height);

@@ -30,7 +30,8 @@ const LOGO: (f64, f64) = (30.0, 9.0);
 const FLATTEST: f64 = 30.0;
 /// Offset of the header text next to a logo, which aligns their centres.
 const LOWER: f64 = 2.8;
-/// The part of the height of a cell that belongs to the text under a frame, at least; of its width to a frame with text beside it, at most.
+/// Minimum share of the cell height for the text below a frame, and maximum share of the cell width for a
+/// frame with text next to it.
 const UNDER: f64 = 0.27;
 const BESIDE: f64 = 0.56;
 /// Text height in millimetres by the maximum number of frames per sheet.

@@ -35,7 +35,7 @@ impl Patch {
     }
 
     /// Reduces the opacity where another patch covers it. `rgba` are the pixels of `area` on the same page.
-    /// The result looks as if the other patch were on top, if the page below shows the same pixels.
+    /// The result equals a drawing with the other patch on top, if the page below shows the same pixels.
     pub fn stand_behind(&mut self, area: PixelRect, rgba: &[u8]) {
         let own = self.area;
         let end = |start: i64, length: usize| start + length as i64;
@@ -67,9 +67,9 @@ pub fn render_panel(
     Ok(render_together(scene, &[index], photo, context)?.swap_remove(0))
 }
 
-/// Renders images of one panel: the panel, the breakout of its figure, its foreground. All are cut out of one
-/// drawing of constant size, so their pixels are equal where they meet. `photo` is the photo of the panel, at
-/// any resolution. Without it the panel is an empty frame.
+/// Renders the images of one panel: the panel, the breakout of its subject, its foreground. All are cut out
+/// of one drawing of constant size, so their pixels are equal where they meet. `photo` is the photo of the
+/// panel, at any resolution. Without it the panel is an empty frame.
 ///
 /// # Errors
 /// `invalid-document` for an index that the page does not have; `cancelled`.
@@ -110,7 +110,7 @@ pub fn render_together(
     Ok(pictures.iter().map(patch).collect())
 }
 
-/// Source of the images of a panel: its photo in its style, extended as far as its figure needs.
+/// Source of the images of a panel: its stylised photo, extended as far as its subject needs.
 pub(super) struct Drawing {
     /// The unstyled photo.
     pub(super) shown: Shown,

@@ -120,7 +120,7 @@ pub fn framed_json<'p>(photos: impl Iterator<Item = &'p PhotoMeta>, aspect: f64)
 
 /// The faces of a photo, or its animals if it has no faces, the largest first.
 fn faces_of(photo: &PhotoMeta) -> Vec<Crop> {
-    // As few digits as say where a pixel is: a project holds many.
+    // Rounded to the precision of a pixel, because a project has many crops.
     let rounded = |part: f64| (part.clamp(-1.0, 2.0) * 1e4).round() / 1e4;
     let mut faces: Vec<Crop> = Subject::protected(&photo.subjects)
         .map(|face| Crop {

@@ -27,7 +27,7 @@ const PICTURE_MARGIN: f64 = 0.05;
 pub(crate) struct LayoutsRequest {
     /// The page that they are for.
     page: PageSettings,
-    /// A person's own.
+    /// Whether it is a custom layout.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<Template>>", optional))]
     own: Vec<Value>,

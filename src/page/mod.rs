@@ -15,11 +15,11 @@
 //! | [`scene`] | a document resolved to pixels of one size |
 //! | [`mask`] | the inside of a panel and its border |
 //! | `bleed` | panels that go on beyond the edge of a page that is cut |
-//! | [`breaking`] | figures that step out of their panels |
-//! | `stepping` | the pixels of such a figure |
+//! | [`breaking`] | subjects that break their panel border |
+//! | `stepping` | the pixels of such a subject |
 //! | [`coverage`] | exact area coverage of pixels |
 //! | [`compose`] | panels rendered to patches, patches laid on paper |
-//! | [`living`] | panels that move, of a few seconds of a film |
+//! | [`living`] | animated panels: loops of a few seconds of a video |
 //! | [`cutout`] | the subject of a photo without its background |
 //! | [`words`] | captions, balloons and sound effects, laid on the panels |
 //! | [`png`] | the exported PNG file |

@@ -18,7 +18,7 @@ use oorandom::Rand64;
 use serde_json::Value;
 use std::borrow::Cow;
 
-/// Share of new layouts for which panels that share an image are looked at.
+/// Probability of panels that share an image in a new layout.
 const MERGE_CHANCE: f64 = 0.3;
 /// Groups of panels that are tried in one layout.
 const MERGES_TRIED: usize = 2;
@@ -34,11 +34,11 @@ pub struct Planned {
     pub score: Score,
 }
 
-/// Makes the page that `request` asks for.
+/// Plans a page for `request`.
 ///
 /// # Errors
-/// `no-photos`; `invalid-document` for page settings out of range; the errors of a layout or style that is
-/// asked for and does not exist.
+/// `no-photos`; `invalid-document` for page settings out of range; the errors of a requested layout or style
+/// that does not exist.
 pub fn plan(request: &Request) -> Result<Document> {
     planned(request, &Shelf::new(request.photos.len())).map(|planned| planned.document)
 }
@@ -78,7 +78,7 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
         seed: request.seed,
         layout: stage.layout.clone(),
         page: papered(&request.page, &style),
-        // A page that only changes its style or layout looks as before otherwise.
+        // If only the style or layout changes, the rest of the page does not change.
         balanced: current.is_none_or(|current| current.balanced || !request.keep.photos),
         style,
         order,

@@ -106,7 +106,7 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
     // The first page of a visit is to be liked at once.
     let first = current.is_none();
     let families = &request.within.styles;
-    // Who asks for families has chosen.
+    // A request with families is not a first page without wishes.
     let best = first && families.is_empty();
     let colours = if best { FIRST_IN_COLOUR } else { IN_COLOUR };
     let designed = catalogue::catalogue()
@@ -151,8 +151,8 @@ fn shared(styles: Vec<(f64, bool, Value)>, share: f64) -> Vec<(f64, Value)> {
     styles.into_iter().map(|(weight, keeps, style)| (weight * factor(keeps), style)).collect()
 }
 
-/// The settings of a page in a style: white paper becomes dark for a dark style, and white again for others. A person's own
-/// colours stay.
+/// The settings of a page in a style: white paper becomes dark for a dark style, and white again for others.
+/// Custom colours do not change.
 pub(super) fn papered(page: &PageSettings, style: &Value) -> PageSettings {
     let usual = PageSettings::default();
     let light = (usual.paper.as_str(), usual.border_color.as_str());

@@ -1,5 +1,5 @@
-//! Photos to panels, by exact assignment: along the order of the album by dynamic programming, in any order by the
-//! Hungarian method. Chance has a small say, so that two plans of one layout are not the same.
+//! Photos to panels, by exact assignment: along the order of the album by dynamic programming, in any order
+//! by the Hungarian method. The small random term lets two plans of one layout differ.
 
 use oorandom::Rand64;
 

@@ -9,9 +9,9 @@ use super::assign::gumbel;
 use super::best_first;
 use crate::layout::{self, Template};
 
-/// Layouts that one plan looks at.
+/// Number of layouts in one plan.
 pub const DRAWN: usize = 16;
-/// Most panels that a page gets unless more are asked for.
+/// Maximum number of panels of a page, unless the request has more.
 pub const USUAL_MOST: usize = 9;
 /// Preferred number of panels, and the factor for each panel more or fewer.
 const LIKED_COUNTS: std::ops::RangeInclusive<usize> = 5..=6;
@@ -22,7 +22,7 @@ const LEAST_SHARE: f64 = 0.07;
 const LEAD: [(f64, f64); 3] = [(1.55, 1.0), (1.3, 0.7), (0.0, 0.35)];
 /// Factor of layouts that consist of rectangles only.
 const PLAIN: f64 = 0.6;
-/// How far a person's liking may move a weight, either way.
+/// Maximum effect of a preference on a weight, in both directions.
 const MOST_LIKING: f64 = 1.6;
 
 /// The user's learned preferences, as natural logarithms of the factors for the weights of families and
@@ -160,7 +160,7 @@ pub fn is_within(families: &[String], family: &str) -> bool {
     families.is_empty() || families.iter().any(|other| other == family)
 }
 
-/// How much a family is liked, 0 to 1: by eye, over pages rated one by one.
+/// Returns the weight of a family, 0 to 1. The values come from manual ratings of pages.
 #[must_use]
 pub fn weight(family: &str) -> f64 {
     match family {

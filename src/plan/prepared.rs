@@ -12,7 +12,7 @@ use crate::layout::Bounds;
 pub const ASPECTS: usize = 12;
 /// The widest of them.
 const WIDEST: f64 = 3.0;
-/// Subjects that are looked at; the largest count.
+/// Maximum number of subjects; the largest ones count.
 const MOST_MARKS: usize = 16;
 /// Fingerprints at this distance or below are of nearly the same picture.
 const NEAR_DUPLICATE: u32 = 10;
@@ -132,12 +132,13 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
         let sure = s.score.clamp(0.0, 1.0).sqrt();
         let size = |full: f64| (side(s) / full).min(1.0);
         sure * match s.label.as_str() {
-            // A face of a sixth of the photo's side is a portrait. A small face without a person may be a pattern.
+            // A face of a sixth of the photo's side is a portrait. A small face without a person can be a
+            // false detection.
             FACE => {
                 let owned = s.score > SURE || side(s) > 0.12 || people().any(|person| person.surrounds(s));
                 (if owned { 1.0 } else { 0.4 }) * (0.4 + 0.6 * size(0.16))
             }
-            // A person without a face is a back or a passer-by.
+            // A person without a face is seen from behind, or is a passer-by.
             "person" => {
                 let known = faces().any(|face| s.surrounds(face));
                 (if known { 0.85 } else { 0.7 }) * size(0.42).powf(0.7)

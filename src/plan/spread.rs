@@ -67,7 +67,7 @@ pub fn cuts(photos: &[PhotoMeta]) -> Vec<f64> {
                 _ => 0.0,
             };
             let bits = f64::from((before.fingerprint ^ after.fingerprint).count_ones());
-            // Photos that look alike belong together whatever the clock says.
+            // Similar photos belong together, even if their capture times differ.
             let together = if bits < ALIKE { 0.3 } else { 1.0 };
             (time.max(0.6 * colour) + 0.25 * time.min(colour)).min(1.0) * together
         })

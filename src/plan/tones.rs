@@ -10,9 +10,10 @@ use crate::style::Style;
 use crate::style::context::scale_of;
 use crate::style::file::Step;
 
-/// A line per style, best first: its id, its mark, the luma that it makes of each sixteenth of luma, two hexadecimal digits each,
-/// and its uses. The marks are from 0 to 10, by eye, on faces, groups and animals that are not in the repository. `first` is for
-/// the first page, `dark` for dark paper. The example `style_tones` writes the third column.
+/// A line per style, best first: its id, its mark, the luma that it makes of each sixteenth of luma, two
+/// hexadecimal digits each, and its uses. The marks are manual ratings from 0 to 10, on faces, groups and
+/// animals that are not in the repository. `first` is for the first page, `dark` for dark paper. The example
+/// `style_tones` writes the third column.
 const MARKS: &str = include_str!("marks.txt");
 
 /// Styles that the first page is drawn from.

@@ -68,7 +68,7 @@ impl Film {
         }
     }
 
-    /// Seconds of the frames that were looked at, rising.
+    /// Times in seconds of the analysed frames, ascending.
     #[must_use]
     pub fn times(&self) -> &[f64] {
         &self.times

@@ -15,7 +15,7 @@ const MOST_OF_SHOT: usize = 6;
 const SECONDS: f64 = 2.0;
 /// Difference in grey steps at which a frame of the same shot shows something else.
 const ANOTHER: f32 = 10.0;
-/// Looks of a shot that are asked how much it changes.
+/// Maximum number of frames per shot for measuring changes.
 const ASKED: usize = 60;
 /// Below this part of the sharpness of its shot a frame counts as blurred.
 const SHARP: f32 = 0.7;
@@ -57,7 +57,7 @@ pub fn choose(film: &Film, shots: &[Shot], wish: &Wish) -> Vec<Still> {
     let mut open: Vec<usize> = (0..shots.len()).filter(|&i| !shots[i].usable.is_empty()).collect();
     let pictures = open.iter().filter(|&&i| !shots[i].title).count();
     let count = wish.count.unwrap_or_else(|| usual(film, shots)).max(1);
-    // Titles are all that some films have.
+    // Some videos contain only titles.
     if pictures > 0 {
         open.retain(|&i| !shots[i].title);
     }

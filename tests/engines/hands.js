@@ -215,7 +215,7 @@ export async function personIn({ driver, downloads }, address) {
 
   /** Chooses files, as one does in the dialog of the browser. @param {string[]} files */
   async function choose(files) {
-    // The page looks for the project of the last visit first, and has no place for files until then.
+    // The page searches for the project of the last visit first, and accepts no files until then.
     const input = await driver.wait(
       async () =>
         /** @type {WebElement | null} */ (
@@ -305,7 +305,7 @@ export async function personIn({ driver, downloads }, address) {
       await idle();
     },
 
-    /** Opens a tab beside the page. @param {'Styles' | 'Layouts' | 'Text' | 'Page'} name */
+    /** Opens a tab next to the page. @param {'Styles' | 'Layouts' | 'Text' | 'Page'} name */
     tab: (name) => click('tab', name),
 
     /** A page of that size, whatever the browser has around it. @param {{ width: number, height: number }} wanted */
@@ -409,7 +409,7 @@ export async function personIn({ driver, downloads }, address) {
       await one('button', new RegExp(`^Balloon: ${text}`));
     },
 
-    /** Until it says that all is saved. */
+    /** Waits until the app reports that everything is saved. */
     async kept() {
       const state = () => driver.executeScript("return document.querySelector('.save-state')?.textContent");
       await expect.poll(state, { timeout: PATIENCE }).toBe('Saved');

@@ -403,7 +403,7 @@ fn a_figure_that_steps_out_is_read_with_its_panel() {
             assert!(difference(&frame, &whole, &stop.last, all) < 0.3);
             assert!(difference(&kept, &whole, &stop.last, all) > 0.6);
         } else if stop.panel == Some(panel) {
-            // Beyond the panel all is veiled but its figure.
+            // Everything outside the panel is dimmed, except its subject.
             let bright = |image: &Image, x, y| image.planes().iter().any(|plane| plane.at(x, y) > 100);
             let pixels = (0..180).flat_map(|y| (0..320).map(move |x| (x, y)));
             let lit = pixels.filter(|&(x, y)| bright(&frame, x, y) && !bright(&kept, x, y)).count();
@@ -502,7 +502,7 @@ fn frames_of_a_slower_second_are_as_many_and_pass_as_slowly() {
     let plan = request.planned().unwrap();
     assert_eq!((plan.fps, plan.frames), (24, 48));
     assert!((plan.rate - 24_000.0 / 1001.0).abs() < 1e-9);
-    // Who asks for a rate gets it.
+    // A requested rate is used.
     let plan = Request { fps: 12, ..request }.planned().unwrap();
     assert_eq!((plan.frames, plan.rate.to_bits()), (24, 12f64.to_bits()));
 }

@@ -71,7 +71,7 @@ fn the_figure_is_seen_before_the_effect_and_beside_it_the_effect() {
     assert!(left > 500 && right > 500, "{left}, {right}");
     let cut = drawn(&behind, true);
     assert_eq!(halves(&cut, middle), (0, right));
-    // Inside it is the figure itself, as without the effect.
+    // Inside the mask is the subject itself, as without the effect.
     let mut bare = before.clone();
     bare.words.clear();
     let bare = drawn(&bare, true);

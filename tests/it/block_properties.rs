@@ -136,7 +136,7 @@ fn percentile(image: &Image, percent: f64) -> f64 {
     f64::from(luma[rank - 1])
 }
 
-/// The blocks of percentiles as their formulas say, without lanes, at every width.
+/// The percentile blocks follow their formulas without SIMD, at every width.
 #[test]
 fn tones_are_stretched_as_the_formulas_say_at_every_width() {
     for (id, values) in [
@@ -230,7 +230,7 @@ fn sizes_are_those_of_plain_sums_at_every_width() {
     }
 }
 
-/// Pixels that a block looks aside for at its defaults.
+/// Returns the number of neighbouring pixels that a block reads with default parameters.
 fn reach(block: &'static Block, values: &[f32]) -> usize {
     match block.id {
         "sobel" => 1,

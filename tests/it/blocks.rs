@@ -72,7 +72,8 @@ fn bound(block: &str, params: &Map<String, Value>) -> Option<Bound> {
         "engrave" if number("follow") <= 0.0 => Decibels(80.0),
         "engrave" => Decibels(33.0),
         "strokes" => Decibels(40.0),
-        // Colours are looked up in cells of 8 grey steps by both; votes at a border are singles in one and doubles in the other.
+        // Both use cells of 8 grey levels for colours. Votes at a border are single precision in one and
+        // double precision in the other.
         "flatten" => Decibels(50.0),
         "plates" => Decibels(48.0),
         // Heights are bytes.
@@ -234,7 +235,7 @@ fn every_block_has_an_oracle() {
     }
 }
 
-/// A flat grey of any tone is covered as it asks for, whatever the size of the dots.
+/// A flat grey of any tone gets the requested coverage, for any size of the dots.
 #[test]
 fn halftone_covers_what_it_should() {
     for pitch in [6.0, 7.5, 10.0, 16.0, 25.0, 40.0] {

@@ -102,7 +102,7 @@ fn faces(scene: &Scene, count: usize, but: usize) -> Vec<Bounds> {
     faces
 }
 
-/// A caption and a balloon in the middle of a figure that steps out.
+/// A caption and a balloon in the middle of a subject that breaks its border.
 fn words_on(area: PixelRect, height: usize) -> Vec<Value> {
     let middle = (area.x as f64 + area.width as f64 / 2.0, area.y as f64 + area.height as f64 / 2.0);
     let x = (middle.0 / WIDTH as f64).clamp(0.2, 0.8);
@@ -164,7 +164,7 @@ fn on_random_pages_no_figure_covers_a_face_or_a_word_or_leaves_the_margin() {
         let margin = page.page.margin * WIDTH as f64;
         let faces = faces(&scene, count, own);
         for (i, pixel) in patch.rgba.chunks_exact(4).enumerate() {
-            // The figure itself; the line of paper about it is not one.
+            // The subject itself, without the paper outline around it.
             let figure = pixel[3] > 128 && i16::from(pixel[0]) - i16::from(pixel[1]) > 90 && pixel[2] < 120;
             if !figure || inside[i] > 0 {
                 continue;
@@ -192,7 +192,7 @@ fn on_random_pages_no_figure_covers_a_face_or_a_word_or_leaves_the_margin() {
     assert!(stepped > pages / 5, "{stepped} of {pages}");
 }
 
-/// A page on which a figure steps out, its panel, and its photos.
+/// A page with a breakout, its panel, and its photos.
 fn example() -> (Document, usize, Vec<(PhotoMeta, Image)>) {
     let found = (0..50).find_map(|seed| {
         let photos = album(3, 7);
@@ -232,7 +232,7 @@ fn with_a_vague_foot(i: u64) -> (PhotoMeta, Image) {
 #[test]
 fn what_has_a_vague_border_stays_in_its_panel_unless_somebody_asks() {
     let photos: Vec<_> = (1..7).map(with_a_vague_foot).collect();
-    // Whether the foot is drawn outside of its panel, on each of some pages on which a figure steps out.
+    // Whether the foot is drawn outside of its panel, on several pages with a breakout.
     let foot_outside = |page: &Document, own: usize| {
         let scene = Scene::new(page, WIDTH).unwrap();
         let id = page.panels[own].photo.as_deref().unwrap();
@@ -434,7 +434,7 @@ fn a_person_may_break_a_frame_and_a_shared_image_has_none() {
     let id = page.panels[own].photo.clone().unwrap();
     let nothing = Matte::new(&Plane::filled(30, 20, 0), (30, 20));
     assert_eq!(broken(&page, own, &nothing).unwrap(), None);
-    // The same figure as a cloud.
+    // The same subject with a blurred mask.
     let cloud = softened(&softened(&mask.plane(), 24), 24);
     let cloud = Matte::new(&cloud, (cloud.width(), cloud.height()));
     assert!(cloud.facts().is_vague(), "{:?}", cloud.facts());

@@ -1022,7 +1022,7 @@ fn a_photo_that_goes_out_of_use_leaves_the_other_pages_for_the_one_of_its_stack(
     let gone = photos.remove(2).id;
     let of_gone = |panel: &inkpanel::page::document::PanelContent| panel.photo.as_ref() == Some(&gone);
     let place = editor.project().sheets()[0].page.panels.iter().position(of_gone).unwrap();
-    // It looks like one that no page shows, and like one that another page shows.
+    // It is similar to a photo on no page, and to a photo on another page.
     photos.push(PhotoMeta::unmeasured("twin", 1500, 1000));
     let ids = [gone.clone(), "twin".to_owned(), photos[8].id.clone()];
     let groups: Groups = ids.map(|id| (id, json!(3))).into_iter().collect();

@@ -11,13 +11,13 @@ use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::fs;
 
-/// How many styles are looked for, and what share of them must be found.
+/// Number of styles to find, and the share that must be found.
 const TRIALS: usize = 40;
 const FOUND: f64 = 0.8;
 
-/// Pixels of a trial: fewer than a person's are tried with, where all of it is to be quick.
+/// Pixels of a trial. Fewer than in the app, to save time.
 const AREA: usize = 60_000;
-/// As many as a person's are tried with.
+/// As many pixels as in the app.
 const WHOLE: usize = 160_000;
 
 fn photo(name: &str) -> Image {

@@ -142,7 +142,7 @@ fn placed_by(words: &[Value], subjects: &[Subject], shares: Option<fn(f64, f64) 
 
 #[test]
 fn of_places_otherwise_alike_the_one_with_least_of_the_figure_is_taken() {
-    // Nothing was found in the photo; its figure fills the upper left, where words would stand.
+    // Nothing was detected in the photo. Its subject fills the upper left, the usual place of text.
     let corner: fn(f64, f64) -> bool = |x, y| x < 0.5 && y < 0.5;
     for kind in ["balloon", "caption", "effect"] {
         let word = [json!({ "kind": kind, "craft": 2, "text": "Look!", "panel": 1 })];

@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use std::collections::HashSet;
 use std::time::{Duration, Instant};
 
-/// As much of a PNG file as a board asks for.
+/// The minimum of a PNG file that a board accepts.
 const LOGO: &str = "data:image/png;base64,iVBORw0KGgo=";
 
 fn photos(count: usize) -> Vec<Value> {

@@ -23,8 +23,8 @@ fn folder() -> PathBuf {
     crate::root("tests/oracles/data/shots")
 }
 
-/// Pictures, three of one name, and places in films: two have lengths that end on no second, two have one name and two are
-/// from cameras with a timecode.
+/// Pictures, three with one name, and positions in videos. Two have lengths that end between two seconds, two
+/// have one name, and two are from cameras with a timecode.
 fn list((fps, pace): (u32, Pace)) -> ShotList {
     let film = |key: &str, name: &str, time, length| {
         let start = match key {
@@ -121,7 +121,7 @@ fn other_programs_read_every_length_and_place_to_the_frame() {
             };
             let file = shot.film.as_ref().map_or(&shot.name, |film| &film.name);
             let mut expected = json!({ "start": origin + start, "frames": frames, "at": at, "media": file });
-            // A decision list does not say how long its sources are.
+            // An EDL does not contain the length of its sources.
             if !is_edl(&name) {
                 expected["available"] = json!([origin, length]);
             }

@@ -2,7 +2,7 @@
 
 use inkpanel::style::Style;
 
-/// A file, and what its error must say.
+/// A file, and the expected text of its error.
 const MALFORMED: &[(&str, &str)] = &[
     // No JSON, or JSON of another kind.
     ("", "is not valid JSON"),

@@ -230,7 +230,7 @@ fn letters_and_their_reading_stay_in_one_line() {
 
 #[test]
 fn readings_touch_neither_each_other_nor_their_letters_nor_the_next_line() {
-    // Long readings over single letters, beside each other and in several lines.
+    // Long readings over single characters, adjacent and in several lines.
     let text = "漢《そうかそうか》字《だってだって》でも見《だってだ》た縦《そうか》書《か》き";
     for vertical in [false, true] {
         for width in [0.14, 0.24] {

@@ -138,7 +138,7 @@ def stroke(position, spacing, width):
 
 
 def own_texture(image, levels, texture):
-    """A tone takes ink where a person's texture is darkest, so much that it covers the tone."""
+    """A tone takes ink at the darkest parts of a custom texture, until the ink covers the tone."""
     tones = np.asarray(Image.open(io.BytesIO(base64.b64decode(texture.split(",")[1]))).convert("L")).astype(int)
     radius = max(min(tones.shape) // 48, 1)
     count, around = 2 * radius + 1, tones * 16

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Faces and objects by ONNX Runtime, on the nets that the program uses.
+"""Faces and objects by ONNX Runtime, with the models of the program.
 
     cargo xtask models; cargo build
     python3 tests/oracles/detect.py target/debug/inkpanel        (numpy, onnxruntime, pillow)

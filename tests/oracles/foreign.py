@@ -3,8 +3,8 @@
 
     python3 tests/oracles/foreign.py        (numpy, pillow with AVIF)
 
-Writes tests/oracles/data/foreign/*.avif and beside each a PNG of the upright pixels in sRGB, transparency flattened on
-white.
+Writes tests/oracles/data/foreign/*.avif, and for each a PNG of the upright pixels in sRGB, transparency
+flattened on white.
 """
 
 import io

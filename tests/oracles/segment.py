@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Subjects by ONNX Runtime, on the net as its package has it, and the guided filter by OpenCV.
+"""Subjects by ONNX Runtime, with the original model of its package, and the guided filter by OpenCV.
 
     cargo xtask models; cargo build
     python3 tests/oracles/segment.py target/debug/inkpanel

@@ -3,8 +3,8 @@
 
     python3 tests/oracles/subjects.py [--looks FOLDER] [--again] [NAME...]    (numpy, pillow, opencv-python-headless)
 
-Writes tests/data/subjects/NAME.png of each photo: 1 bit a pixel, 640 pixels along the longer side, white within. `--looks` writes the
-photos with their marks laid over them, to be looked at.
+Writes tests/data/subjects/NAME.png of each photo: 1 bit a pixel, 640 pixels along the longer side, white
+within. `--looks` writes the photos with their marks, for review.
 
 A subject is the part to cut out: people and animals with the things that they hold, or the
 main object. Branches and rocks under an animal, shadows, and single whiskers or hairs are not part of it.
@@ -23,7 +23,7 @@ from PIL import Image
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MARKS = ROOT / "tests/data/subjects"
-# Along the longer side: of outlines and marks, and of the copy whose edges are looked for.
+# Longer side in pixels of outlines and marks, and of the copy for edge detection.
 SIDE, FINE = 640, 1280
 
 
@@ -72,7 +72,7 @@ def resized(picture, side):
 
 
 def look(photo, mark, file):
-    """The mark's border in red, what is beside it darker."""
+    """The border of the mark in red, the background darker."""
     large = cv2.resize(mark, photo.shape[1::-1], interpolation=cv2.INTER_NEAREST)
     shown = np.where(large[..., None] > 0, photo, photo // 3 + np.uint8([80, 0, 80]))
     border, _ = cv2.findContours(large, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
@@ -89,7 +89,7 @@ def by_another_hand(told, seed):
 
 
 def border(mark):
-    """Pixels within that have one beside them, or the picture's edge has not."""
+    """Pixels of the mark with a neighbour outside. The edge of the picture does not count."""
     return (mark > 0) & (cv2.erode(mark, np.ones((3, 3), np.uint8), borderValue=255) == 0)
 
 

@@ -6,7 +6,7 @@ import type { ComponentChildren } from 'preact';
 
 /**
  * A part of the board on a small screen, below the page.
- * @param props `bare`: the content brings its own heading; `tools`: beside the heading
+ * @param props `bare`: the content contains a heading; `tools`: next to the heading
  */
 export function Sheet({
   title,

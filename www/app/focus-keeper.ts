@@ -31,7 +31,7 @@ export function keepFocus(root: HTMLElement): () => void {
     }
   }
 
-  /** A person may put it nowhere, by a click beside everything. */
+  /** A click outside of all controls removes the focus on purpose. */
   function forget() {
     path = [];
     byKey = false;

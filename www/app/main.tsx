@@ -128,7 +128,7 @@ const inventions = createInventions({
   engine,
   seed: freshSeed,
   judged: ui.detects,
-  // After the subjects: two nets at a time take more memory than a tab of a small device has.
+  // After the subjects: two models at a time exceed the memory of a tab on small devices.
   idle: () => ui.painted.value === store.page.value && subjects.settled.value && masks.settled.value,
 });
 const styling = createStyling({ store, ownStyles, inventions: () => inventions.ready.peek() });

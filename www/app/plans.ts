@@ -12,7 +12,10 @@ type Kind = 'style' | 'layout' | 'other';
 /** A file of this kind has at least one of these fields. */
 const FIELDS = { style: ['background', 'foreground'], layout: ['family', 'tree', 'polygons'] } as const;
 
-/** @param beside whether the files came with photos: then JSON of other programs, such as Google Takeout, is skipped */
+/**
+ * @param beside whether photos were opened with the files: then JSON of other programs, such as Google Takeout, is
+ * skipped
+ */
 export async function openPlans(
   files: readonly File[],
   {

@@ -9,7 +9,7 @@ import type { Way } from '../export/formats.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
-/** The tabs beside the page, in their order. */
+/** The tabs next to the page, in order. */
 export const SIDE_TABS = ['styles', 'layouts', 'words', 'page'] as const;
 export type SideTab = (typeof SIDE_TABS)[number];
 /** How much larger than the window has room for the page is shown. */
@@ -70,7 +70,7 @@ export function createUi(window: Window) {
     zoom: signal(1) as Signal<number>,
     /** The sheet that is open on a small screen. */
     sheet: signal(null) as Signal<Sheet | null>,
-    /** The tab that is open beside the page on a large screen. */
+    /** The open tab next to the page on a large screen. */
     sideTab: signal('styles') as Signal<SideTab>,
     /** The selected tab of the export dialog, if the user opened it for a specific export. */
     exportWay: signal(null) as Signal<Way | null>,
@@ -79,7 +79,7 @@ export function createUi(window: Window) {
     toggleWork(which: Work) {
       work.value = work.peek() === which ? null : which;
     },
-    /** Whether photos are looked at for faces and objects; `inkpanel.detect` = `off` in the storage says no. */
+    /** Whether faces and objects are detected. `inkpanel.detect` = `off` in the storage turns detection off. */
     detects: remembered(window, DETECT_KEY) !== 'off',
     /** Whether the page shows its safe area. */
     safeArea: signal(false),

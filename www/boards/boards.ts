@@ -212,7 +212,7 @@ export function createBoards({
     });
   }
 
-  /** The look of a board of film people. */
+  /** The default storyboard for film production. */
   function filmBoard() {
     const { style, ...part } = FILM_BOARD;
     chooseStyle(style);

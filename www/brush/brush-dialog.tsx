@@ -34,7 +34,7 @@ export function BrushDialog({ id }: { id: string }) {
 
   /** Escape and a click outside also close the dialog. The discarded changes can be restored for a while. */
   function cancel() {
-    // A dialog that is taken away says that it was closed.
+    // The `close` event also comes if the dialog is removed.
     if (typeof ui.dialog.peek() !== 'object' || ui.dialog.peek() === null) return;
     const steps = retouching?.steps() ?? [];
     ui.dialog.value = null;

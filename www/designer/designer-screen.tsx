@@ -1,5 +1,5 @@
 /**
- * The style designer: the preview, and beside it the two layers as lanes of cards.
+ * The style designer: the preview, and the two layers as lanes of cards next to it.
  */
 
 import { useEffect, useRef, useState } from 'preact/hooks';

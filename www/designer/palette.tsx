@@ -35,7 +35,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
   const draft = designer.draft.value;
   const { layer, at } = designer.place.value;
   const steps = draft?.[layer] ?? [];
-  // The place may be gone meanwhile, by an undo say.
+  // An undo may have removed the position.
   const to = Math.min(at ?? steps.length, steps.length);
   const facts = useMemo(() => designer.factsBefore({ layer, at: to }), [draft, layer, to]);
   const follower = blocks.find(({ id }) => id === steps[to]?.block);

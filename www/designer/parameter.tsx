@@ -1,5 +1,6 @@
 /**
- * A parameter of a block, as its descriptor says: a slider with a number field, a switch, a choice, a colour, or a picture.
+ * A control for a parameter of a block, by its descriptor: a slider with a number field, a switch, a choice, a colour,
+ * or a picture.
  */
 
 import { TextureChoice } from './texture-choice.tsx';

@@ -9,7 +9,7 @@ import type { Shown } from '../photos/photo-picker.tsx';
 type Size = { width: number; height: number };
 type Picture = { bitmap: ImageBitmap };
 export type Subject = {
-  /** Another one asks for another picture. */
+  /** A change requests a new picture. */
   of: unknown;
   name: string;
   /** Size of the live preview. */

@@ -46,7 +46,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   /** Whether the page is a sketch of the first: empty panels, until its photos are known. */
   const sketch = signal(false);
 
-  /** The photos in which faces were looked for before there was a page. */
+  /** Photos with finished face detection before the first page. */
   const faced: Signal<ReadonlySet<string>> = signal(new Set());
 
   /** Number of chosen files that are not in the tray yet, because the planner is not ready. */
@@ -133,7 +133,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
 
   /** Custom layouts, in full. */
   const own: ReadonlySignal<readonly Template[]> = computed(() => project.value.ownLayouts);
-  /** The size of the page, the only part of its settings that says which layouts suit. */
+  /** The page size, the only setting that affects the choice of layouts. */
   const size = computed(() => `${project.value.settings.width} ${project.value.settings.height}`);
   /** Layouts to choose from: custom ones, and built-in ones that are good for the page. */
   const layouts = computed(() => {
@@ -184,7 +184,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     masks,
     measured,
     verdicts,
-    /** Films that are looked through for their shots, by key: how far, 0 to 1. */
+    /** Videos whose shots are being detected, by key: progress from 0 to 1. */
     looking,
     photos,
     unseen,

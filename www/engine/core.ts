@@ -112,7 +112,7 @@ export function createPlanner() {
     geometry: (layout: LayoutChoice, page: PageSettings): Geometry =>
       JSON.parse(core.page_geometry(JSON.stringify({ layout, page }))),
     /**
-     * @param request `own`: a person's own layouts
+     * @param request `own`: custom layouts
      * @returns those first, then the catalogue's that are good for the page
      */
     listLayouts: (request: { page: Partial<PageSettings>; own: readonly Template[] }): LayoutEntry[] =>

@@ -22,7 +22,7 @@ const CODECS: readonly [name: string, codes: RegExp][] = [
   ['DNxHD', /avd[nh]/i],
   ['H.264', /avc1|avc3|h264|x264/i],
 ];
-/** Bytes of the beginning that are asked, and of the end, where some cameras write what is in a file. */
+/** Number of bytes that are read at the beginning, and at the end, because some cameras write the index there. */
 const ASKED = 64 << 10;
 const ENDING = 1 << 20;
 

@@ -18,7 +18,7 @@ import type { BitmapPatch, Imported, Operations, PhotoHandle, PixelPatch, Plates
 import type { Tell, Work } from './serving.ts';
 import type { ImportEntry, PixelSize } from './types.ts';
 
-/** No photo is larger; a film that was dropped by mistake must not fill the memory. */
+/** Maximum size of a photo, so that a dropped video does not fill the memory. */
 const MOST_BYTES = 512 * 2 ** 20;
 
 type Lru = ReturnType<typeof createLru>;

@@ -38,7 +38,7 @@ const FONT = 'comic-neue';
  * @returns a function that receives the text items of each page before they are measured or drawn
  */
 export function createShaping(letters: Learner) {
-  /** Texts that were looked at. */
+  /** Texts that were already checked. */
   const seen: Set<string> = new Set();
   const tried: Set<string> = new Set();
   let pen: ReturnType<typeof createPen> | null | undefined;

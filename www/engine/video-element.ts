@@ -30,11 +30,11 @@ export async function readByElement(
   try {
     video.src = address;
     const opened = await happens(video, 'loadeddata', OPENING);
-    // A codec that the system lacks may load without an error, as a film without a picture.
+    // Without a codec, a video may load without an error, but has no picture.
     if (!opened || video.videoWidth === 0) throw failure('video-codec', why);
     const whole = await lengthOf(video);
     const first = await wind(video, 0);
-    // A player that does not say when it shows a frame starts with the first one.
+    // If a player does not report displayed frames, the video starts with the first one.
     const begins = first < whole ? first : 0;
     const duration = whole - begins;
     onAbout({ duration });

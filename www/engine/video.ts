@@ -43,7 +43,7 @@ export type Frame = {
   rotation: number;
   data: Uint8Array<ArrayBuffer>;
 };
-/** the next frame is asked for when the promise of `onFrame` settles */
+/** The next frame is requested when the promise of `onFrame` settles. */
 export type Listener = {
   signal?: AbortSignal;
   onAbout: (about: About) => void;

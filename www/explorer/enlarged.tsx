@@ -1,4 +1,4 @@
-/** A style of the wall seen large on the person's photo; the arrows go to its neighbours. */
+/** The enlarged view of a style on the user's photo. Arrow keys go to its neighbours. */
 
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';

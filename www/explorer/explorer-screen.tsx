@@ -25,7 +25,7 @@ import type { VNode } from 'preact';
 const SIZE = { width: 160, height: 120 };
 /** Maximum size of a large view, in CSS pixels. */
 const LARGER = { width: 440, height: 380 };
-/** Milliseconds that one stays with a style before it is seen larger: the wall itself is to be looked at. */
+/** Milliseconds that the pointer stays on a style before it is enlarged, so that users can view the wall. */
 const REST = 500;
 
 export function Explorer() {

@@ -107,7 +107,7 @@ export function createWall(
     return fault !== '' || isDamaged(photo.id, signature) || alike();
   }
 
-  /** The style with a name that says its colour. */
+  /** Renames a style after its colour. */
   function renamed(style: Style, { signature }: Explored, fresh: readonly Item[]): Style {
     const { hue, lightness } = coloursOf(signature);
     const names = new Set([...items.peek(), ...fresh].map((item) => item.style.name));

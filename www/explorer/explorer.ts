@@ -1,7 +1,7 @@
 /**
- * The explorer: styles invented from seeds, or bred from others, tried out on a photo of the person's as they come.
- * Styles whose image is similar to another one, or almost empty, are rejected. The wall belongs to the session;
- * favourites are saved.
+ * The explorer: styles generated from seeds, or combined from others, shown on the user's photo as they arrive. Styles
+ * whose image is similar to another one, or almost empty, are rejected. The wall belongs to the session; favourites are
+ * saved.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -40,7 +40,7 @@ const TRIES = 48;
 const PARCEL = 6;
 const AHEAD = 4;
 
-/** @param app not `judged`, the net is not asked for scores */
+/** @param app `judged`: without it, the model is not used */
 export function createExplorer({
   store,
   engine,
@@ -75,7 +75,7 @@ export function createExplorer({
   const parents: Map<string, Parents> = new Map();
   /** The parents of the last litter, whose children are shown whatever the wall is filtered by. */
   const lastParents: Signal<Parents | null> = signal(null);
-  /** Whether the person has sorted the wall. */
+  /** Whether the user has sorted the wall. */
   const sorted = signal(false);
   let made = 0;
   let running: AbortController | null = null;
@@ -190,7 +190,7 @@ export function createExplorer({
     await litter([style, style], Math.max(0.15, surprise.peek()), photo);
   }
 
-  /** Children, beside the parent that was chosen last. */
+  /** Children, inserted after the parent that was chosen last. */
   async function litter([a, b]: readonly [Style, Style], wild: number, photo: Photo) {
     const planner = store.planner.peek();
     if (!planner) return;

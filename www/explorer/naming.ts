@@ -1,4 +1,4 @@
-/** Names of invented styles that say what colour they are. Two styles never share a name. */
+/** Names of generated styles, with their colour. Two styles never share a name. */
 
 import type { Hue, Lightness } from './colours.ts';
 

@@ -31,9 +31,9 @@ export type Wish = {
   quality?: number;
   /** of a PDF file */
   print?: Print;
-  /** of a film */
+  /** Settings of a video. */
   film?: AnimaticWish;
-  /** of an HTML comic: panels that come from a film move */
+  /** HTML comics: whether panels with video frames are animated. */
   living?: boolean;
 };
 

@@ -74,7 +74,7 @@ export function HelpDialog() {
   );
 }
 
-/** One that was found is open; of the others a person opens what they want to read. */
+/** A found topic is open. The user opens the others. */
 function Topics({ of, open }: { of: readonly Topic[]; open: boolean }) {
   return (
     <section class="help-topics" aria-label={strings.helpTopics}>

@@ -40,7 +40,7 @@ export function createHints({
   const seen = signal(recall(box));
   /** Since the hints began. */
   const shuffles = signal(0);
-  /** Whether they were asked for again: then a page that was shuffled before is as good as the first. */
+  /** Whether the user restarted the hints. Then earlier shuffles do not count. */
   const again = signal(false);
   /** The panel that the pointer rests on. */
   const pointed = signal<number | null>(null);

@@ -1,6 +1,5 @@
 /**
- * A style from a picture: the picture beside the person's own photo in the style that is chosen, and below them all styles
- * that were found.
+ * A style from a picture: the picture next to the user's photo in the selected style, and all found styles below them.
  */
 
 import { useEffect, useMemo, useRef } from 'preact/hooks';
@@ -122,7 +121,7 @@ function Original() {
   );
 }
 
-/** The person's photo in the style that is chosen, as it is until there is one. */
+/** The user's photo in the selected style, or unchanged without one. */
 function Result({ fact }: { fact: Shown }) {
   const { engine, imitation } = useApp();
   const style = imitation.proposals.value.find(({ id }) => id === imitation.shown.value);

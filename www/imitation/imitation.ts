@@ -1,6 +1,6 @@
 /**
- * A style from a picture: the picture whose look is wanted, the search for it on a photo of the person's own, and the
- * styles that it proposes. They belong to the session; one that is saved, used or edited becomes a part of the project.
+ * A style from a picture: the picture, the search on a photo of the user, and the proposed styles. They belong to the
+ * session; one that is saved, used or edited becomes a part of the project.
  */
 
 import { signal } from '@preact/signals';

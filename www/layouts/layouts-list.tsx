@@ -12,7 +12,7 @@ import { Listbox } from '../ui/listbox.tsx';
 import { usePageGlimpse } from '../ui/glimpse.tsx';
 import type { LayoutEntry, Template } from '../engine/types.ts';
 
-/** The filter that shows a person's own layouts; no family of the core has a capital. */
+/** The filter for custom layouts. The core's families are lower case. */
 const MINE = 'Mine';
 const KEEP = Object.freeze({ layout: true, style: true, photos: true });
 

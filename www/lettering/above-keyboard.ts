@@ -16,7 +16,7 @@ export function liftAbove(field: HTMLElement): () => void {
   const seen = window.visualViewport;
   const area = field.closest('.stage-area') as HTMLElement | null;
   if (!seen || !area) return () => {};
-  // Zoomed in by two fingers, the person has the place in hand.
+  // If the page is zoomed, the user controls the position.
   const look = () => {
     area.style.translate = '';
     const keyboard = window.innerHeight - seen.height;

@@ -7,7 +7,7 @@ import { MOST } from '../document/limits.ts';
 import { readText } from '../engine/text-file.ts';
 import { isVideo } from '../engine/video.ts';
 
-/** Seconds, by film. */
+/** Seconds, by video. */
 export type Moments = ReadonlyMap<File, readonly number[]>;
 
 /** From when to when a cue is shown. */

@@ -27,7 +27,7 @@ function FilmSounds({ video }: { video: Video }) {
   const found = events && filmSounds.proposals(video, events);
   return (
     <>
-      {/* It stays where it is while the film is heard: a hand on the keyboard stays with it. */}
+      {/* The button stays in place during detection, so that it keeps the keyboard focus. */}
       <button
         type="button"
         class="button small"

@@ -18,7 +18,7 @@ import type { Lettering } from './lettering.ts';
 import type { Signal } from '@preact/signals';
 
 export type FilmSounds = ReturnType<typeof createFilmSounds>;
-/** How far a film was heard: `why` it was not, as a sentence. */
+/** State of a detection. `why`: the reason of a failure, as a sentence. */
 export type Heard = { stage: SoundStage } | { why: string } | { events: readonly SoundEvent[] };
 /** A sound near a frame. `taken` is the text item of this sound, if it was added. */
 export type Proposal = { event: SoundEvent; photo: string; cue: string; taken: string | undefined };
@@ -41,7 +41,7 @@ export function createFilmSounds({
   lettering: Pick<Lettering, 'lay' | 'ready'>;
   messages: Pick<Messages, 'note'>;
 }) {
-  /** By the file: other frames of a film are another video. */
+  /** By file, because other frames of a video belong to another entry. */
   const heard: Signal<ReadonlyMap<File, Heard>> = signal(new Map());
   const stops = new Map<File, AbortController>();
 
@@ -112,7 +112,7 @@ export function createFilmSounds({
   }
 }
 
-/** A film is known by its name: its key is another each time that a project is opened. */
+/** A video is identified by its name, because its key changes each time a project is opened. */
 function cueOf({ name }: Video, { start }: SoundEvent): string {
   return `${name} sound ${start.toFixed(3)}`;
 }

@@ -30,7 +30,7 @@ export function balloonBefore(words: readonly Word[], index: number): number {
   return words.findLastIndex((word, i) => i < index && word.kind === 'balloon' && (word.panel ?? null) === panel);
 }
 
-/** @returns the words with a balloon joined to the one before it, at the place that the core finds beside it */
+/** @returns the text items with a balloon linked to the previous one, at the position that the core finds next to it */
 export function joinedBefore(words: readonly Word[], index: number): Word[] {
   const before = balloonBefore(words, index);
   if (before < 0) return [...words];

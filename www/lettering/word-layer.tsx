@@ -119,7 +119,7 @@ function spot([x, y]: readonly [number, number], height: number) {
   return { left: percent(x), top: percent(y / height) };
 }
 
-/** Over the whole page while the next click says where something goes. */
+/** Covers the page while the next click selects a position. */
 function Aim() {
   const { lettering } = useApp();
   const index = lettering.chosen.value;

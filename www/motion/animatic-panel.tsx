@@ -1,4 +1,6 @@
-/** The choices of a film, of shots or of pages, beside the film itself, which plays as it will be saved. Loaded when it is first asked for. */
+/**
+ * The settings of a video of shots or pages, next to the preview, which equals the exported video. Loaded on first use.
+ */
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { ANIMATIC_SIZES } from '../engine/bounds.ts';

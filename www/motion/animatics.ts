@@ -1,6 +1,6 @@
 /**
- * The album as a film: the shots of the board one after the other (an animatic), or the pages read panel by panel (a
- * motion page). The core plans it, the engine draws its images, and a separate worker encodes the file.
+ * Videos of the album: an animatic with the shots of the storyboard in order, or a motion comic with animated pages.
+ * The core plans it, the engine draws its images, and a separate worker encodes the file.
  */
 
 import { ANIMATIC_SIZES } from '../engine/bounds.ts';

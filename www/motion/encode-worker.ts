@@ -130,7 +130,7 @@ async function film(begin: Begin): Promise<ArrayBuffer> {
   return target.buffer;
 }
 
-/** @throws `animatic-sound` where the browser encodes none of the kinds that go with the film */
+/** @throws `animatic-sound` if the browser has no encoder for this video format */
 async function voiceOf({ channels, sampleRate }: Sound, codecs: readonly ('aac' | 'opus')[]) {
   for (const codec of codecs)
     if (await canEncodeAudio(codec, { numberOfChannels: channels.length, sampleRate, bitrate: AUDIO_BITRATE }))

@@ -24,8 +24,8 @@ export function createLoops({
   return { known, of };
 
   /**
-   * Whether a photo is a frame of a film that can be read. It reads signals, because a video's duration may be known
-   * after its frames.
+   * Whether a photo is a frame of a readable video. It reads signals, because a video's duration may be known after its
+   * frames.
    */
   function known(photo: string | null): boolean {
     return momentOf(photo, store.album.value, store.videos.value) !== null;
@@ -55,7 +55,7 @@ export function createLoops({
     const moving = new Map(
       document.panels.flatMap(({ photo, figure }, index) => {
         const moment = momentOf(photo);
-        // A figure that steps out of its panel would be there twice, and one picture across panels is cut for each of them.
+        // A breakout would appear twice, and a picture across several panels is cut for each of them.
         const still = figure || document.merges.some((group) => group.includes(index));
         return moment && !still && boxes[index] ? [[index, { moment, box: boxes[index].bounds }] as const] : [];
       }),
@@ -97,7 +97,7 @@ export function createLoops({
     const work = async () => {
       for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) await draw(next);
     };
-    // While one film is decoded the panel of another is drawn.
+    // One video is decoded while a panel of another one is drawn.
     await Promise.all([work(), work()]);
     return inOrder();
   }

@@ -19,7 +19,7 @@ export function createInstalling(window: Pick<Window, 'addEventListener'>) {
 
   return {
     possible: computed(() => offer.value !== null),
-    /** Has the browser ask the person; it can be asked once. */
+    /** Shows the browser's installation prompt, which is possible only once. */
     install: () => {
       const event = offer.value;
       offer.value = null;

@@ -10,7 +10,7 @@ import type { Keeping } from '../storage/storage.ts';
 
 /** Milliseconds of rest before the files are downloaded, so that they do not delay the first page. */
 const CALM = 2_000;
-/** Milliseconds between two looks for a new version, of a page that stays open. */
+/** Milliseconds between two checks for a new version, for a page that stays open. */
 const OFTEN = 3600_000;
 /** Maximum milliseconds to wait until a new version takes over. */
 const PATIENCE = 10_000;
@@ -75,7 +75,7 @@ export function createOffline({
     }
   }
 
-  /** Looks for a new version when the person comes back to the page. */
+  /** Checks for a new version when the user returns to the page. */
   function look() {
     if (document.visibilityState !== 'visible' || Date.now() - looked < OFTEN) return;
     looked = Date.now();

@@ -9,7 +9,7 @@ import { Worker as Thread } from 'node:worker_threads';
 import { createEngine as create } from './index.js';
 import { readFromDisk } from './node-disk.js';
 
-/** A thread with the face of a browser's worker, as far as the engine looks at it. */
+/** A thread with the interface of a browser worker, as far as the engine uses it. */
 class ThreadWorker {
   /** @type {((event: { data: unknown }) => void) | null} */
   onmessage = null;

@@ -26,7 +26,7 @@ export function seenIn(subjects: readonly Subject[], crop: Bounds | null): Seen[
   const shown = subjects.filter((subject) => (subject.score ?? 1) >= SURE && (crop === null || holds(crop, subject)));
   const of = (label: string) => shown.filter((subject) => subject.label === label);
   const area = (label: string) => of(label).reduce((sum, { width, height }) => sum + width * height, 0);
-  // A person is found as a whole, by the face, or by both.
+  // A detector may find the whole person, the face, or both.
   const people = Math.max(of('person').length, of('face').length);
   const kinds = [...new Set(shown.map(({ label }) => label))].filter((label) => label !== 'person' && label !== 'face');
   const things = kinds.sort((a, b) => area(b) - area(a)).map((label) => ({ label, count: of(label).length }));

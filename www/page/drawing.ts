@@ -28,7 +28,7 @@ function drawPanel(context: CanvasRenderingContext2D, sheet: Sheet, { patch, coa
     context.drawImage(ready.bitmap, ready.x * scale, ready.y * scale, ready.width * scale, ready.height * scale);
     return;
   }
-  // A figure that is not there yet is not missed.
+  // A missing breakout is not an error while its mask is not ready.
   const panel = geometry.panels[index];
   if (!panel) return;
   context.save();

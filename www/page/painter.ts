@@ -12,7 +12,7 @@ import type { Geometry, PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Patch } from './patches.ts';
 
-/** `signature` says everything the picture of a panel depends on. */
+/** `signature` contains everything that affects the picture of a panel. */
 export type Slot = {
   signature: string;
   patch: Patch | null;

@@ -1,5 +1,5 @@
 /**
- * Page sizes a person knows, in pixels of the export.
+ * Common page sizes, in pixels of the export.
  */
 
 import { PAGE, PAGE_SIZES } from '../engine/bounds.ts';

@@ -15,7 +15,7 @@ export type Language = keyof typeof LANGUAGES;
 const KEY = 'inkpanel.language';
 
 /**
- * @param chosen by the person, if ever
+ * @param chosen the user's choice, if any
  * @param wanted the browser's languages, the best first: `es-MX`
  */
 export function pickLanguage(chosen: string | null, wanted: readonly string[]): Language {

@@ -1,4 +1,4 @@
-/** A language says all that English says, in the same form. */
+/** Every language has all strings of English, in the same form. */
 
 import { readFileSync, readdirSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';

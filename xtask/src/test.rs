@@ -245,7 +245,7 @@ pub fn run(project: &Project, tier: Tier, names: &[String], skip_default: bool) 
     summarise(project, &lines, start.elapsed())
 }
 
-/// Whether a suite runs. Suites that are asked for by name run in any tier.
+/// Whether a suite runs. Suites that are requested by name run in any tier.
 fn is_wanted(suite: &Suite, tier: Tier, names: &[String], skip_default: bool) -> bool {
     if !names.is_empty() {
         return names.iter().any(|name| name == suite.name);

@@ -1,7 +1,8 @@
 //! The web boundary of the core, with the files of `wasm/`. It holds no algorithm.
 //!
 //! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a
-//! `code` beside its `message`. The page calls the functions for planning; a worker holds a [`Studio`].
+//! `code` in addition to its `message`. The page calls the functions for planning; a worker holds a
+//! [`Studio`].
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]

@@ -146,7 +146,7 @@ impl Cut {
         std::mem::take(&mut self.jpeg)
     }
 
-    /// Moves out the opacity of each pixel of a figure, packed.
+    /// Moves out the opacity of each pixel of a subject, packed.
     #[must_use]
     pub fn take_alpha(&mut self) -> Option<Vec<u8>> {
         self.alpha.take()

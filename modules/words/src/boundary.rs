@@ -1,8 +1,8 @@
 //! wasm bindings of the words module: placement, size and pixels of text items. It is loaded when a page
 //! first has words, and given their letters (`wasm_letters`).
 //!
-//! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` beside
-//! its `message`.
+//! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a
+//! `code` in addition to its `message`.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]

@@ -1,8 +1,8 @@
 //! Rotated halftone grids on SIMD lanes. The dot size follows the tone. The output is the paper that stays
 //! white.
 //!
-//! Everything about a dot is an area here. With d the distance of a pixel from its dot's centre, in cells, and r the
-//! radius that covers what the ink asks for:
+//! Everything about a dot is an area here. With d the distance of a pixel from the centre of its dot, in
+//! cells, and r the radius of the dot for the ink coverage:
 //!
 //! ```text
 //! phase  = frac of the turned position, 2^16 for a cell, about the centre        (wraps by itself)

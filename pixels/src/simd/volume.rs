@@ -43,7 +43,7 @@ pub struct Level {
 /// next cell. `columns` has the first cell of each pixel's column.
 pub fn gather(row: &[u8], columns: &[u32], stride: usize, levels: &[Level; 256], slots: &mut [[f32; 4]]) {
     let columns = &columns[..row.len()];
-    // Indices: a zip that skips looks at what it skips.
+    // Indices, because a zip iterator with a step also reads the skipped elements.
     for x in (0..row.len()).step_by(stride) {
         let level = &levels[usize::from(row[x])];
         if let Some(slot) = slots.get_mut((columns[x] + level.cell) as usize) {

@@ -1,4 +1,4 @@
-//! The light score: how good a stylised photo looks, from 0 to 1, by simple statistics and without a net.
+//! Light score: the quality of a stylised photo, from 0 to 1, by simple statistics and without a model.
 //!
 //! It sorts invented styles: it drops what is flat, noise or the photo itself. Weights are this project's own.
 
@@ -68,7 +68,7 @@ impl Fault {
     }
 }
 
-/// The measurements of a stylised picture without a net.
+/// Measurements of a stylised picture without a model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Judgement {
     /// The light score, 0 to 1.
@@ -129,7 +129,7 @@ pub fn score(source: &Image, result: &Image) -> f64 {
     judge(source, result).score
 }
 
-/// The rank from 0 to 1 of a picture whose mean score by the net is `mean`, 1 to 10.
+/// Returns the rank from 0 to 1 of a picture for the model's mean score `mean`, 1 to 10.
 #[must_use]
 pub fn rank(mean: f64, judgement: &Judgement) -> f64 {
     if judgement.fault.is_some() { 0.0 } else { ((mean - 1.0) / 9.0 * judgement.novelty).clamp(0.0, 1.0) }

@@ -26,7 +26,7 @@ pub struct Context<'a> {
     pub(in crate::style) sheet: Option<super::blocks::DrawnSheet>,
     /// The tiles of the last Pattern Filling.
     pub(in crate::style) tiles: Option<super::blocks::DrawnTiles>,
-    /// The last person's own texture at the size at which it was drawn.
+    /// The last custom texture at its rendered size.
     pub(in crate::style) texture: Option<super::blocks::DrawnTexture>,
     faces: Vec<FaceBox>,
     subject: Option<Plane>,

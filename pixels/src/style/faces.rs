@@ -1,8 +1,8 @@
 //! Protection of faces: lines, cells and areas of a panel shrink with the smallest main face. Inside faces, each layer is drawn
 //! again at half the scale, light is brought to features, and colours stay near the photo.
 //!
-//! All lengths depend on the height of a face, which grows with the render like any length of a style: thumbnail, preview
-//! and print agree. The shares were found by eye.
+//! All lengths depend on the height of a face, which grows with the render like any length of a style:
+//! thumbnail, preview and print agree. The shares were chosen by visual comparison.
 
 use super::blocks::Channels;
 use super::chain;
@@ -71,7 +71,7 @@ const PROCESS_INKS: [f32; 3] = [4.0, 5.0, 6.0];
 /// Largest spread of the biases of Hue that keeps the colours of the photo, in grey steps.
 const NEUTRAL: f32 = 14.0;
 
-/// Lengths in a face that is drawn again, as parts of those beside it.
+/// Factor of lengths in a face that is drawn again, relative to its surroundings.
 const FINER: f32 = 0.5;
 /// Scale of the thinnest line in a face, in pixels of the render.
 const THINNEST: f32 = 0.55;

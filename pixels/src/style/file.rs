@@ -36,7 +36,7 @@ pub struct Style {
     /// Colour of the lines.
     #[cfg_attr(feature = "typescript", ts(as = "Option<String>"))]
     pub ink: [u8; 3],
-    /// Whether it takes care of faces, as a style does that does not say otherwise.
+    /// Whether faces are protected. Default: true.
     #[cfg_attr(feature = "typescript", ts(as = "Option<bool>"))]
     pub faces: bool,
     /// Score from 0 to 1 of a generated style.
@@ -228,7 +228,7 @@ impl Param {
         }
     }
 
-    /// Reads a value, or says what would be right.
+    /// Reads a value. The error describes valid values.
     pub(crate) fn value_from_json(&self, value: &Value) -> std::result::Result<f32, String> {
         let in_range = |number: f64| {
             let (min, max) = self.kind.range();
@@ -376,7 +376,7 @@ fn step(file: &str, place: &str, value: &Value) -> Result<Step> {
             step.part = Some(part_of(value).map_err(|reason| invalid(file, &place, reason))?);
             continue;
         }
-        // A pattern that is a picture is a person's own.
+        // A pattern that is a picture is a custom texture.
         let is_picture = value.as_str().is_some_and(|text| text.starts_with("data:"));
         let key = if key == "pattern" && is_picture { "texture" } else { key.as_str() };
         let Some(i) = block.params.iter().position(|param| param.id == key) else {

@@ -7,7 +7,7 @@
 /// Lattice points before noise repeats.
 const PERIOD: u32 = 256;
 
-/// A number that looks random, of its place and a seed.
+/// Returns a pseudo-random number for a position and a seed.
 fn hash(x: u32, y: u32, seed: u32) -> u32 {
     // The finalizer of MurmurHash3 over a sum of odd multiples.
     let mut h = x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77) ^ seed.wrapping_mul(0xc2b2_ae3d);

@@ -13,7 +13,7 @@
 //! | [`context`] | scale, scratch memory and cancellation that a run gives to its blocks |
 //! | [`catalogue`] | the designed styles that ship in `styles/` |
 //! | [`earlier`] | compatibility of saved styles with blocks that later got a choice |
-//! | [`texture`] | a person's own texture for Pattern Filling |
+//! | [`texture`] | custom texture for Pattern Filling |
 //! | [`grain`] | noise of a given size, the same everywhere |
 //! | [`stages`] | a chain that keeps the picture after every block, for the designer |
 //! | [`procedural`] | styles invented from a seed |

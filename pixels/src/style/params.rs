@@ -211,7 +211,7 @@ impl<'a> Args<'a> {
         Self { values: &step.values, texture: step.texture.as_ref(), scale }
     }
 
-    /// The person's own texture.
+    /// A custom texture.
     #[must_use]
     pub fn texture(&self) -> Option<&'a Arc<Texture>> {
         self.texture

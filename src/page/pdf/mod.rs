@@ -55,7 +55,7 @@ pub struct Leaf {
     pub alts: Vec<String>,
 }
 
-/// Writes pages at their print size, on sheets as the options say.
+/// Writes pages at their print size, with the given imposition.
 ///
 /// # Errors
 /// `invalid-document` for panels that do not fit the layout, invalid text items, or a plate of an ink that

@@ -80,7 +80,7 @@ pub fn lay_words_behind(
 }
 
 /// Draws all text items of a document whose page is `width` pixels wide, and passes each with its index to
-/// `give`. Items behind figures come first, in order. `fronts`: the subjects of the panels that
+/// `give`. Items behind subjects come first, in order. `fronts`: the subjects of the panels that
 /// [`Document::fronts`] names, as [`render_panel`](crate::page::compose::render_panel) draws them.
 ///
 /// # Errors
@@ -326,8 +326,8 @@ fn read<'s>(setting: &'s Setting, line: usize, spans: &[(f64, f64)]) -> Vec<(&'s
     all
 }
 
-/// The cells of the columns of a word on a page of `width` pixels, from right to left, and the readings
-/// beside them. Emphasised text is bolder and not slanted.
+/// Returns the cells of the columns of vertical text on a page of `width` pixels, from right to left, with
+/// their ruby readings. Emphasised text is bolder and not slanted.
 fn columns<'a>(laid: &Laid, width: f64, (letters, font): (&'a Letters, &'a Font)) -> Vec<Row<'a>> {
     let setting = &laid.setting;
     let size = setting.size * width;

@@ -139,7 +139,7 @@ fn face(file: &[u8]) -> Option<Face<'_>> {
 
 /// Result of `work` on an untrusted file. `None` if the font reader panics.
 fn guarded<T>(work: impl FnOnce() -> Option<T>) -> Option<T> {
-    // Nothing that the work may have left half done is looked at again.
+    // Nothing reads the state that a panic may leave incomplete.
     catch_unwind(AssertUnwindSafe(work)).ok().flatten()
 }
 

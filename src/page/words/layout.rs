@@ -161,7 +161,7 @@ impl Ground {
             most: own.unwrap_or_else(|| part((0.94, 0.8))),
             page: (0.96 / reach, 0.96 * self.height / reach),
         };
-        // A person's width may be more than the panel's.
+        // A custom width may exceed the panel.
         let width = word.width.filter(|_| !word.plain);
         let room = width.map_or(wish.room, |_| (wish.page.0, wish.room.1));
         let most = width.map_or(wish.most, |_| (wish.page.0, wish.most.1));

@@ -1,6 +1,6 @@
 //! Traced glyphs, for characters that the fonts lack. The browser draws an Arabic word, a Chinese character
 //! or an emoji with a system font, and its outline becomes a glyph. Native builds use font files (`given`).
-//! So it looks the same in the preview, in images and in PDF files, at any size.
+//! So its look is identical in the preview, in images and in PDF files, at any size.
 //!
 //! The outline is at half coverage, by marching squares (Lorensen and Cline 1987, in the plane), simplified
 //! by the Douglas-Peucker algorithm.

@@ -85,7 +85,7 @@ impl<'a> Lens<'a> {
         lens
     }
 
-    /// Whether the text is one that a letterer would break by eye.
+    /// Returns whether the text is short enough for line breaking in a lens shape.
     pub(super) fn is_short(&self) -> bool {
         self.pieces.len() <= MOST_PIECES
     }

@@ -5,7 +5,7 @@
 //! |---|---|
 //! | [`letters`] | outlines, advances and kerning of the fonts |
 //! | [`learning`] | letters that the fonts do not have, from pictures of them |
-//! | `given` | the same from font files of a person, natively |
+//! | `given` | fonts from the user's files, in native builds |
 //! | `vertical` | placement of glyphs in vertical text |
 //! | [`model`] | a text item as plain data, validated |
 //! | [`wording`] | text as letterers write it: capitals, quotes, emphasis, hyphens |

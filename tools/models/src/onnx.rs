@@ -2,7 +2,7 @@
 //! consist of tags, lengths and bytes, so no library is needed. Field numbers follow `onnx.proto3`, IR
 //! version 8, opset 13.
 //!
-//! Large weights are stored in half precision and cast when the net is loaded, which halves the file.
+//! Large weights are stored in half precision and cast when the model is loaded, which halves the file.
 
 use super::half::half;
 
@@ -37,7 +37,7 @@ pub(super) struct Graph {
 }
 
 impl Graph {
-    /// The net's input, f32.
+    /// The model's input, f32.
     pub(super) fn input(&mut self, name: &str, shape: &[i64]) -> String {
         self.inputs.message(11, &value_info(name, shape));
         name.to_owned()

@@ -13,11 +13,11 @@ use super::onnx::{Attribute, Graph};
 
 /// The part of the graph to extract.
 pub(super) struct Cut<'a> {
-    /// The node whose result is the net's input.
+    /// The node whose result is the model's input.
     pub(super) input: &'a str,
     /// Side of the square input in pixels.
     pub(super) side: usize,
-    /// The nodes whose results are the net's outputs.
+    /// The nodes whose results are the model's outputs.
     pub(super) outputs: &'a [&'a str],
 }
 

@@ -20,7 +20,8 @@ const RATE: f64 = 0.5;
 /// Weight of the squares of the weights, which keeps them finite where terms separate all pairs.
 const RIDGE: f64 = 0.01;
 
-/// The weights, how often they agree with a person, and how often they do on pairs of albums that were left out.
+/// Prints the weights, and how often they agree with the ratings, also for pairs of albums that were left out
+/// of the fit.
 ///
 /// # Errors
 /// If there are too few pairs.

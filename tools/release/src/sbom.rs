@@ -148,7 +148,7 @@ fn packages(lock: &Value, items: &mut Items) -> Result<()> {
     Ok(())
 }
 
-/// The nets; all are under one licence (`www/models/README.md`).
+/// The models; all have one licence (`www/models/README.md`).
 fn nets(items: &mut Items) {
     for inkpanel_models::Part { file, sha256, registry, package } in inkpanel_models::parts() {
         let purl = match (registry, package.rsplit_once('@'), package.split_once("==")) {

@@ -93,7 +93,7 @@ function blankEnds(bytes: Uint8Array, start: number, rows: number, { row, used }
 }
 
 /**
- * @param told how long the file says that they are
+ * @param told length in the header of the file
  * @returns bytes of the runs to their end, or the stated length without an end mark; 0 if they are truncated
  */
 function lengthOfRuns(bytes: Uint8Array, start: number, packing: number, told: number): number {

@@ -316,7 +316,7 @@ describe('a photo that another program made', async () => {
     const { blob: clean } = await stripped(new Blob([loud]));
     const text = await textOf(clean);
     for (const word of ['camera', '46.2', 'SECR', '2019:07:14', 'Tests']) expect(text).not.toContain(word);
-    // Positions are counted in some files: there the pixels are looked at, in tests/web/wasm/metadata.spec.js.
+    // Some files contain byte positions. Their pixels are compared in tests/web/wasm/metadata.spec.js.
     if (/\.(jpg|png|webp|gif)$/.test(name)) expect(await bytesOf(clean)).toEqual(await bytesOf(blob));
     else expect(clean.size).toBeLessThanOrEqual(loud.length - 'SECRET of the camera, Phone 99'.length);
   });

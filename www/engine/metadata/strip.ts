@@ -41,7 +41,7 @@ const PNG_CHUNKS = [
   'fcTL',
   'fdAT',
 ];
-/** A file that is larger than this is a film; of films only some parts are read. */
+/** Minimum size of a file that counts as a video. Videos are only read in part. */
 const MOST_BYTES = 512 * 2 ** 20;
 
 /** @returns the same again when it is stripped again */

@@ -119,7 +119,7 @@ describe('a build', () => {
 });
 
 describe('sweeping', () => {
-  /** Three builds, and nets of two of them. */
+  /** Three builds. Two of them have models. */
   async function three() {
     const caches = fakeCaches();
     for (const version of ['one', 'two', 'three']) await world(version, { caches }).versions.install();

@@ -230,7 +230,7 @@ function groupOf(page: PageDocument, panel: number): number[] {
   return grown([panel], page);
 }
 
-/** @returns without a figure that steps out */
+/** @returns the panel without a breakout */
 function framed({ figure: _figure, ...use }: PanelUse): PanelUse {
   return use;
 }

@@ -100,7 +100,7 @@ export function createPanelActions({
       undo: 'step',
     }) satisfies Partial<PanelAction>;
 
-  /** As in film editors; with Shift a second. */
+  /** As in video editors: a frame, and with Shift a second. */
   const scrubbed = (way: 1 | -1) =>
     ({
       about: strings.keyAbout.scrub,

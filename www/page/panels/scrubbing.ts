@@ -15,7 +15,7 @@ import type { Reading } from '../../photos/reading.ts';
 
 export type Scrubbing = ReturnType<typeof createScrubbing>;
 
-/** Seconds of a press: two or three frames of most films. */
+/** Seconds per key press: two or three frames of most videos. */
 export const STEP = 0.1;
 export const LARGE_STEP = 1;
 

@@ -35,7 +35,7 @@ export function createSelection({ store }: { store: Store }) {
     },
     /**
      * A click on a panel.
-     * @param adds whether a key says that it adds to the choice
+     * @param adds whether a key extends the selection
      */
     press(panel: number, adds: boolean) {
       if (adds || several.peek()) this.toggle(panel);

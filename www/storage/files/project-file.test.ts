@@ -62,7 +62,7 @@ describe('a project file', () => {
     expect(look(now.present.page)).toEqual(look(present.page));
     const name = (id: string | null) => tab.store.album.value.get(String(id))?.name;
     expect(now.present.page?.panels.every(({ photo }) => name(photo))).toBe(true);
-    // It is saved beside the one that it came from.
+    // It is saved next to its source project.
     expect([tab.keeping.status.value, reasons()]).toEqual(['saved', []]);
     await tab.keeping.refresh();
     expect(tab.keeping.list.value.length).toBe(2);

@@ -38,7 +38,7 @@ const FOLDERS: [&str; 13] = [
     "licences",
 ];
 
-/// Builds the package and says where it is.
+/// Builds the package and prints its path.
 ///
 /// # Errors
 /// When a part cannot be built.
@@ -73,7 +73,8 @@ fn build(project: &Project) -> Result<PathBuf> {
     Ok(folder)
 }
 
-/// The types of a module without the disposal that `using` asks for: older libraries of TypeScript do not know its symbol.
+/// Removes the `Symbol.dispose` members for `using` from the types of a module, because older TypeScript
+/// libraries lack this symbol.
 fn without_disposal(types: &Path) -> Result<()> {
     let text = fs::read_to_string(types)?;
     let kept: String = text.split_inclusive('\n').filter(|line| !line.contains("[Symbol.dispose]")).collect();
@@ -154,7 +155,7 @@ fn manifest(project: &Project) -> Result<Value> {
         "keywords": package["keywords"],
         "license": package["license"],
         "type": "module",
-        // The types lie beside the module, where TypeScript looks for them.
+        // TypeScript expects the types next to the module.
         "exports": {
             ".": {
                 "types": format!("./{ENTRY}.d.ts"),
@@ -175,7 +176,7 @@ fn manifest(project: &Project) -> Result<Value> {
     }))
 }
 
-/// Builds the package, packs it and says where the file is. npm gives all entries one time.
+/// Builds the package, packs it and prints the path of the file. npm sets one time for all entries.
 ///
 /// # Errors
 /// When a part cannot be built, or npm does not pack it.

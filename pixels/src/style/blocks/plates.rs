@@ -1,9 +1,9 @@
 //! Plates: a picture printed in a few inks, one plate each, as a risograph or a screen printer does.
 //!
 //! Each ink takes its share of the difference to white, (1 - R, 1 - G, 1 - B), by least squares. The shares
-//! are scaled so that black is full ink on its plate. No tone is lost with any set of inks. A spot colour
-//! beside black has no share in grays and keeps its own scale. The plates are grained or screened and shifted
-//! against each other by a seed. Their inks multiply:
+//! are scaled so that black is full ink on its plate. No tone is lost with any set of inks. In addition to
+//! black, a spot colour has no share in grays and has a separate scale. The plates are grained or screened
+//! and shifted against each other by a seed. Their inks multiply:
 //!
 //! ```text
 //! a    = clamp(M (1 - rgb))                M: pseudo-inverse of the inks' own (1 - rgb), each row scaled to a sum of 1
@@ -72,7 +72,7 @@ const NAMES: &[&str] = &[
 /// Index of the first parameter of the inks of the set "own".
 const OWN: usize = 7;
 
-/// An ink as printers name it, and how it looks in full on white paper.
+/// An ink with its name in print and its solid colour on white paper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Ink {
     /// Its name, in English, fit for a file.

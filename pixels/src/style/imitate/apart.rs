@@ -1,4 +1,4 @@
-//! The difference between the looks of two pictures, part by part. One unit of each part is barely visible.
+//! The difference between two looks, in parts. One unit of each part is barely visible.
 
 use super::colours::palette_distance;
 use super::features::{Features, TONES};

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 /// Pixels at which pictures are measured and styles are tried.
 pub(super) const AREA: usize = 160_000;
 
-/// Pixels of the picture in which screens are looked for: fine ones are gone in a smaller one.
+/// Pixels of the picture for measuring screens. Smaller pictures lose fine screens.
 pub(super) const FINE: usize = 1_200_000;
 
 /// Steps of the tones.

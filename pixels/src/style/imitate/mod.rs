@@ -82,7 +82,7 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// The photo for a trial; all that are asked for at once see it alike.
+    /// Returns the photo for a trial. Simultaneous trials use the same photo.
     #[must_use]
     pub fn of(photo: &Image, ask: &Ask) -> Self {
         if ask.close {
@@ -108,9 +108,9 @@ pub fn attempt(seen: &Seen, style: &Style, context: &mut Context<'_>) -> Result<
     Ok(Trial { features, signature: signature(&drawn) })
 }
 
-/// Pixels of the sketch of a photo in which the part that is seen close is looked for.
+/// Pixels of the reduced photo for selecting the close-up.
 const SKETCH: usize = 20_000;
-/// Windows that are looked at for the one that is seen close, along each side.
+/// Number of candidate windows for the close-up, along each side.
 const WINDOWS: usize = 5;
 
 /// The part of the photo that shows a screen best, as it is in a large picture of it.

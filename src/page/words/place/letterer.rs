@@ -8,7 +8,8 @@
 //! Consecutive balloons of one speaker are linked automatically: the search is repeated with each such pair
 //! as one. The pair stays if the cost is not higher and the connector covers no subject.
 //!
-//! Costs have ranks: faces, borders, other items and reading order outweigh habits and looks.
+//! Costs have ranks: faces, borders, other items and reading order are more important than conventions and
+//! style.
 //!
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); Thawonmas and Shuda, "Comic layout for automatic comic
 //! generation from game log" (2008), for faces and order as constraints.
@@ -336,7 +337,7 @@ impl Room<'_> {
         let word = &words[index];
         let usual = ground.lay(Word { room: None, ..word.clone() }, letters);
         let mut shapes = vec![(None, usual)];
-        // A person's size or width is not changed.
+        // A custom size or width does not change.
         if word.kind != Kind::Effect && word.width.is_none() && self.count <= CROWD {
             for (across, down) in
                 [(0.94, 0.2), (0.94, 0.3), (0.22, 0.8), (0.34, 0.8), (0.46, 0.34), (0.3, 0.3)]
@@ -537,7 +538,8 @@ impl Room<'_> {
         }
     }
 
-    /// Position of the head of the largest person or animal, or else of the largest thing.
+    /// Returns the position of the head of the largest person or animal, or of the largest object without
+    /// them.
     fn largest(&self) -> Option<Point> {
         let size =
             |seen: &&Seen| seen.bounds.width * seen.bounds.height * if seen.person { 4.0 } else { 1.0 };
@@ -611,8 +613,8 @@ fn together(one: (&Word, &Place), other: (&Word, &Place), joined: bool, follow: 
     cost
 }
 
-/// Cost of a linked balloon directly below or directly beside the one before. Letterers offset them in both
-/// directions.
+/// Cost of a linked balloon directly below or directly next to the previous one. Letterers offset them in
+/// both directions.
 fn staggered(a: Bounds, b: Bounds) -> f64 {
     let (aside, below, weight) = STAGGER;
     let (from, to) = (center(a), center(b));

@@ -28,7 +28,8 @@ const SAMPLES: usize = 8;
 /// Minimum covered part of a face or text item at which a text item counts as in the way.
 const FAR: f64 = 0.12;
 
-/// A box that holds more of a figure than this part of it is the box of that figure: the mask says better where it is.
+/// If a box contains more than this part of a subject, it is the box of that subject. Then the mask replaces
+/// it.
 const SAME: f64 = 0.15;
 
 /// Properties of a photo for placement.
@@ -67,7 +68,7 @@ struct Seen {
 #[derive(Debug, Default)]
 struct Scenery {
     seen: Vec<Seen>,
-    /// The figures of photos that have masks.
+    /// The subjects of photos with masks.
     figures: Vec<Figure>,
 }
 
@@ -288,7 +289,7 @@ fn covered(laid: &Laid) -> Bounds {
     Bounds { x: laid.middle.x - a, y: laid.middle.y - b, width: 2.0 * a, height: 2.0 * b }
 }
 
-/// Adds the visible subjects of a panel, and its figure for items with the rules of letterers.
+/// Adds the visible subjects of a panel, and its mask for items with lettering rules.
 fn see<'s>(
     document: &Document,
     ground: &Ground,

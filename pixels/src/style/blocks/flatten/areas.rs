@@ -5,7 +5,7 @@ use super::palette::Costs;
 use crate::raster::sets::Sets;
 use crate::raster::{Image, Plane};
 
-/// Rounds in which pixels ask their neighbours.
+/// Rounds in which pixels adopt the area of their neighbours.
 const ROUNDS: usize = 3;
 
 /// Cost of a neighbour that differs at full smoothness, in units of the costs.
@@ -267,7 +267,7 @@ impl Votes<'_> {
     /// The colours of the four pixels of the square (i, j): of each the two areas with most weight about it, one pixel soft.
     fn mixed(&self, (i, j): (usize, usize)) -> [[u8; 3]; CORNERS] {
         let (width, height) = self.size;
-        // Which areas are about a square is looked up once for all of its pixels.
+        // The areas around a square are determined once for all of its pixels.
         let mut sums = [(0u32, [0.0f32; CORNERS]); 12];
         let mut count = 0;
         let mut totals = [0.0f32; CORNERS];

@@ -1,5 +1,5 @@
 //! Pattern Filling: luma in a few levels, each drawn with its own tile of lines or dots, from white paper to
-//! solid black. The tile sets are drawn by code, see [`tiles`]; a person's own texture gives its ink by its tones, see
+//! solid black. Code draws the tile sets, see [`tiles`]. The tones of a custom texture define its ink, see
 //! [`own`].
 
 mod own;

@@ -1,5 +1,5 @@
-//! Tile sets drawn by code: each is a rule that says how far a point is from the nearest ink, which keeps the
-//! edges smooth at every scale.
+//! Tile sets drawn by code. Each rule returns the distance of a point to the nearest ink, which gives smooth
+//! edges at every scale.
 
 use std::f32::consts::{PI, TAU};
 
