@@ -24,7 +24,7 @@ fn main() -> io::Result<()> {
     letters()
 }
 
-/// Writes `OUT_DIR/palettes.rs`, the colours of words on pages of each style, sorted by its id.
+/// Writes `OUT_DIR/palettes.rs`: text colours on pages of each style, sorted by style id.
 fn palettes() -> io::Result<()> {
     println!("cargo:rerun-if-changed=src/page/words/palette.rs");
     println!("cargo:rerun-if-changed=styles");

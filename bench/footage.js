@@ -29,7 +29,7 @@ export function makeFilm(album, folder, minutes) {
   const list = join(folder, 'shots.txt');
   writeFileSync(list, shots.map((shot) => `file '${shot}'\n`).join(''));
   const loops = Math.ceil((minutes * 60) / (SHOTS * SECONDS)) - 1;
-  // Under another name until it is whole.
+  // Written under another name until it is complete.
   const half = join(folder, 'half.mp4');
   const input = ['-stream_loop', String(loops), '-f', 'concat', '-safe', '0', '-i', list];
   ffmpeg([...input, '-t', String(minutes * 60), '-c', 'copy', half]);

@@ -11,7 +11,7 @@ import { opened } from './opened.js';
 
 /** A look of few blocks, one of dots and one of paint. */
 const STYLES = ['Adventure Album', 'Manga', 'Oil Painting'];
-/** Pictures of a loop, those among them that go over from its end into its beginning. */
+/** Number of pictures of a loop, and of pictures in the dissolve from its end to its beginning. */
 const PICTURES = 36;
 
 /**

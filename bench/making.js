@@ -18,7 +18,7 @@ const DIALOG_MS = 4000;
  * @param {Browser} browser
  * @param {string} address of the site
  * @param {string[]} photos paths
- * @param {string[]} pictures paths of pictures whose style is wanted
+ * @param {string[]} pictures paths of pictures for the style search
  * @returns {Promise<{ frames: number, width: number, height: number, styles: number, searches: number[], hasty: number }>} pictures per
  *   second, their size, styles per second, milliseconds of each search, and of a search that starts when the workspace opens
  */

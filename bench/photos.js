@@ -32,7 +32,7 @@ export async function makePhotos(browser, album, folder, count) {
 
 /**
  * Runs in the page.
- * @param {readonly [string, number]} of JPEG in base64, and a seed for the part; 0: the whole photo
+ * @param {readonly [string, number]} of JPEG in base64, and a seed for the part; 0 for the whole photo
  * @returns {Promise<string>} JPEG in base64
  */
 async function enlarge([source, part]) {

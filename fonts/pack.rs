@@ -1,4 +1,4 @@
-//! Turns the fonts of this folder into the table of letters that `page::words::letters` reads.
+//! Turns the fonts of this folder into the table of glyphs that `page::words::letters` reads.
 //!
 //! Numbers are LEB128; signed ones are zigzagged first. Lengths are in font units, y up.
 //!
@@ -197,7 +197,7 @@ impl Writer {
         let mut pairs = Vec::new();
         for &(&a, &(one, left)) in &plain {
             for &(&b, &(other, right)) in &plain {
-                // Letters of two fonts know nothing of each other.
+                // Fonts have no kerning pairs with glyphs of another font.
                 if one != other {
                     continue;
                 }
@@ -275,7 +275,7 @@ struct Contour {
 }
 
 impl Contour {
-    /// Twice its area, about: positive where it runs counterclockwise, as y goes up.
+    /// About twice its signed area: positive for counterclockwise contours, as y points up.
     fn area(&self) -> f64 {
         let ends = self.segments.iter().map(|(_, end)| *end);
         let points: Vec<Place> = [self.start].into_iter().chain(ends).collect();

@@ -21,7 +21,7 @@ impl Output {
     /// A place of that name. `format` overrides the extension. The default of standard output is PNG.
     ///
     /// # Errors
-    /// A sentence for a kind that is not known.
+    /// A sentence if the format is unknown.
     pub(crate) fn new(path: &Path, format: Option<&str>) -> Result<Self, Complaint> {
         let named = match format {
             Some(format) => Path::new("page").with_extension(format),
@@ -73,7 +73,7 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
     placed.map_err(complain)
 }
 
-/// Writes to standard output. A closed pipe is not an error: the reader has all that it wants.
+/// Writes to standard output. A closed pipe is not an error: the reader stopped on purpose.
 ///
 /// # Errors
 /// A sentence for any other failure.

@@ -1,4 +1,4 @@
-//! Pages of the command line as files: rendered from the photos at their full size, with their words.
+//! Writes pages of the command line as files: rendered from full-size photos, with their text.
 
 use crate::album::{self, is_standard};
 use crate::destination::{Output, write};
@@ -20,8 +20,8 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
-/// Puts the words of a file on a page; those without a place go where they hide no face, and no body of a photo whose mask
-/// is there.
+/// Adds the text items of a file to a page. Items without a position are placed clear of faces, and of
+/// subjects with masks.
 pub(crate) fn add_words(
     document: &mut Document,
     file: &Path,
@@ -39,7 +39,7 @@ pub(crate) fn add_words(
     place::add(document, words, known, &letters).map_err(|error| complain(error.to_string()))
 }
 
-/// Says which letters of the words of pages no font has.
+/// Warns about characters without a glyph.
 pub(crate) fn tell_missing(pages: &[Document], fonts: &GivenFonts) -> Result<(), Complaint> {
     let words = || pages.iter().flat_map(|page| &page.words);
     let letters = fonts.letters(words()).map_err(|error| error.to_string())?;
@@ -155,7 +155,7 @@ pub(crate) fn encoded(
     file.map_err(|error| error.to_string())
 }
 
-/// Renders a document as JPEG, whatever it goes into.
+/// Renders a document as JPEG.
 pub(crate) fn jpeg_of(document: &Document, means: &Means<'_>) -> Result<Vec<u8>, Complaint> {
     draw(document, means, Path::new("page.jpg"))
 }
@@ -341,7 +341,8 @@ pub(crate) fn write_book(
     Ok(written)
 }
 
-/// Pages as PDF files whose title is the file's name: one, or one for each ink. Gives each with where it goes.
+/// Pages as PDF files whose title is the file's name: one, or one for each ink. Calls the function with each
+/// page and its output path.
 fn draw_book(
     documents: &[Document],
     means: &Means<'_>,

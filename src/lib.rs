@@ -26,7 +26,7 @@
 //! | plan pages | [`PageOptions`], [`layouts`], [`Style`] |
 //! | draw pages | [`Page`], [`Pixels`], [`pdf`] |
 //! | draw any picture in a style | [`Style::draw`] |
-//! | know what went wrong | [`Failure`] |
+//! | find the reason of an error | [`Failure`] |
 //!
 //! The same photos and options make the same pixels, on every machine and in the browser. The crate has no
 //! global state, no clock, and no randomness except from the caller's seed. Work uses all cores, or the
@@ -42,7 +42,7 @@
 //! | `rare` | photos as WebP, TIFF and GIF, and with the colours of scanners and presses |
 //! | `files` | saved projects |
 //! | `cli` | the command line `inkpanel`: `cargo install inkpanel --features cli` |
-//! | `internals` | the stages themselves; they change from one version to the next without a word |
+//! | `internals` | the processing stages; their API changes between versions without notice |
 //!
 //! # The stages
 //!
@@ -70,7 +70,7 @@
 //!
 //! Above them, without algorithms, are `facade` (the public API) and `main.rs` (the command line). The crates
 //! of `modules/` bind the stages to JavaScript. Every spatial parameter of a style is in pixels of a 1920 x
-//! 1080 image and scaled to the render at hand.
+//! 1080 image, and scaled to the size of the render.
 
 // Without public stages, many items are unused.
 #![cfg_attr(

@@ -1,7 +1,7 @@
 //! The command line: batch rendering, goldens and debugging with the same code as the page.
 //!
-//! Progress and complaints go to standard error, results to standard output. Exit codes: 0 done, 1 bad input,
-//! 2 wrong usage (from the argument parser).
+//! Progress and errors are printed to standard error, results to standard output. Exit codes: 0 done, 1 bad
+//! input, 2 wrong usage (from the argument parser).
 
 #![deny(clippy::print_stdout, clippy::print_stderr, reason = "a closed pipe makes them panic")]
 

@@ -202,7 +202,7 @@ fn judged(page: &Value, metas: &[PhotoMeta], known: &dyn Fn(&str) -> Option<usiz
     if slots.is_empty() {
         return Err("shows no photo".into());
     }
-    // Only the photos of the page are known.
+    // Only the photos of the page are available.
     let mut own: Vec<usize> = assigned.iter().map(|panel| panel.photo).collect();
     own.sort_unstable();
     own.dedup();

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
-/// Length, type and checksum of the first chunk of a PNG file, which always has 13 bytes, behind the signature.
+/// Length of the PNG signature and of the first chunk: length, type, 13 bytes of data and checksum.
 const HEAD: usize = 8 + 4 + 4 + 13 + 4;
 /// The last chunk of a PNG file, which is empty.
 const TAIL: usize = 12;
@@ -42,7 +42,7 @@ impl Album<'_> {
         self.archive(Some(&text))
     }
 
-    /// A PNG of a page with its project, and the photos where they are wanted.
+    /// Returns a PNG of a page with its project, and with the photos if requested.
     ///
     /// # Errors
     /// The errors of [`packed`](Self::packed), and if the photos are too large for a PNG file.

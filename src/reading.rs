@@ -46,7 +46,7 @@ pub(crate) struct Telling<'t> {
     pub(crate) language: &'t str,
 }
 
-/// The language of a comic, checked: letters and digits in parts of up to eight, as BCP 47 has them.
+/// Checks the language tag of a comic: letters and digits in parts of up to eight characters, as in BCP 47.
 pub(crate) fn language(tag: &str) -> Result<String, Complaint> {
     let part = |part: &str| (1..=8).contains(&part.len()) && part.chars().all(|c| c.is_ascii_alphanumeric());
     let first = tag.split('-').next().unwrap_or_default();

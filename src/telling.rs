@@ -51,7 +51,7 @@ pub(crate) fn step(event: &Value, sentence: Option<String>) {
     }
 }
 
-/// Prints text to standard error. The work goes on if standard error is closed.
+/// Prints text to standard error. The run continues if standard error is closed.
 pub(crate) fn print(text: &str) {
     let mut out = std::io::stderr().lock();
     let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());

@@ -76,7 +76,7 @@ pub(crate) struct Word {
     tail: Option<Focus>,
     /// Id of a font.
     font: Option<String>,
-    /// Colour of the letters.
+    /// Text colour.
     color: Option<String>,
     /// Colour of the box.
     fill: Option<String>,
@@ -88,7 +88,7 @@ pub(crate) struct Word {
     auto: Option<bool>,
     /// Shuffle made it: the next shuffle replaces it.
     made: Option<bool>,
-    /// The photo that it belongs to: it goes wherever that is. Null names the one on its panel.
+    /// The photo that it belongs to. The item follows this photo. Null names the one on its panel.
     #[ts(optional = nullable)]
     photo: Option<String>,
     /// The subtitle that it was made of: none is added twice.
@@ -103,9 +103,9 @@ pub(crate) struct Word {
     /// Whether it is set in capitals; null is as its conventions have it.
     #[ts(optional = nullable)]
     capitals: Option<bool>,
-    /// Degrees that the letters of an effect lean to the right, -45 to 45.
+    /// Slant of a sound effect in degrees to the right, -45 to 45.
     slant: Option<f64>,
-    /// Half the width of the line around the letters of an effect, in ems, 0 to 0.4; null is as usual.
+    /// Half the width of the outline of a sound effect, in ems, 0 to 0.4. Default if null.
     #[ts(optional = nullable)]
     outline: Option<f64>,
     /// Whether an effect is behind the subjects.
@@ -123,7 +123,7 @@ pub(crate) struct Word {
     apart: Option<bool>,
     /// Name of the speaker, if known.
     by: Option<String>,
-    /// The language of its text: long words part by its rules.
+    /// The language of its text, for hyphenation.
     #[ts(optional = nullable)]
     language: Option<String>,
     /// Its lines are columns, read from the top down and from right to left.

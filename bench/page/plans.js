@@ -14,7 +14,7 @@ export async function plans() {
 }
 
 /**
- * Milliseconds that it takes to learn about a photo what framing has to know.
+ * Milliseconds of the analysis of a photo for framing.
  * @param {import('./contest.js').Picture} picture at any size
  */
 export async function factsOf({ width, height, data }) {

@@ -66,7 +66,7 @@ fn factors(scales: &Tensor) -> TractResult<[usize; 2]> {
     }
 }
 
-/// Enlarging by known factors.
+/// Upscaling by known factors.
 #[derive(Debug)]
 struct Enlarged {
     factors: [usize; 2],

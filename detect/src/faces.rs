@@ -47,7 +47,7 @@ impl Faces {
         Ok(Self { net: Net::new(onnx, SIDE)? })
     }
 
-    /// The faces that the whole photo shows at once, the surest first.
+    /// Detects faces in a single pass over the whole photo, the most certain first.
     ///
     /// # Errors
     /// `detector` if the model fails.

@@ -136,7 +136,7 @@ fn optimised(mut model: TypedModel) -> TractResult<TypedModel> {
     Ok(model)
 }
 
-/// tract tells the whole story of an error; its root is what helps.
+/// tract returns a chain of errors; the root cause is the useful part.
 fn failed(error: &TractError) -> Error {
     Error::Detector(error.root_cause().to_string())
 }

@@ -16,7 +16,7 @@ use super::winograd::Convolution;
 
 type Built = TractResult<(Box<dyn InferenceOp>, Vec<String>)>;
 
-/// A reader of ONNX files that knows these operators.
+/// Returns a reader of ONNX files with these operators.
 pub(super) fn reader() -> Onnx {
     let mut known = OnnxOpRegister::default();
     known.insert("Add", |_, _| built(math::Add.into_hir()));

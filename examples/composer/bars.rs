@@ -206,7 +206,7 @@ fn table(pages: &[Counted]) -> String {
     text
 }
 
-/// Milliseconds of a plan here, from photos that are known already.
+/// Milliseconds of a plan on this machine, from analysed photos.
 fn times(photos: &[Photo]) -> Result<String, Failure> {
     let mut text = String::new();
     for count in [12, 100, 1000] {

@@ -1,4 +1,5 @@
-//! Faces and heads that the panels of whole pages cut: every panel of every layout, and every merge of its panels.
+//! Counts faces and heads that the panels of whole pages cut: every panel of every layout, and every merge of
+//! its panels.
 
 use std::fmt::Write as _;
 

@@ -142,7 +142,7 @@ impl Tiff {
         for chunk in 0..planes * across * down {
             let (plane, place) = (chunk / (across * down), chunk % (across * down));
             let (left, top) = (place % across * chunk_width, place / across * chunk_height);
-            // The last strip ends with the image, a tile is always whole.
+            // The last strip ends with the image, but a tile is always complete.
             let rows = if self.tile.is_some() { chunk_height } else { chunk_height.min(self.height - top) };
             offsets.push(file.len() as u32);
             for y in top..top + rows {

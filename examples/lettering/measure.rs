@@ -25,13 +25,13 @@ pub(crate) struct Figures {
     pub(crate) tails: (usize, usize),
     /// Text items that extend beyond their shape, or whose text is truncated.
     pub(crate) outside: usize,
-    /// Pairs of words that overlap.
+    /// Pairs of text items that overlap.
     pub(crate) overlaps: usize,
     /// Words that cross the border of their panel.
     pub(crate) crossing: usize,
     /// Words that are read before one that is written before them.
     pub(crate) disorder: usize,
-    /// Smallest and largest letters, in points on A4.
+    /// Smallest and largest text size, in points on A4.
     pub(crate) points: Option<(f64, f64)>,
     /// Balloons that are linked to another one and share its tail.
     pub(crate) joined: usize,
@@ -219,7 +219,7 @@ fn opaque(patch: &Patch, x: i64, y: i64) -> bool {
         && patch.rgba[(y as usize * patch.area.width + x as usize) * 4 + 3] > 127
 }
 
-/// The area of a box in page widths squared, and what of it words cover.
+/// Returns the area of a box in page widths squared, and the part that text covers.
 fn covered(patches: &[Patch], bounds: Bounds) -> (f64, f64) {
     let scale = WIDTH as f64;
     let range = |start: f64, length: f64| {
@@ -296,7 +296,7 @@ fn ovals_meet(a: &Laid, b: &Laid) -> bool {
     across.powf(2.4) + down.powf(2.4) < 1.0
 }
 
-/// Whether all corners of all lines are inside of the oval, which bursts and clouds go around.
+/// Returns whether all corners of all lines are inside of the oval. Bursts and clouds surround this oval.
 fn holds_its_text(laid: &Laid, letters: &Letters) -> bool {
     let (a, b) = laid.setting.half;
     let capitals = letters.font(&laid.word.font).map_or(0.7, |font| font.capitals) * laid.setting.size;
@@ -319,7 +319,7 @@ fn wrong_tail(laid: &Laid, seen: &[Seen]) -> Option<String> {
     }
     let foot = middle.toward(tip, 1.0 / norm);
     let heads: Vec<&Seen> = seen.iter().filter(|seen| seen.label == "face").collect();
-    // On along its line, as far as the panel goes.
+    // Extends the line to the border of the panel.
     let far = Point::new(foot.x + (tip.x - foot.x) * 40.0, foot.y + (tip.y - foot.y) * 40.0);
     if heads.is_empty() {
         let bodies: Vec<&Seen> = seen.iter().filter(|seen| seen.label != "text").collect();

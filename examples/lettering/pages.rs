@@ -49,7 +49,7 @@ const SPEECHES: [&str; 15] = [
     "Smile!",
 ];
 
-/// The photos that are known.
+/// Returns the analysed photos.
 ///
 /// # Errors
 /// The file is missing or broken.

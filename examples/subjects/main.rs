@@ -21,7 +21,7 @@ use measure::{HELD_OUT, Measured, TUNED, border, measure};
 use tiny_skia::Pixmap;
 
 const COLUMNS: u32 = 4;
-/// Width and height of the room for a picture, of the label above it; pixels.
+/// Width and height of the cell for a picture, and height of the label above it, in pixels.
 const ROOM: (u32, u32) = (460, 345);
 const LABEL: u32 = 16;
 const QUALITY: u8 = 80;

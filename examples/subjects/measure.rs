@@ -96,7 +96,7 @@ pub(crate) fn measure(net: &Segmenter, name: &str) -> Result<Measured, Box<dyn s
     })
 }
 
-/// A mark at another size: its steps of whole pixels become lines.
+/// Resizes a mark. Its steps of whole pixels become lines.
 fn smooth(mark: &Plane, (width, height): (usize, usize)) -> Plane {
     let large = resample(mark, Region::whole(mark.width(), mark.height()), width, height);
     softened(&large, WIDTH / mark.width().max(1) / 2)

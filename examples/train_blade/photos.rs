@@ -29,7 +29,7 @@ impl Photo {
         places
     }
 
-    /// The sample at a place, where what lies outside repeats the edge.
+    /// Returns the sample at a place. Places outside repeat the edge.
     #[inline]
     pub(crate) fn at(&self, x: isize, y: isize) -> f32 {
         let x = x.clamp(0, self.luma.width() as isize - 1) as usize;

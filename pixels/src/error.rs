@@ -124,7 +124,7 @@ pub enum Error {
     /// No layout of this id.
     #[error("there is no layout called \"{0}\"")]
     UnknownLayout(String),
-    /// A page refers to a photo whose pixels are not at hand.
+    /// A page refers to a photo whose pixels are not loaded.
     #[error("the photo \"{0}\" is not loaded")]
     MissingPhoto(String),
     /// A page was requested without photos.

@@ -41,8 +41,8 @@ class Draw:
         return {key: [row[key] for row in rows] for key in rows[0]}
 
     def album(self, folder, pages):
-        """Returns the rows of an album: one without a code for its page, and one for each error. The page
-        goes into a file, or into `pages`."""
+        """Returns the rows of an album: one without a code for its page, and one for each error. The page is
+        written to a file, or stored in `pages`."""
         start, cpu, rows = time.time(), time.process_time(), []
         about = {"album": folder.name, "file": "", "code": "", "message": "", "pid": os.getpid()}
         about.update(began=start, ended=start, cpu=0.0, peak_mb=0.0)
@@ -116,7 +116,7 @@ def albums_there(pages, ending, parquet):
 
 
 def written(path, content):
-    """Puts a file in its place when it is whole."""
+    """Renames a file when it is complete."""
     fresh = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
         with open(fresh, "wb") as file:

@@ -182,7 +182,7 @@ def test_missing_files_and_folders_are_named(album, tmp_path):
     with pytest.raises(inkpanel.Error, match="list the files") as error:
         inkpanel.render(tmp_path, detect=False)
     assert error.value.code == "unreadable"
-    # One that goes away before the page is drawn.
+    # A photo that is deleted before the page is drawn.
     page = inkpanel.render(album, width=200, detect=False)
     for file in album:
         file.unlink()

@@ -1,4 +1,4 @@
-//! Frames that a plan tells, drawn and written: of shots and of pages alike.
+//! Renders and writes the frames of a plan, for shots and for pages.
 
 use super::drawn::Drawn;
 use crate::destination::Output;
@@ -45,7 +45,7 @@ struct Look {
 }
 
 impl Reel<'_> {
-    /// Writes all frames. Clips are drawn when a frame needs them, and forgotten behind it.
+    /// Writes all frames. Clips are rendered when a frame needs them, and released after it.
     pub(super) fn write(&self, steps: &[Step]) -> Result<(), Complaint> {
         let mut drawn: HashMap<usize, Drawn> = HashMap::new();
         for (i, step) in steps.iter().enumerate() {

@@ -99,14 +99,14 @@ pub enum DraftEdit {
         /// Which block.
         #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
         place: Place,
-        /// Null for the whole image.
+        /// `null` for the whole image.
         part: Option<Part>,
     },
     /// Sets the part of the image for a layer.
     LayerWhere {
         /// Which layer.
         layer: Layer,
-        /// Null for the whole image.
+        /// `null` for the whole image.
         part: Option<Part>,
     },
     /// All values are usual again.
@@ -640,7 +640,7 @@ mod tests {
         assert_eq!(full.after(&DraftEdit::Duplicate { place: back(0) }), None);
         let other = add(&full, Layer::Foreground, &["sobel"]);
         assert_eq!(other.after(&DraftEdit::Move { place: fore(0), to_layer: BACK, to: 0 }), None);
-        // Within a full layer there is room.
+        // Moving within a full layer is allowed.
         assert!(full.after(&DraftEdit::Move { place: back(0), to_layer: BACK, to: 3 }).is_some());
     }
 

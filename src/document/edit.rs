@@ -35,7 +35,7 @@ pub enum Edit {
         /// Their ids.
         ids: Vec<String>,
     },
-    /// Photos that could not be read are gone from all times: no undo brings them back.
+    /// Unreadable photos are removed from all states, so no undo restores them.
     ForgetPhotos {
         /// Their ids.
         ids: Vec<String>,
@@ -106,7 +106,7 @@ pub enum Edit {
         /// Whether it is locked.
         on: bool,
     },
-    /// The wanted number of panels.
+    /// Sets the number of panels.
     WantPanels {
         /// None for any.
         count: Option<u32>,
@@ -465,7 +465,7 @@ impl Project {
         }
         let mut loved: Vec<_> = self.loved.iter().copied().filter(|id| *id != page_id).collect();
         if on {
-            // The oldest go.
+            // The oldest are removed.
             loved.drain(..loved.len().saturating_sub(MOST_LOVED - 1));
             loved.push(page_id);
         }
@@ -647,7 +647,7 @@ fn ids(fields: &mut Fields) -> Read<Vec<String>> {
     fields.each("ids", MOST_PHOTOS, &|id| text_of(id, LONGEST_ID))
 }
 
-/// A word that is to be added.
+/// A new text item.
 fn fresh_word(value: Value) -> Read<Value> {
     Word::parse(&value, 0).map_err(|error| Wrong::of(error).without("words[0]."))?;
     Ok(value)

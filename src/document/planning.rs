@@ -182,7 +182,8 @@ impl<'p> Planning<'p> {
             request.ordered = request.ordered.or(Some(true));
         }
         if !request.keep.layout && request.layout.is_none() && request.panels.is_none() {
-            // A free layout has the wanted number of panels, or a panel for each locked photo.
+            // Without a fixed layout, the page has the requested number of panels, or a panel for each locked
+            // photo.
             let locked = project.page.as_ref().filter(|_| project.locks.photos).map(|page| places_of(page));
             request.panels = project.panels.map(|panels| panels as usize).or(locked);
         }
@@ -343,7 +344,7 @@ pub fn seen_on(page: &Document) -> Vec<String> {
     seen
 }
 
-/// The photos that words of a page belong to.
+/// Returns the photos with text items on a page.
 fn spoken_on(page: &Document) -> HashSet<String> {
     page.words.iter().filter_map(|word| photo_of(word, &page.panels)).map(str::to_owned).collect()
 }

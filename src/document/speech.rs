@@ -31,7 +31,7 @@ pub enum Manner {
     Sound,
 }
 
-/// Something said by one speaker.
+/// Speech of one speaker.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Said {
     /// How.

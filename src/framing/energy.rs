@@ -129,7 +129,7 @@ fn contrast(colours: &[[f64; 3]]) -> Vec<f64> {
     colours.iter().map(|rgb| means.iter().map(|(mean, n)| n * distance(rgb, mean)).sum()).collect()
 }
 
-/// The values brought to 0..=1; all 0 when they are all alike.
+/// Scales the values to 0..=1; all 0 if they are equal.
 fn stretched(values: &[f64]) -> Vec<f64> {
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);

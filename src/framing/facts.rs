@@ -13,13 +13,13 @@ pub(super) const TONES: usize = 16;
 /// Minimum difference of luma between neighbours at an edge, in grey levels.
 const EDGE: u32 = 20;
 
-/// Facts about the pixels of a photo. Shares are in 255ths of the whole.
+/// Facts about the pixels of a photo. Shares are in 255ths of the whole photo.
 ///
 /// As JSON a string of two hexadecimal digits for each of their 25 numbers, shares in 255ths.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Facts {
-    /// The share of each sixteenth of luma, dark first, in 255ths of the whole.
+    /// Share of each sixteenth of luma, dark first, in 255ths of the whole photo.
     pub tones: [u8; TONES],
     /// The share of pixels on an edge, between neighbours and between pixels eight times as far apart.
     pub edges: [u8; 2],

@@ -8,8 +8,8 @@ use crate::layout::{Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
 
 /// Samples across and down.
 const GRID: usize = 40;
-/// The part of a box that makes it count as whole. Heads are round: a slanted edge that takes a corner of the box
-/// takes nothing of the head.
+/// Minimum visible part of a box that counts as complete. Heads are round: a slanted edge that takes a corner
+/// of the box takes nothing of the head.
 const WHOLE: f64 = 0.96;
 /// The part of a box that makes it count as hidden.
 const GONE: f64 = 0.04;
@@ -104,7 +104,7 @@ impl Region {
         (all, most)
     }
 
-    /// Whether a box is seen whole, in one window.
+    /// Returns whether a box is completely visible in one window.
     #[must_use]
     pub fn holds(&self, inner: Bounds) -> bool {
         self.shares(inner).1 >= if self.parts.is_empty() { 1.0 - SLACK } else { WHOLE }
@@ -196,7 +196,7 @@ impl Part {
     }
 }
 
-/// Whether a point lies in a shape, or nearer to it than `halo`.
+/// Returns whether a point is inside a shape, or nearer to it than `halo`.
 fn inside(shape: &ResolvedShape, at: Point, halo: f64) -> bool {
     match shape {
         ResolvedShape::Circle { center, radius } => center.distance(at) <= radius + halo,

@@ -33,7 +33,8 @@ const LONGEST: usize = 300;
 const SWELL: usize = 15;
 /// Minimum number of frames before the maximum of a sound with a gradual beginning.
 const GRADUAL: usize = 9;
-/// Octaves that the centroid of a sound goes which sweeps past, and how straight it goes: the square of its correlation.
+/// Minimum range of the centroid of a whoosh in octaves, and minimum straightness of its movement: the
+/// squared correlation.
 const OCTAVES: f32 = 1.0;
 const STRAIGHT: f32 = 0.75;
 /// Frames that a voice holds,
@@ -42,7 +43,7 @@ const HELD_FOR: usize = 9;
 const VOICES: Range<f32> = 250.0..2500.0;
 /// Flatness below which a frame is a tone.
 const TONAL: f32 = 0.1;
-/// How alike a tone that holds is to itself a tenth of a second before.
+/// Minimum correlation of a sustained tone with itself a tenth of a second before.
 const HELD: f32 = 0.7;
 /// Number of frames per test for music, and interval of the tests.
 const PART: usize = 100;
@@ -50,7 +51,7 @@ const NEXT: usize = 25;
 /// Share of tones that hold in music, and in music with a beat.
 const MUSIC: f32 = 0.6;
 const BEATEN: f32 = 0.35;
-/// How alike the flux is to itself a beat before: its correlation.
+/// Minimum correlation of the flux with itself one beat before.
 const BEAT: f32 = 0.4;
 /// Frames per beat: 60 to 200 beats per minute.
 const BEATS: Range<usize> = 30..100;
@@ -166,7 +167,7 @@ pub struct Event {
     pub end: f64,
     /// Kind of the sound.
     pub kind: Kind,
-    /// Loudness in whole dB below full scale, -42 to about 0: of the loudest frame, or the mean for music.
+    /// Level in whole dB below full scale, -42 to about 0: of the loudest frame, or the mean for music.
     pub loudness: i32,
     /// Suggested sound effects, the best first.
     pub words: [Word; 3],

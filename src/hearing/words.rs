@@ -32,7 +32,8 @@ const HITS: [[[[Word; 3]; 3]; 3]; 2] = [
 /// Sweeps by their pitch.
 const SWEEPS: [[Word; 3]; 3] = [[Vroom, Rumble, Whoosh], [Whoosh, Zoom, Swish], [Swish, Whoosh, Zip]];
 
-/// Three words for a sound of `level` dB that takes `length` seconds, whose centroid is at `centroid` Hz.
+/// Returns three sound effects for a sound of `level` dB, with a duration of `length` seconds and its
+/// centroid at `centroid` Hz.
 pub(super) fn words(kind: Kind, level: f32, length: f32, centroid: f32) -> [Word; 3] {
     let step = |value: f32, [low, high]: [f32; 2]| usize::from(value >= low) + usize::from(value > high);
     let pitch = step(centroid, [LOW, HIGH]);

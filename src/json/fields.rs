@@ -88,7 +88,7 @@ impl Fields {
         }
     }
 
-    /// A whole number that must be there.
+    /// A required whole number.
     ///
     /// # Errors
     /// For anything else.

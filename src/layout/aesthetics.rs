@@ -40,7 +40,7 @@ fn variety(cells: &[Vec<Point>]) -> f64 {
     (1.0 - (spread - SPREAD).abs() / SPREAD).max(0.0)
 }
 
-/// Panels count alike whatever their size, so a side with many small ones is the heavier.
+/// Panels have equal weight, so a side with many small panels is the heavier one.
 fn balance(cells: &[Vec<Point>], page_aspect: f64) -> f64 {
     let centre = |cell: &Vec<Point>| {
         let bounds = Bounds::of(cell);

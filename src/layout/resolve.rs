@@ -124,7 +124,7 @@ impl Page {
         (ResolvedShape::Polygon(outline), bounds)
     }
 
-    /// A cell whose edges at the rim of the unit square lie half a gutter outside of the page; the others stay where they are.
+    /// Moves the outer edges of a cell half a gutter beyond the page. The inner edges do not move.
     fn to_the_edge(&self, cell: &[Point], gutter: f64) -> Vec<Point> {
         let (low, right, bottom) = (-gutter / 2.0, 1.0 + gutter / 2.0, self.height + gutter / 2.0);
         let corners = [(low, low), (right, low), (right, bottom), (low, bottom)];

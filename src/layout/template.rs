@@ -44,7 +44,7 @@ pub struct Panel {
     /// Width of the paper-coloured outline that separates an overlay from the panels below, in gutters. 0 for
     /// the rest.
     pub halo: f64,
-    /// True for a base panel whose outer edges lie on the edge of the page and not on its margin.
+    /// True for a base panel whose outer edges are on the edge of the page, not on its margin.
     pub bleeds: bool,
 }
 
@@ -107,7 +107,7 @@ impl Template {
         super::write::file(self)
     }
 
-    /// A template without overlays, in the order of its body, whose parts are known to be valid.
+    /// Returns a template without overlays, in the order of its body. The parts must be valid.
     pub(super) fn assemble(id: &str, name: &str, family: &str, aspect: f64, body: Body) -> Self {
         let cells = base_cells(&body);
         let panels = cells.iter().map(|cell| Panel::base(cell, cells.len())).collect();

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 const SURE: f64 = 0.5;
 /// The most kinds of things that are named.
 const MOST: usize = 4;
-/// Numbers that are words.
+/// Numbers as words.
 const NUMBERS: [&str; 13] =
     ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"];
 

@@ -241,7 +241,7 @@ fn access<'p>(pages: &[ToldPage], phrases: &'p Phrases) -> Vec<(&'static str, &'
         ("accessibilityHazard", "none"),
         ("accessibilitySummary", phrases.summary.as_str()),
     ];
-    // If the content of every panel is known, the text is sufficient.
+    // If the content of every panel is known, the descriptions replace the picture.
     if all.into_iter().all(|panel| panel.known) {
         access.insert(3, ("accessModeSufficient", "textual"));
     }

@@ -49,7 +49,7 @@ pub struct Around {
 
 /// A subject that extends over the edges of its panel.
 pub(super) struct Figure {
-    /// The connected part that may be visible, over the whole photo.
+    /// The connected part that may be visible, at the size of the photo.
     pub(super) shares: Plane,
     /// The edges of the panel, and whether they are closed to it.
     pub(super) closed: Vec<bool>,
@@ -179,7 +179,7 @@ impl Cells<'_> {
                 .filter(|edge| inside || closed[*edge])
                 .all(|edge| self.edges.beyond(edge, point) <= 0.0)
         };
-        // Most of a mask shows nothing, so where that lies need not be known.
+        // Most of a mask is empty, so positions are computed only for visible pixels.
         let allowed = |i: usize, inside: bool| self.shares.samples()[i] >= SEEN && within(i, inside);
         let mut kept: Vec<bool> = (0..width * height).map(|i| allowed(i, true)).collect();
         let mut open: Vec<usize> = (0..kept.len()).filter(|i| kept[*i]).collect();
@@ -428,7 +428,7 @@ fn stepping_out(
 pub(super) fn widened_panel(panel: &ScenePanel, outside: Bounds, room: f64) -> ScenePanel {
     let Bounds { x, y, width, height } = outside;
     let (crop, bounds) = (panel.crop, panel.image_bounds);
-    // No further than the photo goes.
+    // Limited by the photo.
     let (across, down) = (bounds.width / crop.width, bounds.height / crop.height);
     let (start, end) = ((bounds.x - crop.x * across, bounds.y - crop.y * down), (across, down));
     let low = |at: f64, least: f64| (at - room).max(least);
@@ -460,7 +460,7 @@ pub(super) fn around(document: &Document, panels: &[ScenePanel], size: (usize, u
     (0..panels.len()).map(|own| Around { room, faces: others(own), border, covered: covered(own) }).collect()
 }
 
-/// Whether the pictures of two panels have room in common.
+/// Returns whether the pictures of two panels overlap.
 fn meet(one: &ScenePanel, other: &ScenePanel) -> bool {
     let (a, b) = (one.image_bounds, other.image_bounds);
     a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height

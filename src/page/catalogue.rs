@@ -214,7 +214,7 @@ pub struct VerdictEntry<'a> {
     pub group: usize,
     /// Whether it is used.
     pub kept: bool,
-    /// The reason, in a few words.
+    /// The reason in a few words.
     pub why: String,
 }
 

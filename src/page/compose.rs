@@ -131,7 +131,7 @@ impl Drawing {
             Some(figure) => stepping::widened(scene, pictures[0], figure),
             None => pictures[0].clone(),
         };
-        // Only a front knows it whatever the style is.
+        // Only a foreground needs the mask for every style.
         panel.subject = pictures.iter().find_map(|picture| picture.subject.clone());
         context.set_scale(scene.scale);
         let shown = panel_photo(scene, &panel, photo);
@@ -231,7 +231,7 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
         width: at.width - before - behind,
         height: at.height - above - below,
     };
-    // The crop belongs to the exact bounds; whole pixels reach a little further on each side.
+    // The crop belongs to the exact bounds. Whole pixels extend a little further on each side.
     let (step_x, step_y) = (crop.width * photo_width / width, crop.height * photo_height / height);
     let span = |start: f64, step: f64, from: f64, pixel: i64, count: usize, limit: f64| {
         let low = (start + (pixel as f64 - from) * step).clamp(0.0, limit - 1e-3);
@@ -265,7 +265,7 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
     Shown { image: mirrored(&image), subject, region, at }
 }
 
-/// The stylised image of a panel. A merged group is stylised as a whole, so that tones match across the
+/// The stylised image of a panel. A merged group is stylised as one image, so that tones match across the
 /// gutter, and then cut.
 fn drawn(
     shown: &Shown,
@@ -346,7 +346,7 @@ pub(super) fn lay_over(rgba: &mut [u8], line: &[u8], color: [u8; 3]) {
     }
 }
 
-/// The whole page as opaque RGB while patches are laid on it.
+/// The whole page as opaque RGB, for drawing patches on it.
 pub struct Sheet {
     width: usize,
     height: usize,

@@ -237,7 +237,7 @@ impl Document {
     }
 
     /// Panels whose subjects are in front of an effect, see [`Word::behind`](super::words::Word::behind);
-    /// sorted, without duplicates. It uses plain data, so drawing panels does not need the words module.
+    /// sorted, without duplicates. It uses plain data, so drawing panels does not need the `words` module.
     #[must_use]
     pub fn fronts(&self) -> Vec<usize> {
         let behind = |word: &Value| word["kind"] == "effect" && word["behind"] == true;
@@ -315,7 +315,7 @@ fn read_face(value: Value) -> Read<Crop> {
     Ok(Crop { x, y, width, height })
 }
 
-/// A crop, which must lie inside of its photo.
+/// A crop inside of its photo.
 fn read_crop(value: Value) -> Read<Crop> {
     let mut fields = Fields::of(value)?;
     let mut sides = [0.0; 4];

@@ -6,7 +6,7 @@
 //! | [`import`] | a file turned into what the page needs of a photo |
 //! | [`catalogue`] | blocks, layouts and styles as JSON |
 //! | [`layouts`] | layouts listed, made and changed, as JSON |
-//! | [`carrying`] | words and the photos that they belong to |
+//! | [`carrying`] | text items that follow their photos |
 //! | [`request`] | parameters for planning a document |
 //! | [`shuffle`] | a new document from photos, locks and a seed |
 //! | [`storyboard`] | the photos of an album that pages are made of, and its pages |
@@ -14,7 +14,7 @@
 //! | `fill` | the panels of a template filled with photos |
 //! | [`scene`] | a document resolved to pixels of one size |
 //! | [`mask`] | the inside of a panel and its border |
-//! | `bleed` | panels that go on beyond the edge of a page that is cut |
+//! | `bleed` | panels that extend into the bleed |
 //! | [`breaking`] | subjects that break their panel border |
 //! | `stepping` | the pixels of such a subject |
 //! | [`coverage`] | exact area coverage of pixels |

@@ -151,9 +151,9 @@ pub struct Keep {
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub enum Mode {
-    /// Another choice of photos, in order of time if that is known.
+    /// A new selection of photos, in time order if all times are known.
     #[default]
     Shuffle,
-    /// Any order: the strongest photo goes where the eye goes first.
+    /// Any order: the strongest photo gets the most prominent panel.
     Photos,
 }

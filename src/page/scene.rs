@@ -250,7 +250,7 @@ fn fronts(document: &Document, panels: &[ScenePanel]) -> Vec<ScenePanel> {
     document.fronts().into_iter().map(front).collect()
 }
 
-/// The shapes of panels that end at the edge of a page with bleed: they go on beyond it.
+/// Returns the shapes of panels that extend into the bleed.
 fn further_shapes(
     document: &Document,
     panels: &[ResolvedPanel],

@@ -14,7 +14,8 @@ const STEEP: i32 = 4;
 /// Minimum width of the paper outline around a subject, in page widths. Otherwise it is as wide as the
 /// border.
 const OUTLINE: f64 = 0.002;
-/// The outline fades out where the mean mask value within its width is low: half at the edge of a subject.
+/// Factor from the mean mask value around a pixel to the opacity of the outline. At the edge of a subject, the
+/// mean is about half, which gives full opacity.
 const RING: u32 = 5;
 
 /// Returns the panel with the additional part of its photo that its subject needs.
@@ -28,8 +29,8 @@ fn outline(scene: &Scene) -> f64 {
 }
 
 /// Cuts the subject of a panel out of its drawing, with a thin paper outline outside of the panel. It is cut
-/// off at the edges that it may not cross. Unless it is to be `whole`, what is deep in the panel is left out:
-/// there the panel shows the same.
+/// off at the edges that it may not cross. Unless `whole` is set, the inner part of the panel is left out,
+/// because the panel shows the same pixels.
 pub(super) fn patch(
     scene: &Scene,
     (panel, figure): (&ScenePanel, &Figure),

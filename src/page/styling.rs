@@ -103,7 +103,7 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
             return Ok(fresh[random.rand_range(0..fresh.len() as u64) as usize].clone());
         }
     }
-    // The first page of a visit is to be liked at once.
+    // The first page must look good at once.
     let first = current.is_none();
     let families = &request.within.styles;
     // A request with families is not a first page without wishes.

@@ -40,7 +40,7 @@ const NEVER: f64 = -1e6;
 pub enum Order {
     /// Along the reading order of the panels, photos keep the order in which they are given.
     Kept,
-    /// Photos may go anywhere.
+    /// Photos may have any order.
     Free,
 }
 
@@ -603,7 +603,7 @@ mod tests {
         const HERO_MIDDLE: usize = 2;
         let mut photos_given = album(5);
         let face = Subject { x: 0.35, y: 0.35, width: 0.15, height: 0.25, label: FACE.into(), score: 0.95 };
-        // It lies as the hero does; an upright one would be cut there.
+        // The hero panel is landscape, so a portrait photo would be cut there.
         photos_given[4].subjects.push(face);
         let slots = page("hero-middle-4");
         for seed in 0..10 {

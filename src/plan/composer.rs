@@ -105,7 +105,7 @@ impl Score {
     }
 }
 
-/// Minimum score gap at which another layout replaces the wanted one.
+/// Minimum score gap at which another layout replaces the preferred one.
 const SLACK: f64 = 0.4;
 
 /// The plan of a page. `heat` is 1 for a usual draw and more for a bolder one, 0 for the best; `None` when there are no
@@ -145,7 +145,7 @@ pub fn compose(
         let (_, candidate, chosen) = &best[at];
         let family = candidates[*candidate].family;
         if wanted == Some(candidates[*candidate].layout) {
-            // The wanted layout is always a finalist.
+            // The preferred layout is always a finalist.
         } else if plans.len() >= finalists
             || families.iter().filter(|known| **known == family).count() == OF_A_FAMILY
         {

@@ -72,7 +72,7 @@ pub struct Wanted<'a> {
     pub aspect: f64,
     /// Exact number of panels. If no layout has it, the nearest number counts.
     pub panels: Option<usize>,
-    /// Photos that there are to be shown.
+    /// Number of photos to show.
     pub photos: usize,
     /// Layouts that were shown just now.
     pub shown: &'a [&'a str],

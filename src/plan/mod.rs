@@ -2,7 +2,7 @@
 //!
 //! | module | for |
 //! |---|---|
-//! | [`mod@slots`] | the panels of a page as places that want photos |
+//! | [`mod@slots`] | the panels of a page as slots for photos |
 //! | [`prepared`] | analysis of one photo, cached for all plans |
 //! | [`utility`] | how well a photo sits in a panel |
 //! | [`mod@assign`] | photos to panels, by exact assignment |

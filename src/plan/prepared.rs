@@ -145,9 +145,9 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
             }
             _ if s.is_alive() => 0.95 * (0.15 + 0.85 * size(0.35)),
             label if VEHICLES.contains(&label) => 0.5 * size(0.45),
-            // A sign is to be read whole, and seldom what a page is about.
+            // A sign must be readable, but is rarely the main subject.
             LETTERING => 0.0,
-            // The mask knows that there is something, and not what.
+            // The mask shows a subject of unknown kind.
             FIGURE => 0.4 * size(0.4),
             _ => 0.3 * size(0.45),
         }

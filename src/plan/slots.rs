@@ -1,13 +1,13 @@
-//! The panels of a page as places that want photos.
+//! The panels of a page as slots for photos.
 
 use crate::framing::{Crop, Region, Target};
 use crate::layout::merge::merged_bounds;
 use crate::layout::{Bounds, ResolvedPanel, ResolvedShape};
 
-/// A panel, or a merged group of panels, that wants a photo, in reading order.
+/// A panel, or a merged group of panels, that needs a photo, in reading order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slot {
-    /// The crop that is wanted.
+    /// The wanted aspect ratio and shape of the crop.
     pub target: Target,
     /// How much the panel draws the eye.
     pub weight: f32,

@@ -26,8 +26,8 @@ pub fn into_pages(photos: &[PhotoMeta], pages: usize) -> Vec<usize> {
     solved(&cuts(photos), &allowed, even, pages).unwrap_or_else(|| vec![photos.len()])
 }
 
-/// Pages of nearly the same number of photos each, so that no page is a leftover: the photos of each page. `counts`:
-/// numbers of panels that layouts have; any while none is known.
+/// Pages of nearly the same number of photos each, so that no page is a leftover: the photos of each page.
+/// `counts`: numbers of panels of the layouts. If it is empty, all numbers are allowed.
 #[must_use]
 pub fn balanced(count: usize, most: usize, counts: &[usize]) -> Vec<usize> {
     let mut sizes = Vec::new();

@@ -98,7 +98,7 @@ struct Look {
     id: &'static str,
     rating: f64,
     response: Option<[u8; 16]>,
-    /// The words after the response.
+    /// The keywords after the tone curve.
     uses: &'static str,
 }
 

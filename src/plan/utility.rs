@@ -48,22 +48,22 @@ pub struct Look {
     pub too_small: f64,
     /// Faces of a group that are too small, each counted by how much, up to 3 together.
     pub small_faces: f64,
-    /// How little there is to see in an image that several panels share, 0 to 1.
+    /// Lack of content in an image that several panels share, 0 to 1.
     pub dull: f64,
     /// The part of the subjects that a gutter runs through, 0 to 1.
     pub split: f64,
     /// The part of the panel that the main subject takes; 0 without one.
     pub close: f64,
-    /// Faces, heads and lettering that lie under other panels.
+    /// Faces, heads and lettering below other panels.
     pub hidden: f64,
-    /// Whether it is a close look at a face of a photo that another panel shows as a whole.
+    /// Whether it is a close-up of a face in a photo that another panel shows completely.
     pub near: bool,
     /// Whether the panel is a narrow strip that shows less than most of its photo.
     pub strip: bool,
 }
 
 impl Look {
-    /// Looks at a crop that holds `energy` of the photo. In a `close` crop, other faces may lie outside.
+    /// Looks at a crop that holds `energy` of the photo. In a `close` crop, other faces may be outside.
     #[must_use]
     pub fn at(slot: &Slot, prepared: &Prepared, crop: &Crop, energy: f64, close: bool) -> Self {
         let target = &slot.target;
@@ -96,7 +96,7 @@ impl Look {
                 if bare > 0.8 {
                     faces.push(inner.height * slot.bounds.height);
                 }
-                // Only the face of a passer-by may lie outside.
+                // Only the face of a passer-by may be outside.
                 let main = mark.bare.height >= OF_THE_GROUP * tallest;
                 let missed = main && !close;
                 let cut = in_one < FACE_CUT.1 && (missed || bare > FACE_CUT.0 || under_others(slot, inner));

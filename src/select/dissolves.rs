@@ -1,9 +1,9 @@
 //! Dissolves: transitions in which one scene of a video fades out while the next one fades in.
 //!
-//! A dissolve mixes two pictures in a share that rises evenly from 0 to 1. Two pictures that have nothing in common cancel
-//! out in part, so their mixture has less contrast than the pictures themselves. A moving camera also goes from one picture
-//! to another, but its contrast stays the same. Source: Truong, Dorai, Venkatesh, "New Enhancements to Cut, Fade, and
-//! Dissolve Detection Processes in Video Segmentation", ACM Multimedia 2000.
+//! A dissolve mixes two pictures in a share that rises evenly from 0 to 1. Two pictures that have nothing in
+//! common cancel out in part, so their mixture has less contrast than the pictures themselves. A moving
+//! camera also changes the picture, but its contrast does not drop. Source: Truong, Dorai, Venkatesh, "New
+//! Enhancements to Cut, Fade, and Dissolve Detection Processes in Video Segmentation", ACM Multimedia 2000.
 
 use super::look::{Coarse, Look};
 
@@ -150,7 +150,7 @@ impl<'f> Frames<'f> {
         }
         // The variance of a mixture is less than the mean of the variances by this.
         let expected = |correlation: f64| product * (a * a + b * b - 2.0 * correlation * a * b);
-        // Most frames are ruled out by numbers that are at hand.
+        // Cheap numbers exclude most frames.
         if lost < MIN_LOSS * expected(MAX_CORRELATION) {
             return false;
         }

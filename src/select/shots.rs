@@ -25,7 +25,7 @@ const FARTHER: f32 = 14.0;
 const OTHER_TONES: f32 = 0.3;
 /// Minimum duration of a shot in seconds. Shorter ones are flashes.
 const SHORTEST: f64 = 0.5;
-/// A frame after a flash lies no farther from the one before than this part of the flash.
+/// Maximum difference of the frames before and after a flash, relative to the flash.
 const BACK: f32 = 0.4;
 /// Part of the deviation of the strongest frame of its shot nearby below which a frame is fading,
 const FADED: f32 = 0.5;

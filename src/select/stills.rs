@@ -131,8 +131,8 @@ fn first_come(film: &Film, shots: &[Shot], open: &[usize], length: &dyn Fn(usize
     order.into_iter().map(|(_, k)| k).collect()
 }
 
-/// The times of `quota` frames of a shot: it is cut into as many parts, and each gives the frame that is sharp and unlike the
-/// others. A part that is blurred as a whole gives its place to another.
+/// The times of `quota` frames of a shot: it is cut into as many parts, and each gives the frame that is
+/// sharp and unlike the others. If a part is completely blurred, another part replaces it.
 fn of_shot(film: &Film, shot: &Shot, quota: usize, wish: &Wish) -> Vec<f64> {
     let (times, looks) = (film.times(), film.looks());
     let inside = |i: &&usize| times[**i] >= shot.start + EDGE && times[**i] <= shot.end - EDGE;

@@ -139,7 +139,7 @@ export async function personIn({ driver, downloads }, address) {
   /**
    * All that can be perceived with a role and a name.
    * @param {string} role
-   * @param {Name} [name] whole, or a pattern
+   * @param {Name} [name] complete, or a pattern
    * @param {Place} [within]
    * @returns {Promise<WebElement[]>}
    */
@@ -308,7 +308,7 @@ export async function personIn({ driver, downloads }, address) {
     /** Opens a tab next to the page. @param {'Styles' | 'Layouts' | 'Text' | 'Page'} name */
     tab: (name) => click('tab', name),
 
-    /** A page of that size, whatever the browser has around it. @param {{ width: number, height: number }} wanted */
+    /** A page of this size, independent of the browser's window. @param {{ width: number, height: number }} wanted */
     async resize({ width, height }) {
       const size = () => inPage(() => [innerWidth, innerHeight]);
       const window = driver.manage().window();
@@ -401,7 +401,7 @@ export async function personIn({ driver, downloads }, address) {
       return file;
     },
 
-    /** A balloon with these words. @param {string} text */
+    /** Adds a balloon with this text. @param {string} text */
     async say(text) {
       await click('tab', 'Text');
       await click('button', 'Add balloon');

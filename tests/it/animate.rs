@@ -116,7 +116,7 @@ fn what_is_no_project_or_no_size_is_told() {
     assert!(String::from_utf8_lossy(&place.stderr).contains("page.txt"));
 }
 
-/// A page of four panels, three words in the first of them.
+/// A page of four panels, with three text items in the first one.
 fn page() -> PathBuf {
     crate::root("tests/data/saved/version-1/merged-words.png")
 }
@@ -162,7 +162,7 @@ fn corners(reading: &Reading, panel: usize) -> [(f64, f64); 2] {
     [(left, top), (right, bottom)]
 }
 
-/// The whole pixels of a frame in which it shows a part of the page: left, top, right and lower edge.
+/// Returns the pixels of a frame that show a part of the page: left, top, right and lower edge.
 fn pixels_of(frame: &Image, view: &Crop, [from, to]: [(f64, f64); 2]) -> [usize; 4] {
     let at = |place: f64, from: f64, length: f64, side: usize| (place - from) / length * side as f64;
     let (wide, high) = (frame.width(), frame.height());

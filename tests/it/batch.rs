@@ -103,7 +103,7 @@ fn fed(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
     let mut child = piped.spawn().unwrap();
     let mut stdin = child.stdin.take().unwrap();
     let input = input.to_vec();
-    // It may go away before it has read all.
+    // The reader may stop before it has read everything.
     let writing = std::thread::spawn(move || drop(stdin.write_all(&input)));
     let output = child.wait_with_output().unwrap();
     writing.join().unwrap();

@@ -92,7 +92,8 @@ fn every_block_bears_every_extreme_at_every_size() {
     }
 }
 
-/// A pixel far from both borders is the same in a row of any width: groups of lanes and the rest behind them agree.
+/// A pixel far from both borders does not depend on the width of the row: SIMD groups and the scalar rest
+/// agree.
 #[test]
 fn no_pixel_depends_on_the_width_of_its_row() {
     for &block in ALL {
@@ -234,7 +235,7 @@ fn sizes_are_those_of_plain_sums_at_every_width() {
 fn reach(block: &'static Block, values: &[f32]) -> usize {
     match block.id {
         "sobel" => 1,
-        // Sigmas and iterations, and the coarse grid that they may go through.
+        // Sigmas and iterations, and the coarse grid that they may use.
         "gaussian" => (4.0 * values[0]) as usize + 6,
         "xdog" => (8.0 * values[0]) as usize + 12,
         "tvf" => 24,

@@ -66,7 +66,7 @@ fn bound(block: &str, params: &Map<String, Value>) -> Option<Bound> {
         "halftone" => Coverage(0.025),
         // Averages along the field are rounded to 1/32 grey steps, and a line's end may fall on either side of a tone.
         "flow_lines" => Decibels(45.0),
-        // A cell whose direction lies between two may take the other one.
+        // A cell with a direction between two sectors may use either.
         "kuwahara" => Decibels(55.0),
         // The phase is solved by a number of sweeps, the oracle's by least squares to the end; straight lines are exact.
         "engrave" if number("follow") <= 0.0 => Decibels(80.0),
@@ -170,7 +170,7 @@ fn judge(bound: Bound, actual: &[Vec<u8>], expected: &[Vec<u8>], width: usize) -
     }
 }
 
-/// Means of the whole 24 x 24 areas of a plane.
+/// Returns the means of the complete 24 x 24 areas of a plane.
 fn means(samples: &[u8], width: usize) -> Vec<f64> {
     const SIDE: usize = 24;
     let rows: Vec<&[u8]> = samples.chunks_exact(width).collect();

@@ -18,7 +18,7 @@ use std::io::{Cursor, Read, Write};
 use std::path::Path;
 use std::process::Output;
 
-/// A picture in which no two neighbours are alike.
+/// A picture without equal neighbours.
 fn checked(width: usize, height: usize) -> Image {
     let rgba: Vec<u8> = (0..width * height)
         .flat_map(|i| [(i * 89 % 256) as u8, (i * 53 % 256) as u8, (i / width * 31 % 256) as u8, 255])

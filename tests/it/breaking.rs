@@ -113,7 +113,7 @@ fn words_on(area: PixelRect, height: usize) -> Vec<Value> {
     vec![word("caption", -20.0, "#00ff00"), word("balloon", 20.0, "#ffff00")]
 }
 
-/// How many pixels of the words of a page are whole, and how many of these are not seen on it.
+/// Returns the number of opaque text pixels of a page, and how many of them are hidden.
 fn seen_of_words(page: &Document, photos: &native::Photos) -> (usize, usize) {
     let sheet = native::sheet(page, photos, &GivenFonts::default()).unwrap();
     let letters = Letters::bundled().unwrap();

@@ -252,7 +252,7 @@ fn a_book_has_its_parts() {
         .filter(|node| node.tag_name().name() == "a")
         .map(|a| a.attribute("href").unwrap())
         .collect();
-    // Six panels and three words, and the one panel of the other page.
+    // Six panels and three text items, and the one panel of the other page.
     assert_eq!(links.len(), 10);
     for link in links {
         let parts: Vec<f64> = link
@@ -279,7 +279,7 @@ fn inkpanel(folder: &Path, arguments: &[&str]) -> Output {
     output
 }
 
-/// A storyboard of two pages with words as a file of that name.
+/// Renders a storyboard of two pages with text as a file of this name.
 fn rendered(folder: &Path, name: &str) -> Vec<u8> {
     let words = folder.join("words.json");
     fs::write(&words, words_that_are_seen().to_string()).unwrap();

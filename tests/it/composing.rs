@@ -27,7 +27,7 @@ fn page(photos: &[PhotoMeta], panels: Option<usize>, mode: Mode, seed: u32) -> D
     document
 }
 
-/// Every panel has a photo of the album and a crop that lies in it.
+/// Checks that every panel has a photo of the album and a crop inside it.
 fn check(document: &Document, photos: &[PhotoMeta]) {
     assert!(!document.panels.is_empty());
     for (i, panel) in document.panels.iter().enumerate() {

@@ -39,8 +39,8 @@ const LIGHTS: [(&str, f32, f32); 4] =
 /// Share of its contrast in good light that a style keeps in bad light.
 const KEPT: f64 = 0.5;
 
-/// Chains that the paper printed, to the letter: it puts nothing before them that sees to bad light. Designed styles
-/// akin to them do.
+/// Chains exactly as printed in the paper, without a block that corrects bad light. Designed styles akin to
+/// them do.
 const AS_PRINTED: [&str; 4] = ["paper-a", "paper-b", "paper-c", "paper-d"];
 
 /// Mean difference of a channel, 0..=255, below which two styles look identical.

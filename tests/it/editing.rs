@@ -405,7 +405,7 @@ fn board(id: u64, on: bool) -> Board {
     Board { fps: RATES[id as usize % 3], columns, order: texts(&["c", "a", "f"]), ..Board::default() }
 }
 
-/// Something said about a photo, made of a subtitle.
+/// A text item of a photo, made of a subtitle.
 fn word_of(photo: &str, text: &str) -> Value {
     json!({ "kind": "balloon", "text": text, "panel": 0, "photo": photo, "auto": true, "cue": format!("film {text}") })
 }
@@ -565,7 +565,7 @@ fn an_edit_in_json_tells_what_it_changed_or_changes_nothing() {
     };
     let told = apply(json!({ "type": "add-photos", "ids": ["a", "b"] })).unwrap();
     assert_eq!(told["parts"]["items"], json!([{ "id": "a", "use": null }, { "id": "b", "use": null }]));
-    // The state that was there is number 0, and goes to those before.
+    // The existing state is number 0, and becomes a past state.
     assert_eq!((&told["parts"]["trays"], &told["states"]), (&json!([[0, 1]]), &json!([[0, { "tray": 0 }]])));
     assert_eq!([&told["past"], &told["present"], &told["future"]], [&json!([[0, 1]]), &json!(1), &json!([])]);
     assert_eq!((&told["entries"], &told["shown"]), (&json!([]), &json!([])));
@@ -755,7 +755,7 @@ fn an_album_is_spread_over_pages_in_order_in_one_style() {
     let before = editor.project().clone();
     let style = before.page.as_ref().unwrap().style.clone();
     spread(&mut editor, &photos, &mut Seeds::new(5));
-    // On its page each photo goes where it fits best.
+    // Each photo gets the panel of its page that fits best.
     let number = |id: &String| id[1..].parse::<usize>().unwrap();
     let mut pages = shown(&editor);
     for page in &mut pages {

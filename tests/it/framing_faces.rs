@@ -8,7 +8,7 @@ fn photo(width: u32, height: u32, subjects: Vec<Subject>) -> PhotoMeta {
     PhotoMeta { subjects, ..PhotoMeta::unmeasured("photo", width, height) }
 }
 
-/// Whether a crop holds a box whole, and whether it cuts it.
+/// Returns whether a crop contains a complete box, and whether it cuts it.
 fn holds_and_cuts(crop: &Crop, face: &Subject) -> (bool, bool) {
     let shared = |a: f64, al: f64, b: f64, bl: f64| ((a + al).min(b + bl) - a.max(b)).max(0.0);
     let inside = shared(crop.x, crop.width, face.x, face.width)

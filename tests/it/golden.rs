@@ -68,7 +68,7 @@ impl Goldens {
         }
     }
 
-    /// Fails with all that differs, all that is missing, and all that is left of subjects that are gone.
+    /// Fails if goldens differ, are missing, or have no subject.
     pub(crate) fn finish(mut self) {
         let stored = fs::read_dir(self.path()).into_iter().flatten().map(|entry| entry.unwrap().path());
         let mut stale: Vec<PathBuf> = stored

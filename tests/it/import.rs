@@ -138,7 +138,7 @@ fn what_is_no_image_is_unknown() {
     {
         assert_eq!(decode(bytes, &Limits::default()).unwrap_err().code(), "unknown-format");
     }
-    // The beginning of an image and nothing behind it.
+    // The beginning of an image without the rest.
     for bytes in
         [&b"\xFF\xD8\xFF\xE0"[..], b"\x89PNG\r\n\x1a\n", b"GIF89a", b"BM", b"II*\0", b"RIFF\x04\0\0\0WEBP"]
     {

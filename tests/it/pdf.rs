@@ -118,7 +118,7 @@ fn text_is_there_with_what_it_stands_for_and_only_its_letters() {
     let maps: Vec<&Vec<u8>> = streams.iter().filter(|stream| count(stream, "beginbfchar") > 0).collect();
     assert_eq!(maps.len(), 2);
     let mapped = |code: &str| maps.iter().filter(|map| count(map, &format!("<{code}>\n")) > 0).count();
-    // ù of the balloon, Z of an effect, and a letter that the fonts lack; no x.
+    // ù of the balloon, Z of an effect, and a character that the fonts lack, but no x.
     assert_eq!([mapped("00F9"), mapped("005A"), mapped("D83DDE00"), mapped("0078")], [1, 1, 1, 0]);
     let drawing = streams.iter().find(|stream| count(stream, "BT\n") > 0).unwrap();
     assert_eq!(count(drawing, "3 Tr\n"), 1, "the bent word alone is unseen text");
@@ -282,7 +282,7 @@ fn a_page_without_bleed_has_the_pixels_it_had() {
         compose::compose(&scene, |_| Some(&photo), &mut Context::default()).unwrap().rgb().to_vec()
     };
     let before = drawn(&document);
-    // The default is not written, so no file of a project knows of it.
+    // The default is not written, so older projects do not change.
     assert!(!document.to_json().contains("bleed"));
     document.page.bleed = 0.02;
     assert!(document.to_json().contains("bleed"));

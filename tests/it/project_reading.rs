@@ -1,4 +1,4 @@
-//! Saved projects, as they are read: whole and bounded, or refused with the place and a sentence.
+//! Reading of saved projects: valid ones within the limits, or an error with the position.
 #![allow(clippy::needless_pass_by_value, reason = "JSON that is made for one call")]
 
 use inkpanel::document::file::ProjectFile;
@@ -568,7 +568,7 @@ fn two_files_have_neither_one_name_nor_one_path() {
     assert_eq!(read(&value).unwrap_err().1, "photos[2].id: is used twice");
 }
 
-/// The states of the whole project, with tables as the page makes them.
+/// The states of the project, with tables as the app writes them.
 fn tables() -> Value {
     let whole = whole();
     let present = &whole["history"]["present"];

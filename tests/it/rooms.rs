@@ -129,7 +129,7 @@ fn plain(path: &Path) -> PathBuf {
     out
 }
 
-/// A room that knows none of the others, or that none of them knows.
+/// A module without dependencies, or without dependents.
 fn end_of<'a>(rooms: &BTreeSet<&'a str>, doors: &'a BTreeMap<(String, String), String>) -> Option<&'a str> {
     let left = |(from, to): &&(String, String)| rooms.contains(from.as_str()) && rooms.contains(to.as_str());
     let within: Vec<_> = doors.keys().filter(left).collect();
@@ -141,7 +141,7 @@ fn end_of<'a>(rooms: &BTreeSet<&'a str>, doors: &'a BTreeMap<(String, String), S
 #[test]
 fn no_rooms_of_the_page_know_each_other_in_a_circle() {
     let top = crate::root("www");
-    // One file for each pair of rooms, to be named.
+    // One file for each pair of modules, for the error message.
     let mut doors: BTreeMap<(String, String), String> = BTreeMap::new();
     for file in files(&top, &[".ts", ".tsx"]) {
         let name = file.strip_prefix(&top).unwrap().display().to_string();
@@ -158,8 +158,8 @@ fn no_rooms_of_the_page_know_each_other_in_a_circle() {
     }
     assert!(doors.len() > 40, "the imports were found: {}", doors.len());
     let mut rooms: BTreeSet<&str> = doors.keys().flat_map(|(a, b)| [a.as_str(), b.as_str()]).collect();
-    // A room that knows none of those left is below them, one that none of them knows is above; in the end none is left, or
-    // circles and what joins them.
+    // Removes modules without dependencies or without dependents, until only cycles and the modules between
+    // them are left.
     while let Some(end) = end_of(&rooms, &doors) {
         rooms.remove(end);
     }

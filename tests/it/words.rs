@@ -1,5 +1,5 @@
-//! Text items on the page: the rendering does not change, stays inside of its shape, is alike at every size,
-//! and avoids faces.
+//! Text items on the page: the rendering does not change, stays inside of its shape, is similar at every
+//! size, and avoids faces.
 
 use std::fs;
 
@@ -116,7 +116,7 @@ fn standing_bounds(letter: &str, letters: &Letters) -> [f64; 4] {
         document(&json!([columns(letter, &json!({ "kind": "caption", "boxless": true, "size": 0.1 }))]));
     let laid = &layout::lay_all(&page, letters).unwrap()[0];
     let patch = draw::render(&page, 0, 1000, letters).unwrap();
-    // A caption without a box has a line around its letters, in another colour than they.
+    // A caption without a box has an outline around its glyphs, in another colour.
     let (mut low, mut high) = ((f64::MAX, f64::MAX), (f64::MIN, f64::MIN));
     for i in 0..patch.area.width * patch.area.height {
         if patch.rgba[i * 4 + 3] == 255 && patch.rgba[i * 4] < 100 {
@@ -516,7 +516,7 @@ fn words_outlive_a_layout_of_fewer_panels_and_never_leave_the_page() {
     assert!(laid.middle.x + a <= 1.0 + 1e-9 && laid.middle.y - b >= -1e-9);
 }
 
-/// Runs `inkpanel render` with words on two photos.
+/// Runs `inkpanel render` with text on two photos.
 #[cfg(feature = "cli")]
 fn rendered(words: &str) -> (std::process::Output, Option<Image>) {
     let folder = tempfile::tempdir().unwrap();

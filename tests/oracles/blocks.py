@@ -126,7 +126,7 @@ def size(image, percent):
     h, w = (round(side * percent / 100) for side in image.shape)
     if percent <= 100:
         return cv2.resize(image, (w, h), interpolation=cv2.INTER_AREA)
-    # Catmull-Rom; Pillow leaves out what lies beyond the border, the block repeats the edge.
+    # Catmull-Rom. Pillow drops samples beyond the border, while the block repeats the edge.
     pad, k = 4, percent // 100
     padded = Image.fromarray(np.pad(image, pad, mode="edge").astype(np.float32))
     large = padded.resize((padded.width * k, padded.height * k), Image.Resampling.BICUBIC)

@@ -259,7 +259,7 @@ def oklab(rgb):
 
 
 def flatten(image, colors, palette, detail, smoothness, own):
-    """With the palette `comic` whole; no detail is dropped and borders are not straightened before they are painted."""
+    """The complete palette `comic`. No detail is dropped, and borders are not straightened before painting."""
     assert (palette, colors, detail, smoothness, own) == ("comic", 15, 0, 0, 0)
     small = np.stack([np.floor(halves(image[..., c]) + 0.5) for c in range(3)], -1)
     cells = np.floor(small / 8) * 8 + 3.5

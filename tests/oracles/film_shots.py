@@ -111,7 +111,7 @@ def joined(path, files):
 
 
 def make(folder):
-    """name -> (file, cuts in seconds where they are known, spans that nothing may be chosen from)"""
+    """name -> (file, known cuts in seconds, spans without chosen frames)"""
     folder.mkdir(parents=True, exist_ok=True)
     clips = {}
 

@@ -1,4 +1,4 @@
-"""The fonts of tests/oracles/data/fonts, and how HarfBuzz shapes words with them.
+"""Makes the fonts of tests/oracles/data/fonts, and shapes words in them with HarfBuzz.
 
     npm pack @fontsource/noto-sans-jp@5.3.0 @fontsource/noto-naskh-arabic@5.3.0
     pip install fonttools==4.68.0 brotli==1.2.1 uharfbuzz==0.57.0
@@ -6,10 +6,10 @@
 
 Both families are under the SIL Open Font License 1.1, which is in the same folder, and reserve no name.
 
-- `japanese.ttf`: the letters of `JAPANESE` out of Noto Sans JP, quadratic outlines;
+- `japanese.ttf`: the characters of `JAPANESE` from Noto Sans JP, quadratic outlines;
 - `cubic.otf`: two of them with cubic outlines, as CFF has them, drawn the other way round;
 - `arabic.ttf`: the characters of `ARABIC` from Noto Naskh Arabic, with its joining rules;
-- `shaped.json`: of each word its advance and the corners of its outline in ems, as HarfBuzz shapes it;
+- `shaped.json`: for each word its advance and the corners of its outline in ems, as HarfBuzz shapes it;
 - `columns.json`: for each character of `JAPANESE` with a vertical form, its vertical advance and the corners of its outline,
   relative to the middle of the column's top. HarfBuzz shapes it from top to bottom.
 
@@ -73,7 +73,7 @@ def packed(folder, name, wanted):
 
 
 def cubic(font, text):
-    """The same letters in a font with cubic outlines."""
+    """The same glyphs in a font with cubic outlines."""
     glyphs, cmap = font.getGlyphSet(), font.getBestCmap()
     names = [".notdef"] + [cmap[ord(letter)] for letter in text]
     strings = {}

@@ -1,4 +1,4 @@
-"""The onsets that librosa hears in a made-up sound, for `tests/hearing.rs`, which makes the same sound.
+"""The onsets that librosa detects in a synthetic sound, for `tests/hearing.rs`, which makes the same sound.
 
     pip install librosa==0.11.0
     python tests/oracles/hearing.py

@@ -53,7 +53,7 @@ def profile(space, tags, kind=b"mntr", pcs=b"XYZ ", version=0x04300000):
     tags = {b"desc": words, b"cprt": words, b"wtpt": b"XYZ \0\0\0\0" + b"".join(map(fixed, D50))} | tags
     body, index, start, places = b"", b"", 132 + 12 * len(tags), {}
     for name, data in tags.items():
-        # Tags with the same data share them, but for the two of words, whose places older files have.
+        # Tags with the same data share it, except the two text tags, whose positions older files have.
         shared = data if name.startswith(b"A2B") else name
         if shared not in places:
             places[shared] = start + len(body)

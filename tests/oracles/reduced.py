@@ -14,7 +14,7 @@ from PIL import Image
 ROOT = pathlib.Path(__file__).parent
 OUT = ROOT / "data" / "reduced"
 PHOTO = ROOT.parents[1] / "www/public/samples/06-castle.jpg"
-# Whole blocks, but not whole units of four of them.
+# Complete blocks, but not complete units of four blocks.
 WIDTH, HEIGHT = 216, 152
 
 OUT.mkdir(exist_ok=True)

@@ -89,7 +89,7 @@ test('most actions can be done here', () => expect(HERE.length).toBeGreaterThan(
 test.each(HERE)('%s counts in the undo as its mark says', async (id) => {
   const parts = await fakeParts();
   const { store, pages, book, selection, merging } = parts;
-  // Two pages, the one at hand with versions before and behind it, and panels that can be merged or parted.
+  // Two pages, the current one with earlier and later versions, and panels that can be merged or split.
   book.add();
   if (id !== 'book.earlier') book.go(0);
   pages.shuffle('all');

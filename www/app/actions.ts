@@ -19,7 +19,7 @@ import type { Action, OwnKeys } from '../ui/action.ts';
 import type { Parts } from '../ui/context.ts';
 
 export type Actions = ReturnType<typeof createActions>;
-/** Actions by feature, as those know them that make something of each. */
+/** Actions by feature, as used by the list of shortcuts and the menus. */
 export type Tables = Record<string, Record<string, Action | OwnKeys>>;
 
 export function createActions(parts: Parts) {

@@ -5,7 +5,7 @@
 
 const USABLE = 'button, input, select, textarea, a[href], summary, [tabindex]:not([tabindex="-1"])';
 const TYPED = 'input:not([type=checkbox], [type=radio], [type=range]), textarea';
-/** How far back it is known where the focus was: a walk through all of a workspace, and out of it. */
+/** Number of stored focus positions: enough to walk through a workspace and back. */
 const LONGEST = 400;
 
 /**
@@ -18,7 +18,7 @@ export function keepFocus(root: HTMLElement): () => void {
   let trail: HTMLElement[] = [];
   /** The path from the focused element to the root, with the position of each element among its focusable siblings. */
   let path: { element: Element; at: number }[] = [];
-  /** Whether a key was pressed last: a hand on the glass wants nothing scrolled, and no keyboard to come up. */
+  /** Whether the last input was a key. After touch input, nothing scrolls and no on-screen keyboard opens. */
   let byKey = false;
 
   function remember({ target }: FocusEvent) {

@@ -1,5 +1,5 @@
 /**
- * The keyboard: one listener that finds the action of a shortcut. A key that a control wants for itself is left to it.
+ * The keyboard: one listener that finds the action of a shortcut. A control with the focus receives its keys first.
  */
 
 import { isEnabled } from '../ui/action.ts';

@@ -1,5 +1,5 @@
 /**
- * The wiring: makes the parts, joins them, and keeps `document.body.dataset.idle` true to its word.
+ * The wiring: creates all parts, connects them, and updates `document.body.dataset.idle`.
  */
 
 import { createBoards, isComic } from '../boards/boards.ts';

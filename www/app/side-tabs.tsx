@@ -25,7 +25,7 @@ export function SideTabs() {
   const open = ui.sideTab.value;
   const chosen = lettering.chosen.value;
 
-  // Who chooses a word on the page wants to change it.
+  // Selecting a text item opens its tab.
   useEffect(() => {
     if (chosen >= 0) ui.sideTab.value = 'words';
   }, [chosen]);

@@ -47,7 +47,7 @@ export function holdSliders(root: EventTarget) {
     if (held && !held.told && !own && event.target === held.slider) event.stopImmediatePropagation();
   }
 
-  /** From here on the slider is heard. */
+  /** Starts to accept values of the slider. */
   function tell() {
     if (!held || held.told) return;
     held.told = true;

@@ -12,7 +12,7 @@ import type { Signal } from '@preact/signals';
 /** The tabs next to the page, in order. */
 export const SIDE_TABS = ['styles', 'layouts', 'words', 'page'] as const;
 export type SideTab = (typeof SIDE_TABS)[number];
-/** How much larger than the window has room for the page is shown. */
+/** Zoom factors of the page relative to the window. */
 export const ZOOMS = [1, 1.5, 2, 3, 4] as const;
 export type Sheet = 'photos' | 'styles' | 'layouts' | 'words' | 'settings';
 export type Ui = ReturnType<typeof createUi>;
@@ -29,14 +29,14 @@ export type Work = 'designer' | 'explorer' | 'imitation' | 'projects' | 'pages' 
 
 export function createUi(window: Window) {
   const wide = mediaSignal(window, '(min-width: 1000px)');
-  /** Whether there is room for words where numbers do. */
+  /** Whether there is space for labels in addition to numbers. */
   const roomy = mediaSignal(window, '(min-width: 1340px)');
-  /** The workspace that lies over the board. */
+  /** The workspace over the board. */
   const work: Signal<Work | null> = signal(null);
 
-  /** Whether single letters are shortcuts: speech input and unsteady hands set them off unasked. */
+  /** Whether single letters are shortcuts. Speech input and tremor can trigger them unintentionally. */
   const letterKeys = signal(remembered(window, LETTERS_KEY) !== 'off');
-  /** Whether the window has room for suggestions below the page. */
+  /** Whether the window has space for suggestions below the page. */
   const tall = mediaSignal(window, '(min-height: 1000px)');
   const choice = signal(remembered(window, IDEAS_KEY));
   /** Whether the strip of suggestions is unfolded. */
@@ -66,7 +66,7 @@ export function createUi(window: Window) {
     },
     /** Whether the page has the window to itself. */
     preview: signal(false),
-    /** How many times as large the page is as it would be whole. */
+    /** Zoom factor of the page; 1 shows the whole page. */
     zoom: signal(1) as Signal<number>,
     /** The sheet that is open on a small screen. */
     sheet: signal(null) as Signal<Sheet | null>,
@@ -96,7 +96,7 @@ export function createUi(window: Window) {
     dialog: signal(null) as Signal<OpenDialog | null>,
     /** The page that is on the screen with all its panels; null while work for it is going on. */
     painted: signal(null) as Signal<PageDocument | null>,
-    /** The page whose words are all on the screen, likewise. */
+    /** The page whose text items are all visible. */
     lettered: signal(null) as Signal<PageDocument | null>,
     /** The error that the views threw. */
     failed: signal(null) as Signal<unknown>,

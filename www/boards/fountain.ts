@@ -189,7 +189,7 @@ function joined(lines: readonly string[]): string {
     .trim();
 }
 
-/** A letter that has case, or a digit: marks between such are part of a name or a calculation. */
+/** A cased letter or a digit: marks between them are part of a name or a calculation. */
 const WORD = /[\p{Lu}\p{Ll}\p{Lt}\p{N}]/u;
 const KINDS: readonly string[] = ['*', '**', '***', '_'];
 

@@ -27,7 +27,7 @@ export const NO_BOARD: Board = Object.freeze({
 /** How frames are counted, and how fast. */
 export type Rate = Pick<Board, 'fps' | 'pace'>;
 
-/** Rates by the names that cutting rooms have for them; DF leaves out numbers of frames, so that time codes keep to the clock. */
+/** Rates by their usual names in video editing. DF is drop-frame timecode, which follows the clock. */
 export const RATES: Readonly<Record<string, Rate>> = Object.freeze({
   '23.976': { fps: 24, pace: 'ntsc' },
   '24': { fps: 24 },

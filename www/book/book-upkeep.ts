@@ -15,7 +15,7 @@ const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 /** Time in ms without new detections until crops are updated. */
 const REST = 400;
 
-/** @param app `later` runs what can wait, when nothing else is to be done */
+/** @param app `later` runs low-priority work when nothing else is due */
 export function keepBook({
   store,
   pages,

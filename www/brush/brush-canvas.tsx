@@ -61,7 +61,7 @@ function Overlay({ retouching }: { retouching: Retouching }) {
   const { width, height } = retouching;
   const asked = useRef(0);
   useSignalEffect(() => {
-    // Read, so that it is heard.
+    // Read, to subscribe to the signal.
     retouching.seen.value;
     cancelAnimationFrame(asked.current);
     asked.current = requestAnimationFrame(() => {

@@ -68,7 +68,7 @@ function steps(event: KeyboardEvent, retouching: Retouching) {
   else retouching.redo();
 }
 
-/** @returns the mask of a photo in hand, null until it is there */
+/** @returns the mask of a photo that is being corrected, null until it is loaded */
 function useRetouching({ store, engine, ui, messages }: App, id: string): Retouching | null {
   const [retouching, setRetouching] = useState(null as Retouching | null);
   useEffect(() => {

@@ -27,12 +27,12 @@ export function Designer() {
   const drag = useCardDrag(({ from, block }, gap) => {
     if (block !== undefined) {
       const place = designer.insert(block, gap);
-      // On a small screen the palette lies over the lanes.
+      // On a small screen, the palette covers the lanes.
       if (!ui.wide.peek()) setAdding(false);
       if (place) focusCard(place);
       return;
     }
-    // Taking the card out moves those behind it up by one.
+    // Removing the card moves later ones up by one.
     const to = gap.layer === from.layer && from.at < gap.at ? gap.at - 1 : gap.at;
     if (gap.layer !== from.layer || to !== from.at)
       designer.change({ type: 'move', layer: from.layer, at: from.at, toLayer: gap.layer, to });

@@ -164,7 +164,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
   );
 }
 
-/** @returns blocks with the words in their names first, then in their descriptions */
+/** @returns blocks with all search words in their names first, then in their descriptions */
 function search(blocks: readonly Block[], words: string): Block[] {
   const wanted = words.toLowerCase().split(/\s+/);
   const has = (text: string) => wanted.every((word) => text.toLowerCase().includes(word));

@@ -43,7 +43,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   /** The files of photos that are still being read. */
   const originals: Map<string, File> = new Map();
 
-  /** Whether the page is a sketch of the first: empty panels, until its photos are known. */
+  /** Whether the page is a sketch of the first page: empty panels until its photos are analysed. */
   const sketch = signal(false);
 
   /** Photos with finished face detection before the first page. */
@@ -108,7 +108,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     return judged;
   });
 
-  /** The photos in use, as the planner wants them: in their order. */
+  /** The photos in use, in order, for the planner. */
   const photos = computed(() => {
     const items = new Map(tray.value.map((item) => [item.id, item]));
     const used = new Set(tray.value.filter((item) => isUsed(item, verdicts.value)).map(({ id }) => id));

@@ -261,7 +261,7 @@ function createAlbum() {
   let used: readonly PhotoMeta[] | null = null;
   return { of, using };
 
-  /** @returns that knows these photos */
+  /** @returns an album with these photos */
   function of(photos: readonly PhotoMeta[]): core.Album {
     const fresh = photos.filter((photo) => told.get(photo.id) !== photo);
     if (fresh.length > 0) album.know(JSON.stringify(fresh));
@@ -277,7 +277,7 @@ function createAlbum() {
 
   /**
    * @param photos another list where another is in use
-   * @returns that knows these to be in use
+   * @returns an album with these photos in use
    */
   function using(photos: readonly PhotoMeta[]): core.Album {
     if (photos === used) return album;

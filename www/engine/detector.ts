@@ -15,7 +15,7 @@ import type { Detection, FirstLook } from './types.ts';
 
 type Net = 'faces' | 'objects';
 
-/** Runs detection on a blank picture while the user chooses photos. Sides in pixels. */
+/** Rounds of detection on a blank picture while the user chooses photos, and its sides in pixels. */
 const ROUNDS = 12;
 const BLANK = { width: 640, height: 480 };
 

@@ -1,6 +1,6 @@
 /**
- * The engine: all functions that make pixels, behind promises. It is independent of the app, so benchmarks and other
- * sites can use it.
+ * The engine: all functions that make pixels, as promises. It is independent of the app, so benchmarks and other sites
+ * can use it.
  */
 
 import { createAesthetics } from './aesthetics.ts';
@@ -146,7 +146,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
   }
 
   async function ask<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {
-    // Once there is a pool a job is handed to it at once, before what is due after this: that may be to draw the whole window.
+    // With a pool, a job is passed on at once, before later tasks such as drawing the whole window.
     if (!pool) await ready;
     return (pool as NonNullable<typeof pool>).run(job);
   }

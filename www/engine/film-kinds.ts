@@ -2,7 +2,7 @@
 
 import { isVideo } from './is-video.ts';
 
-/** Containers that no reader here knows; the words are their names. */
+/** Containers that no reader supports, with their names. */
 const FOREIGN: readonly [name: string, at: number, bytes: readonly number[]][] = [
   ['Flash Video', 0, [0x46, 0x4c, 0x56, 0x01]],
   ['Windows Media', 0, [0x30, 0x26, 0xb2, 0x75, 0x8e, 0x66, 0xcf, 0x11]],

@@ -19,10 +19,7 @@ const MOST_KEYS = 2000;
 const BETWEEN = 18_000;
 /** Time limit for short videos in milliseconds. */
 const WHOLE = 30_000;
-/**
- * Frames after each key frame are sampled before all other frames: for this many seconds, and this many times per
- * second.
- */
+/** Seconds after each key frame that are sampled first, and samples per second in the rest of each gap. */
 const AFTER = 0.6;
 const OFTEN = 10;
 

@@ -1,6 +1,6 @@
 /**
- * Operations of a worker, one function per operation of `protocol.ts`. Each answers with the value and the buffers to
- * hand over.
+ * Operations of a worker, one function per operation of `protocol.ts`. Each returns the value and the buffers to
+ * transfer.
  */
 
 import { blobOf, detach } from './blobs.ts';
@@ -229,7 +229,7 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
     return { ok: await blobOf(png, { type: 'image/png' }), transfer: [] };
   }
 
-  /** Puts the planes of a fresh photo into a Blob, which the page hands to the other workers. */
+  /** Copies the planes of a new photo into a Blob, which the app passes to the other workers. */
   async function keep(key: string, { width, height }: PixelSize, among: Lru): Promise<PhotoHandle> {
     const planes = studio.photo_planes(key) as Uint8Array<ArrayBuffer>;
     among.touch(key, planes.length);

@@ -50,7 +50,10 @@ export type Listener = {
   onFrame: (frame: Frame) => Promise<void>;
 };
 
-/** Milliseconds without a word of the reader: a slow device may decode hundreds of frames between two of the times. */
+/**
+ * Maximum milliseconds without a message of the reader. A slow device may decode hundreds of frames between two
+ * messages.
+ */
 const SILENCE = 60_000;
 
 /** Errors of files that the browser's player may still read. */

@@ -87,7 +87,7 @@ function View({
   }
 
   function onKeyDown(event: KeyboardEvent) {
-    // The keys of the page do not reach under what lies over it.
+    // Keys do not reach the views below.
     event.stopPropagation();
     const step = STEPS[event.key];
     if (step === undefined || event.ctrlKey || event.metaKey || event.altKey) return;

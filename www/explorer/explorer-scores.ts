@@ -74,7 +74,7 @@ export function createScores({
     stop();
   }
 
-  /** Another wall, or the same on another photo: there is nothing to know. */
+  /** A new wall, or the same wall on another photo, has no scores. */
   function forget() {
     pause();
     known.clear();

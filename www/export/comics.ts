@@ -68,7 +68,7 @@ export function createComics({
     return new Blob([await archiveOf(entries)], { type });
   }
 
-  /** One page after the other; each has the same share of the whole. */
+  /** Pages are drawn one by one. Each has the same share of the progress. */
   async function drawn(documents: readonly PageDocument[], kind: PictureKind, quality: number, how: Work) {
     const draw = kind === 'webp' ? engine.exportWebp : engine.exportJpeg;
     const pictures: Blob[] = [];

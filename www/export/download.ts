@@ -188,7 +188,7 @@ export function createDownload({
       await navigator.share({ files: [file] });
     } catch (error) {
       const { name, message } = error as Error;
-      // Drawing took longer than a click counts, so the browser wants another.
+      // Drawing took too long after the click, so the browser requires another click.
       if (name === 'NotAllowedError')
         messages.note(strings.readyToShare, { label: strings.sharePart, run: () => void hand(file) });
       else if (name !== 'AbortError') messages.alert(strings.shareFailed(message));

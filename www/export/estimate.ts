@@ -16,7 +16,7 @@ type Measure = { bytes: number; pixels: number };
 const PARTS = [1 / 4, 1 / 2];
 /** Maximum number of sampled pages of a long storyboard. */
 const MOST_PAGES = 3;
-/** The growth of the bytes with the pixels, as an exponent, lies between those. */
+/** Limits of the exponent with which bytes grow with pixels. */
 const [LEAST, MOST] = [0.5, 1];
 
 /**

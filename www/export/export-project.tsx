@@ -11,7 +11,7 @@ const KINDS: readonly Cargo[] = ['none', 'project', 'photos'];
 export function ExportProject({ archive }: { archive: boolean }) {
   const { cargo } = useApp().keeping.pageFiles;
   const now = cargo.value;
-  // Photos go with the file that is saved from here, not with a later one.
+  // The choice applies to the file that is exported here, not to later ones.
   useEffect(
     () => () => {
       cargo.value = 'none';

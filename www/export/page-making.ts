@@ -80,7 +80,7 @@ export function createMaking({
     if (!isArchive(format)) return picture(documents[0], format as 'png' | 'jpeg' | 'webp', quality, how, carry);
     const entries = [];
     for (const [i, document] of documents.entries()) {
-      // Each page has the same share of the whole.
+      // Each page has the same share of the progress.
       const onProgress = (done: number, total: number) => how.onProgress(i + done / total, documents.length);
       const blob = await picture(document, inside, quality, { ...how, onProgress }, async (png) => png);
       entries.push({ name: pageName(i, documents.length, inside), blob });

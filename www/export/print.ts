@@ -48,7 +48,7 @@ export function bled(document: PageDocument, bleed: Bleed): PageDocument {
   return by > 0 ? { ...document, page: { ...document.page, bleed: by } } : document;
 }
 
-/** @returns pages whose coarse photos are enlarged well, where that is wanted */
+/** @returns pages with upscaled low-resolution photos, if requested */
 export function enlarged(documents: readonly PageDocument[], enlarge: boolean): readonly PageDocument[] {
   if (!enlarge) return documents;
   return documents.map((document) => ({ ...document, page: { ...document.page, enlarge } }));

@@ -108,7 +108,7 @@ export function createHints({
   }
 
   return {
-    /** The one that is to be seen now. */
+    /** The hint that is visible now. */
     shown: computed(() => (free.value ? current.value : null)),
     /** The panel that the hint about pictures is for. */
     panel,

@@ -33,7 +33,10 @@ export function searchHelp(
   };
 }
 
-/** @returns whether a word of the text begins so; where words are not written apart, whether it is in it */
+/**
+ * @returns whether a word of the text starts with the search word. In scripts without spaces, whether the text contains
+ * it
+ */
 function beginsIn(text: string, word: string): boolean {
   if (!/^\p{Script=Latin}/u.test(word)) return text.includes(word);
   for (let at = text.indexOf(word); at >= 0; at = text.indexOf(word, at + 1))
@@ -41,7 +44,7 @@ function beginsIn(text: string, word: string): boolean {
   return false;
 }
 
-/** Letters without their accents; a voiced kana is another letter than the plain one, and stays what it is. */
+/** Removes accents from letters. A voiced kana is a different letter, so it does not change. */
 function plain(text: string): string {
   return text
     .normalize('NFKD')

@@ -92,7 +92,7 @@ export function ImitationScreen() {
   );
 }
 
-/** The browser's file dialog behind a button. */
+/** A button that opens the browser's file dialog. */
 function ChoosePicture({ strong }: { strong: boolean }) {
   const { imitation } = useApp();
   const input = useRef(null as HTMLInputElement | null);

@@ -144,7 +144,7 @@ export function createImitation({
   }
 
   async function read({ file }: Picture, ends: AbortSignal): Promise<string> {
-    // A worker may still have the pixels of the picture before at hand.
+    // A worker may still have the pixels of the previous picture.
     const id = `${ID}-${(pictures += 1)}`;
     try {
       await engine.importPhoto(id, file, { signal: ends });

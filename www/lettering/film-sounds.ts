@@ -103,7 +103,7 @@ export function createFilmSounds({
   }
 
   async function take({ event, photo, cue }: Proposal, word: SoundWord) {
-    // Before there are letters a word has no place.
+    // Without glyphs, a text item has no position.
     if (!(await lettering.ready())) return;
     const text = strings.soundWords[word];
     const turned = event.kind === 'music' ? {} : { angle: TURNED };

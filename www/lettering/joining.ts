@@ -49,7 +49,7 @@ export function parted(words: readonly Word[], index: number): Word[] {
   );
 }
 
-/** A name that no word has. */
+/** Returns an unused name. */
 function freeName(words: readonly Word[]): string {
   const taken = new Set(words.map(({ id }) => id));
   let number = 1;

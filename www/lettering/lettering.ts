@@ -15,7 +15,7 @@ import type { PageDocument, Word, WordBox } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Signal } from '@preact/signals';
 
-/** Widths of words that are taken, in page widths. */
+/** Allowed widths of text items, in page widths. */
 const [NARROWEST, WIDEST] = [0.04, 0.96];
 
 export type Lettering = ReturnType<typeof createLettering>;
@@ -43,9 +43,9 @@ export function createLettering({
     return page && letters.value && words.value.length > 0 ? letters.value.measure(page) : [];
   });
   const marked = signal(-1);
-  /** The word that is being changed. */
+  /** The selected text item. */
   const chosen = computed(() => (marked.value < words.value.length ? marked.value : -1));
-  /** The word whose text is being written. */
+  /** The text item that is being edited. */
   const editing = signal(-1);
   const mode: Signal<Mode | null> = signal(null);
   /** Words of photos that no page shows. */
@@ -86,7 +86,7 @@ export function createLettering({
     pageAt,
   };
 
-  /** Returns the box of a word as it would be with another text; null without letters. */
+  /** Returns the box of a text item with another text; null without glyphs. */
   function measured(index: number, text: string): WordBox | null {
     const page = store.page.peek();
     const written = words.peek().map((word, i) => (i === index ? { ...word, text: bounded(text) } : word));
@@ -148,7 +148,7 @@ export function createLettering({
   /**
    * Adds text items to all pages in one step. Items without a page or without space are unplaced. Existing items are
    * not added again.
-   * @returns how many more words there are on pages and in the list of unplaced text
+   * @returns the number of added text items on pages and in the list of unplaced text
    */
   function lay(fresh: readonly AddedWord[]): { shown: number; waiting: number } {
     const count = () => ({
@@ -163,7 +163,7 @@ export function createLettering({
     return { shown: after.shown - before.shown, waiting: after.waiting - before.waiting };
   }
 
-  /** A word that waits comes onto the page, and belongs to the photo of the panel that is chosen, or of the first. */
+  /** Places an unplaced text item on the page. It belongs to the photo of the selected panel, or of the first one. */
   function take(index: number) {
     const page = store.page.peek();
     const word = waiting.peek()[index];
@@ -176,7 +176,7 @@ export function createLettering({
     choose(all.length - 1);
   }
 
-  /** Words that wait are no longer wanted. */
+  /** Deletes unplaced text items. */
   function drop(indices: readonly number[]) {
     store.change({ type: 'drop-waiting', words: [...indices] });
   }
@@ -201,7 +201,7 @@ export function createLettering({
     store.change({ type: 'change-page', page: settled({ ...page, words: changed }, free) });
   }
 
-  /** @param text nothing removes the word */
+  /** @param text an empty text deletes the item */
   function write(index: number, text: string) {
     const clean = bounded(text.trim()).trim();
     editing.value = -1;
@@ -239,7 +239,7 @@ export function createLettering({
     edit(index, { angle: rounded(((((angle + 180) % 360) + 360) % 360) - 180) }, gesture);
   }
 
-  /** A word belongs to the photo that it is put on. */
+  /** A text item belongs to the photo below it. */
   function onPhoto(place: Partial<Word>): Partial<Word> {
     const page = store.page.peek();
     return { ...place, photo: page ? photoOn(page, place.panel ?? -1) : null };
@@ -261,7 +261,7 @@ export function createLettering({
     messages.note(strings.wordRemoved(strings.word(word.kind, word.text)));
   }
 
-  /** Lets a word find its place again. */
+  /** Places a text item automatically again. */
   function settleOne(index: number) {
     edit(index, { auto: true, width: null, size: 'auto' });
   }

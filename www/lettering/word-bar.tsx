@@ -12,11 +12,11 @@ import { capitals, LEAST_SIZE, MOST_SIZE, USUAL_OUTLINE } from './word-fields.ts
 import type { Place } from './word-places.ts';
 import { knobOf } from './word-places.ts';
 
-/** Pixels between the word and the bar: the handles have room. */
+/** Pixels between the text item and the bar, for the handles. */
 const AIR = 18;
 /** Half of a handle, which the bar never covers. */
 const HANDLE = 12;
-/** Each press makes the letters so much larger or smaller. */
+/** Factor of the text size per press. */
 const GROWTH = 1.12;
 /** Values of the switches of a sound effect. */
 const ARC = 0.6;
@@ -190,7 +190,7 @@ function place(bar: HTMLElement, box: WordBox, height: number, knob?: Place) {
   const below = Math.max(pixels(box.y + box.height), ...handles.map((y) => y + HANDLE - AIR / 2)) + AIR;
   const ceiling = room.top - top + 4;
   const floor = room.bottom - top - bar.offsetHeight - 4;
-  // A word as high as the page leaves the side on which more is free.
+  // If the item is as high as the page, the bar goes to the side with more space.
   const y = above >= ceiling ? above : below <= floor ? below : above - ceiling > floor - below ? above : below;
   const middle = (box.x + box.width / 2) * width - bar.offsetWidth / 2;
   const x = Math.max(room.left - left + 4, Math.min(middle, room.right - left - bar.offsetWidth - 4));

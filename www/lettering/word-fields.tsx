@@ -62,7 +62,7 @@ export function WordFields({ index }: { index: number }) {
 
   function aim(mode: Mode) {
     lettering.mode.value = lettering.mode.peek() === mode ? null : mode;
-    // On a small screen the drawer would hide what is to be clicked.
+    // On a small screen, the drawer would hide the target of the click.
     if (!ui.wide.peek()) ui.sheet.value = null;
   }
 

@@ -21,7 +21,7 @@ const RIGHT = 90;
 /** in page widths */
 type Place = [number, number];
 type Grip = { id: number; x: number; y: number; at: Place; gesture: string; moved: boolean };
-/** The last press: whether the word had been chosen by a tap before it, and whether it was carried. */
+/** The last press: whether the text item was already selected by a tap, and whether it was dragged. */
 type Press = { chosen: boolean; moved: boolean; tapped: boolean };
 
 /** @param event on the page or something on it */
@@ -47,7 +47,7 @@ export function useWordHands(index: number) {
     const [x] = middle();
     if (lettering.words.peek()[index]?.kind !== 'effect') lettering.resize(index, 2 * Math.abs(to[0] - x), gesture);
     else {
-      // Letters that are turned and bent grow with the distance of the hand.
+      // The size of rotated and bent text follows the distance of the pointer.
       const box = lettering.boxes.peek()[index];
       const now = distance(corner(), middle());
       if (box && now > 0) lettering.resize(index, (widthOf() * distance(to, middle())) / now, gesture);

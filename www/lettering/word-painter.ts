@@ -46,7 +46,7 @@ export function createWordPainter(
       sheet &&
       sheet.width === width &&
       JSON.stringify([sheet.document.layout, sheet.document.page]) === JSON.stringify([layout, page]);
-    // Another page does not show the words of the one before in their old places.
+    // A new page must not show text items of the previous page in their old positions.
     if (!same || words.length !== sheet?.keys.length) shown = [];
     // Linked balloons are drawn as one shape. Text items without colours use the colours of the style.
     const joined = words.filter(({ id, joined, linked }) => id || joined || linked);

@@ -1,4 +1,4 @@
-/** Places of words: fractions of a panel, or of the page, and back to page widths. */
+/** Converts positions of text items: fractions of a panel or of the page, to and from page widths. */
 
 import { MOST } from '../document/limits.ts';
 import type { Bounds, Geometry, Word, WordBox } from '../engine/types.ts';

@@ -30,7 +30,7 @@ export function createWordPlanning({
   const loading = signal(false);
   const none = [] as readonly Word[];
   const words = computed(() => store.page.value?.words ?? none);
-  /** The words as they were when they last rested. */
+  /** The text items after the last change. */
   const rested = signal(none);
   /** A page was planned before the glyphs were loaded: its text items still have the positions of another page. */
   let owed = false;
@@ -44,8 +44,8 @@ export function createWordPlanning({
         rested.value = now;
       }, REST);
   });
-  // A page that comes with words, from a file or a session before, needs the letters too. Its words stay where they are, though
-  // more may be known of its photos by now.
+  // A page that is opened with text, from a file or an earlier session, needs the glyphs too. Its text items do not
+  // move, even if detection has found more.
   effect(() => {
     if (words.value.length > 0 && !letters.value) void ready().then((table) => table && owed && settle(true));
   });
@@ -87,8 +87,8 @@ export function createWordPlanning({
   }
 
   /**
-   * The page with its words where they hide no face, and as little of bodies as they can. If the layout has changed, words
-   * that the user placed move off faces as well.
+   * Places the text items of a page clear of faces, and of subjects as far as possible. If the layout has changed, text
+   * items that the user placed move off faces as well.
    * @param only the text items that may move; by default all
    */
   function settled(page: PageDocument, only?: readonly number[]): PageDocument {
@@ -115,8 +115,8 @@ export function createWordPlanning({
   }
 
   /**
-   * Another page with the words of this one whose photos it shows, and the unplaced text of its photos, up to the limit of a
-   * page. Text without a photo stays unplaced.
+   * Returns another page with the text items of this page whose photos it shows, and the unplaced text of its photos,
+   * up to the limit of a page. Text without a photo stays unplaced.
    */
   function on(page: PageDocument): PageDocument {
     const { waiting = [] } = store.project.peek();
@@ -141,7 +141,7 @@ function isLaidOut(page: PageDocument, before: PageDocument | null): boolean {
   return before !== null && look(page) !== look(before);
 }
 
-/** Which words of a page have no place yet. */
+/** Returns the text items of a page without a position. */
 function homeless({ words = [] }: PageDocument): number[] {
   return words.flatMap(({ auto, x }, i) => (auto !== false && (x === undefined || x === null) ? [i] : []));
 }

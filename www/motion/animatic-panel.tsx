@@ -192,7 +192,7 @@ function usePlan(wish: AnimaticWish): { planned: Planned | null; failed: string 
   return state;
 }
 
-/** The kinds that this browser makes of frames of that size; null until it is known. */
+/** The formats that this browser can encode at this size; null until it is known. */
 function useKinds({ size }: AnimaticWish): readonly Kind[] | null {
   const { animatics } = useApp();
   const [kinds, setKinds] = useState(null as readonly Kind[] | null);

@@ -40,7 +40,7 @@ export type FromEncoder =
 
 /** Seconds between key frames. Playback can start only at a key frame. */
 const KEY_FRAMES = 2;
-/** Frames between two words of how far it is. */
+/** Frames between two progress reports. */
 const TOLD = 6;
 
 const pictures: Map<number, Drawn> = new Map();

@@ -40,7 +40,7 @@ export function createLoops({
 
   /**
    * @param pixels of all pictures of all panels, at most
-   * @param call `onDrawn` hears what there is after each panel
+   * @param call `onDrawn` is called after each panel
    * @returns the animated panels and the panels above them, in paint order; a panel without a readable video stays
    *   still
    */

@@ -87,7 +87,7 @@ export function createOffline({
     if (workers.controller) messages.offer(strings.newVersion, { label: strings.reload, run: () => void reload() });
   }
 
-  /** The other pages of the version before go on with it. */
+  /** Other open pages of the previous version continue with it. */
   async function reload() {
     await keeping.flush();
     if (!keeping.isSafe()) {

@@ -42,7 +42,7 @@ export function Alternatives() {
   }, [open, basis, atEnd, items]);
 
   function onWheel(event: WheelEvent) {
-    // A wheel that only goes up and down moves the strip sideways.
+    // A vertical wheel scrolls the strip sideways.
     if (event.deltaX === 0 && !event.ctrlKey && strip.current) strip.current.scrollLeft += event.deltaY;
   }
 

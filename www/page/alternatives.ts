@@ -101,7 +101,10 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
   }
 }
 
-/** @returns the photos of a page that is planned, so that the next ones show others; no id first, as its lead is not known */
+/**
+ * @returns the photos of a planned page, so that the next pages show others. The first id is empty, because the photo
+ * of the leading panel is unknown
+ */
 function photosOf({ panels }: PageDocument): string[] {
   return ['', ...panels.flatMap(({ photo }) => photo ?? [])];
 }

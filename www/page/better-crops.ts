@@ -13,7 +13,7 @@ export type BetterCrops = ReturnType<typeof createBetterCrops>;
 
 /** Minimum time on the screen, in milliseconds, for a page that counts as seen. */
 const LOOK = 1000;
-/** Overlap of two crops that look alike, 0 to 1. */
+/** Minimum overlap of two crops that look equal, 0 to 1. */
 const SAME = 0.9;
 
 export function createBetterCrops({
@@ -41,10 +41,10 @@ export function createBetterCrops({
 
   return { offered, found, accept };
 
-  /** More is known of a photo on the page. */
+  /** Detection has found more in a photo of the page. */
   function found() {
     const of = store.page.peek();
-    // A sketch is planned on all that is known by then.
+    // A sketch is planned with all current results.
     if (!of || store.sketch.peek()) return;
     const better = pages.refined();
     if (better && !looked()) store.change({ type: 'change-page', page: better, silent: true });

@@ -13,7 +13,7 @@ export function onlyMoved({ slots }: Sheet, { panels }: Geometry): boolean {
   return slots.length === panels.length;
 }
 
-/** @returns whether only lengths and colours differ, which must follow the hand at once */
+/** @returns whether only lengths and colours differ, which must follow the pointer at once */
 export function sameLook(a: PageDocument, b: PageDocument): boolean {
   const photos = ({ panels }: PageDocument) => panels.map(({ photo }) => photo);
   return JSON.stringify([a.style, photos(a)]) === JSON.stringify([b.style, photos(b)]);

@@ -1,4 +1,4 @@
-/** The page in words, to be copied to where the page is shown. */
+/** A text description of the page, for copying. */
 
 import { describePage } from './describing.ts';
 import { strings } from '../strings/strings.ts';

@@ -112,7 +112,7 @@ export function createPainter(
     patches.get(slot.signature, from.document, from.geometry, index, from.width).then(
       (patch) => {
         if (stale(slot, index)) follow(index, patch);
-        // The sheet may have been replaced by one that wants the very same picture.
+        // A new sheet may need the same picture.
         const wanted = sheet?.slots.find((other) => other.signature === slot.signature);
         if (wanted) arrive(wanted, { patch });
       },

@@ -12,7 +12,7 @@ export function sizeId({ width, height }: { width: number; height: number }): st
   return PAGE_SIZES.find((size) => size.width === width && size.height === height)?.id ?? 'custom';
 }
 
-/** How far from the edge of a page that has no name faces and words stay, in parts of its shorter side. */
+/** Safe distance of faces and text from the edge of a page with a custom size, as a fraction of its shorter side. */
 const USUAL_SAFE = 0.03;
 
 /**

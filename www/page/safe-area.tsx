@@ -3,7 +3,7 @@
 import type { PageSettings } from '../engine/types.ts';
 import { safeArea } from './paper.ts';
 
-/** @param settings of the page that it lies on */
+/** @param settings of its page */
 export function SafeArea({ settings }: { settings: PageSettings }) {
   const { width, height } = settings;
   const { across, down, fold } = safeArea(settings);

@@ -56,7 +56,7 @@ export function createPhotoRecords({
 
   return { keyed, protect, prove, improve, waiting, missing, know, lose, retry, forgo };
 
-  /** Photos that the database is known to have. */
+  /** Records photos that are in the database. */
   function know(records: readonly PhotoRecord[]) {
     for (const { id, file, work } of records) {
       kept.set(id, work ? 'all' : 'file');

@@ -72,7 +72,7 @@ function boxOf() {
 
 const living: (() => void)[] = [];
 
-/** Ends all tabs of all browsers, which would else go on saving during the next test. */
+/** Ends all tabs of all browsers, which would otherwise save during the next test. */
 export function allDie() {
   living.splice(0).forEach((die) => die());
 }

@@ -1,6 +1,6 @@
 /** The language of the app: the user's choice, or the first supported language of the browser, or English. */
 
-/** Languages by code, each in its own words. */
+/** Languages by code, each with its own name. */
 export const LANGUAGES = {
   en: 'English',
   de: 'Deutsch',
@@ -16,7 +16,7 @@ const KEY = 'inkpanel.language';
 
 /**
  * @param chosen the user's choice, if any
- * @param wanted the browser's languages, the best first: `es-MX`
+ * @param wanted the browser's languages in order of preference: `es-MX`
  */
 export function pickLanguage(chosen: string | null, wanted: readonly string[]): Language {
   const codes = [chosen ?? '', ...wanted].map(languageOf);
@@ -25,7 +25,7 @@ export function pickLanguage(chosen: string | null, wanted: readonly string[]): 
 
 /**
  * The locale for numbers, dates and lists: the user's region, if the browser reports it.
- * @param wanted the browser's languages, the best first
+ * @param wanted the browser's languages in order of preference
  */
 export function localeOf(language: Language, wanted: readonly string[]): string {
   return wanted.find((tag) => languageOf(tag) === language) ?? language;

@@ -1,6 +1,6 @@
 /** Formats that follow the locale: numbers, sizes, times, lists. */
 
-/** Digits behind the point of a number that is shown whole. */
+/** Maximum decimal places of a number with full precision. */
 const MOST_DIGITS = 6;
 /** Maximum number of days of a range that shows both dates. */
 const MOST_DAYS = 62;
@@ -23,7 +23,7 @@ export function numbersIn(locale: string) {
     return known.format(value);
   }
 
-  /** @param digits behind the point; without it as many as there are */
+  /** @param digits decimal places; all by default */
   const decimal = (value: number, digits?: number) => format(value, digits);
 
   const unit = (value: number, name: string, digits: number) => format(value, digits, { style: 'unit', unit: name });
@@ -50,7 +50,7 @@ export function numbersIn(locale: string) {
     const ends = [format.format(from), format.format(to)];
     // If a language formats ranges only with digits, both dates in words are easier to read as a name.
     const range = typeof format.formatRange === 'function' ? format.formatRange(from, to) : '/';
-    // Some languages have spaces that only typesetters know.
+    // Some languages use special spaces, which are replaced.
     return (range.includes('/') ? [...new Set(ends)].join(' – ') : range).replaceAll(/\s+/gu, ' ');
   }
 

@@ -13,7 +13,7 @@ export type PartOf<T> = T extends ((...given: never[]) => unknown) | readonly un
     ? { [K in keyof T as K extends keyof Object ? never : K]?: PartOf<T[K]> }
     : T;
 
-/** A folder of `strings/` in which words may be missing. */
+/** A folder of `strings/` with possibly missing texts. */
 export type PartTranslation = { words: PartOf<Words>; names: Names };
 
 const isGroup = (value: unknown): value is Record<string, unknown> =>

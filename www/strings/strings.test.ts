@@ -9,7 +9,7 @@ import { LANGUAGES, localeOf, pickLanguage } from './language.ts';
 import { filled } from './partial.ts';
 import { inLanguage, translations } from './testing.ts';
 
-/** Languages that may lack words, which are then said in English (`docs/guide/translating.md`). */
+/** Incomplete languages. Their missing texts appear in English (`docs/guide/translating.md`). */
 const PARTIAL: readonly string[] = [];
 
 const others = Object.entries(translations).filter(([code]) => code !== 'en');
@@ -114,7 +114,7 @@ it('texts are set by the rules of their language', () => {
   // A line never begins with a punctuation mark, so the space before it does not break. Code contains other marks.
   const loose = written('fr').flatMap((text) => text.match(/[a-zà-ÿ)}] [:;!?»](?= [a-zà-ÿ$«]|['`])/g) ?? []);
   expect(loose.filter((found) => !/[)}] [:?]/.test(found))).toEqual([]);
-  // Japanese marks are as wide as its letters.
+  // Japanese punctuation is full-width.
   expect(written('ja').flatMap((text) => text.match(/[ぁ-んァ-ヶ一-龠][,.:;!?()]/g) ?? [])).toEqual([]);
 });
 

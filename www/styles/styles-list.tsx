@@ -29,7 +29,7 @@ export function StylesList() {
   const kind = useSignal('');
   const sought = useSignal('');
   const [recent, setRecent] = useState(recentStyles.ids.peek());
-  // A style goes to the recent ones when one comes back to the list, not from under the pointer.
+  // The list of recent styles is updated when the user returns to it, so that nothing moves under the pointer.
   useEffect(() => setRecent(recentStyles.ids.peek()), [ui.sideTab.value]);
   const style = (store.page.value?.style ?? null) as string | Style | null;
   const selected = typeof style === 'string' ? style : (style?.id ?? null);

@@ -83,7 +83,7 @@ export function useListDrag({ list: listOf, item: itemOf }: Where, onDrop: (from
       () => {
         end();
         if (!holds || gap === null) return;
-        // Taking it out moves those behind it up by one.
+        // Removing it moves later ones up by one.
         const to = from < gap ? gap - 1 : gap;
         if (to !== from) onDrop(from, to);
       },
@@ -99,7 +99,7 @@ export function useListDrag({ list: listOf, item: itemOf }: Where, onDrop: (from
   return { carried, take, dragged };
 }
 
-/** Whether its items lie below each other. */
+/** Returns whether its items are in a column. */
 function isColumn(list: Element) {
   const { display, flexDirection } = getComputedStyle(list);
   return !display.includes('flex') || flexDirection === 'column';

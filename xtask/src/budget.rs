@@ -27,7 +27,7 @@ const BUDGETS: [(&str, &str, usize); 8] = [
 /// Maximum size of the packed glyphs, which the modules `words` and `exports` both download.
 const LETTERS: usize = 130_000;
 
-/// Fails when a module has outgrown its budget, or the letters theirs.
+/// Fails if a module or the glyphs exceed their budget.
 pub fn check(project: &Project) -> Result<()> {
     for (name, folder, budget) in BUDGETS {
         let folder = project.www().join(folder);

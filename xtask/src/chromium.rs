@@ -8,7 +8,7 @@ use anyhow::{Result, bail};
 use crate::debian;
 use crate::tools::in_path;
 
-/// Names that Chromium and its kin go by in PATH.
+/// Names of Chromium and related browsers in PATH.
 const NAMES: &[&str] = &["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
 
 /// Names of the headless version of the same engine.

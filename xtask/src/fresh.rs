@@ -92,7 +92,7 @@ impl Running {
 
 impl Drop for Running {
     fn drop(&mut self) {
-        // The server runs Node and cargo, which would go on. They are in one process group.
+        // The server runs Node and cargo, which would continue. They are in one process group.
         #[cfg(unix)]
         let _ = Command::new("kill").args(["-TERM", "--", &format!("-{}", self.0.id())]).status();
         let _ = self.0.kill();

@@ -99,7 +99,7 @@ impl Retouch {
         self.session.abandon();
     }
 
-    /// Does something to the mask as a whole; whether anything changed.
+    /// Applies a correction to the whole mask. Returns whether anything changed.
     pub fn mend(&mut self, how: Mend) -> bool {
         self.session.mend(match how {
             Mend::Grow => Mending::Grow,

@@ -143,7 +143,7 @@ impl Patch {
 }
 
 impl Patch {
-    /// An image that lies nowhere in particular.
+    /// Returns an image without a position in a photo.
     fn whole(width: usize, height: usize, rgba: Vec<u8>) -> Self {
         Self { area: PixelRect { x: 0, y: 0, width, height }, rgba }
     }
@@ -265,7 +265,7 @@ impl Studio {
         render().map_err(thrown)
     }
 
-    /// A whole page.
+    /// Renders a whole page.
     pub fn compose(
         &mut self,
         document: &str,
@@ -280,7 +280,7 @@ impl Studio {
         render().map_err(thrown)
     }
 
-    /// Draws a photo, or a crop of it (JSON, or empty for the whole), in a style.
+    /// Draws a photo in a style. The crop is JSON, or empty for the whole photo.
     pub fn stylize_photo(
         &mut self,
         key: &str,

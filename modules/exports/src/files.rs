@@ -1,7 +1,7 @@
 //! The web boundary of the module of files other than PNG: pages as JPEG, WebP and PDF. The core draws the
 //! pixels, which arrive as patches.
 //!
-//! Errors are like in the words module.
+//! Errors are like in the `words` module.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]

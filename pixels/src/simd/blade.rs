@@ -54,7 +54,7 @@ pub fn filter_rows(
     let width = first.len();
     // Equal lengths, so that one bounds check per block is enough for all rows.
     let rows = rows.map(|row| &row[..width + MARGIN]);
-    // Pairs of known length: a copy of unknown length is a call, and a slow one in wasm.
+    // Pairs with a known length, because a copy with an unknown length is a slow function call in wasm.
     let ((pairs, last), (second_pairs, second_last)) =
         (first.as_chunks_mut::<2>(), second.as_chunks_mut::<2>());
     for (block, &place) in places.iter().enumerate() {

@@ -203,7 +203,7 @@ fn raise_low(bytes: u8x16) -> i16x8 {
     cast(u8x16::unpack_low(u8x16::ZERO, bytes))
 }
 
-/// The upper eight bytes alike.
+/// Like the other function, for the upper eight bytes.
 #[inline]
 fn raise_high(bytes: u8x16) -> i16x8 {
     cast(u8x16::unpack_high(u8x16::ZERO, bytes))
@@ -224,7 +224,8 @@ fn multiply(a: u8x16, b: u8x16) -> u8x16 {
     u8x16::narrow_i16x8(low, high)
 }
 
-/// C, M, Y and K (0..=255) of a row: K = 255 - max, C = 255 (max - R) / max, M and Y alike. All rows have one length.
+/// Converts a row to C, M, Y and K (0..=255): K = 255 - max, C = 255 (max - R) / max, and M and Y in the same
+/// way. All rows have one length.
 pub fn separate(colors: [&[u8]; 3], inks: &mut [Vec<u8>; 4]) {
     let width = colors[0].len();
     for x in (0..width - width % STEP).step_by(STEP) {

@@ -1,4 +1,4 @@
-//! Doubles an image with Catmull-Rom. Its samples lie at a quarter and three quarters between the samples of
+//! Doubles an image with Catmull-Rom. Its samples are at a quarter and three quarters between the samples of
 //! the source. Four integer weights, in 128ths, are enough.
 
 use super::mix::{LANES, load, load_part};

@@ -37,7 +37,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// Makes room for `width` pixels; the field becomes 0.
+    /// Sets the width in pixels, and clears the field to 0.
     pub fn clear(&mut self, width: usize) {
         let length = padded(width);
         self.tones.resize(length, 0);
@@ -48,7 +48,7 @@ impl Row {
     }
 }
 
-/// Samples of a row buffer: one group of lanes before and a group behind.
+/// Samples of a row buffer: with one group of lanes before and one after the row.
 #[must_use]
 pub fn padded(width: usize) -> usize {
     FRONT + width.next_multiple_of(LANES) + LANES

@@ -1,4 +1,4 @@
-//! Row kernels on lanes: the only folder that knows how many pixels an instruction holds.
+//! SIMD row kernels. Only this folder depends on the number of pixels per instruction.
 //!
 //! Everything here is integer arithmetic, or floats without a rounding that could differ, so wasm, x86 and ARM
 //! give the same bytes. The lane types come from

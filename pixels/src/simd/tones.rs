@@ -77,7 +77,7 @@ fn sparse(samples: &[u8]) -> [u32; 256] {
     counts
 }
 
-/// How many samples are at most `first`, and at most each of the tones behind it.
+/// Counts the samples of at most `first`, and of at most each of the following tones.
 fn count(samples: &[u8], first: u8) -> [u64; TRIED] {
     /// Maximum number of steps before a one-byte counter can overflow.
     const FULL: usize = 255;

@@ -63,7 +63,8 @@ pub fn collect(slots: &mut [[f32; 4]], cells: &mut [f32]) {
     }
 }
 
-/// `target[i]` = [1 4 6 4 1] / 16 of `source` at distances of `shift`; zeros lie beyond the ends. Both have one length.
+/// `target[i]` = [1 4 6 4 1] / 16 of `source` at distances of `shift`, with zeros beyond the ends. Both have
+/// one length.
 pub fn binomial(source: &[f32], shift: usize, target: &mut [f32]) {
     let n = source.len();
     let edge = (2 * shift).min(n);
@@ -163,8 +164,9 @@ pub struct Across<'a> {
     pub shares: &'a [[i16; 2]],
 }
 
-/// Moves every sample of a row away from its base by `amount` (-1..=3.9) times its distance, or toward it where that is
-/// negative. The base lies between eight corners; `down` are the shares of the upper row and of the lower.
+/// Moves every sample of a row away from its base by `amount` (-1..=3.9) times its distance, or toward it
+/// where that is negative. The base is between eight corners. `down` has the weights of the upper and the
+/// lower row.
 pub fn exaggerate(
     row: &mut [u8],
     across: Across<'_>,

@@ -90,7 +90,7 @@ impl<'a> Context<'a> {
         self.subject = subject;
     }
 
-    /// The subject of this image, as far as it is known.
+    /// Returns the subject mask of this image, if it is known.
     pub(in crate::style) fn subject(&self) -> Option<&Plane> {
         self.subject.as_ref()
     }
@@ -133,7 +133,7 @@ impl<'a> Context<'a> {
     }
 
     /// # Errors
-    /// `cancelled` when the caller no longer wants the result.
+    /// `cancelled` if the caller cancels.
     pub fn check_cancelled(&self) -> Result<()> {
         if self.cancelled.is_some_and(|cancelled| cancelled()) { Err(Error::Cancelled) } else { Ok(()) }
     }

@@ -84,13 +84,13 @@ const ROOM: f64 = 0.5;
 /// Most colours of flat areas in a face: skin in light and shade, hair, lips and eyes.
 const FACE_COLORS: f32 = 6.0;
 
-/// Blocks that lay a screen, strokes or paper over a picture. They have to go on evenly across a face.
+/// Blocks that lay a screen, strokes or paper over a picture. Their pattern must continue across a face.
 const SCREENS: [&str; 6] = ["halftone", "pattern", "engrave", "strokes", "plates", "paper"];
 /// Distances from the centre of a face at which its mask starts to fall and reaches 0, in half sides of its
 /// box.
 const MASK: (f64, f64) = (0.9, 1.5);
 
-/// The faces of an image that are to be read.
+/// The faces of an image that must stay recognisable.
 pub(super) struct Care<'a> {
     faces: Vec<&'a FaceBox>,
     /// Height of the smallest, in pixels.
@@ -222,7 +222,7 @@ fn held(before: [f32; 3], after: [f32; 3]) -> [f32; 3] {
     let y = y_after.clamp(TONES.0 * y_before, 255.0 - TONES.1 * (255.0 - y_before));
     let chroma = |rgb: [f32; 3], y: f32| [(rgb[2] - y) / 1.772, (rgb[0] - y) / 1.402];
     let (own, now) = (chroma(before, y_before), chroma(after, y_after));
-    // Products and roots are rounded alike on all platforms.
+    // Products and square roots are rounded identically on all platforms.
     let length = |[u, v]: [f32; 2]| (u * u + v * v).sqrt();
     let (strength, strength_now) = (length(own), length(now));
     // As strong as the style makes it, up to a limit, and near the direction of the photo.
@@ -271,7 +271,7 @@ impl Room {
         }
     }
 
-    /// Lays the drawing of a face on the whole picture.
+    /// Draws the new drawing of a face into the whole picture.
     fn lay(&self, whole: &mut Image, again: &Image, face: &FaceBox) {
         if whole.is_luma() != again.is_luma() {
             return;
@@ -291,7 +291,8 @@ impl Room {
     }
 }
 
-/// Place of the first block that has to go on evenly across faces. 0 if a later block restores colours.
+/// Returns the index of the first block whose pattern must continue across faces. 0 if a later block restores
+/// colours.
 fn first_screen(steps: &[Step]) -> usize {
     let is_screen = |step: &Step| !step.bypass && SCREENS.contains(&step.block.id);
     let first = steps.iter().position(is_screen).unwrap_or(steps.len());

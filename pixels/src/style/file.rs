@@ -155,7 +155,8 @@ impl Style {
         !faces::recolours(&self.background)
     }
 
-    /// Whether a layer or a block that runs is for a part of the picture, so that the subject has to be known.
+    /// Returns whether an active layer or block applies to a part of the picture, so that the subject mask is
+    /// needed.
     #[must_use]
     pub fn has_parts(&self) -> bool {
         let steps = self.background.iter().chain(self.foreground.iter().flatten());

@@ -47,7 +47,7 @@ impl Grain {
             &self.lattice[y * PERIOD as usize..(y + 1) * PERIOD as usize]
         };
         let (above, below) = (line(down), line(down + 1));
-        // One line of the lattice at this height; pixels then lie between two of its points.
+        // Returns one line of the lattice at this height. Pixels are between two of its points.
         let points: Vec<f32> =
             above.iter().zip(below).map(|(above, below)| above + between * (below - above)).collect();
         for (x, out) in out.iter_mut().enumerate() {
@@ -76,7 +76,8 @@ pub struct Tile {
 }
 
 impl Tile {
-    /// Noise of spots of about `size` pixels on a square of about `side` pixels: a whole number of spots.
+    /// Returns noise with spots of about `size` pixels on a square of about `side` pixels: a whole number of
+    /// spots.
     #[must_use]
     pub fn new(seed: u32, size: f32, side: f32) -> Self {
         let size = size.max(0.5);

@@ -80,7 +80,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// Sign shown behind the number.
+    /// Unit sign after the number.
     #[must_use]
     pub fn sign(self) -> &'static str {
         match self {
@@ -160,7 +160,7 @@ pub const fn integer(
     Param { id, label, help, kind: Kind::Integer { default, min, max } }
 }
 
-/// A choice between working on every channel alike and on luma; the first is the default.
+/// A choice between processing every channel and processing luma. The first is the default.
 #[must_use]
 pub const fn channels(names: &'static [&'static str]) -> Param {
     Param {

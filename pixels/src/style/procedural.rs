@@ -50,7 +50,7 @@ const DARK: f32 = 1.4;
 /// Blocks with a visible effect on any photo.
 const STRONG: [&str; 2] = ["xdog", "soft_threshold"];
 
-/// First and second words of the names.
+/// First and second words of generated names.
 const NAMES: [[&str; 16]; 2] = [
     [
         "Quiet", "Bold", "Dusty", "Late", "Wild", "Pale", "Deep", "Loose", "Sharp", "Warm", "Cold", "Rough",
@@ -65,7 +65,7 @@ const NAMES: [[&str; 16]; 2] = [
 /// The style of a seed: four to nine blocks in one layer. Its id is `invented-SEED`.
 #[must_use]
 pub fn invent(seed: u32) -> Style {
-    // Neighbouring seeds would begin alike.
+    // Neighbouring seeds would give similar first numbers.
     let mut random =
         Rand64::new(u128::from(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15_f39c_c060_5ced_c835) | 1);
     let count = random.rand_range(LENGTH.0..LENGTH.1 + 1) as usize;
@@ -133,7 +133,7 @@ pub(super) fn any_step(random: &mut Rand64) -> Option<Step> {
     blocks::find(draw.block).map(|block| step_of(draw, block, random))
 }
 
-/// Two words.
+/// Returns a name of two words.
 pub(super) fn name(random: &mut Rand64) -> String {
     let mut word = |list: usize| NAMES[list][random.rand_range(0..16) as usize];
     format!("{} {}", word(0), word(1))

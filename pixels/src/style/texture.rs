@@ -101,11 +101,11 @@ fn tones(luma: &Plane) -> Plane {
     })
 }
 
-/// The mean of `2 radius + 1` values about each, of a line that goes round.
+/// Returns the mean of `2 radius + 1` values around each value of a cyclic line.
 fn box_means(line: &[u32], radius: usize) -> Vec<u32> {
     let (length, count) = (line.len(), 2 * radius + 1);
     let at = |i: usize| line[i % length];
-    // As many whole rounds ahead as no index is below zero.
+    // Whole periods are added, so that no index is below zero.
     let start = length * radius.div_ceil(length) - radius;
     let mut sum: u32 = (start..start + count).map(at).sum();
     (0..length)

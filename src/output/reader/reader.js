@@ -19,11 +19,11 @@ const BACK = 0.3;
 /** Minimum magnification of a pinch zoom at which one finger pans the picture. */
 const ENLARGED = 1.05;
 /**
- * Keys that go on or back.
+ * Keys for next and previous.
  * @type {Record<string, 1 | -1 | undefined>}
  */
 const KEYS = { ArrowRight: 1, ArrowDown: 1, PageDown: 1, ArrowLeft: -1, ArrowUp: -1, PageUp: -1 };
-/** Screens on which a whole page is too small to be read. */
+/** Screens that are too small for reading a whole page. */
 const SMALL = '(max-width: 700px), (max-height: 500px)';
 
 /**
@@ -39,7 +39,7 @@ export function boxOf(text) {
  * Returns position and scale of a page at which `box` fills the screen.
  * @param {Box} box the part, in pixels of the page's picture
  * @param {Size} stage the screen
- * @param {number} room around it, in pixels of the screen
+ * @param {number} room margin in pixels of the screen
  * @returns {{ scale: number, x: number, y: number }}
  */
 export function fitted(box, stage, room) {
@@ -56,7 +56,7 @@ export function fitted(box, stage, room) {
 /**
  * @param {{ x: number, y: number }} from where a finger came down
  * @param {{ x: number, y: number }} to where it was lifted
- * @returns {-1 | 0 | 1} 1 goes on, -1 back
+ * @returns {-1 | 0 | 1} 1 for next, -1 for previous
  */
 export function swiped(from, to) {
   const [x, y] = [to.x - from.x, to.y - from.y];

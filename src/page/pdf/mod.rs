@@ -5,13 +5,13 @@
 //! |---|---|
 //! | [`picture`] | the picture of a panel, as the file holds it |
 //! | [`options`] | options of a file, apart from its pages |
-//! | [`impose`] | which page goes where on sheets that are folded or cut |
+//! | [`impose`] | imposition: order of pages on sheets that are folded or cut |
 //! | `sheet` | a side of a sheet, with its measures |
 //! | `drawing` | the panels of a page |
-//! | `lettering` | the words of a page |
+//! | `lettering` | the text of a page |
 //! | `marks` | where a sheet is cut and folded |
 //! | `color` | colours, or the plate of one ink |
-//! | `fonts` | the letters that the words need |
+//! | `fonts` | the subset fonts of the text |
 //! | `tags` | reading order of the text, and alternative texts of the pictures |
 //! | `about` | title, language and colour space |
 //!

@@ -82,7 +82,7 @@ pub struct Ground {
 
 include!(concat!(env!("OUT_DIR"), "/palettes.rs"));
 
-/// The colours that words take from the style of a document.
+/// Returns the text colours of a document's style.
 fn palette_of(style: &serde_json::Value) -> Palette {
     let known = style.as_str().and_then(|id| PALETTES.iter().find(|(known, _)| *known == id));
     match known {
@@ -226,7 +226,7 @@ pub fn lay_all(document: &Document, letters: &Letters) -> Result<Vec<Laid>> {
     Ok(all)
 }
 
-/// The balloon that each word is joined to.
+/// Returns the balloon that each text item is linked to.
 pub(super) fn joined<'w>(words: &(impl Iterator<Item = &'w Word> + Clone)) -> Vec<Option<usize>> {
     let place = |name: &String| {
         let mut balloons =

@@ -4,7 +4,7 @@
 //! | module | for |
 //! |---|---|
 //! | [`letters`] | outlines, advances and kerning of the fonts |
-//! | [`learning`] | letters that the fonts do not have, from pictures of them |
+//! | [`learning`] | traced glyphs of characters that the fonts lack |
 //! | `given` | fonts from the user's files, in native builds |
 //! | `vertical` | placement of glyphs in vertical text |
 //! | [`model`] | a text item as plain data, validated |

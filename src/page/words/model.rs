@@ -89,7 +89,7 @@ pub struct Word {
     pub craft: Craft,
     /// Whether a caption has no box. Its text is on the image, with an outline.
     pub boxless: bool,
-    /// Whether the caption is only left-aligned text from the top of its room.
+    /// Whether the caption is only left-aligned text from the top of its area.
     pub plain: bool,
     /// Whether ruled lines replace the text.
     pub ruled: bool,
@@ -237,7 +237,7 @@ impl Word {
     }
 }
 
-/// Reads fields of one word.
+/// Reads fields of one text item.
 struct Field<'v> {
     value: &'v Value,
     index: usize,
@@ -257,7 +257,7 @@ impl<'v> Field<'v> {
         }
     }
 
-    /// Two numbers, or nothing said.
+    /// Reads two numbers, or nothing if the field is missing.
     fn pair(&self, name: &str, least: f64, most: f64) -> Result<Option<(f64, f64)>> {
         let value = &self.value[name];
         if value.is_null() {
@@ -270,7 +270,7 @@ impl<'v> Field<'v> {
         }
     }
 
-    /// Yes or no, or nothing said.
+    /// Reads a boolean, or nothing if the field is missing.
     fn truth(&self, name: &str) -> Result<Option<bool>> {
         match &self.value[name] {
             Value::Null => Ok(None),

@@ -165,7 +165,8 @@ fn on_large_stack<T: Send>(convert: impl FnOnce() -> T + Send) -> Result<T> {
     })
 }
 
-/// The object detector: a graph model in five shards. Its resizing loop and its sorting of boxes stay behind.
+/// The object detector: a graph model in five shards. Its resizing loop and its sorting of boxes are not part
+/// of the model.
 fn objects(package: &Path) -> Result<Vec<u8>> {
     let folder = package.join("models/coco-ssd");
     let json = fs::read_to_string(folder.join("model.json")).context("cannot read model.json")?;

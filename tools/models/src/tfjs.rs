@@ -286,7 +286,7 @@ impl<'a> Converter<'a> {
     }
 }
 
-/// A text that is written as the codes of its letters.
+/// Returns a text that is stored as character codes.
 fn text(value: &Value) -> String {
     let codes = value.as_array().into_iter().flatten().filter_map(Value::as_u64);
     codes.map(|code| code as u8 as char).collect()

@@ -166,7 +166,7 @@ impl Converter<'_> {
         Ok([shape[1], shape[2]])
     }
 
-    /// Larger by a whole factor.
+    /// Upscaling by a whole factor.
     fn resized(&mut self, from: &Tensor, [height, width]: [usize; 2]) -> Result<Tensor> {
         let factor = height / from.shape[1];
         ensure!([factor * from.shape[1], factor * from.shape[2]] == [height, width], "no whole factor");

@@ -41,7 +41,7 @@ pub(crate) fn report(pairs: &[Pair]) -> Result<String> {
 
     let albums: Vec<&String> =
         pairs.iter().map(|pair| &pair.album).collect::<BTreeSet<_>>().into_iter().collect();
-    // Pages of one album look alike: an album is wholly in or out of a part.
+    // Pages of one album are similar, so a fold contains an album completely or not at all.
     let fold_of = |pair: &Pair| albums.iter().position(|album| **album == pair.album).unwrap_or(0) % FOLDS;
     let folds: BTreeSet<usize> = pairs.iter().map(fold_of).collect();
     let mut agreed = 0.0;

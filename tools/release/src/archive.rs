@@ -18,7 +18,7 @@ pub(crate) enum Kind {
     Program,
 }
 
-/// A gzipped tar archive that is being made: everything lies in one folder, with one time and one owner.
+/// A gzipped tar archive under construction. Everything is in one folder, with one time and one owner.
 pub(crate) struct Archive {
     folder: String,
     /// In seconds since 1970.

@@ -28,7 +28,7 @@ use crate::changelog;
 /// The property that tells in which files of the release a component is.
 const PART: &str = "inkpanel:part";
 
-/// Fonts whose letters are compiled in, by the npm packages that they are from (`fonts/README.md`).
+/// Fonts whose glyphs are compiled in, by their npm packages (`fonts/README.md`).
 const FONTS: [(&str, &str); 4] = [
     ("ComicNeue", "@expo-google-fonts/comic-neue@0.4.1"),
     ("ComicRelief", "@fontsource/comic-relief@5.3.0"),
@@ -36,7 +36,7 @@ const FONTS: [(&str, &str); 4] = [
     ("Bangers", "@expo-google-fonts/bangers@0.4.1"),
 ];
 
-/// Something that goes out with a release.
+/// A component of a release.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Item {
     class: Classification,

@@ -131,7 +131,8 @@ const MANIFESTS: &[(&str, &[&[&str]])] = &[
     ("python/Cargo.toml", &[&["package", "version"]]),
 ];
 
-/// A file, a pointer to its version, and how the line with it begins: npm writes these files always alike.
+/// A file, a pointer to its version, and the start of the line with it. npm always formats these files in the
+/// same way.
 type Json = (&'static str, &'static [(&'static str, &'static str)]);
 const PACKAGES: &[Json] = &[
     ("www/package.json", &[("/version", "  \"version\": \"")]),

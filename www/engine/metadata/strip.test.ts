@@ -331,11 +331,11 @@ describe('a TIFF', () => {
     const at = view.getUint32(4, true);
     const fields = Array.from({ length: view.getUint16(at, true) }, (_, i) => at + 2 + 12 * i);
     const field = (tag: number) => fields.find((place) => view.getUint16(place, true) === tag) as number;
-    // The words lie among the pixels.
+    // The metadata is between the pixels.
     view.setUint32(field(65000) + 8, view.getUint32(field(273) + 8, true), true);
     const { blob, clean } = await withoutMetadata(new Blob([file]));
     expect([clean, (await textOf(blob)).includes('SECRET')]).toEqual([false, false]);
-    // A picture that lies where its directory does cannot be cleaned.
+    // A picture that overlaps its directory cannot be cleaned.
     view.setUint32(field(273) + 8, at, true);
     expect((await withoutMetadata(new Blob([file]))).blob.size).toBe(file.length);
   });

@@ -20,7 +20,7 @@ import { webpParts } from './webp.ts';
 /** `clean`: false if the file still contains metadata, because its format is unknown or it is damaged. */
 export type Stripped = { blob: Blob; clean: boolean };
 
-/** PNG chunks that change the look of pixels, and chunks of animations. Others go, whatever they are. */
+/** PNG chunks that change the look of pixels, and chunks of animations. Other chunks are removed. */
 const PNG_CHUNKS = [
   'IHDR',
   'PLTE',

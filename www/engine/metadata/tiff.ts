@@ -9,7 +9,7 @@ import type { Range } from './ranges.ts';
 
 /** `at` is the offset of its value, inside or outside of the field; `length` is the size of the value in bytes. */
 type Field = { tag: number; type: number; count: number; at: number; length: number };
-/** `place` is where it lies. */
+/** `place` is its position. */
 type Directory = { place: number; end: number; fields: Field[]; next: number };
 
 /** Tags that each image needs. */
@@ -127,7 +127,7 @@ export function tiffParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[]; 
   );
   const kept = joined([[0, 8], ...pixels, ...values, ...tables]);
   const end = kept[kept.length - 1][1];
-  // The last table may have been cut behind its fields.
+  // The last table may be truncated after its fields.
   if (
     pixels.length === 0 ||
     joined([...pixels, ...values]).some(([, to]) => to > bytes.length) ||
@@ -143,7 +143,7 @@ export function tiffParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[]; 
   return { parts: [whole], clean };
 }
 
-/** @returns the same and nothing behind it */
+/** @returns the same data, without anything after it */
 function grown(bytes: Uint8Array, length: number): Uint8Array<ArrayBuffer> {
   const longer = new Uint8Array(length);
   longer.set(bytes);
@@ -226,7 +226,10 @@ function numberOf(view: DataView, little: boolean, fields: readonly Field[], tag
   return numbersOf(view, little, fields, tag)[0] ?? 0;
 }
 
-/** Files of cameras (DNG, NEF) have a small picture in front, and the large one behind it needs much that is on no list. */
+/**
+ * Camera files (DNG, NEF) have a small picture first. The large one after it needs tags that the allowlist does not
+ * contain.
+ */
 function hasFullSize(view: DataView, little: boolean, fields: readonly Field[]) {
   return numbersOf(view, little, fields, SUB_DIRECTORIES).some((place) => {
     const inner = directoryAt(view, little, place);

@@ -15,7 +15,7 @@ const LEAST = 0.06;
 const ROOM = 1.35;
 
 /**
- * The picture follows the hand.
+ * The picture follows the pointer.
  * @param byX in widths of the panel
  * @param byY in its heights
  */

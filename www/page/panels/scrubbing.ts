@@ -32,7 +32,7 @@ export function createScrubbing({
   engine: Pick<Engine, 'importVideo'>;
   messages: Pick<Messages, 'fileFailed'>;
 }) {
-  /** Seconds still to go, and in which panel. */
+  /** Remaining seconds, and their panel. */
   let pending = { panel: -1, seconds: 0, gesture: '' };
   const busy = signal(false);
 

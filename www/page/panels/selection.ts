@@ -9,7 +9,7 @@ export type Selection = ReturnType<typeof createSelection>;
 
 export function createSelection({ store }: { store: Store }) {
   const chosen = signal({ of: '', panels: [] as readonly number[] });
-  /** Whether each click adds to the choice, for hands without Shift or Ctrl. */
+  /** Whether each click extends the selection, for users without Shift or Ctrl. */
   const several = signal(false);
 
   const of = computed(() => {

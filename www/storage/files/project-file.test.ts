@@ -69,7 +69,7 @@ describe('a project file', () => {
   });
 
   it('has no photos that only the undo history needs', async () => {
-    // More than a page has room for, besides the three of the pages before.
+    // More than the limit of a page, in addition to the three of the earlier pages.
     await tab.add(...'defghijklmnop'.split('').map((name) => `${name}.jpg`));
     const { shown } = tab.store.history.value;
     const onPages = photosOn(shown.map(({ page }) => page));

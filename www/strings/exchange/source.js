@@ -88,7 +88,7 @@ export function leavesOf(source) {
         below(element, [...key, String(at)]),
       );
     }
-    // Another file's words under their own name.
+    // Strings of another file under their own name.
     return inner.type === 'Identifier' ? [] : [{ key, node: inner }];
   };
   return [...source.exported].flatMap(([name, node]) => below(node, [name]));

@@ -90,7 +90,7 @@ fn engine(project: &Project, folder: &Path) -> Result<()> {
     let installed = www.join("node_modules").join(library);
     copy(&installed.join(bundle), &folder.join(format!("vendor/{library}.js")))?;
     copy(&installed.join("LICENSE"), &folder.join(format!("licences/{library}-MPL.txt")))?;
-    // A browser knows no packages by name.
+    // Browsers cannot resolve package names.
     for reader in FILM_READERS.map(|file| out.join(file)) {
         let text = fs::read_to_string(&reader)?;
         let named = format!("from '{library}'");
@@ -111,7 +111,7 @@ fn compile(project: &Project, folder: &Path) -> Result<()> {
     for entry in fs::read_dir(folder.join("engine"))? {
         let file = entry?.path();
         if file.is_file() {
-            // The compiler knows imports, but neither the addresses of workers nor the imports of types.
+            // The compiler rewrites imports, but neither the URLs of workers nor type imports.
             let text = fs::read_to_string(&file)?.replace(".ts', import.meta.url", ".js', import.meta.url");
             let types = file.to_string_lossy().ends_with(".d.ts");
             let named = if types { text.replace(".ts'", ".js'").replace(".ts\"", ".js\"") } else { text };
@@ -209,7 +209,7 @@ fn is_script(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|extension| extension == "js")
 }
 
-/// Copies the wanted files of a folder, without subfolders.
+/// Copies the selected files of a folder, without subfolders.
 fn copy_all(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> Result<()> {
     for entry in fs::read_dir(from).with_context(|| format!("cannot list {}", from.display()))? {
         let path = entry?.path();

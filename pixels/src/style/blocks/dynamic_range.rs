@@ -1,6 +1,6 @@
 //! Histogram Minimum Dynamic Range: widens the tones if the 5 and 95 percentiles of luma are closer than the
-//! requested range. The tones are scaled about their midpoint up to that range, and shifted so that both lie
-//! in 0..=255.
+//! requested range. The tones are scaled around their midpoint to that range, and shifted so that both are in
+//! 0..=255.
 
 use super::{Block, Channels, Kernel, PointOp};
 use crate::simd::table::Table;

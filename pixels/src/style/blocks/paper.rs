@@ -171,7 +171,7 @@ fn plane_of(sheet: usize, side: usize, unit: f32) -> Vec<f32> {
             }
         }
     }
-    // Ribs and threads on a tile, a whole and even number of them.
+    // Ribs and threads per tile: a whole and even number.
     let across = |count: f32| (count * side as f32 / (SIDE * unit) / 2.0).round().max(1.0) * 2.0;
     let (wires, chains, threads) = (across(70.0), across(6.0), across(60.0));
     for (i, out) in heights.iter_mut().enumerate() {

@@ -1,5 +1,5 @@
-//! Size: scales the image; the blocks behind it run at the new size, and the layer returns to the panel's
-//! size at its end. Smaller makes what follows coarser and faster, larger makes it finer.
+//! Size: scales the image. The following blocks run at the new size, and the layer returns to the size of the
+//! panel at its end. Smaller makes what follows coarser and faster, larger makes it finer.
 
 use super::{Block, Channels, Kernel};
 use crate::raster::resize::{Region, resample};

@@ -11,8 +11,8 @@
 //! information from far away, and an iteration carries it by one pixel. The start is therefore a field solved
 //! on half the resolution. An iteration there costs a quarter and reaches twice as far.
 //!
-//! All iterations run in one sweep over the rows, each one row behind the one before it. A row of the field
-//! therefore stays in cache from its first step to its last.
+//! All iterations run in one sweep over the rows. Each iteration is one row behind the previous one. A row of
+//! the field therefore stays in cache from its first step to its last.
 //!
 //! Source: Chambolle, "An algorithm for total variation minimization and applications", 2004.
 

@@ -35,7 +35,7 @@ impl Apart {
     }
 }
 
-/// From the look that is wanted to one that was found.
+/// Returns the distance of the wanted look to another look.
 pub(super) fn apart(wanted: &Features, found: &Features) -> Apart {
     let texture: f32 = wanted
         .texture
@@ -75,7 +75,7 @@ pub(super) fn screens(wanted: &Features, found: &Features) -> f32 {
     }
 }
 
-/// Work that turns one histogram into the other, in steps of the whole range.
+/// Earth mover's distance of two histograms, in steps of the whole range.
 fn tones(a: &[f32; TONES], b: &[f32; TONES]) -> f32 {
     let mut carried = 0.0f32;
     let mut work = 0.0;

@@ -20,7 +20,7 @@ pub struct Colour {
     pub share: f32,
 }
 
-/// The colours of a picture by k-means in Oklab, the most common first, alike ones joined.
+/// Returns the colours of a picture by k-means in Oklab, the most common first. Similar colours are joined.
 pub(super) fn palette(image: &Image) -> Vec<Colour> {
     let counts = histogram(image);
     let colours = means(&counts, cells(), MOST);

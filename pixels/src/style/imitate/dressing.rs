@@ -129,7 +129,7 @@ pub(super) fn dressed(style: &Style, dress: Dress, wanted: &Wanted) -> Option<St
         }
     }
     pitched(&mut out, screen.pitch);
-    // Whether gray and colour meet where they should is known there.
+    // The parser checks that gray and colour inputs match.
     Style::from_value("imitation", &out.to_value()).ok()
 }
 

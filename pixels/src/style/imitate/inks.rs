@@ -1,4 +1,4 @@
-//! The paper and the inks of a print, from its colours: inks multiply, so what they make together is known.
+//! The paper and the inks of a print, from its colours. Inks multiply, so their overprints are known.
 
 use super::colours::{Colour, delta_e, oklab};
 use crate::order::sort_by;

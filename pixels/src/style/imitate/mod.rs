@@ -166,7 +166,7 @@ mod tests {
         });
         let (x, y) = window(&luma, 0.4);
         assert!((x - 0.6).abs() < 0.16 && (y - 0.6).abs() < 0.16, "{x} {y}");
-        // A part as large as the whole lies where that is.
+        // A part with full size has only one position.
         assert_eq!(window(&luma, 1.0), (0.0, 0.0));
     }
 }

@@ -66,7 +66,7 @@ pub struct Ask {
     pub style: Style,
     /// Pixels at which the photo is drawn, as many as the picture was measured at.
     pub area: usize,
-    /// Whether a part of the photo is to be seen close, for its screen.
+    /// Whether the trial uses a close-up of the photo, to measure its screen.
     pub close: bool,
 }
 

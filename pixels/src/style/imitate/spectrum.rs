@@ -6,7 +6,8 @@
 //! peak  = the r where E stands highest above its neighbourhood on a logarithmic axis
 //! ```
 //!
-//! Two patches go through one transform as its real and imaginary part; the sum of their powers is the mean of |Z(k)|^2 and
+//! One transform processes two patches as its real and imaginary part. The sum of their powers is the mean of
+//! |Z(k)|^2 and
 //! |Z(-k)|^2. The transform is a plain radix-2 FFT. The libraries that `tract` uses support any length, with
 //! more code than this whole module.
 //!
@@ -41,8 +42,8 @@ pub struct Screen {
     pub pitch: f32,
     /// Strength of the peak: the natural logarithm of its power relative to its surroundings.
     pub strength: f32,
-    /// How much of the power of its ring lies in its strongest directions, 0 (all alike) to 1: dots and straight lines have
-    /// much, grain and lines that wind have little.
+    /// Share of the power of its ring in the strongest directions, 0 (all equal) to 1. Dots and straight
+    /// lines have much, grain and curved lines have little.
     pub directed: f32,
 }
 
@@ -97,7 +98,7 @@ fn peak(energy: &[f32; SIDE / 2]) -> Option<(usize, f32)> {
     best
 }
 
-/// Which share of a ring's power lies in its strongest eighth of directions, beyond an eighth.
+/// Returns the share of a ring's power in its strongest eighth of directions, beyond an eighth.
 fn directed(power: &[f32], ring: usize) -> f32 {
     const SECTORS: usize = 24;
     let mut sectors = [0.0f32; SECTORS];

@@ -22,7 +22,7 @@ pub(super) struct Figure {
     /// Number of subject pixels above and left of each corner, row by row. There is one more corner than
     /// pixels per side.
     sums: Vec<u32>,
-    /// The whole photo.
+    /// The photo without cropping.
     photo: Bounds,
     /// Bounds of its panel on the page.
     panel: Bounds,

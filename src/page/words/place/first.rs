@@ -39,7 +39,7 @@ fn speaker(word: &Word, seen: &[Seen], spoken: &[Point]) -> Option<Bounds> {
     faces.min_by(|a, b| said(a).cmp(&said(b)).then(a.x.total_cmp(&b.x)))
 }
 
-/// The best place in the frame, as the box that the word covers there.
+/// Returns the best position in the frame, as the box of the text item.
 fn best(
     laid: &Laid,
     frame: Bounds,

@@ -40,7 +40,7 @@ const HALF_WAY: f64 = 0.5;
 const LEANING: (f64, f64) = (8.0, 24.0);
 /// Cost of breaking a rule.
 const FORBIDDEN: f64 = 400.0;
-/// Cost of moving a word that the user placed across the whole panel.
+/// Cost of moving a text item across the whole panel, if the user placed it.
 const NEAR: f64 = 60.0;
 /// Cost of covering a body.
 const BODY: f64 = 60.0;
@@ -101,7 +101,7 @@ pub(super) fn groups(words: &[Word], ground: &Ground) -> Vec<Vec<usize>> {
 /// The page, for the placement of one panel.
 #[derive(Clone, Copy)]
 pub(super) struct Page<'a> {
-    /// All words of the document.
+    /// All text items of the document.
     pub(super) words: &'a [Word],
     /// Link of each item: set manually, or to a balloon with a fixed position.
     pub(super) joins: &'a [Option<usize>],
@@ -162,7 +162,8 @@ pub(super) fn place(
     group.iter().copied().zip(best.1).map(|(index, place)| (index, place, linked(index))).collect()
 }
 
-/// Balloons of a group that follow each other, the later one first, with no other of the panel between them, and look alike.
+/// Returns pairs of consecutive balloons of a group, the later one first. No other balloon of the panel is
+/// between them, and both have one look.
 fn pairs(words: &[Word], group: &[usize], here: impl Fn(&Word) -> bool) -> Vec<(usize, usize)> {
     let is_balloon = |word: &Word| matches!(word.kind, Kind::Balloon(_)) && here(word);
     let before = |&later: &usize| {
@@ -209,7 +210,7 @@ fn speakers(seen: &[Seen]) -> Vec<(usize, f64)> {
     likely
 }
 
-/// An area that is tried for a word.
+/// A candidate area for a text item.
 struct Spot {
     area: Bounds,
     /// Cost without the tail.
@@ -226,18 +227,18 @@ impl Spot {
     }
 }
 
-/// A panel in which words are placed.
+/// A panel during placement.
 struct Room<'a> {
     frame: Bounds,
     panel: Option<&'a ResolvedPanel>,
     seen: &'a [Seen],
     figures: &'a [Figure],
-    /// The panels that lie on this one.
+    /// The panels above this one.
     above: Vec<&'a ResolvedPanel>,
     /// Faces that may speak, and their costs.
     speakers: Vec<(usize, f64)>,
     page: Page<'a>,
-    /// How many words are placed.
+    /// Number of text items.
     count: usize,
 }
 
@@ -331,7 +332,7 @@ impl Room<'_> {
         group.iter().all(|&index| good(index))
     }
 
-    /// Candidates for an item. `rank`: how many of the panel's words come before it.
+    /// Candidates for an item. `rank`: number of preceding text items of the panel.
     fn weighed(&self, index: usize, rank: usize) -> Vec<Spot> {
         let Page { words, ground, letters, .. } = self.page;
         let word = &words[index];
@@ -391,10 +392,10 @@ impl Room<'_> {
         kept
     }
 
-    /// The areas that are tried for a word.
+    /// Returns the candidate areas for a text item.
     fn spots(&self, laid: &Laid) -> Vec<Bounds> {
         let Bounds { width, height, .. } = covered(laid);
-        // A caption lies on the border of its panel: they are one line.
+        // A caption shares its border with its panel.
         let inset = if laid.word.kind == Kind::Caption { 0.0 } else { INSET };
         let along = |start: f64, length: f64, size: f64| -> Vec<f64> {
             let room = length - size - 2.0 * inset;
@@ -662,7 +663,7 @@ fn cover(area: Bounds, other: Bounds, round: bool) -> f64 {
     part
 }
 
-/// Whether two ovals keep some room between them although their boxes do not.
+/// Returns whether two ovals have a distance although their boxes overlap.
 fn ovals_apart(a: Bounds, b: Bounds, near: f64) -> bool {
     let (one, other) = (center(a), center(b));
     let across = (one.x - other.x).abs() / (f64::midpoint(a.width, b.width) + near);
@@ -683,12 +684,12 @@ fn entry(from: Point, to: Point, bounds: Bounds) -> f64 {
     span(from, to, bounds).map_or(2.0, |(first, _)| first)
 }
 
-/// How much of a line lies in a box, in lengths of the line.
+/// Returns the part of a line inside a box, in lengths of the line.
 fn inside(from: Point, to: Point, bounds: Bounds) -> f64 {
     span(from, to, bounds).map_or(0.0, |(first, last)| last - first)
 }
 
-/// The part of a line that lies in a box (Liang and Barsky, 1984).
+/// Returns the part of a line inside a box (Liang and Barsky, 1984).
 fn span(from: Point, to: Point, bounds: Bounds) -> Option<(f64, f64)> {
     let (mut first, mut last) = (0.0f64, 1.0f64);
     let sides = [

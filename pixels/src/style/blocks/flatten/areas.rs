@@ -72,9 +72,9 @@ pub(super) struct Areas {
 }
 
 /// Areas of equal labels. Areas of fewer than `least` pixels have joined the neighbour with the longest
-/// common border. Labels change alike.
+/// common border. Updates the labels accordingly.
 pub(super) fn merge_small(labels: &mut [u8], (width, height): (usize, usize), least: usize) -> Areas {
-    // Areas join the ones around them; several rounds, as small ones may lie side by side.
+    // Small areas join their neighbours. Several rounds, because small areas can be adjacent.
     for _ in 0..4 {
         let areas = connect(labels, (width, height));
         let mut sizes = vec![0usize; areas.count];
@@ -112,7 +112,7 @@ pub(super) fn merge_small(labels: &mut [u8], (width, height): (usize, usize), le
         let mut longest = vec![0usize; areas.count];
         for run in borders.chunk_by(|a, b| a == b) {
             let (small, other) = run[0];
-            // A larger neighbour is worth more than a small one that will be gone itself.
+            // Large neighbours are preferred to small ones, which will disappear.
             let length = run.len() * if sizes[other as usize] >= least { 4 } else { 1 };
             if length > longest[small as usize] {
                 longest[small as usize] = length;
