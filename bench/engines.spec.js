@@ -125,7 +125,7 @@ function watchMemory(pid) {
   return { now, most: () => most, end: () => clearInterval(timer) };
 }
 
-/** Medians, each with how many times Chromium's it is. @param {Record<string, Times[]>} runs */
+/** Medians, each with its ratio to the value of Chromium. @param {Record<string, Times[]>} runs */
 function table(runs) {
   const rows = /** @type {const} */ ([
     ['First page from twelve 12-megapixel JPEG files', 'first', 'ms'],

@@ -39,7 +39,7 @@ export function makeFilm(album, folder, minutes) {
 
 /** @param {string} photo @param {number} i @param {string} path */
 function makeShot(photo, i, path) {
-  // A window of half the photo that begins in one of nine places, and drifts from there.
+  // A window of half the photo that starts at one of nine positions and moves slowly.
   const [across, down] = [(i % 3) / 4, (Math.floor(i / 3) % 3) / 4];
   const [wide, high] = [WIDTH * 2, HEIGHT * 2];
   const moved = (/** @type {string} */ side, /** @type {number} */ from) =>

@@ -104,7 +104,7 @@ export async function opened(browser, address, photos, lacks) {
 }
 
 /**
- * The same files by the browser's own decoder, as many at a time as it likes.
+ * Decodes the same files with the browser's decoder, with its own parallelism.
  * @param {Browser} browser
  * @param {string[]} photos
  */
@@ -163,7 +163,7 @@ export function watch() {
     await frame();
     return performance.now();
   };
-  // The window itself: scripts by WebDriver have another global object in Firefox.
+  // On the window object, because scripts of WebDriver have another global object in Firefox.
   Object.assign(window, {
     watch: {
       afterChoosing: async () => {

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * Custom styles in the real app: updates of the designer's preview while a slider moves, generated styles per second in
- * the explorer, and the time of a search for a style like a picture.
+ * Measures custom styles in the real app: updates of the designer's preview while a slider moves, and generated styles
+ * per second in the explorer. Also the time of a search for a style like a picture.
  */
 
 import { opened } from './opened.js';
@@ -52,7 +52,7 @@ export async function making(browser, address, photos, pictures) {
  * @param {string} address
  * @param {string[]} photos
  * @param {string} picture
- * @param {number} dialog milliseconds for which the workspace is open before the picture comes
+ * @param {number} dialog milliseconds between opening the workspace and the arrival of the picture
  * @returns {Promise<number>} milliseconds from the picture to all proposals
  */
 async function search(browser, address, photos, picture, dialog) {
@@ -97,7 +97,7 @@ async function drag(element, ms) {
   return { frames, width: canvas.width, height: canvas.height };
 }
 
-/** Runs in the page: one round of the explorer; gives the styles tried a second. */
+/** Runs in the page: one round of the explorer. Returns the styles tried per second. */
 async function round() {
   const button = /** @type {HTMLButtonElement} */ (
     [...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'Generate')

@@ -94,7 +94,7 @@ pub(crate) fn pack(folder: &Path) -> Result<Vec<u8>, String> {
     Ok(out.0)
 }
 
-/// Units of the first font for one of the other, so that capitals are as high.
+/// Factor from units of the other font to units of the first, for equal height of capitals.
 fn matched(first: &Face, other: &Face) -> f64 {
     let capitals = |face: &Face| f64::from(face.capital_height().unwrap_or(face.ascender()));
     capitals(first) / capitals(other)
@@ -119,7 +119,7 @@ fn compositions() -> BTreeMap<char, (char, char)> {
         .collect()
 }
 
-/// How much closer two glyphs stand, by the `kern` feature.
+/// Returns the change of the distance between two glyphs, by the `kern` feature.
 fn kern(face: &Face, left: GlyphId, right: GlyphId) -> Option<i16> {
     let table = face.tables().gpos?;
     let features = table.features.into_iter().filter(|feature| feature.tag == Tag::from_bytes(b"kern"));

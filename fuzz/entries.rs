@@ -20,10 +20,10 @@ use inkpanel::style::{Context, Style, stylize};
 use serde_json::Value;
 use std::collections::HashSet;
 
-/// An entry takes any bytes.
+/// An entry point accepts any bytes.
 pub type Entry = fn(&[u8]);
 
-/// All of them, by the name of their target and of their folder in `tests/regressions`.
+/// All entry points, by the name of their target and of their folder in `tests/regressions`.
 pub const ENTRIES: &[(&str, Entry)] = &[
     ("photo", photo),
     ("style", style),

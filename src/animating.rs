@@ -65,7 +65,7 @@ pub(crate) struct Animate {
 /// Writes the frames.
 ///
 /// # Errors
-/// A sentence; frames that were written by then stay.
+/// A sentence. Frames written before remain.
 pub(crate) fn animate(asked: &Animate) -> Result<(), Complaint> {
     if asked.json {
         telling::as_json();

@@ -101,7 +101,7 @@ fn options(
             let is_file =
                 names_files || (PERHAPS_FILES.contains(&name.as_str()) && folder.join(&text).is_file());
             let value = if is_file { located(&text, folder).into_os_string() } else { text.into() };
-            // A number below 0 would else be taken for an option.
+            // Otherwise, clap would parse a number below 0 as an option.
             let mut whole = OsString::from(format!("{option}="));
             whole.push(value);
             options.push(whole);

@@ -66,7 +66,7 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
     let means = how.printing.means(&full, &fonts, &masks);
     drawing::tell_missing(&pages, &fonts)?;
     if how.strict {
-        // Damage is reported before anything is written; errors come back when the photo is drawn.
+        // Damage is reported before anything is written. Errors are reported again when the photo is drawn.
         for path in paths.values() {
             drop(decode_file(path));
         }

@@ -97,7 +97,7 @@ impl Kind {
     }
 }
 
-/// Decodes a photo at its full size by its id; gives nothing for one that is not there.
+/// Decodes a photo at full size by its id. Returns nothing for a missing photo.
 pub(crate) type Photos<'p> = dyn Fn(&str) -> Result<Option<Image>, Complaint> + Sync + 'p;
 
 /// Resources to draw pages.
@@ -112,7 +112,7 @@ pub(crate) struct Means<'p> {
     pub(crate) enlarges: bool,
 }
 
-/// A page as it is drawn, with its photos. Upscaled photos are reported.
+/// Returns a page in its final form, with its photos. Upscaled photos are reported.
 fn prepared(document: &Document, means: &Means<'_>) -> Result<(Document, native::Photos), Complaint> {
     let photos = decoded(document, means)?;
     let mut page = document.clone();

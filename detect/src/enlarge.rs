@@ -54,7 +54,7 @@ impl Expansion for Enlarge {
     }
 }
 
-/// How much higher and wider.
+/// Factors of the height and the width.
 fn factors(scales: &Tensor) -> TractResult<[usize; 2]> {
     match scales.try_as_plain_ram()?.as_slice::<f32>()? {
         [1.0, 1.0, down, across]

@@ -25,7 +25,7 @@ const SAME: f64 = 0.3;
 /// Side of a part as a share of the photo. With two parts per side, neighbours overlap by a fifth of the
 /// photo.
 const PART: f64 = 0.6;
-/// A photo of fewer pixels on its longer side has nothing more to show in parts.
+/// Minimum longer side, in pixels, at which parts of a photo can show more faces.
 const LARGE: usize = 2 * SIDE;
 /// A face below this share of the photo is small. If there is one, others may be too small for the first
 /// search.
@@ -105,7 +105,7 @@ pub fn worth_a_closer_look(photo: &Image, faces: &[Detection]) -> bool {
     photo.width().max(photo.height()) >= LARGE && largest < SMALL
 }
 
-/// Whether a box is not cut by an edge of its part; the photo's own edges cut nothing.
+/// Returns whether a box is not cut by an edge of its part. The edges of the photo do not count.
 fn whole_in(corners: [f64; 4], edges: [f64; 4]) -> bool {
     (0..4).all(|side| {
         let of_photo = edges[side] <= 0.0 || edges[side] >= 1.0;

@@ -73,7 +73,7 @@ pub(super) struct Run<const OUTPUTS: usize> {
 }
 
 impl<const OUTPUTS: usize> Run<OUTPUTS> {
-    /// Computes one operator; gives the outputs, as of [`Net::run`], with the last.
+    /// Computes one operator. After the last one, returns the outputs of [`Net::run`].
     pub(super) fn advance(&mut self) -> Result<Option<[Vec<f32>; OUTPUTS]>> {
         self.computed().map_err(|error| failed(&error))
     }

@@ -44,7 +44,7 @@ pub(crate) fn zeros(count: u64) -> Vec<u8> {
     }
     bits.code(0, 7);
     bits.put(0, 7);
-    // The check sum of zeros: the first sum stays 1, the second counts them.
+    // Adler-32 of zeros: the first sum stays 1, the second one counts the zeros.
     let sum = ((count % 65_521) << 16 | 1) as u32;
     [bits.out, sum.to_be_bytes().to_vec()].concat()
 }

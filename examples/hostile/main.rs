@@ -2,8 +2,9 @@
 //!
 //!     cargo run --example hostile -- TABLE.md|- [NAME=FOLDER...]
 //!
-//! So does it with the files of `made.rs`. Each file either decodes or gives an error with a code. It ends with a failure when one makes the program panic,
-//! takes longer than five seconds or more memory than the limit that holds in the page.
+//! So does it with the files of `made.rs`. Each file either decodes or gives an error with a code. Exit code
+//! 1 if a file makes the program panic, takes longer than five seconds, or needs more memory than the limit
+//! of the app.
 
 mod made;
 mod memory;
@@ -20,7 +21,7 @@ use std::time::{Duration, Instant};
 use inkpanel::page::import::import;
 use inkpanel::raster::decode::Limits;
 
-/// A file that takes longer is a fault.
+/// Maximum time for a file.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// Result of reading a file.

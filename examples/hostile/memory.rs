@@ -2,7 +2,7 @@
 
 use std::fs;
 
-/// Forgets the peak so far; gives the bytes in use now.
+/// Resets the peak, and returns the bytes in use.
 pub(crate) fn begin() -> Option<u64> {
     // See proc(5): writing 5 resets the peak to the current memory use.
     fs::write("/proc/self/clear_refs", "5").ok()?;

@@ -29,7 +29,7 @@ pub(crate) struct Figures {
     pub(crate) overlaps: usize,
     /// Words that cross the border of their panel.
     pub(crate) crossing: usize,
-    /// Words that are read before one that is written before them.
+    /// Text items that are read before an earlier one.
     pub(crate) disorder: usize,
     /// Smallest and largest text size, in points on A4.
     pub(crate) points: Option<(f64, f64)>,

@@ -7,8 +7,8 @@ use inkpanel::layout::{Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
 /// Points across and down a box.
 const POINTS: usize = 24;
 
-/// The parts of a box of the photo that are seen on the page: in all panels of the group, and in the one that
-/// shows most. A round face can be fully visible although the corners of its box are not.
+/// Returns the visible parts of a box of the photo: in all panels of the group, and in the panel that shows
+/// most. A round face can be fully visible although the corners of its box are not.
 pub(crate) fn seen(
     s: &Subject,
     crop: &Crop,

@@ -78,8 +78,8 @@ fn train(operator: &Operator, photos: &[Photo]) -> Outcome<Bank> {
     Ok(Bank::new(operator.name, shape, operator.levels.iter().copied().zip(filters).collect())?)
 }
 
-/// Prints the mean PSNR over the photos of the bank and of doing nothing, at each strength, which is scaled to the
-/// photo's size as it is in a render.
+/// Prints the mean PSNR over the photos at each strength, for the bank and without any filter. Strengths are
+/// scaled to the size of the photo, as in a render.
 fn measure(operator: &Operator, bank: &Bank, photos: &[Photo]) -> Outcome<()> {
     let mut rows = vec![(0.0, 0.0, f64::MAX); operator.measured.len()];
     for photo in photos {

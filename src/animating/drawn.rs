@@ -71,7 +71,7 @@ struct Word {
 }
 
 impl Page {
-    /// `across`: pixels of the page at most that fall into one of a frame.
+    /// `across`: maximum number of page pixels per frame pixel.
     pub(super) fn new(sheet: &Sheet, panels: Vec<Vec<(f64, f64)>>, across: f64) -> Self {
         let (width, height) = (sheet.width(), sheet.height());
         let page = PixelRect { x: 0, y: 0, width, height };

@@ -70,7 +70,7 @@ impl Pages {
         Ok(Self { plan, saved, documents: pages, files, masks, fonts, letters })
     }
 
-    /// Each place where the camera stays, with its way there.
+    /// Returns each position where the camera rests, with the move to it.
     pub(super) fn steps(&self) -> Vec<Step> {
         let steps = |(page, clip): (usize, &Clip)| {
             let mut start = clip.start;

@@ -89,7 +89,7 @@ impl Reel<'_> {
         let mut rgb = seen(&look.under, &look.told)?;
         if let Some(over) = &look.over {
             let share = (over.share * 256.0).round().clamp(0.0, 256.0) as u32;
-            // A page that comes is not read yet.
+            // During the transition, the next page has no active panel.
             mix(&mut rgb, &seen(over, &Told::default())?, share);
         }
         let file = png::encode_rgb(size[0], size[1], &rgb, DPI).map_err(|error| error.to_string())?;

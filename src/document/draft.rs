@@ -186,7 +186,7 @@ impl Draft {
         }
     }
 
-    /// A style taken apart.
+    /// Returns the editable draft of a style.
     #[must_use]
     pub fn of(style: &Style) -> Self {
         let mut key = 0;

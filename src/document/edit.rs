@@ -477,7 +477,7 @@ impl Project {
 /// until all states are done.
 pub(super) struct Without<'a> {
     gone: HashSet<&'a str>,
-    /// By their addresses what was made of them, where anything was. There are few.
+    /// The conversion of each list, by address, if it changed. There are few.
     trays: Vec<(usize, Option<List<TrayItem>>)>,
     pages: Vec<(usize, Option<Arc<Document>>)>,
 }
@@ -681,7 +681,7 @@ fn shelf(value: Value, shelf: Shelf) -> Read<List<Value>> {
     Ok(own::first_of_each(all?))
 }
 
-/// A page in full, or the one of that id.
+/// Reads a complete page, or the page with this id.
 fn page(fields: &mut Fields, id: u64, known: &dyn Fn(u64) -> Option<Arc<Document>>) -> Read<Arc<Document>> {
     match fields.part("page", &mut pages::page)? {
         Some(page) => Ok(page),

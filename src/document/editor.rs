@@ -124,7 +124,7 @@ impl Editor {
 
     /// Removes an unreadable photo from all states, so no undo restores it.
     fn forget(&mut self, ids: &[String]) -> bool {
-        // Its parts live on, so that no other gets the address of one.
+        // Keeps the old parts alive, so that no new part gets the address of an old one.
         let was = self.history.clone();
         let history = &mut self.history;
         let mut without = Without::new(ids);

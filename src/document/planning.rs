@@ -65,7 +65,7 @@ pub enum Unseen {
     Text,
     /// The photo has too few pixels for any panel.
     Small,
-    /// Its turn will come.
+    /// It is chosen later.
     Waits,
 }
 
@@ -349,7 +349,7 @@ fn spoken_on(page: &Document) -> HashSet<String> {
     page.words.iter().filter_map(|word| photo_of(word, &page.panels)).map(str::to_owned).collect()
 }
 
-/// Whether the layout of a page is as good on other paper as it is on its own.
+/// Returns whether the layout suits the new paper as well as the old one.
 fn suits(page: &Document, settings: &PageSettings) -> Result<bool> {
     let template = template_of(&page.layout)?;
     Ok(template.good_for(settings.aspect()) || !template.good_for(page.page.aspect()))

@@ -275,7 +275,7 @@ pub fn words(said: &Said, taking: Taking) -> Vec<Value> {
     words
 }
 
-/// Groups of things laid over places in order: more of them than places stand close, each place with about as many.
+/// Distributes more groups than positions over positions in order, each with about the same number.
 #[must_use]
 pub fn laid(count: usize, places: usize) -> Vec<usize> {
     let of = |group: usize| if count > places { group * places / count } else { group };

@@ -331,8 +331,8 @@ fn keeps(view: &View, crop: &Crop, faces: &[Area]) -> bool {
     faces.iter().any(holds) && !faces.iter().any(|face| view.cuts(area, *face))
 }
 
-/// Returns crops as small as some of the faces allow, if all crops with more space cut a face. Whatever crop
-/// keeps some faces and cuts none, the smallest about the same faces inside of it does so, too.
+/// Returns crops as small as some of the faces allow, if all crops with more space cut a face. For any crop
+/// that contains some faces and cuts none, the smallest crop around the same faces within it does so as well.
 fn tight(view: &View, faces: &[Area]) -> Vec<Crop> {
     let few = if faces.len() > MOST_SUBJECTS { 2 } else { 6 };
     let first = &faces[..faces.len().min(few)];

@@ -26,11 +26,12 @@ const LEAST_HEIGHT: usize = 7;
 const MOST_HEIGHT: f64 = 0.3;
 /// Stroke width relative to the height of characters.
 const STROKES: std::ops::RangeInclusive<f64> = 0.06..=0.42;
-/// Half the side of the window whose mean a stroke is compared with, as a part of the image's longer side, and by how many
-/// grey steps it differs.
+/// Half the side of the window whose mean is compared with a stroke, as a fraction of the image's longer
+/// side, and the minimum difference in grey levels.
 const WINDOW: f64 = 0.06;
 const CONTRAST: f64 = 28.0;
-/// Grey steps between the ink of a line and its ground, and how far either may stray, as a part of that.
+/// Minimum contrast between a line of text and its background in grey levels, and the maximum deviation of
+/// either, relative to the contrast.
 const LEAST_CONTRAST: f64 = 50.0;
 const EVEN: f64 = 0.33;
 

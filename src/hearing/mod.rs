@@ -1,6 +1,6 @@
 //! Audio analysis: finds sounds of a video that may become sound effects, and passages of music.
 //!
-//! The sound is taken apart into frames (`spectrum`). A sudden rise of the spectrum and of the loudness is an
+//! The sound is divided into frames (`spectrum`). A sudden rise of the spectrum and of the loudness is an
 //! impact. A swell or a sweep in pitch is a whoosh. Tones that last for seconds, or a beat, are music. Voices
 //! are ignored, because subtitles have the dialogue. All results are suggestions, so a missed sound is better
 //! than an invented one.
@@ -29,7 +29,7 @@ const RISE: f32 = 9.0;
 const FALL: f32 = 20.0;
 /// Maximum length of a sound in frames.
 const LONGEST: usize = 300;
-/// Frames that a sound without a sudden beginning takes at least.
+/// Minimum number of frames of a sound with a gradual beginning.
 const SWELL: usize = 15;
 /// Minimum number of frames before the maximum of a sound with a gradual beginning.
 const GRADUAL: usize = 9;
@@ -61,7 +61,7 @@ const LASTING: f32 = 2.0;
 const OVER: f32 = 10.0;
 /// Interval of the tests for voices, in frames.
 const ASKED: usize = 3;
-/// and dB that it gets fainter by from one to the next at most.
+/// and maximum decrease per frame in dB.
 const HELD_BY: f32 = 1.5;
 /// Seconds before and after a sound that are tested for speech. Speech is assumed if voices take a minimum
 /// share of them.
@@ -74,7 +74,7 @@ const ITSELF: f64 = 0.05;
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "SoundKind"))]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
-    /// It begins at once.
+    /// It has a sudden beginning.
     Hit,
     /// It swells, or its pitch wanders.
     Sweep,
@@ -249,7 +249,7 @@ impl Hearing<'_> {
         events
     }
 
-    /// The frames at which a sound begins at once.
+    /// Returns the frames at which a sound begins suddenly.
     fn onsets(&self) -> Vec<usize> {
         let frames = self.frames;
         let mut found: Vec<usize> = Vec::new();

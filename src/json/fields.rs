@@ -1,4 +1,4 @@
-//! Objects taken apart field by field, and lists item by item.
+//! Reads objects field by field, and lists item by item.
 
 use super::{Read, Wrong};
 use serde_json::{Map, Value};

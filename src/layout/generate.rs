@@ -24,7 +24,7 @@ const SLANTED_CUT: f64 = 0.7;
 const STAYS: f64 = 0.45;
 /// Minimum area of a cell relative to an even share, and maximum area of a cell that is not divided.
 const AREAS: RangeInclusive<f64> = 0.36..=1.8;
-/// Trees grown for one template, and how many good ones it is chosen from.
+/// Number of trees grown for one template, and number of good ones to choose from.
 const GROWN: usize = 400;
 const CHOICE: usize = 16;
 

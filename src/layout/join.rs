@@ -10,7 +10,7 @@ use super::tree::{Axis, Node, PAGE, Split};
 use crate::error::Result;
 use crate::order::sort_by;
 
-/// Places within this of each other are the same, in parts of a cell: shares have four digits.
+/// Maximum distance of positions that count as equal, as a fraction of a cell. Shares have four digits.
 const NEAR: f64 = 1e-3;
 
 /// The template with some base panels as one, at the place of the first of them in the reading order.

@@ -100,8 +100,8 @@ pub fn area(polygon: &[Point]) -> f64 {
     signed_area(polygon).abs()
 }
 
-/// The corners without doubles and without corners in the middle of a straight edge, clockwise on the
-/// screen; `None` when the outline is not convex, crosses itself or has no area.
+/// Returns the corners without duplicates and without corners in the middle of a straight edge, clockwise on
+/// the screen. `None` if the outline is not convex, crosses itself or has no area.
 #[must_use]
 pub fn normalised(outline: &[Point]) -> Option<Vec<Point>> {
     let mut corners: Vec<Point> = Vec::with_capacity(outline.len());

@@ -1,4 +1,4 @@
-//! A template on a page: gutters and margins taken off, in page-width units.
+//! A template on a page: gutters and margins are subtracted, in page-width units.
 
 use super::polygon::{Bounds, Point, TINY, clip, edges, eroded};
 use super::settings::PageSettings;
@@ -31,7 +31,7 @@ pub struct ResolvedPanel {
     pub shape: ResolvedShape,
     /// The rectangle round the outline.
     pub bounds: Bounds,
-    /// How much the panel draws the eye.
+    /// Visual prominence of the panel.
     pub weight: f32,
     /// Whether the panel is an overlay.
     pub overlay: bool,

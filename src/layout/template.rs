@@ -37,7 +37,7 @@ pub enum Shape {
 pub struct Panel {
     /// Its cell in unit coordinates (0..1 across and down the page), before gutters.
     pub shape: Shape,
-    /// How much it draws the eye: the strongest photo belongs into the panel of the greatest weight.
+    /// Visual prominence: the strongest photo belongs into the panel of the greatest weight.
     pub weight: f32,
     /// Whether the panel is an overlay. Other panels tile the page.
     pub overlay: bool,
@@ -58,7 +58,7 @@ impl Panel {
     }
 }
 
-/// How the base panels of a template are given; kept so that a template can be edited and written back.
+/// Definition of the base panels of a template, stored so that the template can be edited and written back.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Body {

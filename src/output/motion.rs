@@ -36,7 +36,7 @@ const FADE: f64 = 0.2;
 const ROOM: (f64, f64) = (0.07, 0.05);
 /// How much nearer the camera comes while it stays at a panel, a second and at most.
 const CLOSER: (f64, f64) = (0.01, 0.04);
-/// Share by which the dimming is reduced during a camera move, so that its target is visible.
+/// Reduction of the dimming during a camera move, so that its target is visible.
 const LIFTED: f64 = 0.7;
 /// Pixels that the picture of a page has at most, and a side of it.
 const MOST_PIXELS: f64 = 16e6;

@@ -57,7 +57,7 @@ impl From<Value> for Taste {
 }
 
 impl Taste {
-    /// Returns the factor of a preference; 1 if there is none.
+    /// Returns the factor of a preference; 1 without a preference.
     #[must_use]
     pub fn factor(likings: &[(String, f64)], id: &str) -> f64 {
         let liking = likings.iter().find(|(other, _)| other == id).map_or(0.0, |(_, liking)| *liking);

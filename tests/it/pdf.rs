@@ -124,7 +124,7 @@ fn text_is_there_with_what_it_stands_for_and_only_its_letters() {
     assert_eq!(count(drawing, "3 Tr\n"), 1, "the bent word alone is unseen text");
 }
 
-/// Returns what a program of Poppler prints about a file.
+/// Runs a Poppler program on a file, and returns its output.
 fn poppler(program: &str, arguments: &[&str], file: &[u8]) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("file.pdf");

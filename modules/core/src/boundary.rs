@@ -72,8 +72,8 @@ fn listed(list: &impl Serialize) -> String {
     serde_json::to_string(list).unwrap_or_default()
 }
 
-/// Checks a style file and returns it normalised. One of the page's own from before blocks had a choice keeps
-/// its look. Throws `invalid-style`.
+/// Checks a style file and returns it normalised. A style that the app saved before blocks had a choice
+/// retains its look. Throws `invalid-style`.
 #[wasm_bindgen]
 pub fn check_style(json: &str, file: &str) -> std::result::Result<String, JsValue> {
     let check = || -> Result<String> {
@@ -361,7 +361,7 @@ impl Studio {
         core::arch::wasm32::memory_size::<0>() as f64 * PAGE
     }
 
-    /// Keeps both copies of a photo that was read; gives its facts as JSON.
+    /// Stores both copies of an imported photo, and returns its facts as JSON.
     fn take_in(&mut self, photo: Imported) -> std::result::Result<String, JsValue> {
         let facts = serde_json::to_string(&photo.entry()).map_err(|error| internal(&error))?;
         self.photos.insert(format!("{}/work", photo.meta.id), photo.work);

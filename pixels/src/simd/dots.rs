@@ -1,5 +1,5 @@
-//! Rotated halftone grids on SIMD lanes. The dot size follows the tone. The output is the paper that stays
-//! white.
+//! Rotated halftone grids on SIMD lanes. The dot size follows the tone. The output is the remaining white
+//! paper.
 //!
 //! Everything about a dot is an area here. With d the distance of a pixel from the centre of its dot, in
 //! cells, and r the radius of the dot for the ink coverage:
@@ -34,8 +34,8 @@ const AREA: i16 = 41;
 /// The sharpness of the ramp: at half of its width the product with the slope is this.
 const HALF: f32 = 1024.0;
 
-/// Inks from this one on need other sizes than v / pi: dots begin to overlap, and their ramps to meet, in the corners
-/// between four of them.
+/// From this ink level on, sizes differ from v / pi: dots begin to overlap, and their ramps meet in the
+/// corners between four dots.
 const MEETING: u8 = 180;
 
 /// A grid of dots. Positions are in cells, as 32-bit fractions of one, which wrap.
@@ -46,7 +46,7 @@ pub struct Screen {
     down: [u32; 2],
     /// Phases of a segment's pixels relative to its first, both coordinates in turn, for four pixels at a time; even.
     phases: [[[i16; 8]; STEP / 4]; SEGMENT / STEP],
-    /// Differences of area beyond this are all ink or none.
+    /// Larger differences of area mean full ink or no ink.
     limit: i16,
     /// A power of two that brings the limit near the largest lane.
     zoom: i16,

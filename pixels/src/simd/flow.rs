@@ -288,8 +288,9 @@ impl Step {
     }
 }
 
-/// 1 / sqrt(v) has half the exponent of v, turned: subtracting half of the bits of v from this constant gives it
-/// with a straight line in place of the mantissa's curve. Multiplied by 2^`field_bits`.
+/// 1 / sqrt(v) has half the exponent of v with the opposite sign. Subtracting half of the bits of v from this
+/// constant gives an approximation with a straight line instead of the curve of the mantissa. Multiplied by
+/// 2^`field_bits`.
 fn magic(field_bits: u32) -> i32 {
     (0x5f37_a000 + (field_bits << 23)) as i32
 }

@@ -142,7 +142,7 @@ pub fn load_part(source: &[u8]) -> u8x16 {
 /// Turns rows into columns: four rounds in which every vector meets the one half a tile away.
 #[must_use]
 pub fn transpose(tile: [u8x16; LANES]) -> [u8x16; LANES] {
-    // Written out: as a loop over arrays the compiler keeps the tile in memory.
+    // Written out, because in a loop over arrays the compiler puts the tile into memory.
     let round = |[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p]: [u8x16; LANES]| {
         let (low, high) = (u8x16::unpack_low, u8x16::unpack_high);
         let first =

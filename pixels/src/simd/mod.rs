@@ -13,7 +13,7 @@
 //! | [`lanes`] | moves between lane widths |
 //! | [`flow`] | rows of the dual solver of Total Variation Flow |
 //! | [`screen`] | the choice of a pattern for each tone |
-//! | [`dots`] | the dots of a printing screen, and colours taken apart in inks |
+//! | [`dots`] | the dots of a printing screen, and separation of colours into inks |
 //! | [`edge`] | gradient magnitudes |
 //! | [`volume`] | rows of cells over x and tone: gathered, blurred, read between |
 //! | [`fine`] | planes of 1/64 grey steps, in which blurs keep their precision |

@@ -269,7 +269,8 @@ fn apply_steps(first: u8, steps: &[(u8, u8)], chunks: &mut [[u8; 16]]) {
 /// How often each value occurs.
 #[must_use]
 pub fn histogram(samples: &[u8]) -> [u32; 256] {
-    // Eight tables, so that equal neighbours do not wait for each other, and one load for eight samples.
+    // Eight tables, so that increments of equal neighbours do not depend on each other, and one load for
+    // eight samples.
     let mut counts = [[0u32; 256]; 8];
     let (chunks, tail) = samples.as_chunks::<8>();
     for chunk in chunks {

@@ -1,6 +1,7 @@
 //! Light score: the quality of a stylised photo, from 0 to 1, by simple statistics and without a model.
 //!
-//! It sorts invented styles: it drops what is flat, noise or the photo itself. Weights are this project's own.
+//! It filters generated styles: it drops flat results, noise, and results that equal the photo. Weights are
+//! this project's own.
 
 use crate::raster::{Image, Plane};
 use crate::simd::point::luma_plane;
@@ -18,13 +19,13 @@ const FREE_CLIPPING: f64 = 0.75;
 const TOO_ALIKE: f64 = 0.9;
 /// Light scores below this are of rubbish.
 const POOR: f64 = 0.2;
-/// A picture with less spread than this, in grey steps, shows nothing.
+/// Minimum spread of a picture with content, in grey levels.
 const FLAT: f64 = 6.0;
 
 /// Minimum share of nearly white pixels at which a picture counts as mostly blank, and how much higher than
 /// in the photo it must be.
 const PALE: (f64, f64) = (0.55, 0.3);
-/// Share of the photo's edges that must be left where most is paper; drawings keep more.
+/// Minimum share of the photo's edges that remain if most of the picture is paper. Drawings have more.
 const KEPT: f64 = 0.5;
 /// Lowest grey level that counts as nearly white.
 const WHITE: usize = 226;
@@ -73,7 +74,7 @@ impl Fault {
 pub struct Judgement {
     /// The light score, 0 to 1.
     pub score: f64,
-    /// The factor of any score: 1, down to .5 for the photo itself, which must not win.
+    /// The factor of the score: 1, down to 0.5 for a result that equals the photo.
     pub novelty: f64,
     /// The fault of the picture, if any.
     pub fault: Option<Fault>,

@@ -8,7 +8,7 @@ use super::part::Parts;
 use super::procedural;
 use oorandom::Rand64;
 
-/// Blocks of a layer that is bred, at most: more costs time and shows nothing new.
+/// Maximum number of blocks in a layer of a child. More cost time and add nothing new.
 const MOST: usize = 10;
 
 /// A child of two styles, or of one that is given twice. `surprise` ranges from 0 (only crossing) to 1, which

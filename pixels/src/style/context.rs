@@ -9,8 +9,8 @@ use crate::simd::gaussian::Buffers;
 /// Number of pixels of the image for which spatial parameters are defined.
 const REFERENCE_PIXELS: f64 = 1920.0 * 1080.0;
 
-/// One render's scale, its scratch memory (kept between renders, so that nothing is allocated again while a
-/// slider moves) and a question that stops it.
+/// Scale and scratch memory of a render, and a function for cancelling it. The memory is reused, so that
+/// moving a slider allocates nothing.
 #[derive(Default)]
 pub struct Context<'a> {
     scale: f32,

@@ -51,7 +51,8 @@ const MOST: &[(&str, &str, f32)] = &[
 /// Minimum factor of a length, even for very small faces. Cells have no minimum.
 const LEAST: f32 = 0.5;
 
-/// Spread of light in a face, from its fifth to its 95th percentile, up to which it is raised, and how much at most.
+/// Maximum spread of luma in a face, from the 5th to the 95th percentile, that is increased, and the maximum
+/// factor.
 const CONTRAST: (f32, f32) = (110.0, 1.5);
 /// Range of middle tones in which a face is not changed, and the maximum shift, in grey levels.
 const LIGHT: (f32, f32, f32) = (92.0, 176.0, 30.0);

@@ -18,9 +18,9 @@ const GRAY_CHANCE: f64 = 0.2;
 /// A block that may be drawn, and the ranges of its values.
 struct Draw {
     block: &'static str,
-    /// Parameter, least and most; others keep their default.
+    /// Parameter, minimum and maximum. The others have their default values.
     ranges: &'static [(&'static str, f64, f64)],
-    /// Whether it may come more than once.
+    /// Whether it may occur more than once.
     repeats: bool,
 }
 

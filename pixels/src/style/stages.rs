@@ -83,7 +83,8 @@ impl Stages {
             let picture = if step.bypass {
                 None
             } else {
-                // Blocks of single pixels run as one pass, whose tables round once: the same pass gives the same pixels.
+                // Point operations run as one pass, whose tables round once. So the same pass gives the same
+                // pixels.
                 let first = if is_point(step) { run_start(steps, done) } else { done };
                 let before = self.before(layer, first).clone();
                 context.show_subject(step.part.and_then(|_| self.subject.clone()));

@@ -58,7 +58,7 @@ impl Tangents {
         &self.turns
     }
 
-    /// How much of one direction each cell is, 0 to 255.
+    /// Coherence of the direction of each cell, 0 to 255.
     #[must_use]
     pub fn coherence(&self) -> &[u8] {
         &self.coherence

@@ -23,7 +23,7 @@ const LEAST_CONTRAST: u8 = 8;
 /// Parts of a grey step in which a blur is computed.
 const PARTS: u32 = 16;
 
-/// A texture as it was read.
+/// A decoded texture.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Texture {
     url: String,

@@ -110,7 +110,8 @@ pub fn inks_of(step: &Step) -> Option<Vec<Ink>> {
     (step.block.id == BLOCK.id && !step.bypass).then(|| inks(Args::new(&step.values, 1.0)))
 }
 
-/// The step as it is for plates that a press prints: no paper is missed there by design, and the grain is the press's own.
+/// Returns the step for plates that are printed on a press: misregistration and grain then come from the
+/// press.
 #[must_use]
 pub fn exact(step: &Step) -> Step {
     let mut step = step.clone();
@@ -186,7 +187,7 @@ fn run(args: Args<'_>, image: &Image, context: &mut Context<'_>) -> Result<Image
         let fits = i + 1 == inks.len();
         let (dx, dy) = if fits { (0, 0) } else { misfit(shift, seed, i as u32) };
         let screen = pitch.map(|pitch| Screen::new(ANGLES[i + 3 - inks.len()], f64::from(pitch)));
-        // Every plate has its grain somewhere else.
+        // The grain of each plate has a separate offset.
         let apart = i * height / 3 + i * 57;
         for y in 0..height {
             if y % 128 == 0 {
@@ -236,7 +237,7 @@ fn misfit(shift: f32, seed: u32, plate: u32) -> (isize, isize) {
     ((x / length * far).round() as isize, (y / length * far).round() as isize)
 }
 
-/// For each ink what it takes of 1 - R, 1 - G and 1 - B, in Q12.
+/// For each ink its shares of 1 - R, 1 - G and 1 - B, in Q12.
 fn shares(inks: &[Ink], density: f32) -> Vec<[i32; 3]> {
     let colors: Vec<[f64; 3]> =
         inks.iter().map(|ink| ink.rgb.map(|tone| 1.0 - f64::from(tone) / 255.0)).collect();

@@ -1,5 +1,5 @@
-//! Sobel: the magnitude of the 3 x 3 gradient, a quarter of it, so that a full step from black to white along
-//! an axis gives 255; borders repeat the edge.
+//! Sobel: a quarter of the magnitude of the 3 x 3 gradient, so that a step from black to white along an axis
+//! gives 255. Borders repeat the edge.
 
 use super::{Block, Channels, Kernel};
 use crate::simd::edge::{self, magnitude};

@@ -167,7 +167,7 @@ fn spread(deviation: f32) -> Vec<u8> {
 
 /// How strokes become ink.
 struct Pen {
-    /// How much steeper than a stroke's own values its edge is, in 1/256.
+    /// Slope of the edge relative to a stroke's own values, in 1/256.
     slope: i32,
     /// Share of a stroke's ink for each darkness, in 1/256. Dark strokes have more pressure.
     press: [i32; 256],
@@ -196,7 +196,7 @@ impl Pen {
         // The second layer leaves a tenth of the paper white.
         let across = ((dark - FROM) * (65_536 * 255 / (255 - FROM))) >> 16;
         let second = if dark > FROM && second > 0 { (at(across, second) * 230) >> 8 } else { 0 };
-        // Paper stays free of strokes.
+        // White areas have no strokes.
         if dark == 0 { 0 } else { at(dark, first).max(second) }
     }
 

@@ -45,7 +45,8 @@ pub struct Features {
     pub flat: f32,
     /// Mean chroma in Oklab.
     pub chroma: f32,
-    /// Standard deviation of the colours of one lightness, in Oklab: next to nothing in prints of one or two inks.
+    /// Standard deviation of the colours of one lightness, in Oklab. It is nearly 0 in prints with one or two
+    /// inks.
     pub free: f32,
     /// Number of colours that make up most of the picture, 0 to 1 and more; 0 if not requested, as for
     /// trials.

@@ -15,7 +15,7 @@
 //! | `colours`, `lines`, `spectrum` | parts of that |
 //! | `inks` | the paper and inks that a print was made with |
 //! | `dressing` | designed styles in the colours of the picture |
-//! | `apart` | how far one look is from another |
+//! | `apart` | distance between two looks |
 //! | `search` | the styles to try and to propose |
 //! | `nothing` | pictures without a distinct look |
 
@@ -113,7 +113,7 @@ const SKETCH: usize = 20_000;
 /// Number of candidate windows for the close-up, along each side.
 const WINDOWS: usize = 5;
 
-/// The part of the photo that shows a screen best, as it is in a large picture of it.
+/// Returns the part of the photo that shows a screen best, at the scale of a large picture.
 fn telling(photo: &Image, area: usize) -> Image {
     let (width, height) = (photo.width() as f64, photo.height() as f64);
     let part = (area as f64 / FINE as f64).sqrt();

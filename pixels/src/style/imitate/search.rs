@@ -24,7 +24,7 @@ use crate::style::params::Kind;
 use oorandom::Rand64;
 use std::collections::HashSet;
 
-/// How much is tried.
+/// Effort of a search.
 #[derive(Debug, Clone, Copy)]
 pub struct Effort {
     /// Designed styles that are dressed.
@@ -96,7 +96,7 @@ enum Stage {
 #[derive(Clone)]
 struct Candidate {
     style: Style,
-    /// Which designed style it comes from, and how it is dressed.
+    /// Index of the built-in style, and the variant.
     origin: (usize, usize),
     apart: Apart,
     found: Features,
@@ -189,7 +189,7 @@ impl Search {
     pub fn proposals(&self) -> Vec<Style> {
         let mut chosen: Vec<&Candidate> = Vec::new();
         let Some(best) = self.known.first().map(|best| best.apart.total()) else { return Vec::new() };
-        // First one of a kind, then more of a kind, at last whatever is there.
+        // First one proposal per kind, then more per kind, then any others.
         for (kinds, alike, most) in [(1, ALIKE, PROPOSALS.1), (2, ALIKE, PROPOSALS.0), (9, 0.5, PROPOSALS.0)]
         {
             for candidate in &self.known {

@@ -31,8 +31,8 @@ const PATCHES: usize = 12;
 /// Range of rings that can hold a peak: periods from a tenth of a patch down to about two pixels.
 const RINGS: (usize, usize) = (4, 60);
 
-/// From this height above its neighbourhood a peak is a screen, as a natural logarithm: tiles, roofs and fences of photos stay
-/// below, screens and hatching of designed styles are above.
+/// Minimum height of a peak above its neighbourhood for a screen, as a natural logarithm. Tiles, roofs and
+/// fences in photos are below, screens and hatching of built-in styles above.
 pub(super) const CLEAR: f32 = 1.35;
 
 /// A repeating pattern, such as a dot screen.
@@ -73,7 +73,7 @@ pub(super) fn screen(luma: &Plane, scale: f32) -> Screen {
     Screen { pitch, strength, directed: directed(&power, ring) }
 }
 
-/// The ring that stands highest above its neighbourhood, and by how much.
+/// Returns the ring with the highest peak above its neighbourhood, and the height of the peak.
 fn peak(energy: &[f32; SIDE / 2]) -> Option<(usize, f32)> {
     let mut best: Option<(usize, f32)> = None;
     for ring in RINGS.0..=RINGS.1 {
@@ -198,8 +198,8 @@ fn transform(re: &mut [Row], im: &mut [Row], turns: &[(f32, f32)]) {
     }
 }
 
-/// A transform of radix 2 of each column, with places turned first: all columns take the same step at once, so that registers
-/// hold neighbours.
+/// A radix-2 transform of each column, after bit reversal. All columns do each step together, so that SIMD
+/// registers hold neighbours.
 ///
 /// Source: Cooley and Tukey, "An algorithm for the machine calculation of complex Fourier series", 1965.
 fn columns(re: &mut [Row], im: &mut [Row], turns: &[(f32, f32)]) {

@@ -129,7 +129,7 @@ impl Grid {
         Ok(())
     }
 
-    /// Makes the tones of row `row` of cells. Rows come in their order.
+    /// Makes the tones of row `row` of cells. Rows must arrive in order.
     fn settle(&mut self, row: usize, plane: &Plane) {
         while self.gathered.0 <= row + REACH / 2 {
             self.gather_row(plane);

@@ -249,7 +249,7 @@ pub(super) fn paint(
     }
 }
 
-/// Pixels of the picture in one of the areas' resolution: a row of two above another.
+/// Pixels of the picture per pixel of the label map: one row of two above another.
 const CORNERS: usize = STEP * STEP;
 
 /// The inputs for the colour of a pixel near a border.
