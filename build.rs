@@ -1,6 +1,7 @@
-//! Embeds the layouts: every file of `layouts/` becomes a (name, text) pair of a table in `OUT_DIR`, which `layout` includes, as
-//! those of `styles/` do in `pixels/build.rs`. The styles give the colours of their words. The fonts of `fonts/` become the
-//! table of letters, but for the browser, whose modules are given it.
+//! Embeds the layouts: every file of `layouts/` becomes a (name, text) pair of a table in `OUT_DIR`, which
+//! `layout` includes. `pixels/build.rs` does the same for `styles/`. Text colours are computed from the
+//! styles. The fonts of `fonts/` become the table of glyphs, except for WebAssembly modules, which receive it
+//! at run time.
 
 #[path = "fonts/pack.rs"]
 mod pack;
@@ -23,7 +24,7 @@ fn main() -> io::Result<()> {
     letters()
 }
 
-/// Writes `OUT_DIR/palettes.rs`, the colours of words on pages of each style, sorted by its id.
+/// Writes `OUT_DIR/palettes.rs`: text colours on pages of each style, sorted by style id.
 fn palettes() -> io::Result<()> {
     println!("cargo:rerun-if-changed=src/page/words/palette.rs");
     println!("cargo:rerun-if-changed=styles");
@@ -45,7 +46,8 @@ fn palettes() -> io::Result<()> {
     fs::write(Path::new(&out).join("palettes.rs"), format!("{table}{}];\n", rows.concat()))
 }
 
-/// Writes `OUT_DIR/reader.rs`: by which hash a policy names the script and the style that stand in a comic of one file.
+/// Writes `OUT_DIR/reader.rs`: the hashes that allow the inline script and style of an HTML comic in its
+/// Content-Security-Policy.
 fn reader() -> io::Result<()> {
     println!("cargo:rerun-if-changed=src/output/reader");
     let out = env::var("OUT_DIR").map_err(io::Error::other)?;
@@ -61,7 +63,7 @@ fn reader() -> io::Result<()> {
 /// Writes `OUT_DIR/letters.bin`.
 fn letters() -> io::Result<()> {
     println!("cargo:rerun-if-changed=fonts");
-    // `cargo xtask` writes that of the page.
+    // `cargo xtask` writes the table for the app.
     if env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|target| target == "wasm32") {
         return Ok(());
     }
@@ -90,7 +92,7 @@ fn layouts() -> io::Result<()> {
     fs::write(Path::new(&out).join("layouts.rs"), source)
 }
 
-/// JSON without what stands between its tokens: every visitor loads these texts.
+/// Removes white space between JSON tokens, because every visitor downloads these texts.
 fn without_space(json: &str) -> String {
     let (mut inside, mut escaped) = (false, false);
     let mut kept = json.to_owned();

@@ -1,5 +1,5 @@
 // @ts-check
-/** Animatics in the real page: how many frames a second become a film at 1080p, from the click to the file. */
+/** Animatics in the real app: encoded 1080p frames per second, from the click to the file. */
 
 import { statSync } from 'node:fs';
 
@@ -11,7 +11,7 @@ import { opened } from './opened.js';
 /**
  * @param {Browser} browser
  * @param {string} address of the site
- * @param {string[]} photos paths, each of which becomes a shot of two seconds
+ * @param {string[]} photos paths; each photo becomes a shot of two seconds
  * @returns {Promise<Film[]>}
  */
 export async function animatic(browser, address, photos) {

@@ -1,5 +1,8 @@
 // @ts-check
-/** A large album: when its first page is there, when all is read, when all is looked at, and what it costs the tab. */
+/**
+ * A large album: time to its first page, to the end of the import, and to the end of detection, and the memory of the
+ * tab.
+ */
 
 import { readFileSync } from 'node:fs';
 
@@ -10,9 +13,9 @@ import { readFileSync } from 'node:fs';
  * @param {string} address of the site
  * @param {string[]} photos paths
  * @returns {Promise<{ photos: number, first: number, read: number, found: number, longest: number, long: number, memory: number | null }>}
- *   milliseconds from choosing to the first page, to all photos read and the page drawn, and to all looked at; the
- *   longest task of the main thread, and how many took more than 50 ms; the most bytes that the tab's process had, on
- *   Linux
+ *   milliseconds from choosing the files: `first` to the first page, `read` to the end of the import, `found` to the end
+ *   of detection. `longest`: the longest task of the main thread. `long`: number of tasks longer than 50 ms. `memory`:
+ *   peak memory of the tab's process in bytes, only on Linux.
  */
 export async function crowd(browser, address, photos) {
   const page = await browser.newPage({ viewport: { width: 1920, height: 1080 }, serviceWorkers: 'block' });
@@ -36,7 +39,7 @@ export async function crowd(browser, address, photos) {
       { capture: true, once: true },
     );
   });
-  /** Milliseconds until the body says so. @param {'drawn' | 'idle' | 'detected'} flag */
+  /** Milliseconds until the body has this flag. @param {'drawn' | 'idle' | 'detected'} flag */
   const since = async (flag) => {
     const handle = await page.waitForFunction(
       (name) => {
@@ -63,7 +66,7 @@ export async function crowd(browser, address, photos) {
 /**
  * The most memory that any of the browser's tabs had: its workers are threads of the same process.
  * @param {Browser} browser
- * @returns {Promise<number | null>} bytes; null where the system does not tell
+ * @returns {Promise<number | null>} bytes; null if the system does not report them
  */
 async function peak(browser) {
   const session = await browser.newBrowserCDPSession();

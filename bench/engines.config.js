@@ -1,5 +1,8 @@
 // @ts-check
-/** What times the page in three engines is a test by its form alone: Playwright reads the helpers of the tests, which are TypeScript. */
+/**
+ * Configuration for measuring the app in three browser engines. It runs as a Playwright test, because the helpers of
+ * the tests are TypeScript, which Playwright compiles.
+ */
 
 import { CHROMIUM } from '../tests/web/launching.js';
 import { defineConfig } from '../www/testing.ts';

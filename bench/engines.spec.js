@@ -17,9 +17,9 @@ import { serve } from './server.js';
 
 const PHOTOS = 12;
 const RUNS = 3;
-/** Milliseconds between two looks at the memory. */
+/** Milliseconds between two measurements of the memory. */
 const LOOK = 250;
-/** Milliseconds without work, after which the memory is looked at once more. */
+/** Milliseconds without work before the memory is measured again. */
 const WHILE = 20_000;
 const MB = 2 ** 20;
 
@@ -49,7 +49,7 @@ test('the page in three engines', async ({ browser }) => {
 });
 
 /**
- * One visit of somebody with twelve photos.
+ * Measures one visit with twelve photos.
  * @param {string} name of an engine
  * @param {{ address: string, photos: string[] }} of the site, and paths
  * @returns {Promise<Times>} milliseconds and bytes
@@ -62,7 +62,7 @@ async function measured(name, { address, photos }) {
     const person = await personIn(running, address);
     await person.open({ detects: true });
     await driver.executeScript(`(${watch})()`);
-    // Nobody chooses photos sooner; whoever has the dialog of files open has pointed at the button.
+    // Users need at least this time to choose photos, and hover over the button before.
     await driver
       .actions()
       .move({ origin: await person.one('button', /^Choose photos/) })
@@ -93,7 +93,7 @@ async function measured(name, { address, photos }) {
 }
 
 /**
- * The memory of the largest process that a program started, without what the files of programs take.
+ * Measures the memory of the largest process of a program, without the memory of mapped files.
  * @param {number} pid
  */
 function watchMemory(pid) {
@@ -125,7 +125,7 @@ function watchMemory(pid) {
   return { now, most: () => most, end: () => clearInterval(timer) };
 }
 
-/** Medians, each with how many times Chromium's it is. @param {Record<string, Times[]>} runs */
+/** Medians, each with its ratio to the value of Chromium. @param {Record<string, Times[]>} runs */
 function table(runs) {
   const rows = /** @type {const} */ ([
     ['First page from twelve 12-megapixel JPEG files', 'first', 'ms'],

@@ -1,5 +1,5 @@
 // @ts-check
-/** Films that are long: shots that move over the sample photos, each another part of one, cut hard. */
+/** Long test videos: the camera moves over different parts of the sample photos, with hard cuts. */
 
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, renameSync, writeFileSync } from 'node:fs';
@@ -10,9 +10,9 @@ const [WIDTH, HEIGHT, RATE] = [854, 480, 24];
 const [SHOTS, SECONDS] = [120, 5];
 
 /**
- * Makes a film with ffmpeg, once: ten minutes that come again until it is as long as it should be.
+ * Makes a video with ffmpeg, if it does not exist: ten minutes, repeated up to the requested length.
  * @param {string} album folder of photos
- * @param {string} folder where films are kept
+ * @param {string} folder for the videos
  * @param {number} minutes
  * @returns {string} path of an MP4 file, 854 x 480, 24 frames per second, H.264 and a tone
  */
@@ -29,7 +29,7 @@ export function makeFilm(album, folder, minutes) {
   const list = join(folder, 'shots.txt');
   writeFileSync(list, shots.map((shot) => `file '${shot}'\n`).join(''));
   const loops = Math.ceil((minutes * 60) / (SHOTS * SECONDS)) - 1;
-  // Under another name until it is whole.
+  // Written under another name until it is complete.
   const half = join(folder, 'half.mp4');
   const input = ['-stream_loop', String(loops), '-f', 'concat', '-safe', '0', '-i', list];
   ffmpeg([...input, '-t', String(minutes * 60), '-c', 'copy', half]);
@@ -39,7 +39,7 @@ export function makeFilm(album, folder, minutes) {
 
 /** @param {string} photo @param {number} i @param {string} path */
 function makeShot(photo, i, path) {
-  // A window of half the photo that begins in one of nine places, and drifts from there.
+  // A window of half the photo that starts at one of nine positions and moves slowly.
   const [across, down] = [(i % 3) / 4, (Math.floor(i / 3) % 3) / 4];
   const [wide, high] = [WIDTH * 2, HEIGHT * 2];
   const moved = (/** @type {string} */ side, /** @type {number} */ from) =>

@@ -1,14 +1,14 @@
 // @ts-check
-/** What a person waits for, in the real built site: the first page, a shuffle, the file. */
+/** Waiting times in the built app: the first page, Shuffle, and export. */
 
 /** @typedef {import('playwright-core').Browser} Browser */
 
 export const SHUFFLES = 15;
-/** Milliseconds that somebody looks at a page before the next shuffle. */
+/** Milliseconds between a page and the next Shuffle. */
 export const REST = 600;
-/** Milliseconds that somebody needs to choose photos. */
+/** Milliseconds that a user needs to choose photos. */
 export const CHOOSING = 3_000;
-/** Shuffles of somebody who cannot wait, in the first ten seconds. */
+/** Number of rapid Shuffles in the first ten seconds. */
 const HURRIED = 40;
 const FIRST_SECONDS = 10_000;
 const RESIZES = 8;
@@ -18,8 +18,8 @@ const RESIZES = 8;
  * @param {string} address of the site
  * @param {string[]} photos paths
  * @returns {Promise<{ firstPage: number, drawn: number, decoded: number, refined: number, closer: number, shuffle: number, rested: number, hurried: { count: number, ms: number }, png: number, thumbnails: number, listed: number }>} milliseconds;
- *   `drawn` until the first page is seen, `firstPage` until all is read, too; `decoded` is what the browser needs to decode the same
- *   files; `refined` from the first page until all photos are searched, `closer` until the small faces are looked for, too
+ *   `drawn`: until the first page appears. `firstPage`: until all photos are read as well. `decoded`: the time in which the browser
+ *   decodes the same files. `refined`: from the first page to the end of detection. `closer`: including the search for small faces.
  */
 export async function journey(browser, address, photos) {
   const hurried = await inTheFirstSeconds(browser, address, photos);
@@ -96,7 +96,7 @@ export async function opened(browser, address, photos, lacks) {
     page.waitForEvent('filechooser'),
     page.getByRole('button', { name: 'Choose photos or a video' }).click(),
   ]);
-  // Nobody chooses photos sooner.
+  // Users need at least this time to choose photos.
   await page.waitForTimeout(CHOOSING);
   const first = page.evaluate(() => /** @type {any} */ (globalThis).watch.afterChoosing());
   await dialog.setFiles(photos);
@@ -104,7 +104,7 @@ export async function opened(browser, address, photos, lacks) {
 }
 
 /**
- * The same files by the browser's own decoder, as many at a time as it likes.
+ * Decodes the same files with the browser's decoder, with its own parallelism.
  * @param {Browser} browser
  * @param {string[]} photos
  */
@@ -123,7 +123,7 @@ async function browserDecodes(browser, photos) {
 }
 
 /**
- * Shuffles while the nets and the alternatives are at work.
+ * Shuffles while detection and the alternatives are running.
  * @param {Browser} browser
  * @param {string} address
  * @param {string[]} photos
@@ -157,13 +157,13 @@ export function watch() {
   const idle = () => document.body.dataset.idle === 'true';
   const drawn = () => document.body.dataset.drawn === 'true';
   const painted = async (/** @type {() => boolean} */ done = idle) => {
-    // The frame in which the work begins, those that it takes, and the one that shows it.
+    // The frame in which the work begins, the frames that it takes, and the frame that shows the result.
     await frame();
     while (!done()) await frame();
     await frame();
     return performance.now();
   };
-  // The window itself: scripts by WebDriver have another global object in Firefox.
+  // On the window object, because scripts of WebDriver have another global object in Firefox.
   Object.assign(window, {
     watch: {
       afterChoosing: async () => {
@@ -174,7 +174,7 @@ export function watch() {
         return { firstPage: (await painted()) - start, drawn: (await seen) - start };
       },
       /**
-       * Until the frame that shows what the change drew on this thread.
+       * Milliseconds until the frame that shows a change drawn on the main thread.
        * @param {HTMLSelectElement} select
        * @param {string} value
        */

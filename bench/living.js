@@ -1,5 +1,5 @@
 // @ts-check
-/** Panels that move, in the real page: how many pictures a second are decoded and drawn in their style, of one panel. */
+/** Animated panels in the real app: decoded and stylised frames per second, for one panel. */
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync } from 'node:fs';
@@ -11,13 +11,13 @@ import { opened } from './opened.js';
 
 /** A look of few blocks, one of dots and one of paint. */
 const STYLES = ['Adventure Album', 'Manga', 'Oil Painting'];
-/** Pictures of a loop, those among them that go over from its end into its beginning. */
+/** Number of pictures of a loop, and of pictures in the dissolve from its end to its beginning. */
 const PICTURES = 36;
 
 /**
  * @param {import('playwright-core').Browser} browser
  * @param {string} address of the site
- * @param {string} photo over which something moves
+ * @param {string} photo background of the moving object
  * @returns {Promise<Loop[]>}
  */
 export async function living(browser, address, photo) {
@@ -30,7 +30,7 @@ export async function living(browser, address, photo) {
   const page = await opened(browser, address, [film]);
   /** @type {Loop[]} */
   const loops = [];
-  // What is loaded with the first of them is no part of its time.
+  // The first style runs twice, so that loading is not measured.
   for (const style of [STYLES[2], ...STYLES]) {
     await page.getByRole('listbox', { name: 'Styles' }).getByRole('option', { name: style, exact: true }).click();
     await page.waitForFunction(() => document.body.dataset.idle === 'true');

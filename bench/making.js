@@ -1,26 +1,26 @@
 // @ts-check
 /**
- * Styles in the making, in the real page: how often the designer's preview follows a slider, how fast the explorer invents, and
- * how long styles are looked for that look like a picture.
+ * Measures custom styles in the real app: updates of the designer's preview while a slider moves, and generated styles
+ * per second in the explorer. Also the time of a search for a style like a picture.
  */
 
 import { opened } from './opened.js';
 
 /** @typedef {import('playwright-core').Browser} Browser */
 
-/** A chain of three blocks, the first of which is moved: all three are drawn anew for every picture. */
+/** A chain of three blocks. The slider changes the first one, so all three run for every picture. */
 const CHAIN = ['Gaussian Smoothing', 'XDoG', 'Soft Threshold'];
 const DRAG_MS = 3000;
-/** How long a person looks for a picture in the browser's file dialog, at least. */
+/** Minimum time that a user needs in the browser's file dialog. */
 const DIALOG_MS = 4000;
 
 /**
  * @param {Browser} browser
  * @param {string} address of the site
  * @param {string[]} photos paths
- * @param {string[]} pictures paths of pictures whose style is wanted
- * @returns {Promise<{ frames: number, width: number, height: number, styles: number, searches: number[], hasty: number }>} pictures a
- *   second, their size, styles a second, milliseconds of each search, and of one whose picture is there with the workspace
+ * @param {string[]} pictures paths of pictures for the style search
+ * @returns {Promise<{ frames: number, width: number, height: number, styles: number, searches: number[], hasty: number }>} pictures per
+ *   second, their size, styles per second, milliseconds of each search, and of a search that starts when the workspace opens
  */
 export async function making(browser, address, photos, pictures) {
   const page = await opened(browser, address, photos);
@@ -52,7 +52,7 @@ export async function making(browser, address, photos, pictures) {
  * @param {string} address
  * @param {string[]} photos
  * @param {string} picture
- * @param {number} dialog milliseconds for which the workspace is open before the picture comes
+ * @param {number} dialog milliseconds between opening the workspace and the arrival of the picture
  * @returns {Promise<number>} milliseconds from the picture to all proposals
  */
 async function search(browser, address, photos, picture, dialog) {
@@ -97,7 +97,7 @@ async function drag(element, ms) {
   return { frames, width: canvas.width, height: canvas.height };
 }
 
-/** Runs in the page: one round of the explorer; gives the styles tried a second. */
+/** Runs in the page: one round of the explorer. Returns the styles tried per second. */
 async function round() {
   const button = /** @type {HTMLButtonElement} */ (
     [...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'Generate')

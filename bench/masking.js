@@ -1,5 +1,5 @@
 // @ts-check
-/** What the masks of photos cost whoever does not wait for them, in the real page: shuffles while they are made, and the first page. */
+/** Cost of subject masks for other work in the real app: Shuffles during detection, and the first page. */
 
 import { median, opened, shuffled } from './journey.js';
 
@@ -15,8 +15,9 @@ const OPENINGS = 3;
  * @param {Browser} browser
  * @param {string} address of the site
  * @param {string[]} photos paths
- * @returns {Promise<{ count: number, during: number, after: number, first: number, bare: number }>} medians in milliseconds: of so many
- *   shuffles while masks are made, of those after; of first pages on a site with the net, and on one without
+ * @returns {Promise<{ count: number, during: number, after: number, first: number, bare: number }>} medians in
+ * milliseconds: `during` of `count` Shuffles during detection, `after` of Shuffles after it, `first` of first pages
+ * with the model, `bare` of first pages on a site without it
  */
 export async function masking(browser, address, photos) {
   const { first, bare } = await firstPages(browser, address, photos);
@@ -37,7 +38,10 @@ export async function masking(browser, address, photos) {
   return { count: during.length, during: median(during), after: median(after), first, bare };
 }
 
-/** By turns with the net and without. @param {Browser} browser @param {string} address @param {string[]} photos */
+/**
+ * Runs with and without the model, alternately. @param {Browser} browser @param {string} address @param {string[]}
+ * photos
+ */
 async function firstPages(browser, address, photos) {
   const times = { first: /** @type {number[]} */ ([]), bare: /** @type {number[]} */ ([]) };
   for (let i = 0; i < OPENINGS; i += 1) {

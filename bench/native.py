@@ -73,7 +73,7 @@ OPERATIONS = {
     "Gaussian Smoothing": gaussian(gray, 2),
     "Gaussian Smoothing, sigma 6": gaussian(gray, 6),
     "Gaussian Smoothing, sigma 6, colour": gaussian(rgb, 6),
-    # The usual diameter of 9 instead of the 25 and more that the sigma asks for: less work, to OpenCV's advantage.
+    # The usual diameter of 9 instead of at least 25 for this sigma: less work, an advantage for OpenCV.
     "Image Detail Control, delta -100": lambda: cv2.bilateralFilter(gray, 9, 25, 8, borderType=replicate),
     "Sobel": sobel,
     "XDoG": xdog,
@@ -81,7 +81,7 @@ OPERATIONS = {
     "Size, percent 50, colour": size(rgb, 50, cv2.INTER_AREA),
     "Size, percent 200": size(gray, 200, cv2.INTER_CUBIC),
     "Linear Histogram Equalization": equalize,
-    # What OpenCV has for the same purpose; the pictures are not the same.
+    # The OpenCV function for the same purpose. Its pictures differ.
     "Flow Lines": lambda: cv2.pencilSketch(bgr),
     "Engraving": lambda: cv2.pencilSketch(bgr),
     "Pencil Strokes": lambda: cv2.pencilSketch(bgr),

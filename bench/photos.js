@@ -5,8 +5,8 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 
 import { join } from 'node:path';
 
 /**
- * So many 12-megapixel JPEG files, no two alike: the photos of the album, then mirrored parts of them. Kept between
- * runs.
+ * Writes `count` different 12-megapixel JPEG files: the photos of the album, then mirrored parts of them. The files are
+ * reused by later runs.
  * @param {import('playwright-core').Browser} browser
  * @param {string} album folder
  * @param {string} folder for the result
@@ -32,7 +32,7 @@ export async function makePhotos(browser, album, folder, count) {
 
 /**
  * Runs in the page.
- * @param {readonly [string, number]} of JPEG in base64, and a seed for the part; 0: the whole photo
+ * @param {readonly [string, number]} of JPEG in base64, and a seed for the part; 0 for the whole photo
  * @returns {Promise<string>} JPEG in base64
  */
 async function enlarge([source, part]) {

@@ -180,7 +180,9 @@ function peakOf(name, memory) {
   return memory ? [`| ${name}: peak memory of the tab process | ${(memory / 2 ** 30).toFixed(2)} GB |`] : [];
 }
 
-/** Milliseconds to copy what a row reads and writes. @param {Row} row @param {number} speed bytes a second */
+/**
+ * Milliseconds to copy the data that a row reads and writes. @param {Row} row @param {number} speed bytes per second
+ */
 function copyTime({ planes }, speed) {
   return ((PIXELS * planes) / speed) * 1000;
 }

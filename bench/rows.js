@@ -1,12 +1,12 @@
 // @ts-check
-/** What is timed: every block, the variants in which it differs much, and whole styles. */
+/** Rows of the benchmark: every block, variants with a different cost, and whole styles. */
 
 /** @typedef {import('./page/contest.js').Row} Row */
 
-/** Where the default parameters do nothing. @type {Record<string, Record<string, any>>} */
+/** Parameters of blocks that do nothing by default. @type {Record<string, Record<string, any>>} */
 const TELLING = { hue: { angle: 30 }, size: { percent: 50 }, dynamic_range: { range: 255 } };
 
-/** Blocks that take either and are meant for colour. */
+/** Blocks that accept both and are usually used with colour. */
 const COLOURFUL = ['to_gray', 'to_color', 'halftone', 'kuwahara', 'strokes', 'flatten', 'plates', 'paper'];
 
 /** More of the same blocks. @type {[block: string, luma: boolean, params: Record<string, any>][]} */
@@ -46,7 +46,7 @@ export function rows(blocks, styles) {
     const block = found.get(id);
     if (block && (block.input === 'any' || luma === (block.input === 'luma'))) list.push(blockRow(block, luma, params));
   }
-  // The other row with To Color makes U and V, too, which the chain kept here. No peer has a name for half of it.
+  // The other row with To Color also computes U and V, which the chain stored here. No peer has a name for half of it.
   const alone = { id: 'row', name: 'Row', background: [{ block: 'to_gray' }, { block: 'to_color' }] };
   list.push({
     id: 'alone to_color',

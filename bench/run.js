@@ -30,9 +30,9 @@ const PEERS = {
   photon: '@silvia-odwyer/photon',
 };
 
-/** Photos of an afternoon, and of a journey. */
+/** Number of photos of an afternoon and of a holiday. */
 const [FEW, MANY] = [12, 300];
-/** A part of a series, and a long film. */
+/** Duration in minutes of an episode of a series and of a long film. */
 const MINUTES = [30, 120];
 
 const { values: options, positionals: filter } = parseArgs({
@@ -46,7 +46,7 @@ const { values: options, positionals: filter } = parseArgs({
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 const album = join(options.root, 'www/public/samples');
-/** Pages in three styles, which are looked for. */
+/** Pages in three styles, as pictures for the style search. */
 const PICTURES = ['noir', 'comic', 'screenprint'].map((name) => join(options.root, `docs/pages/${name}.png`));
 /** Parts that broke down. @type {string[]} */
 const broken = [];
@@ -91,7 +91,7 @@ try {
   console.log(`\n${table}`);
   if (whole && !options.alone) {
     writeFileSync(join(options.target, 'bench.json'), `${JSON.stringify(results, null, 2)}\n`);
-    // A table with gaps would take figures away.
+    // A table with gaps would lose earlier values.
     if (broken.length === 0) insert(join(options.root, 'docs/reports/benchmarks.md'), table);
   }
 } finally {
@@ -103,9 +103,9 @@ if (broken.length > 0) {
 }
 
 /**
- * Times one part beside the rows, if it is asked for: one that breaks down costs its own figures, not the minutes of the others.
- * @param {string} name as it is asked for
- * @param {string} what it is called while it is timed
+ * Times one part in addition to the rows, if it is requested. If it fails, only its values are missing.
+ * @param {string} name of the part on the command line
+ * @param {string} what label while it is timed
  * @param {() => Promise<void>} time
  */
 async function part(name, what, time) {
@@ -124,7 +124,7 @@ function photos(count) {
   return makePhotos(browser, album, join(options.target, 'bench/photos'), count);
 }
 
-/** Whether a part beside the rows is to be timed: without a filter, or by its name. @param {string} part */
+/** Whether an additional part is measured: always without a filter, otherwise by its name. @param {string} part */
 function asked(part) {
   return filter.length === 0 || filter.includes(part);
 }

@@ -6,7 +6,7 @@ import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 import { TYPES } from '../www/content-types.js';
 
-/** What gives a page SharedArrayBuffer, which wasm-vips needs, and a finer clock. */
+/** Enables SharedArrayBuffer, which wasm-vips needs, and a finer clock. */
 const ISOLATED = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' };
 
 /**

@@ -1,4 +1,5 @@
-//! An album of photos as pages in one style, in one PDF file: what most programs want of the engine.
+//! Turns an album of photos into pages in one style, in one PDF file. This is the most common use of the
+//! engine.
 //!
 //!     cargo run --release --features detect --example album -- www/models album.pdf www/public/samples/*.jpg
 

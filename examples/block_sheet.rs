@@ -63,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     save(&sheet, Path::new(out), QUALITY)
 }
 
-/// The block with parameters that show what it does, behind what it needs.
+/// Returns the block with parameters that show its effect, after the blocks that it needs.
 fn steps(block: &str) -> Vec<Value> {
     let gray = json!({"block": "to_gray"});
     match block {

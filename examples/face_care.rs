@@ -2,7 +2,8 @@
 //!
 //!     cargo run --release --features cli --example face_care -- OUT.png WIDTH STYLE,STYLE,... PHOTO...
 //!
-//! A line a style; of each photo, `WIDTH` pixels wide, first the picture without care, then the one with it.
+//! One line per style. For each photo, `WIDTH` pixels wide, it shows the picture without and with face
+//! protection.
 
 use std::error::Error;
 use std::fs;

@@ -1,8 +1,8 @@
-//! A contact sheet of invented styles, each on three photos, and how many of them nobody would want.
+//! Makes a contact sheet of generated styles, each on three photos, and counts the unusable ones.
 //!
 //!     cargo run --release --no-default-features --example invented_sheet -- -o target/invented.png
 //!
-//! `--from 100 --count 60` chooses the seeds. What has a fault is named below its pictures.
+//! `--from 100 --count 60` chooses the seeds. Faults are named below the pictures of a style.
 
 #[path = "sheets/file.rs"]
 mod file;

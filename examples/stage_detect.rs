@@ -1,4 +1,4 @@
-//! Stage `detect`: faces and objects in a photo. The nets come from `cargo xtask models`.
+//! Stage `detect`: faces and objects in a photo. `cargo xtask models` makes the models.
 //!
 //!     cargo run --example stage_detect -- www/models PHOTO
 

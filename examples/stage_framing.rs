@@ -1,4 +1,4 @@
-//! Stage `framing`: which photo goes into which panel, and the part of it that is seen there.
+//! Stage `framing`: assigns photos to panels, and crops them.
 //!
 //!     cargo run --example stage_framing -- cinema-4 PHOTOS...
 

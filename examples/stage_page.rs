@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         facts.push(photo.meta);
         photos.insert(name.clone(), photo.work);
     }
-    // What is left out of a request is left to the seed, or is as usual.
+    // Omitted fields are chosen by the seed, or have default values.
     let request = json!({ "seed": 7, "photos": facts, "style": "comic", "panels": names.len() });
     let document = shuffle::plan(&serde_json::from_value::<Request>(request)?)?;
     let scene = Scene::new(&document, 1200)?;

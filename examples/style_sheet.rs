@@ -6,9 +6,9 @@
 //!
 //!     cargo run --release --example style_sheet -- -o try.png --cell 400 --across 4 --styles try.json,noir
 //!
-//! A style is drawn on a panel of 400 pixels, as on a page on the screen; `--panel 1920` draws as for print.
-//! Styles with something for the subject alone take it from `--masks DIR`, a folder that `inkpanel segment` filled; without it all
-//! of a photo is the subject.
+//! A style is drawn on a panel of 400 pixels, as on a page on the screen. `--panel 1920` draws as for print.
+//! Some styles have blocks that apply only to the subject. They use the masks in `--masks DIR`, a folder that
+//! `inkpanel segment` filled. Without it, the whole photo counts as the subject.
 //!
 //! Photos may be named too; `photo.jpg@dark` shows one as if taken in that light, see [`LIGHTS`].
 
@@ -51,7 +51,7 @@ const PHOTOS: [&str; 12] = [
     "tests/photos/cat.jpg@dull",
 ];
 
-/// What bad light does to a channel: gain and bias, clipped.
+/// Simulated bad light: gain and bias of a channel, clipped.
 const LIGHTS: [(&str, f32, f32); 4] =
     [("hazy", 0.4, 140.0), ("dark", 0.25, 0.0), ("bright", 1.5, 40.0), ("dull", 0.35, 75.0)];
 

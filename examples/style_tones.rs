@@ -1,5 +1,5 @@
-//! Writes the luma that each designed style makes of each sixteenth of luma to `src/plan/marks.txt`. Marks and uses in
-//! the file stay as they are. A style without a mark gets 6.5.
+//! Measures the luma that each built-in style gives for each sixteenth of luma, and writes it to
+//! `src/plan/marks.txt`. Marks and uses in the file do not change. A style without a mark gets 6.5.
 //!
 //!     cargo run --release --example style_tones
 

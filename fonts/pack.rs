@@ -1,14 +1,18 @@
-//! Turns the fonts of this folder into the table of letters that `page::words::letters` reads.
+//! Turns the fonts of this folder into the table of glyphs that `page::words::letters` reads.
 //!
 //! Numbers are LEB128; signed ones are zigzagged first. Lengths are in font units, y up.
 //!
 //! - `INKL`, version 1
 //! - compositions: count, then per entry the composed character, its base and its mark
-//! - fonts: count, then per font: id (length, UTF-8), units per em, ascent, descent, height of capitals; glyphs: count,
-//!   per glyph the step to its character from the one before (the first is 0, a box for what is missing), advance,
-//!   contours: count, per contour its number of segments, its start, then per segment twice the x of its first point
-//!   plus 1 where it is a curve, the y, and for a curve its end; all points as steps from the one before; kerning:
-//!   count, per pair the step from the pair before (left character << 16 | right one), and the change of the advance
+//! - fonts: count, then per font: id (length, UTF-8), units per em, ascent, descent, height of capitals,
+//!   glyphs, kerning
+//!   - glyphs: count, then per glyph: difference to the previous character (the first glyph is 0, a box for
+//!     missing glyphs), advance, contours
+//!   - contours: count, then per contour: number of segments, start, and per segment: twice the x of its
+//!     first point, plus 1 for a curve, the y, and the end of a curve. All points are differences to the
+//!     previous one
+//!   - kerning: count, then per pair: difference to the previous pair (left character << 16 | right one), and
+//!     the change of the advance
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -18,8 +22,8 @@ use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
 use ttf_parser::{Face, GlyphId, OutlineBuilder, Tag};
 use unicode_normalization::char::compose;
 
-/// A font of the table: its id in a word's `font`, its file, those that its missing letters come from, the first that has
-/// one, and how far these lean to the right, in ems an em, so that they stand beside its own.
+/// A font of the table: its id in the `font` of a text item, its file, and its fallback files, in order of
+/// preference. The last value is the slant of their glyphs to match this font, in ems per em.
 const FONTS: [(&str, &str, &[&str], f64); 3] = [
     (
         "comic-neue",
@@ -42,7 +46,7 @@ const BOLD: [&str; 4] = [
     "ComicRelief-Cyrillic-Bold.ttf",
 ];
 
-/// A file that letters come from. Those of another font are as large as its own.
+/// A file with glyphs. Glyphs of a fallback font are scaled to the size of the main font.
 struct Source<'a> {
     face: Face<'a>,
     scale: f64,
@@ -55,7 +59,7 @@ impl Source<'_> {
     }
 }
 
-/// Accents that text may bring as characters of their own.
+/// Combining marks that text may contain as separate characters.
 const MARKS: std::ops::RangeInclusive<char> = '\u{300}'..='\u{36f}';
 
 /// The table as bytes, from the fonts in `folder`.
@@ -90,7 +94,7 @@ pub(crate) fn pack(folder: &Path) -> Result<Vec<u8>, String> {
     Ok(out.0)
 }
 
-/// Units of the first font for one of the other, so that capitals are as high.
+/// Factor from units of the other font to units of the first, for equal height of capitals.
 fn matched(first: &Face, other: &Face) -> f64 {
     let capitals = |face: &Face| f64::from(face.capital_height().unwrap_or(face.ascender()));
     capitals(first) / capitals(other)
@@ -105,7 +109,7 @@ fn charset() -> BTreeSet<char> {
     letters.chain(signs.chars()).collect()
 }
 
-/// Letters with an accent: what they are made of.
+/// Accented characters with their base and mark.
 fn compositions() -> BTreeMap<char, (char, char)> {
     let letters = charset();
     let pairs = letters.iter().flat_map(|&base| MARKS.map(move |mark| (base, mark)));
@@ -115,7 +119,7 @@ fn compositions() -> BTreeMap<char, (char, char)> {
         .collect()
 }
 
-/// How much closer two glyphs stand, by the `kern` feature.
+/// Returns the change of the distance between two glyphs, by the `kern` feature.
 fn kern(face: &Face, left: GlyphId, right: GlyphId) -> Option<i16> {
     let table = face.tables().gpos?;
     let features = table.features.into_iter().filter(|feature| feature.tag == Tag::from_bytes(b"kern"));
@@ -193,7 +197,7 @@ impl Writer {
         let mut pairs = Vec::new();
         for &(&a, &(one, left)) in &plain {
             for &(&b, &(other, right)) in &plain {
-                // Letters of two fonts know nothing of each other.
+                // Fonts have no kerning pairs with glyphs of another font.
                 if one != other {
                     continue;
                 }
@@ -213,7 +217,8 @@ impl Writer {
         }
     }
 
-    /// A question mark in a ring, as high as a capital: an empty box tells nobody that something is missing.
+    /// Adds the glyph for missing characters: a question mark in a ring, as high as a capital. Unlike an
+    /// empty box, it is recognisable as a replacement.
     fn missing(&mut self, face: &Face, height: i32) {
         let radius = f64::from(height) * 0.56;
         let line = f64::from(height) / 14.0;
@@ -270,7 +275,7 @@ struct Contour {
 }
 
 impl Contour {
-    /// Twice its area, about: positive where it runs counterclockwise, as y goes up.
+    /// About twice its signed area: positive for counterclockwise contours, as y points up.
     fn area(&self) -> f64 {
         let ends = self.segments.iter().map(|(_, end)| *end);
         let points: Vec<Place> = [self.start].into_iter().chain(ends).collect();
@@ -371,7 +376,7 @@ impl OutlineBuilder for Outline {
     }
 
     fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        // None of these fonts has cubic curves; the nearest quadratic one stands for it.
+        // None of these fonts has cubic curves. If one had, this approximates it by a quadratic curve.
         let (control, end) = (self.whole(x1.midpoint(x2), y1.midpoint(y2)), self.whole(x, y));
         self.add(Some(control), end);
     }

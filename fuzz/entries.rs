@@ -1,5 +1,5 @@
-//! Where bytes of strangers enter: one function an entry, called by the fuzz targets and by `tests/regressions.rs`.
-//! Each may refuse what it is given; a panic, a hang or memory without end is a fault.
+//! Fuzzing entry points: one function per parser of untrusted input, called by the fuzz targets and by
+//! `tests/regressions.rs`. Each may reject its input. A panic, a hang or unlimited memory use is a bug.
 
 use inkpanel::Error;
 use inkpanel::document::edit::{Edit, How};
@@ -20,10 +20,10 @@ use inkpanel::style::{Context, Style, stylize};
 use serde_json::Value;
 use std::collections::HashSet;
 
-/// An entry takes any bytes.
+/// An entry point accepts any bytes.
 pub type Entry = fn(&[u8]);
 
-/// All of them, by the name of their target and of their folder in `tests/regressions`.
+/// All entry points, by the name of their target and of their folder in `tests/regressions`.
 pub const ENTRIES: &[(&str, Entry)] = &[
     ("photo", photo),
     ("style", style),
@@ -36,14 +36,14 @@ pub const ENTRIES: &[(&str, Entry)] = &[
     ("choice", choice),
 ];
 
-/// Small, so that a run is quick and a file that asks for much is seen to be refused.
+/// Small limits, so that runs are fast and large requests are rejected.
 const LIMITS: Limits = Limits { max_pixels: 1_000_000, max_side: 4096, max_bytes: 1 << 24 };
 /// The page that documents are laid out on, in pixels.
 const WIDTH: usize = 200;
 /// Edits of one run.
 const MOST_EDITS: usize = 100;
 
-/// A file that someone chose, decoded and measured.
+/// Decodes and measures an image file.
 pub fn photo(bytes: &[u8]) {
     if let Ok(photo) = import("photo", bytes, &LIMITS) {
         assert!(u64::from(photo.meta.width) * u64::from(photo.meta.height) <= LIMITS.max_pixels);
@@ -80,7 +80,8 @@ pub fn document(bytes: &[u8]) {
     }
 }
 
-/// A project file or the text of a page PNG; or a history with its tables. What is taken can be drawn and saved again.
+/// Reads a project file, the text of a page PNG, or a history with its tables. An accepted project can be
+/// drawn and saved again.
 pub fn project(bytes: &[u8]) {
     let Some(json) = text(bytes) else { return };
     if let Ok(project) = ProjectFile::parse(json) {
@@ -109,8 +110,8 @@ pub fn saved(bytes: &[u8]) {
     }
 }
 
-/// Edits one after another, a JSON array as the page tells them; what is no edit is passed over. What is made of them can be
-/// undone, done again, and saved.
+/// Applies edits from a JSON array in the format of the app, and skips invalid ones. The result can be
+/// undone, redone and saved.
 pub fn edits(bytes: &[u8]) {
     let Some(Ok(Value::Array(told))) = text(bytes).map(serde_json::from_str) else { return };
     let mut editor = Editor::default();
@@ -140,7 +141,8 @@ pub fn edits(bytes: &[u8]) {
     assert!(editor.history().future == end.future);
 }
 
-/// What holds for every state: photos are on the table once, pages show none but these, and have places of their own.
+/// Checks the invariants of every state: the tray lists each photo once, pages show only photos of the tray,
+/// and each text item has a position.
 fn whole(state: &Project) {
     let table: HashSet<&str> = state.tray.iter().map(|item| item.id.as_str()).collect();
     assert!(table.len() == state.tray.len(), "a photo is on the table twice");

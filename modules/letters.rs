@@ -1,7 +1,7 @@
-//! wasm bindings of glyphs, shared by the words and exports modules: the fonts and the traced glyphs. The app
-//! loads the fonts once, as a separate file for both.
+//! wasm bindings of glyphs, shared by the `words` and `exports` modules: the fonts and the traced glyphs. The
+//! app loads the fonts once, as a separate file for both.
 //!
-//! Errors are like in the words module.
+//! Errors are like in the `words` module.
 
 use inkpanel::page::words::Letters;
 use inkpanel::page::words::learning::Drawing;
@@ -13,7 +13,7 @@ fn start() {
     console_error_panic_hook::set_once();
 }
 
-/// The letters of the page.
+/// The glyphs for the page.
 #[wasm_bindgen]
 pub struct Lettering {
     letters: Letters,
@@ -30,8 +30,9 @@ impl Lettering {
         Letters::parse(table).map(|letters| Self { letters }).map_err(thrown)
     }
 
-    /// Makes a run of text a letter of all fonts; see `page::words::learning`. Returns whether it is one now.
-    #[allow(clippy::too_many_arguments, reason = "a picture, as plain numbers")]
+    /// Adds a run of text to all fonts as one glyph; see `page::words::learning`. Returns whether it is one
+    /// now.
+    #[allow(clippy::too_many_arguments, reason = "plain numbers of a picture")]
     pub fn learn(
         &mut self,
         run: &str,
@@ -46,7 +47,7 @@ impl Lettering {
         self.letters.learn(run, leftward, Drawing { width, ink, em, baseline, left, advance })
     }
 
-    /// The letters of a text that no font of that id has, each once.
+    /// Returns the characters of a text without a glyph in the font with this id, each once.
     #[must_use]
     pub fn missing(&self, text: &str, font: &str) -> String {
         self.letters.font(font).map(|font| self.letters.missing(text, font)).into_iter().flatten().collect()

@@ -28,13 +28,14 @@ fn main() -> io::Result<()> {
     fs::write(Path::new(&out).join("styles.rs"), source)
 }
 
-/// The folder at the top of the repository; in what is published a folder of the crate, where the link to it stands.
+/// The styles folder: at the top of the repository, or inside the published crate, which has a copy instead
+/// of the link.
 fn styles() -> &'static Path {
     let top = Path::new("../styles");
     if top.is_dir() { top } else { Path::new("styles") }
 }
 
-/// JSON without what stands between its tokens: every visitor loads these texts.
+/// Removes white space between JSON tokens, because every visitor downloads these texts.
 fn without_space(json: &str) -> String {
     let (mut inside, mut escaped) = (false, false);
     let mut kept = json.to_owned();

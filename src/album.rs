@@ -71,7 +71,7 @@ pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Complaint> {
         }
     }
     if files.len() > MOST_FILES {
-        return Err(format!("there are more than {MOST_FILES} files"));
+        return Err(format!("more than {MOST_FILES} files"));
     }
     Ok(files)
 }

@@ -1,6 +1,6 @@
-//! Films of saved projects on the command line, as numbered PNG files: the shots of a board one after the
-//! other, or its pages, read panel by panel. `output::animatic` and `output::motion` plan the frames; this
-//! module draws and writes them.
+//! Renders videos of saved projects on the command line as numbered PNG files: the shots of a storyboard in
+//! order, or animated pages. `output::animatic` and `output::motion` plan the frames; this module draws and
+//! writes them.
 
 mod drawn;
 mod pages;
@@ -20,7 +20,7 @@ use std::path::PathBuf;
 
 /// Arguments of `inkpanel animate`.
 #[derive(clap::Args)]
-#[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
+#[allow(clippy::struct_excessive_bools, reason = "each is a separate option")]
 pub(crate) struct Animate {
     /// Saved project: an .inkpanel file, or a page PNG that contains its project and photos.
     project: PathBuf,
@@ -65,7 +65,7 @@ pub(crate) struct Animate {
 /// Writes the frames.
 ///
 /// # Errors
-/// A sentence; frames that were written by then stay.
+/// A sentence. Frames written before remain.
 pub(crate) fn animate(asked: &Animate) -> Result<(), Complaint> {
     if asked.json {
         telling::as_json();
@@ -112,7 +112,7 @@ fn tell(plan: &Animatic, (of, told): (&str, Value), asked: &Animate) -> Result<(
     let pattern = asked.output.join("frame-%05d.png").display().to_string();
     if !asked.json {
         let rate = (plan.rate * 1000.0).round() / 1000.0;
-        return print_lines([format!("{pattern}  {} frames, {rate} a second", plan.frames)]);
+        return print_lines([format!("{pattern}  {} frames, {rate} per second", plan.frames)]);
     }
     crate::print(&json!({
         "frames": plan.frames, "fps": plan.fps, "rate": plan.rate, "width": plan.size[0], "height": plan.size[1],
@@ -120,13 +120,13 @@ fn tell(plan: &Animatic, (of, told): (&str, Value), asked: &Animate) -> Result<(
     }))
 }
 
-/// Whether a photo is a frame of a film.
+/// Returns whether a photo is a video frame.
 fn is_of_film(saved: &Saved, photo: &str) -> bool {
     saved.photo(photo).is_some_and(|photo| photo.video.is_some() && photo.time.is_some())
 }
 
-/// Says how many panels stand still here that move in the film which the page makes: it decodes the films of a project, for which the
-/// command line has nothing. `called`: one of them, and several.
+/// Warns about panels that show video frames. They move in videos of the app, which decodes the videos of a
+/// project, but not here. `called`: the noun for one of them, and for several.
 fn tell_still(count: usize, called: (&str, &str)) {
     match count {
         0 => {}
@@ -148,7 +148,7 @@ fn size(text: &str) -> Result<[u32; 2], Complaint> {
         _ => {
             let names: Vec<&str> = SIZES.iter().map(|(name, _)| *name).collect();
             Err(format!(
-                "a size is one of {}, or such as 960x540, {least} to {most} pixels a side",
+                "expected one of {}, or WIDTHxHEIGHT such as 960x540, each {least} to {most} pixels",
                 names.join(", ")
             ))
         }

@@ -23,7 +23,7 @@ pub(crate) fn expanded<C: CommandFactory>(
     let complain = |reason: String| format!("{}: {reason}", file.display());
     let settings = read(&file).map_err(complain)?;
     let command = C::command();
-    let render = command.find_subcommand("render").ok_or("there is no render")?;
+    let render = command.find_subcommand("render").ok_or("the render command is missing")?;
     let folder = file.parent().unwrap_or(Path::new(""));
     let (head, tail) = arguments.split_at(2);
     let (options, files) = options(settings, render, folder, tail).map_err(complain)?;
@@ -95,13 +95,13 @@ fn options(
             }
             continue;
         }
-        // Files are looked for from the folder of the file of settings.
+        // Relative paths start at the folder of the settings file.
         let names_files = known.get_value_parser().type_id() == TypeId::of::<PathBuf>();
         for text in texts(&value, &key)? {
             let is_file =
                 names_files || (PERHAPS_FILES.contains(&name.as_str()) && folder.join(&text).is_file());
             let value = if is_file { located(&text, folder).into_os_string() } else { text.into() };
-            // A number below 0 would else be taken for an option.
+            // Otherwise, clap would parse a number below 0 as an option.
             let mut whole = OsString::from(format!("{option}="));
             whole.push(value);
             options.push(whole);

@@ -21,7 +21,7 @@ impl Output {
     /// A place of that name. `format` overrides the extension. The default of standard output is PNG.
     ///
     /// # Errors
-    /// A sentence for a kind that is not known.
+    /// A sentence if the format is unknown.
     pub(crate) fn new(path: &Path, format: Option<&str>) -> Result<Self, Complaint> {
         let named = match format {
             Some(format) => Path::new("page").with_extension(format),
@@ -48,7 +48,8 @@ impl Output {
     }
 }
 
-/// Writes a file beside the place where it belongs and puts it there when it is whole; or writes to standard output.
+/// Writes a temporary file in the same folder and renames it, so that the file is never incomplete. Can also
+/// write to standard output.
 ///
 /// # Errors
 /// A sentence with the name. A failed write changes nothing.
@@ -72,7 +73,7 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
     placed.map_err(complain)
 }
 
-/// Writes to standard output. A closed pipe is not an error: the reader has all that it wants.
+/// Writes to standard output. A closed pipe is not an error: the reader stopped on purpose.
 ///
 /// # Errors
 /// A sentence for any other failure.

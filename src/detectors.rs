@@ -1,4 +1,4 @@
-//! Detection for the command line: finds the nets' files, runs photos side by side.
+//! Detection for the command line: finds the model files and processes photos in parallel.
 
 use std::path::{Path, PathBuf};
 
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use crate::{Complaint, telling};
 
-/// Reads the nets from `folder`, or from where they usually are.
+/// Reads the models from `folder`, or from the default folder.
 pub(crate) fn load(folder: Option<&Path>) -> Result<Detectors, Complaint> {
     let folder = folder.map(Path::to_path_buf).or_else(find).ok_or_else(|| {
         "the detectors' models are missing: make them with `cargo xtask models`, or name their folder \
@@ -24,7 +24,7 @@ pub(crate) fn load(folder: Option<&Path>) -> Result<Detectors, Complaint> {
     Detectors::new(&faces, &objects).map_err(|error| format!("{}: {error}", folder.display()))
 }
 
-/// Reads the net that scores pictures, from `folder` or from where it usually is.
+/// Reads the model that rates pictures, from `folder` or the default folder.
 pub(crate) fn load_aesthetics(folder: Option<&Path>) -> Result<Aesthetics, Complaint> {
     let file = folder.map(Path::to_path_buf).or_else(find).map(|folder| folder.join("aesthetics.onnx"));
     let onnx = file.and_then(|file| std::fs::read(file).ok()).ok_or_else(|| {
@@ -34,7 +34,7 @@ pub(crate) fn load_aesthetics(folder: Option<&Path>) -> Result<Aesthetics, Compl
     Aesthetics::new(&onnx).map_err(|error| format!("aesthetics.onnx: {error}"))
 }
 
-/// Reads the net that finds what a photo shows, from `folder` or from where it usually is.
+/// Reads the model that finds the subject of a photo, from `folder` or the default folder.
 pub(crate) fn load_segmenter(folder: Option<&Path>) -> Result<Segmenter, Complaint> {
     let file = folder.map(Path::to_path_buf).or_else(find).map(|folder| folder.join("subject.onnx"));
     let onnx = file.and_then(|file| std::fs::read(file).ok()).ok_or_else(|| {

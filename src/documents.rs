@@ -56,7 +56,7 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
     let mut paths: HashMap<String, PathBuf> = HashMap::new();
     for photo in photos_on(&shown) {
         let path = found(photo, file, files).ok_or_else(|| {
-            complain(format!("the photo {photo} is neither beside it nor among the photos given"))
+            complain(format!("the photo {photo} is neither in its folder nor among the given photos"))
         })?;
         paths.insert(photo.to_owned(), path);
     }
@@ -66,7 +66,7 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
     let means = how.printing.means(&full, &fonts, &masks);
     drawing::tell_missing(&pages, &fonts)?;
     if how.strict {
-        // Damage is reported before anything is written; errors come back when the photo is drawn.
+        // Damage is reported before anything is written. Errors are reported again when the photo is drawn.
         for path in paths.values() {
             drop(decode_file(path));
         }
@@ -106,7 +106,7 @@ fn read(file: &Path) -> Result<Vec<Document>, Complaint> {
         .collect()
 }
 
-/// The file of a photo that is named as one was given, or in a folder beside the page.
+/// Returns the file of a photo: a given file with this name, or a file in a folder next to the page.
 fn found(photo: &str, page: &Path, files: &[PathBuf]) -> Option<PathBuf> {
     let wanted = Path::new(photo);
     let given =

@@ -1,4 +1,4 @@
-//! Pages of the command line as files: rendered from the photos at their full size, with their words.
+//! Writes pages of the command line as files: rendered from full-size photos, with their text.
 
 use crate::album::{self, is_standard};
 use crate::destination::{Output, write};
@@ -20,8 +20,8 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
-/// Puts the words of a file on a page; those without a place go where they hide no face, and no body of a photo whose mask
-/// is there.
+/// Adds the text items of a file to a page. Items without a position are placed clear of faces, and of
+/// subjects with masks.
 pub(crate) fn add_words(
     document: &mut Document,
     file: &Path,
@@ -39,7 +39,7 @@ pub(crate) fn add_words(
     place::add(document, words, known, &letters).map_err(|error| complain(error.to_string()))
 }
 
-/// Says which letters of the words of pages no font has.
+/// Warns about characters without a glyph.
 pub(crate) fn tell_missing(pages: &[Document], fonts: &GivenFonts) -> Result<(), Complaint> {
     let words = || pages.iter().flat_map(|page| &page.words);
     let letters = fonts.letters(words()).map_err(|error| error.to_string())?;
@@ -90,14 +90,14 @@ impl Kind {
             Some("pdf") => Ok(Self::Pdf),
             Some("inkpanel") => Ok(Self::Project),
             _ => Err(format!(
-                "{}: give the page a name that ends in .png, .jpg, .webp, .pdf, .html, .epub, .cbz or .inkpanel",
+                "{}: the name of the page must end in .png, .jpg, .webp, .pdf, .html, .epub, .cbz or .inkpanel",
                 output.display()
             )),
         }
     }
 }
 
-/// Decodes a photo at its full size by its id; gives nothing for one that is not there.
+/// Decodes a photo at full size by its id. Returns nothing for a missing photo.
 pub(crate) type Photos<'p> = dyn Fn(&str) -> Result<Option<Image>, Complaint> + Sync + 'p;
 
 /// Resources to draw pages.
@@ -112,7 +112,7 @@ pub(crate) struct Means<'p> {
     pub(crate) enlarges: bool,
 }
 
-/// A page as it is drawn, with its photos. Upscaled photos are reported.
+/// Returns a page in its final form, with its photos. Upscaled photos are reported.
 fn prepared(document: &Document, means: &Means<'_>) -> Result<(Document, native::Photos), Complaint> {
     let photos = decoded(document, means)?;
     let mut page = document.clone();
@@ -147,15 +147,15 @@ pub(crate) fn encoded(
         Kind::Png => png::encode_rgb(width, height, rgb, dpi),
         Kind::Jpeg => jpeg::encode_rgb(width, height, rgb, dpi, quality),
         Kind::Webp => webp::encode_rgb(width, height, rgb),
-        Kind::Pdf => return Err("a photo becomes a .png, .jpg or .webp file".into()),
+        Kind::Pdf => return Err("stylize writes .png, .jpg or .webp".into()),
         Kind::Project | Kind::Comic(_) | Kind::Shots(_) => {
-            return Err("that is made of photos, by render".into());
+            return Err("this format is only available in `render`".into());
         }
     };
     file.map_err(|error| error.to_string())
 }
 
-/// Renders a document as JPEG, whatever it goes into.
+/// Renders a document as JPEG.
 pub(crate) fn jpeg_of(document: &Document, means: &Means<'_>) -> Result<Vec<u8>, Complaint> {
     draw(document, means, Path::new("page.jpg"))
 }
@@ -201,14 +201,14 @@ const MOST_BLEED: f64 = 25.0;
 fn millimetres(text: &str) -> Result<f64, Complaint> {
     let told = text.trim_end_matches("mm").trim().parse::<f64>().ok();
     told.filter(|told| (0.0..=MOST_BLEED).contains(told))
-        .ok_or_else(|| format!("a bleed is a number of millimetres from 0 to {MOST_BLEED}"))
+        .ok_or_else(|| format!("must be a number of millimetres from 0 to {MOST_BLEED}"))
 }
 
 fn imposition(name: &str) -> Result<Imposition, Complaint> {
     let found = Imposition::ALL.iter().find(|(known, _)| *known == name);
     found.map(|(_, how)| *how).ok_or_else(|| {
         let names: Vec<&str> = Imposition::ALL.iter().map(|(known, _)| *known).collect();
-        format!("pages are imposed as one of {}", names.join(", "))
+        format!("must be one of {}", names.join(", "))
     })
 }
 
@@ -221,7 +221,10 @@ fn sheet(text: &str) -> Result<[f64; 2], Complaint> {
         Some(&[width, height]) if [width, height].iter().all(|side| (20.0..=5000.0).contains(side)) => {
             Ok([width, height])
         }
-        _ => Err(format!("a sheet is such as 210x297 in millimetres, or one of {}", PaperSize::names())),
+        _ => Err(format!(
+            "expected WIDTHxHEIGHT in millimetres, such as 210x297, or one of {}",
+            PaperSize::names()
+        )),
     }
 }
 
@@ -276,12 +279,12 @@ impl Printing {
         Means { photos, fonts, masks, quality: self.quality(), enlarges: self.enlarge }
     }
 
-    /// The quality that is asked for.
+    /// Returns the requested quality.
     fn quality(&self) -> u8 {
         self.quality.unwrap_or(QUALITY)
     }
 
-    /// The language that is asked for.
+    /// Returns the requested language.
     pub(crate) fn language(&self) -> &str {
         self.language.as_deref().unwrap_or("en")
     }
@@ -304,7 +307,7 @@ impl Printing {
         }
     }
 
-    /// The page with the bleed that is asked for.
+    /// Returns the page with the requested bleed.
     fn bled(&self, document: &Document) -> Document {
         let mut page = document.clone();
         let width = f64::from(page.page.width) / f64::from(page.page.dpi.max(1)) * 25.4;
@@ -316,7 +319,7 @@ impl Printing {
 /// How pages are printed, and what their photos show.
 pub(crate) type Printed<'a> = (&'a Printing, &'a Subjects<'a>);
 
-/// Writes pages as one PDF file, or as one for each ink beside it.
+/// Writes pages as one PDF file, or also as one file per ink.
 ///
 /// Returns the files.
 pub(crate) fn write_book(
@@ -326,7 +329,7 @@ pub(crate) fn write_book(
     (printing, subjects): Printed<'_>,
 ) -> Result<Vec<PathBuf>, Complaint> {
     if printing.plates && is_standard(&output.path) {
-        return Err("plates are a file for each ink: give the output a name".into());
+        return Err("--plates writes one file per ink, so it needs --output with a file name".into());
     }
     let name = if printing.plates { &output.path } else { &output.named };
     let mut written = Vec::new();
@@ -338,7 +341,8 @@ pub(crate) fn write_book(
     Ok(written)
 }
 
-/// Pages as PDF files whose title is the file's name: one, or one for each ink. Gives each with where it goes.
+/// Pages as PDF files whose title is the file's name: one, or one for each ink. Calls the function with each
+/// page and its output path.
 fn draw_book(
     documents: &[Document],
     means: &Means<'_>,
@@ -357,7 +361,7 @@ fn draw_book(
     let style = documents.first().ok_or("the document has no pages")?.style().map_err(told)?;
     let inks = plates::inks(&style).ok_or_else(|| {
         format!(
-            "the style {} prints no plates; one with the block \"Inks (Printing Plates)\" does",
+            "the style {} has no plates; choose a style with the block \"Inks (Printing Plates)\"",
             style.name
         )
     })?;
@@ -367,7 +371,7 @@ fn draw_book(
         .iter()
         .any(|page| page.style().is_ok_and(|style| plates::inks(&style).as_ref() != Some(&inks)))
     {
-        return Err("the pages are printed with different inks; plates are of pages in one style".into());
+        return Err("the pages have different inks; plates need one style for all pages".into());
     }
     let exact = documents.iter().map(plates::exact).collect::<Result<Vec<_>, _>>().map_err(told)?;
     let mut files = Vec::new();

@@ -101,7 +101,7 @@ impl About {
         let size = |field: &str| stream[field].as_u64().filter(|&size| size > 0 && size <= 16_384);
         let (Some(width), Some(height)) = (size("width"), size("height")) else {
             let why = reason(&answer.stderr, film);
-            let why = if why.is_empty() { "it has no pictures" } else { &why };
+            let why = if why.is_empty() { "it has no frames" } else { &why };
             return Err(format!("{name}: ffmpeg cannot read this video: {why}"));
         };
         let seconds = |part: &Value| part["duration"].as_str().and_then(|text| text.parse::<f64>().ok());
@@ -159,7 +159,7 @@ fn look_at(film: &Path, about: &About) -> Result<(Film, bool), Complaint> {
     running.wait().map_err(failed)?;
     let messages = messages.join().unwrap_or_default();
     if number == 0 {
-        return Err(format!("{}: ffmpeg decodes no frame: {}", film.display(), reason(&messages, film)));
+        return Err(format!("{}: ffmpeg decoded no frames: {}", film.display(), reason(&messages, film)));
     }
     Ok((seen, !messages.is_empty()))
 }

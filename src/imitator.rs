@@ -12,8 +12,8 @@ use crate::{Complaint, decode_file_fit, telling};
 /// Long side of the measured image. More pixels add no information about a screen pattern.
 const SIDE: usize = 1600;
 
-/// Styles that give `photo` the look of `picture`, as an array of style files with a score each. Progress
-/// goes to standard error. `anyway` accepts images without a recognisable style.
+/// Styles that give `photo` the look of `picture`, as an array of style files with a score each. Prints
+/// progress to standard error. `anyway` accepts images without a recognisable style.
 pub(crate) fn imitate(picture: &Path, photo: &Path, seed: u32, anyway: bool) -> Result<Value, Complaint> {
     let read = if anyway { imitate::read_any } else { imitate::read };
     let look =

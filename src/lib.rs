@@ -22,15 +22,15 @@
 //! | to | there is |
 //! |---|---|
 //! | give photos | [`Photo`], and an [`Album`] that has read them |
-//! | find faces and objects, so that no crop cuts them | [`Nets`](https://docs.rs/inkpanel/latest/inkpanel/struct.Nets.html) and `Album::detect` (feature `detect`) |
-//! | ask for pages | [`PageOptions`], [`layouts`], [`Style`] |
+//! | detect faces and objects, so that no crop cuts them | [`Nets`](https://docs.rs/inkpanel/latest/inkpanel/struct.Nets.html) and `Album::detect` (feature `detect`) |
+//! | plan pages | [`PageOptions`], [`layouts`], [`Style`] |
 //! | draw pages | [`Page`], [`Pixels`], [`pdf`] |
 //! | draw any picture in a style | [`Style::draw`] |
-//! | know what went wrong | [`Failure`] |
+//! | find the reason of an error | [`Failure`] |
 //!
-//! The same photos and options make the same pixels, on every machine and in the browser. The crate
-//! has no global state, no clock, and no randomness except from the caller's seed. Work is spread over all cores;
-//! `RAYON_NUM_THREADS` says over how many.
+//! The same photos and options make the same pixels, on every machine and in the browser. The crate has no
+//! global state, no clock, and no randomness except from the caller's seed. Work uses all cores, or the
+//! number of threads in `RAYON_NUM_THREADS`.
 //!
 //! # Features
 //!
@@ -38,11 +38,11 @@
 //!
 //! | feature | for |
 //! |---|---|
-//! | `detect` | nets that find faces and objects |
+//! | `detect` | models that detect faces and objects |
 //! | `rare` | photos as WebP, TIFF and GIF, and with the colours of scanners and presses |
 //! | `files` | saved projects |
 //! | `cli` | the command line `inkpanel`: `cargo install inkpanel --features cli` |
-//! | `internals` | the stages themselves; they change from one version to the next without a word |
+//! | `internals` | the processing stages; their API changes between versions without notice |
 //!
 //! # The stages
 //!
@@ -53,24 +53,24 @@
 //! |---|---|
 //! | `raster` | pixels: planar u8 images, decoding, resampling (under everything) |
 //! | `simd` | row kernels on lanes (under `style`) |
-//! | `select` | fingerprints, near-duplicate groups, the sharpest of each; the shots of films |
-//! | `hearing` | sounds of films that words may stand for, and where music runs |
+//! | `select` | fingerprints, near-duplicate groups and their sharpest photo; shots of videos |
+//! | `hearing` | detection of music and of sounds that can become sound effects |
 //! | `detect` | faces, objects, aesthetic scores and subject masks (feature `detect`) |
 //! | `layout` | page templates: split trees, polygons, gutters, merges |
 //! | `framing` | the crop of a photo that fits a panel |
 //! | `style` | chains of filter blocks in two layers |
-//! | `plan` | which layout, which photo in which panel, judged by what is seen |
+//! | `plan` | choice of layout and photos, scored by the visible content |
 //! | `page` | panels, borders and paper composed into one page; PNG, JPEG, PDF |
-//! | `output` | pages as comics that are read: HTML with a reader in it, EPUB, comic archives |
-//! | `document` | the project that a person edits and saves: its pages, photos, styles and layouts |
-//! | `native` | pages drawn by all cores of a machine |
+//! | `output` | digital comics: HTML with a reader, EPUB, comic archives |
+//! | `document` | the project: pages, photos, styles and layouts, with edits and undo |
+//! | `native` | rendering on all cores |
 //!
 //! `error`, `raster`, `simd` and `style` are in the crate `inkpanel-pixels`, which is compiled for speed. The
 //! rest of the core is compiled for size. `detect` is the crate `inkpanel-detect`, which depends on tract.
 //!
 //! Above them, without algorithms, are `facade` (the public API) and `main.rs` (the command line). The crates
 //! of `modules/` bind the stages to JavaScript. Every spatial parameter of a style is in pixels of a 1920 x
-//! 1080 image and scaled to the render at hand.
+//! 1080 image, and scaled to the size of the render.
 
 // Without public stages, many items are unused.
 #![cfg_attr(

@@ -1,7 +1,7 @@
 //! The command line: batch rendering, goldens and debugging with the same code as the page.
 //!
-//! Progress and complaints go to standard error, results to standard output. Exit codes: 0 done, 1 bad input,
-//! 2 wrong usage (from the argument parser).
+//! Progress and errors are printed to standard error, results to standard output. Exit codes: 0 done, 1 bad
+//! input, 2 wrong usage (from the argument parser).
 
 #![deny(clippy::print_stdout, clippy::print_stderr, reason = "a closed pipe makes them panic")]
 
@@ -66,9 +66,9 @@ struct Cli {
 
 const EXIT_CODES: &str = "\
 Exit codes:
-  0  success; skipped files are listed on standard error
-  1  bad input, or a warning with --strict; the reason is on standard error and no file is written
-  2  wrong usage: an option, its value, or a settings file";
+  0  Success. Skipped files are listed on standard error.
+  1  Bad input, or a warning with --strict. The reason is on standard error, and no file is written.
+  2  Wrong usage: an option, its value, or a settings file.";
 
 const RENDER_HELP: &str = "\
 Examples:
@@ -78,9 +78,9 @@ Examples:
   inkpanel render album.inkpanel --page 2 -o page.webp
 
 Exit codes:
-  0  success; skipped files are listed on standard error
-  1  bad input, or a warning with --strict; the reason is on standard error and no file is written
-  2  wrong usage: an option, its value, or a settings file";
+  0  Success. Skipped files are listed on standard error.
+  1  Bad input, or a warning with --strict. The reason is on standard error, and no file is written.
+  2  Wrong usage: an option, its value, or a settings file.";
 
 #[derive(Subcommand)]
 enum Command {
@@ -292,7 +292,7 @@ struct How {
 /// Options of the planner. A saved page is already planned.
 #[derive(clap::Args, Default, PartialEq)]
 #[command(next_help_heading = "Planning (photos only)")]
-#[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
+#[allow(clippy::struct_excessive_bools, reason = "each is a separate option")]
 struct Planned {
     #[command(flatten)]
     paper: Paper,
@@ -323,7 +323,7 @@ struct Planned {
     /// Number of panels. [default: 5 or 6, depending on the layout]
     #[arg(long)]
     panels: Option<usize>,
-    /// Let a subject break the panel border where there is room (needs subject.onnx).
+    /// Let a subject break the panel border if there is enough room (needs subject.onnx).
     #[arg(long)]
     figures: bool,
     /// Let panels share one image.
@@ -350,7 +350,8 @@ struct Planned {
     star: Vec<PathBuf>,
 }
 
-/// The families that layouts are in; what people make and what is generated is no family to draw from.
+/// Returns the families of built-in layouts. The families of custom and generated layouts are not available
+/// for a random choice.
 fn layout_families() -> PossibleValuesParser {
     let has_layouts = |family: &&str| layout::catalogue().iter().any(|template| template.family() == *family);
     layout::FAMILIES.into_iter().filter(has_layouts).collect::<Vec<_>>().into()
@@ -421,12 +422,12 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     }
     if files.is_empty() && document.is_none() {
         Cli::command()
-            .error(ErrorKind::MissingRequiredArgument, "say which photos, or which saved project")
+            .error(ErrorKind::MissingRequiredArgument, "no photos and no saved project given")
             .exit();
     }
     if let Some(output) = output.as_ref().filter(|output| how.skip_existing && is_made(output, planned)) {
         let event = json!({ "event": "skipped", "file": output.path.display().to_string() });
-        telling::step(&event, Some(format!("{}: is there already", output.path.display())));
+        telling::step(&event, Some(format!("{}: exists already, skipped", output.path.display())));
         return Ok(());
     }
     let given = files;
@@ -459,7 +460,7 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     plan_page(planned, how, output.as_ref(), (&files, &projects::called(given, output_name(output.as_ref()))))
 }
 
-/// Whether all that is asked for is there already; then no photo is read for it.
+/// Returns whether all output files exist already. Then no photo is read.
 fn is_made(output: &Output, planned: &Planned) -> bool {
     let one = matches!(Kind::of(&output.named), Ok(Kind::Pdf | Kind::Comic(_) | Kind::Project));
     match planned.pages {
@@ -471,9 +472,7 @@ fn is_made(output: &Output, planned: &Planned) -> bool {
 /// Frames that fit on a sheet.
 fn board_frames(text: &str) -> Result<u32, String> {
     let known = text.parse().ok().filter(|count| FRAMES.contains(count));
-    known.ok_or_else(|| {
-        format!("a sheet has one of {} frames", FRAMES.map(|count| count.to_string()).join(", "))
-    })
+    known.ok_or_else(|| format!("must be one of {}", FRAMES.map(|count| count.to_string()).join(", ")))
 }
 
 /// The file that a project is called after.
@@ -483,26 +482,23 @@ fn output_name(output: Option<&Output>) -> &Path {
 
 const NO_OUTPUT: &str = "--output is missing: name the output file";
 
-/// What is planned already takes nothing of what pages are planned by.
+/// Rejects options for planning if the input is a saved page.
 fn planned_already(planned: &Planned, file: &Path) -> Result<(), Complaint> {
     if *planned == Planned::default() {
         return Ok(());
     }
-    Err(format!(
-        "{}: it is planned already, so --output, --page and what is printed are all that it takes",
-        told(file)
-    ))
+    Err(format!("{}: a saved page takes only --output, --page and the print options", told(file)))
 }
 
-/// Says that all is done.
-#[allow(clippy::unnecessary_wraps, reason = "it is the last word of what can fail")]
+/// Reports the end of the run.
+#[allow(clippy::unnecessary_wraps, reason = "callers return it as their result")]
 fn done(files: &[PathBuf]) -> Result<(), Complaint> {
     let files: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
     telling::step(&json!({ "event": "done", "files": files }), None);
     Ok(())
 }
 
-/// With `--strict` nothing may differ from what was asked for.
+/// With `--strict`, a warning is an error.
 fn check_strict(how: &How) -> Result<(), Complaint> {
     let notes = telling::notes();
     if !how.strict || notes == 0 {
@@ -550,7 +546,7 @@ fn plan_page(
         drawing::add_words(&mut first.document, file, &photos, &fonts)?;
     }
     if let Some(wanted) = render.pages.filter(|wanted| *wanted as usize != pages.len()) {
-        telling::note(None, &format!("there are {} pages, not {wanted}", pages.len()));
+        telling::note(None, &format!("{} pages instead of {wanted}", pages.len()));
     }
     plans::tell_differences(&pages, render.panels, &request.photos, &photos);
     let drawn: Vec<Document> = pages.iter().map(|page| page.document.clone()).collect();
@@ -584,7 +580,7 @@ fn plan_page(
     done(&written)
 }
 
-/// Writes the pages of an album, as one where they are not `several`.
+/// Writes the pages of an album: one file per page if there are `several`, otherwise one file.
 ///
 /// Returns the files.
 fn write_pages(
@@ -621,7 +617,7 @@ fn write_pages(
     Ok(vec![output.path.clone()])
 }
 
-/// Gives photos their stars; a name that none of them has is told.
+/// Marks the starred photos, and warns about names that match no photo.
 fn star(photos: &mut [(PathBuf, Imported)], names: &[PathBuf]) {
     for (path, photo) in photos.iter_mut() {
         photo.meta.starred = names.iter().any(|name| is_named(path, name));
@@ -636,9 +632,9 @@ fn is_named(path: &Path, name: &Path) -> bool {
     path.ends_with(name.strip_prefix(".").unwrap_or(name))
 }
 
-/// The photos that pages are made of, in their order; those that look like others, and blurred ones, are told and left out.
+/// Returns the photos for the pages, in order. Similar and blurred photos are reported and left out.
 fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMeta> {
-    /// Beyond so many they are not told one by one.
+    /// Maximum number of photos that are reported one by one.
     const FEW: usize = 10;
     let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
     let imported: Vec<&Imported> = photos.iter().map(|(_, photo)| photo).collect();
@@ -653,7 +649,10 @@ fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMet
     if left.len() > FEW {
         let names: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
         let (count, some) = (left.len(), plans::some(&names));
-        telling::note(None, &format!("{count} photos are left out, as `inkpanel select` tells why: {some}"));
+        telling::note(
+            None,
+            &format!("{count} photos are left out; `inkpanel select` lists the reasons: {some}"),
+        );
     } else {
         for (name, why) in &left {
             telling::note(Some(name), &format!("left out: {why}"));
@@ -662,7 +661,8 @@ fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMet
     used
 }
 
-/// Writes a photo in a style. If it `detects`, the style protects the faces, and knows the subject if it asks for it.
+/// Writes a photo in a style. If it `detects`, the style protects the faces, and knows the subject if it
+/// needs it.
 fn stylize_photo(
     style: &str,
     (input, detects): (&Path, bool),
@@ -672,7 +672,7 @@ fn stylize_photo(
     let output = Output::new(output, format)?;
     let kind = Kind::of(&output.named)?;
     if matches!(kind, Kind::Pdf | Kind::Project | Kind::Comic(_) | Kind::Shots(_)) {
-        return Err(format!("{}: a photo becomes a .png, .jpg or .webp file", output.path.display()));
+        return Err(format!("{}: stylize writes .png, .jpg or .webp", output.path.display()));
     }
     let style = read_style(style)?;
     let image = decode_file(input)?;
@@ -768,9 +768,10 @@ fn detect_photos(files: &[PathBuf], as_json: bool, models: Option<&Path>) -> Res
     }))
 }
 
-/// Tells framing what is in the photos; without the nets it goes by contrast, which is said once.
+/// Adds the detected faces and subjects to the photos. Without the models, crops follow contrast, and a
+/// warning is printed once.
 ///
-/// Returns whether it was looked for.
+/// Returns whether the models were available.
 fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) -> bool {
     let detectors = match detectors::load(models) {
         Ok(detectors) => detectors,
@@ -806,7 +807,8 @@ fn print(value: &Value) -> Result<(), Complaint> {
 
 /// Prints a catalogue.
 fn list(catalogue: &impl serde::Serialize, as_json: bool) -> Result<(), Complaint> {
-    // As text first: a value of JSON would make other numbers of those of layouts than the page is told.
+    // Converted to text first: a JSON value stores the numbers of layouts as f64, which prints other digits
+    // than the app uses.
     let text = serde_json::to_string(catalogue).map_err(|error| error.to_string())?;
     if as_json {
         return print_lines([text]);
@@ -819,7 +821,7 @@ fn list(catalogue: &impl serde::Serialize, as_json: bool) -> Result<(), Complain
     }))
 }
 
-/// Reads files side by side; names those that cannot be read and goes on without them.
+/// Reads files in parallel. Files that cannot be read are reported and left out.
 fn import_all(files: &[PathBuf]) -> Vec<(PathBuf, Imported)> {
     let limits = Limits::default();
     let count = AtomicUsize::new(0);
@@ -848,13 +850,13 @@ fn import_all(files: &[PathBuf]) -> Vec<(PathBuf, Imported)> {
     photos
 }
 
-/// What `work` on one file gives. Where it panics, which is a fault of ours or of a decoder, that is the error of this file
-/// and no other; the sentence of the panic is on standard error by then.
+/// Runs `work` on one file. If it panics, because of a bug here or in a decoder, the panic becomes the error
+/// of this file. The panic message is already on standard error.
 fn survived<T>(work: impl FnOnce() -> inkpanel::Result<T>) -> Result<T, Complaint> {
-    // Nothing that the work may have left half done is looked at again.
+    // Nothing reads the state that a panic may leave incomplete.
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(done) => done.map_err(|error| error.to_string()),
-        Err(_) => Err("reading it failed by a fault of Inkpanel, please report it".to_owned()),
+        Err(_) => Err("internal error while reading this file; please report it".to_owned()),
     }
 }
 

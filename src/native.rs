@@ -147,7 +147,7 @@ pub fn coarse(document: &Document, size: &dyn Fn(&str) -> Option<(u32, u32)>) ->
     Ok(found.collect())
 }
 
-/// The pictures of a page in their order: panels, with their borders or without, figures, fronts.
+/// Renders the pictures of a page in order: panels with or without borders, breakouts, foregrounds.
 fn render(document: &Document, photos: &Photos, bordered: bool) -> Result<Vec<Patch>> {
     let mut scene = Scene::new(document, document.page.width as usize)?;
     scene.bordered = bordered;

@@ -3,7 +3,7 @@
 use crate::Complaint;
 use inkpanel::layout::{DPI, PageSettings, PaperSize};
 
-/// Size, gutters and colours of a page. The defaults are those of a new page in the app.
+/// Size, gutters and colours of a page. The defaults match a new page in the app.
 #[derive(clap::Args, Default, PartialEq, Debug)]
 #[command(next_help_heading = "Page (photos only)")]
 #[allow(clippy::struct_field_names, reason = "they are the names of options")]

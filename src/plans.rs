@@ -68,7 +68,7 @@ fn told_page(page: &Planned, photos: &[(PathBuf, Imported)]) -> Result<Value, Co
     Ok(told)
 }
 
-/// Why photos come more than once, where they do.
+/// Returns the reason if photos repeat.
 fn repeats(document: &Document) -> Option<String> {
     let leads = |i: usize| document.merge_of(i).is_none_or(|group| group.first() == Some(&i));
     let shown: Vec<&String> = document
@@ -82,7 +82,7 @@ fn repeats(document: &Document) -> Option<String> {
     different.sort_unstable();
     different.dedup();
     let (photos, panels) = (different.len(), shown.len());
-    (photos < panels).then(|| format!("photos repeat: there are {photos} for {panels} panels"))
+    (photos < panels).then(|| format!("photos repeat: {photos} photos for {panels} panels"))
 }
 
 fn terms(score: &Score) -> Value {
@@ -202,7 +202,7 @@ fn judged(page: &Value, metas: &[PhotoMeta], known: &dyn Fn(&str) -> Option<usiz
     if slots.is_empty() {
         return Err("shows no photo".into());
     }
-    // Only the photos of the page are known.
+    // Only the photos of the page are available.
     let mut own: Vec<usize> = assigned.iter().map(|panel| panel.photo).collect();
     own.sort_unstable();
     own.dedup();
@@ -249,13 +249,13 @@ pub(crate) fn draw_all(
 ) -> Result<Vec<PathBuf>, Complaint> {
     let kind = drawing::Kind::of(&output.named)?;
     if kind == drawing::Kind::Project {
-        return Err("a project is made of photos; these pages are planned already".into());
+        return Err("a project needs photos; --document pages cannot become a project".into());
     }
     if kind == drawing::Kind::Pdf {
         return drawing::write_book(documents, means, output, printed);
     }
     if is_standard(&output.path) {
-        return Err("several pages go to standard output as one PDF file: add --format pdf".into());
+        return Err("standard output takes several pages only as one PDF file; add --format pdf".into());
     }
     let mut files = Vec::new();
     for (i, document) in documents.iter().enumerate() {
@@ -269,7 +269,7 @@ pub(crate) fn draw_all(
             "event": if there { "skipped" } else { "page" },
             "page": i + 1, "of": documents.len(), "file": own.path.display().to_string(),
         });
-        let more = if there { ", which is there" } else { "" };
+        let more = if there { ", skipped" } else { "" };
         telling::step(&event, Some(format!("{} of {}: {file}{more}", i + 1, documents.len())));
         files.push(own.path);
     }
@@ -320,7 +320,7 @@ pub(crate) fn tell_differences(
         let of = if pages.len() > 1 { format!("page {}: ", i + 1) } else { String::new() };
         let panels = page.document.panels.len();
         if let Some(wanted) = wanted.filter(|wanted| *wanted != panels) {
-            telling::note(None, &format!("{of}it has {panels} panels, not {wanted}"));
+            telling::note(None, &format!("{of}{panels} panels instead of {wanted}"));
         }
         if let Some(why) = repeats(&page.document) {
             telling::note(None, &format!("{of}{why}"));

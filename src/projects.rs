@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
-/// Length, type and checksum of the first chunk of a PNG file, which always has 13 bytes, behind the signature.
+/// Length of the PNG signature and of the first chunk: length, type, 13 bytes of data and checksum.
 const HEAD: usize = 8 + 4 + 4 + 13 + 4;
 /// The last chunk of a PNG file, which is empty.
 const TAIL: usize = 12;
@@ -28,7 +28,7 @@ pub(crate) struct Album<'a> {
     pub(crate) photos: &'a [(PathBuf, Imported)],
     /// Ids of photos that pages may show.
     pub(crate) used: Vec<&'a str>,
-    /// Whether faces and objects were looked for.
+    /// Whether detection ran.
     pub(crate) looked: bool,
 }
 
@@ -42,7 +42,7 @@ impl Album<'_> {
         self.archive(Some(&text))
     }
 
-    /// A PNG of a page with its project, and the photos where they are wanted.
+    /// Returns a PNG of a page with its project, and with the photos if requested.
     ///
     /// # Errors
     /// The errors of [`packed`](Self::packed), and if the photos are too large for a PNG file.
@@ -75,7 +75,7 @@ impl Album<'_> {
             .collect();
         let others: Vec<&Value> =
             sheets.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, sheet)| sheet).collect();
-        let own = sheets.get(at).ok_or("there is no page")?;
+        let own = sheets.get(at).ok_or("the project has no page")?;
         let tray: Vec<Value> = self
             .photos
             .iter()

@@ -46,7 +46,7 @@ pub(crate) struct Telling<'t> {
     pub(crate) language: &'t str,
 }
 
-/// The language of a comic, checked: letters and digits in parts of up to eight, as BCP 47 has them.
+/// Checks the language tag of a comic: letters and digits in parts of up to eight characters, as in BCP 47.
 pub(crate) fn language(tag: &str) -> Result<String, Complaint> {
     let part = |part: &str| (1..=8).contains(&part.len()) && part.chars().all(|c| c.is_ascii_alphanumeric());
     let first = tag.split('-').next().unwrap_or_default();
@@ -81,7 +81,7 @@ fn made<D: Borrow<Document>>(
     (subjects, letters): (&Subjects<'_>, &Letters),
     picture: &mut dyn FnMut(&Document) -> Result<Vec<u8>, Complaint>,
 ) -> Result<Vec<u8>, Complaint> {
-    // Descriptions of panels are only in English; other languages say that it is a photo.
+    // Descriptions of panels exist only in English. In other languages, the text is just the word for photo.
     let english = told_of.language.split('-').next().is_some_and(|code| code.eq_ignore_ascii_case("en"));
     let page = |document: &D| {
         let document = document.borrow();

@@ -49,7 +49,7 @@ pub(crate) fn draw(
     drawn(saved, (number, board), (output, how)).map_err(|reason| format!("{}: {reason}", told(input)))
 }
 
-/// Whether its name says that a file is a project.
+/// Returns whether a file name is the name of a project.
 pub(crate) fn is_project(file: &Path) -> bool {
     file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(EXTENSION))
 }
@@ -66,7 +66,7 @@ fn drawn(
     }
     let known = known(&saved);
     let stem = output.named.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    // A name with a number's place asks for a picture of each page.
+    // A name with a number placeholder requests one picture per page.
     let each = number.is_none() && plans::has_number(&output.named);
     let logo = board.map_or(Ok(None), |_| boards::logo(&saved))?;
     let wanted = match board {

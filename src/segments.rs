@@ -69,7 +69,7 @@ pub(crate) fn add_masks(photos: &mut [(PathBuf, Imported)], models: Option<&Path
 pub(crate) struct Masks {
     pub(crate) known: HashMap<String, Matte>,
     pub(crate) models: Option<PathBuf>,
-    /// Nothing is looked for.
+    /// Without detection.
     blind: bool,
     net: OnceLock<Option<Segmenter>>,
 }
@@ -120,7 +120,7 @@ impl Masks {
     }
 }
 
-/// `DIR/NAME.png` for each photo; where two have one name, the later has a number.
+/// Returns `DIR/NAME.png` for each photo. A repeated name gets a number.
 fn names(photos: &[(PathBuf, Imported)], folder: &Path) -> Vec<PathBuf> {
     let mut taken = HashSet::new();
     let name = |(path, _): &(PathBuf, Imported)| {

@@ -18,8 +18,8 @@ pub(crate) fn as_json() {
     AS_JSON.store(true, Ordering::Relaxed);
 }
 
-/// Prints a warning, such as a skipped file or a photo without a panel. The work goes on, unless `--strict`
-/// says otherwise. `file` is the one that it is about, if any.
+/// Prints a warning, such as a skipped file or a photo without a panel. The run continues, unless `--strict`
+/// is set. `file` is the one that it is about, if any.
 pub(crate) fn note(file: Option<&str>, why: &str) {
     NOTES.fetch_add(1, Ordering::Relaxed);
     say(&json!({ "event": "note", "file": file, "message": why }), || match file {
@@ -51,7 +51,7 @@ pub(crate) fn step(event: &Value, sentence: Option<String>) {
     }
 }
 
-/// Prints text to standard error. The work goes on if standard error is closed.
+/// Prints text to standard error. The run continues if standard error is closed.
 pub(crate) fn print(text: &str) {
     let mut out = std::io::stderr().lock();
     let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());

@@ -1,11 +1,7 @@
 //! TypeScript types of all data between Rust and the app. `www/engine/types.ts` is generated from the types
 //! of this crate. `www/engine/types-written.ts` has sample output of the core, so that the TypeScript
 //! compiler checks it against the types. The shape of manually read and written JSON is defined here.
-#![allow(
-    dead_code,
-    clippy::unwrap_used,
-    reason = "TypeScript is told of these, nobody else; a test may stop where it is"
-)]
+#![allow(dead_code, clippy::unwrap_used, reason = "only for the TypeScript types; a test may panic")]
 
 use crate::detect::{Detection, FirstLook};
 use crate::document::draft::{self, DraftEdit, Layer, Place};
@@ -80,7 +76,7 @@ pub(crate) struct Word {
     tail: Option<Focus>,
     /// Id of a font.
     font: Option<String>,
-    /// Colour of the letters.
+    /// Text colour.
     color: Option<String>,
     /// Colour of the box.
     fill: Option<String>,
@@ -92,7 +88,7 @@ pub(crate) struct Word {
     auto: Option<bool>,
     /// Shuffle made it: the next shuffle replaces it.
     made: Option<bool>,
-    /// The photo that it belongs to: it goes wherever that is. Null names the one on its panel.
+    /// The photo that it belongs to. The item follows this photo. Null names the one on its panel.
     #[ts(optional = nullable)]
     photo: Option<String>,
     /// The subtitle that it was made of: none is added twice.
@@ -107,9 +103,9 @@ pub(crate) struct Word {
     /// Whether it is set in capitals; null is as its conventions have it.
     #[ts(optional = nullable)]
     capitals: Option<bool>,
-    /// Degrees that the letters of an effect lean to the right, -45 to 45.
+    /// Slant of a sound effect in degrees to the right, -45 to 45.
     slant: Option<f64>,
-    /// Half the width of the line around the letters of an effect, in ems, 0 to 0.4; null is as usual.
+    /// Half the width of the outline of a sound effect, in ems, 0 to 0.4. Default if null.
     #[ts(optional = nullable)]
     outline: Option<f64>,
     /// Whether an effect is behind the subjects.
@@ -127,7 +123,7 @@ pub(crate) struct Word {
     apart: Option<bool>,
     /// Name of the speaker, if known.
     by: Option<String>,
-    /// The language of its text: long words part by its rules.
+    /// The language of its text, for hyphenation.
     #[ts(optional = nullable)]
     language: Option<String>,
     /// Its lines are columns, read from the top down and from right to left.
@@ -173,7 +169,7 @@ struct Tables {
 #[derive(TS, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 struct Difference {
-    /// As the one of that number was, but for these fields.
+    /// New states: the state with this index, with these fields replaced.
     #[ts(type = "ReadonlyArray<[of: number, fields: Partial<KeptState>]>")]
     states: Vec<(usize, Value)>,
     #[ts(type = "Runs")]
@@ -311,18 +307,18 @@ export type ParamValue = number | string | boolean;
 /** The lists that all projects have in common. They are a part of each project, so that undo reaches them. */
 export type SharedLists = Pick<Project, 'mine' | 'favourites' | 'ownLayouts'>;
 
-/** Numbers of things in a row. */
+/** Consecutive numbers. */
 export type Runs = ReadonlyArray<readonly [first: number, count: number]>;
 
-/** What of a state stands in tables, which it names by numbers. */
+/** Fields of a state that are stored in tables and referenced by number. */
 export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'board' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
 
-/** A state whose parts stand in tables. */
+/** A state whose parts are stored in tables. */
 export type KeptState = Omit<Project, Tabled> & {
   [Field in Exclude<Tabled, 'board' | 'waiting'>]: number | Extract<Project[Field], null>;
 } & { board?: number | null; waiting?: number };
 
-/** A page of a storyboard, and one that was shown, whose page stands in a table. */
+/** A page of a storyboard, and a version of a page. Their pages are stored in a table. */
 export type KeptSheet = Omit<Sheet, 'page'> & { page: number };
 export type KeptShown = Omit<Shown, 'page'> & { page: number };
 ";
@@ -332,7 +328,7 @@ export type KeptShown = Omit<Shown, 'page'> & { page: number };
 fn types() -> String {
     let cfg = Config::new().with_large_int("number");
     let mut out = String::from(
-        "/**\n * What crosses to the core and back. Written out of the types of the core by `cargo xtask bless types`, not by hand.\n */\n",
+        "/**\n * Types of all data between the app and the core. Generated from the types of the core by `cargo xtask bless types`.\n */\n",
     );
     macro_rules! tell {
         ($($told:ty),* $(,)?) => {
@@ -605,7 +601,7 @@ fn written() -> String {
     let planning = Planning::new(editor.project(), &free[1..]);
     let repaired = planning.repaired_json(&Groups::new()).unwrap();
     serde_json::from_str::<RepairedSheets>(&repaired).unwrap();
-    let history = kept::write(editor.history(), &vec!["what was left out".into()]);
+    let history = kept::write(editor.history(), &vec!["photo.jpg: left out".into()]);
     serde_json::from_str::<ReadHistory>(&history).unwrap();
     let whole =
         ProjectFile { history: editor.history().clone(), photos: vec![], videos: vec![], dropped: vec![] }
@@ -682,7 +678,7 @@ fn check(file: &str, expected: &str) {
         std::fs::write(&path, expected).unwrap();
         panic!("blessed {file}");
     }
-    assert!(found == expected, "{file} is stale: `cargo xtask bless types` writes it anew");
+    assert!(found == expected, "{file} is stale: run `cargo xtask bless types`");
 }
 
 #[test]

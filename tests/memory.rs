@@ -1,5 +1,5 @@
-//! What a small file may take of memory: all that is inflated or collected besides the pixels is bounded.
-//! One test alone, as every allocation of the program counts.
+//! Memory limits for small files: the size of decompressed and collected data besides pixels is limited. This
+//! file has only one test, because it counts every allocation of the process.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
 
 #[allow(dead_code, reason = "the example makes more of it")]
@@ -16,7 +16,7 @@ use peak_alloc::PeakAlloc;
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
 
-/// For what a decoder has besides: its tables, a profile, some copies of a small picture.
+/// Allowance for other data of a decoder: tables, a profile, some copies of a small picture.
 const ROOM: usize = 24 << 20;
 
 #[test]
@@ -74,7 +74,7 @@ fn tiff_with_profile(length: u32) -> Vec<u8> {
     file
 }
 
-/// A TIFF file that says to have that many strips.
+/// A TIFF file that declares this many strips.
 fn tiff_of_strips(count: u32) -> Vec<u8> {
     let fields = vec![[273, 4, count, 8], [279, 4, count, 8]];
     let mut file = Tiff { fields, ..Tiff::rgb(45, 27) }.file();

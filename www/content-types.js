@@ -1,5 +1,5 @@
 // @ts-check
-/** What a static host says of the built site's files, by their extension. */
+/** Content types of the site's files by extension, as a static host sends them. */
 
 /** @type {Record<string, string>} */
 export const TYPES = {

@@ -1,5 +1,5 @@
 // @ts-check
-/** The file `_headers` of the site, by which hosts are told what to send with every file. */
+/** Reads `_headers`, the file that defines the response headers of hosts. */
 
 /**
  * @param {string} text of the file

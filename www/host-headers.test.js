@@ -1,5 +1,5 @@
 // @ts-check
-/** What hosts are told, in the page and beside it, is the same. */
+/** The headers in `_headers` match the meta elements of the page. */
 
 import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -15,7 +15,7 @@ test('the policy of the headers is that of the page, and forbids frames of other
   const policy = /http-equiv="Content-Security-Policy"\s+content="([^"]+)"/.exec(await read('./index.html'))?.[1];
   const { 'Content-Security-Policy': sent, 'X-Frame-Options': frames } = await headers();
   expect(sent).toBe(`${policy}; frame-ancestors 'self'`);
-  // A meta element may not say it: browsers pass it over.
+  // Browsers ignore it in a meta element.
   expect(policy).not.toContain('frame-ancestors');
   expect(frames).toBe('SAMEORIGIN');
 });

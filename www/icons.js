@@ -8,7 +8,10 @@ import { readFile, writeFile } from 'node:fs/promises';
 import { chromium } from '@playwright/test';
 
 const FOLDER = new URL('./public/', import.meta.url);
-/** Of a maskable icon a circle of four fifths is sure to be seen; so much of the drawing, whose own edge is empty, fills it. */
+/**
+ * Scale of the drawing in a maskable icon. Only a circle of four fifths of the side is always visible. The edge of the
+ * drawing is empty, so this scale fills the circle.
+ */
 const SAFE = 0.86;
 
 const svg = await readFile(new URL('icon.svg', FOLDER), 'utf8');

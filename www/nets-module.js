@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * The module of the nets as files of the site, which no other code has in it: the page can be built and served before it
- * is there. With `INKPANEL_NETS=later` the site names files without content, which whoever serves it fills.
+ * Adds the detection module to the site as separate files, so that the app can be built and served before the module is
+ * compiled. With `INKPANEL_NETS=later`, the build writes empty files, and the server fills them.
  */
 
 import { createHash } from 'node:crypto';
@@ -20,7 +20,7 @@ export function netsModule() {
     name: 'inkpanel-nets-module',
     // Not before: the unit tests read this configuration too, and need no module.
     config(_, { command }) {
-      // `npm run dev` serves the folders as they stand.
+      // `npm run dev` serves the source folders directly.
       if (command === 'serve') {
         return { define: { INKPANEL_NETS: JSON.stringify([SCRIPT, MODULE].map((name) => `/pkg-detector/${name}`)) } };
       }

@@ -52,7 +52,7 @@ const RARE = [
   'zoom',
 ];
 
-/** Tags of the tests that a tier of `cargo xtask test` leaves out. A manual run is like that of a push. */
+/** Tags of the tests that a tier of `cargo xtask test` leaves out. A manual run uses the tier `ci`. */
 const LEFT_OUT = { change: /@ci|@nightly/, ci: /@nightly/, all: undefined };
 const tier = /** @type {keyof typeof LEFT_OUT} */ (process.env.INKPANEL_TIER ?? 'ci');
 if (!(tier in LEFT_OUT))

@@ -1,9 +1,9 @@
 // @ts-check
 /**
- * Serves the built site below a path: `node serve.js PORT PATH [headers]`, port 0 for any. As a plain static host does:
- * files only, compressed, no header beyond those that tell of the content, nothing outside that path; with `headers` also
- * what the site's `_headers` asks for.
- * What is still being built (`nets-module.js`) is answered once it is there.
+ * Serves the built site below a path, like a static host: `node serve.js PORT PATH [headers]`, port 0 for any. It
+ * serves only compressed files below this path, and sends only headers about the content. With `headers`, it also sends
+ * the headers of the site's `_headers`.
+ * A request for a file that is still being built (`nets-module.js`) waits for it.
  */
 import { createReadStream, readFileSync, statSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
@@ -21,12 +21,12 @@ const base = process.argv[3] ?? '/';
 const root = fileURLToPath(new URL('./dist/', import.meta.url));
 const headers = process.argv[4] === 'headers' ? headersOfAll(readFileSync(join(root, '_headers'), 'utf8')) : {};
 
-/** What hosts compress; pictures and fonts are small already. */
+/** Extensions that hosts compress. Pictures and fonts are already compressed. */
 const SHRINKS = new Set(['.html', '.js', '.css', '.json', '.wasm', '.svg', '.webmanifest']);
 /** Files compressed, by path and time of change. @type {Map<string, Promise<Buffer>>} */
 const small = new Map();
 
-/** Milliseconds between two looks at a file that is still being built. */
+/** Milliseconds between two checks for a file that is still being built. */
 const PATIENCE = 250;
 
 const server = createServer(async (request, response) => {

@@ -29,7 +29,7 @@ export { transformWithOxc } from 'vite';
 export type { Page };
 export type { Browser };
 export type { Context };
-/** Tests that are given `Own` beside a page. */
+/** Tests with `Own` in addition to a page. */
 export type TestWith<Own extends {}> = TestType<
   PlaywrightTestArgs & PlaywrightTestOptions & Own,
   PlaywrightWorkerArgs & PlaywrightWorkerOptions

@@ -1,5 +1,5 @@
 // @ts-check
-/** How long the net that scores pictures takes for one, on this thread. */
+/** Measures the model that rates pictures, for one picture on this thread. */
 
 import init, { AestheticsNet } from '/detector/inkpanel.js';
 
@@ -8,7 +8,10 @@ const PHOTOS = ['/album/09-mariachi.jpg', '/album/02-kitten.jpg', '/album/13-did
 const [WIDTH, HEIGHT] = [240, 180];
 const RUNS = 9;
 
-/** @returns {Promise<{ ms: number, load: number } | null>} the median, and `load` with compiling, once; null where the net was not made */
+/**
+ * @returns {Promise<{ ms: number, load: number } | null>} the median, and `load` with compilation, measured once; null
+ * if the model is missing
+ */
 export async function aesthetics() {
   const file = await fetch('/models/aesthetics.onnx');
   if (!file.ok) return null;

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * Times one contestant. Its module's `load` takes the picture and gives functions by row id; each runs the
- * operation once on pixels that the contestant already holds, so that no copy in or out is timed where its
+ * Times one contestant. The `load` function of its module receives the picture and returns functions by row id. Each
+ * function runs the operation once on pixels that the contestant already holds. So copying is not timed, if the
  * interface allows that.
  */
 
@@ -11,9 +11,9 @@
  *   id: string, label: string, luma: boolean, planes: number, done: number | null, style: object,
  *   params: Record<string, any>,
  * }} Row
- * The first word of `id` names the operation. `luma`: runs on a gray picture; `planes`: how many it reads and
- * writes, on average; `style`: what Inkpanel runs, after the first `done` blocks, or whole if null; `params`: those
- * of its block, for the peers.
+ * The first word of `id` names the operation. `luma`: runs on a gray picture. `planes`: mean number of planes that it
+ * reads and writes. `style`: the style for Inkpanel. Blocks before index `done` are not timed. `params`: parameters of the
+ * block, for other libraries.
  */
 /**
  * @typedef {(() => void) | { prepare: () => any, run: (prepared: any) => void }} Operation
@@ -23,7 +23,7 @@
 
 const RUNS = 15;
 const WARM = 3;
-/** Milliseconds after which five runs are enough. */
+/** Maximum milliseconds of a row with more than five runs. */
 const PATIENCE = 4000;
 
 /**

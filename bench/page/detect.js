@@ -4,7 +4,7 @@
 import init, { FaceDetector, ObjectDetector, SubjectNet } from '/detector/inkpanel.js';
 
 const PHOTOS = ['/album/09-mariachi.jpg', '/album/02-kitten.jpg', '/album/13-didgeridoo.jpg'];
-/** Longest side of what the page hands over. */
+/** Longest side of the images that the app passes to detection. */
 const SIDE = 1024;
 const RUNS = 7;
 

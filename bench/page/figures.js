@@ -1,25 +1,25 @@
 // @ts-check
-/** How much longer a page takes to draw when a figure steps out of a panel, on this thread. */
+/** Extra time to draw a page if a subject breaks its panel border, on this thread. */
 
 import initNets, { SubjectNet } from '/detector/inkpanel.js';
 import { subjectOf } from './detect.js';
 import init, { Album, Studio } from '/pkg/inkpanel.js';
 
-/** Photos with a figure, and others that fill the page with them. */
+/** Photos with a subject, and other photos that fill the page. */
 const FIGURES = ['02-kitten', '07-red-panda', '08-kingfisher', '11-giraffe', '18-rocket', '19-astronaut'];
 const OTHERS = ['01-coffee', '05-path', '06-castle', '09-mariachi', '12-pyramid', '17-festival'];
 const PAGE = { width: 2480, height: 3508 };
 const KEEP = { layout: false, style: false, photos: false };
-/** Width in pixels at which pages are drawn: that of a large screen. */
+/** Width in pixels of the rendered pages, as on a large screen. */
 const WIDTH = 1600;
-/** Seeds of pages, of which those count on which a figure steps out; and how often each is drawn. */
+/** Number of seeds to try for pages on which a subject breaks its panel border, and number of pages to measure. */
 const SEEDS = 40;
 const PAGES = 7;
 const RUNS = 5;
 
 /**
- * @returns {Promise<{ pages: number, panels: number, plain: number, broken: number, ratio: number }>} medians over the pages: their
- *   panels, milliseconds without and with the figure, and how many times longer it takes
+ * @returns {Promise<{ pages: number, panels: number, plain: number, broken: number, ratio: number }>} medians over the
+ * pages: number of panels, milliseconds without and with the breakout, and their ratio
  */
 export async function figures() {
   await Promise.all([init(), initNets()]);
@@ -49,7 +49,10 @@ export async function figures() {
   return { pages: rows.length, panels: of('panels'), plain: of('plain'), broken: of('broken'), ratio };
 }
 
-/** Both by turns, so that whatever else the machine does is in both. @param {Studio} studio @param {string} plain @param {string} broken */
+/**
+ * Measures both variants alternately, so that other load affects both. @param {Studio} studio @param {string} plain
+ * @param {string} broken
+ */
 function compared(studio, plain, broken) {
   const times = { plain: /** @type {number[]} */ ([]), broken: /** @type {number[]} */ ([]) };
   const draw = (/** @type {string} */ document) => {

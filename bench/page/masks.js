@@ -1,5 +1,5 @@
 // @ts-check
-/** How long the masks and borders of a page at print size take, in the layout where they take longest. */
+/** Measures the masks and borders of a page at print size, in the slowest layout. */
 
 import init, { BenchPage, layouts } from '/pkg/inkpanel.js';
 

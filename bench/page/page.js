@@ -1,5 +1,8 @@
 // @ts-check
-/** What the runner calls in the page: one contestant after the other, each on its own thread or on this one. */
+/**
+ * Functions that the runner calls in the page. They run one contestant after the other, in a separate thread or in this
+ * one.
+ */
 
 import { contest } from './contest.js';
 import { figures } from './figures.js';

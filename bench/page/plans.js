@@ -1,5 +1,5 @@
 // @ts-check
-/** How long a plan takes, once its photos are known, and what is to be known of a photo. */
+/** Measures the time of a plan with analysed photos, and the time of the analysis of a photo. */
 
 import init, { Album, benchFacts } from '/pkg/inkpanel.js';
 
@@ -14,7 +14,7 @@ export async function plans() {
 }
 
 /**
- * Milliseconds that it takes to learn about a photo what framing has to know.
+ * Milliseconds of the analysis of a photo for framing.
  * @param {import('./contest.js').Picture} picture at any size
  */
 export async function factsOf({ width, height, data }) {

@@ -7,7 +7,7 @@ use super::model::Net;
 use inkpanel_pixels::error::{Error, Result};
 use inkpanel_pixels::raster::Image;
 
-/// Side of the net's input in pixels.
+/// Side of the model's input in pixels.
 const SIDE: usize = 224;
 /// Highest rating. Ratings start at 1.
 const MOST: usize = 10;
@@ -31,13 +31,13 @@ impl Aesthetics {
     pub fn score(&self, picture: &Image) -> Result<f64> {
         let [logits] = self.0.run(&stretched(picture))?;
         if logits.len() != MOST {
-            return Err(Error::Detector("the file holds another net".into()));
+            return Err(Error::Detector("the file has another model".into()));
         }
         Ok(mean(&logits))
     }
 }
 
-/// The nearest pixels of a picture as the net's input: three planes of 224 x 224 values in -1..1.
+/// Resizes a picture by nearest neighbour to the model's input: three planes of 224 x 224 values in -1..1.
 fn stretched(picture: &Image) -> Vec<f32> {
     let nearest = |i: usize, length: usize| (2 * i + 1) * length / (2 * SIDE);
     let (planes, (width, height)) = (picture.planes(), (picture.width(), picture.height()));

@@ -8,7 +8,7 @@ use tract_onnx::tract_hir::internal::*;
 use super::operators::constant;
 use super::planes::{self, Work};
 
-/// Enlarging by factors that a constant says.
+/// Upscaling by factors in a constant.
 #[derive(Debug, Clone)]
 pub(super) struct Enlarge;
 
@@ -54,7 +54,7 @@ impl Expansion for Enlarge {
     }
 }
 
-/// How much higher and wider.
+/// Factors of the height and the width.
 fn factors(scales: &Tensor) -> TractResult<[usize; 2]> {
     match scales.try_as_plain_ram()?.as_slice::<f32>()? {
         [1.0, 1.0, down, across]
@@ -66,7 +66,7 @@ fn factors(scales: &Tensor) -> TractResult<[usize; 2]> {
     }
 }
 
-/// Enlarging by known factors.
+/// Upscaling by known factors.
 #[derive(Debug)]
 struct Enlarged {
     factors: [usize; 2],

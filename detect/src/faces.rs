@@ -18,14 +18,14 @@ const CELLS: usize = 48;
 /// Numbers per anchor: the box, and six points of the face, which are not used.
 const NUMBERS: usize = 16;
 const THRESHOLD: f64 = 0.5;
-/// In parts of a photo there is more that merely looks like a face.
+/// Parts of a photo give more false faces.
 const CLOSER_THRESHOLD: f64 = 0.7;
 const SAME: f64 = 0.3;
 
 /// Side of a part as a share of the photo. With two parts per side, neighbours overlap by a fifth of the
 /// photo.
 const PART: f64 = 0.6;
-/// A photo of fewer pixels on its longer side has nothing more to show in parts.
+/// Minimum longer side, in pixels, at which parts of a photo can show more faces.
 const LARGE: usize = 2 * SIDE;
 /// A face below this share of the photo is small. If there is one, others may be too small for the first
 /// search.
@@ -47,7 +47,7 @@ impl Faces {
         Ok(Self { net: Net::new(onnx, SIDE)? })
     }
 
-    /// The faces that the whole photo shows at once, the surest first.
+    /// Detects faces in a single pass over the whole photo, the most certain first.
     ///
     /// # Errors
     /// `detector` if the model fails.
@@ -81,12 +81,12 @@ impl Faces {
         let (input, place) = letterbox(photo, region, self.net.side());
         let [boxes, logits] = self.net.run(&input)?;
         if boxes.len() != CELLS * CELLS * NUMBERS || logits.len() != CELLS * CELLS {
-            return Err(Error::Detector("the file holds another net than the face detector".into()));
+            return Err(Error::Detector("the file is not the face detector".into()));
         }
         let mut found = Vec::new();
         for (cell, (numbers, logit)) in boxes.chunks_exact(NUMBERS).zip(&logits).enumerate() {
             let score = sigmoid(*logit);
-            // Not `score < threshold`: a net that gives no numbers finds nothing.
+            // Not `score < threshold`, so that NaN values count as no detection.
             if score > threshold {
                 let centre = |at: usize| (at as f64 + 0.5) / CELLS as f64;
                 let [across, down, width, height] = [0, 1, 2, 3].map(|i| f64::from(numbers[i]) / SIDE as f64);
@@ -105,7 +105,7 @@ pub fn worth_a_closer_look(photo: &Image, faces: &[Detection]) -> bool {
     photo.width().max(photo.height()) >= LARGE && largest < SMALL
 }
 
-/// Whether a box is not cut by an edge of its part; the photo's own edges cut nothing.
+/// Returns whether a box is not cut by an edge of its part. The edges of the photo do not count.
 fn whole_in(corners: [f64; 4], edges: [f64; 4]) -> bool {
     (0..4).all(|side| {
         let of_photo = edges[side] <= 0.0 || edges[side] >= 1.0;

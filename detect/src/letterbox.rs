@@ -3,7 +3,7 @@
 use inkpanel_pixels::raster::Image;
 use inkpanel_pixels::raster::resize::{Region, resample_image};
 
-/// How a net's square lies on the photo. Points of the square are in 0..1.
+/// Position of the model's square input on the photo. Points of the square are in 0..1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Letterbox {
     /// Position of the square on the photo: left edge in widths of the photo, top edge in heights.
@@ -12,7 +12,7 @@ pub(super) struct Letterbox {
     scale: [f64; 2],
 }
 
-/// The pixels of `region` as a net's input: three planes of `side * side` values in -1..1, and where they come from.
+/// Converts `region` to a model's input: three planes of `side * side` values in -1..1, and their position.
 pub(super) fn letterbox(photo: &Image, region: Region, side: usize) -> (Vec<f32>, Letterbox) {
     let whole = [photo.width() as f64, photo.height() as f64];
     // The sides of the reduced region in whole pixels.

@@ -54,7 +54,7 @@ pub struct Detection {
 pub struct FirstLook {
     /// The faces.
     pub boxes: Vec<Detection>,
-    /// Whether a closer look may find more.
+    /// Whether a second pass over parts of the photo may find more.
     pub closer: bool,
 }
 

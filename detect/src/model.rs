@@ -11,7 +11,7 @@ use super::operators;
 use super::weights::unpacked;
 use inkpanel_pixels::error::{Error, Result};
 
-/// A net with one input `[1, 3, side, side]` and a known number of outputs.
+/// A model with one input `[1, 3, side, side]` and a known number of outputs.
 pub(super) struct Net<const OUTPUTS: usize = 2> {
     plan: Arc<TypedRunnableModel>,
     steps: Arc<[Step]>,
@@ -19,7 +19,7 @@ pub(super) struct Net<const OUTPUTS: usize = 2> {
 }
 
 impl<const OUTPUTS: usize> Net<OUTPUTS> {
-    /// Reads a net and prepares it for running.
+    /// Reads a model and prepares it for running.
     pub(super) fn new(onnx: &[u8], side: usize) -> Result<Self> {
         let shape = [1, 3, side, side];
         let reader = operators::reader();
@@ -32,7 +32,7 @@ impl<const OUTPUTS: usize> Net<OUTPUTS> {
             .and_then(IntoRunnable::into_runnable)
             .map_err(|error| failed(&error))?;
         if plan.model().outputs.len() != OUTPUTS {
-            return Err(Error::Detector("the file holds another net".into()));
+            return Err(Error::Detector("the file has another model".into()));
         }
         Ok(Self { steps: steps(&plan), plan, side })
     }
@@ -73,7 +73,7 @@ pub(super) struct Run<const OUTPUTS: usize> {
 }
 
 impl<const OUTPUTS: usize> Run<OUTPUTS> {
-    /// Computes one operator; gives the outputs, as of [`Net::run`], with the last.
+    /// Computes one operator. After the last one, returns the outputs of [`Net::run`].
     pub(super) fn advance(&mut self) -> Result<Option<[Vec<f32>; OUTPUTS]>> {
         self.computed().map_err(|error| failed(&error))
     }
@@ -105,7 +105,7 @@ struct Step {
     done: Vec<usize>,
 }
 
-/// The order in which a net is computed.
+/// Returns the order of operations of a model.
 fn steps(plan: &TypedRunnableModel) -> Arc<[Step]> {
     let model = plan.model();
     let mut needed: HashSet<usize> = model.outputs.iter().map(|outlet| outlet.node).collect();
@@ -136,7 +136,7 @@ fn optimised(mut model: TypedModel) -> TractResult<TypedModel> {
     Ok(model)
 }
 
-/// tract tells the whole story of an error; its root is what helps.
+/// tract returns a chain of errors; the root cause is the useful part.
 fn failed(error: &TractError) -> Error {
     Error::Detector(error.root_cause().to_string())
 }

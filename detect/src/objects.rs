@@ -38,7 +38,7 @@ impl Objects {
         let [boxes, logits] = self.net.run(&input)?;
         let count = self.anchors.len();
         if boxes.len() != 4 * count || logits.len() != CLASSES * count {
-            return Err(Error::Detector("the file holds another net than the object detector".into()));
+            return Err(Error::Detector("the file is not the object detector".into()));
         }
         let (boxes, _) = boxes.as_chunks::<4>();
         // As sigmoid rises, scores can be compared before it.

@@ -16,7 +16,7 @@ use super::winograd::Convolution;
 
 type Built = TractResult<(Box<dyn InferenceOp>, Vec<String>)>;
 
-/// A reader of ONNX files that knows these operators.
+/// Returns a reader of ONNX files with these operators.
 pub(super) fn reader() -> Onnx {
     let mut known = OnnxOpRegister::default();
     known.insert("Add", |_, _| built(math::Add.into_hir()));
@@ -99,7 +99,7 @@ impl Expansion for Clip {
     }
 }
 
-/// Zeros round the tensor, as many as a constant says.
+/// Zero padding of a tensor, with sizes in a constant.
 #[derive(Debug, Clone)]
 struct Pad;
 
@@ -178,7 +178,7 @@ fn pairs(amounts: &Tensor) -> TractResult<Vec<(usize, usize)>> {
     Ok(before.iter().zip(after).map(|(before, after)| (*before as usize, *after as usize)).collect())
 }
 
-/// Whole numbers, as the files of our nets have them.
+/// Reads integers in the types of the bundled models.
 fn integers(list: &Tensor) -> TractResult<&[i64]> {
     list.try_as_plain_ram()?.as_slice()
 }

@@ -17,7 +17,7 @@ pub(super) trait Work: Debug + Send + Sync + 'static {
     fn run(&self, input: &[f32], sides: (usize, usize)) -> Vec<f32>;
 }
 
-/// Adds an operator to a net.
+/// Adds an operator to a model.
 pub(super) fn wire(
     work: impl Work,
     name: &str,

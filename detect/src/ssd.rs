@@ -1,7 +1,7 @@
 //! Shared code of single-shot detectors: anchors (a fixed grid of boxes), decoding of the model's offsets and
 //! classes, and non-maximum suppression.
 
-/// A box of the grid, in sides of the net's square.
+/// An anchor box of the grid, in sides of the model's square input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Anchor {
     pub(super) x: f64,
@@ -78,8 +78,8 @@ pub(super) fn mobilenet_anchors() -> Vec<Anchor> {
     anchors
 }
 
-/// A box from an anchor and the net's four numbers for it: shift down and across in tenths of the anchor, logarithms
-/// of height and width in fifths.
+/// Decodes a box from an anchor and four outputs of the model: shift down and across in tenths of the anchor,
+/// logarithms of height and width in fifths.
 pub(super) fn decode(anchor: &Anchor, [down, across, height, width]: [f32; 4]) -> [f64; 4] {
     let shift = |by: f32, length: f64| f64::from(by) / 10.0 * length;
     let grown = |by: f32, length: f64| (f64::from(by) / 5.0).exp() * length;

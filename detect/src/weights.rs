@@ -7,10 +7,11 @@ use tract_onnx::pb::{ModelProto, TensorProto};
 use tract_onnx::prelude::TractResult;
 use tract_onnx::tract_hir::internal::bail;
 
-/// The net with each `Cast` of half-precision weights replaced by weights in single precision. Nearly half of a net's
-/// operators are such casts, and the time that tract takes to prepare a net grows faster than their number.
+/// Returns the model with each `Cast` of half-precision weights replaced by weights in single precision.
+/// Nearly half of a model's operators are such casts. The time in which tract prepares a model grows faster
+/// than the number of operators.
 pub(super) fn unpacked(mut net: ModelProto) -> TractResult<ModelProto> {
-    let Some(graph) = &mut net.graph else { bail!("a net without a graph") };
+    let Some(graph) = &mut net.graph else { bail!("a model without a graph") };
     let mut casts: HashMap<String, String> = HashMap::new();
     graph.node.retain(|node| {
         let cast = node.op_type == "Cast";

@@ -22,15 +22,16 @@ const LANES: usize = 4;
 /// Channels and tiles whose sums are held in registers: eight of these.
 const OUTPUTS: usize = 4;
 const TILES: usize = 2 * LANES;
-/// Tiles of a row that are transformed at a time: with 128 channels what is made of them has three quarters of a megabyte.
+/// Number of tiles of a row that are transformed together. With 128 channels, their data has three quarters
+/// of a megabyte.
 const STRETCH: usize = 40;
 
-/// The fewest channels and pixels a side with which this is worth its transforms.
+/// Minimum number of channels and minimum side in pixels at which this algorithm is faster.
 const LEAST_CHANNELS: usize = 16;
 const LEAST_SIDE: usize = 80;
 
-/// Whether this is faster: in a browser, with registers of four numbers and without fused multiply-add.
-/// Elsewhere tract has kernels for wider registers that do both at once.
+/// Whether this is faster: in a browser, with registers of four numbers and without fused multiply-add. On
+/// other platforms, tract has kernels for wider registers that do both at once.
 const WORTH_IT: bool = cfg!(target_arch = "wasm32");
 
 /// The weights of a convolution, transformed.
@@ -271,7 +272,7 @@ impl Expansion for Convolution {
 }
 
 impl Convolution {
-    /// None where it is another kind of convolution, or a small one.
+    /// Returns `None` for another kind of convolution, or a small one.
     fn filter(&self, model: &TypedModel, inputs: &[OutletId]) -> TractResult<Option<Filter>> {
         let Conv { padding, strides, dilations, group, kernel_shape, .. } = &self.0;
         let ones = |list: &Option<TVec<usize>>| list.iter().flatten().all(|&one| one == 1);

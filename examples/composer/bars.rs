@@ -1,4 +1,4 @@
-//! What geometry can tell of pages, over two hundred of them.
+//! Geometric measurements of two hundred automatic pages.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -17,7 +17,7 @@ use crate::seen::seen;
 use crate::{Failure, Photo, page};
 
 const PAGES: u32 = 200;
-/// What stands above the table.
+/// Text above the table.
 const ABOUT: &str = "\
 # Automatic pages
 
@@ -206,7 +206,7 @@ fn table(pages: &[Counted]) -> String {
     text
 }
 
-/// Milliseconds of a plan here, from photos that are known already.
+/// Milliseconds of a plan on this machine, from analysed photos.
 fn times(photos: &[Photo]) -> Result<String, Failure> {
     let mut text = String::new();
     for count in [12, 100, 1000] {
@@ -219,7 +219,7 @@ fn times(photos: &[Photo]) -> Result<String, Failure> {
             .collect();
         let shelf = Shelf::new(count);
         let begin = Instant::now();
-        // A gallery looks at every photo.
+        // A gallery contains every photo.
         let _ = gallery(&album, &shelf);
         let look = begin.elapsed().as_secs_f64() * 1e3 / count as f64;
         let mut request = Request { photos: album, ..Request::default() };

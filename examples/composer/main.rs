@@ -1,10 +1,11 @@
-//! How good the pages are that the composer makes: a sheet to be looked at, and a table of what geometry can tell.
+//! Rates automatic pages: writes a sheet to look at, and a table of geometric measurements.
 //!
 //!     cargo run --release --features cli --example composer -- sheet FOLDER PHOTOS...    48 pages as PNG files, scores apart
 //!     cargo run --release --features cli --example composer -- table FILE|- PHOTOS...    the bars over 200 pages
 //!
-//! Each page is planned from twelve photos drawn from those given, as `inkpanel render` would with its number as seed.
-//! What is cut is counted here by points of the boxes against the exact outlines, not by what the composer goes by.
+//! Each page is planned from twelve of the given photos, like `inkpanel render` with the page number as seed.
+//! Cut subjects are counted with sample points of their boxes against the exact outlines. The count does not
+//! use the approximations of the composer.
 
 mod bars;
 #[path = "../sheets/seen.rs"]

@@ -1,4 +1,4 @@
-//! The same for frames of films, where nobody altered anything.
+//! The same test for video frames, which are similar without any editing.
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -10,13 +10,14 @@ use inkpanel::select::{Measures, Settings, choose, measure};
 
 use super::{SIDE, THRESHOLDS, percent};
 
-/// Where a film changes to another shot, in milliseconds, found by looking at it frame by frame.
+/// Positions of the cuts of a video, in milliseconds, found by viewing it frame by frame.
 const CUTS: &[(&str, &[u32])] =
     &[("bigbuckbunny", &[]), ("bikes", &[1200, 3040, 5480, 7480, 9680]), ("carphone_pristine", &[])];
 
 /// Frames at most this far apart, in milliseconds, may be the same picture.
 const NEAR: u32 = 500;
-/// With little motion the luma of two frames of `SMALL` pixels a side differs by at most this, of 255, on average.
+/// Maximum mean luma difference of two frames with little motion, of 255, at a size of `SMALL` x `SMALL`
+/// pixels.
 const LITTLE: f64 = 8.0;
 const SMALL: usize = 48;
 
@@ -34,7 +35,7 @@ A person marked the cuts.
 - Recall: the share of same pictures in one group. Precision: the share of grouped pairs that come from one shot.
 ";
 
-/// A frame of a film.
+/// A frame of a video.
 struct Frame {
     shot: (usize, usize),
     time: u32,

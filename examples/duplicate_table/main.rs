@@ -36,7 +36,7 @@ A crop at a corner moves the content by a twentieth, which the fingerprint does 
 The last line and the second table exclude it.
 ";
 
-/// A copy in the album: the number of its photo, and of its kind (0 is the photo itself).
+/// A copy in the album: the index of its photo, and of its variant (0 is the photo itself).
 struct Picture {
     photo: usize,
     kind: usize,

@@ -2,7 +2,7 @@
 
 use inkpanel::framing::{Crop, PhotoMeta, Subject};
 
-/// The faces that a crop for a panel of that aspect cuts, none if that is the best there is.
+/// Returns the number of faces that a crop cuts, for a panel of this aspect ratio; 0 if no crop is better.
 pub(crate) fn avoidable(photo: &PhotoMeta, crop: &Crop, aspect: f64, faces: &[&Subject]) -> usize {
     let cut = cuts(crop, faces);
     if cut > 0 && possible(photo, aspect, faces) { cut } else { 0 }
@@ -26,7 +26,8 @@ fn possible(photo: &PhotoMeta, aspect: f64, faces: &[&Subject]) -> bool {
     crops(photo, aspect, 9, 41).any(|crop| cuts(&crop, faces) == 0 && whole(&crop))
 }
 
-/// Crops of that aspect in so many sizes, from the widest on by twelfths of it, each in `places` by `places` places.
+/// Returns crops of this aspect ratio in several sizes. They start with the largest crop and shrink by
+/// twelfths of it, each at `places` x `places` positions.
 pub(crate) fn crops(
     photo: &PhotoMeta,
     aspect: f64,

@@ -1,11 +1,12 @@
-//! A table of the faces in photos and of what panels do to them, and a sheet to look at; `cargo xtask faces` runs it.
+//! Writes a table of the detected faces in photos and the faces cut by panels, and a sheet to look at. `cargo
+//! xtask faces` runs it.
 //!
 //!     cargo run --features cli --example face_table -- TABLE.md SHEET.jpg PHOTOS...
 //!
-//! Each photo is framed for nine panels from tall to wide: by contrast alone (*before*), and by what was found
-//! (*after*). A face is *cut* when a panel shows a part of it only; *avoidable* counts the cuts after, for which a crop
-//! exists that holds a face and cuts none. `truth.json` has the faces as a person sees them, in pixels: those whose
-//! box is at least a thirtieth of the photo's longer side, profiles among them.
+//! Each photo is cropped for nine panels from tall to wide, using only contrast (*before*) or detection
+//! (*after*). A face is *cut* if a panel shows only a part of it. *Avoidable* counts cuts after detection if
+//! another crop contains a face and cuts none. `truth.json` has the faces as marked by a person, in pixels.
+//! It contains faces whose box is at least a thirtieth of the photo's longer side, including profiles.
 
 mod cuts;
 #[path = "../sheets/font.rs"]
@@ -29,7 +30,7 @@ use inkpanel::raster::decode::Limits;
 
 const ASPECTS: [f64; 9] = [0.4, 0.5, 0.67, 0.8, 1.0, 1.25, 1.5, 2.0, 2.5];
 
-/// What stands above the table.
+/// Text above the table.
 const ABOUT: &str = "\
 # Face detection: found, missed and cut
 
@@ -42,7 +43,7 @@ This report shows how many faces the detector finds, and how many of them panels
 - Avoidable: cuts after detection, if another crop contains a face and cuts no face.
 ";
 
-/// The part of two boxes' union that both have, from which on they are the same face.
+/// Minimum intersection over union of two boxes of the same face.
 const SAME: f64 = 0.3;
 
 /// Left, top, width and height in pixels.
@@ -75,7 +76,7 @@ struct Row {
     name: String,
     picture: Image,
     meta: PhotoMeta,
-    /// Faces there, found, missed, found where there is none, objects, cut before, cut after, avoidable.
+    /// Real faces, detected, missed and false faces, objects, cut before, cut after, avoidable.
     counts: [usize; 8],
 }
 

@@ -1,4 +1,5 @@
-//! Faces and heads that the panels of whole pages cut: every panel of every layout, and every merge of its panels.
+//! Counts faces and heads that the panels of whole pages cut: every panel of every layout, and every merge of
+//! its panels.
 
 use std::fmt::Write as _;
 
@@ -11,7 +12,7 @@ use rayon::prelude::*;
 use crate::cuts::crops;
 use crate::seen::seen;
 
-/// What stands above the table.
+/// Text above the table.
 const ABOUT: &str = "\
 ## Whole pages
 

@@ -15,7 +15,7 @@ use tiny_skia::Pixmap;
 use super::{Row, font};
 
 const COLUMNS: usize = 3;
-/// Height of the pictures, and width of the room for a photo; pixels.
+/// Height of the pictures, and width of the cell for a photo, in pixels.
 const HEIGHT: u32 = 120;
 const PHOTO: u32 = 180;
 const GAP: u32 = 8;

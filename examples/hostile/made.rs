@@ -1,4 +1,4 @@
-//! Files made here: what the corpora of others lack. Also taken by tests as a module of their own.
+//! Generated malformed files, which are missing in public corpora. Tests include this module too.
 
 /// A PNG file of 45 x 27 grey pixels with these chunks before them.
 pub(crate) fn png(extra: &[([u8; 4], Vec<u8>)]) -> Vec<u8> {
@@ -44,7 +44,7 @@ pub(crate) fn zeros(count: u64) -> Vec<u8> {
     }
     bits.code(0, 7);
     bits.put(0, 7);
-    // The check sum of zeros: the first sum stays 1, the second counts them.
+    // Adler-32 of zeros: the first sum stays 1, the second one counts the zeros.
     let sum = ((count % 65_521) << 16 | 1) as u32;
     [bits.out, sum.to_be_bytes().to_vec()].concat()
 }
@@ -94,7 +94,7 @@ pub(crate) fn jpeg_with(jpeg: &[u8], kind: u8, bodies: impl Iterator<Item = Vec<
     file
 }
 
-/// The parts of an ICC profile of so many segments, all filled to the brim.
+/// Returns an ICC profile in `count` segments of maximum size.
 pub(crate) fn profile_parts(count: u8) -> impl Iterator<Item = Vec<u8>> {
     (1..=count).map(move |i| [b"ICC_PROFILE\0".to_vec(), vec![i, count], vec![7; 65_519]].concat())
 }
@@ -110,7 +110,7 @@ pub(crate) struct Tiff {
     pub(crate) samples: u16,
     /// 8 or 16.
     pub(crate) bits: u16,
-    /// Each sample in chunks of its own.
+    /// Each sample is in a separate plane.
     pub(crate) planar: bool,
     /// Kinds of samples beyond the colours.
     pub(crate) extra: Vec<u16>,
@@ -125,7 +125,7 @@ impl Tiff {
         Self { width, height, tile, samples: 3, bits: 8, planar: false, extra, fields }
     }
 
-    /// The value of a sample; in 16 bits it stands in both bytes.
+    /// Returns the value of a sample. With 16 bits, both bytes have this value.
     pub(crate) fn sample(x: u32, y: u32, channel: u32) -> u8 {
         (x * 5 + y * 3 + channel * 70) as u8
     }
@@ -142,7 +142,7 @@ impl Tiff {
         for chunk in 0..planes * across * down {
             let (plane, place) = (chunk / (across * down), chunk % (across * down));
             let (left, top) = (place % across * chunk_width, place / across * chunk_height);
-            // The last strip ends with the image, a tile is always whole.
+            // The last strip ends with the image, but a tile is always complete.
             let rows = if self.tile.is_some() { chunk_height } else { chunk_height.min(self.height - top) };
             offsets.push(file.len() as u32);
             for y in top..top + rows {
@@ -191,7 +191,7 @@ impl Tiff {
     }
 }
 
-/// A field of 16-bit (3) or 32-bit (4) values, which stand in the field itself where they fit.
+/// Writes a field of 16-bit (3) or 32-bit (4) values. If they fit, they are stored in the field itself.
 fn list(file: &mut Vec<u8>, tag: u32, kind: u32, values: &[u32]) -> [u32; 4] {
     let bytes: Vec<u8> =
         values.iter().flat_map(|value| value.to_le_bytes().into_iter().take(2 * kind as usize - 4)).collect();
@@ -262,7 +262,7 @@ pub(crate) fn all(jpeg: &[u8]) -> Vec<(String, Vec<u8>)> {
             }
         }
     }
-    // One field that lies: tags of sides, counts and places, as types and numbers that nobody writes.
+    // One wrong field: tags of sides, counts and positions, with unusual types and numbers.
     for tag in
         [256, 257, 258, 259, 262, 273, 277, 278, 279, 284, 317, 320, 322, 323, 324, 325, 338, 339, 347, 530]
     {

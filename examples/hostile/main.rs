@@ -1,9 +1,10 @@
-//! Reads every file of some folders and tells what became of it; `cargo xtask corpora` runs it.
+//! Reads every file of some folders and reports the results. `cargo xtask corpora` runs it.
 //!
 //!     cargo run --example hostile -- TABLE.md|- [NAME=FOLDER...]
 //!
-//! So does it with the files of `made.rs`. Each file either decodes or gives an error with a code. It ends with a failure when one makes the program panic,
-//! takes longer than five seconds or more memory than the limit that holds in the page.
+//! So does it with the files of `made.rs`. Each file either decodes or gives an error with a code. Exit code
+//! 1 if a file makes the program panic, takes longer than five seconds, or needs more memory than the limit
+//! of the app.
 
 mod made;
 mod memory;
@@ -20,15 +21,15 @@ use std::time::{Duration, Instant};
 use inkpanel::page::import::import;
 use inkpanel::raster::decode::Limits;
 
-/// A file that takes longer is a fault.
+/// Maximum time for a file.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// What became of a file.
+/// Result of reading a file.
 pub(crate) struct Outcome {
     /// `decoded`, an error's code, or a fault in capitals.
     pub(crate) word: String,
     pub(crate) time: Duration,
-    /// Bytes of memory that it took besides what was there; none where the system does not tell.
+    /// Additional bytes of memory; `None` if the system does not report them.
     pub(crate) memory: Option<u64>,
     pub(crate) is_fault: bool,
 }
@@ -39,7 +40,7 @@ fn main() -> ExitCode {
         eprintln!("usage: hostile TABLE.md|- [NAME=FOLDER...]");
         return ExitCode::FAILURE;
     };
-    // A panic is told in the table, not by a backtrace each.
+    // The table reports panics, so their backtraces are not printed.
     panic::set_hook(Box::new(|_| {}));
     let (mut rows, mut faults) = (Vec::new(), 0);
     for folder in folders {
@@ -60,7 +61,7 @@ fn main() -> ExitCode {
     if kept && faults == 0 && passed > 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// What becomes of each file; those that are a fault are named and counted.
+/// Returns the result of each file. Failures of the program are printed and counted.
 fn outcomes(files: impl Iterator<Item = (String, Vec<u8>)>, faults: &mut usize) -> Vec<Outcome> {
     let outcome = |(name, bytes)| {
         let outcome = examined(bytes);
@@ -81,14 +82,14 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
     }
 }
 
-/// Reads a file on a thread of its own, so that one that never ends can be left behind.
+/// Reads a file in a separate thread, which is abandoned if it does not end.
 fn examined(bytes: Vec<u8>) -> Outcome {
     let before = memory::begin();
     let (send, receive) = mpsc::channel();
     let start = Instant::now();
     thread::spawn(move || {
         let word = panic::catch_unwind(AssertUnwindSafe(|| read(&bytes))).unwrap_or_else(|_| "PANIC".into());
-        // Nobody listens any more when it took too long.
+        // After a timeout, the receiver is gone.
         let _ = send.send(word);
     });
     let word = receive.recv_timeout(PATIENCE).unwrap_or_else(|_| "TOO SLOW".into());

@@ -1,10 +1,10 @@
-//! The most memory that a piece of work took, as Linux counts it; other systems are not asked.
+//! Measures peak memory of a task on Linux. Returns nothing on other systems.
 
 use std::fs;
 
-/// Forgets the peak so far; gives the bytes in use now.
+/// Resets the peak, and returns the bytes in use.
 pub(crate) fn begin() -> Option<u64> {
-    // Documented in proc(5): 5 sets the peak back to what is in use.
+    // See proc(5): writing 5 resets the peak to the current memory use.
     fs::write("/proc/self/clear_refs", "5").ok()?;
     field("VmRSS:")
 }

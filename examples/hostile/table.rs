@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use crate::Outcome;
 
-/// What stands above the table.
+/// Text above the table.
 pub(crate) const ABOUT: &str = "\
 # Malformed files
 
@@ -22,7 +22,7 @@ This report shows how the decoders handle malformed and malicious files.
 pub(crate) fn written(corpora: &[(String, Vec<Outcome>)]) -> String {
     let found: BTreeSet<&str> =
         corpora.iter().flat_map(|(_, all)| all.iter().map(|one| one.word.as_str())).collect();
-    // What decodes first, then the codes by name.
+    // `decoded` comes first, then the codes by name.
     let (mut words, codes): (Vec<&str>, Vec<&str>) = found.into_iter().partition(|word| *word == "decoded");
     words.extend(codes);
     let mut text = format!("| Corpus | Files | {} | Slowest | Memory |\n", words.join(" | "));

@@ -1,8 +1,9 @@
 //! Draws all layouts with photos in them on one sheet:
 //! `cargo run --release --example layout_sheet -- [--page a4] [--family hero] [-o SHEET.png|jpg] [PHOTOS...]`
 //!
-//! Without `--page` every layout stands on a page of its own aspect; with it, those that are good for that
-//! page. `--generated 60` draws new ones instead. Without photos it takes the sample album; `--plain` draws none.
+//! Without `--page`, every layout is drawn on a page of its preferred aspect ratio. With `--page`, only
+//! layouts that suit this page are drawn. `--generated 60` draws generated layouts instead. By default it
+//! uses the photos of the sample album, and `--plain` draws no photos.
 
 #[path = "../sheets/file.rs"]
 mod file;
@@ -28,7 +29,7 @@ const GAP: f64 = 20.0;
 const LABEL: f64 = 30.0;
 const A4: f64 = 210.0 / 297.0;
 const COLUMNS: usize = 11;
-/// Of a JPEG file.
+/// Quality of a JPEG file.
 const QUALITY: u8 = 70;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;

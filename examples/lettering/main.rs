@@ -1,4 +1,4 @@
-//! How well words are placed by themselves, in figures and to look at.
+//! Measures the automatic placement of text, and draws pages to look at.
 //!
 //!     cargo run --features cli --example lettering                       prints the figures of docs/design/lettering.md
 //!     cargo run --features cli --example lettering -- draw FOLDER [N]    draws the first N pages, in their styles
@@ -60,7 +60,7 @@ fn figures(root: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What of the figures words cover that are placed by boxes and by masks.
+/// Compares how much of the subjects is covered by text, for placement with boxes and with masks.
 fn by_masks(root: &Path) -> Result<(), Box<dyn Error>> {
     let (known, letters) = (known(root)?, Letters::bundled()?);
     let net = Segmenter::new(&fs::read(root.join("www/models/subject.onnx"))?)?;
@@ -91,7 +91,7 @@ fn by_masks(root: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What the nets see in all photos that come with the program.
+/// Runs detection on all bundled photos, and stores the results.
 fn detect(root: &Path) -> Result<(), Box<dyn Error>> {
     let net =
         |name: &str| fs::read(root.join("www/models").join(name)).map_err(|error| format!("{name}: {error}"));

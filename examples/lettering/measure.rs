@@ -1,4 +1,4 @@
-//! How well the words of a page lie, measured on what is drawn.
+//! Measures the placement of text on rendered pages.
 
 use inkpanel::framing::{Crop, PhotoMeta};
 use inkpanel::layout::{Bounds, Point};
@@ -10,37 +10,37 @@ use inkpanel::page::{Document, Patch};
 /// Width at which pages are drawn to be measured.
 const WIDTH: usize = 620;
 
-/// What was counted on pages.
+/// Counts over several pages.
 #[derive(Debug, Default, Clone)]
 pub(crate) struct Figures {
     /// Balloons.
     pub(crate) balloons: usize,
-    /// Faces that are seen in panels with words, and those of them that a word or a tail covers a part of.
+    /// Visible faces in panels with text, and how many of them are partly covered by text or a tail.
     pub(crate) faces: (usize, usize),
-    /// Area of bodies in panels with words, and what of it is covered.
+    /// Area of bodies in panels with text, and the covered part of it.
     pub(crate) bodies: (f64, f64),
-    /// Area of the figures that masks show in panels with words, and what of it is covered.
+    /// Area of subject masks in panels with text, and the covered part of it.
     pub(crate) silhouettes: (f64, f64),
-    /// Tails, and those that lead to a mouth, or to what is largest where there is none.
+    /// Number of tails, and of tails that point to a mouth. Without a face, the largest subject counts.
     pub(crate) tails: (usize, usize),
-    /// Words with a corner of a line outside of their shape, or a text that is not whole.
+    /// Text items that extend beyond their shape, or whose text is truncated.
     pub(crate) outside: usize,
-    /// Pairs of words that overlap.
+    /// Pairs of text items that overlap.
     pub(crate) overlaps: usize,
     /// Words that cross the border of their panel.
     pub(crate) crossing: usize,
-    /// Words that are read before one that is written before them.
+    /// Text items that are read before an earlier one.
     pub(crate) disorder: usize,
-    /// Smallest and largest letters, in points on A4.
+    /// Smallest and largest text size, in points on A4.
     pub(crate) points: Option<(f64, f64)>,
-    /// Balloons that hang on another, whose tail is theirs.
+    /// Balloons that are linked to another one and share its tail.
     pub(crate) joined: usize,
-    /// What was found wrong, for those who look for it.
+    /// Descriptions of all faults.
     pub(crate) told: Vec<String>,
 }
 
 impl Figures {
-    /// Adds those of another page.
+    /// Adds the counts of another page.
     pub(crate) fn add(&mut self, other: Self) {
         self.balloons += other.balloons;
         self.faces = (self.faces.0 + other.faces.0, self.faces.1 + other.faces.1);
@@ -65,7 +65,7 @@ impl Figures {
         100.0 * self.bodies.1 / self.bodies.0.max(1e-9)
     }
 
-    /// Share of the figures' area that is covered, in percent.
+    /// Returns the covered share of the subjects, in percent.
     pub(crate) fn covered_figures(&self) -> f64 {
         100.0 * self.silhouettes.1 / self.silhouettes.0.max(1e-9)
     }
@@ -81,10 +81,10 @@ struct Seen {
     bounds: Bounds,
 }
 
-/// Measures a page; `name` stands in what is told.
+/// Measures a page. Descriptions of faults contain `name`.
 ///
 /// # Errors
-/// Those of drawing it.
+/// Errors of rendering.
 pub(crate) fn measure(
     page: &Document,
     photos: &[PhotoMeta],
@@ -157,7 +157,8 @@ pub(crate) fn measure(
             figures.told.push(format!("{name}: word {i} crosses the border of its panel"));
         }
         for (j, other) in all.iter().enumerate().skip(i + 1) {
-            // The first of a chain draws the outlines of all: these are looked at one by one.
+            // The first balloon of a chain draws the outlines of the whole chain, so the balloons are checked
+            // one by one.
             let chained = chains[i].is_some() && chains[i] == chains[j];
             let meet = if chained { ovals_meet(laid, other) } else { touching(&patches[i], &patches[j]) };
             if meet {
@@ -191,7 +192,7 @@ fn seen_in(page: &Document, ground: &Ground, panel: usize, photos: &[PhotoMeta])
             height: subject.height * down,
         },
     });
-    // What is cut off for the most part is not seen.
+    // A subject that is mostly cut off does not count as visible.
     let shown = |seen: &Seen| {
         let part = inside(seen.bounds, image);
         part.width * part.height > 0.3 * seen.bounds.width * seen.bounds.height
@@ -218,7 +219,7 @@ fn opaque(patch: &Patch, x: i64, y: i64) -> bool {
         && patch.rgba[(y as usize * patch.area.width + x as usize) * 4 + 3] > 127
 }
 
-/// The area of a box in page widths squared, and what of it words cover.
+/// Returns the area of a box in page widths squared, and the part that text covers.
 fn covered(patches: &[Patch], bounds: Bounds) -> (f64, f64) {
     let scale = WIDTH as f64;
     let range = |start: f64, length: f64| {
@@ -233,7 +234,8 @@ fn covered(patches: &[Patch], bounds: Bounds) -> (f64, f64) {
     (bounds.width * bounds.height, count as f64 / scale / scale)
 }
 
-/// The area of the figure that a panel shows by its photo's mask, and what of it words cover: pixel by pixel of the mask.
+/// Returns the area of the subject in a panel, by the mask of its photo, and the part that text covers,
+/// counted in pixels of the mask.
 fn figure_in(
     page: &Document,
     panel: usize,
@@ -275,7 +277,7 @@ fn touching(a: &Patch, b: &Patch) -> bool {
     })
 }
 
-/// The first balloon of the chain that each word hangs in; none for words that stand alone.
+/// Returns the first balloon of the chain of each text item; `None` for items without a link.
 fn chains(all: &[Laid]) -> Vec<Option<usize>> {
     let before = |i: usize| {
         let name = all[i].word.hangs_on()?;
@@ -294,7 +296,7 @@ fn ovals_meet(a: &Laid, b: &Laid) -> bool {
     across.powf(2.4) + down.powf(2.4) < 1.0
 }
 
-/// Whether all corners of all lines are inside of the oval, which bursts and clouds go around.
+/// Returns whether all corners of all lines are inside of the oval. Bursts and clouds surround this oval.
 fn holds_its_text(laid: &Laid, letters: &Letters) -> bool {
     let (a, b) = laid.setting.half;
     let capitals = letters.font(&laid.word.font).map_or(0.7, |font| font.capitals) * laid.setting.size;
@@ -305,7 +307,7 @@ fn holds_its_text(laid: &Laid, letters: &Letters) -> bool {
     })
 }
 
-/// What is wrong with a tail: it should lead to a mouth, end before it, and pass nobody else.
+/// Returns the fault of a tail. It should point to a mouth, end before it, and not cross another subject.
 fn wrong_tail(laid: &Laid, seen: &[Seen]) -> Option<String> {
     let Some(tip) = laid.tip else { return Some("is missing".into()) };
     let middle = laid.middle;
@@ -317,7 +319,7 @@ fn wrong_tail(laid: &Laid, seen: &[Seen]) -> Option<String> {
     }
     let foot = middle.toward(tip, 1.0 / norm);
     let heads: Vec<&Seen> = seen.iter().filter(|seen| seen.label == "face").collect();
-    // On along its line, as far as the panel goes.
+    // Extends the line to the border of the panel.
     let far = Point::new(foot.x + (tip.x - foot.x) * 40.0, foot.y + (tip.y - foot.y) * 40.0);
     if heads.is_empty() {
         let bodies: Vec<&Seen> = seen.iter().filter(|seen| seen.label != "text").collect();
@@ -363,7 +365,7 @@ fn first_hit(from: Point, to: Point, bounds: Bounds) -> Option<f64> {
     })
 }
 
-/// Whether a word is read before another: it is above, or beside it on the left.
+/// Returns whether a text item is read before another: it is above, or next to it on the left.
 fn read_before(a: &Laid, b: &Laid) -> bool {
     let half = |laid: &Laid| laid.setting.half.1;
     let common =

@@ -1,4 +1,4 @@
-//! Pages of the photos that come with the program, with balloons that are placed by themselves.
+//! Pages of the bundled photos with automatically placed balloons.
 
 use inkpanel::Error;
 use inkpanel::framing::{PhotoMeta, Subject};
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// What the nets saw in a photo, as the example stored it.
+/// Stored detection results of a photo.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Known {
     /// Name of the file.
@@ -30,7 +30,7 @@ pub(crate) const BALLOONS: usize = 3;
 const STYLES: [&str; 8] =
     ["comic", "noir", "clear-line", "riso-red", "watercolour", "golden-age", "ballpoint", "ben-day"];
 
-/// As people speak: a word, a sentence, two.
+/// Typical lengths of speech: a word, a sentence, two.
 const SPEECHES: [&str; 15] = [
     "Look!",
     "Did you hear that?",
@@ -49,7 +49,7 @@ const SPEECHES: [&str; 15] = [
     "Smile!",
 ];
 
-/// The photos that are known.
+/// Returns the analysed photos.
 ///
 /// # Errors
 /// The file is missing or broken.
@@ -100,10 +100,10 @@ pub(crate) fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkp
     Ok(page)
 }
 
-/// Places the words of a page anew, by what is known of the photos now.
+/// Places the text items of a page again, with the current detection results.
 ///
 /// # Errors
-/// Those of the layout.
+/// Errors of the layout.
 pub(crate) fn placed_again(
     page: &Document,
     photos: &[PhotoMeta],

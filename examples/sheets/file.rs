@@ -9,7 +9,7 @@ use image::RgbImage;
 use image::codecs::jpeg::JpegEncoder;
 use tiny_skia::Pixmap;
 
-/// Writes a PNG file where the name ends so, else a JPEG file of that quality.
+/// Writes a PNG file if the name ends in `.png`, otherwise a JPEG file of this quality.
 pub(crate) fn save(sheet: &Pixmap, path: &Path, quality: u8) -> Result<(), Box<dyn Error>> {
     // A sheet is opaque, so that premultiplied and straight pixels are the same.
     let pixels = sheet.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();

@@ -3,7 +3,7 @@
 use inkpanel::raster::Image;
 use tiny_skia::{Pixmap, PremultipliedColorU8};
 
-/// Lays a picture on the sheet; what would lie outside is left out.
+/// Draws a picture on the sheet, clipped at its edges.
 pub(crate) fn paste(sheet: &mut Pixmap, image: &Image, left: u32, top: u32) {
     let across = sheet.width();
     for (i, pixel) in image.to_rgba().chunks_exact(4).enumerate() {

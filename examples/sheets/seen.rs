@@ -1,4 +1,5 @@
-//! What of a photo is seen on a page, counted by points against the exact outlines, not by what framing goes by.
+//! Measures the visible part of a photo on a page with sample points against the exact outlines. It does not
+//! use the approximations of framing.
 
 use inkpanel::framing::{Crop, FACE, Subject};
 use inkpanel::layout::{Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
@@ -6,8 +7,8 @@ use inkpanel::layout::{Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
 /// Points across and down a box.
 const POINTS: usize = 24;
 
-/// The parts of a box of the photo that are seen on the page: in all panels of the group, and in the one that shows most.
-/// A round face is seen whole where its corners are not.
+/// Returns the visible parts of a box of the photo: in all panels of the group, and in the panel that shows
+/// most. A round face can be fully visible although the corners of its box are not.
 pub(crate) fn seen(
     s: &Subject,
     crop: &Crop,

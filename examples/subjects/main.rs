@@ -1,8 +1,9 @@
-//! A table of how well the subjects of photos are cut out, against marks that a person made, and a sheet to look at.
+//! Compares subject masks of photos with manually marked subjects, in a table and on a sheet to look at.
 //!
 //!     cargo run --release --features cli --example subjects -- SHEET.jpg
 //!
-//! On the sheet, the worst first: a photo with what is beside its mask darkened, the mask's border in red, the marked one in green.
+//! The sheet starts with the worst photo. The background of the mask is dark, the border of the mask is red,
+//! and the marked border is green.
 
 #[path = "../sheets/font.rs"]
 mod font;
@@ -20,7 +21,7 @@ use measure::{HELD_OUT, Measured, TUNED, border, measure};
 use tiny_skia::Pixmap;
 
 const COLUMNS: u32 = 4;
-/// Width and height of the room for a picture, of the label above it; pixels.
+/// Width and height of the cell for a picture, and height of the label above it, in pixels.
 const ROOM: (u32, u32) = (460, 345);
 const LABEL: u32 = 16;
 const QUALITY: u8 = 80;

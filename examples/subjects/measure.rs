@@ -1,4 +1,5 @@
-//! How a photo's mask compares with what a person marked as its subject (`tests/data/subjects/PROVENANCE.md`).
+//! Measures the subject mask of a photo against the manually marked subject
+//! (`tests/data/subjects/PROVENANCE.md`).
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,7 +12,7 @@ use inkpanel::raster::resize::{Region, resample, resample_image};
 use inkpanel::raster::{Image, Plane};
 use inkpanel::style::context::scale_of;
 
-/// Photos that masks were tuned on: those of the album.
+/// Photos of the album, which were used for tuning.
 pub(crate) const TUNED: [&str; 14] = [
     "01-coffee",
     "02-kitten",
@@ -51,8 +52,8 @@ pub(crate) struct Measured {
     pub(crate) covers: f64,
     /// Intersection over union, 0 to 1.
     pub(crate) overlap: f64,
-    /// The share of the mask's border that is within each of the distances [`NEAR`] of the mark's, 0 to 1; where one of them ends
-    /// at the photo's edge there is no border.
+    /// The share of the mask's border within each of the distances [`NEAR`] of the marked border, 0 to 1. The
+    /// edge of the photo does not count as a border.
     pub(crate) near: [f64; 2],
 }
 
@@ -60,7 +61,7 @@ fn root(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
-/// Where a photo is.
+/// Returns the path of a photo.
 pub(crate) fn path(name: &str) -> PathBuf {
     let folder =
         if name.starts_with(|c: char| c.is_ascii_digit()) { "www/public/samples" } else { "tests/photos" };
@@ -70,7 +71,7 @@ pub(crate) fn path(name: &str) -> PathBuf {
 /// Measures the mask of a photo as the page makes it: of the working copy, refined at the size of the render.
 ///
 /// # Errors
-/// Those of files and of the net.
+/// Errors of files and of the model.
 pub(crate) fn measure(net: &Segmenter, name: &str) -> Result<Measured, Box<dyn std::error::Error>> {
     let photo = import(name, &fs::read(path(name))?, &Limits::default())?.work;
     let matte = net.look(&photo)?;
@@ -95,7 +96,7 @@ pub(crate) fn measure(net: &Segmenter, name: &str) -> Result<Measured, Box<dyn s
     })
 }
 
-/// A mark at another size: its steps of whole pixels become lines.
+/// Resizes a mark. Its steps of whole pixels become lines.
 fn smooth(mark: &Plane, (width, height): (usize, usize)) -> Plane {
     let large = resample(mark, Region::whole(mark.width(), mark.height()), width, height);
     softened(&large, WIDTH / mark.width().max(1) / 2)
@@ -105,7 +106,7 @@ fn within(plane: &Plane) -> Vec<bool> {
     plane.samples().iter().map(|share| *share >= WITHIN).collect()
 }
 
-/// The pixels within, beside which one is not, of rows of a width.
+/// Returns the border of a mask of this width: pixels inside with a neighbour outside.
 pub(crate) fn border(within: &[bool], width: usize) -> Vec<bool> {
     let height = within.len() / width;
     (0..within.len())

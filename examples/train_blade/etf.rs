@@ -1,5 +1,5 @@
-//! The reference of Edge Tangent Flow: Kang's field, and a Gaussian line integral along it. The same stands in
-//! `tests/oracles/etf.py`.
+//! The reference of Edge Tangent Flow: Kang's field, and a Gaussian line integral along it.
+//! `tests/oracles/etf.py` has another implementation.
 //!
 //! ```text
 //! t(x)  = Sobel's gradient, turned by a quarter
@@ -138,7 +138,7 @@ impl Flow {
         }
     }
 
-    /// The field's direction at a place, of the two senses the one that goes on as before.
+    /// Returns the field's direction at a place, in the sense that continues the previous direction.
     fn direction(&self, place: Point, before: Point) -> Point {
         let place = self.inside(place);
         let [x, y] = [0, 1].map(|part: usize| self.mean(place, |i| self.tangents[i][part]));

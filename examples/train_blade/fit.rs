@@ -1,7 +1,8 @@
 //! Least squares, bucket by bucket.
 //!
-//! A filter is fitted to what the operator adds to a pixel, by the 24 sums of two opposite neighbours minus twice the
-//! centre: it is symmetric, and keeps the mean exactly. A bucket with few pixels is drawn toward the filter of all.
+//! A filter is fitted to the change that the operator makes to a pixel. Its inputs are 24 sums: two opposite
+//! neighbours minus twice the centre. So it is symmetric, and preserves the mean exactly. The filter of a
+//! bucket with few pixels is pulled towards the mean filter.
 
 use inkpanel::raster::Plane;
 use inkpanel::simd::blade::{FRACTION, SIDE};
@@ -130,7 +131,8 @@ fn fixed(weight: f64) -> i16 {
     (weight * f64::from(1 << FRACTION)).round().clamp(f64::from(i16::MIN), f64::from(i16::MAX)) as i16
 }
 
-/// Solves a symmetric, positive system in place; of the matrix, the diagonal and what is below it count.
+/// Solves a symmetric, positive system in place. Only the diagonal and the lower triangle of the matrix are
+/// read.
 fn cholesky(matrix: &mut [f64], vector: &mut [f64; WEIGHTS]) {
     let n = WEIGHTS;
     for j in 0..n {

@@ -1,5 +1,6 @@
-//! Fits a bank of filters to an image operator, measures it on photos that it was not fitted to, and writes it to
-//! `pixels/src/style/banks/`. `cargo xtask train OPERATOR` runs it; `pixels/src/style/banks/README.md` tells more.
+//! Fits a bank of filters to an image operator, measures it on photos that were not used for fitting, and
+//! writes it to `pixels/src/style/banks/`. `cargo xtask train OPERATOR` runs it. See
+//! `pixels/src/style/banks/README.md`.
 //!
 //!     cargo run --release --example train_blade -- OPERATOR BANK.blade HELD_OUT_FOLDER PHOTO_FOLDER...
 
@@ -18,10 +19,10 @@ use photos::{Photo, read_folder};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
-/// What a bank is fitted to.
+/// The operator that a bank approximates.
 struct Operator {
     name: &'static str,
-    /// Strengths that get filters of their own.
+    /// Strengths with separate filters.
     levels: &'static [f32],
     /// Limits of strength and coherence.
     shape: (&'static [f32], &'static [f32]),
@@ -39,7 +40,7 @@ const OPERATORS: &[Operator] = &[Operator {
     exact: etf::smooth,
 }];
 
-/// Of the training photos' pixels, one in so many is fitted to: neighbours tell the same.
+/// One pixel in this many is used for fitting, because neighbours are similar.
 const EVERY: usize = 3;
 
 fn main() -> Outcome<()> {
@@ -77,8 +78,8 @@ fn train(operator: &Operator, photos: &[Photo]) -> Outcome<Bank> {
     Ok(Bank::new(operator.name, shape, operator.levels.iter().copied().zip(filters).collect())?)
 }
 
-/// Prints the mean PSNR over the photos of the bank and of doing nothing, at each strength, which is scaled to the
-/// photo's size as it is in a render.
+/// Prints the mean PSNR over the photos at each strength, for the bank and without any filter. Strengths are
+/// scaled to the size of the photo, as in a render.
 fn measure(operator: &Operator, bank: &Bank, photos: &[Photo]) -> Outcome<()> {
     let mut rows = vec![(0.0, 0.0, f64::MAX); operator.measured.len()];
     for photo in photos {

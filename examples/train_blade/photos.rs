@@ -12,7 +12,7 @@ use inkpanel::style::blade::buckets;
 
 use crate::Outcome;
 
-/// No photo counts for more pixels than this: what is larger is cut to its middle.
+/// Maximum size of a photo. Larger photos are cropped to their centre.
 const SIDES: (usize, usize) = (1280, 960);
 
 /// A photo's luma.
@@ -29,7 +29,7 @@ impl Photo {
         places
     }
 
-    /// The sample at a place, where what lies outside repeats the edge.
+    /// Returns the sample at a place. Places outside repeat the edge.
     #[inline]
     pub(crate) fn at(&self, x: isize, y: isize) -> f32 {
         let x = x.clamp(0, self.luma.width() as isize - 1) as usize;

@@ -1,4 +1,4 @@
-//! Fuzzes `inkpanel_fuzz::choice`: `fuzz/README.md` says how.
+//! Fuzzes `inkpanel_fuzz::choice`; see `fuzz/README.md`.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| inkpanel_fuzz::choice(bytes));

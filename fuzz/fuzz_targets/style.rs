@@ -1,4 +1,4 @@
-//! Fuzzes `inkpanel_fuzz::style`: `fuzz/README.md` says how.
+//! Fuzzes `inkpanel_fuzz::style`; see `fuzz/README.md`.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| inkpanel_fuzz::style(bytes));

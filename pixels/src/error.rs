@@ -28,7 +28,7 @@ pub enum Error {
         /// Share of the image that can be decoded.
         percent: u8,
     },
-    /// A sound file of a kind that we do not read.
+    /// A valid file in an unsupported variant of the format.
     #[error("this kind of {format} file cannot be read: {reason}")]
     Unsupported {
         /// Name of the format.
@@ -46,7 +46,7 @@ pub enum Error {
         /// The exceeded limit, as text.
         limit: String,
     },
-    /// A pixel buffer does not have the size that its width and height ask for.
+    /// The size of a pixel buffer does not match its width and height.
     #[error("{width} x {height} pixels need {expected} bytes, got {actual}")]
     BufferSize {
         /// Width in pixels.
@@ -124,7 +124,7 @@ pub enum Error {
     /// No layout of this id.
     #[error("there is no layout called \"{0}\"")]
     UnknownLayout(String),
-    /// A page refers to a photo whose pixels are not at hand.
+    /// A page refers to a photo whose pixels are not loaded.
     #[error("the photo \"{0}\" is not loaded")]
     MissingPhoto(String),
     /// A page was requested without photos.
@@ -146,7 +146,7 @@ pub enum Error {
     /// A picture for a style search is a plain photo.
     #[error("the picture looks like a plain photo; choose a drawing, a print or a painting")]
     PlainPhoto,
-    /// The caller asked to stop.
+    /// The caller cancelled the work.
     #[error("cancelled")]
     Cancelled,
     /// A model is damaged, unexpected, or failed.

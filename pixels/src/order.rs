@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 /// Sorts like [`slice::sort_by`]. The sort is stable.
 pub fn sort_by<T>(items: &mut [T], mut compare: impl FnMut(&T, &T) -> Ordering) {
     let mut from = places(items.len(), &mut |a, b| compare(&items[a], &items[b]));
-    // Each item goes where it belongs, along the cycles of the permutation.
+    // Moves each item to its position, along the cycles of the permutation.
     for start in 0..items.len() {
         let mut at = start;
         while from[at] != start {

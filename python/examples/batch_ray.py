@@ -1,11 +1,12 @@
-"""Albums by the thousand: a page of each, on a cluster.
+"""Makes a page of each of thousands of albums, on a cluster.
 
     python batch_ray.py ALBUMS PAGES --workers 2 --style comic --page-size a4 --dpi 150
 
-Every folder in ALBUMS is an album, and becomes PAGES/<folder>.pdf, or .png, or with --parquet a row of a table in PAGES. Albums whose
-page is there already are skipped, so a job that was stopped goes on where it was. What cannot be made is a row of the error table, PAGES/errors.jsonl, and not the end
-of the job: the album, the photo where it is about one, a code, and a sentence. Needs `pip install inkpanel "ray[data]"`; with
-the variable RAY_ADDRESS it runs on that cluster, whose machines have to see both folders. docs/guide/batches.md tells more.
+Every folder in ALBUMS is an album. Its page becomes PAGES/<folder>.pdf or .png. With --parquet, it becomes a row of a table in
+PAGES. Albums with an existing page are skipped, so an interrupted job resumes. Errors do not stop the job: each becomes a row of
+the error table PAGES/errors.jsonl, with the album, the photo if one is affected, a code, and a message. Requires
+`pip install inkpanel "ray[data]"`. If the variable RAY_ADDRESS is set, the job runs on that cluster, whose machines need access to
+both folders. See docs/guide/batches.md.
 """
 
 import argparse
@@ -21,8 +22,8 @@ PICTURES = {".jpg", ".jpeg", ".png", ".webp", ".gif", ".bmp", ".tif", ".tiff"}
 
 
 class Draw:
-    """A worker: draws the pages of albums, one after the other, on one core. It is made once for many batches, so the nets are
-    read once."""
+    """A worker: draws the pages of albums, one after the other, on one core. It is created once for many
+    batches, so the models are read once."""
 
     def __init__(self, settings, ending, pages, parquet, leave_out, retries):
         import inkpanel
@@ -34,14 +35,14 @@ class Draw:
         folders, pages = [Path(str(folder)) for folder in batch["folder"]], {}
         rows = [row for folder in folders for row in self.album(folder, pages)]
         if self.parquet and pages:
-            # Its name is made of its albums, so a batch that is done again takes the place of what it had made.
+            # The name depends on the albums, so that a repeated batch overwrites its earlier file.
             name = zlib.crc32("/".join(folder.name for folder in folders).encode())
             self.retried(lambda: written(self.pages / f"pages-{name:08x}.parquet", table_of(pages, self.ending)))
         return {key: [row[key] for row in rows] for key in rows[0]}
 
     def album(self, folder, pages):
-        """The rows that tell of an album: one without a code for its page, and one for each thing that went wrong. The page goes into
-        its file, or into `pages`."""
+        """Returns the rows of an album: one without a code for its page, and one for each error. The page is
+        written to a file, or stored in `pages`."""
         start, cpu, rows = time.time(), time.process_time(), []
         about = {"album": folder.name, "file": "", "code": "", "message": "", "pid": os.getpid()}
         about.update(began=start, ended=start, cpu=0.0, peak_mb=0.0)
@@ -72,7 +73,7 @@ class Draw:
         return rows
 
     def page(self, folder, photos):
-        # Each album has a seed of its own, the same in every run.
+        # Each album has a separate seed, the same in every run.
         seed = zlib.crc32(folder.name.encode()) ^ self.settings["seed"]
         page = self.inkpanel.render(photos, **{**self.settings, "seed": seed})
         return page.pdf(title=folder.name) if self.ending == ".pdf" else page.png()
@@ -115,7 +116,7 @@ def albums_there(pages, ending, parquet):
 
 
 def written(path, content):
-    """Puts a file in its place when it is whole."""
+    """Renames a file when it is complete."""
     fresh = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
         with open(fresh, "wb") as file:
@@ -158,12 +159,12 @@ def joined(workers):
 
 
 def drawn(folders, given, batch, waiting):
-    """The rows of all albums as they come. A worker is given so many albums in a batch, and so many batches at once; no pixel
-    travels."""
+    """Yields the rows of all albums as they arrive. A worker receives `batch` albums per batch, and `waiting`
+    batches at once. No pixels travel between workers."""
     import ray
 
     context = ray.data.DataContext.get_current()
-    # A batch whose worker died again and again is told as lost, and the rest goes on.
+    # A batch that kills its worker repeatedly is reported as lost, and the other batches continue.
     context.max_errored_blocks = -1
     context.enable_progress_bars = sys.stderr.isatty()
     settings = {
@@ -202,7 +203,8 @@ def main():
     if folders:
         joined(given.workers)
         rows += drawn(folders, given, given.batch, waiting=2)
-    # A worker that dies takes albums with it that are innocent: those have another chance, each by itself.
+    # If a worker dies, innocent albums of its batch are lost too. Each lost album is repeated in a separate
+    # batch.
     if missing():
         rows += drawn(missing(), given, 1, waiting=1)
     made = [row for row in rows if not row["code"]]
@@ -211,7 +213,7 @@ def main():
         errors.append({"album": folder.name, "file": "", "code": "lost", "message": "its worker died"})
     table = "".join(json.dumps({key: row[key] for key in ("album", "file", "code", "message")}) + "\n" for row in errors)
     written(given.pages / "errors.jsonl", table.encode())
-    # The start of the cluster and of its workers is told apart.
+    # Reports the startup time of the cluster and its workers separately.
     first, last = min((row["began"] for row in rows), default=start), max((row["ended"] for row in rows), default=start)
     seconds = last - first
     report = {

@@ -1,4 +1,4 @@
-"""Photos turned into stylised comic and storyboard pages.
+"""Turns photos into stylised comic pages.
 
     import inkpanel
 
@@ -6,10 +6,10 @@
     page = inkpanel.render(["a.jpg", "b.jpg", "c.jpg"], style="noir", seed=7)
     open("page.png", "wb").write(page.png())
 
-The same arguments give the same pixels, as the command line `inkpanel` gives them. Whatever takes long is done without the
-interpreter's lock, and on all cores; the environment variable `RAYON_NUM_THREADS`, set before the first call, says on how many.
-What cannot be done raises `inkpanel.Error`. A process that has worked must not be forked: start others by `spawn`, as Ray,
-Dask and `multiprocessing` with `get_context("spawn")` do.
+The same arguments give the same pixels, also on the command line. Long functions release the interpreter's lock and use all
+cores. The environment variable `RAYON_NUM_THREADS` limits the number of threads; set it before the first call. Invalid input
+raises `inkpanel.Error`. Do not fork a process after the first call. Start processes with `spawn`, as Ray, Dask and
+`multiprocessing` with `get_context("spawn")` do.
 """
 
 from __future__ import annotations
@@ -23,24 +23,23 @@ from . import _inkpanel
 
 __all__ = ["Error", "Page", "__version__", "blocks", "layouts", "pdf", "render", "styles", "stylize"]
 
-# The nets that come with the wheel.
+# The models in the wheel.
 _MODELS = _Path(__file__).parent / "models"
 
 
 def stylize(array, style, *, seed=None):
     """Draws an image in a style.
 
-    array: uint8, of the shape (height, width, 3) in RGB or (height, width) in gray, of at most 120 million pixels. Arrays that
-        are not contiguous are read as they are. A picture of PIL is `numpy.asarray(picture.convert("RGB"))`.
-    style: the id of a designed style, as `styles()` lists them, or a style file as a dict.
-    seed: a number from 0 to 2**32 - 1 for the blocks of the style that leave something to chance; as the style says where
-        nothing is told.
+    array: uint8 array of the shape (height, width, 3) in RGB or (height, width) in gray, with at most 120 million pixels. It need
+        not be contiguous. Convert a PIL image with `numpy.asarray(image.convert("RGB"))`.
+    style: id of a built-in style (see `styles()`), or a style file as a dict.
+    seed: seed from 0 to 2**32 - 1 for random parts of the style. Default: the seed in the style.
 
-    Returns a new uint8 array of the same height and width: (height, width, 3), or (height, width) where the array is gray and
-    the style gives it no colour.
+    Returns a new uint8 array of the same height and width. Its shape is (height, width, 3), or (height, width) if the array is
+    gray and the style adds no colour.
 
     Raises `Error` with the code `invalid-array` (shape, dtype), `damaged` (a side of 0), `too-large`, `unknown-style` or
-    `invalid-style`; TypeError for what is no array.
+    `invalid-style`. Raises TypeError if `array` is not an array.
     """
     return _inkpanel.stylize(array, _json.dumps(_choice(style), default=_plain), _whole("seed", seed))
 
@@ -73,40 +72,41 @@ def render(
     as_given=False,
     skip_broken=False,
 ):
-    """Makes a storyboard page of photos, or several.
+    """Makes one comic page of photos, or several.
 
-    photos: a list of paths, of files as bytes, or of uint8 arrays as `stylize` takes them, in any mixture, in the order of the
-        story; or one of these. Where all files say when they were taken, that is the order, unless `as_given`.
-    layout: the id of a page template (`layouts()`), or a layout file as a dict; chosen by the photos where nothing is told.
-    style: the id of a designed style (`styles()`), or a style file as a dict; chosen by seed and photos where nothing is told.
-    panels: the number of panels, where the layout is free.
-    pages: a number from 1 to 1000 cuts an album where time or scene changes, and gives a list of at most so many pages in
-        one style; None, the default, makes one page of all photos.
-    seed: from 0 to 2**32 - 1, of what is left to chance.
-    page_size: a name ("a4", "a5", "letter", "us-comic", "square", "webtoon"), a size on paper ("210x297mm", "8.5x11in"), or
-        (width, height) in pixels, each from 64 to 14000 and together at most 72 million pixels; A4 where nothing is told.
-    width: in pixels, from 64 to 14000; the paper stays as large.
-    dpi: pixels an inch, from 36 to 1200; a size by name or on paper then has as many pixels as that makes.
-    gutter, margin, border, corner_radius: as a part of the page's width.
-    paper, border_color: as "#rrggbb".
+    photos: list of paths, image files as bytes, or uint8 arrays as in `stylize`, in story order. A single photo is allowed. If all
+        files have a capture date, they are sorted by it, unless `as_given` is true.
+    layout: id of a layout (see `layouts()`), or a layout file as a dict. Default: chosen to fit the photos.
+    style: id of a built-in style (see `styles()`), or a style file as a dict. Default: chosen by seed and photos.
+    panels: number of panels, if `layout` is None.
+    pages: maximum number of pages, from 1 to 1000. Pages break where time or scene changes and share one style. The result is a
+        list. Default: one page with all photos.
+    seed: seed of random choices, from 0 to 2**32 - 1.
+    page_size: a name ("a4", "a5", "letter", "us-comic", "square", "webtoon"), a paper size ("210x297mm", "8.5x11in"), or
+        (width, height) in pixels, each from 64 to 14000, with at most 72 million pixels. Default: A4.
+    width: width in pixels, from 64 to 14000. The paper size does not change.
+    dpi: pixels per inch, from 36 to 1200. It sets the number of pixels of a named size or a paper size.
+    gutter, margin, border, corner_radius: lengths as a fraction of the page width.
+    paper, border_color: colours as "#rrggbb".
     merge: whether panels may share one image.
-    detect: whether faces and objects are looked for, so that no crop cuts them. That takes most of the time of planning.
-    models: the folder of faces.onnx and objects.onnx; those in the wheel where nothing is told.
+    detect: whether faces and objects are detected, so that crops do not cut them. Takes most of the planning time.
+    models: folder with faces.onnx and objects.onnx. Default: the models in the wheel.
     words: captions, balloons and sound effects of the first page, as a list of dicts such as
-        {"kind": "balloon", "text": "Look out!", "panel": 0}; those without a place go where they hide no face.
-    fonts: paths of TrueType or OpenType files for letters of words that the program's own fonts lack, such as Arabic or Japanese;
-        the first that has a letter is taken, and `Page.notes` tells what none has.
-    star: places in `photos`, from 0, of those that get a large panel.
-    alike: photos whose fingerprints differ in at most so many of 64 bits show the same picture; 10 where nothing is told.
-    keep_all: use all photos, those that look alike and those that are blurred, too.
-    skip_broken: leave photos out that cannot be read, rather than raise; `Page.notes` tells them.
+        {"kind": "balloon", "text": "Look out!", "panel": 0}. Without a position, they are placed clear of faces.
+    fonts: paths of TrueType or OpenType files for characters that the bundled fonts lack, such as Arabic or Japanese. The first
+        font with a glyph is used. `Page.notes` lists missing glyphs.
+    star: indices in `photos`, from 0, of photos for large panels.
+    alike: maximum fingerprint distance at which photos count as duplicates, in bits of 64. Default: 10.
+    keep_all: use all photos, including similar and blurred ones.
+    as_given: keep the order of the photos.
+    skip_broken: leave out photos that cannot be read, instead of raising an error. `Page.notes` lists them.
 
-    Returns a `Page`, or a list of them where `pages` is told.
+    Returns a `Page`, or a list of pages if `pages` is set.
 
-    Raises `Error`. A photo that cannot be read has the codes `not-found`, `unreadable`, `unknown-format`, `damaged`,
-    `unsupported` or `too-large`, and its path as `file`; the others are `no-photos`, `unknown-style`, `invalid-style`,
-    `unknown-layout`, `invalid-layout`, `invalid-document` (a setting out of range, words), `invalid-argument`, `invalid-array`
-    and `no-models`. TypeError for what is no photo.
+    Raises `Error`. If a photo cannot be read, the code is `not-found`, `unreadable`, `unknown-format`, `damaged`, `unsupported` or
+    `too-large`, and `file` is its path. Other codes: `no-photos`, `unknown-style`, `invalid-style`, `unknown-layout`,
+    `invalid-layout`, `invalid-document` (a setting out of range, words), `invalid-argument`, `invalid-array` and `no-models`.
+    Raises TypeError if an item is not a photo.
     """
     if isinstance(photos, (str, bytes, _os.PathLike)) or hasattr(photos, "dtype"):
         photos = [photos]
@@ -140,15 +140,15 @@ def render(
 
 
 def pdf(pages, *, title="", language="en"):
-    """One PDF file, as bytes, of a list of pages; `language` is a tag such as "pt-BR".
+    """Returns one PDF file of a list of pages, as bytes. `language` is a tag such as "pt-BR".
 
-    Raises `Error`: `invalid-argument` where there is no page, and where a photo is there no more what `render` raises for it.
+    Raises `Error`: `invalid-argument` if the list is empty, and an error of `render` if a photo was deleted.
     """
     return _inkpanel.pdf(list(pages), title, language)
 
 
 def _choice(told):
-    """A style or a layout: an id, or a file as a dict."""
+    """Checks a style or a layout: an id, or a file as a dict."""
     if told is None or isinstance(told, (str, dict)):
         return told
     raise TypeError(f"a style or a layout is an id or a dict, not {type(told).__name__}")
@@ -157,7 +157,7 @@ def _choice(told):
 def _whole(name, number):
     if number is None:
         return None
-    # Of numpy, too.
+    # Also converts integers of numpy.
     number = number.__index__()
     if not 0 <= number < 1 << 32:
         raise Error(f"{name}: must be from 0 to 4294967295, not {number}")
@@ -165,9 +165,9 @@ def _whole(name, number):
 
 
 def _plain(value):
-    """Numbers of numpy as those of Python."""
+    """Converts a number of numpy to a number of Python."""
     if hasattr(value, "__index__"):
         return value.__index__()
     if hasattr(value, "__float__"):
         return float(value)
-    raise TypeError(f"{type(value).__name__} is nothing that Inkpanel takes")
+    raise TypeError(f"{type(value).__name__} is not a supported type")

@@ -7,9 +7,9 @@ pyo3::create_exception!(
     inkpanel,
     Error,
     PyValueError,
-    "What cannot be done with what was given.\n\n\
-     The message says why and what would be right. `code` is a name of the kind of error that stays the same\n\
-     (`unknown-style`, `damaged`, `not-found`), `file` is the photo that it is about, or None."
+    "Invalid input.\n\n\
+     The message says why and what would be right. `code` is the stable name of the kind of error\n\
+     (`unknown-style`, `damaged`, `not-found`), `file` is the affected photo, or None."
 );
 
 /// Something that went wrong.
@@ -34,7 +34,7 @@ impl Failure {
 
     /// A fault of ours.
     pub(crate) fn fault(reason: &str) -> Self {
-        Self::new("fault", format!("this is a fault of Inkpanel, please report it: {reason}"))
+        Self::new("fault", format!("internal error; please report it: {reason}"))
     }
 }
 

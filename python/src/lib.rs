@@ -1,6 +1,6 @@
 //! The engine for Python. The public API is in `inkpanel/__init__.py`, which calls these functions. There are
-//! no algorithms here. The interpreter's lock is held to read arguments and to hand over results, never while
-//! pixels are worked on.
+//! no algorithms here. The interpreter's lock is held only while arguments are read and results are returned,
+//! never during image processing.
 
 mod arrays;
 mod failure;

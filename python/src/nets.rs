@@ -8,9 +8,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 static READ: Mutex<Option<HashMap<PathBuf, Arc<Nets>>>> = Mutex::new(None);
 
-/// The nets in a folder.
+/// Returns the models in a folder.
 pub(crate) fn of(folder: &Path) -> Done<Arc<Nets>> {
-    // Threads that ask at once wait for the first, rather than read the nets once more.
+    // Simultaneous threads wait for the first one instead of reading the models again.
     let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
     let read = read.get_or_insert_default();
     if let Some(nets) = read.get(folder) {
@@ -20,7 +20,7 @@ pub(crate) fn of(folder: &Path) -> Done<Arc<Nets>> {
         "no-models" => Failure::new(
             "no-models",
             format!(
-                "{failure}; the nets that find faces and objects are not here: pass detect=False, or their folder as models"
+                "{failure}; the detection models are missing; pass detect=False, or their folder as models"
             ),
         ),
         _ => failure.into(),

@@ -1,4 +1,4 @@
-//! A page that is planned: drawn when its pixels or a file of it are asked for.
+//! A planned page. It is drawn when the caller requests its pixels or a file.
 
 use crate::failure::{Failure, detached};
 use crate::{arrays, python_of};
@@ -67,20 +67,20 @@ impl Page {
         self.page.height()
     }
 
-    /// Pixels an inch.
+    /// Resolution in pixels per inch.
     #[getter]
     fn dpi(&self) -> u32 {
         self.page.dpi()
     }
 
-    /// What is not as it was asked for: photos that were left out, and why. The pages of an album share it.
+    /// Warnings: photos that were left out, and why. All pages of an album share them.
     #[getter]
     fn notes(&self) -> Vec<String> {
         self.page.notes().to_vec()
     }
 
-    /// The page as plain data: layout, style, crops, words and settings; the photo of each panel by its path, or as
-    /// `photo 3` by its place in the list.
+    /// The page as plain data: layout, style, crops, text items and settings. The photo of each panel is its
+    /// path, or `photo 3` for an index in the list.
     #[getter]
     fn plan(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         python_of(py, &self.page.plan())
@@ -105,7 +105,7 @@ impl Page {
         self.encoded(py, |pixels| pixels.jpeg(quality))
     }
 
-    /// A PDF file of the page: panels as pictures, lines and words as such.
+    /// Returns a PDF file of the page, with pictures, vector lines and text.
     #[pyo3(signature = (*, title = "", language = "en"))]
     fn pdf<'py>(slf: PyRef<'py, Self>, title: &str, language: &str) -> PyResult<Bound<'py, PyBytes>> {
         bound(slf.py(), &[&slf.page], title, language)

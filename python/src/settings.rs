@@ -12,7 +12,7 @@ pub(crate) struct Settings {
     pub(crate) options: PageOptions,
     /// Places of photos that get the large panel.
     pub(crate) star: Vec<usize>,
-    /// Files of fonts, for letters of words that the program lacks.
+    /// Font files, for characters that the bundled fonts lack.
     pub(crate) fonts: Vec<String>,
     /// Folder of the models. `None`: no detection.
     pub(crate) models: Option<String>,

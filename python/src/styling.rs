@@ -7,8 +7,8 @@ use inkpanel::style::Context;
 use pyo3::prelude::*;
 use serde_json::Value;
 
-/// Draws an array in a style, which is given as JSON: an id, or a style file. A `seed` goes to the blocks
-/// that have one.
+/// Draws an array in a style, which is given as JSON: an id, or a style file. `seed` sets the seed of all
+/// random blocks.
 #[pyfunction]
 pub(crate) fn stylize(
     py: Python<'_>,

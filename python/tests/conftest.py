@@ -1,4 +1,4 @@
-"""What the tests share: the sample album, and photos made up."""
+"""Shared fixtures: the sample album, and generated photos."""
 
 import io
 from pathlib import Path
@@ -12,7 +12,7 @@ SAMPLES = ROOT / "www/public/samples"
 
 
 def made_up(seed, height=90, width=120):
-    """A picture with shapes in it that no other seed gives: what is alike is left out of pages."""
+    """A picture with shapes that differ for every seed, because pages leave out similar photos."""
     random = np.random.default_rng(seed)
     y, x = np.mgrid[:height, :width].astype(float)
     picture = np.empty((height, width, 3))

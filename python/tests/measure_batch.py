@@ -1,4 +1,5 @@
-"""Measures examples/batch_ray.py with one worker and with two, for docs/guide/batches.md: prints its figures.
+"""Measures examples/batch_ray.py with one worker and with two, for docs/guide/batches.md, and prints the
+results.
 
     python python/tests/measure_batch.py FOLDER [ALBUMS]
 
@@ -15,7 +16,7 @@ from PIL import Image, ImageOps
 ROOT = Path(__file__).resolve().parents[2]
 PHOTOS = 6
 SIZE = (4000, 3000)
-# Each way runs as often, by turns, so that what else the machine does falls on both.
+# The methods run alternately, equally often, so that other load of the machine affects all of them.
 RUNS = 4
 
 

@@ -15,7 +15,7 @@ pytestmark = pytest.mark.ray
 
 ALBUMS = 200
 SCRIPT = ROOT / "python/examples/batch_ray.py"
-# What is wrong with albums, by their numbers.
+# Faults of albums, by album number.
 BROKEN = {7: "cut", 50: "text", 99: "empty", 120: "none", 199: "bomb"}
 
 
@@ -77,7 +77,7 @@ batch_ray.main()
 def batch(albums, pages, *more, script=SCRIPT):
     """Runs the script, and gives its figures."""
     options = ["--style", "comic", "--page-size", "a6", "--dpi", "150", "--workers", "2", "--no-detect", *more]
-    # Ray has a word of its own on standard output.
+    # Ray also prints to standard output.
     report = pages.parent / "report.json"
     options += ["--report", str(report)]
     done = subprocess.run(
@@ -111,7 +111,7 @@ def test_five_broken_albums_of_two_hundred(albums, tmp_path):
     # Nothing half written is left.
     assert {file.suffix for file in pages.iterdir()} == {".pdf", ".jsonl"}
 
-    # What is there is left as it is; what is gone, and what failed, is tried again.
+    # Existing pages are not changed. Missing and failed pages are made again.
     files[3].unlink()
     before = {file: file.stat().st_mtime_ns for file in files if file.exists()}
     report = batch(albums, pages)
@@ -125,7 +125,7 @@ def test_photos_that_are_broken_can_be_left_out(albums, tmp_path):
     for number in [7, 50, 99, 120, 199, 3]:
         (some / f"album-{number:03}").symlink_to(albums / f"album-{number:03}")
     report = batch(some, pages, "--leave-out", "--format", "png", "--batch", "1")
-    # All but the one without photos have pages, and every bad photo is a row.
+    # Every album has a page, except the one without photos. Every damaged photo has a row.
     assert (report["pages"], report["errors"]) == (5, 5)
     assert {row["code"] for row in errors(pages)} == {"damaged", "unknown-format", "too-large", "no-photos"}
     with Image.open(pages / "album-003.png") as page:
@@ -165,7 +165,7 @@ def test_pages_as_rows_of_parquet(albums, tmp_path):
     batch(some, tmp_path / "folder")
     for album, page in before.items():
         assert page == (tmp_path / f"folder/{album}.pdf").read_bytes()
-    # What is there is not made again.
+    # Existing pages are not made again.
     report = batch(some, pages, "--parquet", "--batch", "2")
     assert (report["pages"], report["skipped"]) == (0, 3)
     # Files of another format are not in the way.

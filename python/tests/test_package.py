@@ -31,7 +31,7 @@ def test_catalogues():
     assert {layout["id"] for layout in layouts} == {file.stem for file in (ROOT / "layouts").glob("*.json")}
     gaussian = next(block for block in blocks if block["id"] == "gaussian")
     assert {param["id"] for param in gaussian["params"]} >= {"sigma"}
-    # What they list can be given back.
+    # The listed ids are valid arguments.
     assert inkpanel.stylize(made_up(1), styles[0]).shape == (90, 120, 3)
 
 

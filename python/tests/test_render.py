@@ -1,4 +1,4 @@
-"""Pages: their sizes and files, what is drawn, and what is refused."""
+"""Pages: sizes, files, content and errors."""
 
 import io
 import os
@@ -182,7 +182,7 @@ def test_missing_files_and_folders_are_named(album, tmp_path):
     with pytest.raises(inkpanel.Error, match="list the files") as error:
         inkpanel.render(tmp_path, detect=False)
     assert error.value.code == "unreadable"
-    # One that goes away before the page is drawn.
+    # A photo that is deleted before the page is drawn.
     page = inkpanel.render(album, width=200, detect=False)
     for file in album:
         file.unlink()
@@ -248,7 +248,7 @@ def test_errors_go_from_process_to_process():
 
 
 def test_faces_are_found_by_the_nets_of_the_wheel(samples):
-    """An astronaut looks at us: she stays whole in a panel that is wide."""
+    """The astronaut's face must be complete in a wide panel."""
     photo = next(file for file in samples if "astronaut" in file.name)
     crops = {}
     for detect in (True, False):

@@ -1,4 +1,4 @@
-"""One image in a style: shapes, types, chance, and what is refused."""
+"""Stylising one image: shapes, types, randomness and errors."""
 
 import inkpanel
 import numpy as np
@@ -17,7 +17,7 @@ def test_gray_in_gives_gray_or_colour():
     gray = made_up(2)[..., 0]
     shapes = {style["id"]: inkpanel.stylize(gray, style).shape for style in inkpanel.styles()[:12]}
     assert set(shapes.values()) <= {(90, 120), (90, 120, 3)}
-    # Ink alone stays gray, and is what a gray picture in three channels gives.
+    # A style with only ink gives a gray result. A gray picture with three channels gives the same.
     style = {"background": [{"block": "to_gray"}, {"block": "posterize", "levels": 4}]}
     drawn = inkpanel.stylize(gray, style)
     assert drawn.shape == (90, 120)
@@ -28,7 +28,7 @@ def test_gray_in_gives_gray_or_colour():
 
 
 def test_pixels_are_as_computed():
-    """Gain 2 with clamping, by hand."""
+    """Gain 2 with clamping, computed manually."""
     picture = made_up(3)
     drawn = inkpanel.stylize(picture, {"background": [{"block": "brightness", "gain": 2, "channels": "each"}]})
     expected = np.minimum(picture.astype(int) * 2, 255)
@@ -61,7 +61,7 @@ def test_a_seed_moves_what_is_left_to_chance():
     drawn = [inkpanel.stylize(picture, "carnival", seed=seed) for seed in (1, 1, np.int64(2))]
     np.testing.assert_array_equal(drawn[0], drawn[1])
     assert (drawn[0] != drawn[2]).any()
-    # One without chance is as it is.
+    # The seed has no effect on a style without randomness.
     plain = {"background": [{"block": "posterize"}]}
     np.testing.assert_array_equal(inkpanel.stylize(picture, plain, seed=9), inkpanel.stylize(picture, plain))
 

@@ -14,7 +14,7 @@ use inkpanel::raster::{Image, Plane};
 
 /// Colour around a page, and of the dimming.
 const GROUND: [u8; 3] = [0x15, 0x15, 0x1a];
-/// How much of it a whole veil is.
+/// Darkness of the dimmed parts.
 const VEIL: f64 = 0.8;
 
 /// A clip as frames are made of it.
@@ -55,23 +55,23 @@ fn filled(picture: &Image, view: &Crop, [width, height]: [usize; 2]) -> Vec<u8> 
 /// A page in the layers that a frame is made of.
 pub(super) struct Page {
     sheet: Plate,
-    /// In the order in which they lie on the page.
+    /// In paint order.
     words: Vec<Word>,
     /// The outline of each panel, in fractions of the page.
     panels: Vec<Vec<(f64, f64)>>,
 }
 
-/// A word of a page that is read.
+/// A text item of an animated page.
 struct Word {
     plate: Plate,
-    /// How many words appear before it.
+    /// Number of text items that appear before it.
     turn: usize,
     /// The panel that it is read with.
     panel: usize,
 }
 
 impl Page {
-    /// `across`: pixels of the page at most that fall into one of a frame.
+    /// `across`: maximum number of page pixels per frame pixel.
     pub(super) fn new(sheet: &Sheet, panels: Vec<Vec<(f64, f64)>>, across: f64) -> Self {
         let (width, height) = (sheet.width(), sheet.height());
         let page = PixelRect { x: 0, y: 0, width, height };
@@ -81,7 +81,8 @@ impl Page {
         Self { sheet, words: Vec::new(), panels }
     }
 
-    /// Lays a word on all that were added before: `turn` appear before it, and it is read with a panel.
+    /// Adds a text item on top of the previous ones. `turn` items appear before it, and it belongs to a
+    /// panel.
     pub(super) fn add(&mut self, patch: &Patch, (turn, panel): (usize, usize)) {
         let mut rgba = patch.rgba.clone();
         for pixel in rgba.as_chunks_mut::<4>().0 {
@@ -242,7 +243,7 @@ mod tests {
     const SIZE: [usize; 2] = [64, 36];
     const WHOLE: Crop = Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
 
-    /// A page of two colours, left and right, each a panel.
+    /// A page with two panels, left and right, of one colour each.
     fn page() -> Page {
         let pixel = |i: usize| if i % 128 < 64 { [200, 40, 30] } else { [20, 60, 220] };
         let rgb: Vec<u8> = (0..128 * 72).flat_map(pixel).collect();
@@ -274,12 +275,12 @@ mod tests {
         let frame = page().seen(&WHOLE, &read, SIZE);
         assert_eq!(at(&frame, 5, 5), [200, 40, 30]);
         assert!(near(at(&frame, 60, 5), veiled([20, 60, 220])), "{:?}", at(&frame, 60, 5));
-        // The word in the panel, and where it stands out.
+        // The text item in the panel, and its part beyond the border.
         assert_eq!((at(&frame, 25, 18), at(&frame, 40, 18)), ([255; 3], [255; 3]));
         let other = page().seen(&WHOLE, &Told { panel: Some(1), ..read }, SIZE);
         assert_eq!(at(&other, 60, 5), [20, 60, 220]);
         assert!(near(at(&other, 25, 18), veiled([255; 3])));
-        // It lies in the panel that is read there.
+        // It is in the active panel.
         assert_eq!(at(&other, 40, 18), [255; 3]);
     }
 

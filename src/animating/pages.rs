@@ -38,14 +38,9 @@ pub(super) fn check(asked: &Animate) -> Result<(), Complaint> {
         (asked.style.is_some(), "--style cannot be combined with --pages".to_owned()),
         (
             asked.seconds > MOST_SECONDS,
-            format!("--seconds is at most {MOST_SECONDS} with --pages: so long a panel is seen"),
+            format!("--seconds is at most {MOST_SECONDS} with --pages, the maximum time per panel"),
         ),
-        (
-            asked.dissolve > MOST_DISSOLVE,
-            format!(
-                "--dissolve is at most {MOST_DISSOLVE} with --pages: so long two pages are seen together"
-            ),
-        ),
+        (asked.dissolve > MOST_DISSOLVE, format!("--dissolve is at most {MOST_DISSOLVE} with --pages")),
     ];
     refused.into_iter().find(|(is, _)| *is).map_or(Ok(()), |(_, why)| Err(why))
 }
@@ -75,7 +70,7 @@ impl Pages {
         Ok(Self { plan, saved, documents: pages, files, masks, fonts, letters })
     }
 
-    /// Each place where the camera stays, with its way there.
+    /// Returns each position where the camera rests, with the move to it.
     pub(super) fn steps(&self) -> Vec<Step> {
         let steps = |(page, clip): (usize, &Clip)| {
             let mut start = clip.start;
@@ -113,11 +108,11 @@ impl Pages {
         self.plan.clips.iter().enumerate().map(told).collect()
     }
 
-    /// A page as large as its film wants it, from the photos at their full size, with its words apart.
+    /// Returns a page at the size of the video, from the full-size photos, with its text items separately.
     pub(super) fn drawn(&self, clip: usize) -> Result<Drawn, Complaint> {
         let told = |error: Error| error.to_string();
         let Clip { picture, reading: Some(reading), .. } = &self.plan.clips[clip] else {
-            return Err("a page is not read by a fault of Inkpanel".into());
+            return Err("internal error: a page is missing in the plan".into());
         };
         let mut page = Document::parse(&picture.to_string()).map_err(told)?;
         page.words.clone_from(&self.documents[clip].words);

@@ -1,4 +1,4 @@
-//! Frames that a plan tells, drawn and written: of shots and of pages alike.
+//! Renders and writes the frames of a plan, for shots and for pages.
 
 use super::drawn::Drawn;
 use crate::destination::Output;
@@ -14,7 +14,7 @@ use std::collections::hash_map::Entry;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Dots an inch that the frames say they have, as screens do.
+/// Resolution in the frames' metadata, as for screens.
 const DPI: u32 = 96;
 
 /// Source and destination of frames.
@@ -45,7 +45,7 @@ struct Look {
 }
 
 impl Reel<'_> {
-    /// Writes all frames. Clips are drawn when a frame needs them, and forgotten behind it.
+    /// Writes all frames. Clips are rendered when a frame needs them, and released after it.
     pub(super) fn write(&self, steps: &[Step]) -> Result<(), Complaint> {
         let mut drawn: HashMap<usize, Drawn> = HashMap::new();
         for (i, step) in steps.iter().enumerate() {
@@ -83,13 +83,13 @@ impl Reel<'_> {
     fn make(&self, look: &Look, frames: &[u32], drawn: &HashMap<usize, Drawn>) -> Result<(), Complaint> {
         let size = self.plan.size.map(|side| side as usize);
         let seen = |shown: &Shown, told: &Told| {
-            let clip = drawn.get(&shown.clip).ok_or("a picture is missing by a fault of Inkpanel")?;
+            let clip = drawn.get(&shown.clip).ok_or("internal error: a picture is missing")?;
             clip.seen(&shown.view, told, size)
         };
         let mut rgb = seen(&look.under, &look.told)?;
         if let Some(over) = &look.over {
             let share = (over.share * 256.0).round().clamp(0.0, 256.0) as u32;
-            // A page that comes is not read yet.
+            // During the transition, the next page has no active panel.
             mix(&mut rgb, &seen(over, &Told::default())?, share);
         }
         let file = png::encode_rgb(size[0], size[1], &rgb, DPI).map_err(|error| error.to_string())?;

@@ -99,14 +99,14 @@ pub enum DraftEdit {
         /// Which block.
         #[cfg_attr(all(test, feature = "cli"), ts(flatten))]
         place: Place,
-        /// Null for the whole image.
+        /// `null` for the whole image.
         part: Option<Part>,
     },
     /// Sets the part of the image for a layer.
     LayerWhere {
         /// Which layer.
         layer: Layer,
-        /// Null for the whole image.
+        /// `null` for the whole image.
         part: Option<Part>,
     },
     /// All values are usual again.
@@ -186,7 +186,7 @@ impl Draft {
         }
     }
 
-    /// A style taken apart.
+    /// Returns the editable draft of a style.
     #[must_use]
     pub fn of(style: &Style) -> Self {
         let mut key = 0;
@@ -377,7 +377,7 @@ impl Draft {
     }
 }
 
-/// The ink of a style that says none.
+/// The default ink of a style.
 const BLACK: &str = "#000000";
 
 /// [`Draft::empty`] in JSON.
@@ -508,7 +508,7 @@ impl DraftEdit {
             "move" => Self::Move {
                 place,
                 to_layer: fields.part("toLayer", &mut self::layer)?.unwrap_or(layer),
-                // Who moves a block up says one less, whatever that is.
+                // Moving a block up subtracts one.
                 to: fields.required("to")?.as_f64().unwrap_or_default() as usize,
             },
             "remove" => Self::Remove { place },
@@ -640,7 +640,7 @@ mod tests {
         assert_eq!(full.after(&DraftEdit::Duplicate { place: back(0) }), None);
         let other = add(&full, Layer::Foreground, &["sobel"]);
         assert_eq!(other.after(&DraftEdit::Move { place: fore(0), to_layer: BACK, to: 0 }), None);
-        // Within a full layer there is room.
+        // Moving within a full layer is allowed.
         assert!(full.after(&DraftEdit::Move { place: back(0), to_layer: BACK, to: 3 }).is_some());
     }
 

@@ -35,7 +35,7 @@ pub enum Edit {
         /// Their ids.
         ids: Vec<String>,
     },
-    /// Photos that could not be read are gone from all times: no undo brings them back.
+    /// Unreadable photos are removed from all states, so no undo restores them.
     ForgetPhotos {
         /// Their ids.
         ids: Vec<String>,
@@ -106,7 +106,7 @@ pub enum Edit {
         /// Whether it is locked.
         on: bool,
     },
-    /// The wanted number of panels.
+    /// Sets the number of panels.
     WantPanels {
         /// None for any.
         count: Option<u32>,
@@ -152,7 +152,7 @@ pub enum Edit {
         /// Their numbers.
         words: Vec<usize>,
     },
-    /// There is no page any more.
+    /// The page was removed.
     NoPage,
     /// Sets the draft of the designer.
     Design {
@@ -465,7 +465,7 @@ impl Project {
         }
         let mut loved: Vec<_> = self.loved.iter().copied().filter(|id| *id != page_id).collect();
         if on {
-            // The oldest go.
+            // The oldest are removed.
             loved.drain(..loved.len().saturating_sub(MOST_LOVED - 1));
             loved.push(page_id);
         }
@@ -477,7 +477,7 @@ impl Project {
 /// until all states are done.
 pub(super) struct Without<'a> {
     gone: HashSet<&'a str>,
-    /// By their addresses what was made of them, where anything was. There are few.
+    /// The conversion of each list, by address, if it changed. There are few.
     trays: Vec<(usize, Option<List<TrayItem>>)>,
     pages: Vec<(usize, Option<Arc<Document>>)>,
 }
@@ -647,7 +647,7 @@ fn ids(fields: &mut Fields) -> Read<Vec<String>> {
     fields.each("ids", MOST_PHOTOS, &|id| text_of(id, LONGEST_ID))
 }
 
-/// A word that is to be added.
+/// A new text item.
 fn fresh_word(value: Value) -> Read<Value> {
     Word::parse(&value, 0).map_err(|error| Wrong::of(error).without("words[0]."))?;
     Ok(value)
@@ -681,7 +681,7 @@ fn shelf(value: Value, shelf: Shelf) -> Read<List<Value>> {
     Ok(own::first_of_each(all?))
 }
 
-/// A page in full, or the one of that id.
+/// Reads a complete page, or the page with this id.
 fn page(fields: &mut Fields, id: u64, known: &dyn Fn(u64) -> Option<Arc<Document>>) -> Read<Arc<Document>> {
     match fields.part("page", &mut pages::page)? {
         Some(page) => Ok(page),

@@ -122,9 +122,9 @@ impl Editor {
         true
     }
 
-    /// A photo that could not be read is gone from all times: no undo brings it back.
+    /// Removes an unreadable photo from all states, so no undo restores it.
     fn forget(&mut self, ids: &[String]) -> bool {
-        // Its parts live on, so that no other gets the address of one.
+        // Keeps the old parts alive, so that no new part gets the address of an old one.
         let was = self.history.clone();
         let history = &mut self.history;
         let mut without = Without::new(ids);
@@ -220,8 +220,8 @@ impl History {
         self.past.iter().chain([&self.present]).chain(&self.future)
     }
 
-    /// Notes the pages of the present among those shown. The last state of each page counts: an edited page replaces
-    /// itself, a new one goes to the end. `from`: the page before the present one.
+    /// Notes the pages of the present among those shown. Stores the last state of each page. An edited page
+    /// replaces its earlier state, a new one is added at the end. `from`: the page before the present one.
     fn note(&mut self, from: Option<u64>) {
         let present = self.present.clone();
         let sheets = present.sheets();
@@ -241,7 +241,7 @@ impl History {
             let entry = Shown { id: *page_id, page: page.clone(), from, sheet: *sheet, rest: Map::new() };
             self.shown.push(Arc::new(entry));
             if self.shown.len() > MOST_SHOWN {
-                // Favourites never go, nor do pages of the storyboard, as long as there are others.
+                // Favourites are never removed. Pages of the storyboard are removed only after all others.
                 let stay: HashSet<u64> =
                     present.loved.iter().copied().chain(sheets.iter().map(|sheet| sheet.page_id)).collect();
                 let oldest = self.shown.iter().position(|shown| !stay.contains(&shown.id));

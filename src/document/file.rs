@@ -254,7 +254,7 @@ fn distinct<'f>(
     Ok(())
 }
 
-/// Fresh names in the order in which they are asked for.
+/// Generates short names in the order of the requests.
 struct Names {
     prefix: String,
     known: HashMap<String, usize>,

@@ -10,7 +10,8 @@ use serde_json::{Value, json};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-/// After an edit of the pages: each word goes where its photo is. `before`: the state that was edited.
+/// After an edit of pages, moves each text item to the page of its photo. `before`: the state that was
+/// edited.
 pub(super) fn follow(before: &Project, next: &mut Project) {
     let sheets = before.sheets();
     let has_words = |project: &Project| {
@@ -47,7 +48,7 @@ fn is_made(word: &Value) -> bool {
     word["made"] == json!(true)
 }
 
-/// Puts words onto the pages that show their photos; the others wait.
+/// Moves text items to the pages that show their photos. The others become unplaced.
 fn settle(next: &mut Project, away: Vec<Arc<Value>>, seen: &HashMap<String, usize>) {
     let mut waiting = Vec::new();
     let mut coming: Vec<(usize, Arc<Value>)> = Vec::new();
@@ -69,7 +70,7 @@ fn settle(next: &mut Project, away: Vec<Arc<Value>>, seen: &HashMap<String, usiz
             Some(Arc::new(page))
         });
     }
-    // The oldest go.
+    // The oldest are removed.
     waiting.drain(..waiting.len().saturating_sub(MOST_WAITING));
     let same = waiting.len() == next.waiting.len()
         && waiting.iter().zip(next.waiting.iter()).all(|(a, b)| Arc::ptr_eq(a, b) || a == b);
@@ -97,7 +98,7 @@ fn with(page: &Document, words: Vec<Value>) -> Option<(Document, Vec<Value>)> {
     Some((page, left))
 }
 
-/// A planned page with the words that wait for photos of it.
+/// Returns a planned page with the unplaced text items of its photos.
 #[must_use]
 pub(super) fn gathered(project: &Project, page: Document) -> Document {
     if project.waiting.is_empty() {
@@ -123,7 +124,8 @@ fn places(project: &Project) -> HashMap<String, usize> {
     seen
 }
 
-/// Whether two words are the same one: as a page shown before and what waits may both have it.
+/// Returns whether two text items are the same one, because an earlier version of a page and the unplaced
+/// list may both have it.
 fn alike(a: &Value, b: &Value) -> bool {
     ["photo", "kind", "text", "cue"].into_iter().all(|name| a[name] == b[name])
 }
@@ -212,7 +214,7 @@ impl Project {
         (waiting.len() < self.waiting.len()).then(|| Self { waiting, ..self.clone() })
     }
 
-    /// Words go with a photo that takes the place of another.
+    /// Text items move to the photo that replaces their photo.
     pub(super) fn words_exchanged(&mut self, id: &str, by: &str) {
         let changed = |word: &Value| (word["photo"] == id).then(|| renamed(word, by));
         self.each_page(&mut |page| {
@@ -232,7 +234,7 @@ impl Project {
     }
 }
 
-/// The word of another photo.
+/// Returns the text item with another photo.
 fn renamed(word: &Value, photo: &str) -> Value {
     let mut word = word.clone();
     word["photo"] = json!(photo);

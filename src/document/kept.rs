@@ -10,7 +10,7 @@
 //! | `sheets`, `books` | pages of a storyboard, and lists of their indices | `others` of a state |
 //! | `styles`, `shelves` | styles, and lists of their indices | `mine` and `favourites` of a state |
 //! | `layouts`, `layoutShelves` | layouts, and lists of their indices | `ownLayouts` of a state |
-//! | `words`, `waits` | words without a page, and lists of their indices | `waiting` of a state |
+//! | `words`, `waits` | unplaced text items, and lists of their indices | `waiting` of a state |
 //! | `settings`, `drafts`, `boards` | page settings, drafts, boards | `settings`, `draft`, `board` of a state |
 //!
 //! Each part is checked once.
@@ -343,7 +343,7 @@ const DRAFTS: usize = 10;
 const WORDS: usize = 11;
 const BOARDS: usize = 13;
 
-/// Whether two parts are alike; most are the very same.
+/// Returns whether two parts are equal. Most are identical objects.
 fn same<T: PartialEq>(a: &Arc<T>, b: &Arc<T>) -> bool {
     Arc::ptr_eq(a, b) || a == b
 }
@@ -547,7 +547,7 @@ impl Interner {
         self.named(out, table, address(part), &mut |parts, out| write(parts, out, part));
     }
 
-    /// A list of parts of a table, or its index in the table behind it.
+    /// Returns the index of a list of parts. New lists are added to the second table.
     fn list<T>(
         &mut self,
         out: &mut Writer,

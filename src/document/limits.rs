@@ -20,7 +20,7 @@ pub const ARCHIVE_ENTRIES: usize = 20_000;
 /// Maximum unpacked size of one file in a project file, in bytes. The file is in memory, and once more during
 /// decoding.
 pub const ENTRY: u64 = 128 << 20;
-/// Chunks of a PNG file: one of more was not made to be looked at.
+/// Maximum number of chunks of a PNG file. More chunks mean a malformed file.
 pub const PNG_CHUNKS: usize = 100_000;
 /// Maximum number of other text chunks before the project in a PNG file. Files with more are treated as
 /// images.
@@ -42,9 +42,10 @@ pub const MOST_STYLES: usize = 1_000;
 pub const MOST_LAYOUTS: usize = 1_000;
 /// Maximum number of favourite pages. Favourites stay in the list after their pages are dropped.
 pub const MOST_LOVED: usize = 10_000;
-/// Maximum number of wanted panels.
+/// Maximum number of panels that a user can request.
 pub const MOST_WANTED: u64 = 100;
-/// Unplaced text items of a project: text of photos that no page shows, and text that no panel has room for.
+/// Maximum number of unplaced text items of a project: text of photos that no page shows, and text without
+/// space on its panel.
 pub const MOST_WAITING: usize = 2_000;
 /// Text items that one edit adds.
 pub const MOST_ADDED: usize = 20_000;
@@ -54,7 +55,7 @@ pub const MOST_VIDEOS: usize = ARCHIVE_ENTRIES;
 pub const MOST_SUBJECTS: usize = 1_000;
 /// Families that a draft belongs to.
 pub const MOST_TAGS: usize = 20;
-/// Ids of pages, and of places in a storyboard: there is room for new ones above.
+/// Maximum id of pages and storyboard positions that a file may contain. New ids are larger.
 pub const GREATEST_ID: u64 = 1 << 40;
 /// Pixels of a side of a photo.
 pub const LONGEST_SIDE: u64 = 1_000_000;

@@ -3,27 +3,27 @@
 //!
 //! | module | for |
 //! |---|---|
-//! | [`limits`] | every bound, in one place |
+//! | [`limits`] | all limits, in one place |
 //! | [`project`] | one state of a project |
 //! | [`pages`] | a page that can be drawn |
-//! | [`history`] | states before and after, and the pages shown |
+//! | [`history`] | undo and redo states, and the versions of pages |
 //! | [`mod@file`] | the text of a project file and of a page PNG: `project.json` |
-//! | `saved` | such a text found in its file, with the photos (feature `files`) |
-//! | [`kept`] | a history as the browser's database has it: what states share is told once |
-//! | [`edit`] | all that can be done, and the pure function that does it to a state |
-//! | [`editor`] | done step by step, undone and redone |
+//! | `saved` | reads the project and its photos from a file (feature `files`) |
+//! | [`kept`] | a history in the format of the browser's database, which stores shared parts once |
+//! | [`edit`] | all edits, and the pure function that applies them to a state |
+//! | [`editor`] | applies edits, undo and redo |
 //! | [`sheets`] | the pages of a storyboard as one list |
-//! | [`own`] | lists that all projects share |
-//! | [`planning`] | pages planned from the photos that are free for them |
-//! | [`spreading`] | an album laid out over pages |
+//! | [`own`] | lists shared by all projects |
+//! | [`planning`] | planning of pages from unused photos |
+//! | [`spreading`] | distribution of an album over pages |
 //! | [`upkeep`] | pages that lost a photo |
 //! | [`draft`] | a style while it is designed |
-//! | [`speech`] | what people say, cut into what balloons hold |
-//! | [`subtitles`] | subtitles, and the frames that they go to |
-//! | [`script`] | scripts as people write them |
-//! | [`following`] | words that stay with their photos |
-//! | [`listing`] | the shots of a project file in their order |
-//! | [`shots`] | what is told of photos as shots, and how they are laid out as a board |
+//! | [`speech`] | dialogue, split into balloons |
+//! | [`subtitles`] | subtitles, assigned to video frames |
+//! | [`script`] | plain-text scripts |
+//! | [`following`] | text items that follow their photos |
+//! | [`listing`] | the shots of a project file, in order |
+//! | [`shots`] | shot metadata of photos, and the layout of a storyboard |
 //!
 //! # Fields that are added, and versions
 //!
@@ -78,7 +78,7 @@ fn leave_out(dropped: &mut Dropped, wrong: &Wrong) {
     }
 }
 
-/// The version of something saved, brought up to date. There is no older one so far.
+/// Returns the version of saved data after migration. There are no older versions so far.
 fn version(fields: &mut Fields) -> Read<()> {
     let version = fields.count("version", 1, u64::MAX)?;
     if version > VERSION {

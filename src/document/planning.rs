@@ -19,7 +19,7 @@ use crate::plan::{Shelf, turns};
 use oorandom::Rand64;
 use std::collections::HashSet;
 
-/// A page of more panels than this is a page of stamps, unless a person asks for it.
+/// Maximum number of panels of a page, unless the user requests more.
 const MOST_PANELS: usize = 9;
 
 /// A photo narrower than this part of the page's width in pixels is too coarse for any panel.
@@ -65,7 +65,7 @@ pub enum Unseen {
     Text,
     /// The photo has too few pixels for any panel.
     Small,
-    /// Its turn will come.
+    /// It is chosen later.
     Waits,
 }
 
@@ -182,7 +182,8 @@ impl<'p> Planning<'p> {
             request.ordered = request.ordered.or(Some(true));
         }
         if !request.keep.layout && request.layout.is_none() && request.panels.is_none() {
-            // A free layout has the wanted number of panels, or a panel for each locked photo.
+            // Without a fixed layout, the page has the requested number of panels, or a panel for each locked
+            // photo.
             let locked = project.page.as_ref().filter(|_| project.locks.photos).map(|page| places_of(page));
             request.panels = project.panels.map(|panels| panels as usize).or(locked);
         }
@@ -209,7 +210,7 @@ impl<'p> Planning<'p> {
         let layout = locks.layout || wanted || (enough && !grow);
         let mut request = self.request(seed);
         request.keep = Keep { layout, style: true, photos: locks.photos || !grow };
-        // A photo that was just added is looked for on the page, so each gets a panel.
+        // Users expect to see a new photo on the page, so each gets a panel.
         if grow && !layout && panels.is_none() {
             request.panels = Some(self.photos.len().min(MOST_PANELS));
         }
@@ -298,7 +299,7 @@ impl<'p> Planning<'p> {
         self.project.others.iter().map(|sheet| &*sheet.page).collect()
     }
 
-    /// The photos of a page, and, where none is left over, their number.
+    /// Returns the photos of a page. If no photo is left over, sets the number of panels too.
     fn cast(&self, request: &mut Request) -> Result<Vec<Known<'p>>> {
         let elsewhere = self.elsewhere();
         let photos = self.free(&elsewhere, request.current.as_ref());
@@ -343,12 +344,12 @@ pub fn seen_on(page: &Document) -> Vec<String> {
     seen
 }
 
-/// The photos that words of a page belong to.
+/// Returns the photos with text items on a page.
 fn spoken_on(page: &Document) -> HashSet<String> {
     page.words.iter().filter_map(|word| photo_of(word, &page.panels)).map(str::to_owned).collect()
 }
 
-/// Whether the layout of a page is as good on other paper as it is on its own.
+/// Returns whether the layout suits the new paper as well as the old one.
 fn suits(page: &Document, settings: &PageSettings) -> Result<bool> {
     let template = template_of(&page.layout)?;
     Ok(template.good_for(settings.aspect()) || !template.good_for(page.page.aspect()))

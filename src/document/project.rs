@@ -1,6 +1,6 @@
-//! One state of a project. Which photos are in the tray and used, the locks, the wanted number of panels, and
-//! the page. Properties of a photo (its name, size, measurements) never change and are stored in the album,
-//! so undo does not affect them. States of a history share equal parts.
+//! One state of a project. Photos of the tray and their use, the locks, the number of panels, and the page.
+//! Properties of a photo (its name, size, measurements) never change and are stored in the album, so undo
+//! does not affect them. States of a history share equal parts.
 
 use super::draft;
 use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, MOST_LOVED, MOST_TAGS, MOST_WANTED};
@@ -90,7 +90,7 @@ pub struct TrayItem {
     /// The focus point that the user set.
     #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable))]
     pub focus: Option<Focus>,
-    /// Whether the user wants it in a large panel.
+    /// Whether the user starred it for a large panel.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub starred: bool,
     /// The corrected subject mask. `None` uses the detected mask.

@@ -204,7 +204,7 @@ fn entry(archive: &mut Archive, name: &str, most: u64) -> Result<Option<Vec<u8>>
     let most =
         if file.compression() == CompressionMethod::Stored { most.max(file.compressed_size()) } else { most };
     let mut bytes = Vec::new();
-    // Its checksum is looked at where it ends.
+    // The ZIP reader checks the checksum at the end.
     file.take(most.saturating_add(1)).read_to_end(&mut bytes).map_err(|error| wrong(&error.into()))?;
     if bytes.len() as u64 > most {
         return Err(too_large(name, &format!("is larger than {} MB", most >> 20)));

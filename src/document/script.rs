@@ -147,7 +147,7 @@ pub(super) struct Placed {
     /// Text items in order, each with its `place` among the panels. Those without a place are unplaced, at most
     /// [`MOST_WAITING`] of them.
     pub(super) words: Vec<Value>,
-    /// Number of text items without a place, including those that are not in `words`.
+    /// Number of unplaced text items, including items that are not in `words`.
     pub(super) unplaced: usize,
 }
 

@@ -33,7 +33,7 @@ impl Project {
         Some(())
     }
 
-    /// Changes pages where the change gives another one.
+    /// Changes the pages for which `change` returns a new one.
     pub(super) fn each_page(&mut self, change: &mut dyn FnMut(&Arc<Document>) -> Option<Arc<Document>>) {
         if let Some(page) = self.page.as_ref().and_then(&mut *change) {
             self.page = Some(page);

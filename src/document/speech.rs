@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 /// Maximum length of a balloon's text in characters, about six short lines. Longer texts are split.
 pub const LONG: usize = 96;
-/// Letters of a part of a long text, at most, where its words allow it.
+/// Maximum characters of one part of a long text. A single longer word may exceed it.
 const PART: usize = 72;
 /// Letters of the name of a speaker.
 const LONGEST_NAME: usize = 24;
@@ -31,14 +31,14 @@ pub enum Manner {
     Sound,
 }
 
-/// Something said by one speaker.
+/// Speech of one speaker.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Said {
     /// How.
     pub manner: Manner,
     /// Name of the speaker, if known.
     pub speaker: Option<String>,
-    /// Whether another person speaks than before, marked by a dash.
+    /// Whether the speaker changes, marked by a dash.
     pub turn: bool,
     /// Text.
     pub text: String,
@@ -141,7 +141,7 @@ fn bracketed(line: &str) -> Option<(&str, &str, &str)> {
     Some((before, inside, after))
 }
 
-/// Whether a dash begins what another says, and the text without it.
+/// Returns whether a dash marks a change of the speaker, and the text without it.
 fn undashed(text: &str) -> (bool, &str) {
     let text = trimmed(text);
     let rest = text.strip_prefix(">>").or_else(|| text.strip_prefix(['-', '–', '—', '‐', '‑']));
@@ -275,7 +275,7 @@ pub fn words(said: &Said, taking: Taking) -> Vec<Value> {
     words
 }
 
-/// Groups of things laid over places in order: more of them than places stand close, each place with about as many.
+/// Distributes more groups than positions over positions in order, each with about the same number.
 #[must_use]
 pub fn laid(count: usize, places: usize) -> Vec<usize> {
     let of = |group: usize| if count > places { group * places / count } else { group };

@@ -83,7 +83,7 @@ impl Planning<'_> {
         request
     }
 
-    /// The photos of each page. `fixed`: places of the layout that all pages are to have.
+    /// Returns the number of photos on each page. `fixed`: panels of the layout, if all pages have the same.
     fn sizes(&self, fixed: Option<usize>) -> Vec<usize> {
         let count = self.photos.len();
         // A large album has more photos per page than wanted, to limit the number of pages.

@@ -60,9 +60,9 @@ impl From<Error> for Failure {
 /// # Errors
 /// Returns the errors of `work`, or `fault`.
 pub fn survived<T, F: From<Failure>>(work: impl FnOnce() -> Result<T, F>) -> Result<T, F> {
-    // Nothing that the work may have left half done is looked at again.
+    // Nothing reads the state that a panic may leave incomplete.
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| {
-        let message = "this is a fault of Inkpanel, please report it: the reason is on standard error";
+        let message = "internal error; please report it with the message on standard error";
         Err(Failure::new("fault", message).into())
     })
 }

@@ -200,7 +200,7 @@ impl PageOptions {
         self
     }
 
-    /// Whether photos stay in the order in which they are given, though all say when they were taken.
+    /// Returns whether photos keep the given order even if all have a capture date.
     #[must_use]
     pub fn as_given(mut self, stays: bool) -> Self {
         self.choice.as_given = stays;

@@ -1,4 +1,4 @@
-//! Pages that are planned: drawn when their pixels or a file of them are asked for.
+//! Planned pages. They are drawn when the caller requests their pixels or a file.
 
 use super::album::id;
 use super::failure::Failure;
@@ -140,7 +140,7 @@ pub fn pdf(pages: &[&Page], title: &str, language: &str) -> Result<Vec<u8>, Fail
         return Err(Failure::argument("pages", "there is no page"));
     }
     let leaves = pages.iter().map(|page| page.leaf()).collect::<Result<Vec<_>, _>>()?;
-    // The pages of several albums may have letters of the fonts of each.
+    // The pages of several albums may need the fonts of all of them.
     let fonts = GivenFonts::joined(pages.iter().map(|page| &page.book.fonts));
     let letters = fonts.letters(pages.iter().flat_map(|page| &page.document.words))?;
     let options = Options { title: title.to_owned(), language: language.to_owned(), ..Options::default() };

@@ -1,4 +1,4 @@
-//! Photos as they are given.
+//! Photos of the caller.
 
 use super::failure::{Failure, survived};
 use crate::page::import::{Imported, import, import_image};

@@ -15,7 +15,7 @@ use crate::order::sort_by;
 const EYE_LINE: f64 = 0.42;
 /// The paper's 40 pixels, as a fraction of the photo's longer side.
 const FIXED_EXPANSION: f64 = 0.04;
-/// Subjects that are looked at; the largest count.
+/// Maximum number of subjects; the largest ones count.
 const MOST_SUBJECTS: usize = 12;
 /// Faces that no crop may cut; a class or a wedding has more than crops are drawn round.
 const MOST_FACES: usize = 40;
@@ -23,7 +23,7 @@ const MOST_FACES: usize = 40;
 const STEPS: [f64; 3] = [1.0, 0.8, 0.6];
 /// Places across and down that the rule without detection tries at each step.
 const PLACES: u32 = 7;
-/// Closer looks, for a photo that is used again.
+/// Zoom factors for a photo that is used again.
 const CLOSER_STEPS: [f64; 2] = [0.5, 0.4];
 
 /// A rectangle in pixels of the photo.
@@ -225,7 +225,7 @@ pub(super) fn all(view: &View, search: Search) -> Vec<Crop> {
     for &subject in &boxes {
         let face = faces.contains(&subject);
         expansions(view, subject, face, quick, &mut crops);
-        // Wide, with the subject where the eye goes.
+        // Wide, with the subject in a prominent position.
         let centre = (subject.x + subject.width / 2.0, subject.y + subject.height / 2.0);
         let level = if face && !view.target.round { EYE_LINE } else { 0.5 };
         crops.extend(steps.iter().map(|&width| view.about(centre, width, level)));
@@ -317,22 +317,22 @@ fn expansions(view: &View, inner: Area, face: bool, quick: bool, crops: &mut Vec
         }
     }
     if view.target.round {
-        // A box is inside a circle when the circle goes round its diagonal.
+        // A circle around the diagonal of a box contains the box.
         for room in [1.1, 1.6, 2.2] {
             crops.push(view.about(centre, inner.width.hypot(inner.height) * room, level));
         }
     }
 }
 
-/// Whether a crop shows a face whole and cuts none.
+/// Returns whether a crop shows a complete face and cuts none.
 fn keeps(view: &View, crop: &Crop, faces: &[Area]) -> bool {
     let area = view.area(crop);
     let holds = |face: &Area| view.target.region.holds(View::within(area, *face));
     faces.iter().any(holds) && !faces.iter().any(|face| view.cuts(area, *face))
 }
 
-/// Crops about as small as some of the faces allow, where all with room around them cut one. Whatever crop keeps some
-/// faces and cuts none, the smallest about the same faces inside of it does so, too.
+/// Returns crops as small as some of the faces allow, if all crops with more space cut a face. For any crop
+/// that contains some faces and cuts none, the smallest crop around the same faces within it does so as well.
 fn tight(view: &View, faces: &[Area]) -> Vec<Crop> {
     let few = if faces.len() > MOST_SUBJECTS { 2 } else { 6 };
     let first = &faces[..faces.len().min(few)];
@@ -377,7 +377,8 @@ fn settled(view: &View, crop: &Crop, faces: &[Area]) -> Option<Crop> {
     best.map(|(_, moved)| view.crop(moved.x, moved.y, moved.width))
 }
 
-/// Places of one side of a crop at which a face just begins to be whole, or just to be gone, the nearest first.
+/// Returns positions of one side of a crop at which a face just becomes complete or just disappears, the
+/// nearest first.
 fn stops(at: f64, length: f64, limit: f64, faces: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
     let room = (limit - length).max(0.0);
     let mut places: Vec<f64> = faces

@@ -7,7 +7,7 @@ use crate::raster::Image;
 
 /// Cells along the longer side of a photo.
 const LONGEST: usize = 48;
-/// Pixels along the longer side that are looked at; more give the same map.
+/// Maximum pixels along the longer side that are analysed. More pixels give the same map.
 const SAMPLES: usize = 480;
 
 /// The part of detail in the energy of a cell; the rest is contrast of colour.
@@ -129,7 +129,7 @@ fn contrast(colours: &[[f64; 3]]) -> Vec<f64> {
     colours.iter().map(|rgb| means.iter().map(|(mean, n)| n * distance(rgb, mean)).sum()).collect()
 }
 
-/// The values brought to 0..=1; all 0 when they are all alike.
+/// Scales the values to 0..=1; all 0 if they are equal.
 fn stretched(values: &[f64]) -> Vec<f64> {
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -175,7 +175,7 @@ impl TryFrom<Hexadecimal> for EnergyMap {
         let (columns, rows) = (text.columns, text.rows);
         let sides = 1..=4 * LONGEST;
         if !sides.contains(&columns) || !sides.contains(&rows) || text.values.len() != columns * rows * 2 {
-            return Err(format!("an energy map of {columns} x {rows} cells has two digits a cell"));
+            return Err(format!("an energy map of {columns} x {rows} cells has two digits per cell"));
         }
         let digit = |byte: u8| char::from(byte).to_digit(16).map(|digit| digit as u8);
         let cell = |pair: &[u8]| Some(digit(pair[0])? << 4 | digit(pair[1])?);

@@ -6,20 +6,20 @@ use serde::{Deserialize, Serialize};
 use super::energy::{luma, rgb};
 use crate::raster::Image;
 
-/// Pixels along the longer side that are looked at.
+/// Maximum pixels along the longer side that are analysed.
 const SAMPLES: usize = 240;
 /// Steps of luma that are counted.
 pub(super) const TONES: usize = 16;
-/// Differences of luma between neighbours from which on there is an edge, in grey steps.
+/// Minimum difference of luma between neighbours at an edge, in grey levels.
 const EDGE: u32 = 20;
 
-/// Facts about the pixels of a photo. Shares are in 255ths of the whole.
+/// Facts about the pixels of a photo. Shares are in 255ths of the whole photo.
 ///
 /// As JSON a string of two hexadecimal digits for each of their 25 numbers, shares in 255ths.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Facts {
-    /// The share of each sixteenth of luma, dark first, in 255ths of the whole.
+    /// Share of each sixteenth of luma, dark first, in 255ths of the whole photo.
     pub tones: [u8; TONES],
     /// The share of pixels on an edge, between neighbours and between pixels eight times as far apart.
     pub edges: [u8; 2],
@@ -99,7 +99,7 @@ impl TryFrom<String> for Facts {
     type Error = &'static str;
 
     fn try_from(text: String) -> Result<Self, Self::Error> {
-        const WRONG: &str = "facts of a photo are written in 50 hexadecimal digits";
+        const WRONG: &str = "photo metrics must have 50 hexadecimal digits";
         let digits: Option<Vec<u8>> =
             text.chars().map(|digit| digit.to_digit(16).map(|value| value as u8)).collect();
         let digits = digits.filter(|digits| digits.len() == 2 * (TONES + 9)).ok_or(WRONG)?;

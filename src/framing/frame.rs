@@ -101,8 +101,8 @@ pub fn closeup(photo: &PhotoMeta, target: &Target, turn: usize) -> Option<Crop> 
     faces.iter().filter(main).filter_map(of).nth(turn)
 }
 
-/// A crop that is nearly as good as [`frame`]'s and found in a tenth of the time, and the part of the photo's energy
-/// that it holds: enough to choose photos by.
+/// Returns a crop in a tenth of the time of [`frame`], and the part of the photo's energy that it holds. The
+/// crop is nearly as good, and good enough to choose photos.
 #[must_use]
 pub fn sketch(photo: &PhotoMeta, target: &Target) -> (Crop, f64) {
     let view = View::new(photo, target);

@@ -1,5 +1,5 @@
-//! Lettering in photos: signs, titles, names on boats. A crop that cuts through text looks like a mistake, so
-//! lines of text count as subjects.
+//! Lettering in photos: signs, titles, names on boats. A crop that cuts through text is a mistake, so lines
+//! of text count as subjects.
 //!
 //! Letters are strokes of even width, darker or lighter than their surroundings, of similar height, side by
 //! side. These observations are from Epshtein, Ofek, Wexler 2010, "Detecting text in natural scenes with
@@ -21,16 +21,17 @@ const MOST: usize = 4;
 const SCORE: f64 = 0.6;
 /// Letters of a line at least.
 const LEAST_LETTERS: usize = 4;
-/// Heights of letters in pixels, and as a part of the image's height.
+/// Minimum height of characters in pixels, and range as a fraction of the image height.
 const LEAST_HEIGHT: usize = 7;
 const MOST_HEIGHT: f64 = 0.3;
-/// Width of strokes over the height of letters.
+/// Stroke width relative to the height of characters.
 const STROKES: std::ops::RangeInclusive<f64> = 0.06..=0.42;
-/// Half the side of the window whose mean a stroke is compared with, as a part of the image's longer side, and by how many
-/// grey steps it differs.
+/// Half the side of the window whose mean is compared with a stroke, as a fraction of the image's longer
+/// side, and the minimum difference in grey levels.
 const WINDOW: f64 = 0.06;
 const CONTRAST: f64 = 28.0;
-/// Grey steps between the ink of a line and its ground, and how far either may stray, as a part of that.
+/// Minimum contrast between a line of text and its background in grey levels, and the maximum deviation of
+/// either, relative to the contrast.
 const LEAST_CONTRAST: f64 = 50.0;
 const EVEN: f64 = 0.33;
 
@@ -81,7 +82,7 @@ impl Piece {
             && STROKES.contains(&(self.stroke() / tall))
     }
 
-    /// Whether the other may be the next letter of its line.
+    /// Returns whether another piece may be the next character of its line.
     fn precedes(&self, next: &Self) -> bool {
         let tall = self.height().max(next.height());
         let low = self.height().min(next.height());
@@ -245,7 +246,7 @@ fn pieces(mask: &[bool], lumas: &[u8], width: usize) -> Vec<Piece> {
     pieces
 }
 
-/// Rows of letters that stand side by side on a line.
+/// Returns rows of adjacent characters on a line.
 fn lines_of(mut letters: Vec<Piece>) -> Vec<Piece> {
     sort_by_key(&mut letters, |letter| letter.left);
     let mut used = vec![false; letters.len()];
@@ -322,7 +323,7 @@ fn together(a: Piece, b: Piece) -> Piece {
     }
 }
 
-/// Lines that lie on each other or follow each other closely, as one.
+/// Joins lines that overlap or are close to each other.
 fn joined(mut lines: Vec<Piece>) -> Vec<Piece> {
     let near = |a: &Piece, b: &Piece| {
         let apart = |low: usize, high: usize, other: usize, its: usize| {
@@ -350,7 +351,7 @@ fn joined(mut lines: Vec<Piece>) -> Vec<Piece> {
 mod tests {
     use super::*;
 
-    /// The five by seven dots of some letters.
+    /// The 5 x 7 dot matrix of some characters.
     const LETTERS: [(char, [u8; 7]); 7] = [
         ('O', [0x0e, 0x11, 0x11, 0x11, 0x11, 0x11, 0x0e]),
         ('P', [0x1e, 0x11, 0x11, 0x1e, 0x10, 0x10, 0x10]),

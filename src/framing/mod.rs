@@ -1,4 +1,4 @@
-//! Framing: which photo goes into which panel, and the crop that fits it.
+//! Framing: assigns photos to panels, and finds the crop for a panel.
 //!
 //! [`PhotoMeta`] is the input from a photo: measurements, an energy map and, after detection, its subjects.
 //! [`crate::plan`] gives every panel a photo, [`frame()`] finds the crop. Both are pure functions. Pixels are

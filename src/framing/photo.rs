@@ -11,7 +11,7 @@ use crate::raster::Matte;
 
 /// The label of a face among the subjects.
 pub const FACE: &str = "face";
-/// The label of a subject that is known by its mask alone.
+/// Label of a subject without a detected object: only its mask is known.
 pub const FIGURE: &str = "figure";
 
 /// Facts about a photo, measured once at import. All positions are fractions of the oriented photo.
@@ -88,14 +88,14 @@ impl PhotoMeta {
         self.subjects.splice(0..0, found);
     }
 
-    /// Subjects for cropping: the detected ones and, if no person or animal is among them, the figure of the
-    /// mask.
+    /// Subjects for cropping: the detected ones, and the subject of the mask if no person or animal was
+    /// detected.
     pub fn marked(&self) -> impl Iterator<Item = Cow<'_, Subject>> {
         self.subjects.iter().map(Cow::Borrowed).chain(self.figure().map(Cow::Owned))
     }
 
     /// The box of the mask, for a photo without faces, people and animals. `None` if the mask confidence is
-    /// too low, or the figure is too large for a crop.
+    /// too low, or the subject is too large for a crop.
     fn figure(&self) -> Option<Subject> {
         if self.subjects.iter().any(Subject::is_alive) {
             return None;
@@ -273,6 +273,6 @@ mod hexadecimal {
         u64::from_str_radix(&text, 16)
             .ok()
             .filter(|_| text.len() == 16)
-            .ok_or_else(|| D::Error::custom("a fingerprint has 16 hexadecimal digits"))
+            .ok_or_else(|| D::Error::custom("a fingerprint must have 16 hexadecimal digits"))
     }
 }

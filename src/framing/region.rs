@@ -1,15 +1,15 @@
 //! The visible part of a panel's rectangle: inside its outline, not covered by later panels, not in the
 //! gutters of a merge.
 //!
-//! It is sampled once on a grid and summed up, so that any of the many crops of a photo asks in constant time how much
-//! of a head it shows.
+//! A grid of samples with running sums gives the visible part of a head in constant time, for any of the many
+//! crops of a photo.
 
 use crate::layout::{Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
 
 /// Samples across and down.
 const GRID: usize = 40;
-/// The part of a box that makes it count as whole. Heads are round: a slanted edge that takes a corner of the box
-/// takes nothing of the head.
+/// Minimum visible part of a box that counts as complete. Heads are round: a slanted edge that takes a corner
+/// of the box takes nothing of the head.
 const WHOLE: f64 = 0.96;
 /// The part of a box that makes it count as hidden.
 const GONE: f64 = 0.04;
@@ -104,7 +104,7 @@ impl Region {
         (all, most)
     }
 
-    /// Whether a box is seen whole, in one window.
+    /// Returns whether a box is completely visible in one window.
     #[must_use]
     pub fn holds(&self, inner: Bounds) -> bool {
         self.shares(inner).1 >= if self.parts.is_empty() { 1.0 - SLACK } else { WHOLE }
@@ -196,7 +196,7 @@ impl Part {
     }
 }
 
-/// Whether a point lies in a shape, or nearer to it than `halo`.
+/// Returns whether a point is inside a shape, or nearer to it than `halo`.
 fn inside(shape: &ResolvedShape, at: Point, halo: f64) -> bool {
     match shape {
         ResolvedShape::Circle { center, radius } => center.distance(at) <= radius + halo,

@@ -10,14 +10,14 @@ use super::candidates::{Area, View, reach};
 use super::photo::{Crop, FACE, PhotoMeta};
 use super::sums::Sums;
 
-/// More enlargement than this is only taken when nothing else fits.
+/// Maximum enlargement, unless nothing else fits.
 const MOST_ENLARGED: f64 = 2.0;
 /// Cost of a crop's area relative to its energy. Lower values zoom in less.
 const AREA_COST: f64 = 0.35;
-/// The weight of all subjects together from which on they have their full say. A speck that some detector calls a
-/// sheep is no reason to show a stone in place of the mountains.
+/// Total weight of the subjects at which they decide the score. With less weight, the image content counts
+/// too. So a false detection, such as a stone as a sheep, does not hide the mountains.
 const STRONG: f64 = 0.25;
-/// The least part of a photo that a crop keeps where another can be had.
+/// Minimum part of a photo in a crop, if such a crop exists.
 const LEAST_KEPT: f64 = 0.44;
 /// The least part of a photo that a subject covers which must not be cut.
 const SOME_SIZE: f64 = 0.01;
@@ -184,7 +184,7 @@ impl<'a> Judge<'a> {
         kept && !cut
     }
 
-    /// No subject of some size cut that is not a face, and not all of them left out.
+    /// Returns whether no large subject other than a face is cut, and at least one is included.
     fn spares_subjects(&self, crop: &Crop) -> bool {
         let area = self.view.area(crop);
         let whole = self.view.width * self.view.height;

@@ -1,6 +1,6 @@
 //! Audio analysis: finds sounds of a video that may become sound effects, and passages of music.
 //!
-//! The sound is taken apart into frames (`spectrum`). A sudden rise of the spectrum and of the loudness is an
+//! The sound is divided into frames (`spectrum`). A sudden rise of the spectrum and of the loudness is an
 //! impact. A swell or a sweep in pitch is a whoosh. Tones that last for seconds, or a beat, are music. Voices
 //! are ignored, because subtitles have the dialogue. All results are suggestions, so a missed sound is better
 //! than an invented one.
@@ -29,11 +29,12 @@ const RISE: f32 = 9.0;
 const FALL: f32 = 20.0;
 /// Maximum length of a sound in frames.
 const LONGEST: usize = 300;
-/// Frames that a sound without a sudden beginning takes at least.
+/// Minimum number of frames of a sound with a gradual beginning.
 const SWELL: usize = 15;
-/// Frames until a sound is at its loudest from which on it has no sudden beginning.
+/// Minimum number of frames before the maximum of a sound with a gradual beginning.
 const GRADUAL: usize = 9;
-/// Octaves that the centroid of a sound goes which sweeps past, and how straight it goes: the square of its correlation.
+/// Minimum range of the centroid of a whoosh in octaves, and minimum straightness of its movement: the
+/// squared correlation.
 const OCTAVES: f32 = 1.0;
 const STRAIGHT: f32 = 0.75;
 /// Frames that a voice holds,
@@ -42,7 +43,7 @@ const HELD_FOR: usize = 9;
 const VOICES: Range<f32> = 250.0..2500.0;
 /// Flatness below which a frame is a tone.
 const TONAL: f32 = 0.1;
-/// How alike a tone that holds is to itself a tenth of a second before.
+/// Minimum correlation of a sustained tone with itself a tenth of a second before.
 const HELD: f32 = 0.7;
 /// Number of frames per test for music, and interval of the tests.
 const PART: usize = 100;
@@ -50,7 +51,7 @@ const NEXT: usize = 25;
 /// Share of tones that hold in music, and in music with a beat.
 const MUSIC: f32 = 0.6;
 const BEATEN: f32 = 0.35;
-/// How alike the flux is to itself a beat before: its correlation.
+/// Minimum correlation of the flux with itself one beat before.
 const BEAT: f32 = 0.4;
 /// Frames per beat: 60 to 200 beats per minute.
 const BEATS: Range<usize> = 30..100;
@@ -60,7 +61,7 @@ const LASTING: f32 = 2.0;
 const OVER: f32 = 10.0;
 /// Interval of the tests for voices, in frames.
 const ASKED: usize = 3;
-/// and dB that it gets fainter by from one to the next at most.
+/// and maximum decrease per frame in dB.
 const HELD_BY: f32 = 1.5;
 /// Seconds before and after a sound that are tested for speech. Speech is assumed if voices take a minimum
 /// share of them.
@@ -73,7 +74,7 @@ const ITSELF: f64 = 0.05;
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "SoundKind"))]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
-    /// It begins at once.
+    /// It has a sudden beginning.
     Hit,
     /// It swells, or its pitch wanders.
     Sweep,
@@ -166,7 +167,7 @@ pub struct Event {
     pub end: f64,
     /// Kind of the sound.
     pub kind: Kind,
-    /// Loudness in whole dB below full scale, -42 to about 0: of the loudest frame, or the mean for music.
+    /// Level in whole dB below full scale, -42 to about 0: of the loudest frame, or the mean for music.
     pub loudness: i32,
     /// Suggested sound effects, the best first.
     pub words: [Word; 3],
@@ -206,8 +207,8 @@ pub fn events(mut samples: Vec<f32>, rate: f32) -> Vec<Event> {
     all
 }
 
-/// The sounds as JSON, equal to the output of serde. A general number formatter would add half of the size of
-/// the films module.
+/// The sounds as JSON, equal to the output of serde. A general number formatter would increase the size of
+/// the `films` module by half.
 #[must_use]
 pub fn to_json(events: &[Event]) -> String {
     let time = |seconds: f64| {
@@ -248,7 +249,7 @@ impl Hearing<'_> {
         events
     }
 
-    /// The frames at which a sound begins at once.
+    /// Returns the frames at which a sound begins suddenly.
     fn onsets(&self) -> Vec<usize> {
         let frames = self.frames;
         let mut found: Vec<usize> = Vec::new();

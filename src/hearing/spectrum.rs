@@ -1,13 +1,13 @@
 //! Spectra of sound: the frequencies in a frame of samples, and their measurements.
 //!
 //! The transform is a plain radix-2 FFT of one small size. Libraries add planners for every size, or sine
-//! tables half as large as the films module.
+//! tables of half the size of the `films` module.
 
 /// Seconds between two frames.
 pub(super) const STEP: f32 = 0.01;
-/// Seconds that a frame takes at least; it has as many samples as the next power of two.
+/// Minimum duration of a frame in seconds. The number of samples is the next power of two.
 const WIDTH: f32 = 0.025;
-/// Frequencies in Hz between which flatness is measured: hum of the mains lies below, and hiss of a codec above.
+/// Frequency range in Hz for measuring flatness. It excludes mains hum below and codec hiss above.
 const BAND: [f32; 2] = [150.0, 5000.0];
 /// How strongly loud parts of a spectrum are pressed down before two are compared.
 const PRESSED: f32 = 300.0;
@@ -19,8 +19,9 @@ const NOTHING: f32 = 1e-12;
 pub(super) struct Frame {
     /// Loudness in dB below full scale, -120 at least: the root of the mean square of the samples.
     pub level: f32,
-    /// How much more there is than in the frame before, summed over the frequencies that have become stronger: spectral flux
-    /// (S. Dixon, *Onset detection revisited*, `DAFx` 2006, equation 2) of magnitudes pressed by a logarithm; the mean a bin.
+    /// Increase relative to the previous frame, summed over the frequencies that have become stronger:
+    /// spectral flux (S. Dixon, *Onset detection revisited*, `DAFx` 2006, equation 2) of magnitudes pressed
+    /// by a logarithm; the mean a bin.
     pub flux: f32,
     /// The mean frequency in Hz, weighted by power: the spectral centroid.
     pub centroid: f32,

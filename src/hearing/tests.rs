@@ -1,5 +1,5 @@
 //! Made-up sounds.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use super::*;
 use proptest::prelude::*;
@@ -104,7 +104,7 @@ fn a_chord_that_holds_is_music_and_so_are_notes_one_after_the_other() {
     assert_eq!(
         kinds(&found),
         [Kind::Music, Kind::Hit],
-        "what is louder than music is heard in it: {found:?}"
+        "sounds louder than the music are detected: {found:?}"
     );
 }
 

@@ -6,12 +6,12 @@ use Word::{
     Tap, Thud, Thump, Tick, Tune, Vroom, Whoosh, Zip, Zoom,
 };
 
-/// Loudness in dB below full scale from which on a sound is loud.
+/// Minimum level of a loud sound in dB below full scale.
 const LOUD: f32 = -24.0;
-/// Seconds up to which a hit is short, and from which on it is long,
+/// Maximum duration of a short impact and minimum duration of a long one, in seconds.
 const SHORT: f32 = 0.12;
 const LONG: f32 = 0.4;
-/// and the centroids in Hz between which it is neither low nor high.
+/// Range of spectral centroids in Hz of impacts that are neither low nor high.
 const LOW: f32 = 600.0;
 const HIGH: f32 = 2500.0;
 
@@ -32,7 +32,8 @@ const HITS: [[[[Word; 3]; 3]; 3]; 2] = [
 /// Sweeps by their pitch.
 const SWEEPS: [[Word; 3]; 3] = [[Vroom, Rumble, Whoosh], [Whoosh, Zoom, Swish], [Swish, Whoosh, Zip]];
 
-/// Three words for a sound of `level` dB that takes `length` seconds, whose centroid is at `centroid` Hz.
+/// Returns three sound effects for a sound of `level` dB, with a duration of `length` seconds and its
+/// centroid at `centroid` Hz.
 pub(super) fn words(kind: Kind, level: f32, length: f32, centroid: f32) -> [Word; 3] {
     let step = |value: f32, [low, high]: [f32; 2]| usize::from(value >= low) + usize::from(value > high);
     let pitch = step(centroid, [LOW, HIGH]);

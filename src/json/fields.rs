@@ -1,4 +1,4 @@
-//! Objects taken apart field by field, and lists item by item.
+//! Reads objects field by field, and lists item by item.
 
 use super::{Read, Wrong};
 use serde_json::{Map, Value};
@@ -88,7 +88,7 @@ impl Fields {
         }
     }
 
-    /// A whole number that must be there.
+    /// A required whole number.
     ///
     /// # Errors
     /// For anything else.

@@ -8,7 +8,7 @@
 //! | module | for |
 //! |---|---|
 //! | [`mod@parse`] | text within bounds |
-//! | [`fields`] | objects taken apart |
+//! | [`fields`] | reading of object fields |
 //! | [`writer`] | text written |
 
 pub mod fields;

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
 use std::fmt;
 
-/// Bounds of a text of JSON, whatever it says. Nesting ends at 128, as `serde_json` has it.
+/// Limits of a JSON text. Nesting ends at 128, as `serde_json` has it.
 #[derive(Debug, Clone, Copy)]
 pub struct Bounds {
     /// Bytes of the whole text.

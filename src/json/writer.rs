@@ -51,7 +51,7 @@ impl Writer {
     /// Writes a number; null if it is not finite.
     #[inline(never)]
     pub fn number(&mut self, number: f64) {
-        // As JavaScript writes it: whole numbers without a point.
+        // As in JavaScript: whole numbers without a decimal point.
         if number.fract() == 0.0 && number.abs() < 1e15 {
             self.put(&(number as i64));
         } else {
@@ -77,7 +77,7 @@ impl Writer {
         self.put(value);
     }
 
-    /// Fields that are not known here.
+    /// Unknown fields.
     #[inline(never)]
     pub fn rest(&mut self, rest: &Map<String, Value>) {
         for (name, value) in rest {
@@ -124,7 +124,7 @@ impl Writer {
         String::from_utf8(self.0).unwrap_or_default()
     }
 
-    /// Anything that says itself how it is written.
+    /// Writes any serialisable value.
     pub fn put(&mut self, value: &impl Serialize) {
         // Writing into memory cannot fail, and all keys are text.
         let _: Result<(), serde_json::Error> = serde_json::to_writer(&mut self.0, value);

@@ -1,4 +1,4 @@
-//! How pleasing a template is on a page, as far as numbers say.
+//! Rates the aesthetics of a template on a page by numbers.
 //!
 //! Five terms, each 0 to 1: panels of different sizes with one leading panel; weight balanced around the
 //! centre; edges that align or clearly do not; no slivers; few slants.
@@ -6,7 +6,7 @@
 use super::polygon::{Bounds, Point, area, edges, thickness};
 use super::template::{Shape, Template};
 
-/// The spread of panel areas (standard deviation over mean) that looks lively and not random.
+/// The preferred spread of panel areas (standard deviation over mean): lively, but not random.
 const SPREAD: f64 = 0.42;
 /// Edges nearer than this, in page widths, that do not line up look like a mistake.
 const NEAR_MISS: f64 = 0.06;
@@ -40,7 +40,7 @@ fn variety(cells: &[Vec<Point>]) -> f64 {
     (1.0 - (spread - SPREAD).abs() / SPREAD).max(0.0)
 }
 
-/// Panels count alike whatever their size, so a side with many small ones is the heavier.
+/// Panels have equal weight, so a side with many small panels is the heavier one.
 fn balance(cells: &[Vec<Point>], page_aspect: f64) -> f64 {
     let centre = |cell: &Vec<Point>| {
         let bounds = Bounds::of(cell);

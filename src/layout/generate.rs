@@ -15,16 +15,16 @@ use super::polygon::{Bounds, area};
 use super::template::{Body, Template};
 use super::tree::{Axis, Node, PAGE, Quad, Split};
 
-/// How far a cut may lie from the middle of its cell.
+/// Maximum distance of a divider from the middle of its cell.
 const OFF_MIDDLE: f64 = 0.18;
 /// The chance that a page has slants, and then that a cut of its first two levels is slanted.
 const SLANTED: f64 = 0.35;
 const SLANTED_CUT: f64 = 0.7;
-/// The chance that a cell which may stay whole does.
+/// Probability that a cell is not divided further, if its size allows it.
 const STAYS: f64 = 0.45;
-/// The least area of a cell, as part of an even share, and the most that may stay whole.
+/// Minimum area of a cell relative to an even share, and maximum area of a cell that is not divided.
 const AREAS: RangeInclusive<f64> = 0.36..=1.8;
-/// Trees grown for one template, and how many good ones it is chosen from.
+/// Number of trees grown for one template, and number of good ones to choose from.
 const GROWN: usize = 400;
 const CHOICE: usize = 16;
 
@@ -80,7 +80,7 @@ impl Growth<'_> {
         if self.wanted == 1 || small || (may_stay && self.random.rand_float() < STAYS) || depth > 8 {
             return Node::Panel;
         }
-        // Now and then across the shorter side, for variety, where the cell is nearly square.
+        // Nearly square cells are sometimes divided along the other axis, for variety.
         let square = width.max(height) < 1.4 * width.min(height);
         let turned = square && self.random.rand_float() < 0.35;
         let axis = if (height > width) == turned { Axis::Columns } else { Axis::Rows };
@@ -103,7 +103,7 @@ impl Growth<'_> {
     }
 }
 
-/// Three digits are finer than a printed dot on a hand's breadth, and keep files readable.
+/// Three digits are finer than a printed dot at the width of a hand, and keep files readable.
 fn round(value: f64) -> f64 {
     (value * 1000.0).round() / 1000.0
 }

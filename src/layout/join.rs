@@ -10,7 +10,7 @@ use super::tree::{Axis, Node, PAGE, Split};
 use crate::error::Result;
 use crate::order::sort_by;
 
-/// Places within this of each other are the same, in parts of a cell: shares have four digits.
+/// Maximum distance of positions that count as equal, as a fraction of a cell. Shares have four digits.
 const NEAR: f64 = 1e-3;
 
 /// The template with some base panels as one, at the place of the first of them in the reading order.
@@ -145,7 +145,7 @@ fn is_slanted(node: &Node) -> bool {
     split.slants.iter().any(|slant| slant.abs() > f64::EPSILON) || split.children.iter().any(is_slanted)
 }
 
-/// Divides a rectangle that consists of other rectangles, with dividers across its whole side. `None` if
+/// Divides a rectangle that consists of other rectangles, with dividers across a complete side. `None` if
 /// every divider would split one of them. The numbers of the leaves come in the order of the tree.
 fn partition(rects: &[Rect], ids: &mut Vec<usize>) -> Option<Node> {
     if let [only] = rects {
@@ -165,7 +165,7 @@ fn partition(rects: &[Rect], ids: &mut Vec<usize>) -> Option<Node> {
     Some(Node::Split(split))
 }
 
-/// Groups the rectangles by the dividers across the whole side.
+/// Groups the rectangles by the dividers across the complete side.
 fn bands(rects: &[Rect], axis: Axis) -> Vec<Vec<Rect>> {
     let mut sorted = rects.to_vec();
     sort_by(&mut sorted, |a, b| a.extent(axis).0.total_cmp(&b.extent(axis).0));
@@ -226,7 +226,7 @@ mod tests {
                 }
             }
         }
-        // The others lie over a corner of a third, or their cuts are slanted.
+        // The others cover a corner of a third panel, or have slanted dividers.
         assert!(tried > 300 && done * 2 > tried, "{done} of {tried}");
     }
 

@@ -36,7 +36,7 @@ impl<'a> Field<'a> {
         Self { file, path: String::new(), value }
     }
 
-    /// The error that this field has, in words that follow its path.
+    /// Returns an error for this field. `reason` follows the path of the field.
     pub(super) fn error(&self, reason: impl Into<String>) -> Error {
         let location = if self.path.is_empty() { "file".into() } else { self.path.clone() };
         Error::InvalidLayout { file: self.file.into(), location, reason: reason.into() }
@@ -49,7 +49,7 @@ impl<'a> Field<'a> {
             if !allowed.contains(&key.as_str()) {
                 return Err(self
                     .at_key(key, &Value::Null)
-                    .error(format!("is not a field of this object; it may have {}", allowed.join(", "))));
+                    .error(format!("is not a field of this object; the fields are {}", allowed.join(", "))));
             }
         }
         Ok(())
@@ -109,7 +109,7 @@ impl<'a> Field<'a> {
         self.value.as_str() == Some(text)
     }
 
-    /// The elements of a list whose length lies inside the range.
+    /// Reads a list with a length in the range.
     pub(super) fn list(&self, lengths: RangeInclusive<usize>) -> Result<Vec<Field<'a>>> {
         let list = self
             .value

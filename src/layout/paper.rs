@@ -36,7 +36,7 @@ impl PaperSize {
         Self::measured(&plain).ok_or_else(|| Error::InvalidDocument {
             location: "page size".into(),
             reason: format!(
-                "there is no such size; say one of {}, or a width and a height such as 1600x2400, 210x297mm or 8.5x11in",
+                "unknown size; use one of {}, or a width and a height such as 1600x2400, 210x297mm or 8.5x11in",
                 Self::names()
             ),
         })

@@ -19,7 +19,7 @@ const MOST_OVERLAYS: usize = 12;
 const DEEPEST: usize = 10;
 /// The least distance between two cuts, or between a cut and the end of its cell, as a fraction of the cell.
 const LEAST_STEP: f64 = 0.02;
-/// How much of the page's area base panels may miss or cover twice.
+/// Maximum share of the page's area that base panels may miss or cover twice.
 const TILING: f64 = 1e-6;
 /// The family of sheets of a board, which the program makes: frames in a page that is theirs in part only.
 pub(super) const BOARD: &str = "board";

@@ -100,8 +100,8 @@ pub fn area(polygon: &[Point]) -> f64 {
     signed_area(polygon).abs()
 }
 
-/// The corners without doubles and without corners in the middle of a straight edge, clockwise on the
-/// screen; `None` when the outline is not convex, crosses itself or has no area.
+/// Returns the corners without duplicates and without corners in the middle of a straight edge, clockwise on
+/// the screen. `None` if the outline is not convex, crosses itself or has no area.
 #[must_use]
 pub fn normalised(outline: &[Point]) -> Option<Vec<Point>> {
     let mut corners: Vec<Point> = Vec::with_capacity(outline.len());
@@ -198,8 +198,8 @@ pub fn side(a: Point, b: Point, p: Point) -> f64 {
     ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / length
 }
 
-/// The part of a convex polygon that lies at least `distance` inside the line from -> to
-/// (Sutherland and Hodgman).
+/// Returns the part of a convex polygon that is at least `distance` inside the line from -> to (Sutherland
+/// and Hodgman).
 pub(super) fn clip(polygon: &[Point], from: Point, to: Point, distance: f64) -> Vec<Point> {
     if from.distance(to) <= f64::MIN_POSITIVE {
         return polygon.to_vec();
@@ -257,7 +257,7 @@ mod tests {
     fn erosion_is_even_and_drops_edges_that_vanish() {
         let inner = eroded(&square(), 0.1).unwrap();
         assert!((area(&inner) - 0.64).abs() < 1e-12);
-        // A square with one corner cut off by .1: the short edge is gone after moving in by .3.
+        // A square with one corner cut off by .1. The short edge disappears after moving in by .3.
         let cut = polygon(&[(0.1, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.1)]);
         assert_eq!(eroded(&cut, 0.01).unwrap().len(), 5);
         assert_eq!(eroded(&cut, 0.3).unwrap().len(), 4);

@@ -3,15 +3,15 @@
 use super::polygon::Bounds;
 use super::resolve::ResolvedPanel;
 
-/// Minimum part of an overlay that lies on its ground panel.
+/// Minimum part of an overlay on its ground panel.
 const GROUND: f64 = 0.9;
 /// Minimum distance of the middle of an overlay from the edge of its row, in heights of the overlay.
 const IN_ROW: f64 = 0.15;
 
 /// Returns the panels in reading order, as numbers in paint order.
 ///
-/// Base panels keep the order of the template. An overlay comes before the first panel that is below it or to its right,
-/// and after the panel on which it lies.
+/// Base panels keep the order of the template. An overlay comes before the first panel that is below it or to
+/// its right, and after the panel below it.
 #[must_use]
 pub fn reading_order(panels: &[ResolvedPanel]) -> Vec<usize> {
     let (overlays, mut order): (Vec<usize>, Vec<usize>) =

@@ -1,4 +1,4 @@
-//! A template on a page: gutters and margins taken off, in page-width units.
+//! A template on a page: gutters and margins are subtracted, in page-width units.
 
 use super::polygon::{Bounds, Point, TINY, clip, edges, eroded};
 use super::settings::PageSettings;
@@ -31,7 +31,7 @@ pub struct ResolvedPanel {
     pub shape: ResolvedShape,
     /// The rectangle round the outline.
     pub bounds: Bounds,
-    /// How much the panel draws the eye.
+    /// Visual prominence of the panel.
     pub weight: f32,
     /// Whether the panel is an overlay.
     pub overlay: bool,
@@ -124,7 +124,7 @@ impl Page {
         (ResolvedShape::Polygon(outline), bounds)
     }
 
-    /// A cell whose edges at the rim of the unit square lie half a gutter outside of the page; the others stay where they are.
+    /// Moves the outer edges of a cell half a gutter beyond the page. The inner edges do not move.
     fn to_the_edge(&self, cell: &[Point], gutter: f64) -> Vec<Point> {
         let (low, right, bottom) = (-gutter / 2.0, 1.0 + gutter / 2.0, self.height + gutter / 2.0);
         let corners = [(low, low), (right, low), (right, bottom), (low, bottom)];

@@ -9,7 +9,7 @@ use crate::json::{Fields, Read};
 /// Default gutter in page widths.
 pub const DEFAULT_GUTTER: f64 = 0.018;
 
-/// Pixels of a photo an inch below which a print looks soft at arm's length.
+/// Resolution in PPI below which a printed photo looks soft at arm's length.
 pub const COARSE: f64 = 200.0;
 
 /// Pixels that an upright page is wide on a screen.
@@ -138,7 +138,7 @@ const fn screen(
     PagePreset { id, name, purpose: Purpose::Screen, width, height, dpi: 96, safe, fold: 0 }
 }
 
-/// Two pages of a book beside each other.
+/// Two adjacent pages of a book.
 const fn spread(id: &'static str, name: &'static str, size: (u32, u32)) -> PagePreset {
     PagePreset { fold: tenths(100), ..printed(id, name, Purpose::Book, size, 60) }
 }
@@ -197,7 +197,7 @@ impl PageSettings {
         let mut page = Self::default();
         let sides = [("width", &mut page.width), ("height", &mut page.height), ("dpi", &mut page.dpi)];
         for (name, side) in sides {
-            *side = fields.whole(name, 0, u64::from(u32::MAX))?.map_or(*side, |told| told as u32);
+            *side = fields.whole(name, 0, u64::from(u32::MAX))?.map_or(*side, |pixels| pixels as u32);
         }
         let lengths = [
             ("gutter", &mut page.gutter),
@@ -226,7 +226,8 @@ impl PageSettings {
         f64::from(self.width) / f64::from(self.height.max(1))
     }
 
-    /// Whether the page becomes a printed book, so that it needs the pixels of print. Other pages are looked at on screens first.
+    /// Whether the page becomes a printed book, so that it needs the pixels of print. Other pages are mainly
+    /// for screens.
     #[must_use]
     pub fn is_for_print(&self) -> bool {
         let size = (self.width, self.height);

@@ -37,14 +37,14 @@ pub enum Shape {
 pub struct Panel {
     /// Its cell in unit coordinates (0..1 across and down the page), before gutters.
     pub shape: Shape,
-    /// How much it draws the eye: the strongest photo belongs into the panel of the greatest weight.
+    /// Visual prominence: the strongest photo belongs into the panel of the greatest weight.
     pub weight: f32,
     /// Whether the panel is an overlay. Other panels tile the page.
     pub overlay: bool,
     /// Width of the paper-coloured outline that separates an overlay from the panels below, in gutters. 0 for
     /// the rest.
     pub halo: f64,
-    /// True for a base panel whose outer edges lie on the edge of the page and not on its margin.
+    /// True for a base panel whose outer edges are on the edge of the page, not on its margin.
     pub bleeds: bool,
 }
 
@@ -58,7 +58,7 @@ impl Panel {
     }
 }
 
-/// How the base panels of a template are given; kept so that a template can be edited and written back.
+/// Definition of the base panels of a template, stored so that the template can be edited and written back.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Body {
@@ -107,7 +107,7 @@ impl Template {
         super::write::file(self)
     }
 
-    /// A template without overlays, in the order of its body, whose parts are known to be valid.
+    /// Returns a template without overlays, in the order of its body. The parts must be valid.
     pub(super) fn assemble(id: &str, name: &str, family: &str, aspect: f64, body: Body) -> Self {
         let cells = base_cells(&body);
         let panels = cells.iter().map(|cell| Panel::base(cell, cells.len())).collect();

@@ -138,7 +138,7 @@ mod tests {
         assert!((cells[0][3].y - 0.8).abs() < 1e-12 && (cells[0][2].y - 0.7).abs() < 1e-12);
         let total: f64 = cells.iter().map(|cell| area(cell)).sum();
         assert!((total - 1.0).abs() < 1e-12);
-        // The upper end of the slanted cut lies on the slanted cut above it.
+        // The upper end of the slanted divider is on the slanted divider above it.
         assert!((cells[1][1].x - 0.4).abs() < 1e-12 && (cells[1][1].y - 0.76).abs() < 1e-12);
     }
 }

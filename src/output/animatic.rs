@@ -27,7 +27,7 @@ const NARROWEST: f64 = 0.84;
 const SURE: f64 = 0.5;
 /// The width of captions, in widths of the frame.
 const CAPTION: f64 = 0.86;
-/// Height of their letters, in the shorter sides of the frame.
+/// Text height, in shorter sides of the frame.
 const LETTERS: f64 = 0.045;
 
 /// Request of an animatic.
@@ -39,7 +39,7 @@ pub struct Request {
     pub list: ShotList,
     /// The image of each shot.
     pub pictures: Vec<Picture>,
-    /// Width and height of the frames in pixels, 64 to 3840, made even as encoders want them.
+    /// Width and height of the frames in pixels, 64 to 3840. Rounded to even numbers, as encoders require.
     pub size: [u32; 2],
     /// Frames per second, 1 to 60. Default: the rate of the list.
     pub fps: u32,
@@ -346,7 +346,7 @@ pub(super) fn between(first: &Crop, last: &Crop, part: f64) -> Crop {
     }
 }
 
-/// Size and rate of frames, the size made even as encoders want it.
+/// Returns size and rate of frames, with the size rounded to even numbers, as encoders require.
 pub(super) fn framed(size: [u32; 2], fps: u32) -> Result<([u32; 2], u32)> {
     let [least, most] = SIDES;
     if !size.iter().all(|side| (least..=most).contains(side)) {

@@ -20,7 +20,7 @@ const DPI: u32 = 300;
 const MARGIN: f64 = 11.0;
 const GAP: f64 = 6.0;
 const NEAR: f64 = 1.8;
-/// Height of the head, and of its letters, in millimetres.
+/// Height of the header and of its text, in millimetres.
 const HEAD: f64 = 11.0;
 const TITLE: f64 = 4.9;
 /// Width of the sheet number.
@@ -30,7 +30,8 @@ const LOGO: (f64, f64) = (30.0, 9.0);
 const FLATTEST: f64 = 30.0;
 /// Offset of the header text next to a logo, which aligns their centres.
 const LOWER: f64 = 2.8;
-/// The part of the height of a cell that belongs to the text under a frame, at least; of its width to a frame with text beside it, at most.
+/// Minimum share of the cell height for the text below a frame, and maximum share of the cell width for a
+/// frame with text next to it.
 const UNDER: f64 = 0.27;
 const BESIDE: f64 = 0.56;
 /// Text height in millimetres by the maximum number of frames per sheet.
@@ -196,7 +197,7 @@ impl Request {
         Document::parse(&document.to_string())
     }
 
-    /// The title, who made it and when, and which sheet it is; behind the logo, if there is one.
+    /// Returns the header: title, author, date and sheet number, after the logo, if there is a logo.
     fn head(&self, grid: &Grid, (page, count): (usize, usize)) -> Vec<Value> {
         let wide = grid.width - 2.0 * MARGIN;
         let (left, lower) = match &self.logo {
@@ -301,7 +302,7 @@ struct Grid {
     cell: (f64, f64),
     frame: (f64, f64),
     beside: bool,
-    /// Height of letters.
+    /// Height of the text.
     letters: f64,
 }
 
@@ -466,7 +467,7 @@ mod tests {
                     assert!((bounds.width / bounds.height / shown - 1.0).abs() < 0.01, "{shape}");
                     let millimetre = 3000.0 / Grid::best(&request, frames).width;
                     let of = |millimetres: f64| millimetres * millimetre;
-                    // The page has whole pixels.
+                    // The page has a whole number of pixels.
                     assert!((bounds.x - of(MARGIN)).abs() < 1.0 && bounds.y > of(MARGIN) - 1.0);
                     assert!(bounds.width < of(LOGO.0) + 1.0 && bounds.height < of(LOGO.1) + 1.0);
                     for frame in &scene.panels[..frames] {

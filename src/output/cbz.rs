@@ -59,7 +59,7 @@ fn info(comic: &Comic, pages: &[ToldPage]) -> String {
     out
 }
 
-/// A coordinate: readers want whole pixels.
+/// Writes a coordinate as whole pixels, as readers require.
 fn whole(value: f64) -> String {
     format!("{}", value.round() as i64)
 }

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 const SURE: f64 = 0.5;
 /// The most kinds of things that are named.
 const MOST: usize = 4;
-/// Numbers that are words.
+/// Numbers as words.
 const NUMBERS: [&str; 13] =
     ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"];
 
@@ -35,7 +35,7 @@ fn seen(subjects: &[Subject], crop: Option<Crop>) -> String {
         let kind = kinds.entry(&subject.label).or_default();
         *kind = (kind.0 + 1, kind.1 + subject.width * subject.height);
     }
-    // A person is found as a whole, by the face, or by both.
+    // A detector may find the whole person, the face, or both.
     let people = ["person", "face"].map(|label| kinds.remove(label).map_or(0, |(count, _)| count));
     let people = people[0].max(people[1]);
     let mut things: Vec<(&str, (usize, f64))> = kinds.into_iter().collect();

@@ -215,7 +215,7 @@ impl Book<'_> {
                 "<item id=\"{name}\" href=\"{name}.xhtml\" media-type=\"application/xhtml+xml\"/>\n\
                  <item id=\"picture-{name}\" href=\"{picture}\" media-type=\"{kind}\"{cover}/>\n"
             );
-            // Two that are broad beside each other would be small.
+            // Two adjacent wide pages would be small.
             let alone = if page.width > page.height { " properties=\"rendition:spread-none\"" } else { "" };
             let _ = writeln!(spine, "<itemref idref=\"{name}\"{alone}/>");
         }
@@ -241,7 +241,7 @@ fn access<'p>(pages: &[ToldPage], phrases: &'p Phrases) -> Vec<(&'static str, &'
         ("accessibilityHazard", "none"),
         ("accessibilitySummary", phrases.summary.as_str()),
     ];
-    // If the content of every panel is known, the text is sufficient.
+    // If the content of every panel is known, the descriptions replace the picture.
     if all.into_iter().all(|panel| panel.known) {
         access.insert(3, ("accessModeSufficient", "textual"));
     }

@@ -17,7 +17,7 @@ const SCRIPT: &str = include_str!("reader/reader.js");
 // `STYLE_HASH` and `SCRIPT_HASH`: the SHA-256 of both in base64, as a Content-Security-Policy names them.
 include!(concat!(env!("OUT_DIR"), "/reader.rs"));
 
-/// How much larger the hole for a word is than the word, so that its outline is in it.
+/// Size of the hole in the dimmed layer relative to the text item, so that the hole includes its outline.
 const AROUND: f64 = 1.06;
 
 /// Returns the file as pieces, in order. An image piece is replaced by its data URL.
@@ -125,7 +125,7 @@ fn foot(text: &mut String, phrases: &Phrases, moves: bool) {
 const BACK: &str = "<svg viewBox=\"0 0 24 24\" aria-hidden=\"true\"><path d=\"M15 5l-7 7 7 7\"/></svg>";
 const ON: &str = "<svg viewBox=\"0 0 24 24\" aria-hidden=\"true\"><path d=\"M9 5l7 7-7 7\"/></svg>";
 
-/// The layer of a page that pictures which move and shapes lie in.
+/// Opens the layer of a page for animated pictures and shapes.
 fn open_shapes(text: &mut String, ToldPage { width, height, .. }: &ToldPage) {
     let _ = writeln!(
         text,

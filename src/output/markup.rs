@@ -33,7 +33,7 @@ pub(super) fn with_readings(pieces: &[(String, Option<String>)]) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A length with the two digits that can be seen, and no more letters than it takes.
+/// Writes a length with two significant digits, as short as possible.
 pub(super) fn short(value: f64) -> String {
     let rounded = (value * 100.0).round() / 100.0;
     // There is one nought.

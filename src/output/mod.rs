@@ -3,17 +3,17 @@
 //!
 //! | module | for |
 //! |---|---|
-//! | [`comic`] | what is asked for, and what comes of it: text, and places for pictures |
-//! | [`telling`] | pages told: panels in reading order, with their words |
-//! | [`phrases`] | what a reader says itself, in six languages |
-//! | [`describing`] | what a panel shows, in English, for the command line |
-//! | [`html`] | one page of HTML that opens anywhere, with a reader in it |
-//! | [`epub`] | an EPUB 3 book of fixed layout |
+//! | [`comic`] | parameters and result of an export: text, with placeholders for pictures |
+//! | [`telling`] | text of pages: panels in reading order, with their text items |
+//! | [`phrases`] | interface strings of the reader, in six languages |
+//! | [`describing`] | English descriptions of panels, for the command line |
+//! | [`html`] | one HTML file with a built-in reader |
+//! | [`epub`] | an EPUB 3 book with fixed layout |
 //! | [`cbz`] | a comic archive with `ComicInfo.xml` and ACBF |
-//! | [`board`] | sheets of a board, as pages |
-//! | [`animatic`] | the shots of a board in their times: which is seen in a frame, and how the camera moves |
-//! | [`motion`] | pages in their times: which panel is read in a frame, and what of it is said |
-//! | [`shots`] | the shots of a board as lists that spreadsheets and cutting rooms read |
+//! | [`board`] | storyboard sheets, as pages |
+//! | [`animatic`] | timing of storyboard shots: visible shot and camera position of each frame |
+//! | [`motion`] | timing of comic pages: active panel and caption of each frame |
+//! | [`shots`] | shot lists for spreadsheets and video editors |
 //! | `markup` | text in XML and HTML |
 //!
 //! No image passes through this module: a page at print size has megabytes, which the browser stores as

@@ -22,21 +22,21 @@ const USUAL_SECONDS: f64 = 2.0;
 pub const MOST_SECONDS: f64 = 60.0;
 /// Maximum duration of a dissolve between pages, in seconds.
 pub const MOST_DISSOLVE: f64 = 1.0;
-/// How long a page is seen as a whole, before it is read and after.
+/// Duration of the whole page, before and after its panels.
 const WHOLE: (f64, f64) = (1.2, 0.9);
 /// How long the camera is on its way from one panel to the next.
 const WAY: f64 = 0.7;
-/// How long a panel is seen before the first word appears, and after the last one was read.
+/// Duration of a panel before its first text item appears, and after the last one was read.
 const BREATH: (f64, f64) = (0.3, 0.5);
 /// Reading time of a text item in seconds: base, and per character. About 180 words per minute.
 const READ: (f64, f64) = (0.5, 0.055);
-/// How long a word takes to appear.
+/// Seconds in which a text item appears.
 const FADE: f64 = 0.2;
-/// Room about what is seen, as a part of it: of a panel, and of the whole page.
+/// Margin around the visible area, relative to a panel and to the whole page.
 const ROOM: (f64, f64) = (0.07, 0.05);
 /// How much nearer the camera comes while it stays at a panel, a second and at most.
 const CLOSER: (f64, f64) = (0.01, 0.04);
-/// How much of the veil goes while the camera is on its way, so that one sees where it goes.
+/// Reduction of the dimming during a camera move, so that its target is visible.
 const LIFTED: f64 = 0.7;
 /// Pixels that the picture of a page has at most, and a side of it.
 const MOST_PIXELS: f64 = 16e6;
@@ -49,7 +49,7 @@ const MOST_SIDE: f64 = 8000.0;
 pub struct Request {
     /// The pages in their order.
     pub pages: Vec<Document>,
-    /// Width and height of the frames in pixels, 64 to 3840, made even as encoders want them.
+    /// Width and height of the frames in pixels, 64 to 3840. Rounded to even numbers, as encoders require.
     pub size: [u32; 2],
     /// Frames per second, 1 to 60.
     pub fps: u32,
@@ -76,7 +76,7 @@ pub struct Reading {
     pub said: Vec<Said>,
     /// Stops of the camera, in order. The first and the last stop show the whole page.
     pub stops: Vec<Stop>,
-    /// How many frames a word takes to appear.
+    /// Number of frames in which a text item appears.
     fade: u32,
 }
 
@@ -232,8 +232,8 @@ impl Pace {
         }
     }
 
-    /// The words of a panel that is seen from a frame on, each when the one before was read, and how many seconds all of it
-    /// takes.
+    /// Returns the text items of a panel that is visible from a frame on, and their total duration in
+    /// seconds. Each item appears after the previous one was read.
     fn spoken(&self, panel: &ToldPanel, number: usize, from: u32) -> (Vec<Said>, f64) {
         let mut seconds = BREATH.0;
         let mut said = Vec::with_capacity(panel.words.len());
@@ -329,7 +329,7 @@ fn nearer(view: &Crop, part: f64) -> Crop {
     Crop { x: view.x + (view.width - width) / 2.0, y: view.y + (view.height - height) / 2.0, width, height }
 }
 
-/// The page without its words, as large as its narrowest view wants it.
+/// Renders the page without text, at the size that its narrowest view needs.
 fn picture(document: &Document, reading: &Reading, size: [u32; 2]) -> Result<Value> {
     let narrowest = reading.stops.iter().map(|stop| stop.last.width).fold(1.0_f64, f64::min);
     let (wide, high) = (f64::from(document.page.width), f64::from(document.page.height));
@@ -423,7 +423,7 @@ mod tests {
         assert!(words(first.from) > 0.0 && words(first.from) < 1.0);
         let frames = (100..reading.stops[3].to).map(words);
         assert!(frames.clone().zip(frames.skip(1)).all(|(a, b)| b >= a));
-        // Half a second to look, then 11 and 8 letters.
+        // Half a second, then 11 and 8 characters.
         assert!(stop.to - stop.from >= 24 * 2);
     }
 

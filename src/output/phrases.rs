@@ -22,7 +22,7 @@ const LANGUAGES: [(&str, &str); 6] = [
 pub struct Phrases {
     /// Button of the guided view, panel by panel.
     pub panels: String,
-    /// Button of the view of whole pages.
+    /// Button for the view of whole pages.
     pub pages: String,
     /// Button that shows all content as text.
     pub text: String,
@@ -91,7 +91,7 @@ impl Phrases {
         self.panel.replace("{page}", &(page + 1).to_string()).replace("{panel}", &(panel + 1).to_string())
     }
 
-    /// The name of a panel of a page that is known.
+    /// Returns the name of a panel with a known position.
     #[must_use]
     pub fn panel_alone(&self, panel: usize) -> String {
         self.panel_short.replace("{panel}", &(panel + 1).to_string())

@@ -105,7 +105,7 @@ pub fn tell(comic: &Comic, letters: &Letters, phrases: &Phrases) -> Result<Vec<T
         .collect()
 }
 
-/// One page; `shows` is what each panel shows, as far as that is known.
+/// Returns the text of one page. `shows` has the content of each panel, if it is known.
 ///
 /// # Errors
 /// As [`tell`].

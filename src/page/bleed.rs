@@ -6,7 +6,7 @@ use crate::framing::Crop;
 use crate::layout::{Bounds, Point, ResolvedShape};
 use crate::raster::{Image, Plane};
 
-/// How far from the edge a side may lie and still end there, in parts of the page's width: numbers are rounded.
+/// Tolerance for sides on the page edge, relative to the width of the page, because numbers are rounded.
 const NEAR: f64 = 1e-6;
 /// Extension of panels past the edge, in bleeds. The border ends up outside of the trimmed area.
 const REACH: f64 = 1.5;
@@ -51,7 +51,7 @@ fn crossing([from, at, to]: [Point; 3], [first, second]: [f64; 2]) -> Point {
     };
     let (a, b) = (side(from, at), side(at, to));
     let sine = (a.0 * b.1 - a.1 * b.0).max(SHARPEST);
-    // In steps along both sides: the one that moves goes out along the other.
+    // In steps along both sides: the moving side continues along the other.
     Point::new(at.x + (second * a.0 - first * b.0) / sine, at.y + (second * a.1 - first * b.1) / sine)
 }
 
@@ -66,8 +66,8 @@ pub(super) fn widened(crop: Crop, from: Bounds, to: Bounds) -> Crop {
     }
 }
 
-/// How many of the pixels along one axis lie beyond the photo, before and behind it. `start` is where the first begins
-/// and `step` what one is long, in fractions of the photo.
+/// Returns the number of pixels along one axis outside of the photo, before and after it. `start` is where
+/// the first begins and `step` what one is long, in fractions of the photo.
 pub(super) fn beyond(start: f64, step: f64, count: usize) -> (usize, usize) {
     let middle = |pixel: usize| start + (pixel as f64 + 0.5) * step;
     let before = (0..count).take_while(|&pixel| middle(pixel) < 0.0).count();

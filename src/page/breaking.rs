@@ -1,9 +1,9 @@
 //! Panel breakouts: subjects that extend past the border of their panel. This module finds the part outside,
 //! and adjusts the crop.
 //!
-//! An edge is closed if the figure must not cross it. Reasons: the photo or the page ends inside the figure,
-//! it would cover the face of another panel, extend too far, or end in the border. The part that is connected
-//! with the figure in the panel and crosses only open edges breaks out.
+//! An edge is closed if the subject must not cross it. Reasons: the photo or the page ends inside the
+//! subject, it would cover the face of another panel, extend too far, or end in the border. Only the
+//! connected part of the subject that starts in the panel and crosses open edges breaks out.
 
 use super::bleed::widened;
 use super::document::{Document, PanelContent};
@@ -19,7 +19,7 @@ use oorandom::Rand64;
 
 /// Minimum visible value of the mask. Lower values are not drawn, see `STEEP` of `compose`.
 const SEEN: u8 = 96;
-/// How far a figure goes beyond an edge at most, in parts of the panel's shorter side.
+/// Maximum overhang of a subject beyond an edge, relative to the panel's shorter side.
 const MOST_REACH: f64 = 0.3;
 /// Minimum overhang, in border widths. Below it the subject would only nick the border.
 const LEAST_REACH: f64 = 1.5;
@@ -34,7 +34,7 @@ const SURE_OF_LIFE: f64 = 0.25;
 /// Free distance around other faces, as a share of their size.
 const ABOUT_FACES: f64 = 0.15;
 
-/// Areas that a figure must not cover, in pixels of the page.
+/// Areas that a subject must not cover, in pixels of the page.
 #[derive(Clone)]
 pub struct Around {
     /// The area inside the page margin.
@@ -43,13 +43,13 @@ pub struct Around {
     pub faces: Vec<Bounds>,
     /// Width of the panels' borders.
     pub border: f64,
-    /// Whether another panel may cover this one. Then the whole figure is drawn again above it.
+    /// Whether another panel may cover this one. Then the whole subject is drawn again above it.
     pub covered: bool,
 }
 
-/// A figure that stands over the edges of its panel.
+/// A subject that extends over the edges of its panel.
 pub(super) struct Figure {
-    /// The connected part that may be visible, over the whole photo.
+    /// The connected part that may be visible, at the size of the photo.
     pub(super) shares: Plane,
     /// The edges of the panel, and whether they are closed to it.
     pub(super) closed: Vec<bool>,
@@ -131,7 +131,7 @@ pub(super) fn figure(panel: &ScenePanel, shares: Plane, around: &Around) -> Opti
     let outside = outside.filter(|_| share >= LEAST_OUTSIDE)?;
     let mut shares = cells.shares;
     for (share, kept) in shares.samples_mut().iter_mut().zip(kept) {
-        // The soft border belongs to the figure beside it.
+        // The soft border belongs to the adjacent subject.
         *share *= u8::from(kept || *share < SEEN);
     }
     Some(Figure { shares, closed, outside, share })
@@ -150,7 +150,7 @@ fn placed(panel: &ScenePanel, (width, height): (usize, usize)) -> impl Fn(usize,
     }
 }
 
-/// How sure the border of a panel's figure is where it is outside, 0 to 1. `shares` are all of its mask.
+/// Returns the confidence of the subject's border outside of the panel, 0 to 1. `shares` are all of its mask.
 fn confidence_outside(panel: &ScenePanel, figure: &Figure, shares: &Plane) -> f64 {
     let (edges, place) = (Edges::of(&panel.shape), placed(panel, (shares.width(), shares.height())));
     let Bounds { x: left, y: top, width, height } = figure.outside;
@@ -170,7 +170,7 @@ struct Cells<'a> {
 }
 
 impl Cells<'_> {
-    /// Pixels that are connected with the figure inside the panel, through open edges.
+    /// Returns the pixels that are connected to the subject inside the panel through open edges.
     fn connected(&self, closed: &[bool]) -> Vec<bool> {
         let (width, height) = (self.shares.width(), self.shares.height());
         let within = |i: usize, inside: bool| {
@@ -179,7 +179,7 @@ impl Cells<'_> {
                 .filter(|edge| inside || closed[*edge])
                 .all(|edge| self.edges.beyond(edge, point) <= 0.0)
         };
-        // Most of a mask shows nothing, so where that lies need not be known.
+        // Most of a mask is empty, so positions are computed only for visible pixels.
         let allowed = |i: usize, inside: bool| self.shares.samples()[i] >= SEEN && within(i, inside);
         let mut kept: Vec<bool> = (0..width * height).map(|i| allowed(i, true)).collect();
         let mut open: Vec<usize> = (0..kept.len()).filter(|i| kept[*i]).collect();
@@ -194,7 +194,7 @@ impl Cells<'_> {
         kept
     }
 
-    /// Closes the edges that the figure must not cross.
+    /// Closes the edges that the subject must not cross.
     fn close(&self, kept: &[bool], closed: &mut [bool], around: &Around, reach: f64) {
         let (width, height) = (self.shares.width(), self.shares.height());
         let Bounds { x: left, y: top, width: across, height: down } = around.room;
@@ -230,16 +230,16 @@ impl Cells<'_> {
 const COARSE: usize = 40;
 /// Candidate crop sizes, as shares of the largest crop, per side.
 const ZOOMS: [f64; 4] = [0.92, 0.8, 0.68, 0.55];
-/// How much of a crop's height or width the figure is to stand over an edge.
+/// Overhang of the subject beyond the panel edge, relative to the height or width of the crop.
 const STEPS: [f64; 3] = [0.08, 0.14, 0.2];
-/// Crops that are good in the coarse and looked at in the fine, the best first.
+/// Number of coarse candidates that are refined.
 const LOOKED_AT: usize = 6;
 
 /// Share of new pages with a breakout, if one is possible.
 const CHANCE: f64 = 0.35;
 /// Panels that are tried for that.
 const TRIED: usize = 2;
-/// The share of its photo that such a figure covers.
+/// Range of the share of the photo that such a subject covers.
 const COVERAGE: std::ops::Range<f64> = 0.03..0.65;
 /// How good it is at least.
 const GOOD: f64 = 0.5;
@@ -283,7 +283,7 @@ pub(super) fn by_chance(document: &mut Document, photos: &[PhotoMeta], wanted: O
     Ok(())
 }
 
-/// Returns the page with the figure of a panel breaking out. Returns `None` if it cannot, or if the mask
+/// Returns the page with the subject of a panel breaking out. Returns `None` if it cannot, or if the mask
 /// confidence is too low. If the crop has to change, it counts as a manual crop.
 ///
 /// # Errors
@@ -302,7 +302,7 @@ pub fn broken(document: &Document, panel: usize, mask: &Matte) -> Result<Option<
     Ok(Some(document))
 }
 
-/// Whether the figure of each panel breaks out in the drawn page.
+/// Returns whether the subject of each panel breaks out in the drawn page.
 ///
 /// # Errors
 /// Layout errors.
@@ -428,7 +428,7 @@ fn stepping_out(
 pub(super) fn widened_panel(panel: &ScenePanel, outside: Bounds, room: f64) -> ScenePanel {
     let Bounds { x, y, width, height } = outside;
     let (crop, bounds) = (panel.crop, panel.image_bounds);
-    // No further than the photo goes.
+    // Limited by the photo.
     let (across, down) = (bounds.width / crop.width, bounds.height / crop.height);
     let (start, end) = ((bounds.x - crop.x * across, bounds.y - crop.y * down), (across, down));
     let low = |at: f64, least: f64| (at - room).max(least);
@@ -440,7 +440,7 @@ pub(super) fn widened_panel(panel: &ScenePanel, outside: Bounds, room: f64) -> S
     ScenePanel { crop: widened(crop, bounds, image_bounds), image_bounds, ..panel.clone() }
 }
 
-/// Returns the areas that the figures of each panel must not cover. `size` is the page size in pixels.
+/// Returns the areas that the subject of each panel must not cover. `size` is the page size in pixels.
 pub(super) fn around(document: &Document, panels: &[ScenePanel], size: (usize, usize)) -> Vec<Around> {
     let (width, height) = (size.0 as f64, size.1 as f64);
     let margin = document.page.margin * width;
@@ -460,7 +460,7 @@ pub(super) fn around(document: &Document, panels: &[ScenePanel], size: (usize, u
     (0..panels.len()).map(|own| Around { room, faces: others(own), border, covered: covered(own) }).collect()
 }
 
-/// Whether the pictures of two panels have room in common.
+/// Returns whether the pictures of two panels overlap.
 fn meet(one: &ScenePanel, other: &ScenePanel) -> bool {
     let (a, b) = (one.image_bounds, other.image_bounds);
     a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height

@@ -92,7 +92,8 @@ mod tests {
         let (stay, leave) = carried(std::slice::from_ref(&word), &panels(&["b", "c"]));
         assert_eq!((&stay[0]["panel"], &stay[0]["x"], leave.len()), (&json!(0), &json!(0.2), 0));
         assert_eq!(carried(std::slice::from_ref(&word), &panels(&["a", "c"])).1, std::slice::from_ref(&word));
-        // It does not move between two panels of one photo, nor does one of the whole page.
+        // It does not move between two panels of one photo, and an item of the whole page does not move
+        // either.
         assert_eq!(carried(std::slice::from_ref(&word), &panels(&["b", "b"])).0, [word]);
         let page = json!({ "kind": "caption", "text": "Title", "photo": "a" });
         assert_eq!(carried(std::slice::from_ref(&page), &panels(&["c"])).0, [page]);

@@ -198,7 +198,7 @@ pub(crate) struct Candidate {
     paper: f32,
     /// See [`MeasuresEntry`].
     laplacian: f32,
-    /// The film that it is a frame of.
+    /// The video that it is a frame of.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable))]
     film: Option<String>,
@@ -214,7 +214,7 @@ pub struct VerdictEntry<'a> {
     pub group: usize,
     /// Whether it is used.
     pub kept: bool,
-    /// The reason, in a few words.
+    /// The reason in a few words.
     pub why: String,
 }
 
@@ -241,7 +241,7 @@ pub fn choose(json: &str) -> Result<String> {
         })
         .collect::<Result<_>>()?;
     let films: Vec<Option<&str>> = wanted.photos.iter().map(|photo| photo.film.as_deref()).collect();
-    // A film has the number of its first frame.
+    // A video is identified by the index of its first frame.
     let first = |film: Option<&str>| film.and_then(|_| films.iter().position(|other| *other == film));
     settings.films = films.iter().copied().map(first).collect();
     let verdicts = select::choose(&names, &measures, &settings);

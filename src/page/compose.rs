@@ -35,7 +35,7 @@ impl Patch {
     }
 
     /// Reduces the opacity where another patch covers it. `rgba` are the pixels of `area` on the same page.
-    /// The result looks as if the other patch were on top, if the page below shows the same pixels.
+    /// The result equals a drawing with the other patch on top, if the page below shows the same pixels.
     pub fn stand_behind(&mut self, area: PixelRect, rgba: &[u8]) {
         let own = self.area;
         let end = |start: i64, length: usize| start + length as i64;
@@ -67,9 +67,9 @@ pub fn render_panel(
     Ok(render_together(scene, &[index], photo, context)?.swap_remove(0))
 }
 
-/// Renders images of one panel: the panel, the breakout of its figure, its foreground. All are cut out of one
-/// drawing of constant size, so their pixels are equal where they meet. `photo` is the photo of the panel, at
-/// any resolution. Without it the panel is an empty frame.
+/// Renders the images of one panel: the panel, the breakout of its subject, its foreground. All are cut out
+/// of one drawing of constant size, so their pixels are equal where they meet. `photo` is the photo of the
+/// panel, at any resolution. Without it the panel is an empty frame.
 ///
 /// # Errors
 /// `invalid-document` for an index that the page does not have; `cancelled`.
@@ -110,7 +110,7 @@ pub fn render_together(
     Ok(pictures.iter().map(patch).collect())
 }
 
-/// Source of the images of a panel: its photo in its style, extended as far as its figure needs.
+/// Source of the images of a panel: its stylised photo, extended as far as its subject needs.
 pub(super) struct Drawing {
     /// The unstyled photo.
     pub(super) shown: Shown,
@@ -131,7 +131,7 @@ impl Drawing {
             Some(figure) => stepping::widened(scene, pictures[0], figure),
             None => pictures[0].clone(),
         };
-        // Only a front knows it whatever the style is.
+        // Only a foreground needs the mask for every style.
         panel.subject = pictures.iter().find_map(|picture| picture.subject.clone());
         context.set_scale(scene.scale);
         let shown = panel_photo(scene, &panel, photo);
@@ -202,7 +202,7 @@ pub(super) const EMPTY: [u8; 3] = [226, 226, 228];
 pub(super) struct Shown {
     /// At the page's size.
     pub(super) image: Image,
-    /// Its subject, where it is known and asked for.
+    /// Its subject mask, if it is known and requested.
     subject: Option<Plane>,
     /// Its place on the photo,
     pub(super) region: Region,
@@ -231,7 +231,7 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
         width: at.width - before - behind,
         height: at.height - above - below,
     };
-    // The crop belongs to the exact bounds; whole pixels reach a little further on each side.
+    // The crop belongs to the exact bounds. Whole pixels extend a little further on each side.
     let (step_x, step_y) = (crop.width * photo_width / width, crop.height * photo_height / height);
     let span = |start: f64, step: f64, from: f64, pixel: i64, count: usize, limit: f64| {
         let low = (start + (pixel as f64 - from) * step).clamp(0.0, limit - 1e-3);
@@ -265,7 +265,7 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
     Shown { image: mirrored(&image), subject, region, at }
 }
 
-/// The stylised image of a panel. A merged group is stylised as a whole, so that tones match across the
+/// The stylised image of a panel. A merged group is stylised as one image, so that tones match across the
 /// gutter, and then cut.
 fn drawn(
     shown: &Shown,
@@ -346,7 +346,7 @@ pub(super) fn lay_over(rgba: &mut [u8], line: &[u8], color: [u8; 3]) {
     }
 }
 
-/// The whole page as opaque RGB while patches are laid on it.
+/// The whole page as opaque RGB, for drawing patches on it.
 pub struct Sheet {
     width: usize,
     height: usize,

@@ -1,8 +1,8 @@
 //! Exact area coverage of pixels by closed contours.
 //!
-//! A library's anti-aliasing with 4 x 4 samples a pixel is off by up to 19 of 255 on the edges of slanted
-//! panels; the exact area costs no more. Each segment deposits, in the pixels of a row that it crosses, how
-//! much the area to its right changes; the running sum along the row is the coverage.
+//! The anti-aliasing of a library with 16 samples per pixel is off by up to 19 of 255 at the edges of slanted
+//! panels, while the exact area costs no more. In each row, a segment stores in the pixels that it crosses
+//! how much the area to its right changes. The running sum along the row is the coverage.
 //!
 //! Source: the signed-area accumulation of font rasterisers (Levien, "Inside the fastest font renderer in the
 //! world", 2016), one row at a time.
@@ -97,7 +97,7 @@ fn quantised(sum: f32) -> u8 {
     (sum.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
 }
 
-/// A segment that runs down the page, and what lies to its right: +1 for inside, -1 for outside.
+/// A segment that runs down the page, with the sign of the area to its right: +1 for inside, -1 for outside.
 struct Segment {
     x: f32,
     top: f32,

@@ -63,7 +63,7 @@ pub struct Document {
 #[cfg(all(test, feature = "cli"))]
 #[derive(ts_rs::TS)]
 #[ts(untagged)]
-#[allow(dead_code, reason = "TypeScript is told of it")]
+#[allow(dead_code, reason = "only for the TypeScript types")]
 pub(crate) enum LayoutChoice {
     Id(String),
     Full(Template),
@@ -73,7 +73,7 @@ pub(crate) enum LayoutChoice {
 #[cfg(all(test, feature = "cli"))]
 #[derive(ts_rs::TS)]
 #[ts(untagged)]
-#[allow(dead_code, reason = "TypeScript is told of it")]
+#[allow(dead_code, reason = "only for the TypeScript types")]
 pub(crate) enum StyleChoice {
     Id(String),
     Full(Style),
@@ -237,7 +237,7 @@ impl Document {
     }
 
     /// Panels whose subjects are in front of an effect, see [`Word::behind`](super::words::Word::behind);
-    /// sorted, without duplicates. It uses plain data, so drawing panels does not need the words module.
+    /// sorted, without duplicates. It uses plain data, so drawing panels does not need the `words` module.
     #[must_use]
     pub fn fronts(&self) -> Vec<usize> {
         let behind = |word: &Value| word["kind"] == "effect" && word["behind"] == true;
@@ -315,7 +315,7 @@ fn read_face(value: Value) -> Read<Crop> {
     Ok(Crop { x, y, width, height })
 }
 
-/// A crop, which must lie inside of its photo.
+/// A crop inside of its photo.
 fn read_crop(value: Value) -> Read<Crop> {
     let mut fields = Fields::of(value)?;
     let mut sides = [0.0; 4];

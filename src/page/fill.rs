@@ -120,7 +120,7 @@ pub fn framed_json<'p>(photos: impl Iterator<Item = &'p PhotoMeta>, aspect: f64)
 
 /// The faces of a photo, or its animals if it has no faces, the largest first.
 fn faces_of(photo: &PhotoMeta) -> Vec<Crop> {
-    // As few digits as say where a pixel is: a project holds many.
+    // Rounded to the precision of a pixel, because a project has many crops.
     let rounded = |part: f64| (part.clamp(-1.0, 2.0) * 1e4).round() / 1e4;
     let mut faces: Vec<Crop> = Subject::protected(&photo.subjects)
         .map(|face| Crop {
@@ -157,8 +157,8 @@ fn heads_of(page: &Document) -> Vec<(usize, &PanelContent)> {
     all.filter(|(i, _)| leader_of(&page.merges, *i) == *i).collect()
 }
 
-/// Panels that the user locked keep photo and crop. In another layout the photo goes to the panel of the same
-/// place in the reading order, or to the nearest that is free.
+/// Panels that the user locked keep photo and crop. In another layout, the photo moves to the panel with the
+/// same index in reading order, or to the nearest free one.
 ///
 /// `own` returns the index of a panel if the layout is the same. Returns which heads of the page have one.
 fn lock_slots(
@@ -187,8 +187,8 @@ fn lock_slots(
 }
 
 /// Places the photos of the current page in their order, with new crops for these panels. Manual crops stay
-/// if the layout is the same. A panel beyond the order, and one whose photo is gone, stays open. The heads in
-/// `placed` already have their panel.
+/// if the layout is the same. Panels beyond the order, and panels with removed photos, stay empty. The heads
+/// in `placed` already have their panel.
 fn keep_photos(
     slots: &mut [Slot],
     current: &Document,

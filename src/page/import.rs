@@ -105,7 +105,7 @@ pub fn import_image(id: &str, image: &Image, limits: &Limits) -> Result<Imported
 pub struct Frame<'a> {
     /// Width and height in pixels, as they are stored.
     pub size: (usize, usize),
-    /// Interleaved RGBA, `4 * width * height` bytes; alpha is not looked at.
+    /// Interleaved RGBA, `4 * width * height` bytes; alpha is ignored.
     pub rgba: &'a [u8],
     /// Width and height in square pixels, before the turn.
     pub square: (usize, usize),

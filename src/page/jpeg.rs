@@ -35,7 +35,7 @@ fn encode(
 ) -> Result<Vec<u8>> {
     let failed = |reason: String| Error::Encode(reason);
     if samples.len() != width * height * usize::from(kind.channel_count()) {
-        return Err(failed("the pixels are not as many as the sides say".into()));
+        return Err(failed("the number of pixels does not match width and height".into()));
     }
     let mut bytes = Vec::new();
     let mut encoder = JpegEncoder::new_with_quality(&mut bytes, quality.clamp(1, 100));

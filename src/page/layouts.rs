@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::fmt::Write as _;
 
-/// Width of a drawn template, large enough for whole numbers; its height follows from the page.
+/// Width of a drawn template, large enough for whole numbers. The height follows the page.
 const PICTURE: f64 = 1000.0;
 /// Gutter and margin of a drawn template, in page widths: wide enough to be seen at the size of a thumbnail.
 const PICTURE_GUTTER: f64 = 0.05;
@@ -27,7 +27,7 @@ const PICTURE_MARGIN: f64 = 0.05;
 pub(crate) struct LayoutsRequest {
     /// The page that they are for.
     page: PageSettings,
-    /// A person's own.
+    /// Whether it is a custom layout.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<Template>>", optional))]
     own: Vec<Value>,

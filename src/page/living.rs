@@ -25,11 +25,11 @@ const MOVES: f64 = 2.25;
 const CUT: (f64, f64) = (22.0, 3.5);
 /// Minimum number of frames in a loop.
 const LEAST: usize = 6;
-/// Pictures in which the end goes over into the beginning: a part of all, and at most.
+/// Number of pictures in the dissolve from the end to the beginning: as a fraction, and at most.
 const FADE: (usize, usize) = (5, 8);
 
 /// Draws the frames of a panel as a loop. Returns no frames in three cases: cuts leave no time for motion,
-/// the panel has no photo, or the style needs a subject mask, which is known for only one frame.
+/// the panel has no photo, or the style needs a subject mask, which exists for only one frame.
 ///
 /// `frames` are video frames at equal intervals and of equal size. The frame with the index `still` is the
 /// photo of the panel, or the frame closest to it.
@@ -125,7 +125,8 @@ fn differences(sources: &[Vec<u8>]) -> Vec<f64> {
     sources.windows(2).map(apart).collect()
 }
 
-/// The pictures about one of them between which there is no cut. `differences` has one entry fewer than there are pictures.
+/// Returns the range of frames around `still` without a cut. `differences` has one entry fewer than there are
+/// frames.
 fn shot_around(still: usize, differences: &[f64]) -> Range<usize> {
     let mut sorted = differences.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -143,7 +144,7 @@ struct Steady {
     height: usize,
     /// Interleaved RGB; empty before the first picture.
     rgb: Vec<u8>,
-    /// Mean difference up to which a block stands still, of 255.
+    /// Maximum mean difference of a block without motion, of 255.
     still: f64,
 }
 
@@ -252,7 +253,7 @@ impl<'a, Down: Fn(usize) -> f64> Spread<'a, Down> {
     }
 }
 
-/// The middles of blocks that a place lies between, and how far it is from the first one, of 256.
+/// Returns the centres of blocks on both sides of a position, and its distance from the first one, of 256.
 fn between(place: f64, count: usize) -> (usize, usize, u32) {
     let at = (place - 0.5).clamp(0.0, (count - 1) as f64);
     let first = at.floor();
@@ -363,7 +364,7 @@ mod tests {
         let drawn = drawn(&frames);
         let steps: Vec<usize> =
             (0..drawn.len()).map(|i| apart(&drawn[i], &drawn[(i + 1) % drawn.len()], 0..160)).collect();
-        // The seam changes more than a step, for the square goes back, but by no means all at once.
+        // The seam changes more than a normal step, because the square returns, but not abruptly.
         assert!(steps.iter().all(|&step| step < 24 * 30 * 4), "{steps:?}");
     }
 

@@ -18,7 +18,8 @@ pub struct PixelRect {
 }
 
 impl PixelRect {
-    /// The smallest rectangle of whole pixels around bounds in page pixels, with room on all sides.
+    /// Returns the smallest rectangle of whole pixels around bounds in page pixels, with a margin on all
+    /// sides.
     #[must_use]
     pub fn around(Bounds { x, y, width, height }: Bounds, room: f64) -> Self {
         // Rounding errors must not add a pixel.

@@ -2,31 +2,31 @@
 //!
 //! | module | for |
 //! |---|---|
-//! | [`document`] | the page as plain data: what the front end holds, undoes and saves |
+//! | [`document`] | the page as plain data: the front end stores, undoes and saves it |
 //! | [`import`] | a file turned into what the page needs of a photo |
 //! | [`catalogue`] | blocks, layouts and styles as JSON |
 //! | [`layouts`] | layouts listed, made and changed, as JSON |
-//! | [`carrying`] | words and the photos that they belong to |
-//! | [`request`] | what is asked of a new document |
+//! | [`carrying`] | text items that follow their photos |
+//! | [`request`] | parameters for planning a document |
 //! | [`shuffle`] | a new document from photos, locks and a seed |
 //! | [`storyboard`] | the photos of an album that pages are made of, and its pages |
 //! | [`styling`] | the style of a page that leaves it to chance |
 //! | `fill` | the panels of a template filled with photos |
 //! | [`scene`] | a document resolved to pixels of one size |
 //! | [`mask`] | the inside of a panel and its border |
-//! | `bleed` | panels that go on beyond the edge of a page that is cut |
-//! | [`breaking`] | figures that step out of their panels |
-//! | `stepping` | the pixels of such a figure |
+//! | `bleed` | panels that extend into the bleed |
+//! | [`breaking`] | subjects that break their panel border |
+//! | `stepping` | the pixels of such a subject |
 //! | [`coverage`] | exact area coverage of pixels |
 //! | [`compose`] | panels rendered to patches, patches laid on paper |
-//! | [`living`] | panels that move, of a few seconds of a film |
-//! | [`cutout`] | the subject of a photo alone |
+//! | [`living`] | animated panels: loops of a few seconds of a video |
+//! | [`cutout`] | the subject of a photo without its background |
 //! | [`words`] | captions, balloons and sound effects, laid on the panels |
-//! | [`png`] | the file that people download |
+//! | [`png`] | the exported PNG file |
 //! | [`jpeg`] | the smaller one |
 //! | `webp` | the one for browsers that make none themselves |
 //! | [`srgb`] | the colour space of all files |
-//! | [`plates`] | colours as inks, each on a plate of its own |
+//! | [`plates`] | colour separation into inks, one plate each |
 //! | [`pdf`] | pages as lines, text and pictures |
 
 mod bleed;

@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 use crate::raster::Plane;
 use png::{BitDepth, ColorType, Compression, Encoder, PixelDimensions, SrgbRenderingIntent, Unit};
 
-/// Encodes a page as an 8-bit RGB PNG that says its resolution and that its colours are sRGB.
+/// Encodes a page as an 8-bit RGB PNG with its resolution and the sRGB mark.
 ///
 /// # Errors
 /// `encode` when the encoder fails, which only memory can make it do.
@@ -44,7 +44,7 @@ fn encoded((width, height): (usize, usize), color: ColorType, samples: &[u8], dp
     encoder.set_color(color);
     encoder.set_depth(BitDepth::Eight);
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
-    // A person waits for it: a few per cent of size are not worth ten times the time.
+    // Speed is more important than a few per cent of the size, which take ten times as long.
     encoder.set_compression(Compression::Fast);
     let per_metre = (f64::from(dpi) / 0.0254).round() as u32;
     encoder.set_pixel_dims(Some(PixelDimensions { xppu: per_metre, yppu: per_metre, unit: Unit::Meter }));

@@ -1,4 +1,4 @@
-//! What is asked of [`plan`](super::shuffle::plan).
+//! The parameters of [`plan`](super::shuffle::plan).
 
 use super::document::Document;
 pub use super::styling::Styling;
@@ -8,12 +8,12 @@ pub use crate::plan::layouts::Taste;
 use serde::Deserialize;
 use serde_json::Value;
 
-/// What is asked for. The answer depends on nothing else.
+/// A request for a page. The result depends on nothing else.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(rename_all = "camelCase")]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(optional_fields = nullable))]
 pub struct Request {
-    /// Seed of every choice that is left to chance.
+    /// Seed of all random choices.
     pub seed: u32,
     /// Photos in use, in order of time.
     #[serde(default)]
@@ -23,33 +23,33 @@ pub struct Request {
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub page: PageSettings,
-    /// The page as it is; none when there is none yet.
+    /// The current page; `None` if there is no page yet.
     #[serde(default)]
     pub current: Option<Document>,
-    /// Parts of the page that stay.
+    /// Parts of the current page to retain.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub keep: Keep,
-    /// A layout to take, by id or in full.
+    /// The layout, by id or in full. Default: chosen automatically.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<crate::page::document::LayoutChoice>"))]
     pub layout: Option<Value>,
-    /// A style to take, by id or in full.
+    /// The style, by id or in full. Default: chosen automatically.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<crate::page::document::StyleChoice>"))]
     pub style: Option<Value>,
-    /// How a style is drawn that is left to chance.
+    /// Options of the random choice of a style.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub styling: Styling,
-    /// A layout that a free page takes unless another is clearly better.
+    /// The preferred layout if none is set. Another layout replaces it only if it is clearly better.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<crate::page::document::LayoutChoice>"))]
     pub prefer: Option<Value>,
-    /// Wanted number of panels where the layout is free.
+    /// Wanted number of panels if no layout is set.
     #[serde(default)]
     pub panels: Option<usize>,
-    /// How photos that do not stay are chosen.
+    /// How new photos are chosen.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub mode: Mode,
@@ -61,44 +61,46 @@ pub struct Request {
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub recent: Vec<Vec<String>>,
-    /// Whether a new layout gets panels that share one image: always, never, or, where nothing is said, by chance.
-    /// Chance has no say in a layout or a number of panels that was asked for: each panel then has its own image.
+    /// Whether panels of a new layout share images: `true` always, `false` never. By default the choice is
+    /// random. If the request sets a layout or a number of panels, each panel has a separate image by
+    /// default.
     #[serde(default)]
     pub merge: Option<bool>,
     /// Exactly these groups of panels share one image each.
     #[serde(default)]
     pub merges: Option<Vec<Vec<usize>>>,
-    /// Whether a figure steps out of its panel, where the masks of the photos are there and one can: always, never, or, where nothing
-    /// is said, by chance.
+    /// Whether a subject breaks its panel border, if the photos have masks and one of them fits: `true`
+    /// always, `false` never. By default the choice is random.
     #[serde(default)]
     pub figures: Option<bool>,
-    /// What the person liked so far.
+    /// The user's learned preferences.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub taste: Taste,
-    /// Families that chance keeps to.
+    /// Families to choose from.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub within: Families,
-    /// What was shown just now and is not to come again at once, beside what the current page has.
+    /// Recent results to avoid, besides the current page.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub avoid: Avoid,
-    /// How bold the draw is: 1 as usual, more to be surprised more, 0 for the best that was found.
+    /// Randomness of the choice. Default: 1. Larger values give more surprising pages, and 0 takes the best candidate.
     #[serde(default)]
     pub surprise: Option<f64>,
 }
 
-/// Families that chance keeps to, any where a list is empty: of layouts, [`FAMILIES`](crate::layout::FAMILIES), and of styles,
-/// [`FAMILIES`](crate::style::catalogue::FAMILIES). What is asked for by id is not held to them.
+/// Families for a random choice: of layouts, from [`FAMILIES`](crate::layout::FAMILIES), and of styles, from
+/// [`FAMILIES`](crate::style::catalogue::FAMILIES). An empty list allows all. An explicit layout or style may
+/// be in any family.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Families {
-    /// Of layouts.
+    /// Families of layouts.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub layouts: Vec<String>,
-    /// Of styles.
+    /// Families of styles.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub styles: Vec<String>,
 }
@@ -144,14 +146,14 @@ pub struct Keep {
     pub photos: bool,
 }
 
-/// How photos that do not stay are chosen.
+/// How new photos are chosen.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub enum Mode {
-    /// Another choice of photos, in order of time if that is known.
+    /// A new selection of photos, in time order if all times are known.
     #[default]
     Shuffle,
-    /// Any order: the strongest photo goes where the eye goes first.
+    /// Any order: the strongest photo gets the most prominent panel.
     Photos,
 }

@@ -15,7 +15,7 @@ use std::borrow::Cow;
 /// Longest page side that is rendered, in pixels: A3 at 600 dpi and a tall strip fit.
 pub(super) const MAX_SIDE: f64 = 20_000.0;
 
-/// The crop of a panel that says none.
+/// The default crop of a panel.
 const WHOLE: Crop = Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
 
 /// A page at one size.
@@ -24,7 +24,7 @@ pub struct Scene {
     pub width: usize,
     /// Height of the page in pixels.
     pub height: usize,
-    /// Panels in paint order. Panels with a breakout follow a second time, for only the figure.
+    /// Panels in paint order. Panels with a breakout follow a second time, with only the subject.
     pub panels: Vec<ScenePanel>,
     /// Panels whose subject is drawn separately, in front of an effect; see [`Document::fronts`]. They are
     /// numbered on from `panels`.
@@ -250,7 +250,7 @@ fn fronts(document: &Document, panels: &[ScenePanel]) -> Vec<ScenePanel> {
     document.fronts().into_iter().map(front).collect()
 }
 
-/// The shapes of panels that end at the edge of a page with bleed: they go on beyond it.
+/// Returns the shapes of panels that extend into the bleed.
 fn further_shapes(
     document: &Document,
     panels: &[ResolvedPanel],

@@ -18,14 +18,14 @@ use oorandom::Rand64;
 use serde_json::Value;
 use std::borrow::Cow;
 
-/// Share of new layouts for which panels that share an image are looked at.
+/// Probability of panels that share an image in a new layout.
 const MERGE_CHANCE: f64 = 0.3;
 /// Groups of panels that are tried in one layout.
 const MERGES_TRIED: usize = 2;
-/// What a layout without merged panels weighs where merged ones are looked at.
+/// Weight of a layout without merged panels, if merged ones are candidates too.
 const UNMERGED: f64 = 0.5;
 
-/// A document and what it was judged by.
+/// A document and its score.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Planned {
     /// The page.
@@ -34,16 +34,16 @@ pub struct Planned {
     pub score: Score,
 }
 
-/// Makes the page that `request` asks for.
+/// Plans a page for `request`.
 ///
 /// # Errors
-/// `no-photos`; `invalid-document` for page settings out of range; the errors of a layout or style that is
-/// asked for and does not exist.
+/// `no-photos`; `invalid-document` for page settings out of range; the errors of a requested layout or style
+/// that does not exist.
 pub fn plan(request: &Request) -> Result<Document> {
     planned(request, &Shelf::new(request.photos.len())).map(|planned| planned.document)
 }
 
-/// The same with its score; what is found out about the photos stays on the shelf, which has a place for each.
+/// Like [`plan`], but also returns the score. The shelf has one place per photo and caches their analysis.
 ///
 /// # Errors
 /// As [`plan`].
@@ -69,7 +69,7 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     let (order, panels) = contents(request, stage, &plan.panels);
     let style = choose_style(request, stage, &plan, &mut random)?;
     style_of(&style)?;
-    // Words follow their photos; those of photos that are not here are left out, and wait in the project.
+    // Text items follow their photos. Items of missing photos are left out, and the project stores them.
     let known =
         |current: &Document| current.words.iter().map(|word| tied(word, &current.panels)).collect::<Vec<_>>();
     let (words, _) = carried(&current.map(known).unwrap_or_default(), &panels);
@@ -78,7 +78,7 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
         seed: request.seed,
         layout: stage.layout.clone(),
         page: papered(&request.page, &style),
-        // A page that only changes its style or layout looks as before otherwise.
+        // If only the style or layout changes, the rest of the page does not change.
         balanced: current.is_none_or(|current| current.balanced || !request.keep.photos),
         style,
         order,
@@ -87,7 +87,7 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
         words,
         rest: current.map(|current| current.rest.clone()).unwrap_or_default(),
     };
-    // What stays on the page stays as it is.
+    // Retained parts of the page do not change.
     if !request.keep.photos {
         breaking::by_chance(&mut document, &request.photos, request.figures)?;
     }
@@ -163,8 +163,8 @@ fn stages(request: &Request, random: &mut Rand64) -> Result<Vec<Stage>> {
     Ok(stages)
 }
 
-/// The groups of panels that share an image: those that are asked for, those that stay, or, where panels are to be merged
-/// as the page likes, several ways to do it.
+/// Returns groups of panels that share an image: the requested or retained groups, or several alternatives if
+/// the page may merge panels automatically.
 fn merges_of(
     request: &Request,
     template: &Template,
@@ -368,7 +368,7 @@ mod tests {
             let page = plan(&wanted).unwrap();
             let photos: std::collections::BTreeSet<String> = shown(&page).into_iter().collect();
             assert_eq!(photos.len(), page.panels.len(), "panel {locked} locked, then {layout}");
-            // Nothing that was on the page gives way to what was not.
+            // A photo of the old page never makes room for a new one.
             let places = merged.panels.len() - 1;
             let stays = shown(&merged).into_iter().filter(|id| photos.contains(id));
             let stays: std::collections::BTreeSet<String> = stays.collect();
@@ -394,7 +394,7 @@ mod tests {
         assert!(after.edited && crop != before);
         assert!((crop.width * crop.height / before.width / before.height - 1.0).abs() < 1e-6);
         assert!((crop.x + crop.width / 2.0 - before.x - before.width / 2.0).abs() < 0.02);
-        // Other photos and other layouts are framed anew.
+        // With other photos or another layout, crops are computed again.
         for (layout, photos) in [(true, false), (false, true)] {
             next.keep = Keep { layout, style: true, photos };
             assert!(plan(&next).unwrap().panels.iter().all(|panel| !panel.edited));

@@ -11,23 +11,26 @@ use crate::raster::resize::{Region, resample_image};
 
 /// Factor for the steepness of a breakout's border. Over other panels a soft border would look like a ghost.
 const STEEP: i32 = 4;
-/// The line of paper about a figure is as wide as the border, and at least this in page widths.
+/// Minimum width of the paper outline around a subject, in page widths. Otherwise it is as wide as the
+/// border.
 const OUTLINE: f64 = 0.002;
-/// The mean share of a figure within the line's width is half at its edge, and falls to nothing.
+/// Factor from the mean mask value around a pixel to the opacity of the outline. At the edge of a subject, the
+/// mean is about half, which gives full opacity.
 const RING: u32 = 5;
 
-/// The panel with as much more of its photo as its figure needs.
+/// Returns the panel with the additional part of its photo that its subject needs.
 pub(super) fn widened(scene: &Scene, panel: &ScenePanel, figure: &Figure) -> ScenePanel {
     widened_panel(panel, figure.outside, 2.0 * outline(scene) + 2.0)
 }
 
-/// Width in pixels of the line of paper about figures.
+/// Width in pixels of the paper outline around subjects.
 fn outline(scene: &Scene) -> f64 {
     scene.border.max(OUTLINE * scene.width as f64)
 }
 
-/// The figure of a panel, cut out of its drawing, with a thin line of paper about it outside of the panel. It is cut off at the
-/// edges that it may not cross. Unless it is to be `whole`, what is deep in the panel is left out: there the panel shows the same.
+/// Cuts the subject of a panel out of its drawing, with a thin paper outline outside of the panel. It is cut
+/// off at the edges that it may not cross. Unless `whole` is set, the inner part of the panel is left out,
+/// because the panel shows the same pixels.
 pub(super) fn patch(
     scene: &Scene,
     (panel, figure): (&ScenePanel, &Figure),
@@ -69,7 +72,7 @@ pub(super) fn patch(
     Patch { area, rgba }
 }
 
-/// The shares of a figure in a part of its drawing, with the edges of the photo.
+/// Returns the mask of a subject in a part of its drawing, with the edges of the photo.
 fn shares(figure: &Figure, Drawing { shown, photo, .. }: &Drawing, part: PixelRect, scale: f32) -> Plane {
     let (left, top) = ((part.x - shown.at.x) as f64, (part.y - shown.at.y) as f64);
     let (width, height) = (part.width as f64, part.height as f64);
@@ -101,7 +104,7 @@ fn common(one: PixelRect, other: PixelRect) -> PixelRect {
     PixelRect { x: left, y: top, width: (right - left) as usize, height: (bottom - top) as usize }
 }
 
-/// Takes away what lies beyond the edges that are closed to a figure, and on their border. `at` is the place of its shares.
+/// Removes the parts beyond closed edges of a subject, and on their border. `at` is the place of its shares.
 fn cut_off(shares: &mut Plane, at: PixelRect, border: f64, (panel, figure): (&ScenePanel, &Figure)) {
     let edges = Edges::of(&panel.shape);
     for edge in (0..figure.closed.len()).filter(|edge| figure.closed[*edge]) {

@@ -1,5 +1,5 @@
-//! The style of a page that leaves it to chance: one of the designed ones, of those that a person brings, or one
-//! that is invented; as a whole, or only its colour layer or its line layer.
+//! Automatic choice of a style: a built-in, a custom or a generated style. The request can retain the line
+//! layer or the colour layer.
 
 use super::document::style_of;
 use super::fill::Stage;
@@ -22,7 +22,8 @@ const FIRST_IN_COLOUR: f64 = 0.75;
 const DARK_PAPER: &str = "#15141a";
 const DARK_BORDER: &str = "#07070a";
 
-/// How a style is drawn. As JSON `{extra, invented, inventions, keepLines, keepColours}`, each of which may be missing.
+/// Options of the random choice of a style. As JSON `{extra, invented, inventions, keepLines, keepColours}`;
+/// all fields are optional.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(from = "Value")]
 #[cfg_attr(
@@ -31,19 +32,19 @@ const DARK_BORDER: &str = "#07070a";
     ts(rename = "StylingRequest", rename_all = "camelCase")
 )]
 pub struct Styling {
-    /// Styles in full that are drawn like the designed ones: a person's own and favourites.
+    /// Complete custom and favourite styles. They are chosen like built-in ones.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<crate::style::Style>>", optional))]
     pub extra: Vec<Value>,
-    /// Share of draws, 0 to 1, that invent a style.
+    /// Probability of a generated style, 0 to 1.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub invented: f64,
-    /// Invented styles that were tried and found good: only these are drawn where the list is there, however short it is.
+    /// Generated styles that passed a test. If the list is present, even if it is empty, only its styles are used.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<crate::style::Style>>", optional))]
     pub inventions: Option<Vec<Value>>,
-    /// The line layer and its ink stay.
+    /// Retain the line layer and its ink.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub keep_lines: bool,
-    /// The colour layer stays.
+    /// Retain the colour layer.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub keep_colours: bool,
 }
@@ -88,7 +89,7 @@ pub(super) fn choose_style(
 
 fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut Rand64) -> Result<Value> {
     let wish = &request.styling;
-    // What is invented has no line layer, so it has nothing to give where only lines are wanted.
+    // A generated style has no line layer, so it cannot replace only the lines.
     let lines_only = wish.keep_colours && current.is_some();
     let before = current.and_then(|style| style.as_str().or_else(|| style["id"].as_str()));
     let shown = |id: &str| Some(id) == before || request.avoid.styles.iter().any(|other| other == id);
@@ -102,10 +103,10 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
             return Ok(fresh[random.rand_range(0..fresh.len() as u64) as usize].clone());
         }
     }
-    // The first page of a visit is to be liked at once.
+    // The first page must look good at once.
     let first = current.is_none();
     let families = &request.within.styles;
-    // Who asks for families has chosen.
+    // A request with families is not a first page without wishes.
     let best = first && families.is_empty();
     let colours = if best { FIRST_IN_COLOUR } else { IN_COLOUR };
     let designed = catalogue::catalogue()
@@ -150,8 +151,8 @@ fn shared(styles: Vec<(f64, bool, Value)>, share: f64) -> Vec<(f64, Value)> {
     styles.into_iter().map(|(weight, keeps, style)| (weight * factor(keeps), style)).collect()
 }
 
-/// The settings of a page in a style: white paper becomes dark for a dark style, and white again for others. A person's own
-/// colours stay.
+/// The settings of a page in a style: white paper becomes dark for a dark style, and white again for others.
+/// Custom colours do not change.
 pub(super) fn papered(page: &PageSettings, style: &Value) -> PageSettings {
     let usual = PageSettings::default();
     let light = (usual.paper.as_str(), usual.border_color.as_str());

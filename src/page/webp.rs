@@ -26,7 +26,7 @@ fn encode(
     (channels, color): (usize, ExtendedColorType),
 ) -> Result<Vec<u8>> {
     if samples.len() != width * height * channels {
-        return Err(Error::Encode("the pixels are not as many as the sides say".into()));
+        return Err(Error::Encode("the number of pixels does not match width and height".into()));
     }
     let mut bytes = Vec::new();
     WebPEncoder::new_lossless(&mut bytes)

@@ -1,5 +1,5 @@
-//! Photos to panels, by exact assignment: along the order of the album by dynamic programming, in any order by the
-//! Hungarian method. Chance has a small say, so that two plans of one layout are not the same.
+//! Photos to panels, by exact assignment: along the order of the album by dynamic programming, in any order
+//! by the Hungarian method. The small random term lets two plans of one layout differ.
 
 use oorandom::Rand64;
 
@@ -13,7 +13,7 @@ use crate::framing::{PhotoMeta, Subject, frame};
 
 /// The most photos that one plan chooses from; of larger albums some are drawn.
 const MOST: usize = 60;
-/// How much chance says.
+/// Weight of the random term.
 const NOISE: f64 = 0.12;
 /// Bonus of one of the best photos in the largest panel, and the quality gap at which the bonus ends.
 const HERO: f64 = 1.2;
@@ -28,9 +28,9 @@ const LEAST_TONAL: f64 = 0.35;
 const TOP: usize = 2;
 /// Maximum share of the page for a bare photo.
 pub(super) const MOST_BARE: f64 = 0.2;
-/// What a starred photo gains in the largest panel.
+/// Bonus of a starred photo in the largest panel.
 const STAR: f64 = 6.0;
-/// What a photo that words belong to gains in any panel: whoever wrote them wants to see them on the next page, too.
+/// Bonus of a photo with text items in any panel, so that the text stays visible on the next page.
 const SPOKEN: f64 = 6.0;
 /// A pair that must not be.
 const NEVER: f64 = -1e6;
@@ -40,15 +40,15 @@ const NEVER: f64 = -1e6;
 pub enum Order {
     /// Along the reading order of the panels, photos keep the order in which they are given.
     Kept,
-    /// Photos may go anywhere.
+    /// Photos may have any order.
     Free,
 }
 
-/// The photos that a plan chooses from, with what is known of them.
+/// The photos that a plan chooses from, with their analysis data.
 pub struct Photos<'a> {
     /// All photos of the request, in their order.
     pub all: &'a [PhotoMeta],
-    /// Indices of those that may be chosen, ascending: all, or of a large album some.
+    /// Indices of the photos that may be chosen, ascending. Large albums are sampled.
     pub drawn: Vec<usize>,
     /// For each of all: how good it is, 0 to 1.
     pub quality: Vec<f64>,
@@ -62,7 +62,8 @@ pub struct Photos<'a> {
 }
 
 impl<'a> Photos<'a> {
-    /// Draws from a large album, the strong ones and those that are starred rather than others, those with words, and `always`.
+    /// Samples a large album. It prefers good photos, and always includes starred photos, photos with text,
+    /// and `always`.
     #[must_use]
     pub fn new(
         all: &'a [PhotoMeta],
@@ -79,7 +80,7 @@ impl<'a> Photos<'a> {
         };
         let mut drawn: Vec<usize> = (0..all.len()).collect();
         if all.len() > MOST {
-            // From every stretch of the album alike; what is known without a closer look decides within it.
+            // Takes one photo from every stretch of the album. Cheap measures decide within a stretch.
             let stretch = all.len() as f64 / MOST as f64;
             let rated = |i: usize, random: &mut Rand64| {
                 let alive = 0.9 * f64::from(u8::from(all[i].subjects.iter().any(Subject::is_alive)));
@@ -151,7 +152,7 @@ impl<'a> Photos<'a> {
     }
 }
 
-/// What each photo is worth in each open slot of a page.
+/// The value of each photo in each open slot of a page.
 pub struct Worths {
     /// Slots without a photo, in reading order.
     pub open: Vec<usize>,
@@ -187,8 +188,9 @@ impl Worths {
         Self { open, fresh, values, leads }
     }
 
-    /// The best assignment of fresh photos to the open slots with a little chance, no two alike if that can be. The
-    /// index of a photo for each open slot; none when there are too few.
+    /// Returns the best assignment of unused photos to the open slots, with a small random term and without
+    /// similar photos if possible. The result is the index of a photo for each open slot, or `None` if there
+    /// are too few photos.
     #[must_use]
     pub fn solve(&self, photos: &Photos, order: Order, random: &mut Rand64) -> Option<Vec<usize>> {
         if self.fresh.len() < self.open.len() {
@@ -217,8 +219,9 @@ impl Worths {
         Some(chosen.into_iter().map(|column| self.fresh[column]).collect())
     }
 
-    /// In a kept order a starred photo may be too early or too late for the panel that leads. It leaves the order then, and the
-    /// others keep it; none where no panel leads that is open, or one has its star.
+    /// If photos keep their order, a starred photo may be too early or too late for the leading panel. Then
+    /// it leaves the order, and the others keep it. Returns `None` if no leading panel is open, or if one
+    /// already has a starred photo.
     fn with_star(&self, values: &[Vec<f64>], chosen: &[usize], photos: &Photos) -> Option<Vec<usize>> {
         let starred = |column: usize| photos.all[self.fresh[column]].starred;
         if self.leads.iter().any(|&row| starred(chosen[row])) {
@@ -247,7 +250,7 @@ pub(super) fn sizes(slots: &[Slot]) -> Vec<f64> {
     slots.iter().map(|slot| slot.area / mean.max(1e-9)).collect()
 }
 
-/// What a photo's strength is worth in a panel of that size.
+/// Returns the value of a photo's strength in a panel of this size.
 pub(super) fn presence((size, largest, share): (f64, f64, f64), photo: usize, photos: &Photos) -> f64 {
     let leads = size >= LEADS * largest;
     let hero = if leads { HERO * photos.lead(photo).max(-1.5) } else { 0.0 };
@@ -262,11 +265,11 @@ pub(super) fn presence((size, largest, share): (f64, f64, f64), photo: usize, ph
     1.4 * (size - 0.4) * photos.quality[photo] + photos.need(photo) + hero + star + spoken - dull
 }
 
-/// Gives every panel a photo and a crop; empty when there are no photos. The answer depends on the arguments
-/// alone; another `seed` chooses others.
+/// Assigns a photo and a crop to every panel; empty without photos. The result depends only on the arguments.
+/// Another `seed` gives another assignment.
 ///
-/// With fewer photos than panels, photos repeat with other crops, not in panels that touch if that can be avoided.
-/// Locked panels keep what they have, and their photos are used elsewhere only when others run out.
+/// With fewer photos than panels, photos repeat with other crops, if possible not in panels that touch.
+/// Locked panels retain their photos. Other panels use these photos only after all others.
 #[must_use]
 pub fn assign(photos: &[PhotoMeta], slots: &[Slot], order: Order, seed: u64) -> Vec<Assignment> {
     if photos.is_empty() {
@@ -328,7 +331,7 @@ pub(super) fn uses(slots: &[Slot], chosen: &[usize]) -> Vec<u32> {
     (0..slots.len()).map(|i| before(i) as u32).collect()
 }
 
-/// A quick crop for each of the photos that were chosen, and what it shows.
+/// Returns a quick crop for each chosen photo, and the visible content.
 pub(super) fn looks(slots: &[Slot], chosen: &[usize], photos: &Photos) -> Vec<Look> {
     let look = |(slot, &photo): (&Slot, &usize)| {
         let prepared = photos.prepared(photo);
@@ -410,7 +413,7 @@ fn hungarian(values: &[Vec<f64>]) -> Vec<usize> {
     let (rows, columns) = (values.len(), values.first().map_or(0, Vec::len));
     let cost = |row: usize, column: usize| -values[row - 1][column - 1];
     let (mut u, mut v) = (vec![0.0; rows + 1], vec![0.0; columns + 1]);
-    // The row of each column; column 0 stands for the row that is being placed.
+    // The row of each column. Column 0 holds the row that is being placed.
     let mut row_of = vec![0usize; columns + 1];
     for row in 1..=rows {
         row_of[0] = row;
@@ -485,7 +488,7 @@ mod tests {
         assignments.iter().map(|a| a.photo).collect()
     }
 
-    /// The largest sum over all ways to give each row a column of its own.
+    /// Returns the largest sum over all ways to give each row a separate column.
     fn exhaustive(values: &[Vec<f64>], ascending: bool) -> f64 {
         fn best(values: &[Vec<f64>], row: usize, used: &mut Vec<usize>, ascending: bool) -> f64 {
             if row == values.len() {
@@ -600,7 +603,7 @@ mod tests {
         const HERO_MIDDLE: usize = 2;
         let mut photos_given = album(5);
         let face = Subject { x: 0.35, y: 0.35, width: 0.15, height: 0.25, label: FACE.into(), score: 0.95 };
-        // It lies as the hero does; an upright one would be cut there.
+        // The hero panel is landscape, so a portrait photo would be cut there.
         photos_given[4].subjects.push(face);
         let slots = page("hero-middle-4");
         for seed in 0..10 {
@@ -660,7 +663,7 @@ mod tests {
             for a in &assignments {
                 uses[a.photo] += 1;
             }
-            // Nobody comes a second time before everybody has come once, as far as neighbours allow.
+            // No photo repeats before every photo has appeared once, as far as neighbours allow.
             let most = uses.iter().max().copied().unwrap_or(0);
             prop_assert!(count < slots.len() || most == 1, "{:?}", uses);
         }

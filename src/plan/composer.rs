@@ -1,4 +1,4 @@
-//! Plans made, judged by what is seen of them, and one drawn by its rank.
+//! Creates plans, scores their visible content, and selects one at random by rank.
 //!
 //! ```text
 //! for each of 16 layouts:  four assignments with a little chance, each judged on quick crops; the best stays
@@ -25,13 +25,13 @@ const OF_A_FAMILY: usize = 1;
 /// How fast the chance of a plan falls with its rank, and with its distance from the best score.
 const FALL: f64 = 3.0;
 const WORSE: f64 = 0.6;
-/// The part of the largest panel's area from which on a panel is as large.
+/// Minimum area, relative to the largest panel, of a panel that counts as equally large.
 pub const LEADS: f64 = 0.97;
-/// A panel is a large one from so many times the mean on.
+/// Minimum area of a large panel, relative to the mean.
 const LARGE: f64 = 1.25;
 /// Bonus of a close crop next to the complete photo.
 const NEARER: f64 = 0.05;
-/// Differences of what a subject takes of its panel that make another scale: close, middle, wide.
+/// Differences in the visible size of a subject that separate close, middle and wide shots.
 const SCALES: [f64; 2] = [0.06, 0.22];
 
 /// A layout with its merges, as places for photos.
@@ -41,7 +41,7 @@ pub struct Candidate {
     pub slots: Vec<Slot>,
     /// How much the layout is liked beforehand, 0 to 1.
     pub prior: f64,
-    /// What candidates of one layout have in common; only the best of them is kept.
+    /// Group of similar candidates, for example candidates of one layout. Only the best one is used.
     pub layout: usize,
     /// The family of the layout.
     pub family: &'static str,
@@ -52,7 +52,7 @@ pub struct Candidate {
 pub struct Plan {
     /// Index of the candidate.
     pub candidate: usize,
-    /// What its slots show.
+    /// Photos and crops of its slots.
     pub panels: Vec<Assignment>,
     /// How good it is.
     pub score: Score,
@@ -61,7 +61,7 @@ pub struct Plan {
 /// How good a page is: the sum of its terms.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Score {
-    /// How well photos sit in their panels, by what is seen; the mean, large panels first.
+    /// Quality of the visible crops; the mean, large panels first.
     pub fit: f64,
     /// Whether the largest panel has one of the best photos.
     pub hero: f64,
@@ -105,7 +105,7 @@ impl Score {
     }
 }
 
-/// Minimum score gap at which another layout replaces the wanted one.
+/// Minimum score gap at which another layout replaces the preferred one.
 const SLACK: f64 = 0.4;
 
 /// The plan of a page. `heat` is 1 for a usual draw and more for a bolder one, 0 for the best; `None` when there are no
@@ -124,7 +124,7 @@ pub fn compose(
     let mut best: Vec<(f64, usize, Vec<usize>)> = Vec::new();
     for (index, candidate) in candidates.iter().enumerate() {
         let worths = Worths::of(&candidate.slots, photos);
-        // Where every place has its photo, one try is all that there is.
+        // If every slot already has its photo, a second try gives the same result.
         let tries = if worths.open.is_empty() { 1 } else { TRIES };
         for _ in 0..tries {
             let chosen = chosen(&candidate.slots, &worths, photos, order, random);
@@ -145,7 +145,7 @@ pub fn compose(
         let (_, candidate, chosen) = &best[at];
         let family = candidates[*candidate].family;
         if wanted == Some(candidates[*candidate].layout) {
-            // The wanted layout is always a finalist.
+            // The preferred layout is always a finalist.
         } else if plans.len() >= finalists
             || families.iter().filter(|known| **known == family).count() == OF_A_FAMILY
         {
@@ -209,7 +209,7 @@ fn with_closeup(candidate: &Candidate, plan: &Plan, photos: &Photos) -> Option<P
     better.max_by(|a, b| a.score.total().total_cmp(&b.score.total()))
 }
 
-/// Judges what the slots of a candidate show.
+/// Scores the photos and crops of a candidate.
 #[must_use]
 pub fn judge(candidate: &Candidate, panels: &[Assignment], photos: &Photos) -> Score {
     let seen: Vec<Look> = see(&candidate.slots, panels, photos);
@@ -217,7 +217,7 @@ pub fn judge(candidate: &Candidate, panels: &[Assignment], photos: &Photos) -> S
     score(candidate, &chosen, &seen, photos)
 }
 
-/// What is seen of the photos in their crops.
+/// Returns the visible content of the photos in their crops.
 #[must_use]
 pub fn see(slots: &[Slot], panels: &[Assignment], photos: &Photos) -> Vec<Look> {
     let chosen: Vec<usize> = panels.iter().map(|panel| panel.photo).collect();
@@ -235,7 +235,7 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
     let all: f64 = sizes.iter().map(|size| size.sqrt()).sum();
     let fits = seen.iter().zip(&sizes).map(|(look, size)| size.sqrt() * look.fit());
     let largest = sizes.iter().copied().fold(0.0, f64::max);
-    // Of panels that are equally large, the one with the best photo leads.
+    // If several panels are equally large, the one with the best photo leads.
     let leading = (0..sizes.len()).filter(|&i| sizes[i] >= LEADS * largest);
     let leading = leading.max_by(|&a, &b| photos.lead(chosen[a]).total_cmp(&photos.lead(chosen[b])));
     let hero = leading.map_or(0.0, |hero| {
@@ -243,7 +243,7 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
         let starred = photos.drawn.iter().any(|&i| photos.all[i].starred);
         let leads = ((sizes[hero] - 0.9) / 0.6).clamp(0.3, 1.0);
         let match_ = 0.7 * leads * photos.lead(photo);
-        // A star is a wish: a page that does not show it large is not what was asked for.
+        // The user expects to see a starred photo large, so other pages get a penalty.
         let large = if sizes[hero] < LARGE { -1.5 } else { 0.0 };
         let star = if photos.all[photo].starred { 3.0 * leads + large } else { -3.0 };
         match_ + if starred { star } else { 0.0 }
@@ -304,7 +304,7 @@ fn rhythm(seen: &[Look]) -> f64 {
     if count > 0 { differ as f64 / count as f64 } else { 0.0 }
 }
 
-/// Photos that several pages or none may show, for [`judge`] alone.
+/// Returns photos that may repeat on any number of pages. Only for [`judge`].
 #[must_use]
 pub fn gallery<'a>(photos: &'a [PhotoMeta], shelf: &'a super::Shelf) -> Photos<'a> {
     let every: Vec<usize> = (0..photos.len()).collect();

@@ -9,9 +9,9 @@ use super::assign::gumbel;
 use super::best_first;
 use crate::layout::{self, Template};
 
-/// Layouts that one plan looks at.
+/// Number of layouts in one plan.
 pub const DRAWN: usize = 16;
-/// Most panels that a page gets unless more are asked for.
+/// Maximum number of panels of a page, unless the request has more.
 pub const USUAL_MOST: usize = 9;
 /// Preferred number of panels, and the factor for each panel more or fewer.
 const LIKED_COUNTS: std::ops::RangeInclusive<usize> = 5..=6;
@@ -22,11 +22,12 @@ const LEAST_SHARE: f64 = 0.07;
 const LEAD: [(f64, f64); 3] = [(1.55, 1.0), (1.3, 0.7), (0.0, 0.35)];
 /// Factor of layouts that consist of rectangles only.
 const PLAIN: f64 = 0.6;
-/// How far a person's liking may move a weight, either way.
+/// Maximum effect of a preference on a weight, in both directions.
 const MOST_LIKING: f64 = 1.6;
 
-/// What a person liked so far, as the natural logarithm of what it does to the weights of families and styles. As JSON
-/// `{families: {ID: NUMBER}, styles: {ID: NUMBER}}`, each of which may be missing; what is no number says nothing.
+/// The user's learned preferences, as natural logarithms of the factors for the weights of families and
+/// styles. As JSON: `{families: {ID: NUMBER}, styles: {ID: NUMBER}}`. Both fields are optional, and values
+/// that are not numbers are ignored.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(from = "Value")]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
@@ -56,7 +57,7 @@ impl From<Value> for Taste {
 }
 
 impl Taste {
-    /// What a liking does to a weight; nothing where there is none.
+    /// Returns the factor of a preference; 1 without a preference.
     #[must_use]
     pub fn factor(likings: &[(String, f64)], id: &str) -> f64 {
         let liking = likings.iter().find(|(other, _)| other == id).map_or(0.0, |(_, liking)| *liking);
@@ -64,20 +65,20 @@ impl Taste {
     }
 }
 
-/// What is asked of a free layout.
+/// Requirements for a layout of an unlocked page.
 #[derive(Debug, Clone, Copy)]
 pub struct Wanted<'a> {
     /// Width over height of the page.
     pub aspect: f64,
-    /// Exactly so many panels, or the nearest that there is.
+    /// Exact number of panels. If no layout has it, the nearest number counts.
     pub panels: Option<usize>,
-    /// Photos that there are to be shown.
+    /// Number of photos to show.
     pub photos: usize,
     /// Layouts that were shown just now.
     pub shown: &'a [&'a str],
-    /// Families to keep to; any where there is none.
+    /// Families to choose from; an empty list allows all.
     pub families: &'a [String],
-    /// What the person liked.
+    /// The user's preferences.
     pub taste: &'a Taste,
 }
 
@@ -86,7 +87,7 @@ pub struct Wanted<'a> {
 pub struct Drawn {
     /// The layout.
     pub template: &'static Template,
-    /// What its family weighs.
+    /// Weight of its family.
     pub prior: f64,
 }
 
@@ -97,7 +98,7 @@ pub fn draw(wanted: &Wanted, random: &mut Rand64) -> Vec<Drawn> {
     let within = |template: &&'static Template| is_within(wanted.families, template.family());
     let mut good = layout::good_for(wanted.aspect);
     good.retain(within);
-    // Every page has at least one template; where none is good the whole list is still better than nothing.
+    // Every page has at least one template. If none fits well, the whole list is the fallback.
     if good.is_empty() {
         good = layout::catalogue().iter().filter(within).collect();
     }
@@ -153,13 +154,13 @@ fn is_roomy(template: &Template, aspect: f64) -> bool {
     template.shares(aspect).iter().all(|share| *share >= LEAST_SHARE - 1e-6)
 }
 
-/// Whether a family is among those to keep to: any is where there are none.
+/// Returns whether a family is allowed. An empty list allows all.
 #[must_use]
 pub fn is_within(families: &[String], family: &str) -> bool {
     families.is_empty() || families.iter().any(|other| other == family)
 }
 
-/// How much a family is liked, 0 to 1: by eye, over pages rated one by one.
+/// Returns the weight of a family, 0 to 1. The values come from manual ratings of pages.
 #[must_use]
 pub fn weight(family: &str) -> f64 {
     match family {
@@ -170,7 +171,7 @@ pub fn weight(family: &str) -> f64 {
         "columns" | "inset" => 0.45,
         "overlap" | "landscape" => 0.9,
         "grid" => 0.2,
-        // Rows, heroes, and what is drawn for one shape of page.
+        // Rows, heroes, and layouts for one page shape.
         _ => 0.6,
     }
 }
@@ -181,7 +182,8 @@ fn nearest(good: &[&'static Template], panels: usize) -> Vec<&'static Template> 
     good.iter().copied().filter(|template| distance(template) == least).collect()
 }
 
-/// Layouts that so many photos fill without repeats, neither single pictures nor pages of stamps.
+/// Returns layouts that the photos fill without repeats. Layouts with one panel and layouts with very small
+/// panels are left out.
 fn usual(good: &[&'static Template], photos: usize) -> Vec<&'static Template> {
     let most = photos.min(USUAL_MOST);
     let least = photos.min(3).min(most);

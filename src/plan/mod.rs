@@ -2,18 +2,18 @@
 //!
 //! | module | for |
 //! |---|---|
-//! | [`mod@slots`] | the panels of a page as places that want photos |
-//! | [`prepared`] | what is found out about a photo once, for all plans |
+//! | [`mod@slots`] | the panels of a page as slots for photos |
+//! | [`prepared`] | analysis of one photo, cached for all plans |
 //! | [`utility`] | how well a photo sits in a panel |
 //! | [`mod@assign`] | photos to panels, by exact assignment |
 //! | [`layouts`] | the layouts that a page is chosen from |
-//! | [`composer`] | plans made, judged by what is seen, and one drawn by its rank |
+//! | [`composer`] | creates plans, scores their visible content, and selects one by rank |
 //! | [`turns`] | photos that wait for a panel |
-//! | [`tones`] | the styles that keep what the photos show |
+//! | [`tones`] | styles that preserve the content of the photos |
 //! | [`spread`] | an album cut into pages |
 //!
-//! Nothing here knows a document: what stays of the page before comes in as slots that are locked. All of it is pure;
-//! chance comes from a seed.
+//! Nothing here depends on a document: locked slots carry the retained parts of the old page. All functions
+//! are pure, and random choices depend on a seed.
 
 pub mod assign;
 pub mod composer;

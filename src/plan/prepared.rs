@@ -1,5 +1,5 @@
-//! What is found out about a photo once, for all plans: a crop for each of twelve shapes of panel, and how strong the
-//! photo is.
+//! Analysis of one photo, cached for all plans: a crop for each of twelve panel shapes, and the strength of
+//! the photo.
 
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -8,11 +8,11 @@ use super::best_first;
 use crate::framing::{Crop, FACE, FIGURE, LETTERING, PhotoMeta, Subject, Target, sketch};
 use crate::layout::Bounds;
 
-/// Shapes of panels for which crops are kept, from 1:3 to 3:1 in equal steps of their logarithm.
+/// Number of cached crops. Their panel shapes range from 1:3 to 3:1 in equal steps of the logarithm.
 pub const ASPECTS: usize = 12;
 /// The widest of them.
 const WIDEST: f64 = 3.0;
-/// Subjects that are looked at; the largest count.
+/// Maximum number of subjects; the largest ones count.
 const MOST_MARKS: usize = 16;
 /// Fingerprints at this distance or below are of nearly the same picture.
 const NEAR_DUPLICATE: u32 = 10;
@@ -50,7 +50,7 @@ pub struct Prepared {
     pub(super) care: f64,
     /// The kind of photo.
     pub(super) kind: Kind,
-    /// What its tones have to offer, 0 to 1.
+    /// Quality of its tones, 0 to 1.
     pub(super) tonal: f64,
 }
 
@@ -76,7 +76,7 @@ pub(super) struct Mark {
     pub(super) bare: Bounds,
     pub(super) face: bool,
     pub(super) text: bool,
-    /// How bad it is to cut it: 0 for what only surrounds, less for a body whose face is known.
+    /// Penalty for cutting it: 0 for surroundings, and low for a body whose face is known.
     pub(super) whole: f64,
     /// How much it matters, 0 and more.
     pub(super) weight: f64,
@@ -105,7 +105,7 @@ impl Prepared {
         Self { sides, sketches, marks, care, kind, tonal }
     }
 
-    /// The crop that is kept for the shape nearest to `aspect`, brought to it, and the energy that it holds.
+    /// Returns the cached crop of the shape nearest to `aspect`, adapted to it, and its energy.
     pub(super) fn crop_for(&self, photo: &PhotoMeta, aspect: f64) -> (Crop, f64) {
         let at = f64::midpoint(aspect.max(1e-3).ln() / WIDEST.ln(), 1.0) * (ASPECTS - 1) as f64;
         let at = (at.round().max(0.0) as usize).min(ASPECTS - 1);
@@ -132,21 +132,22 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
         let sure = s.score.clamp(0.0, 1.0).sqrt();
         let size = |full: f64| (side(s) / full).min(1.0);
         sure * match s.label.as_str() {
-            // A face of a sixth of the photo's side is a portrait. A small face without a person may be a pattern.
+            // A face of a sixth of the photo's side is a portrait. A small face without a person can be a
+            // false detection.
             FACE => {
                 let owned = s.score > SURE || side(s) > 0.12 || people().any(|person| person.surrounds(s));
                 (if owned { 1.0 } else { 0.4 }) * (0.4 + 0.6 * size(0.16))
             }
-            // A person without a face is a back or a passer-by.
+            // A person without a face is seen from behind, or is a passer-by.
             "person" => {
                 let known = faces().any(|face| s.surrounds(face));
                 (if known { 0.85 } else { 0.7 }) * size(0.42).powf(0.7)
             }
             _ if s.is_alive() => 0.95 * (0.15 + 0.85 * size(0.35)),
             label if VEHICLES.contains(&label) => 0.5 * size(0.45),
-            // A sign is to be read whole, and seldom what a page is about.
+            // A sign must be readable, but is rarely the main subject.
             LETTERING => 0.0,
-            // The mask knows that there is something, and not what.
+            // The mask shows a subject of unknown kind.
             FIGURE => 0.4 * size(0.4),
             _ => 0.3 * size(0.45),
         }
@@ -243,7 +244,7 @@ fn mark(s: &Subject, photo: &PhotoMeta) -> Option<Mark> {
     })
 }
 
-/// What was found out about one photo, once somebody asked; copies share it.
+/// The analysis of one photo, computed on the first request. Clones share it.
 pub type Place = Rc<OnceCell<Prepared>>;
 
 /// A place for each photo of a request, in their order.
@@ -253,7 +254,7 @@ pub struct Shelf {
 }
 
 impl Shelf {
-    /// Empty places for so many photos.
+    /// Creates `count` empty places.
     #[must_use]
     pub fn new(count: usize) -> Self {
         Self { places: (0..count).map(|_| Place::default()).collect() }

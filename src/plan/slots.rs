@@ -1,23 +1,23 @@
-//! The panels of a page as places that want photos.
+//! The panels of a page as slots for photos.
 
 use crate::framing::{Crop, Region, Target};
 use crate::layout::merge::merged_bounds;
 use crate::layout::{Bounds, ResolvedPanel, ResolvedShape};
 
-/// A panel, or a merged group of panels, that wants a photo, in reading order.
+/// A panel, or a merged group of panels, that needs a photo, in reading order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slot {
-    /// The crop that is wanted.
+    /// The wanted aspect ratio and shape of the crop.
     pub target: Target,
     /// How much the panel draws the eye.
     pub weight: f32,
-    /// Where it is, in page widths; panels that touch avoid the same photo.
+    /// Position in page widths. Panels that touch avoid the same photo.
     pub bounds: Bounds,
     /// The area of it that is seen, in square page widths.
     pub area: f64,
     /// Whether it is several panels that share an image.
     pub merged: bool,
-    /// What the panel shows in any case.
+    /// Photo and crop of a locked panel.
     pub locked: Option<Assignment>,
     /// The photo that the panel keeps, in a crop that is still to be found.
     pub keeps: Option<usize>,
@@ -45,8 +45,8 @@ pub fn slots(panels: &[ResolvedPanel], page_width: f64) -> Vec<Slot> {
     (0..panels.len()).filter_map(|i| slot(panels, &[i], page_width, false)).collect()
 }
 
-/// The slot of a group of panels that share one image, or of one panel; none for an empty group. `covered_by_any` is as in
-/// [`Region::of`].
+/// Returns the slot of one panel, or of a group of panels that share one image. `None` for an empty group.
+/// `covered_by_any` is as in [`Region::of`].
 #[must_use]
 pub fn slot(
     panels: &[ResolvedPanel],

@@ -3,19 +3,19 @@
 use crate::framing::PhotoMeta;
 use crate::order::sort_by;
 
-/// What a page costs, so that there are not more than needed.
+/// Cost of a page, which limits the number of pages.
 const PAGE: f64 = 0.35;
-/// Fewer photos than this are a leftover, and what one costs.
+/// Minimum number of photos of a full page, and the cost of a page with fewer photos.
 const FEWEST: usize = 3;
 const LEFTOVER: f64 = 1.5;
-/// Pauses, in medians of all, from which on there may be a cut, and from which on there surely is.
+/// Pauses that count as a possible break and as a certain break, relative to the median.
 const PAUSES: (f64, f64) = (3.0, 60.0);
 /// Mean differences of colours, in grey steps, that are nothing and that are another place.
 const COLOURS: (f64, f64) = (24.0, 90.0);
 /// Bits of fingerprints that two photos of one place may differ in, as noise has it.
 const ALIKE: f64 = 20.0;
 
-/// Photos of each of so many pages; fewer pages where there are fewer photos.
+/// Returns the number of photos on each of `pages` pages. With fewer photos, there are fewer pages.
 #[must_use]
 pub fn into_pages(photos: &[PhotoMeta], pages: usize) -> Vec<usize> {
     let pages = pages.clamp(1, photos.len().max(1));
@@ -26,15 +26,15 @@ pub fn into_pages(photos: &[PhotoMeta], pages: usize) -> Vec<usize> {
     solved(&cuts(photos), &allowed, even, pages).unwrap_or_else(|| vec![photos.len()])
 }
 
-/// Pages of nearly the same number of photos each, so that no page is a leftover: the photos of each page. `counts`:
-/// numbers of panels that layouts have; any while none is known.
+/// Pages of nearly the same number of photos each, so that no page is a leftover: the photos of each page.
+/// `counts`: numbers of panels of the layouts. If it is empty, all numbers are allowed.
 #[must_use]
 pub fn balanced(count: usize, most: usize, counts: &[usize]) -> Vec<usize> {
     let mut sizes = Vec::new();
     let mut rest = count;
     while rest > 0 {
         let even = rest.div_ceil(rest.div_ceil(most.max(1)));
-        // Of photos that are more than its panels a page would leave some out.
+        // A page leaves out photos beyond its number of panels.
         let size = counts.iter().copied().filter(|count| (1..=even).contains(count)).max().unwrap_or(even);
         sizes.push(size);
         rest -= size;
@@ -42,7 +42,7 @@ pub fn balanced(count: usize, most: usize, counts: &[usize]) -> Vec<usize> {
     sizes
 }
 
-/// How much speaks for a cut before each photo but the first, 0 to 1.
+/// Score of a page break before each photo, except the first, 0 to 1.
 #[must_use]
 pub fn cuts(photos: &[PhotoMeta]) -> Vec<f64> {
     let times: Vec<Option<f64>> =
@@ -67,7 +67,7 @@ pub fn cuts(photos: &[PhotoMeta]) -> Vec<f64> {
                 _ => 0.0,
             };
             let bits = f64::from((before.fingerprint ^ after.fingerprint).count_ones());
-            // Photos that look alike belong together whatever the clock says.
+            // Similar photos belong together, even if their capture times differ.
             let together = if bits < ALIKE { 0.3 } else { 1.0 };
             (time.max(0.6 * colour) + 0.25 * time.min(colour)).min(1.0) * together
         })
@@ -110,7 +110,8 @@ fn solved(cuts: &[f64], allowed: &[usize], even: f64, pages: usize) -> Option<Ve
     Some(sizes)
 }
 
-/// Seconds of `YYYY:MM:DD HH:MM:SS`, in a calendar whose months are all of 31 days: pauses are compared, not told.
+/// Returns the seconds of `YYYY:MM:DD HH:MM:SS`. All months have 31 days, because the values are only
+/// compared.
 fn seconds(taken: &str) -> Option<f64> {
     let mut numbers =
         taken.split([':', ' ', '-', 'T', '.']).map(|digits| digits.parse::<u32>().ok().map(f64::from));

@@ -1,5 +1,5 @@
-//! The styles that keep what the photos show: each is known by how much it is liked and by the tones that it makes of
-//! tones, so that a night scene does not become a black page.
+//! Selects styles that preserve the content of the photos. Each style has a mark and a tone curve, so that a
+//! night scene does not become a black page.
 
 use std::sync::OnceLock;
 
@@ -10,17 +10,18 @@ use crate::style::Style;
 use crate::style::context::scale_of;
 use crate::style::file::Step;
 
-/// A line per style, best first: its id, its mark, the luma that it makes of each sixteenth of luma, two hexadecimal digits each,
-/// and its uses. The marks are from 0 to 10, by eye, on faces, groups and animals that are not in the repository. `first` is for
-/// the first page, `dark` for dark paper. The example `style_tones` writes the third column.
+/// A line per style, best first: its id, its mark, the luma that it makes of each sixteenth of luma, two
+/// hexadecimal digits each, and its uses. The marks are manual ratings from 0 to 10, on faces, groups and
+/// animals that are not in the repository. `first` is for the first page, `dark` for dark paper. The example
+/// `style_tones` writes the third column.
 const MARKS: &str = include_str!("marks.txt");
 
 /// Styles that the first page is drawn from.
 #[cfg(test)]
 const FIRST: usize = 20;
-/// Mark of a style that has none.
+/// Mark of an unrated style.
 const USUAL: f64 = 6.5;
-/// Styles with lower marks are only drawn if a person asks for their family.
+/// Minimum mark of a style in a random choice. Styles with lower marks need a request for their family.
 const LEAST: f64 = 7.0;
 /// How fast weight grows with liking.
 const GROWTH: f64 = 0.75;
@@ -47,13 +48,13 @@ const AREA: &[(&str, &str, f32)] = &[
     ("engrave", "pitch", 2.5),
     ("strokes", "width", 4.0),
 ];
-/// The share of edges from which on dots and hatching turn to mud.
+/// Share of edges above which dots and hatching become unclear.
 const ROUGH: f64 = 0.3;
 
-/// What a page shows that styles may lose.
+/// Content of a page that a style could hide.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Shown {
-    /// The share of each sixteenth of luma; none where no photo was measured.
+    /// The share of each sixteenth of luma; `None` if no photo was measured.
     tones: Option<[f64; 16]>,
     /// The mean share of edges between neighbours.
     texture: f64,
@@ -64,7 +65,7 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// What the slots of a page show.
+    /// Measures the content of the slots of a page.
     #[must_use]
     pub fn of(slots: &[Slot], panels: &[Assignment], photos: &[PhotoMeta], page_aspect: f64) -> Self {
         let (mut tones, mut texture, mut area) = ([0.0; 16], 0.0, 0.0);
@@ -78,7 +79,7 @@ impl Shown {
                 texture += slot.area * f64::from(edges[0]) / 255.0;
                 area += slot.area;
             }
-            // The main face of each panel has to be read; those of a crowd need not.
+            // The main face of each panel must be recognisable. Faces in a crowd are optional.
             let faces = photo.subjects.iter().filter(|s| s.label == FACE);
             let highest =
                 faces.map(|s| s.height / panel.crop.height * slot.bounds.height).fold(0.0, f64::max);
@@ -86,7 +87,7 @@ impl Shown {
                 face = Some(face.map_or(highest, |least| least.min(highest)));
             }
         }
-        // A style's pixels are those of its page's mean panel.
+        // The scale of a style follows the mean panel of the page.
         let scale = f64::from(scale_of(1.0 / page_aspect.max(0.05) / slots.len().max(1) as f64));
         let tones = (area > 0.0).then(|| tones.map(|sum| sum / area));
         Self { tones, texture: if area > 0.0 { texture / area } else { 0.0 }, face, scale }
@@ -97,7 +98,7 @@ struct Look {
     id: &'static str,
     rating: f64,
     response: Option<[u8; 16]>,
-    /// The words after the response.
+    /// The keywords after the tone curve.
     uses: &'static str,
 }
 
@@ -126,7 +127,7 @@ fn response(digits: &str) -> Option<[u8; 16]> {
     Some(response)
 }
 
-/// How much a style is liked, 0 to 10, where that is known.
+/// Returns the mark of a style, 0 to 10, if it is rated.
 #[must_use]
 pub fn rating(id: &str) -> Option<f64> {
     look(id).map(|look| look.rating)
@@ -154,7 +155,7 @@ pub fn is_dark(id: &str) -> bool {
     is_for(id, "dark")
 }
 
-/// The weight of a style that a person brought.
+/// Returns the weight of a custom style.
 #[must_use]
 pub fn weight_of_own(id: &str, taste: &Taste) -> f64 {
     (GROWTH * (7.0 - USUAL)).exp() * Taste::factor(&taste.styles, id)

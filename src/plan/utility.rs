@@ -1,4 +1,4 @@
-//! How well a photo sits in a panel, by what of it is seen there.
+//! Rates the crop of a photo in a panel by its visible content.
 
 use super::prepared::{Mark, Prepared};
 use super::slots::Slot;
@@ -18,9 +18,9 @@ const ENLARGED: f64 = 2.5;
 const READABLE: (f64, f64) = (0.03, 0.055);
 /// Height of each face of a group on the page, in page widths, below which a style leaves nothing of its features.
 const GROUP_FACE: f64 = 0.05;
-/// A face below this part of the largest one's height is a passer-by, not one of the group.
+/// Minimum height of a face in a group, relative to the largest one. A smaller face is a passer-by.
 const OF_THE_GROUP: f64 = 0.5;
-/// The weight of all subjects together from which on they have their full say.
+/// Total weight of the subjects at which they decide the result entirely.
 const STRONG: f64 = 0.25;
 /// The part of a head or of lettering that other panels must leave.
 const SEEN: f64 = 0.9;
@@ -31,10 +31,10 @@ const STRIP_KEPT: f64 = 0.6;
 /// Subjects below this part of the photo's area may be cut.
 const SOME_SIZE: f64 = 0.01;
 
-/// What a crop shows of a photo in a panel.
+/// Visible content of a photo in a panel.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Look {
-    /// The part of the subjects, or of what there is to see, that is seen: 0 to 1.
+    /// Visible part of the subjects, or of the image content, 0 to 1.
     pub cover: f64,
     /// Faces cut, counted up to 2.
     pub faces_cut: f64,
@@ -48,22 +48,22 @@ pub struct Look {
     pub too_small: f64,
     /// Faces of a group that are too small, each counted by how much, up to 3 together.
     pub small_faces: f64,
-    /// How little there is to see in an image that several panels share, 0 to 1.
+    /// Lack of content in an image that several panels share, 0 to 1.
     pub dull: f64,
     /// The part of the subjects that a gutter runs through, 0 to 1.
     pub split: f64,
     /// The part of the panel that the main subject takes; 0 without one.
     pub close: f64,
-    /// Faces, heads and lettering that lie under other panels.
+    /// Faces, heads and lettering below other panels.
     pub hidden: f64,
-    /// Whether it is a close look at a face of a photo that another panel shows as a whole.
+    /// Whether it is a close-up of a face in a photo that another panel shows completely.
     pub near: bool,
     /// Whether the panel is a narrow strip that shows less than most of its photo.
     pub strip: bool,
 }
 
 impl Look {
-    /// Looks at a crop that holds `energy` of the photo. In a `close` crop, other faces may lie outside.
+    /// Looks at a crop that holds `energy` of the photo. In a `close` crop, other faces may be outside.
     #[must_use]
     pub fn at(slot: &Slot, prepared: &Prepared, crop: &Crop, energy: f64, close: bool) -> Self {
         let target = &slot.target;
@@ -96,7 +96,7 @@ impl Look {
                 if bare > 0.8 {
                     faces.push(inner.height * slot.bounds.height);
                 }
-                // Only the face of a passer-by may lie outside.
+                // Only the face of a passer-by may be outside.
                 let main = mark.bare.height >= OF_THE_GROUP * tallest;
                 let missed = main && !close;
                 let cut = in_one < FACE_CUT.1 && (missed || bare > FACE_CUT.0 || under_others(slot, inner));
@@ -109,7 +109,8 @@ impl Look {
                 worst = mark.whole.max(worst);
                 cut += mark.weight * mark.whole;
             }
-            // What lies in two windows of a merge is cut by the gutter, however much of it is seen.
+            // If a subject spreads over two windows of a merged panel, the gutter cuts it, even if most of it
+            // is visible.
             if all > 0.3 && most < 0.85 * all && mark.whole > 0.0 {
                 split += mark.weight;
             }
@@ -129,7 +130,7 @@ impl Look {
         look.faces_cut = look.faces_cut.min(2.0);
         look.near = close && !faces.is_empty();
         look.small_faces = small_faces(&faces);
-        // Across gutters only what is worth it.
+        // Only a photo with important content should span several panels.
         look.dull = if slot.merged { (0.6 - prepared.care).max(0.0) } else { 0.0 };
         look.split = if total > 0.0 { split / total } else { 0.0 };
         if look.near {
@@ -166,8 +167,8 @@ impl Look {
     }
 }
 
-/// A crop for the slot, from what is kept for its shape: where a part of the panel is hidden, moved so that the subjects
-/// come to lie where nothing is.
+/// Adapts the cached crop for the shape of the slot. If a part of the panel is hidden, the crop moves the
+/// subjects to the visible part.
 #[must_use]
 pub fn placed(slot: &Slot, photo: &PhotoMeta, prepared: &Prepared) -> (Crop, Look) {
     let (crop, energy) = prepared.crop_for(photo, slot.target.aspect);
@@ -218,9 +219,9 @@ fn place(crop: &Crop, inner: Bounds) -> Bounds {
     }
 }
 
-/// Whether most of a box of which nothing is seen lies in the panel all the same.
+/// Returns whether a hidden box lies mostly within the panel.
 fn under_others(slot: &Slot, inner: Bounds) -> bool {
-    // Of a region in which nothing is hidden.
+    // Tested on the panel without hidden parts.
     !slot.target.region.is_plain() && Region::default().shares(inner).0 > 0.5
 }
 
@@ -228,7 +229,7 @@ fn under_others(slot: &Slot, inner: Bounds) -> bool {
 fn shares(slot: &Slot, inner: Bounds) -> (f64, f64) {
     let (all, most) = slot.target.region.shares(inner);
     if slot.target.round && slot.target.region.is_plain() {
-        // What of the box lies in the circle: by its farthest point, as heads are round.
+        // The part of the box in the circle, by its farthest point, as heads are round.
         let (aspect, half) = (slot.target.aspect, (inner.width / 2.0, inner.height / 2.0));
         let off = (inner.x + half.0 - 0.5).hypot((inner.y + half.1 - 0.5) / aspect.max(1e-3));
         let reach = half.0.max(half.1 / aspect.max(1e-3));

@@ -1,9 +1,9 @@
-//! Dissolves: transitions in which one scene of a film fades out while the next one fades in.
+//! Dissolves: transitions in which one scene of a video fades out while the next one fades in.
 //!
-//! A dissolve mixes two pictures in a share that rises evenly from 0 to 1. Two pictures that have nothing in common cancel
-//! out in part, so their mixture has less contrast than the pictures themselves. A moving camera also goes from one picture
-//! to another, but its contrast stays the same. Source: Truong, Dorai, Venkatesh, "New Enhancements to Cut, Fade, and
-//! Dissolve Detection Processes in Video Segmentation", ACM Multimedia 2000.
+//! A dissolve mixes two pictures in a share that rises evenly from 0 to 1. Two pictures that have nothing in
+//! common cancel out in part, so their mixture has less contrast than the pictures themselves. A moving
+//! camera also changes the picture, but its contrast does not drop. Source: Truong, Dorai, Venkatesh, "New
+//! Enhancements to Cut, Fade, and Dissolve Detection Processes in Video Segmentation", ACM Multimedia 2000.
 
 use super::look::{Coarse, Look};
 
@@ -49,7 +49,7 @@ impl Dissolve {
     }
 }
 
-/// Returns the dissolves of a film in the order of time; no two of them overlap.
+/// Returns the dissolves of a video in time order, without overlap.
 pub(super) fn find(times: &[f64], looks: &[Look]) -> Vec<Dissolve> {
     let frames = Frames::of(times, looks);
     let mut found: Vec<(f64, [usize; 2])> = Vec::new();
@@ -74,7 +74,7 @@ struct Frames<'f> {
     times: Vec<f64>,
     looks: Vec<&'f Look>,
     coarse: Vec<Coarse>,
-    /// Their numbers among all frames of the film.
+    /// Their indices among all frames of the video.
     numbers: Vec<usize>,
 }
 
@@ -150,7 +150,7 @@ impl<'f> Frames<'f> {
         }
         // The variance of a mixture is less than the mean of the variances by this.
         let expected = |correlation: f64| product * (a * a + b * b - 2.0 * correlation * a * b);
-        // Most frames are ruled out by numbers that are at hand.
+        // Cheap numbers exclude most frames.
         if lost < MIN_LOSS * expected(MAX_CORRELATION) {
             return false;
         }
@@ -178,7 +178,7 @@ mod tests {
 
     #[test]
     fn a_dissolve_is_found_at_any_rate() {
-        // 24 frames, looked at 24, 12, 6 and 4 times a second.
+        // 24 frames per second, sampled 24, 12, 6 and 4 times per second.
         for every in [1, 2, 4, 6] {
             let looks = dissolving(24, 0).step_by(every);
             let all = found(looks, 24.0 / every as f64);
@@ -188,7 +188,7 @@ mod tests {
             assert!((30..=42).contains(&at(dissolve.middle)), "every {every}: {dissolve:?}");
             assert!((44..=54).contains(&at(dissolve.after)), "every {every}: {dissolve:?}");
         }
-        // Key frames of a long film do not show the frames between them.
+        // Key frames of a long video do not show the frames between them.
         assert!(found(dissolving(24, 0).step_by(12), 1.0).is_empty());
     }
 

@@ -44,7 +44,7 @@ pub fn distance(a: u64, b: u64) -> u32 {
     (a ^ b).count_ones()
 }
 
-/// The Gaussian of the whole little plane, on replicated borders.
+/// Returns the Gaussian of the small plane, with replicated borders.
 fn smoothed(small: &Plane) -> Vec<f32> {
     let (width, height) = (small.width(), small.height());
     let samples: Vec<f32> = small.samples().iter().map(|&v| f32::from(v)).collect();

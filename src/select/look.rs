@@ -240,7 +240,8 @@ impl Coarse {
         f64::from(self.0.iter().zip(&other.0).map(square).sum::<i32>())
     }
 
-    /// Returns where this frame lies on the way between two others, as a part of their squared distance: 0 at the first.
+    /// Returns the position of this frame between two others, as a fraction of their squared distance: 0 at
+    /// the first.
     pub(super) fn share(&self, first: &Self, last: &Self) -> f64 {
         let product =
             |((&x, &a), &b): ((&u8, &u8), &u8)| (i32::from(x) - i32::from(a)) * (i32::from(b) - i32::from(a));

@@ -3,7 +3,7 @@
 use crate::raster::Plane;
 use crate::raster::resize::{Region, fit, resample};
 
-/// Every third pixel in each direction is asked for its gradient, as in the paper.
+/// Gradients are computed for every third pixel in each direction, as in the paper.
 const SUBSAMPLING: usize = 3;
 /// Long side at which [`laplacian`] is measured, in pixels.
 const LAPLACIAN_SIDE: usize = 640;

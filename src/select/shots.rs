@@ -14,18 +14,18 @@ use super::look::Look;
 const CLOSE: f64 = 0.5;
 /// How many pairs on either side a close pair is compared with.
 const WINDOW: usize = 2;
-/// How many times as far as those about it a close pair lies apart where a film cuts,
+/// Minimum difference at a cut, relative to neighbouring pairs,
 const RATIO: f32 = 3.0;
-/// and how far at least.
+/// and in total. Both apply to close pairs.
 const LEAST: f32 = 10.0;
-/// How far a pair lies apart that is not close, where a film cuts,
+/// Minimum difference at a cut of a pair that is not close,
 const FAR: f32 = 22.0;
-/// or this far, where its tones are other ones, too.
+/// or this much, if the tones differ too.
 const FARTHER: f32 = 14.0;
 const OTHER_TONES: f32 = 0.3;
 /// Minimum duration of a shot in seconds. Shorter ones are flashes.
 const SHORTEST: f64 = 0.5;
-/// A frame after a flash lies no farther from the one before than this part of the flash.
+/// Maximum difference of the frames before and after a flash, relative to the flash.
 const BACK: f32 = 0.4;
 /// Part of the deviation of the strongest frame of its shot nearby below which a frame is fading,
 const FADED: f32 = 0.5;
@@ -68,7 +68,7 @@ impl Film {
         }
     }
 
-    /// Seconds of the frames that were looked at, rising.
+    /// Times in seconds of the analysed frames, ascending.
     #[must_use]
     pub fn times(&self) -> &[f64] {
         &self.times

@@ -15,11 +15,11 @@ const MOST_OF_SHOT: usize = 6;
 const SECONDS: f64 = 2.0;
 /// Difference in grey steps at which a frame of the same shot shows something else.
 const ANOTHER: f32 = 10.0;
-/// Looks of a shot that are asked how much it changes.
+/// Maximum number of frames per shot for measuring changes.
 const ASKED: usize = 60;
 /// Below this part of the sharpness of its shot a frame counts as blurred.
 const SHARP: f32 = 0.7;
-/// Seconds off the ends of a shot, where the frames of two are often mixed.
+/// Seconds at both ends of a shot that are skipped, because frames there often mix two shots.
 const EDGE: f64 = 0.1;
 /// Seconds of a shot that must not be left out.
 const LONG: f64 = 1.0;
@@ -57,7 +57,7 @@ pub fn choose(film: &Film, shots: &[Shot], wish: &Wish) -> Vec<Still> {
     let mut open: Vec<usize> = (0..shots.len()).filter(|&i| !shots[i].usable.is_empty()).collect();
     let pictures = open.iter().filter(|&&i| !shots[i].title).count();
     let count = wish.count.unwrap_or_else(|| usual(film, shots)).max(1);
-    // Titles are all that some films have.
+    // Some videos contain only titles.
     if pictures > 0 {
         open.retain(|&i| !shots[i].title);
     }
@@ -131,8 +131,8 @@ fn first_come(film: &Film, shots: &[Shot], open: &[usize], length: &dyn Fn(usize
     order.into_iter().map(|(_, k)| k).collect()
 }
 
-/// The times of `quota` frames of a shot: it is cut into as many parts, and each gives the frame that is sharp and unlike the
-/// others. A part that is blurred as a whole gives its place to another.
+/// The times of `quota` frames of a shot: it is cut into as many parts, and each gives the frame that is
+/// sharp and unlike the others. If a part is completely blurred, another part replaces it.
 fn of_shot(film: &Film, shot: &Shot, quota: usize, wish: &Wish) -> Vec<f64> {
     let (times, looks) = (film.times(), film.looks());
     let inside = |i: &&usize| times[**i] >= shot.start + EDGE && times[**i] <= shot.end - EDGE;

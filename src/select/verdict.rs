@@ -172,7 +172,7 @@ mod tests {
     #[test]
     fn frames_of_a_film_are_judged_apart_and_some_are_always_kept() {
         let far = |bits: u64, sharp: f32| photo(bits, sharp, 900.0);
-        // Four frames of two films and a photo, five bits apart or less.
+        // Four frames of two videos and a photo, five bits apart or less.
         let measures = [far(0, 1.0), far(0b11111, 2.0), far(0b1, 3.0), far(0b111, 4.0), far(0b1111, 5.0)];
         let films = vec![Some(0), Some(0), Some(1), Some(1), None];
         let kept = |films: Vec<Option<usize>>| -> Vec<bool> {

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * What Ace, the accessibility checker of DAISY, says of EPUB files: a line for each thing that it finds, and exit code 1 where
- * one is serious or critical. It looks at every page in a Chromium, which `PUPPETEER_EXECUTABLE_PATH` names.
+ * Runs Ace, the EPUB accessibility checker of DAISY, and prints one line per finding. Exit code 1 if one is serious or
+ * critical. Ace renders every page in the Chromium that `PUPPETEER_EXECUTABLE_PATH` names.
  *
  *     PUPPETEER_EXECUTABLE_PATH=/usr/bin/chromium node tests/ace/check.js BOOK.epub ...
  */

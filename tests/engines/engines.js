@@ -1,5 +1,5 @@
 // @ts-check
-/** The browsers: each is started with an empty profile and a folder for what it downloads, and driven by WebDriver. */
+/** The browsers of the tests. Each starts with an empty profile and a download folder, and WebDriver controls it. */
 
 import { spawn } from 'node:child_process';
 import { mkdtemp, rm } from 'node:fs/promises';
@@ -14,7 +14,10 @@ import { CHROMIUM } from '../web/launching.js';
 
 /** @typedef {import('../../www/testing.ts').WebDriver} WebDriver */
 /** A browser that runs; `pid` of the program that drives it. @typedef {{ driver: WebDriver, downloads: string, pid: number, end: () => Promise<void> }} Running */
-/** What a program of WebDriver is told. @typedef {{ program: string, capabilities: (folders: Folders) => object, screen?: boolean }} Engine */
+/**
+ * Settings of a WebDriver program. @typedef {{ program: string, capabilities: (folders: Folders) => object, screen?:
+ * boolean }} Engine
+ */
 /** Both are empty, and removed afterwards. @typedef {{ downloads: string, data: string }} Folders */
 
 const WINDOW = fileURLToPath(new URL('./window.py', import.meta.url));
@@ -39,14 +42,17 @@ export const ENGINES = {
   'webkit-private': webkit(({ downloads }) => [downloads]),
 };
 
-/** Without what imitates a graphics card, as Chromium always is here: WebKit spends a third of its time on it. */
+/**
+ * Without emulation of a graphics card. Chromium always runs like this here. WebKit spends a third of its time on the
+ * emulation.
+ */
 export const UNACCELERATED = {
   chromium: ENGINES.chromium,
   firefox: ENGINES.firefox,
   webkit: webkit(({ downloads, data }) => ['--unaccelerated', downloads, data]),
 };
 
-/** @param {Record<string, unknown>} prefs beside those of every test @returns {Engine} */
+/** @param {Record<string, unknown>} prefs in addition to the preferences of every test @returns {Engine} */
 function firefox(prefs) {
   return {
     program: GECKODRIVER,
@@ -91,7 +97,7 @@ const TRIES = 2;
 /**
  * Starts a browser with nothing in it.
  * @param {string} name
- * @param {Record<string, Engine>} [engines] one of which has that name
+ * @param {Record<string, Engine>} [engines] must contain an engine of this name
  * @returns {Promise<Running>}
  */
 export async function start(name, engines = ENGINES) {
@@ -108,10 +114,10 @@ export async function start(name, engines = ENGINES) {
 async function startOnce(name, { program, capabilities, screen }) {
   const root = await mkdtemp(join(tmpdir(), 'inkpanel-engine-'));
   const [downloads, data] = await Promise.all(['downloads-', 'data-'].map((kind) => mkdtemp(join(root, kind))));
-  /** @type {(() => Promise<unknown>)[]} what ends it, the last first */
+  /** @type {(() => Promise<unknown>)[]} cleanup functions, in reverse order */
   const endings = [() => rm(root, { recursive: true, force: true, maxRetries: 5 })];
   const end = async () => {
-    // A browser that hangs does not answer when it is told to quit either: then its driver is ended with all that it started.
+    // A browser that hangs does not answer a quit command. Then its driver and all child processes are terminated.
     for (const ending of endings.reverse()) await inTime(ending(), PATIENCE, 'it does not end').catch(() => {});
   };
   try {
@@ -133,7 +139,7 @@ async function startOnce(name, { program, capabilities, screen }) {
 }
 
 /**
- * What comes of something, or an error once it has taken too long: WebDriver waits for ever for the answer of what hangs.
+ * Returns the result of `work`, or an error after a time limit. WebDriver has no time limit for a browser that hangs.
  * @template T
  * @param {Promise<T>} work
  * @param {number} limit milliseconds
@@ -150,7 +156,7 @@ export function inTime(work, limit, fault) {
 }
 
 /**
- * A screen that nobody sees; WebKit has no other way to be without one.
+ * Starts an invisible screen, because WebKit has no headless mode.
  * @param {(() => Promise<unknown>)[]} endings
  * @returns {Promise<string>} its name
  */
@@ -161,12 +167,12 @@ async function startScreen(endings) {
   });
   endings.push(stopper(screen));
   const told = /** @type {import('node:stream').Readable} */ (screen.stdio[3]);
-  // It writes the number and the end of the line apart, and dies where nobody reads the second.
+  // It writes the number and the line end separately, and terminates if the second write has no reader.
   for await (const number of createInterface({ input: told })) return `:${number}`;
   throw new Error('Xvfb does not start');
 }
 
-/** @param {import('node:child_process').ChildProcess} child that leads a group of its own, all of which ends */
+/** @param {import('node:child_process').ChildProcess} child leader of a process group, which is terminated with it */
 function stopper(child) {
   const gone = new Promise((resolve) => child.once('exit', resolve).once('error', resolve));
   return async () => {

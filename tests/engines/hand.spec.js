@@ -1,5 +1,5 @@
 // @ts-check
-/** A phone held sideways, and what is said while one works, in every engine. */
+/** A phone in landscape, and messages during work, in every engine. */
 
 import { covered } from '../web/covered.js';
 import { expect, given, test } from './hands.js';

@@ -1,5 +1,5 @@
 // @ts-check
-/** What a person does and sees: controls by their role and accessible name, files that come and go. */
+/** User actions and observations: controls by role and accessible name, uploaded and downloaded files. */
 
 import { readFile, readdir, stat, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -29,7 +29,7 @@ export const SIX = photos('bee.jpg', 'cat.jpg', 'crab.jpg', 'gateway.jpg', 'maca
 const PATIENCE = 90_000;
 
 /**
- * A test of a person at a browser; what a page throws or logs as an error fails it.
+ * A test with a user at a browser. It fails if the page throws or logs an error.
  * @type {import('../../www/testing.ts').TestWith<{ person: Person }>}
  */
 export const test = plain.extend(
@@ -58,11 +58,12 @@ export const test = plain.extend(
 
 export { PNG, expect, plain };
 
-/** @param {string} url of a picture, as canvases tell it */
+/** @param {string} url data URL of a picture, from a canvas */
 const decoded = (url) => PNG.sync.read(Buffer.from(url.slice(url.indexOf(',') + 1), 'base64'));
 
 /**
- * Waits until a picture is what it was; a failure tells how far off it is, and keeps both and their difference.
+ * Waits until a picture equals the expected one. A failure reports the difference, and stores both pictures and their
+ * difference.
  * @param {() => Promise<string>} picture
  * @param {string} expected
  */
@@ -92,7 +93,7 @@ export async function becomes(picture, expected) {
 }
 
 /**
- * Stands in the page, beside the library that it asks.
+ * Runs in the page, next to the library that it uses.
  * @param {string} role
  * @param {any} name
  * @param {[role: string, name: any] | null} within
@@ -138,7 +139,7 @@ export async function personIn({ driver, downloads }, address) {
   /**
    * All that can be perceived with a role and a name.
    * @param {string} role
-   * @param {Name} [name] whole, or a pattern
+   * @param {Name} [name] complete, or a pattern
    * @param {Place} [within]
    * @returns {Promise<WebElement[]>}
    */
@@ -178,7 +179,8 @@ export async function personIn({ driver, downloads }, address) {
   }
 
   /**
-   * Clicks the one with a role and a name; once more where it was drawn anew or covered just then.
+   * Clicks the control with a role and a name. It repeats the click if the control was replaced or covered at that
+   * moment.
    * @param {string} role
    * @param {Name} [name]
    * @param {Place} [within]
@@ -213,7 +215,7 @@ export async function personIn({ driver, downloads }, address) {
 
   /** Chooses files, as one does in the dialog of the browser. @param {string[]} files */
   async function choose(files) {
-    // The page looks for the project of the last visit first, and has no place for files until then.
+    // The page searches for the project of the last visit first, and accepts no files until then.
     const input = await driver.wait(
       async () =>
         /** @type {WebElement | null} */ (
@@ -270,7 +272,10 @@ export async function personIn({ driver, downloads }, address) {
     saved,
     Key,
 
-    /** Opens the page, with what the browser keeps of it. @param {{ detects?: boolean }} [how] whether it looks for faces */
+    /**
+     * Opens the page with the data that the browser stored. @param {{ detects?: boolean }} [how] whether it detects
+     * faces
+     */
     async open({ detects = false } = {}) {
       await driver.get(address);
       if (!detects) {
@@ -300,10 +305,10 @@ export async function personIn({ driver, downloads }, address) {
       await idle();
     },
 
-    /** Opens a tab beside the page. @param {'Styles' | 'Layouts' | 'Text' | 'Page'} name */
+    /** Opens a tab next to the page. @param {'Styles' | 'Layouts' | 'Text' | 'Page'} name */
     tab: (name) => click('tab', name),
 
-    /** A page of that size, whatever the browser has around it. @param {{ width: number, height: number }} wanted */
+    /** A page of this size, independent of the browser's window. @param {{ width: number, height: number }} wanted */
     async resize({ width, height }) {
       const size = () => inPage(() => [innerWidth, innerHeight]);
       const window = driver.manage().window();
@@ -339,14 +344,14 @@ export async function personIn({ driver, downloads }, address) {
       await idle();
     },
 
-    /** What each panel shows, as told to who does not see it. */
+    /** The description of each panel for screen readers. */
     async shown() {
       const panels = await all('group', /^Panel \d/);
       const told = await Promise.all(panels.map((panel) => panel.getAttribute('aria-description')));
       return told.map((text) => text?.replace(/, selected.*/, ''));
     },
 
-    /** What a canvas shows, pixel by pixel. @param {string} [selector] @returns {Promise<string>} */
+    /** The pixels of a canvas. @param {string} [selector] @returns {Promise<string>} */
     picture: (selector = '.page-canvas') =>
       driver.executeScript(
         // A copy: WebKit reads nothing out of a canvas that shows a bitmap as it came.
@@ -396,7 +401,7 @@ export async function personIn({ driver, downloads }, address) {
       return file;
     },
 
-    /** A balloon with these words. @param {string} text */
+    /** Adds a balloon with this text. @param {string} text */
     async say(text) {
       await click('tab', 'Text');
       await click('button', 'Add balloon');
@@ -404,7 +409,7 @@ export async function personIn({ driver, downloads }, address) {
       await one('button', new RegExp(`^Balloon: ${text}`));
     },
 
-    /** Until it says that all is saved. */
+    /** Waits until the app reports that everything is saved. */
     async kept() {
       const state = () => driver.executeScript("return document.querySelector('.save-state')?.textContent");
       await expect.poll(state, { timeout: PATIENCE }).toBe('Saved');

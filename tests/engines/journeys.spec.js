@@ -1,5 +1,5 @@
 // @ts-check
-/** What most people do, from photos to files, in every engine. */
+/** The most common user flow, from photos to files, in every engine. */
 
 import { pathToFileURL } from 'node:url';
 import { PNG, SIX, becomes, expect, given, photos, test } from './hands.js';
@@ -63,7 +63,7 @@ test('a slider of the designer changes a style, and the explorer invents some', 
   await person.click('button', 'Use', ['region', 'Style designer']);
   await person.idle();
 
-  // Its first wall comes by itself.
+  // The first styles appear automatically.
   await person.click('button', 'Explore styles');
   await expect
     .poll(async () => (await person.all('listitem', undefined, ['region', 'Style explorer'])).length)
@@ -104,8 +104,8 @@ test('the page becomes files of every kind, and goes to the clipboard', async ({
 
 test('films lie on the table', async ({ person }) => {
   await person.begin([given('videos/album.mp4'), given('videos/album.webm'), SIX[0]]);
-  // Six shots of a second each, and as many frames as any film has at least. Where the browser's player reads the film no shots
-  // are found, and there are more, by the clock.
+  // Six shots of one second each give the minimum number of frames of a video. If the browser's player reads the video,
+  // shots are not detected, and the number follows the duration.
   for (const name of [/^Use album\.mp4, 0:0/, /^Use album\.webm, 0:0/])
     await expect.poll(async () => (await person.all('checkbox', name)).length, String(name)).toBeGreaterThanOrEqual(8);
 });
@@ -173,9 +173,9 @@ test('panels from films move in an HTML comic', async ({ person }) => {
   const files = [...found].map(([, file]) => Buffer.from(file, 'base64'));
   expect(files.length).toBeGreaterThan(0);
   for (const file of files) {
-    // Twelve pictures a second, of shots of a second; its end goes over into its beginning.
+    // Twelve frames per second, with shots of one second. The end dissolves into the beginning.
     expect(file.toString('latin1').split('ANMF').length - 1).toBeGreaterThanOrEqual(6);
-    // Where one is seen through, those before are seen; none is damaged.
+    // Transparent parts of a frame show the previous frames. No frame is damaged.
     const [decoded, pixels] = await person.inPage(
       async (address) => {
         const picture = new Image();

@@ -1,5 +1,5 @@
 // @ts-check
-/** The same journeys in three engines. Playwright runs and counts them; the browsers are driven by WebDriver. */
+/** The same user flows in three engines. Playwright runs and counts the tests, and WebDriver controls the browsers. */
 
 import { defineConfig } from '../../www/testing.ts';
 import { servedSite } from '../web/launching.js';
@@ -24,10 +24,10 @@ export default defineConfig({
       name,
       testIgnore: 'all-engines.spec.js',
       metadata: { engine: name },
-      // JavaScriptCore 2.50 now and then breaks code while it runs it (docs/design/webkit.md), and WebDriver's own
-      // clicks miss then, too. What is wrong in our code fails each time.
+      // JavaScriptCore 2.50 sometimes corrupts running code (docs/design/webkit.md), and clicks of WebDriver can miss.
+      // Bugs in the app fail every time.
       ...(name.startsWith('webkit') && { retries: 3 }),
-      // What is different in a private window is what it keeps.
+      // A private window differs only in stored data.
       ...(name.endsWith('-private') && { grep: /there again after a reload/ }),
     })),
     { name: 'all', testMatch: 'all-engines.spec.js' },

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """A window of WebKit that WebKitWebDriver drives: `window.py [--unaccelerated] DOWNLOADS [DATA]`.
 
-With a folder for data it keeps what a page stores, as a browser does; without one it is a private window, which keeps
-nothing. Unaccelerated it does without the imitation of a graphics card, which takes a third of its time; no frame of a film
-is told there when it is shown (`requestVideoFrameCallback`). Files that a page gives away go to DOWNLOADS. `MiniBrowser --automation`, which WebKit brings along, is always
-private.
+With a data folder, it stores data of pages, like a browser. Without one, it is a private window, which stores
+nothing. `--unaccelerated` turns off the emulation of a graphics card, which takes a third of the time. Then
+there are no events for shown video frames (`requestVideoFrameCallback`). Downloads go to DOWNLOADS.
+`MiniBrowser --automation`, a part of WebKit, is always private.
 """
 
 import sys

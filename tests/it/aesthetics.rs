@@ -1,5 +1,5 @@
-//! Scores of pictures by the net, against a forward pass in numpy; the values are made by
-//! `tests/oracles/aesthetics.py`. And the command that gives them.
+//! Scores of pictures by the model, compared with a forward pass in numpy. `tests/oracles/aesthetics.py`
+//! makes the values. And the command that gives them.
 #![cfg(feature = "cli")]
 
 use std::fs;

@@ -1,6 +1,6 @@
-//! Animatics: which frame shows which shot, and how the camera moves; and on the command line, that the frames are as many as
-//! the shots are long, that a shot without a move is one picture, and that work that was stopped goes on; the same of pages that are
-//! read, of which each frame shows the panel that is read with the words that are there by now.
+//! Animatics: the shot and the camera position of each frame. Command line: the number of frames matches the
+//! durations, a shot without camera move is a single picture, and interrupted work resumes. Animated pages:
+//! each frame shows the active panel with the text that has appeared so far.
 
 use inkpanel::document::saved::Saved;
 use inkpanel::framing::{Crop, FACE, Subject};
@@ -76,7 +76,8 @@ fn moves_dissolves_and_captions_change_the_frames_the_same_way_each_time() {
     let files = frames(one.path());
     assert_eq!(files, frames(other.path()));
     assert_eq!(made["frames"], files.len());
-    // Lengths at 24 a second, 6 frames each, at 30: the whole is as long as it was.
+    // Lengths in 6 frames at 24 frames per second become frames at 30 per second. The total duration does not
+    // change.
     let shots = made["shots"].as_array().unwrap();
     assert_eq!(files.len(), (shots.len() * 6 * 30).div_ceil(24));
     assert!(shots.iter().any(|shot| shot["from"] != shot["to"]));
@@ -115,7 +116,7 @@ fn what_is_no_project_or_no_size_is_told() {
     assert!(String::from_utf8_lossy(&place.stderr).contains("page.txt"));
 }
 
-/// A page of four panels, three words in the first of them.
+/// A page of four panels, with three text items in the first one.
 fn page() -> PathBuf {
     crate::root("tests/data/saved/version-1/merged-words.png")
 }
@@ -135,7 +136,7 @@ fn plan_of(request: &motion::Request) -> Animatic {
     request.planned(&Letters::bundled().unwrap()).unwrap()
 }
 
-/// The page of a clip as large as its film has it, with so many of its words in the order in which they are read.
+/// Renders the page of a clip at the size of the video, with its first `words` text items in reading order.
 fn drawn(project: &Path, (clip, page): (&Clip, &Document), words: usize) -> Image {
     let mut document = Document::parse(&clip.picture.to_string()).unwrap();
     let said = &clip.reading.as_ref().unwrap().said[..words];
@@ -161,7 +162,7 @@ fn corners(reading: &Reading, panel: usize) -> [(f64, f64); 2] {
     [(left, top), (right, bottom)]
 }
 
-/// The whole pixels of a frame in which it shows a part of the page: left, top, right and lower edge.
+/// Returns the pixels of a frame that show a part of the page: left, top, right and lower edge.
 fn pixels_of(frame: &Image, view: &Crop, [from, to]: [(f64, f64); 2]) -> [usize; 4] {
     let at = |place: f64, from: f64, length: f64, side: usize| (place - from) / length * side as f64;
     let (wide, high) = (frame.width(), frame.height());
@@ -243,7 +244,7 @@ fn the_camera_shows_the_panel_that_is_read_and_veils_the_others() {
     for (i, stop) in reading.stops.iter().enumerate() {
         let frame = picture(&files[stop.to as usize - 1]);
         let Some(panel) = stop.panel else {
-            // At the beginning nothing is said yet.
+            // At the beginning, no text is visible.
             let shown = if i == 0 { &drawn(&page(), (clip, document), 0) } else { &whole };
             assert!(difference(&frame, shown, &stop.last, [(0.0, 0.0), (1.0, 1.0)]) < 0.3);
             continue;
@@ -251,7 +252,8 @@ fn the_camera_shows_the_panel_that_is_read_and_veils_the_others() {
         let part = corners(reading, panel);
         let away = difference(&frame, &whole, &stop.last, part);
         assert!(away < 0.3, "panel {panel}: {away}");
-        // The panel is most of what is seen, and what is beside it is dark: of the words of the first one stands out.
+        // The panel fills most of the frame, and its surroundings are dark. One text item of the first panel
+        // extends beyond it.
         let [left, top, right, bottom] = pixels_of(&frame, &stop.last, part);
         assert!(right - left > 160 || bottom - top > 120, "{left} {top} {right} {bottom}");
         let beside = |x: usize, y: usize| x + 1 < left || x > right || y + 1 < top || y > bottom;
@@ -401,7 +403,7 @@ fn a_figure_that_steps_out_is_read_with_its_panel() {
             assert!(difference(&frame, &whole, &stop.last, all) < 0.3);
             assert!(difference(&kept, &whole, &stop.last, all) > 0.6);
         } else if stop.panel == Some(panel) {
-            // Beyond the panel all is veiled but its figure.
+            // Everything outside the panel is dimmed, except its subject.
             let bright = |image: &Image, x, y| image.planes().iter().any(|plane| plane.at(x, y) > 100);
             let pixels = (0..180).flat_map(|y| (0..320).map(move |x| (x, y)));
             let lit = pixels.filter(|&(x, y)| bright(&frame, x, y) && !bright(&kept, x, y)).count();
@@ -500,7 +502,7 @@ fn frames_of_a_slower_second_are_as_many_and_pass_as_slowly() {
     let plan = request.planned().unwrap();
     assert_eq!((plan.fps, plan.frames), (24, 48));
     assert!((plan.rate - 24_000.0 / 1001.0).abs() < 1e-9);
-    // Who asks for a rate gets it.
+    // A requested rate is used.
     let plan = Request { fps: 12, ..request }.planned().unwrap();
     assert_eq!((plan.frames, plan.rate.to_bits()), (24, 12f64.to_bits()));
 }
@@ -540,7 +542,7 @@ fn the_camera_keeps_faces_and_stays_inside_of_the_crop() {
             assert!((right - left) / (bottom - top) > 1.32 && (right - left) / (bottom - top) < 1.35);
         }
     }
-    // In, out, and along where there is nobody.
+    // Camera moves in, out, and along a panel without people.
     let [first, second, third] = &plan.clips[..] else { panic!() };
     assert!(first.last.width < first.first.width && third.first.x < third.last.x);
     assert!(second.first.width <= second.last.width);

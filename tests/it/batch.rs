@@ -13,7 +13,8 @@ use inkpanel::document::saved::Saved;
 use inkpanel::raster::decode::{Limits, decode};
 use made::Tiff;
 
-/// A folder with a photo, tiles in planes that do not divide their image, and files that are no photos.
+/// A folder with a photo, a TIFF with planar tiles that do not divide its size, and files that are not
+/// photos.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let sample = crate::root("tests/oracles/data/files/jpeg-444.jpg");
@@ -102,7 +103,7 @@ fn fed(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
     let mut child = piped.spawn().unwrap();
     let mut stdin = child.stdin.take().unwrap();
     let input = input.to_vec();
-    // It may go away before it has read all.
+    // The reader may stop before it has read everything.
     let writing = std::thread::spawn(move || drop(stdin.write_all(&input)));
     let output = child.wait_with_output().unwrap();
     writing.join().unwrap();
@@ -130,7 +131,7 @@ fn a_font_gives_letters_and_what_none_has_is_named() {
     }
     let page = |name: &str| fs::read(folder.path().join(name)).unwrap();
     assert_ne!(page("page.png"), page("bare.png"));
-    // What is not as it was asked for stops strict work; what is no font stops all.
+    // A warning stops a run with --strict. An invalid font stops every run.
     assert_eq!(drawn(&["--strict"], "strict.png").status.code(), Some(1));
     let output = drawn(&["--font", "words.json"], "wrong.png");
     let said = text(&output.stderr);
@@ -203,7 +204,7 @@ fn an_ending_that_is_not_known_is_refused_and_those_that_are_tell_the_truth() {
         ] {
             let said = text(&done.stderr);
             assert_eq!(done.status.code(), Some(1), "{file}: {said}");
-            assert!(said.contains("a name that ends in .png, .jpg, .webp"), "{said}");
+            assert!(said.contains("must end in .png, .jpg, .webp"), "{said}");
             assert!(!folder.path().join(file).exists());
         }
     }
@@ -243,7 +244,7 @@ fn what_is_not_as_it_was_asked_for_is_told_and_strict_stops_there() {
         "bee",
         "left out",
         "panels, not 50",
-        "photos repeat: there are 4",
+        "photos repeat: 4 photos",
         "nobody.jpg: --star",
     ] {
         assert!(said.contains(part), "{part}: {said}");
@@ -324,11 +325,11 @@ fn stopped_work_goes_on_and_files_are_there_whole_or_not_at_all() {
     let before = fs::metadata(page(1)).unwrap().modified().unwrap();
     fs::remove_file(page(2)).unwrap();
     let again = render(folder.path(), &asked);
-    assert!(text(&again.stderr).contains("page-01.png, which is there"), "{}", text(&again.stderr));
+    assert!(text(&again.stderr).contains("page-01.png, skipped"), "{}", text(&again.stderr));
     assert_eq!(fs::metadata(page(1)).unwrap().modified().unwrap(), before);
     assert!(page(2).exists());
     let one = render(folder.path(), &["-o", "page-01.png", "--skip-existing", "album"]);
-    assert!(one.status.success() && text(&one.stderr).contains("is there already"));
+    assert!(one.status.success() && text(&one.stderr).contains("exists already, skipped"));
     let left = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name());
     assert!(left.into_iter().all(|name| !name.to_string_lossy().ends_with(".part")));
     let nowhere = render(folder.path(), &["-o", "missing/page.png", "album"]);
@@ -372,8 +373,14 @@ fn a_page_goes_out_as_data_and_comes_in_as_the_same_page() {
     assert!(book.status.success(), "{}", text(&book.stderr));
     assert!(page("two.pdf").starts_with(b"%PDF"));
     for (arguments, sentence) in [
-        (vec!["--document", "two.json", "-o", "x.png"], "is neither beside it nor among the photos given"),
-        (vec!["--document", "two.json", "-o", "x.png", "--style", "noir", "album"], "it is planned already"),
+        (
+            vec!["--document", "two.json", "-o", "x.png"],
+            "is neither in its folder nor among the given photos",
+        ),
+        (
+            vec!["--document", "two.json", "-o", "x.png", "--style", "noir", "album"],
+            "a saved page takes only",
+        ),
         (vec!["--document", "gone.json", "-o", "x.png"], "gone.json: "),
         (vec!["--document", "album/bee.jpg", "-o", "x.png"], "is not JSON"),
     ] {

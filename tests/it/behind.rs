@@ -1,4 +1,4 @@
-//! Effects that stand behind the subject of their panel.
+//! Sound effects behind the subject of their panel.
 
 use inkpanel::native::{self, Photo, Photos};
 use inkpanel::page::words::Letters;
@@ -9,11 +9,12 @@ use inkpanel::style::Context;
 use serde_json::{Value, json};
 
 const WIDTH: usize = 600;
-/// Colours of the photo's subject and of what is beside it, and of the effect.
+/// Colours of the photo's subject, of its background, and of the effect.
 const SUBJECT: [u8; 3] = [40, 60, 220];
 const BESIDE: [u8; 3] = [230, 225, 205];
 
-/// A page of two panels, the first of which shows a photo whose left half is its subject, and has an effect across.
+/// A page of two panels. The photo of the first panel has its subject in the left half. A sound effect
+/// crosses it.
 fn page(behind: bool) -> Document {
     let panel = |photo: Value| json!({ "photo": photo, "crop": { "x": 0, "y": 0, "width": 1, "height": 1 } });
     let words = json!([
@@ -70,7 +71,7 @@ fn the_figure_is_seen_before_the_effect_and_beside_it_the_effect() {
     assert!(left > 500 && right > 500, "{left}, {right}");
     let cut = drawn(&behind, true);
     assert_eq!(halves(&cut, middle), (0, right));
-    // Inside it is the figure itself, as without the effect.
+    // Inside the mask is the subject itself, as without the effect.
     let mut bare = before.clone();
     bare.words.clear();
     let bare = drawn(&bare, true);
@@ -135,7 +136,7 @@ fn without_a_mask_the_effect_stands_before_the_photo() {
     let middle = edge(&page(true));
     assert_eq!(drawn(&page(true), false), drawn(&page(false), false));
     assert!(halves(&drawn(&page(true), false), middle).0 > 500);
-    // As it does on a panel that the page does not have, and where it is no effect.
+    // Also on a panel that the page does not have, and for a text item that is not a sound effect.
     for (key, value) in [("panel", json!(7)), ("kind", json!("caption"))] {
         let mut other = page(true);
         other.words[0][key] = value;

@@ -1,5 +1,5 @@
-//! What holds for every block of the registry, whatever it does: sizes, determinism, every extreme of its
-//! parameters, and that no pixel depends on how wide the row is that a lane kernel happens to work on.
+//! Properties of every block of the registry: sizes, determinism, extreme parameters, and independence of the
+//! row width that SIMD kernels process.
 
 use inkpanel::raster::{Image, Plane};
 use inkpanel::style::blocks::{ALL, Block, Channels};
@@ -17,7 +17,7 @@ fn plane(width: usize, height: usize, seed: u64) -> Plane {
     Plane::from_fn(width, height, |x, y| ((x * 5 + y * 3) as u32 + random.rand_range(0..60)) as u8)
 }
 
-/// What a block takes: luma or colour, both where it takes either.
+/// Input images of a block: luma, colour, or both if it accepts both.
 fn inputs(block: &Block, width: usize, height: usize) -> Vec<Image> {
     let luma = Image::from_luma(plane(width, height, 1));
     let color = Image::from_rgb([2, 3, 4].map(|seed| plane(width, height, seed))).unwrap();
@@ -63,7 +63,7 @@ fn samples(image: &Image) -> Vec<&[u8]> {
 #[test]
 fn every_block_bears_every_extreme_at_every_size() {
     for &block in ALL {
-        // One context for all: what one size leaves in the scratch memory must not reach the next.
+        // All sizes share one context: scratch memory of one size must not affect the next.
         let mut worn = Context::default();
         for &(width, height) in SIZES {
             for image in inputs(block, width, height) {
@@ -92,7 +92,8 @@ fn every_block_bears_every_extreme_at_every_size() {
     }
 }
 
-/// A pixel far from both borders is the same in a row of any width: groups of lanes and the rest behind them agree.
+/// A pixel far from both borders does not depend on the width of the row: SIMD groups and the scalar rest
+/// agree.
 #[test]
 fn no_pixel_depends_on_the_width_of_its_row() {
     for &block in ALL {
@@ -109,9 +110,9 @@ fn no_pixel_depends_on_the_width_of_its_row() {
                 let mut context = Context::default();
                 context.set_scale(1.0);
                 let reach = match block.id {
-                    // The percentiles are those of the whole image, and so are the pixels of another size: they have
-                    // plain references of their own below. Palettes, the phase of lines and the length of a line are of
-                    // the whole image, too: their oracles stand for them.
+                    // Percentiles and the pixels of another size depend on the whole image, and have
+                    // reference implementations below. Palettes, the phase of lines and the length of a line
+                    // do so too, and have oracles.
                     "equalize" | "dynamic_range" | "size" | "flatten" | "engrave" | "flow_lines" => continue,
                     _ => reach(block, &values),
                 };
@@ -136,7 +137,7 @@ fn percentile(image: &Image, percent: f64) -> f64 {
     f64::from(luma[rank - 1])
 }
 
-/// The blocks of percentiles as their formulas say, without lanes, at every width.
+/// The percentile blocks follow their formulas without SIMD, at every width.
 #[test]
 fn tones_are_stretched_as_the_formulas_say_at_every_width() {
     for (id, values) in [
@@ -160,7 +161,7 @@ fn tones_are_stretched_as_the_formulas_say_at_every_width() {
                 };
                 let mut numbers = values.map(|value| value as f32).to_vec();
                 if id == "equalize" {
-                    // Each channel: luma has rounding of its own.
+                    // Tested per channel, because luma is rounded separately.
                     numbers.push(1.0);
                 }
                 let out = run(block, &numbers[..block.params.len()], &image, &mut Context::default());
@@ -230,17 +231,17 @@ fn sizes_are_those_of_plain_sums_at_every_width() {
     }
 }
 
-/// Pixels that a block looks aside for at its defaults.
+/// Returns the number of neighbouring pixels that a block reads with default parameters.
 fn reach(block: &'static Block, values: &[f32]) -> usize {
     match block.id {
         "sobel" => 1,
-        // Sigmas and iterations, and the coarse grid that they may go through.
+        // Sigmas and iterations, and the coarse grid that they may use.
         "gaussian" => (4.0 * values[0]) as usize + 6,
         "xdog" => (8.0 * values[0]) as usize + 12,
         "tvf" => 24,
         "etf" => 40,
         "detail" => 60,
-        // The field of directions, and places on it; what a plate is off.
+        // The reach includes the field of directions, positions on it, and the offset of a plate.
         "kuwahara" | "strokes" | "plates" => 66,
         _ if looks_aside(block, values) => 60,
         _ => 0,

@@ -19,7 +19,7 @@ enum Bound {
     Rmse(f64),
     /// Peak signal to noise ratio, at least, in decibels.
     Decibels(f64),
-    /// At most 1 off, but for this share of the samples.
+    /// Maximum difference 1, except for this share of the samples.
     OneBut(f64),
     /// Means of areas of 24 x 24 pixels, as shares of full ink.
     Coverage(f64),
@@ -53,7 +53,7 @@ fn bound(block: &str, params: &Map<String, Value>) -> Option<Bound> {
         // The trained filters see 7 x 7 pixels a pass; beyond sigma 2 they are approximate.
         "etf" if number("sigma") <= 2.0 => Decibels(43.0),
         "etf" => Decibels(39.0),
-        // p = 20 multiplies the error of the blurs, which are kept to 1/64 of a grey step.
+        // p = 20 multiplies the error of the blurs, which store 1/64 of a grey level.
         "xdog" => Rmse(1.0),
         // A grid of cells for a sum over all pixels.
         "detail" if number("delta") < 0.0 => Decibels(40.0),
@@ -66,13 +66,14 @@ fn bound(block: &str, params: &Map<String, Value>) -> Option<Bound> {
         "halftone" => Coverage(0.025),
         // Averages along the field are rounded to 1/32 grey steps, and a line's end may fall on either side of a tone.
         "flow_lines" => Decibels(45.0),
-        // A cell whose direction lies between two may take the other one.
+        // A cell with a direction between two sectors may use either.
         "kuwahara" => Decibels(55.0),
         // The phase is solved by a number of sweeps, the oracle's by least squares to the end; straight lines are exact.
         "engrave" if number("follow") <= 0.0 => Decibels(80.0),
         "engrave" => Decibels(33.0),
         "strokes" => Decibels(40.0),
-        // Colours are looked up in cells of 8 grey steps by both; votes at a border are singles in one and doubles in the other.
+        // Both use cells of 8 grey levels for colours. Votes at a border are single precision in one and
+        // double precision in the other.
         "flatten" => Decibels(50.0),
         "plates" => Decibels(48.0),
         // Heights are bytes.
@@ -110,7 +111,7 @@ fn cases() -> Vec<Case> {
         .collect()
 }
 
-/// What the block draws, as three planes or one, each row by row.
+/// Returns the result of the block as three planes or one, row by row.
 fn actual(case: &Case) -> Image {
     let mut image = read(&format!("{}.png", case.source));
     if case.source == "luma" {
@@ -138,7 +139,7 @@ fn expected(case: &Case, channels: usize) -> Vec<Vec<u8>> {
     (0..channels).map(plane).collect()
 }
 
-/// Whether the samples are within the bound, and what was measured.
+/// Returns whether the samples are within the limit, and the measured value.
 fn judge(bound: Bound, actual: &[Vec<u8>], expected: &[Vec<u8>], width: usize) -> (bool, f64) {
     let pairs = || actual.iter().flatten().zip(expected.iter().flatten());
     let count = pairs().count() as f64;
@@ -169,7 +170,7 @@ fn judge(bound: Bound, actual: &[Vec<u8>], expected: &[Vec<u8>], width: usize) -
     }
 }
 
-/// Means of the whole 24 x 24 areas of a plane.
+/// Returns the means of the complete 24 x 24 areas of a plane.
 fn means(samples: &[u8], width: usize) -> Vec<f64> {
     const SIDE: usize = 24;
     let rows: Vec<&[u8]> = samples.chunks_exact(width).collect();
@@ -234,7 +235,7 @@ fn every_block_has_an_oracle() {
     }
 }
 
-/// A flat grey of any tone is covered as it asks for, whatever the size of the dots.
+/// A flat grey of any tone gets the requested coverage, for any size of the dots.
 #[test]
 fn halftone_covers_what_it_should() {
     for pitch in [6.0, 7.5, 10.0, 16.0, 25.0, 40.0] {

@@ -1,5 +1,5 @@
-//! Sheets of boards with a logo in their heads: it is shown as it is, read with the head, and drawn of a saved project by the
-//! command line.
+//! Storyboard sheets with a logo in their header: the logo is drawn unchanged, read with the header, and
+//! drawn from a saved project by the command line.
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -18,7 +18,7 @@ use std::io::{Cursor, Read, Write};
 use std::path::Path;
 use std::process::Output;
 
-/// A picture in which no two neighbours are alike.
+/// A picture without equal neighbours.
 fn checked(width: usize, height: usize) -> Image {
     let rgba: Vec<u8> = (0..width * height)
         .flat_map(|i| [(i * 89 % 256) as u8, (i * 53 % 256) as u8, (i / width * 31 % 256) as u8, 255])
@@ -28,7 +28,7 @@ fn checked(width: usize, height: usize) -> Image {
 
 #[test]
 fn a_plain_picture_is_that_photo_to_the_pixel_in_any_style() {
-    // Two panels of 60 by 50 pixels, one beside the other.
+    // Two adjacent panels of 60 by 50 pixels.
     let polygon = |x: f64| json!([[x, 0.25], [x + 0.3, 0.25], [x + 0.3, 0.75], [x, 0.75]]);
     let page = |style: &str, plain: bool| {
         let value = json!({
@@ -42,7 +42,7 @@ fn a_plain_picture_is_that_photo_to_the_pixel_in_any_style() {
         page
     };
     let image = checked(60, 50);
-    // Where the style draws a part of it only, too.
+    // Also if the style draws only a part of it.
     let subject = Some(Matte::try_from("2x2:ap2a".to_owned()).unwrap());
     let photos: Photos = [("a".to_owned(), Photo { image: image.clone(), subject })].into();
     for style in ["noir", "storyboard", "spot-colour"] {
@@ -154,7 +154,7 @@ fn the_command_line_draws_the_logo_of_a_saved_board() {
     let image = decode(&fs::read(&sheet).unwrap(), &Limits::default()).unwrap().image;
     let pixels = |millimetres: f64| (millimetres / 25.4 * 300.0) as usize;
     let at = |x: f64, y: f64| [0, 1, 2].map(|channel| image.planes()[channel].at(pixels(x), pixels(y)));
-    // In the head's left corner, 18 mm wide and 9 high; beside it is paper.
+    // In the left corner of the header, 18 mm wide and 9 mm high, with paper around it.
     for (x, y) in [(11.2, 11.2), (28.8, 11.2), (11.2, 19.8), (28.8, 19.8), (20.0, 15.0)] {
         assert_eq!(at(x, y), [220, 20, 30], "{x}, {y}");
     }

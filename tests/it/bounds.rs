@@ -1,5 +1,5 @@
-//! What is told once, in Rust, and written from there for the page: the bounds of a document (`src/document/limits.rs`), and
-//! the project in which nothing was done.
+//! Generated TypeScript modules match their Rust sources: the limits of a document
+//! (`src/document/limits.rs`), and the empty project.
 
 use inkpanel::document::history::History;
 use inkpanel::document::{kept, limits, script, spreading, subtitles};
@@ -44,7 +44,7 @@ fn bounds() -> String {
     format!("{head}{}}});\n\n{}\n{}\n{}", lines.concat(), ranges(), animatics(), sizes())
 }
 
-/// What numbers may be, from the least to the most.
+/// Ranges of numbers, from minimum to maximum.
 fn ranges() -> String {
     let [least_side, most_side] = SIDES;
     let [least_dpi, most_dpi] = DPI;
@@ -65,7 +65,7 @@ fn ranges() -> String {
     .join("\n")
 }
 
-/// What animatics are made of.
+/// Constants of animatics.
 fn animatics() -> String {
     let sizes = animatic::SIZES
         .map(|(id, [width, height])| format!("  {{ id: '{id}', width: {width}, height: {height} }},\n"));
@@ -77,7 +77,7 @@ fn animatics() -> String {
     )
 }
 
-/// Page sizes that people know, the default first.
+/// Common page sizes, the default first.
 fn sizes() -> String {
     let size =
         |PagePreset { id, purpose, width, height, dpi, safe: [across, down], fold, .. }: &PagePreset| {
@@ -157,7 +157,7 @@ fn told(value: &Value, text: &str) -> String {
     }
 }
 
-/// With `BLESS=1` a module is written anew, and the test fails for once.
+/// `BLESS=1` updates a module, and the test fails once.
 fn check(file: &str, expected: &str) {
     let path = crate::root(file);
     let found = std::fs::read_to_string(&path).unwrap_or_default();

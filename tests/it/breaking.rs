@@ -1,4 +1,4 @@
-//! Figures that step out of their panels: where they may be seen, and in which files.
+//! Subjects that break their panel border: their visibility, and the file formats that show them.
 
 use std::collections::BTreeMap;
 
@@ -24,7 +24,8 @@ fn style() -> Value {
     json!({ "id": "plain", "name": "Plain", "tags": [], "background": [] })
 }
 
-/// A figure with a round head on an oval body, its face known; some stand in the middle, some end at the photo's edge.
+/// A person with a round head on an oval body, with a detected face. Some are in the middle, some end at the
+/// photo's edge.
 fn photo(i: u64, random: &mut Rand64) -> (PhotoMeta, Image) {
     let (width, height) = if i.is_multiple_of(3) { (600, 800) } else { (900, 600) };
     let mut between = |low: f64, high: f64| low + random.rand_float() * (high - low);
@@ -101,7 +102,7 @@ fn faces(scene: &Scene, count: usize, but: usize) -> Vec<Bounds> {
     faces
 }
 
-/// A caption and a balloon in the middle of a figure that steps out.
+/// A caption and a balloon in the middle of a subject that breaks its border.
 fn words_on(area: PixelRect, height: usize) -> Vec<Value> {
     let middle = (area.x as f64 + area.width as f64 / 2.0, area.y as f64 + area.height as f64 / 2.0);
     let x = (middle.0 / WIDTH as f64).clamp(0.2, 0.8);
@@ -112,7 +113,7 @@ fn words_on(area: PixelRect, height: usize) -> Vec<Value> {
     vec![word("caption", -20.0, "#00ff00"), word("balloon", 20.0, "#ffff00")]
 }
 
-/// How many pixels of the words of a page are whole, and how many of these are not seen on it.
+/// Returns the number of opaque text pixels of a page, and how many of them are hidden.
 fn seen_of_words(page: &Document, photos: &native::Photos) -> (usize, usize) {
     let sheet = native::sheet(page, photos, &GivenFonts::default()).unwrap();
     let letters = Letters::bundled().unwrap();
@@ -122,7 +123,7 @@ fn seen_of_words(page: &Document, photos: &native::Photos) -> (usize, usize) {
         for (i, pixel) in patch.rgba.chunks_exact(4).enumerate().filter(|(_, pixel)| pixel[3] > 0) {
             let at =
                 (patch.area.x + (i % patch.area.width) as i64, patch.area.y + (i / patch.area.width) as i64);
-            // Where two meet the later one lies over the earlier.
+            // If two subjects overlap, the later one is on top.
             if pixel[3] == 255 {
                 seen.insert(at, [pixel[0], pixel[1], pixel[2]]);
             } else {
@@ -163,7 +164,7 @@ fn on_random_pages_no_figure_covers_a_face_or_a_word_or_leaves_the_margin() {
         let margin = page.page.margin * WIDTH as f64;
         let faces = faces(&scene, count, own);
         for (i, pixel) in patch.rgba.chunks_exact(4).enumerate() {
-            // The figure itself; the line of paper about it is not one.
+            // The subject itself, without the paper outline around it.
             let figure = pixel[3] > 128 && i16::from(pixel[0]) - i16::from(pixel[1]) > 90 && pixel[2] < 120;
             if !figure || inside[i] > 0 {
                 continue;
@@ -191,7 +192,7 @@ fn on_random_pages_no_figure_covers_a_face_or_a_word_or_leaves_the_margin() {
     assert!(stepped > pages / 5, "{stepped} of {pages}");
 }
 
-/// A page on which a figure steps out, its panel, and its photos.
+/// A page with a breakout, its panel, and its photos.
 fn example() -> (Document, usize, Vec<(PhotoMeta, Image)>) {
     let found = (0..50).find_map(|seed| {
         let photos = album(3, 7);
@@ -204,7 +205,8 @@ fn example() -> (Document, usize, Vec<(PhotoMeta, Image)>) {
     (page, own, photos)
 }
 
-/// A photo of a broad thing with a sure border, which stands on a foot that is hardly one: the mask as a whole is sure enough.
+/// A photo of a broad object with a clear border, on a foot with a vague border. The mask as a whole is clear
+/// enough.
 fn with_a_vague_foot(i: u64) -> (PhotoMeta, Image) {
     let (width, height) = (900, 600);
     let x = 330 + 40 * (i as usize % 4);
@@ -230,7 +232,7 @@ fn with_a_vague_foot(i: u64) -> (PhotoMeta, Image) {
 #[test]
 fn what_has_a_vague_border_stays_in_its_panel_unless_somebody_asks() {
     let photos: Vec<_> = (1..7).map(with_a_vague_foot).collect();
-    // Whether the foot is drawn outside of its panel, on each of some pages on which a figure steps out.
+    // Whether the foot is drawn outside of its panel, on several pages with a breakout.
     let foot_outside = |page: &Document, own: usize| {
         let scene = Scene::new(page, WIDTH).unwrap();
         let id = page.panels[own].photo.as_deref().unwrap();
@@ -293,7 +295,7 @@ fn without_its_figure_a_page_differs_outside_of_the_panel_alone() {
     }
     let panel: usize = inside.iter().map(|inside| usize::from(*inside == 255)).sum();
     assert!(outside * 200 > panel, "{outside} of {panel}");
-    // Where the border was, and at the figure's own edge.
+    // At the former border, and at the edge of the subject.
     assert!(within * 20 < panel, "{within} of {panel}");
 }
 
@@ -330,7 +332,8 @@ fn a_panel_and_its_figure_are_cut_out_of_one_drawing() {
     assert!(met > 300, "{met}");
 }
 
-/// A figure that ends at a side of its panel leaves the border there as it is, though the line of paper about it would reach it.
+/// If a subject ends at a side of its panel, the border there stays complete, although the outline of the
+/// subject would reach it.
 #[test]
 fn a_border_that_no_figure_crosses_stays_whole() {
     let (mut whole, mut crossed) = (0, 0);
@@ -435,7 +438,7 @@ fn a_person_may_break_a_frame_and_a_shared_image_has_none() {
     let id = page.panels[own].photo.clone().unwrap();
     let nothing = Matte::new(&Plane::filled(30, 20, 0), (30, 20));
     assert_eq!(broken(&page, own, &nothing).unwrap(), None);
-    // The same figure as a cloud.
+    // The same subject with a blurred mask.
     let cloud = softened(&softened(&mask.plane(), 24), 24);
     let cloud = Matte::new(&cloud, (cloud.width(), cloud.height()));
     assert!(cloud.facts().is_vague(), "{:?}", cloud.facts());

@@ -1,5 +1,5 @@
-//! What people choose from: every data file and every block's file is in the catalogue, and the table of blocks
-//! in `styles/README.md` is what the descriptors say.
+//! The built-in catalogue: it contains every data file and every block's file, and the table of blocks in
+//! `styles/README.md` matches the descriptors.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -19,7 +19,7 @@ fn text(entry: &Value, field: &str) -> String {
     entry[field].as_str().unwrap().to_owned()
 }
 
-/// The names in a folder without what follows the first dot, those called `other` left out.
+/// Returns the names in a folder up to the first dot, except `other`.
 fn stems(folder: &str, other: &[&str]) -> BTreeSet<String> {
     fs::read_dir(crate::root(folder))
         .unwrap()
@@ -51,7 +51,7 @@ fn every_block_and_parameter_explains_itself() {
     }
 }
 
-/// With `BLESS=1` the table is written anew, and the test fails for once.
+/// `BLESS=1` updates the table, and the test fails once.
 #[test]
 fn the_readme_of_the_styles_lists_the_blocks_as_they_are() {
     let path = crate::root("styles/README.md");

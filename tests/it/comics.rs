@@ -1,5 +1,5 @@
-//! Comics that are read: what they tell is what the page has, in reading order, and their files are what their formats want. That
-//! people can read them is for the browser tests.
+//! Digital comics: their text matches the page in reading order, and their files follow their formats.
+//! Browser tests check the reading.
 
 use inkpanel::framing::Crop;
 use inkpanel::layout::{PageSettings, ResolvedShape, catalogue, find, resolve};
@@ -61,7 +61,7 @@ fn text<'f>(files: &'f [File], name: &str) -> &'f str {
     text
 }
 
-/// Of XML that may say what kind of document it is.
+/// Parses XML that may have a document type.
 fn parsed(text: &str) -> Xml<'_> {
     Xml::parse_with_options(text, ParsingOptions { allow_dtd: true, ..ParsingOptions::default() }).unwrap()
 }
@@ -189,7 +189,7 @@ fn html_tells_every_panel_in_order_and_is_small() {
     assert_eq!(text.matches("</script").count(), 1);
     assert!(text.contains("<html lang=\"en\">") && text.contains("<title>Cats &amp; &lt;dogs&gt;</title>"));
     assert!(text.contains("default-src 'none'; img-src data:; style-src 'sha256-"));
-    // The bar is 40 kB; a reader that has grown to half of it has taken in what does not belong there.
+    // The limit is 40 kB. At half of it, the reader probably contains code that does not belong there.
     let packed = compress_to_vec(text.as_bytes(), 9).len();
     assert!(packed < 20_000, "{packed} bytes");
 }
@@ -233,7 +233,7 @@ fn a_book_has_its_parts() {
         let nodes = read[file].descendants().filter(|node| node.tag_name().name() == name);
         nodes.map(|node| node.id()).collect()
     };
-    // What the book lists is there, and what is there is listed.
+    // The package lists every file of the book, and no other file.
     let package = &read["EPUB/package.opf"];
     let mut listed: Vec<String> = package
         .descendants()
@@ -252,7 +252,7 @@ fn a_book_has_its_parts() {
         .filter(|node| node.tag_name().name() == "a")
         .map(|a| a.attribute("href").unwrap())
         .collect();
-    // Six panels and three words, and the one panel of the other page.
+    // Six panels and three text items, and the one panel of the other page.
     assert_eq!(links.len(), 10);
     for link in links {
         let parts: Vec<f64> = link
@@ -279,7 +279,7 @@ fn inkpanel(folder: &Path, arguments: &[&str]) -> Output {
     output
 }
 
-/// A storyboard of two pages with words as a file of that name.
+/// Renders a storyboard of two pages with text as a file of this name.
 fn rendered(folder: &Path, name: &str) -> Vec<u8> {
     let words = folder.join("words.json");
     fs::write(&words, words_that_are_seen().to_string()).unwrap();
@@ -397,7 +397,7 @@ fn a_picture_that_moves_lies_over_its_panel_and_can_be_stopped() {
         html.find("<image class=\"moving\" x=\"200\" y=\"300\" width=\"200\" height=\"300\"").unwrap();
     assert!(html[second..].contains("href=\"[3]\""));
     assert!(html.contains("<image class=\"moving\" x=\"200\" y=\"300\" width=\"100\" height=\"300\""));
-    // What dims the page lies over them.
+    // The layer that dims the page is above the text.
     assert!(second < html.find("class=\"veil\"").unwrap());
     assert!(html.contains("<button type=\"button\" id=\"motion\" aria-pressed=\"true\">Motion</button>"));
 }

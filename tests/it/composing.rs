@@ -1,4 +1,5 @@
-//! Albums that leave the composer little or nothing to choose from: a page each time, whole, and the same for the same seed.
+//! Albums with little or no choice for the composer: each gives a complete page, and the same seed gives the
+//! same page.
 
 use inkpanel::framing::PhotoMeta;
 use inkpanel::page::Document;
@@ -26,7 +27,7 @@ fn page(photos: &[PhotoMeta], panels: Option<usize>, mode: Mode, seed: u32) -> D
     document
 }
 
-/// Every panel has a photo of the album and a crop that lies in it.
+/// Checks that every panel has a photo of the album and a crop inside it.
 fn check(document: &Document, photos: &[PhotoMeta]) {
     assert!(!document.panels.is_empty());
     for (i, panel) in document.panels.iter().enumerate() {

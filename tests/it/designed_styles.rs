@@ -1,5 +1,5 @@
-//! The designed styles: each in a family that `styles/README.md` lists, no two alike, and none that loses the picture
-//! in haze, by night, overexposed or in dull light.
+//! The built-in styles: each is in a family that `styles/README.md` lists, all look different, and all
+//! preserve the picture in haze, at night, overexposed or in dull light.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -32,18 +32,18 @@ const FAMILIES: &[(&str, &str)] = &[
 /// Fewest designed styles.
 const FEWEST: usize = 50;
 
-/// What bad light does to a channel: gain and bias, clipped.
+/// Simulated bad light: gain and bias of a channel, clipped.
 const LIGHTS: [(&str, f32, f32); 4] =
     [("hazy", 0.4, 140.0), ("dark", 0.25, 0.0), ("bright", 1.5, 40.0), ("dull", 0.35, 75.0)];
 
 /// Share of its contrast in good light that a style keeps in bad light.
 const KEPT: f64 = 0.5;
 
-/// Chains that the paper printed, to the letter: it puts nothing before them that sees to bad light. Designed styles
-/// akin to them do.
+/// Chains exactly as printed in the paper, without a block that corrects bad light. Designed styles akin to
+/// them do.
 const AS_PRINTED: [&str; 4] = ["paper-a", "paper-b", "paper-c", "paper-d"];
 
-/// Mean difference of a channel, 0..=255, below which two styles are the same to the eye.
+/// Mean difference of a channel, 0..=255, below which two styles look identical.
 const ALIKE: f64 = 6.0;
 
 const START: &str = "<!-- families:start -->\n";
@@ -104,7 +104,7 @@ fn there_are_many_and_each_is_in_its_families() {
     }
 }
 
-/// With `BLESS=1` the table is written anew, and the test fails for once.
+/// `BLESS=1` updates the table, and the test fails once.
 #[test]
 fn the_readme_lists_the_families_as_they_are() {
     let mut expected = String::from("| Family | Look | Styles |\n|---|---|---|\n");

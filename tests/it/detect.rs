@@ -70,7 +70,8 @@ fn boxes_are_those_of_onnx_runtime() {
             let same = |other: &&Vec<Value>| {
                 let label = other[0].as_str() == Some(&found.label)
                     || other[0].as_u64().is_some_and(|n| numbers.get(found.label.as_str()) == Some(&n));
-                // One of the net's 300 pixels along the longer side of the photo is more on the shorter one.
+                // One of the model's 300 pixels along the longer side of the photo is a larger fraction of
+                // the shorter one.
                 let near = |(a, b): (f64, &Value)| (a - b.as_f64().unwrap()).abs() <= 1.0 / 300.0;
                 label
                     && (found.score - other[1].as_f64().unwrap()).abs() <= 0.01
@@ -89,7 +90,7 @@ fn boxes_are_those_of_onnx_runtime() {
 #[test]
 fn small_faces_of_a_large_photo_are_found_in_its_parts() {
     let detectors = detectors();
-    // A face that fills 1/25 of a large picture, which is 8 of the net's 192 pixels.
+    // A face of 1/25 of a large picture, which is 8 of the model's 192 pixels.
     let astronaut = photo("www/public/samples/19-astronaut.jpg");
     let (width, height) = (2400, 2400);
     let planes = astronaut.planes().iter().map(|plane| {
@@ -106,7 +107,7 @@ fn small_faces_of_a_large_photo_are_found_in_its_parts() {
     let found = faces(&detectors.detect(&photo).unwrap());
     assert_eq!(found.len(), 1, "{found:?}, at first {first:?}");
     let [left, top, right, bottom] = corners(&found[0]).map(|side| side * 2400.0);
-    // The astronaut's face, as the whole picture alone gives it.
+    // The astronaut's face, as detected in the whole picture.
     let expected =
         [1500.0 + 0.339 * 512.0, 300.0 + 0.133 * 512.0, 1500.0 + 0.546 * 512.0, 300.0 + 0.34 * 512.0];
     for (found, expected) in [left, top, right, bottom].iter().zip(expected) {

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Names in the commands, and the files of the repository behind them.
+/// Placeholder names in the commands, and the repository files for them.
 const SAMPLES: [(&str, &str); 11] = [
     ("photos/1.jpg", "tests/photos/bee.jpg"),
     ("photos/2.jpg", "tests/photos/cat.jpg"),

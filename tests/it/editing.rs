@@ -1,5 +1,5 @@
-//! What a person does to a project, step by step, and undone: the cases of the page's own tests, what must hold whatever is
-//! done, and the same answers as the page gave before (`tests/oracles/edits.mjs`).
+//! Edits of a project, with undo: the cases of the app's former tests, invariants after any edit, and the
+//! results of the former JavaScript implementation (`tests/oracles/edits.mjs`).
 
 use inkpanel::document::edit::{Edit, How, Part, Shelf};
 use inkpanel::document::editor::Editor;
@@ -23,7 +23,7 @@ use serde_json::{Map, Value, json};
 use std::collections::HashSet;
 use std::sync::{Arc, OnceLock};
 
-/// A page without photos that is told from others by its seed.
+/// A page without photos. Its seed identifies it.
 fn page(seed: u32) -> Arc<Document> {
     let panel = json!({ "photo": null });
     let page = json!({ "version": 1, "seed": seed, "layout": "grid-4", "style": "comic", "panels": [panel, panel, panel, panel] });
@@ -101,7 +101,7 @@ fn a_photo_that_could_not_be_read_comes_back_by_no_undo() {
     let editor = played([add.clone(), show(1), Edit::ForgetPhotos { ids: texts(&["a"]) }, Edit::Undo]);
     let tray: Vec<_> = editor.project().tray.iter().map(|item| item.id.as_str()).collect();
     assert_eq!(tray, ["b"]);
-    // Adding nothing but such photos leaves no step.
+    // Adding only such photos creates no undo step.
     assert_eq!(played([show(1), add.clone()]).history().past.len(), 2);
     assert_eq!(
         played([show(1), add.clone(), Edit::ForgetPhotos { ids: texts(&["a"]) }]).history().past.len(),
@@ -213,7 +213,7 @@ fn what_is_told_of_a_shot_goes_with_its_photo_and_is_undone() {
     let mut editor =
         played([Edit::AddPhotos { ids: texts(&["a", "b"]) }, describe.clone(), show(1), show(2)]);
     assert_eq!(editor.project().tray[0].shot, told);
-    // Told again it is no step.
+    // Repeating an edit creates no undo step.
     assert!(!editor.apply(&describe, &How::default()));
     let columns = Edit::SetBoard { board: Arc::new(board(1, true)) };
     assert!(editor.apply(&columns, &How::default()));
@@ -257,7 +257,7 @@ fn a_mask_corrected_by_hand_is_of_its_photo_and_cuts_its_figures_until_it_is_und
         (Some(&own), None)
     );
     assert_eq!(figures(&editor), cut);
-    // Said again it is no step, nor of a photo that is not there.
+    // Neither a repeated correction nor the correction of a missing photo creates an undo step.
     assert!(!editor.apply(&correct(Some(own.clone()), None), &How::default()));
     let gone = Edit::MaskPhoto { id: "gone".into(), mask: Some(own.clone()), found: None };
     assert!(!editor.apply(&gone, &How::default()));
@@ -270,7 +270,7 @@ fn a_mask_corrected_by_hand_is_of_its_photo_and_cuts_its_figures_until_it_is_und
     );
     editor.apply(&Edit::Redo, &How::default());
     assert_eq!(figures(&editor), cut);
-    // What was found counts again; where nothing was, no figure steps out.
+    // The detected mask counts again. Without one, no subject breaks its border.
     let mut none = editor.clone();
     editor.apply(&correct(None, Some(found.clone())), &How::default());
     assert_eq!((editor.project().corrected_mask("a"), figures(&editor)[0].clone()), (None, Some(found)));
@@ -306,7 +306,7 @@ fn a_mask_in_an_edit_is_one_or_the_edit_is_refused() {
     assert_eq!(editor.project().corrected_mask("a"), None);
 }
 
-/// Pages that shuffles gave, some of which show photos.
+/// Pages of random shuffles. Some of them show photos.
 fn pages() -> &'static [Arc<Document>] {
     static PAGES: OnceLock<Vec<Arc<Document>>> = OnceLock::new();
     PAGES.get_or_init(|| {
@@ -383,12 +383,12 @@ fn edit(random: &mut Rand64) -> (Edit, How) {
     (edit, How { silent: false, gesture: some(random, &gesture).map(str::to_owned) })
 }
 
-/// A mask of one row, of so many pixels.
+/// A mask of one row with `pixels` pixels.
 fn matte(pixels: u64) -> Matte {
     Matte::try_from(format!("{pixels}x1:p{pixels}")).unwrap()
 }
 
-/// What is told of a shot.
+/// Metadata of a shot.
 fn shot(id: u64, on: bool) -> Shot {
     let more = on.then(|| ("Lens".to_owned(), json!("35")));
     Shot {
@@ -405,7 +405,7 @@ fn board(id: u64, on: bool) -> Board {
     Board { fps: RATES[id as usize % 3], columns, order: texts(&["c", "a", "f"]), ..Board::default() }
 }
 
-/// Something said about a photo, made of a subtitle.
+/// A text item of a photo, made of a subtitle.
 fn word_of(photo: &str, text: &str) -> Value {
     json!({ "kind": "balloon", "text": text, "panel": 0, "photo": photo, "auto": true, "cue": format!("film {text}") })
 }
@@ -414,7 +414,7 @@ fn own_styles() -> List<Value> {
     ["x", "y"].iter().map(|id| Arc::new(json!({ "id": id, "background": [] }))).collect()
 }
 
-/// What holds whatever was done.
+/// Checks the invariants after any edit.
 fn check(editor: &Editor) {
     let History { past, present, future, shown } = editor.history();
     check_photos(present);
@@ -429,7 +429,7 @@ fn check(editor: &Editor) {
     }
 }
 
-/// What holds for the photos of a state.
+/// Checks the invariants of the photos in a state.
 fn check_photos(state: &Project) {
     let table: HashSet<&str> = state.tray.iter().map(|item| item.id.as_str()).collect();
     assert_eq!(table.len(), state.tray.len(), "a photo is on the table twice");
@@ -495,7 +495,7 @@ fn whatever_is_done_can_be_undone_and_saved() {
             let before = editor.clone();
             let changed = editor.apply(&edit, &how);
             assert!(changed || editor.history() == before.history());
-            // The steps back, told by someone who only looks on.
+            // Number of undo steps, as an observer counts them.
             let grown = editor.history().past.len();
             match edit {
                 Edit::Undo => drop(steps.pop()),
@@ -513,7 +513,7 @@ fn whatever_is_done_can_be_undone_and_saved() {
     });
 }
 
-/// Edits that are no steps of their own, among those that are: the states before change with them, and still hold.
+/// Edits without an undo step, between edits with one. They change all states, which must remain valid.
 #[test]
 fn what_changes_all_times_leaves_every_state_whole() {
     sequences(crate::trials(1000, 10_000), |seed| {
@@ -539,7 +539,7 @@ fn what_changes_all_times_leaves_every_state_whole() {
             };
             let forgets = editor.apply(&edit, &how);
             match &edit {
-                // These are on no table of any time; they come back only where they are added again.
+                // No state lists these photos. They return only if they are added again.
                 Edit::ForgetPhotos { ids } if forgets => lost.extend(ids.iter().cloned()),
                 Edit::AddPhotos { ids } => lost.retain(|id| !ids.contains(id)),
                 Edit::ExchangePhoto { by, .. } => lost.retain(|id| id != by),
@@ -565,7 +565,7 @@ fn an_edit_in_json_tells_what_it_changed_or_changes_nothing() {
     };
     let told = apply(json!({ "type": "add-photos", "ids": ["a", "b"] })).unwrap();
     assert_eq!(told["parts"]["items"], json!([{ "id": "a", "use": null }, { "id": "b", "use": null }]));
-    // The state that was there is number 0, and goes to those before.
+    // The existing state is number 0, and becomes a past state.
     assert_eq!((&told["parts"]["trays"], &told["states"]), (&json!([[0, 1]]), &json!([[0, { "tray": 0 }]])));
     assert_eq!([&told["past"], &told["present"], &told["future"]], [&json!([[0, 1]]), &json!(1), &json!([])]);
     assert_eq!((&told["entries"], &told["shown"]), (&json!([]), &json!([])));
@@ -577,7 +577,8 @@ fn an_edit_in_json_tells_what_it_changed_or_changes_nothing() {
     assert_eq!((&told["parts"]["pages"], &told["past"]), (&json!([full]), &json!([[0, 2]])));
     assert_eq!((&told["entries"], &told["shown"]), (&json!([{ "id": 4, "page": 0 }]), &json!([[0, 1]])));
     assert_eq!((&told["pageId"], &told["sheet"]), (&json!(5), &json!(1)));
-    // A page that is known is told by its id, there and back: it is the second of the two shown, behind the page itself.
+    // A known page is referenced by its id in both directions. It is the second of the two shown pages, after
+    // the current page.
     let mut other = page(5).to_json().parse::<Value>().unwrap();
     other["page"]["forScreens"] = json!(true);
     apply(json!({ "type": "show-page", "page": other, "pageId": 5 })).unwrap();
@@ -586,11 +587,11 @@ fn an_edit_in_json_tells_what_it_changed_or_changes_nothing() {
         (&told["parts"]["pages"], &told["states"]),
         (&json!([]), &json!([[3, { "page": 1, "pageId": 4 }]]))
     );
-    // Of a step back nothing is told but that it is one.
+    // The answer to an undo contains only its position.
     let told = apply(json!({ "type": "undo" })).unwrap();
     let places = [&told["states"], &told["past"], &told["present"], &told["future"], &told["shown"]];
     assert_eq!(places, [&json!([]), &json!([[0, 3]]), &json!(3), &json!([[4, 1]]), &json!([[0, 2]])]);
-    // A photo that is starred is told, the other known.
+    // The answer contains only the starred photo, because the other one is known.
     let told = apply(json!({ "type": "star-photo", "id": "b", "on": true })).unwrap();
     assert_eq!(told["parts"]["items"], json!([{ "id": "b", "use": null, "starred": true }]));
     assert_eq!(told["parts"]["trays"], json!([[0, 2]]));
@@ -754,7 +755,7 @@ fn an_album_is_spread_over_pages_in_order_in_one_style() {
     let before = editor.project().clone();
     let style = before.page.as_ref().unwrap().style.clone();
     spread(&mut editor, &photos, &mut Seeds::new(5));
-    // On its page each photo goes where it fits best.
+    // Each photo gets the panel of its page that fits best.
     let number = |id: &String| id[1..].parse::<usize>().unwrap();
     let mut pages = shown(&editor);
     for page in &mut pages {
@@ -810,7 +811,8 @@ fn spreading_takes_the_wanted_number_of_panels_or_the_locked_layout_and_keeps_wo
     assert!(sheets[..3].iter().all(|sheet| sheet.page.layout == layout));
 }
 
-/// Where each word with a photo is: its text, the photo of its panel, or none where it waits.
+/// Returns the place of each text item with a photo: its text, and the photo of its panel, or `None` if it is
+/// unplaced.
 fn homes(project: &Project) -> Vec<(String, Option<String>)> {
     let text = |word: &Value| word["text"].as_str().unwrap().to_owned();
     let sheets = project.sheets();
@@ -862,7 +864,7 @@ fn words_stay_with_their_photos_whatever_becomes_of_the_page() {
                     let page_id = editor.history().fresh_page_id();
                     editor.apply(&Edit::ShowPage { page: Arc::new(page), page_id }, &How::default());
                 }
-                // Two photos change places by hand.
+                // The user swaps two photos.
                 3 => {
                     let mut page = Document::clone(editor.project().page.as_ref().unwrap());
                     page.merges.clear();
@@ -902,10 +904,10 @@ fn a_word_that_was_removed_by_hand_stays_away_and_one_moved_to_another_photo_is_
     changed.words[0]["photo"] = Value::Null;
     editor.apply(&Edit::ChangePage { page: Arc::new(changed) }, &How::default());
     assert_eq!(homes(editor.project()), [("b".to_owned(), Some(two.clone()))]);
-    // One photo takes the place of another, and what was said of it.
+    // One photo replaces another, and takes over its dialogue.
     editor.apply(&Edit::ExchangePhoto { id: two, by: "new".into() }, &How::default());
     assert_eq!(homes(editor.project()), [("b".to_owned(), Some("new".into()))]);
-    // Long speech is parted, and of one mouth; what another says is not.
+    // Long speech is split into linked balloons of one speaker. Speech of another speaker is not linked.
     let mut parts = vec![word_of(&one, "c"), word_of(&one, "d"), word_of(&one, "e"), word_of(&one, "f")];
     parts[1]["joins"] = json!(true);
     parts[3]["by"] = json!("anna");
@@ -931,7 +933,7 @@ fn no_page_is_a_leftover() {
     assert_eq!(balanced(5, 6, &[]), [5]);
 }
 
-/// A page with so many words on its first panel.
+/// A page with `count` text items on its first panel.
 fn worded(page: &Document, count: usize) -> Arc<Document> {
     let word = json!({ "kind": "caption", "text": "x", "panel": 0 });
     Arc::new(Document { words: vec![word; count], ..page.clone() })
@@ -1020,7 +1022,7 @@ fn a_photo_that_goes_out_of_use_leaves_the_other_pages_for_the_one_of_its_stack(
     let gone = photos.remove(2).id;
     let of_gone = |panel: &inkpanel::page::document::PanelContent| panel.photo.as_ref() == Some(&gone);
     let place = editor.project().sheets()[0].page.panels.iter().position(of_gone).unwrap();
-    // It looks like one that no page shows, and like one that another page shows.
+    // It is similar to a photo on no page, and to a photo on another page.
     photos.push(PhotoMeta::unmeasured("twin", 1500, 1000));
     let ids = [gone.clone(), "twin".to_owned(), photos[8].id.clone()];
     let groups: Groups = ids.map(|id| (id, json!(3))).into_iter().collect();
@@ -1032,7 +1034,7 @@ fn a_photo_that_goes_out_of_use_leaves_the_other_pages_for_the_one_of_its_stack(
     assert_eq!((at, photo(&sheets[0], place).as_deref()), (1, Some("twin")));
     assert_eq!(sheets[0].page.layout, before[0].page.layout);
     assert!(Arc::ptr_eq(&sheets[1].page, &before[1].page));
-    // Where none is left for it, the page goes.
+    // If no photo is left for it, the page is removed.
     let last = Planning::new(editor.project(), &photos[6..11]);
     assert_eq!(last.repaired(&Groups::new()).unwrap().map(|(sheets, at)| (sheets.len(), at)), Some((1, 0)));
 }
@@ -1084,7 +1086,8 @@ fn a_page_comes_back_with_photos_of_the_table_on_the_paper_of_the_others() {
     assert_eq!(Planning::new(alone.project(), &photos).brought_back(&page).unwrap(), *page);
 }
 
-/// What a person does where photos move between pages: after each a photo is on one page only, as long as there are enough.
+/// User actions that move photos between pages. After each, a photo is on one page only, if there are enough
+/// photos.
 #[test]
 fn no_two_pages_claim_one_photo() {
     sequences(1_000, |seed| {
@@ -1101,7 +1104,7 @@ fn no_two_pages_claim_one_photo() {
                     let Some(page) = planning.another(&mut seeds).unwrap() else { continue };
                     let (page_id, place) = (editor.history().fresh_page_id(), editor.history().fresh_sheet());
                     let mut sheets = editor.project().sheets();
-                    // Where there are too few photos left it takes any.
+                    // With too few unused photos, the page takes any photo.
                     let shown = photos_on(&sheets.iter().map(|sheet| &*sheet.page).collect::<Vec<_>>());
                     if photos.iter().filter(|photo| !shown.contains(photo.id.as_str())).count() < 2 {
                         continue;
@@ -1173,7 +1176,7 @@ fn no_two_pages_claim_one_photo() {
     });
 }
 
-/// The change as it is told to the core.
+/// The change in the format of the core.
 fn told(change: &Value) -> Value {
     let full = |seed: &Value, gutter: Option<&Value>| {
         let mut made: Value = serde_json::from_str(&page(seed.as_u64().unwrap() as u32).to_json()).unwrap();
@@ -1195,7 +1198,7 @@ fn told(change: &Value) -> Value {
     change
 }
 
-/// A state as the oracle tells it.
+/// A state in the format of the oracle.
 fn state_of(project: &Project) -> Value {
     let history = History { present: Arc::new(project.clone()), ..History::default() };
     let mut written: Value = serde_json::from_str(&kept::write(&history, &Vec::new())).unwrap();
@@ -1245,7 +1248,7 @@ fn the_same_edits_make_what_they_made_in_the_page() {
     let runs: Value = serde_json::from_str(include_str!("../oracles/data/edits.json")).unwrap();
     for (number, run) in runs.as_array().unwrap().iter().enumerate() {
         let mut editor = Editor::default();
-        // The page did not draw invented styles by itself then.
+        // At that time, the page did not choose generated styles automatically.
         let styling = Styling { invented: 0.0, ..Styling::default() };
         editor.apply(&Edit::Styling { styling }, &How { silent: true, gesture: None });
         for (i, (change, step)) in

@@ -1,4 +1,4 @@
-//! What programs of others use, against the command line, and what it says to what cannot be done.
+//! The facade for other programs: same results as the command line, and errors for invalid input.
 
 use inkpanel::{Album, Failure, Nets, PageOptions, Photo, Pixels, Style, layouts, pdf};
 use std::path::PathBuf;

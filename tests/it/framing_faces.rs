@@ -1,4 +1,5 @@
-//! Framing round faces, over arbitrary photos: what a search over very many crops finds possible, `frame` does.
+//! Crops around faces, for arbitrary photos: `frame` finds a crop without cut faces if a search over very
+//! many crops finds one.
 
 use inkpanel::framing::{Crop, FACE, PhotoMeta, Subject, Target, frame};
 use proptest::prelude::*;
@@ -7,7 +8,7 @@ fn photo(width: u32, height: u32, subjects: Vec<Subject>) -> PhotoMeta {
     PhotoMeta { subjects, ..PhotoMeta::unmeasured("photo", width, height) }
 }
 
-/// Whether a crop holds a box whole, and whether it cuts it.
+/// Returns whether a crop contains a complete box, and whether it cuts it.
 fn holds_and_cuts(crop: &Crop, face: &Subject) -> (bool, bool) {
     let shared = |a: f64, al: f64, b: f64, bl: f64| ((a + al).min(b + bl) - a.max(b)).max(0.0);
     let inside = shared(crop.x, crop.width, face.x, face.width)
@@ -41,7 +42,7 @@ fn face() -> impl Strategy<Value = (f64, f64, f64)> {
     (0.0f64..1.0, 0.0f64..1.0, 0.03f64..0.3)
 }
 
-/// Two faces of which only one fits, and that with hardly any room: a case that the property below once found.
+/// Two faces, but only one fits, with hardly any space: a case that the property below once found.
 #[test]
 fn a_face_is_kept_beside_another_that_has_to_stay_out() {
     let face = |x: f64, y: f64, width: f64, height: f64| Subject {

@@ -1,6 +1,6 @@
-//! Pictures that were looked at once, and what is drawn now beside them. A folder of `tests/goldens/` has one PNG a
-//! subject, named after it; whoever draws the subjects gives them all, so that one without a golden is found as well as a
-//! golden without a subject.
+//! Golden pictures: compares rendered pictures with reviewed ones. A folder of `tests/goldens/` has one PNG
+//! per subject, named after it. A test renders all subjects of a folder, so a missing golden is found, and a
+//! golden without a subject too.
 //!
 //! With `BLESS=1` (`cargo xtask bless goldens`) what differs is stored as it is drawn now, and the test fails for once.
 
@@ -12,12 +12,12 @@ use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use png::{BitDepth, ColorType, Compression, Encoder};
 
-/// Steps of 255 that a channel may be off. There is none on one machine: builds with and without optimisation, for SSE2 and
-/// for AVX2 with fused multiply-add, draw every golden to the byte. But powers, logarithms and sines are the platform's,
-/// and may be rounded another way in their last bit.
+/// Maximum difference of a channel in grey levels. On one machine, there is no difference: builds with and
+/// without optimisation, for SSE2 and for AVX2 with fused multiply-add, give identical bytes. But powers,
+/// logarithms and sines come from the platform, which may round their last bit differently.
 const STEPS: u8 = 1;
 
-/// Times that a difference is brightened in a triptych: what nobody sees is found there all the same.
+/// Factor that brightens the differences in a triptych, so that invisible ones can be seen.
 const BRIGHTENED: u8 = 8;
 
 /// Pixels between the pictures of a triptych, and their grey.
@@ -38,7 +38,7 @@ impl Goldens {
         Self { folder, allowed, seen: BTreeSet::new(), wrong: Vec::new() }
     }
 
-    /// Holds what is drawn now against the golden of that name.
+    /// Compares a rendered picture with the golden of this name.
     pub(crate) fn hold(&mut self, name: &str, now: &Image) {
         assert!(self.seen.insert(name.to_owned()), "{name} is drawn twice");
         let path = self.path().join(format!("{name}.png"));
@@ -68,7 +68,7 @@ impl Goldens {
         }
     }
 
-    /// Fails with all that differs, all that is missing, and all that is left of subjects that are gone.
+    /// Fails if goldens differ, are missing, or have no subject.
     pub(crate) fn finish(mut self) {
         let stored = fs::read_dir(self.path()).into_iter().flatten().map(|entry| entry.unwrap().path());
         let mut stale: Vec<PathBuf> = stored
@@ -106,14 +106,15 @@ fn size(image: &Image) -> (usize, usize) {
     (image.width(), image.height())
 }
 
-/// Pixels of which a channel is off by more than [`STEPS`].
+/// Number of pixels with a channel that differs by more than [`STEPS`].
 fn differing(a: &Image, b: &Image) -> usize {
     let (a, b) = (a.to_rgb(), b.to_rgb());
     let off = |(a, b): (&[u8], &[u8])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > STEPS);
     a.chunks(3).zip(b.chunks(3)).filter(|pair| off(*pair)).count()
 }
 
-/// Expected, actual and difference side by side in `target/goldens/`; where nothing is expected its place stays empty.
+/// Writes expected, actual and difference side by side to `target/goldens/`. Without an expected picture, its
+/// place stays empty.
 fn triptych(folder: &str, name: &str, before: Option<&Image>, now: &Image) -> PathBuf {
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().unwrap().join("goldens").join(folder);
     fs::create_dir_all(&target).unwrap();

@@ -1,4 +1,4 @@
-//! What people get is what they got before: a page of each family of layouts, and every designed style.
+//! Rendered output does not change: a page of each family of layouts, and every built-in style.
 
 use std::fs;
 
@@ -18,10 +18,11 @@ use serde_json::{Value, json};
 /// Width of all goldens in pixels.
 const WIDTH: usize = 240;
 
-/// Share of a picture's pixels that may differ: where a style has a threshold, the last bit of a float is black or white.
+/// Share of pixels that may differ. If a style has a threshold, the last bit of a float decides between black
+/// and white.
 const ALLOWED: f64 = 0.0005;
 
-/// What the panels of the pages show, in turn.
+/// Photos of the panels, in turn.
 const PHOTOS: [&str; 3] = ["cat", "pagoda", "macaw"];
 
 /// The part of `macaw.jpg` that every style is shown on: flat and busy, light and dark, of all colours.
@@ -34,7 +35,7 @@ fn photo(name: &str) -> Vec<u8> {
     fs::read(crate::root(format!("tests/photos/{name}.jpg"))).unwrap()
 }
 
-/// A style of no file: whoever tunes a designed style need not look at pages.
+/// A style without a file, so that changes of built-in styles do not change the pages.
 fn style_of_the_pages() -> Value {
     json!({
         "id": "golden",
@@ -50,8 +51,8 @@ fn style_of_the_pages() -> Value {
     })
 }
 
-/// A page of the shape that the layout was drawn for. Photos go to the panels in their order, each in the crop that is
-/// found for it: what the planner prefers may change without a change of what is drawn.
+/// Renders a page in the shape of its layout. Photos fill the panels in order, with automatic crops. It does
+/// not use the planner, whose preferences may change.
 fn page(template: &Template, photos: &[Imported]) -> Image {
     let settings = PageSettings::default();
     let height = (f64::from(settings.width) / template.aspect()).round() as u32;
@@ -78,7 +79,7 @@ fn a_page_of_each_family_of_layouts_looks_as_it_did() {
     let mut goldens = Goldens::of("pages", ALLOWED);
     for family in FAMILIES {
         let first = layout::catalogue().iter().find(|template| template.family() == family);
-        // What people make and what the generator makes are families without files.
+        // Families of custom and generated layouts have no files.
         if let Some(template) = first {
             goldens.hold(family, &page(template, &photos));
         }

@@ -1,4 +1,5 @@
-//! Sounds of films: what begins in them is what librosa hears begin (`tests/oracles/hearing.py`), and nothing else.
+//! Sound detection in videos: it finds the onsets that librosa finds (`tests/oracles/hearing.py`), and no
+//! others.
 
 use inkpanel::hearing::{Kind, events};
 use serde_json::Value;

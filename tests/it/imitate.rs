@@ -1,5 +1,5 @@
-//! Styles from a picture: designed styles, drawn on one photo, are found again for another; what has no look of its own is
-//! told; the same seed finds the same.
+//! Styles from a picture. If a built-in style is drawn on one photo, the search finds it for another photo. A
+//! picture without a distinct style is rejected. The same seed gives the same result.
 
 use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::raster::{Image, Plane};
@@ -11,13 +11,13 @@ use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::fs;
 
-/// How many styles are looked for, and what share of them must be found.
+/// Number of styles to find, and the share that must be found.
 const TRIALS: usize = 40;
 const FOUND: f64 = 0.8;
 
-/// Pixels of a trial: fewer than a person's are tried with, where all of it is to be quick.
+/// Pixels of a trial. Fewer than in the app, to save time.
 const AREA: usize = 60_000;
-/// As many as a person's are tried with.
+/// As many pixels as in the app.
 const WHOLE: usize = 160_000;
 
 fn photo(name: &str) -> Image {
@@ -34,7 +34,7 @@ fn attempt(photo: &Image, style: &Style, (area, close): (usize, bool)) -> Trial 
     imitate::attempt(&seen, style, &mut Context::default()).unwrap()
 }
 
-/// What is tried on a photo of every picture, tried once.
+/// Trials on a photo that all searches share.
 struct Survey<'p> {
     photo: &'p Image,
     known: HashMap<String, Trial>,
@@ -47,7 +47,7 @@ impl<'p> Survey<'p> {
         Self { photo, known: trials.collect() }
     }
 
-    /// What a search proposes for a look.
+    /// Returns the proposals of a search for a look.
     fn search(&self, look: Features, seed: u32, effort: Effort) -> Vec<Style> {
         let mut search = Search::new(look, seed).with(effort);
         let mut first = true;
@@ -67,12 +67,12 @@ impl<'p> Survey<'p> {
     }
 }
 
-/// Whether palette, lines and screen of a photo in a style are those of a picture.
+/// Returns whether palette, lines and screen of a stylised photo match a picture.
 fn alike(look: &Features, photo: &Image, style: &Style, area: usize) -> [bool; 3] {
     let whole = attempt(photo, style, (area, false)).features;
     let palette = palette_distance(&look.palette, &whole.palette) <= 4.0;
     let (a, b) = (look.dark.density, whole.dark.density);
-    // Where there is next to no line, there is nothing to measure.
+    // Very thin lines cannot be measured.
     let lines = (a - b).abs() <= (0.2 * a).max(0.006);
     let pitch = look.screen.pitch;
     let screen = pitch == 0.0 || {
@@ -82,10 +82,10 @@ fn alike(look: &Features, photo: &Image, style: &Style, area: usize) -> [bool; 3
     [palette, lines, screen]
 }
 
-/// Every so many of the trials: which of palette, lines and screen were found again, at best, for which style.
+/// Runs every `step`-th trial. Returns which of palette, lines and screen were found at best, for each style.
 fn trials(step: usize, effort: Effort, area: usize) -> Vec<(String, [bool; 3])> {
     let pictures = ["macaw.jpg", "cat.jpg", "temple.jpg", "camera.jpg", "horses.jpg"].map(photo);
-    // Trials of even numbers need the first alone.
+    // Trials with even numbers need only the first photo.
     let own: Vec<Image> =
         ["palace.jpg", "raccoon.jpg"].into_iter().take(2 - (step + 1) % 2).map(photo).collect();
     let surveys: Vec<Survey<'_>> = own.iter().map(|own| Survey::of(own, area)).collect();
@@ -162,7 +162,7 @@ fn pictures_without_a_look_are_told() {
     ] {
         assert_eq!(code(&photo(name)).map(|_| ()), Err("plain-photo"), "{name}");
     }
-    // Whole pages, the paper and the panels with what is drawn in them.
+    // Whole pages, with paper and panels.
     for name in ["comic", "gouache", "noir", "screenprint"] {
         let page = crate::root(format!("docs/pages/{name}.png"));
         let page = decode_fit(&fs::read(page).unwrap(), &Limits::default(), 4000).unwrap().image;
@@ -176,7 +176,8 @@ fn pictures_without_a_look_are_told() {
     }
 }
 
-/// For whoever sets the bounds of what counts as a photo: `cargo test --test imitate -- --ignored --nocapture looks`.
+/// Prints measurements for setting the limits of photo detection: `cargo test --test imitate -- --ignored
+/// --nocapture looks`.
 #[test]
 #[ignore = "it prints numbers and checks nothing"]
 fn looks_of_photos_and_of_styles() {

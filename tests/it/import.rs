@@ -52,7 +52,8 @@ fn every_format_is_seen_as_pillow_sees_it() {
         let differences = || decoded.image.to_rgb().into_iter().zip(expected).map(|(a, &b)| a.abs_diff(b));
         let sum: u32 = differences().map(u32::from).sum();
         let (mean, most) = (f64::from(sum) / expected.len() as f64, differences().max().unwrap());
-        // What is lossless is exact but for one rounding of alpha; JPEG decoders differ a little in upsampling.
+        // Lossless formats are exact, except one rounding of alpha. JPEG decoders differ slightly in
+        // upsampling.
         let lossy = format == "jpeg" || file.contains("lossy");
         // Tables are read between their entries, in other ways here and in littlecms.
         let (mean_allowed, most_allowed) = match (file.contains("icc-tables"), lossy) {
@@ -137,7 +138,7 @@ fn what_is_no_image_is_unknown() {
     {
         assert_eq!(decode(bytes, &Limits::default()).unwrap_err().code(), "unknown-format");
     }
-    // The beginning of an image and nothing behind it.
+    // The beginning of an image without the rest.
     for bytes in
         [&b"\xFF\xD8\xFF\xE0"[..], b"\x89PNG\r\n\x1a\n", b"GIF89a", b"BM", b"II*\0", b"RIFF\x04\0\0\0WEBP"]
     {

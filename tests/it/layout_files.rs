@@ -329,7 +329,7 @@ fn the_reading_order_can_be_given() {
 }
 
 proptest! {
-    /// Whatever stands in for a part of a real file, there is an answer.
+    /// A damaged part of a real file gives a result or an error.
     #[test]
     fn damaged_files_never_panic(
         which in 0usize..1000,

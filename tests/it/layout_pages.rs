@@ -35,8 +35,7 @@ fn polygon(panel: &ResolvedPanel) -> Option<&[Point]> {
     }
 }
 
-/// The distance between two edges that face each other, one of each polygon; the least if there are several,
-/// `None` if there is none.
+/// Returns the smallest distance between facing edges of two polygons, or `None` if no edges face each other.
 fn gap(one: &[Point], other: &[Point]) -> Option<f64> {
     let facing = edges(one).flat_map(|(a, b)| {
         let length = a.distance(b);

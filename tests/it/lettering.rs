@@ -1,5 +1,5 @@
-//! Words that letter by the conventions of letterers: how they look, and where they go by themselves on pages of the photos
-//! that come with the program.
+//! Text items by lettering rules: their rendering, and their automatic placement on pages of the bundled
+//! photos.
 
 #[path = "../../examples/lettering/measure.rs"]
 mod measure;
@@ -57,14 +57,15 @@ fn balloons_on_forty_pages_cover_no_face_and_say_who_speaks() {
     assert!(all.points.unwrap().0 >= 6.0, "{:?}", all.points);
 }
 
-/// A body as one stands in its box: a head over shoulders that are as wide as the box, then legs. Places are in parts of the box.
+/// The shape of a standing person in a box: a head over shoulders as wide as the box, then legs. Positions
+/// are fractions of the box.
 fn is_body(x: f64, y: f64) -> bool {
     let head = ((x - 0.5) / 0.17).hypot((y - 0.13) / 0.13) < 1.0;
     let trunk = (0.24..0.62).contains(&y) && (x - 0.5).abs() < 0.5 - 0.35 * (y - 0.24);
     head || trunk || y >= 0.62 && (0.06..0.3).contains(&(x - 0.5).abs())
 }
 
-/// The photo with a mask of its persons and animals; none of those in which nobody is seen.
+/// Adds a mask of the people and animals to a photo. A photo without them gets no mask.
 fn masked(photo: &PhotoMeta) -> PhotoMeta {
     let bodies: Vec<&Subject> =
         photo.subjects.iter().filter(|subject| subject.is_alive() && subject.label != "face").collect();
@@ -125,7 +126,7 @@ fn a_mask_that_is_none_changes_no_place() {
     }
 }
 
-/// The words of a page by their places, each panel of which shows a photo in which something is known.
+/// Returns the text items of a page with their positions. Each panel shows a photo with the given subjects.
 fn placed_by(words: &[Value], subjects: &[Subject], shares: Option<fn(f64, f64) -> bool>) -> Vec<Value> {
     let mask = shares.map(|within| {
         let pixel = |x: usize, y: usize| within((x as f64 + 0.5) / 120.0, (y as f64 + 0.5) / 100.0);
@@ -141,14 +142,14 @@ fn placed_by(words: &[Value], subjects: &[Subject], shares: Option<fn(f64, f64) 
 
 #[test]
 fn of_places_otherwise_alike_the_one_with_least_of_the_figure_is_taken() {
-    // Nothing was found in the photo; its figure fills the upper left, where words would stand.
+    // Nothing was detected in the photo. Its subject fills the upper left, the usual place of text.
     let corner: fn(f64, f64) -> bool = |x, y| x < 0.5 && y < 0.5;
     for kind in ["balloon", "caption", "effect"] {
         let word = [json!({ "kind": kind, "craft": 2, "text": "Look!", "panel": 1 })];
         let at = |words: Vec<Value>| [&words[0]["x"], &words[0]["y"]].map(|part| part.as_f64().unwrap());
         let [x, y] = at(placed_by(&word, &[], Some(corner)));
         assert!(x > 0.5 || y > 0.5, "{kind}: {x}, {y}");
-        // Words of the first pages stand where they stood.
+        // The positions of text items in pages of version 1 do not change.
         let word = [json!({ "kind": kind, "text": "Look!", "panel": 1 })];
         let stood = |words: Vec<Value>| [words[0]["x"].clone(), words[0]["y"].clone()];
         assert_eq!(stood(placed_by(&word, &[], Some(corner))), stood(placed_by(&word, &[], None)), "{kind}");
@@ -164,7 +165,7 @@ fn joined_balloons_are_one_shape_with_one_tail() {
     assert_eq!((bodies.len(), necks.len()), (1, 1));
     let later = all.iter().position(|laid| laid.word.joined.is_some()).unwrap();
     assert_eq!(all[later].chain, Chain::Later);
-    // The later one draws its letters alone: nothing around them.
+    // The later item draws only its glyphs, and nothing around them.
     let patch = draw::render(&document, later, 600, &letters()).unwrap();
     assert_eq!(patch.rgba[3], 0);
     // Without the other it is a balloon like any.
@@ -235,13 +236,13 @@ fn face(x: f64, y: f64) -> Subject {
     Subject { x, y, width: 0.12, height: 0.16, label: "face".into(), score: 0.9 }
 }
 
-/// Balloons on one panel by what they say and who says it, placed around faces.
+/// Returns placed balloons on one panel with the given texts and speakers, around faces.
 fn said(lines: &[(&str, Option<&str>)], faces: &[Subject]) -> Vec<Value> {
     let word = |(text, by): &(&str, Option<&str>)| json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 0, "by": by });
     placed_by(&lines.iter().map(word).collect::<Vec<_>>(), faces, None)
 }
 
-/// Of each word the number of the one that it was found to hang on.
+/// Returns the number of the balloon that each text item was linked to.
 fn links(words: &[Value]) -> Vec<Option<usize>> {
     let of =
         |word: &Value| words.iter().position(|other| other["id"] == word["linked"] && !other["id"].is_null());
@@ -258,7 +259,7 @@ fn balloons_of_one_mouth_hang_together_by_themselves_and_the_first_has_the_tail(
     // Down, and aside.
     let (dx, dy) = (all[1].middle.x - all[0].middle.x, all[1].middle.y - all[0].middle.y);
     assert!(dy > 0.0 && dx.abs() > 0.005, "{dx} {dy}");
-    // Placed again they stand where they stood.
+    // Placing them again does not move them.
     assert_eq!(placed_by(&words, &[face(0.3, 0.6)], None), words);
 }
 
@@ -268,7 +269,7 @@ fn balloons_of_others_stay_apart() {
     let names = |one, other| links(&said(&[("Who is it?", one), ("Me.", other)], &faces));
     assert_eq!(names(Some("anna"), Some("anna")), [None, Some(0)]);
     assert_eq!(names(Some("anna"), Some("ben")), [None, None]);
-    // A person may part them, and what looks different is said in another voice.
+    // The user can separate them. A different look means another voice.
     let word = |more: Value| {
         let mut word = json!({ "kind": "balloon", "craft": 2, "text": "Me.", "panel": 0 });
         word.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
@@ -295,7 +296,7 @@ fn no_more_than_three_balloons_hang_together() {
             assert!(link.is_none_or(|before| before + 1 == i), "{links:?}");
             length = if link.is_some() { length + 1 } else { 1 };
             longest = longest.max(length);
-            // The first of a chain alone has a tail.
+            // Only the first balloon of a chain has a tail.
             assert_eq!(words[i]["tail"].is_null(), link.is_some(), "{words:?}");
         }
     }
@@ -314,7 +315,7 @@ fn a_balloon_that_hangs_on_one_that_stays_comes_beside_it() {
     let boxes = measured(&page_of(&again), &letters()).unwrap();
     let gap = boxes[1].y - boxes[0].y - boxes[0].height;
     assert!(gap < 0.02, "{gap}");
-    // Where the other is gone it has a tail of its own.
+    // Without the other balloon, it has a separate tail.
     let alone = placed_by(&words[1..], &[face(0.3, 0.6)], None);
     assert!(alone[0]["linked"].is_null() && !alone[0]["tail"].is_null(), "{alone:?}");
 }

@@ -1,13 +1,14 @@
-//! Every npm package is under a licence that lets anybody use, change and sell what contains it; no other comes in
-//! unseen. Which those are says `deny.toml`, by which `cargo xtask test licences` checks the crates.
+//! Every npm package has a licence that allows everyone to use, change and sell it. `deny.toml` lists the
+//! allowed licences, and `cargo xtask test licences` checks the crates with the same list.
 
 use std::fs;
 
 use serde_json::Value;
 
-/// Of npm packages also what asks for changes of its own files alone; we change none.
+/// Also allowed for npm packages: a licence that only affects changes of the package's files. None is changed
+/// here.
 const UNCHANGED: [&str; 1] = ["MPL-2.0"];
-/// Of what only tests use also data that asks for its source to be named: nothing of it is handed on.
+/// Also allowed for packages that only tests use: data that requires attribution. Releases do not contain it.
 const NAMED: &str = "CC-BY-4.0";
 /// The licence of Python, which a parser of command lines has that was Python's: as free as the others.
 const PYTHON: &str = "Python-2.0";
@@ -16,7 +17,7 @@ const PYTHON: &str = "Python-2.0";
 fn allowed(expression: &str, licences: &[String]) -> bool {
     let plain = expression.replace(['(', ')'], "").replace('/', " OR ");
     let one = |term: &str| licences.iter().any(|licence| licence == term.trim());
-    // Where a choice stands inside a pair, every part of the pair has to have one.
+    // If a choice is inside of a pair, every part of the pair needs an allowed licence.
     plain.split(" AND ").all(|part| part.split(" OR ").any(one))
 }
 

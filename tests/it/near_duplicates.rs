@@ -48,7 +48,8 @@ fn altered_copies_are_found_and_different_photos_are_not() {
             table[i].2 = table[i].2.max(distance);
         }
     }
-    // A corner cut off moves everything by a twentieth: beyond what the fingerprint is for, but good to know.
+    // Cropping a corner moves everything by a twentieth. The fingerprint is not made for that, but the result
+    // is reported.
     let meant = || table.iter().filter(|row| !row.0.contains("corner"));
     let found: usize = meant().map(|row| row.1).sum();
     let recall = found as f64 / (meant().count() * photos.len()) as f64;

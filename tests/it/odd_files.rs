@@ -1,12 +1,12 @@
-//! The rarer kinds of each format against what Pillow sees in them: the same at 45 dB or more, or otherwise for a reason
-//! that is told. Files, pixels and reasons are made by `tests/oracles/odd.py`, which also writes docs/reference/decoding.md.
+//! Rare variants of each format, compared with Pillow: 45 dB or more, or a documented reason for the
+//! difference. `tests/oracles/odd.py` makes files, pixels and reasons, and writes docs/reference/decoding.md.
 
 use std::fs;
 
 use inkpanel::raster::decode::{Limits, decode};
 use serde::Deserialize;
 
-/// What counts as the same, in decibels.
+/// Minimum similarity of equal pictures, in decibels.
 const SAME: f64 = 45.0;
 
 #[derive(Deserialize)]
@@ -16,7 +16,7 @@ struct Row {
     reason: Option<String>,
     width: Option<usize>,
     height: Option<usize>,
-    /// Of the pixels as Pillow sees them; none where it does not open the file.
+    /// Position of Pillow's pixels; `None` if Pillow does not open the file.
     offset: Option<usize>,
 }
 
@@ -65,7 +65,7 @@ fn half_red_is_half_red() {
     assert_eq!(image.to_rgb()[..3], [255, 127, 127]);
 }
 
-/// What Pillow itself sees wrongly is held against the same picture in another layout.
+/// If Pillow decodes a file incorrectly, the file is compared with the same picture in another layout.
 #[test]
 fn layouts_of_the_same_samples_are_seen_the_same() {
     let folder = crate::root("tests/oracles/data/odd");

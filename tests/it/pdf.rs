@@ -48,7 +48,7 @@ fn count(bytes: &[u8], what: &str) -> usize {
     bytes.windows(what.len()).filter(|window| *window == what.as_bytes()).count()
 }
 
-/// What is packed in the file, but for pictures.
+/// Returns the decompressed streams of the file, except pictures.
 fn streams(bytes: &[u8]) -> Vec<Vec<u8>> {
     let starts = (0..bytes.len() - 8)
         .filter(|&i| bytes[i..].starts_with(b"stream\n") && !bytes[..i].ends_with(b"end"));
@@ -118,13 +118,13 @@ fn text_is_there_with_what_it_stands_for_and_only_its_letters() {
     let maps: Vec<&Vec<u8>> = streams.iter().filter(|stream| count(stream, "beginbfchar") > 0).collect();
     assert_eq!(maps.len(), 2);
     let mapped = |code: &str| maps.iter().filter(|map| count(map, &format!("<{code}>\n")) > 0).count();
-    // ù of the balloon, Z of an effect, and a letter that the fonts lack; no x.
+    // ù of the balloon, Z of an effect, and a character that the fonts lack, but no x.
     assert_eq!([mapped("00F9"), mapped("005A"), mapped("D83DDE00"), mapped("0078")], [1, 1, 1, 0]);
     let drawing = streams.iter().find(|stream| count(stream, "BT\n") > 0).unwrap();
     assert_eq!(count(drawing, "3 Tr\n"), 1, "the bent word alone is unseen text");
 }
 
-/// Returns what a program of Poppler prints about a file.
+/// Runs a Poppler program on a file, and returns its output.
 fn poppler(program: &str, arguments: &[&str], file: &[u8]) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("file.pdf");
@@ -160,7 +160,7 @@ fn what_is_read_has_an_order_and_pictures_have_words() {
     assert_eq!(count(&file, "/Lang(pt-BR)") + count(&file, "/Marked true"), 2);
     assert_eq!(count(&file, "<rdf:li xml:lang=\"x-default\">Sea &lt;1&gt;</rdf:li>"), 1);
     assert_eq!(count(&file, "/Alt(A gray slope & more)"), 1);
-    // A line's end is no letter.
+    // A line break adds no character.
     assert_eq!(count(&file, "/ActualText(KRAK OOM)"), 1);
     assert_eq!(count(&file, "/S/GTS_PDFA1"), 1);
     assert_eq!(count(&file, "/TrimBox[0 0 595.2 841.92]"), 1);
@@ -263,10 +263,11 @@ fn art_goes_on_beyond_the_edge_and_marks_stay_outside() {
             assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 25), "{i}: {a:?} {b:?}");
             assert!(b[0] > b[1] + 60, "{i}: {b:?}");
         }
-        // More of the photo where there is more: darker to the left of its left edge; else its mirror image.
+        // The bleed shows more of the photo if there is more, which is darker to the left. Otherwise it shows
+        // a mirror image.
         let (edge, far) = (at(left + 1, 120)[0], at(left - 12, 120)[0]);
         assert!(if i == 0 { far >= edge } else { far < edge }, "{i}: {edge} {far}");
-        // Between the bleed and the rim are marks, at the corners alone.
+        // Between the bleed and the edge of the sheet there are crop marks, only at the corners.
         let dark = |x: usize, y: usize| at(x, y).iter().sum::<i32>() < 700;
         assert!((left - 2..=left + 1).any(|x| dark(x, 8)) && !(100..250).any(|x| dark(x, 8)));
     }
@@ -281,12 +282,12 @@ fn a_page_without_bleed_has_the_pixels_it_had() {
         compose::compose(&scene, |_| Some(&photo), &mut Context::default()).unwrap().rgb().to_vec()
     };
     let before = drawn(&document);
-    // The default is not written, so no file of a project knows of it.
+    // The default is not written, so older projects do not change.
     assert!(!document.to_json().contains("bleed"));
     document.page.bleed = 0.02;
     assert!(document.to_json().contains("bleed"));
     let after = drawn(&document);
-    // What is within the edge is drawn from the same part of the photo: hardly a pixel of lines moves.
+    // The trimmed page shows the same part of the photo: hardly any pixel of a line moves.
     let off = before.iter().zip(&after).filter(|(a, b)| a.abs_diff(**b) > 64).count();
     assert!(off * 20 < before.len(), "{off} of {}", before.len());
 }

@@ -1,4 +1,5 @@
-//! Plans on the command line: told as JSON, spread over pages, judged again, and refused where they are none.
+//! Plans on the command line: printed as JSON, distributed over pages, scored, and rejected if they are
+//! invalid.
 
 use std::fs;
 use std::path::Path;

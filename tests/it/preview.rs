@@ -1,4 +1,5 @@
-//! What is shown is what is printed: every designed style at 960 x 540 looks like the same at 1920 x 1080, reduced.
+//! The preview matches print: every built-in style at 960 x 540 looks like the reduced picture at 1920 x
+//! 1080.
 
 use std::fs;
 use std::sync::Mutex;
@@ -13,7 +14,7 @@ use serde_json::Value;
 /// Photos with fur, fine twigs and a soft background; and people in bright colours before a wall.
 const PHOTOS: &[&str] = &["www/public/samples/02-kitten.jpg", "www/public/samples/09-mariachi.jpg"];
 
-/// Structural similarity from which on the two are taken for the same picture.
+/// Minimum structural similarity of pictures that count as equal.
 const SAME: f64 = 0.9;
 
 fn read(path: &str) -> Image {

@@ -1,4 +1,4 @@
-//! Saved projects, as they are read: whole and bounded, or refused with the place and a sentence.
+//! Reading of saved projects: valid ones within the limits, or an error with the position.
 #![allow(clippy::needless_pass_by_value, reason = "JSON that is made for one call")]
 
 use inkpanel::document::file::ProjectFile;
@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use std::collections::HashSet;
 use std::time::{Duration, Instant};
 
-/// As much of a PNG file as a board asks for.
+/// The minimum of a PNG file that a board accepts.
 const LOGO: &str = "data:image/png;base64,iVBORw0KGgo=";
 
 fn photos(count: usize) -> Vec<Value> {
@@ -100,7 +100,7 @@ fn refused(change: impl FnOnce(&mut Value)) -> String {
     message
 }
 
-/// Words say which photo they belong to: that of their panel, where nothing was said.
+/// Adds the photo of each text item. The default is the photo of its panel.
 fn tell_photos_of_words(value: &mut Value) {
     match value {
         Value::Array(list) => list.iter_mut().for_each(tell_photos_of_words),
@@ -126,7 +126,7 @@ fn a_whole_project_is_read_as_it_is() {
     let mut again: Value = serde_json::from_str(&text).unwrap();
     let mut before = whole();
     again.as_object_mut().unwrap().remove("dropped");
-    // What is told of a photo has all fields.
+    // Adds all fields of a photo.
     for photo in before["photos"].as_array_mut().unwrap() {
         photo["absent"] = json!(false);
     }
@@ -223,7 +223,7 @@ fn fields_of_another_program_are_kept() {
     mark(&mut value["history"]["shown"][0]);
     let text = read(&value).unwrap().write();
     assert_eq!(text.matches(r#""fresh":{"a":[1,2]}"#).count(), 13);
-    // Where it would change what is drawn it is not passed over.
+    // If an unknown field would change the picture, it is rejected.
     assert!(
         refused(|v| mark(&mut v["history"]["present"]["settings"])).starts_with("present.settings.fresh: ")
     );
@@ -436,7 +436,7 @@ fn with(path: &str, value: &Value) -> String {
 #[test]
 fn fresh_ids_are_given_to_photos_alone() {
     let mut value = whole();
-    // An id that is also the name of a layout, and one of a photo that is not told of.
+    // An id that is also the id of a layout, and the id of a photo that the file does not contain.
     let text = value.to_string().replace("\"p0\"", "\"grid-4\"").replace("\"p5\"", "\"elsewhere\"");
     value = serde_json::from_str(&text).unwrap();
     value["photos"].as_array_mut().unwrap().pop();
@@ -569,7 +569,7 @@ fn two_files_have_neither_one_name_nor_one_path() {
     assert_eq!(read(&value).unwrap_err().1, "photos[2].id: is used twice");
 }
 
-/// The states of the whole project, with tables as the page makes them.
+/// The states of the project, with tables as the app writes them.
 fn tables() -> Value {
     let whole = whole();
     let present = &whole["history"]["present"];
@@ -670,7 +670,7 @@ fn an_empty_merge_is_no_merge() {
     usable(&read(&value).unwrap());
 }
 
-/// What was read is taken by all that draws and plans.
+/// Checks that drawing and planning accept the project.
 fn usable(project: &ProjectFile) {
     let History { present, shown, .. } = &project.history;
     let pages = present

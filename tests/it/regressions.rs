@@ -12,7 +12,7 @@ use std::path::Path;
 use entries::{ENTRIES, Entry};
 use oorandom::Rand64;
 
-/// What a number of a JSON file is replaced by.
+/// Replacements for a number in a JSON file.
 const ODD: &[&str] = &[
     "0",
     "-1",
@@ -55,7 +55,7 @@ fn seeds(name: &str) -> Vec<Vec<u8>> {
     }
 }
 
-/// Runs an entry; what makes it panic is kept in `target/` and named.
+/// Runs an entry point. Input that makes it panic is stored in `target/`, and the test prints its name.
 fn survive(name: &str, entry: Entry, bytes: &[u8]) {
     if catch_unwind(|| entry(bytes)).is_err() {
         let kept = crate::root("target").join(format!("fault-{name}"));

@@ -1,13 +1,16 @@
-//! Which room may know which. `ARCHITECTURE.md` has them in this order; what is lower knows nothing of what is above it.
+//! Dependencies between modules. `ARCHITECTURE.md` lists them in this order. A module depends only on modules
+//! below it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-/// Where they are: what runs over pixels is a crate of its own, and so are the detectors, whose crate cannot know another.
+/// Source folders. Pixel code is a separate crate. The detectors are another crate, which cannot depend on a
+/// higher one.
 const TOPS: [&str; 2] = ["pixels/src", "src"];
 
-/// The rooms, from the lowest on. Containers and the kernels on their rows are one: each is written in terms of the other.
+/// The modules from the lowest to the highest. Containers and their row kernels are one layer, because they
+/// depend on each other.
 const ROOMS: [&[&str]; 16] = [
     &["error"],
     &["order"],
@@ -47,7 +50,7 @@ fn files(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
     found
 }
 
-/// The room of a path below `top`: its first folder, or the file without its ending.
+/// Returns the module of a path below `top`: its first folder, or the file without extension.
 fn room(path: &Path, top: &Path) -> String {
     let below = path.strip_prefix(top).unwrap();
     below.with_extension("").components().next().unwrap().as_os_str().to_string_lossy().into_owned()
@@ -91,7 +94,7 @@ fn no_room_of_the_crate_knows_one_above_it() {
     assert!(wrong.is_empty(), "a room may use those below it only:\n  {}", wrong.join("\n  "));
 }
 
-/// The files that a script imports when it runs; what is imported for its types is gone by then.
+/// Returns the files that a script imports at run time. Type-only imports are not included.
 fn imports(text: &str) -> Vec<String> {
     let mut found = Vec::new();
     let mut rest = text;
@@ -126,7 +129,7 @@ fn plain(path: &Path) -> PathBuf {
     out
 }
 
-/// A room that knows none of the others, or that none of them knows.
+/// A module without dependencies, or without dependents.
 fn end_of<'a>(rooms: &BTreeSet<&'a str>, doors: &'a BTreeMap<(String, String), String>) -> Option<&'a str> {
     let left = |(from, to): &&(String, String)| rooms.contains(from.as_str()) && rooms.contains(to.as_str());
     let within: Vec<_> = doors.keys().filter(left).collect();
@@ -138,7 +141,7 @@ fn end_of<'a>(rooms: &BTreeSet<&'a str>, doors: &'a BTreeMap<(String, String), S
 #[test]
 fn no_rooms_of_the_page_know_each_other_in_a_circle() {
     let top = crate::root("www");
-    // One file for each pair of rooms, to be named.
+    // One file for each pair of modules, for the error message.
     let mut doors: BTreeMap<(String, String), String> = BTreeMap::new();
     for file in files(&top, &[".ts", ".tsx"]) {
         let name = file.strip_prefix(&top).unwrap().display().to_string();
@@ -155,8 +158,8 @@ fn no_rooms_of_the_page_know_each_other_in_a_circle() {
     }
     assert!(doors.len() > 40, "the imports were found: {}", doors.len());
     let mut rooms: BTreeSet<&str> = doors.keys().flat_map(|(a, b)| [a.as_str(), b.as_str()]).collect();
-    // A room that knows none of those left is below them, one that none of them knows is above; in the end none is left, or
-    // circles and what joins them.
+    // Removes modules without dependencies or without dependents, until only cycles and the modules between
+    // them are left.
     while let Some(end) = end_of(&rooms, &doors) {
         rooms.remove(end);
     }

@@ -1,5 +1,5 @@
-//! Projects and pages that were saved are drawn again without the browser, with the pixels that the page gave them; and files
-//! of every version open as they were. `tests/data/saved/README.md` says how they are made.
+//! Saved projects and pages: the command line draws the same pixels as the app, and files of every version
+//! still open. `tests/data/saved/README.md` describes how they are made.
 
 use inkpanel::document::saved::Saved;
 use inkpanel::raster::Image;
@@ -50,7 +50,7 @@ fn picture(bytes: &[u8]) -> Image {
     decode(bytes, &Limits::default()).unwrap().image
 }
 
-/// What is drawn is what the page exported.
+/// Compares the drawn page with the exported one.
 fn expect_same(arguments: &[&str], exported: &str) {
     let folder = tempfile::tempdir().unwrap();
     let output = folder.path().join("out.png");
@@ -59,7 +59,7 @@ fn expect_same(arguments: &[&str], exported: &str) {
     let drawn = fs::read(&output).unwrap();
     let most = difference(&picture(&drawn), &picture(&file(exported)));
     assert!(most <= 1, "{exported}: differs by {most} of 255");
-    // Dots an inch, too.
+    // The resolution too.
     let dots = |png: &[u8]| {
         let at = png.windows(4).position(|chunk| chunk == b"pHYs").unwrap();
         png[at..at + 13].to_vec()
@@ -108,7 +108,7 @@ fn a_name_with_the_place_of_a_number_gets_a_picture_of_each_page() {
     }
 }
 
-/// What a file holds, without what was told as missing: fields that were added since have their defaults.
+/// Compares the content of a file, ignoring fields that were added later and have default values.
 fn holds(is: &Value, was: &Value, place: &str) {
     match (is, was) {
         (Value::Object(is), Value::Object(was)) => {
@@ -243,7 +243,7 @@ fn told(text: &str) -> Vec<u8> {
 #[test]
 fn a_page_that_cannot_be_drawn_is_refused_with_a_sentence() {
     let text = read("version-1/own-style.png").text().to_owned();
-    // As it is but for how its text is packed it is drawn.
+    // The file is drawn. Only its text is compressed differently.
     let folder = tempfile::tempdir().unwrap();
     let plain = folder.path().join("plain.png");
     fs::write(&plain, told(&text)).unwrap();
@@ -275,7 +275,7 @@ fn a_page_that_cannot_be_drawn_is_refused_with_a_sentence() {
         "present.page.seed: is missing",
     );
     refused("foreign.png", &told("{}"), &[], "was not saved by Inkpanel");
-    refused("planned.png", &told(&text), &["--style", "comic"], "it is planned already");
+    refused("planned.png", &told(&text), &["--style", "comic"], "a saved page takes only");
     refused("second.png", &told(&text), &["--page", "2"], "page 2 does not exist: the project has 1 page");
 }
 
@@ -317,7 +317,7 @@ fn a_project_that_cannot_be_drawn_is_refused_with_a_sentence() {
         (
             vec![&project[..]],
             "page.bmp",
-            "give the page a name that ends in .png, .jpg, .webp, .pdf, .html, .epub, .cbz or .inkpanel",
+            "the name of the page must end in .png, .jpg, .webp, .pdf, .html, .epub, .cbz or .inkpanel",
         ),
         (vec!["missing.inkpanel"], "missing.png", "missing.inkpanel: "),
     ] {
@@ -328,7 +328,7 @@ fn a_project_that_cannot_be_drawn_is_refused_with_a_sentence() {
     }
 }
 
-/// A ZIP file of zeros that says nothing wrong of itself, packed or as it is.
+/// A ZIP file of zeros with correct headers, compressed or stored.
 fn zeros(name: &str, length: usize, packed: bool) -> Vec<u8> {
     let mut writer = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
     let kind = if packed { zip::CompressionMethod::Deflated } else { zip::CompressionMethod::Stored };

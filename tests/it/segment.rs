@@ -53,7 +53,7 @@ fn a_look_in_steps_is_the_look_at_once() {
     let net = segmenter();
     let photo = photo("www/public/samples/02-kitten.jpg");
     let at_once = String::from(net.look(&photo).unwrap());
-    // Two at a time, as they do not know of each other.
+    // Two at a time, because they are independent.
     let mut looks = [net.begin(&photo).unwrap(), net.begin(&photo).unwrap()];
     let mut steps = 0;
     loop {
@@ -65,7 +65,7 @@ fn a_look_in_steps_is_the_look_at_once() {
             break;
         }
     }
-    // As many as the net has operators: whoever waits is not kept from a core for long.
+    // About one step per operator, so that other work on the core waits only briefly.
     assert!(steps > 100, "{steps} steps");
 }
 
@@ -76,7 +76,7 @@ fn masks_are_refined_as_opencv_does_it() {
     let (width, height, radius) = (side("width"), side("height"), side("radius"));
     let plane = |key: &str| Plane::from_samples(width, height, bytes(&data[key])).unwrap();
     let (filtered, expected) = (guided(&plane("guide"), &plane("mask"), radius, 1e-4), plane("filtered"));
-    // OpenCV's windows go on beyond the edge, as a mirror; within two radii of it the values differ.
+    // OpenCV mirrors the image beyond its edge, so values within two radii of it differ.
     for y in 2 * radius..height - 2 * radius {
         for x in 2 * radius..width - 2 * radius {
             let (got, wanted) = (filtered.at(x, y), expected.at(x, y));

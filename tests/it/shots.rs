@@ -1,5 +1,5 @@
-//! Lists of shots: what they say is what `OpenTimelineIO` reads in them, to the frame (`tests/oracles/shots.py`), and what a saved
-//! project tells.
+//! Shot lists: `OpenTimelineIO` reads the same shots in them, to the frame (`tests/oracles/shots.py`), and
+//! they match the saved project.
 
 use inkpanel::document::file::ProjectFile;
 use inkpanel::output::shots::timecode::{Pace, Rate, StartTimecode};
@@ -23,8 +23,8 @@ fn folder() -> PathBuf {
     crate::root("tests/oracles/data/shots")
 }
 
-/// Pictures, three of one name, and places in films: two have lengths that end on no second, two have one name and two are
-/// from cameras with a timecode.
+/// Pictures, three with one name, and positions in videos. Two have lengths that end between two seconds, two
+/// have one name, and two are from cameras with a timecode.
 fn list((fps, pace): (u32, Pace)) -> ShotList {
     let film = |key: &str, name: &str, time, length| {
         let start = match key {
@@ -79,7 +79,7 @@ fn is_edl(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|ending| ending == "edl")
 }
 
-/// `cargo xtask bless shots` writes them anew; then `tests/oracles/shots.py` reads them.
+/// `cargo xtask bless shots` updates them. Then `tests/oracles/shots.py` reads them.
 #[test]
 fn lists_are_those_that_were_read() {
     for (name, _, text) in files() {
@@ -121,7 +121,7 @@ fn other_programs_read_every_length_and_place_to_the_frame() {
             };
             let file = shot.film.as_ref().map_or(&shot.name, |film| &film.name);
             let mut expected = json!({ "start": origin + start, "frames": frames, "at": at, "media": file });
-            // A decision list does not say how long its sources are.
+            // An EDL does not contain the length of its sources.
             if !is_edl(&name) {
                 expected["available"] = json!([origin, length]);
             }

@@ -2,7 +2,7 @@
 
 use inkpanel::style::Style;
 
-/// A file, and what its error must say.
+/// A file, and the expected text of its error.
 const MALFORMED: &[(&str, &str)] = &[
     // No JSON, or JSON of another kind.
     ("", "is not valid JSON"),
@@ -113,7 +113,7 @@ fn too_much_of_anything_is_refused() {
     }
 }
 
-/// Each valid file, cut anywhere or with any letter changed, is either refused or a style; it never panics.
+/// Each valid file, truncated or with one changed character, is either rejected or a style, without a panic.
 #[test]
 fn damage_anywhere_never_panics() {
     for style in inkpanel::style::catalogue::catalogue().iter().take(12) {

@@ -1,4 +1,4 @@
-//! How well the subjects of photos are cut out: the masks of the net against marks that a person made.
+//! Quality of subject masks: compares the masks of the model with manually marked subjects.
 
 #[path = "../../examples/subjects/measure.rs"]
 mod measure;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// Largest file in bytes; photos and goldens are kept small.
+/// Maximum size of a file in bytes, which also limits photos and goldens.
 const BYTES: u64 = 2_000_000;
 
 /// Paths relative to the top folder, with forward slashes.

@@ -1,5 +1,5 @@
-//! A block of a trained operator is a data file and a descriptor, and nothing else: here is one that no other code
-//! knows, run by the chain like any other.
+//! A block of a trained operator consists of a data file and a descriptor. The chain runs this one without
+//! other code.
 
 use std::fs;
 use std::sync::LazyLock;

@@ -11,7 +11,7 @@ fn subject(label: &str, [x, y, width, height]: [f64; 4]) -> Subject {
     Subject { x, y, width, height, label: label.into(), score: 0.9 }
 }
 
-/// Photos of things, the first `people` of them of one person each.
+/// Photos of objects. The first `people` photos contain one person each.
 fn album(count: usize, people: usize) -> Vec<PhotoMeta> {
     (0..count)
         .map(|i| {

@@ -1,5 +1,5 @@
-//! Words on the page: what is drawn is what was drawn before, inside of its shape, alike at every size, and away from
-//! faces.
+//! Text items on the page: the rendering does not change, stays inside of its shape, is similar at every
+//! size, and avoids faces.
 
 use std::fs;
 
@@ -109,13 +109,14 @@ fn given_fonts_are_shaped_as_harfbuzz_does() {
     }
 }
 
-/// Bounds of what a letter of a column is drawn as, in pixels of a page that is 1000 wide, from the middle of the column's top.
+/// Bounds of a glyph in vertical text, in pixels of a page with a width of 1000, relative to the middle of
+/// the column's top.
 fn standing_bounds(letter: &str, letters: &Letters) -> [f64; 4] {
     let page =
         document(&json!([columns(letter, &json!({ "kind": "caption", "boxless": true, "size": 0.1 }))]));
     let laid = &layout::lay_all(&page, letters).unwrap()[0];
     let patch = draw::render(&page, 0, 1000, letters).unwrap();
-    // A caption without a box has a line around its letters, in another colour than they.
+    // A caption without a box has an outline around its glyphs, in another colour.
     let (mut low, mut high) = ((f64::MAX, f64::MAX), (f64::MIN, f64::MIN));
     for i in 0..patch.area.width * patch.area.height {
         if patch.rgba[i * 4 + 3] == 255 && patch.rgba[i * 4] < 100 {
@@ -162,7 +163,7 @@ fn forms_for_columns_are_for_columns_alone() {
     let word = document(&json!([said(text)]));
     let [one, other] = [&lying, &both].map(|letters| draw::render(&word, 0, 600, letters).unwrap().rgba);
     assert_eq!(one, other);
-    // What has no such form in its font is turned and moved as before.
+    // Characters without a vertical form in the font are rotated and moved as before.
     let columned = document(&json!([columns("漢字", &json!({}))]));
     let [one, other] = [said("漢字"), columns("漢字", &json!({}))].map(|word| {
         draw::render(&columned, 0, 600, &fonts(&["japanese.ttf"]).letters([&word]).unwrap()).unwrap().rgba
@@ -170,7 +171,7 @@ fn forms_for_columns_are_for_columns_alone() {
     assert_eq!(one, other);
 }
 
-/// Places of the rows of a word, on a page that is as wide as high is told: the letters, their scale, and where they are.
+/// Returns the rows of a text item on a square page: characters, scale and positions.
 fn ruby_page(text: &str, more: &Value) -> (layout::Laid, Letters) {
     let mut word = said(text);
     for (name, value) in more.as_object().unwrap() {
@@ -196,13 +197,13 @@ fn readings_make_their_balloon_larger_and_are_read_behind_their_letters() {
                 .map(|&letter| letters.text_of(letter))
                 .collect()
         };
-        // The notation is no text, and the reading is none of the line.
+        // The ruby notation is not part of the text, and the reading does not widen the line.
         assert_eq!(text(&with), "漢字でも縦書き");
         let area = |laid: &layout::Laid| laid.setting.half.0 * laid.setting.half.1;
         assert!(area(&with) > 1.1 * area(&without), "{} {}", area(&with), area(&without));
         assert_eq!(wording::read(&with.word), "漢字（そうか）でも縦書き");
     }
-    // Words of the first pages, and what is no reading, stay as they are.
+    // Text items of version 1 and invalid ruby notations do not change.
     let (first, letters) = ruby_page("漢字《そうか》", &json!({ "craft": 1 }));
     let line: String = first.setting.lines[0].0.iter().map(|&letter| letters.text_of(letter)).collect();
     assert!(line.contains('《'), "{line}");
@@ -229,7 +230,7 @@ fn letters_and_their_reading_stay_in_one_line() {
 
 #[test]
 fn readings_touch_neither_each_other_nor_their_letters_nor_the_next_line() {
-    // Long readings over single letters, beside each other and in several lines.
+    // Long readings over single characters, adjacent and in several lines.
     let text = "漢《そうかそうか》字《だってだって》でも見《だってだ》た縦《そうか》書《か》き";
     for vertical in [false, true] {
         for width in [0.14, 0.24] {
@@ -360,7 +361,8 @@ fn columns_run_from_right_to_left_inside_of_their_shapes() {
     let spoken = &all[0].setting;
     assert!(spoken.lines.len() > 1 && spoken.half.1 > spoken.half.0, "columns are high");
     assert!((all[3].setting.half.0 - 0.15).abs() < 1e-9 && all[3].setting.lines.len() > spoken.lines.len());
-    // The first column stands to the right: without the others' letters there is ink on the right alone.
+    // The first column is on the right: without the glyphs of the other column, there is ink only on the
+    // right.
     let one = document(&json!([columns("漢\n…", &json!({ "kind": "caption", "size": 0.04 }))]));
     let letters = fonts(&["japanese.ttf"]).letters(&one.words).unwrap();
     let patch = draw::render(&one, 0, 900, &letters).unwrap();
@@ -419,7 +421,7 @@ fn words_are_drawn_inside_of_their_shapes_and_always_alike() {
         assert!(area.x as f64 >= (laid.middle.x - a).min(laid.tip.map_or(1.0, |tip| tip.x)) * 900.0 - 5.0);
         assert!(area.y as f64 <= (laid.middle.y - b * 0.6) * 900.0);
         assert!(once.rgba.chunks(4).any(|pixel| pixel[3] == 255));
-        // Letters are dark on light: each line has some, and none at its ends.
+        // Glyphs are dark on a light background: each line contains some, and its ends contain no ink.
         if laid.word.tail.is_some() {
             let rgba = |x: f64, y: f64| {
                 let (x, y) = ((x * 900.0) as i64 - area.x, (y * 900.0) as i64 - area.y);
@@ -514,7 +516,7 @@ fn words_outlive_a_layout_of_fewer_panels_and_never_leave_the_page() {
     assert!(laid.middle.x + a <= 1.0 + 1e-9 && laid.middle.y - b >= -1e-9);
 }
 
-/// Runs `inkpanel render` with words on two photos.
+/// Runs `inkpanel render` with text on two photos.
 #[cfg(feature = "cli")]
 fn rendered(words: &str) -> (std::process::Output, Option<Image>) {
     let folder = tempfile::tempdir().unwrap();

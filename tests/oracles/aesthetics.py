@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How good photos look to the net, by a forward pass in plain numpy on the weights as they were published.
+"""The model's ratings of photos, by a forward pass in plain numpy on the published weights.
 
     cargo xtask models; cargo build
     python3 tests/oracles/aesthetics.py target/debug/inkpanel WEIGHTS.hdf5        (h5py, numpy, pillow)
@@ -44,7 +44,7 @@ def normalised(x, weights, layer):
 
 
 def score(picture, weights):
-    # The nearest pixel of a stretched picture, as the net was trained.
+    # The nearest pixel of a stretched picture, as in training.
     width, height = picture.size
     at = np.arange(SIDE) + 0.5
     pixels = np.asarray(picture, np.float32)

@@ -3,8 +3,9 @@
 
     python3 tests/oracles/animation.py        (numpy, pillow)
 
-Writes tests/oracles/data/animations/*: the files, `expected.bin` (RGB pixels of every picture, transparency flattened
-on white) and `expected.json` (per file: size, when each picture ends in seconds, and where its pixels begin).
+Writes tests/oracles/data/animations/*: the files, `expected.bin` (RGB pixels of every frame, transparency
+flattened on white) and `expected.json`. Per file, it has the size, the end of each frame in seconds, and the
+position of its pixels.
 """
 
 import json

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""What every filter block should draw, by other people's libraries.
+"""Expected results of every filter block, made by other libraries.
 
     python3 tests/oracles/blocks.py        (numpy, pillow, scipy, scikit-image, opencv-contrib-python-headless)
 
-Writes tests/oracles/data/blocks/: the photo and its luma, one PNG a block with its cases one below the other, and
-blocks.json, which names each case's block, parameters and rows; similarity.json has one value for tests/preview.rs.
-tests/blocks.rs compares, with the tolerance and its
-reason beside each block. Parameters in pixels are pixels of these files: the test sets the scale to 1.
+Writes tests/oracles/data/blocks/: the photo and its luma, and one PNG per block with its cases one below the
+other. The file blocks.json has the block, parameters and rows of each case. The file similarity.json has one
+value for tests/preview.rs. The test tests/blocks.rs compares them. The tolerance and its reason are next to
+each block. Parameters in pixels are pixels of these files, because the test sets the scale to 1.
 """
 
 import base64
@@ -47,7 +47,7 @@ def to_gray(image):
 
 
 def to_color(image):
-    """There and back: what is kept is rounded to bytes, as the blocks keep it."""
+    """There and back. Intermediate values are rounded to bytes, as in the blocks."""
     y = image @ WEIGHTS
     u, v = to_u8((image[..., 2] - y) / 1.772 + 128) - 128.0, to_u8((image[..., 0] - y) / 1.402 + 128) - 128.0
     y = to_u8(y).astype(float)
@@ -71,7 +71,7 @@ def luma_posterize(image, levels):
 
 
 def working_on(channels, image, change):
-    """Luma alone, or each channel alike."""
+    """Only luma, or each channel separately."""
     return luma_only(image, change) if channels == "luma" else change(image)
 
 
@@ -126,7 +126,7 @@ def size(image, percent):
     h, w = (round(side * percent / 100) for side in image.shape)
     if percent <= 100:
         return cv2.resize(image, (w, h), interpolation=cv2.INTER_AREA)
-    # Catmull-Rom; Pillow leaves out what lies beyond the border, the block repeats the edge.
+    # Catmull-Rom. Pillow drops samples beyond the border, while the block repeats the edge.
     pad, k = 4, percent // 100
     padded = Image.fromarray(np.pad(image, pad, mode="edge").astype(np.float32))
     large = padded.resize((padded.width * k, padded.height * k), Image.Resampling.BICUBIC)
@@ -138,7 +138,7 @@ def stroke(position, spacing, width):
 
 
 def own_texture(image, levels, texture):
-    """A tone takes ink where a person's texture is darkest, so much that it covers the tone."""
+    """A tone takes ink at the darkest parts of a custom texture, until the ink covers the tone."""
     tones = np.asarray(Image.open(io.BytesIO(base64.b64decode(texture.split(",")[1]))).convert("L")).astype(int)
     radius = max(min(tones.shape) // 48, 1)
     count, around = 2 * radius + 1, tones * 16
@@ -190,7 +190,7 @@ RADII = np.array([dot_radius(v / 255) for v in range(256)])
 
 
 def screen(ink, degrees, pitch):
-    """What a screen of dots leaves white, 0..1. `ink` 0..255."""
+    """White share of a dot screen, 0..1. `ink` is 0..255."""
     y, x = np.mgrid[: ink.shape[0], : ink.shape[1]].astype(float)
     turned = (x + 1j * y) * np.exp(-1j * np.deg2rad(degrees)) / pitch
     distance = np.hypot(turned.real % 1 - 0.5, turned.imag % 1 - 0.5)
@@ -228,7 +228,7 @@ def dynamic_range(image, range):
 
 
 def own_picture(rows):
-    """A texture as a person has it: slanted strokes in two tones, as a data URL."""
+    """A custom texture, as a user could make it: slanted strokes in two tones, as a data URL."""
     y, x = np.mgrid[:rows, :48]
     file = io.BytesIO()
     Image.fromarray(np.where((x + 2 * y) % 16 < 6, 30, 225).astype(np.uint8)).save(file, "PNG", optimize=True)

@@ -86,7 +86,7 @@ def write_profiled():
     save("png-icc-grey.png", grey, icc_profile=profiles.grey(profiles.gamma(1.8)))
     save("webp-icc-p3.webp", colour, lossless=True, icc_profile=p3)
     save("tiff-icc-adobe.tif", colour, icc_profile=adobe)
-    # What cannot be read, or is for another kind of samples, changes nothing.
+    # Unreadable profiles, and profiles for another kind of samples, change nothing.
     save("png-icc-ignored-tables.png", colour, icc_profile=profiles.of_tables())
     save("png-icc-ignored-cut.png", colour, icc_profile=p3[:300])
     save("png-icc-ignored-kind.png", colour, icc_profile=profiles.grey(profiles.gamma(1.8)))
@@ -140,7 +140,7 @@ def write_files():
 
 
 def seen(path):
-    """The file as Pillow sees it: upright, flattened on white, 8 bits a channel."""
+    """The file as decoded by Pillow: upright, flattened on white, 8 bits per channel."""
     image = Image.open(path)
     orientation = image.getexif().get(0x0112, 1)
     taken = image.getexif().get_ifd(0x8769).get(0x9003)

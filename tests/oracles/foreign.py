@@ -3,8 +3,8 @@
 
     python3 tests/oracles/foreign.py        (numpy, pillow with AVIF)
 
-Writes tests/oracles/data/foreign/*.avif and beside each a PNG of the upright pixels in sRGB, transparency flattened on
-white.
+Writes tests/oracles/data/foreign/*.avif, and for each a PNG of the upright pixels in sRGB, transparency
+flattened on white.
 """
 
 import io
@@ -21,7 +21,7 @@ WIDTH, HEIGHT = 90, 54
 y, x = np.mgrid[0:HEIGHT, 0:WIDTH].astype(float)
 rgb = np.stack([x * 2.5 + 10, y * 4 + 20, 200 - x - y * 1.5], -1).clip(0, 255).round().astype(np.uint8)
 alpha = (255 - ((x - 60) ** 2 + (y - 28) ** 2) / 4).clip(0, 255).astype(np.uint8)
-# What stands a picture of that EXIF orientation upright.
+# Transformations that make a picture of each EXIF orientation upright.
 TURNS = {2: 0, 3: 3, 4: 1, 5: 5, 6: 4, 7: 6, 8: 2}
 TURNS = {orientation: Image.Transpose(turn) for orientation, turn in TURNS.items()}
 colour = Image.fromarray(rgb)

@@ -1,10 +1,11 @@
-"""The onsets that librosa hears in a made-up sound, for `tests/hearing.rs`, which makes the same sound.
+"""The onsets that librosa detects in a synthetic sound, for `tests/hearing.rs`, which makes the same sound.
 
     pip install librosa==0.11.0
     python tests/oracles/hearing.py
 
-Writes `tests/oracles/data/hearing.json`: the strokes of the sound, each with its second, its loudness, the seconds in which it dies
-away and its tone in Hz (0 for noise), and the seconds at which librosa's `onset_detect` hears one, by spectral flux as usual.
+Writes `tests/oracles/data/hearing.json`: the strokes of the sound, and the onsets that librosa's
+`onset_detect` finds by spectral flux, in seconds. Each stroke has its time, its loudness, its decay in
+seconds and its tone in Hz (0 for noise).
 """
 
 import json

@@ -1,6 +1,7 @@
-"""The order of pages on sheets, asked of pdfimpose (PyPI, 2.10): a booklet of one fold, and a zine of eight pages from one
-sheet. Writes tests/oracles/data/impose.json: by name and number of pages the sides in the order in which they are printed,
-rows of [page from 0, stands on its head]. pdfimpose is under the AGPL: it is asked here and shipped nowhere.
+"""Order of pages on sheets, from pdfimpose (PyPI, 2.10): a booklet of one fold, and a zine of eight pages
+from one sheet. Writes tests/oracles/data/impose.json: by name and number of pages the sides in printing
+order, as rows of [page from 0, upside down]. pdfimpose is under the AGPL. It is only run here, and no release
+contains it.
 
     pip install pdfimpose==2.10.0
     python tests/oracles/impose.py

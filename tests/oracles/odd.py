@@ -3,8 +3,9 @@
 
     python3 tests/oracles/odd.py        (numpy, pillow, tifffile, imagecodecs)
 
-Writes tests/oracles/data/odd/*, `odd.bin` (RGB pixels of what Pillow opens, upright, flattened on white), `odd.json` (per
-file: size, where its pixels begin in odd.bin, and why Inkpanel sees it otherwise, where it does) and docs/reference/decoding.md.
+Writes tests/oracles/data/odd/*, `odd.bin` (RGB pixels as decoded by Pillow, upright, flattened on white),
+`odd.json` and docs/reference/decoding.md. Per file, odd.json has the size, the position of its pixels in
+odd.bin, and the reason for a difference between Inkpanel and Pillow, if any.
 """
 
 import io
@@ -97,7 +98,7 @@ def tiff(name, array, **options):
 
 
 def tiff_by_hand(width, height, strips, fields, endian="<"):
-    """A file of strips as they are. Fields: tag -> (type, values); 3 is 16 bits, 4 is 32."""
+    """A file of uncompressed strips. Fields: tag -> (type, values); 3 is 16 bits, 4 is 32."""
     body, offsets = bytearray(), []
     for strip in strips:
         offsets.append(8 + len(body))
@@ -223,7 +224,7 @@ MASKS = (0xFF0000, 0xFF00, 0xFF, 0xFF000000)
 
 
 def bmp(rows, bits, header=40, compression=0, masks=(), palette=b"", height=HEIGHT, width=WIDTH, colours=0, extra=b""):
-    """A file whose rows stand as given, the lowest first."""
+    """A file with the given rows, from bottom to top."""
     pixels = b"".join(row + b"\0" * (-len(row) % 4) for row in rows)
     if header == 12:
         head = struct.pack("<IHHHH", 12, width, height, 1, bits)
@@ -254,7 +255,7 @@ def write_bmp():
     full = np.dstack([RGB, np.full_like(ALPHA, 255)])
     save("bmp-alpha-zero.bmp", bmp(packed_rows(zero, bgra), 32, 108, 3, MASKS))
     save("bmp-alpha-full.bmp", bmp(packed_rows(full, bgra), 32, 124, 3, MASKS))
-    # Without fields the fourth byte says nothing, whatever the header has.
+    # Without fields for alpha, the fourth byte has no meaning, for any header.
     save("bmp-32.bmp", bmp(packed_rows(RGBA, bgra), 32))
     save("bmp-32-v4.bmp", bmp(packed_rows(RGBA, bgra), 32, 108, 0, MASKS))
     save("bmp-32-v5.bmp", bmp(packed_rows(zero, bgra), 32, 124, 0, MASKS))
@@ -405,7 +406,7 @@ def jpeg(array, **options):
 
 
 def scans(file):
-    """Where the scans of a file begin."""
+    """Positions of the scans in a file."""
     return [i for i in range(len(file) - 1) if file[i:i + 2] == b"\xff\xda"]
 
 
@@ -444,7 +445,8 @@ def write_webp():
 
 
 def seen(path):
-    """The file as Pillow sees it: upright, flattened on white, 8 bits a channel; nothing where it cannot open it."""
+    """The file as decoded by Pillow: upright, flattened on white, 8 bits per channel; None if Pillow cannot
+    open it."""
     try:
         image = Image.open(path)
         image.load()

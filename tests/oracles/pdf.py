@@ -1,9 +1,10 @@
-"""A PDF file of ours read by pikepdf (PyPI, qpdf within): its syntax, its structure, its boxes, what it says of itself.
+"""Reads an exported PDF file with pikepdf (PyPI, contains qpdf), and checks its syntax, structure, boxes and
+metadata.
 
     pip install pikepdf==10.18.0
     python tests/oracles/pdf.py FILE.pdf ...
 
-Prints what was found of each, and ends with 1 where something is wrong.
+Prints the findings of each file. Exit code 1 if there is an error.
 """
 
 import sys

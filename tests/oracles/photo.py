@@ -1,4 +1,4 @@
-"""Photos as the program sees them, for oracles that are to judge what comes after decoding."""
+"""Decoded photos, as in the program, for oracles of later stages."""
 
 import subprocess
 

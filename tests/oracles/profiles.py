@@ -53,7 +53,7 @@ def profile(space, tags, kind=b"mntr", pcs=b"XYZ ", version=0x04300000):
     tags = {b"desc": words, b"cprt": words, b"wtpt": b"XYZ \0\0\0\0" + b"".join(map(fixed, D50))} | tags
     body, index, start, places = b"", b"", 132 + 12 * len(tags), {}
     for name, data in tags.items():
-        # Tags with the same data share them, but for the two of words, whose places older files have.
+        # Tags with the same data share it, except the two text tags, whose positions older files have.
         shared = data if name.startswith(b"A2B") else name
         if shared not in places:
             places[shared] = start + len(body)
@@ -91,7 +91,8 @@ def lab(light):
 
 
 def press(inks):
-    """What light four inks leave: each takes its own third and some of the others, more where dots have grown."""
+    """Light reflected by four inks. Each ink absorbs its own third and some of the others, more with dot
+    gain."""
     absorbed = np.array([[0.93, 0.32, 0.10], [0.22, 0.90, 0.45], [0.03, 0.12, 0.92], [0.88, 0.90, 0.91]])
     grown = inks ** 0.8
     return np.prod(1 - grown[..., None] * absorbed, axis=-2)
@@ -126,7 +127,7 @@ def tables(channels, size, model, wide=True):
 
 
 def curves_and_tables(channels, size, model):
-    """A lutAToBType of version 4: a gamma for each channel, then a grid of what that leaves."""
+    """A lutAToBType of version 4: a gamma for each channel, then a grid."""
     colours = grid(channels, size, lambda samples: model(samples ** (1 / 1.6)))
     entries = np.stack([colours[:, 0] * 655.35, (colours[:, 1] + 128) * 257, (colours[:, 2] + 128) * 257], -1)
     values = entries.round().clip(0, 65535).astype(">u2").tobytes()
@@ -150,6 +151,6 @@ def of_scanner(wide=True):
 
 
 def of_printer():
-    """A printer that is told red, green and blue, of version 4."""
+    """An RGB printer profile of version 4."""
     both = curves_and_tables(3, 9, scanner)
     return profile(b"RGB ", {b"A2B0": both, b"A2B1": both}, b"prtr", b"Lab ")

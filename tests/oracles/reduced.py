@@ -3,7 +3,8 @@
 
     python3 tests/oracles/reduced.py        (pillow)
 
-Writes tests/oracles/data/reduced/NAME.jpg and NAME-4.png, NAME-2.png, NAME-1.png: so many samples for eight.
+Writes tests/oracles/data/reduced/NAME.jpg and NAME-4.png, NAME-2.png, NAME-1.png. The number is the reduced
+size of eight samples.
 """
 
 import pathlib
@@ -13,7 +14,7 @@ from PIL import Image
 ROOT = pathlib.Path(__file__).parent
 OUT = ROOT / "data" / "reduced"
 PHOTO = ROOT.parents[1] / "www/public/samples/06-castle.jpg"
-# Whole blocks, but not whole units of four of them.
+# Complete blocks, but not complete units of four blocks.
 WIDTH, HEIGHT = 216, 152
 
 OUT.mkdir(exist_ok=True)

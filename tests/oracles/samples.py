@@ -120,7 +120,7 @@ def resources(path):
 
 
 def check_gcompris(readme, file, author, licence):
-    """The README that lies beside the photo must name it with this author and licence."""
+    """The README next to the photo must list it with this author and licence."""
     for entry in readme.split("\n\n"):
         if re.search(r"\b" + re.escape(file) + r"$", entry, re.M):
             stated = re.search(r"^License: *(.*)$", entry, re.M)[1].replace(" ", "-").lower()

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""Subjects by ONNX Runtime, on the net as its package has it, and the guided filter by OpenCV.
+"""Subjects by ONNX Runtime, with the original model of its package, and the guided filter by OpenCV.
 
     cargo xtask models; cargo build
     python3 tests/oracles/segment.py target/debug/inkpanel
                                             (numpy, onnxruntime, pillow, opencv-contrib-python-headless)
 
-Writes tests/oracles/data/segment.json: per photo the net's shares at every eighth pixel of 320 x 320 from the fourth on, row by
-row, as two hexadecimal digits; and a mask filtered by a photo. The photos are reduced by the mean of the area of each pixel, in
-plain numpy; none is smaller than that, as enlarging is done in as many ways as there are programs.
+Writes tests/oracles/data/segment.json: per photo the model's output at every eighth pixel of 320 x 320 from
+the fourth on, row by row, as two hexadecimal digits. It also has a mask filtered by a photo. Photos are
+reduced to the mean of the area of each pixel, in plain numpy. All photos are larger than the result, because
+programs enlarge in different ways.
 """
 
 import json

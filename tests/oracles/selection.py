@@ -3,9 +3,9 @@
 
     python3 tests/oracles/selection.py        (numpy, pillow, scipy)
 
-Writes tests/oracles/data/selection.json: per photo of tests/photos the exact-area reduction of its luma to 23 x 17
-(as hex), that of a region with fractional edges to 16 x 12, and the fingerprint and sharpness of the whole.
-The photos are decoded by Pillow; luma is .299 R + .587 G + .114 B, rounded.
+Writes tests/oracles/data/selection.json. Per photo of tests/photos, it has the exact-area reduction of its
+luma to 23 x 17 (as hex). It also has the reduction of a region with fractional edges to 16 x 12, and the
+fingerprint and sharpness of the whole. Pillow decodes the photos. Luma is .299 R + .587 G + .114 B, rounded.
 """
 
 import json

@@ -1,11 +1,12 @@
-"""What OpenTimelineIO reads in the lists of `tests/oracles/data/shots/`, for `tests/shots.rs`.
+"""Reads the lists of `tests/oracles/data/shots/` with OpenTimelineIO, for `tests/shots.rs`.
 
     pip install opentimelineio==0.18.1 otio-cmx3600-adapter==1.0.0 otio-fcp-adapter==1.0.0
     python tests/oracles/shots.py
 
-Writes `tests/oracles/data/shots.json`: of each file the shots in their order, each with its first frame in its film, its first
-frame in the programme, how many frames it has, the first frame and the length of its film, and the reel or the address of its
-film; and `timecodes.json`: the time codes of some frames at each rate.
+Writes `tests/oracles/data/shots.json` and `timecodes.json`. For each file, `shots.json` has the shots in
+order. Each shot has its first frame in its video and in the timeline, its number of frames, the first frame
+and the length of its video, and the reel or the address of the video. `timecodes.json` has the timecodes of
+some frames at each rate.
 """
 
 import json
@@ -16,7 +17,7 @@ import opentimelineio as otio
 DATA = pathlib.Path(__file__).parent / "data"
 
 
-# Frames a second, and whether numbers are left out, by the names of rates.
+# Frames per second, and whether the rate uses drop-frame timecode, by name.
 RATES = {
     "24": (24, False),
     "25": (25, False),

@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""Photos whose subjects are marked: an outline drawn by hand, its border found by GrabCut, looked at and corrected.
+"""Marks the subjects of photos: a manual outline, refined by GrabCut at its border, reviewed and corrected.
 
     python3 tests/oracles/subjects.py [--looks FOLDER] [--again] [NAME...]    (numpy, pillow, opencv-python-headless)
 
-Writes tests/data/subjects/NAME.png of each photo: 1 bit a pixel, 640 pixels along the longer side, white within. `--looks` writes the
-photos with their marks laid over them, to be looked at.
+Writes tests/data/subjects/NAME.png of each photo: 1 bit a pixel, 640 pixels along the longer side, white
+within. `--looks` writes the photos with their marks, for review.
 
-What a subject is follows what a person would cut out: people and animals with what they hold, of things the one that the photo is of;
-no branch or rock under an animal, no shadow, no whisker or hair by itself. Outlines are in pixels of the photo reduced to 640 along
-its longer side. Farther than `band` from its outline a pixel is sure; between, GrabCut (Rother, Kolmogorov and Blake, 2004) says to
-which side it goes, by the colours of both and the edges. A band of 0 takes the outline as it is.
+A subject is the part to cut out: people and animals with the things that they hold, or the
+main object. Branches and rocks under an animal, shadows, and single whiskers or hairs are not part of it.
+Outlines are in pixels of the photo reduced to 640 along its longer side. Pixels farther than `band` from the
+outline are certain. GrabCut (Rother, Kolmogorov and Blake, 2004) decides the others by the colours of both
+sides and the edges. With a band of 0, the outline is the border.
 """
 
 import json
@@ -22,7 +23,7 @@ from PIL import Image
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MARKS = ROOT / "tests/data/subjects"
-# Along the longer side: of outlines and marks, and of the copy whose edges are looked for.
+# Longer side in pixels of outlines and marks, and of the copy for edge detection.
 SIDE, FINE = 640, 1280
 
 
@@ -71,7 +72,7 @@ def resized(picture, side):
 
 
 def look(photo, mark, file):
-    """The mark's border in red, what is beside it darker."""
+    """The border of the mark in red, the background darker."""
     large = cv2.resize(mark, photo.shape[1::-1], interpolation=cv2.INTER_NEAREST)
     shown = np.where(large[..., None] > 0, photo, photo // 3 + np.uint8([80, 0, 80]))
     border, _ = cv2.findContours(large, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
@@ -88,7 +89,7 @@ def by_another_hand(told, seed):
 
 
 def border(mark):
-    """Pixels within that have one beside them, or the picture's edge has not."""
+    """Pixels of the mark with a neighbour outside. The edge of the picture does not count."""
     return (mark > 0) & (cv2.erode(mark, np.ones((3, 3), np.uint8), borderValue=255) == 0)
 
 

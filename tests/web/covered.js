@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * Controls that a person sees and whose middle something else lies over. It runs in the page, in any engine.
- * @returns {string[]} their names, and what lies there
+ * Returns visible controls whose middle is covered by another element. It runs in the page, in any engine.
+ * @returns {string[]} their names, with the covering element
  */
 export function covered() {
   const names = [];
@@ -9,7 +9,7 @@ export function covered() {
     if (!element.checkVisibility({ visibilityProperty: true, opacityProperty: true })) continue;
     const box = element.getBoundingClientRect();
     const [x, y] = [box.left + box.width / 2, box.top + box.height / 2];
-    // What is for a screen reader alone, and what is scrolled away.
+    // Skips elements for screen readers only, and elements that are scrolled out of view.
     if (box.width < 2 || !within(element, x, y)) continue;
     const over = document.elementFromPoint(x, y);
     // A check box may lie under the picture that is its label.

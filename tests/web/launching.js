@@ -3,7 +3,7 @@
 
 import { fileURLToPath } from 'node:url';
 
-/** Chromium that asks nobody and shows nothing of its own. */
+/** Chromium without prompts and without its own pages. */
 export const CHROMIUM = {
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
   args: [

@@ -8,7 +8,7 @@ import { createActions, everyAction } from './actions.ts';
 import { fakeParts } from './app-testing.ts';
 import type { Action } from '../ui/action.ts';
 
-/** What must not change; more may come. */
+/** Entries that must not change. New entries may be added. */
 const HELP = [
   ['Space', 'Shuffle'],
   ['L', 'Shuffle layout'],
@@ -76,7 +76,7 @@ test('the list of keys has the keys that people know, in their order', async () 
   expect(lines.filter((line) => known.has(String(line)))).toEqual(HELP);
 });
 
-/** What needs a browser, a film, the letters, the nets or the real core. */
+/** Actions that need a browser, a video, fonts, models or the real core. */
 const ELSEWHERE =
   /^(page\.acceptCrops|photos\.add|layouts\.(save|forget)|panels\.(save|breakFrame|earlier|later|zoom|fit|reset|cut|slant)|words|text|designer|explorer|imitation\.edit|styles|download\.download)/;
 /** They are the undo itself. */
@@ -89,7 +89,7 @@ test('most actions can be done here', () => expect(HERE.length).toBeGreaterThan(
 test.each(HERE)('%s counts in the undo as its mark says', async (id) => {
   const parts = await fakeParts();
   const { store, pages, book, selection, merging } = parts;
-  // Two pages, the one at hand with versions before and behind it, and panels that can be merged or parted.
+  // Two pages, the current one with earlier and later versions, and panels that can be merged or split.
   book.add();
   if (id !== 'book.earlier') book.go(0);
   pages.shuffle('all');

@@ -1,5 +1,6 @@
 /**
- * Every action of the page, by feature: the only place that knows all tables. Their order is that of the list of keys.
+ * All actions of the app, by feature. Only this file knows all tables. Their order is the order of the list of
+ * shortcuts.
  */
 
 import { createBookActions } from '../book/book-actions.ts';
@@ -18,7 +19,7 @@ import type { Action, OwnKeys } from '../ui/action.ts';
 import type { Parts } from '../ui/context.ts';
 
 export type Actions = ReturnType<typeof createActions>;
-/** Actions by feature, as those know them that make something of each. */
+/** Actions by feature, as used by the list of shortcuts and the menus. */
 export type Tables = Record<string, Record<string, Action | OwnKeys>>;
 
 export function createActions(parts: Parts) {

@@ -17,7 +17,7 @@ import { Start } from './start.tsx';
 import { Toasts } from './toasts.tsx';
 import { TopBar } from './top-bar.tsx';
 
-/** The whole window; where the project cannot be shown, the ways on from there. */
+/** The whole window. If the project cannot be shown, it offers ways to continue. */
 export function App() {
   return (
     <Guard instead={<Unshown />}>
@@ -26,7 +26,7 @@ export function App() {
   );
 }
 
-/** In the place of a project that the views cannot draw. */
+/** Replaces a project that the views cannot draw. */
 function Unshown() {
   const { ui } = useApp();
   const projects = ui.work.value === 'projects';

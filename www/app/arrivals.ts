@@ -1,6 +1,6 @@
 /**
- * Files that come from the system: opened with the installed page, or shared with it by another program. They go the
- * way of dropped ones.
+ * Files that come from the system: opened with the installed page, or shared with it by another program. They are
+ * handled like dropped files.
  */
 
 import { strings } from '../strings/strings.ts';
@@ -64,7 +64,7 @@ export function createArrivals({
       }),
     );
     take(files);
-    // In memory by now, where not even a full storage can take them away.
+    // The file is in memory, so a full storage cannot remove it.
     await Promise.all(requests.map((request) => store.delete(request)));
   }
 

@@ -3,7 +3,7 @@ import { useApp } from '../ui/context.ts';
 import { ShuffleButton } from '../page/shuffle-bar.tsx';
 import { ActionButton } from '../ui/action-button.tsx';
 
-/** The bar under the thumb: Shuffle in the middle, the drawers beside it. */
+/** The bottom bar of small screens: Shuffle in the middle, the drawers next to it. */
 export function BottomBar() {
   const { window, download } = useApp().actions;
   return (

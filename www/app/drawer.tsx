@@ -6,7 +6,7 @@ import type { ComponentChildren } from 'preact';
 
 /**
  * A part of the board on a small screen, below the page.
- * @param props `bare`: the content brings its own heading; `tools`: beside the heading
+ * @param props `bare`: the content contains a heading; `tools`: next to the heading
  */
 export function Sheet({
   title,
@@ -21,7 +21,7 @@ export function Sheet({
 }) {
   const { ui } = useApp();
   const ref = useRef(null as HTMLElement | null);
-  // It comes before the bar that opens it: without this, Tab would go past it.
+  // It comes before the bar that opens it, so without this, Tab would skip it.
   useEffect(() => ref.current?.focus({ preventScroll: true }), []);
   return (
     <section class="sheet" aria-label={strings.drawer} ref={ref} tabIndex={-1}>

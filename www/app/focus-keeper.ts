@@ -1,11 +1,11 @@
 /**
- * The focus is never lost: when what has it goes away or can no longer be used, it goes to what is beside it, or back
- * to where it came from. Browsers would let it fall to the body, and the next Tab would begin at the top.
+ * Keeps the keyboard focus. If the focused element is removed or disabled, the focus moves to a neighbour, or back to
+ * where it came from. Without this, browsers move the focus to the body, and the next Tab starts at the top.
  */
 
 const USABLE = 'button, input, select, textarea, a[href], summary, [tabindex]:not([tabindex="-1"])';
 const TYPED = 'input:not([type=checkbox], [type=radio], [type=range]), textarea';
-/** How far back it is known where the focus was: a walk through all of a workspace, and out of it. */
+/** Number of stored focus positions: enough to walk through a workspace and back. */
 const LONGEST = 400;
 
 /**
@@ -14,11 +14,11 @@ const LONGEST = 400;
  */
 export function keepFocus(root: HTMLElement): () => void {
   const { ownerDocument: document } = root;
-  /** Where the focus was, the last one last. */
+  /** Previous focus positions, the latest one last. */
   let trail: HTMLElement[] = [];
-  /** From what has the focus up to the root, with the place of each among what can have it. */
+  /** The path from the focused element to the root, with the position of each element among its focusable siblings. */
   let path: { element: Element; at: number }[] = [];
-  /** Whether a key was pressed last: a hand on the glass wants nothing scrolled, and no keyboard to come up. */
+  /** Whether the last input was a key. After touch input, nothing scrolls and no on-screen keyboard opens. */
   let byKey = false;
 
   function remember({ target }: FocusEvent) {
@@ -31,7 +31,7 @@ export function keepFocus(root: HTMLElement): () => void {
     }
   }
 
-  /** A person may put it nowhere, by a click beside everything. */
+  /** A click outside of all controls removes the focus on purpose. */
   function forget() {
     path = [];
     byKey = false;
@@ -47,7 +47,7 @@ export function keepFocus(root: HTMLElement): () => void {
     if (!had || (active !== null && active !== document.body)) return;
     if (isUsable(had.element)) return;
     const view = path.findLast(({ element }) => !element.isConnected)?.element.matches('main:not(.workspace)');
-    // Another view begins at its own top; what lay over a view gives way to what opened it.
+    // Another view starts at its top. When an overlay closes, the focus returns to the element that opened it.
     const next =
       (view
         ? null
@@ -59,7 +59,10 @@ export function keepFocus(root: HTMLElement): () => void {
     next.focus({ preventScroll: !byKey });
   }
 
-  /** For one of several things: its neighbour. For a part of the page: nothing, as what opened it is the better place. */
+  /**
+   * Returns the neighbour of a removed item of a list. Returns nothing for a removed part of the window: there the
+   * opener is the better target.
+   */
   function beside() {
     const gone = path.findLastIndex(({ element }) => !element.isConnected);
     const { element, at } = path[Math.max(0, gone)];
@@ -70,7 +73,7 @@ export function keepFocus(root: HTMLElement): () => void {
     return others.slice(Math.max(0, at)).find(isUsable) ?? others.slice(0, Math.max(0, at)).findLast(isUsable);
   }
 
-  // A part of the page may know better where the focus goes next, and says so within a frame.
+  // A component may choose a better target. It then moves the focus within one frame.
   let waiting = false;
   const observer = new MutationObserver(() => {
     if (path.length === 0 || waiting) return;

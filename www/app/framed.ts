@@ -14,7 +14,7 @@ if (typeof window !== 'undefined' && isFramedByOthers(window)) {
 /** @returns whether any of the pages around it is of another origin */
 export function isFramedByOthers(inner: Window): boolean {
   try {
-    // Browsers let nobody look into a page of another origin.
+    // Browsers block access to a page of another origin.
     for (let at = inner; at.parent !== at; at = at.parent) void at.parent.document;
     return false;
   } catch {
@@ -22,7 +22,7 @@ export function isFramedByOthers(inner: Window): boolean {
   }
 }
 
-/** Says so, and offers the way out. */
+/** Shows an explanation, with a link that opens the app in a new tab. */
 function refuse(document: Document) {
   const make = (tag: string, fields: object) => Object.assign(document.createElement(tag), fields);
   const main = make('main', { className: 'framed' });

@@ -1,4 +1,4 @@
-/** Where the views cannot draw what is in the store: then there is something else in their place, until there is another project. */
+/** Error boundary: if the views cannot draw the store, it shows a replacement until another project is open. */
 
 import { Component } from 'preact';
 import { useApp } from '../ui/context.ts';
@@ -28,7 +28,7 @@ type Caught = {
 class Catcher extends Component<Caught> {
   componentDidCatch(error: unknown) {
     const { failed, onFailed } = this.props;
-    // What stands in their place must not fail.
+    // The replacement itself must not fail.
     if (failed) throw error;
     onFailed(error);
     this.setState({});
@@ -42,7 +42,7 @@ class Catcher extends Component<Caught> {
 
 /**
  * Waits until the views have drawn what is in the store now.
- * @returns rejects with what they threw
+ * @returns rejects with the error that the views threw
  */
 export async function drawn(ui: Ui): Promise<void> {
   await new Promise((resolve) => {

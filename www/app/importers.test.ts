@@ -1,6 +1,6 @@
 /**
- * Every importer of user files against files that are damaged in many ways. Each file is imported, or a message says why not;
- * Vitest fails on errors that nobody handles.
+ * Tests every importer of user files with files that are damaged in many ways. Each file is imported, or a message
+ * gives the reason. Vitest fails on unhandled errors.
  */
 
 import fc from 'fast-check';
@@ -33,7 +33,7 @@ import { createDroppedFiles } from './dropped-files.ts';
 vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 
 const SEED = 40;
-/** Files per format: of those whose import is slow, fewer. */
+/** Number of files per format. Slow formats get fewer files. */
 const MANY = { numRuns: 150, seed: SEED };
 const FEW = { numRuns: 30, seed: SEED };
 
@@ -111,7 +111,7 @@ function counted() {
 
 /**
  * Imports damaged files.
- * @param take imports a file, and returns whether that changed anything, if this can be told
+ * @param take imports a file, and returns whether that changed anything, or undefined if that is unknown
  */
 async function survives(
   {

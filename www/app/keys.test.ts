@@ -34,7 +34,7 @@ const listen = createKeys({
   },
 });
 
-/** @returns whether the browser is kept from what it would do */
+/** @returns whether the default action of the browser is prevented */
 function press(key: string, how: Partial<KeyboardEvent> = {}) {
   const preventDefault = vi.fn();
   listen({
@@ -77,7 +77,7 @@ test('Shift chooses between two, and may else be what a character needs', () => 
 
 test('an action that is disabled does not run by its key', () => {
   enabled.value = false;
-  // The browser saves no page of its own, but may scroll.
+  // The browser does not save a copy of the page, but may scroll.
   expect([press(' '), press('s', { ctrlKey: true })]).toEqual([false, true]);
   expect(ran()).toEqual([]);
 });

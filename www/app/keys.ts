@@ -1,5 +1,5 @@
 /**
- * The keyboard: one listener that finds the action of a shortcut. A key that a control wants for itself is left to it.
+ * The keyboard: one listener that finds the action of a shortcut. A control with the focus receives its keys first.
  */
 
 import { isEnabled } from '../ui/action.ts';
@@ -8,7 +8,7 @@ import { everyAction } from './actions.ts';
 import type { Ui } from './ui.ts';
 import type { Tables } from './actions.ts';
 
-/** What uses a key itself when it has the focus. */
+/** Elements that handle a key themselves when they have the focus. */
 const OWN_USE: Record<string, string> = {
   Space: 'button, [role=button], input, a, select, [role=option], summary',
   PageUp: 'input, select, [role=listbox], [role=slider]',
@@ -52,15 +52,15 @@ export function createKeys({
     // Over the board the page is out of sight: nothing shuffles it unseen.
     if (ui.work.peek() !== null && action.heard !== 'everywhere') return;
     if (isEnabled(action)) {
-      // Some browsers press a button that has the focus when the key is let go.
+      // Some browsers press a focused button when the key is released.
       if (shortcut === 'Space') (pointed() as HTMLElement | null)?.blur();
       take(event, action.run);
     }
-    // What the browser would do instead, such as saving its own copy of the page, is not what was meant.
+    // Prevents the browser's own action, such as saving a copy of the page.
     else if (shortcut.includes('Mod+')) event.preventDefault();
   };
 
-  /** Letters alone may be switched off; what needs no letter stays. */
+  /** The user can turn off single-letter shortcuts. Other shortcuts stay active. */
   function isSilent(shortcut: string, target: EventTarget | null) {
     if (/^[A-Z?]$/.test(shortcut) && !ui.letterKeys.peek()) return true;
     const own = OWN_USE[shortcut];

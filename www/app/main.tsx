@@ -1,5 +1,5 @@
 /**
- * The wiring: makes the parts, joins them, and keeps `document.body.dataset.idle` true to its word.
+ * The wiring: creates all parts, connects them, and updates `document.body.dataset.idle`.
  */
 
 import { createBoards, isComic } from '../boards/boards.ts';
@@ -128,7 +128,7 @@ const inventions = createInventions({
   engine,
   seed: freshSeed,
   judged: ui.detects,
-  // After the subjects: two nets at a time take more memory than a tab of a small device has.
+  // After the subjects: two models at a time exceed the memory of a tab on small devices.
   idle: () => ui.painted.value === store.page.value && subjects.settled.value && masks.settled.value,
 });
 const styling = createStyling({ store, ownStyles, inventions: () => inventions.ready.peek() });
@@ -204,7 +204,7 @@ engine.ready.then(
   },
 );
 
-/** Reads the catalogues and has the code compiled while nobody waits; the first page would else wait for both. */
+/** Reads the catalogues and compiles the code while the app is idle, so that the first page does not wait for them. */
 function warmUp() {
   store.layouts.peek();
   store.styles.peek();
@@ -274,7 +274,8 @@ acceptFiles(window, {
   imitate: imitation.take,
   unread: (name, error) => reportFailure(messages, name, error),
 });
-// A picture that is dragged for its style will be here in a second. Where it goes away again, the next search has the survey.
+// A picture that is dragged to the style search will arrive soon, so the survey starts. If the drag is cancelled, the
+// next search uses the survey.
 effect(() => {
   if (!dragging.value || !forStyle.value) return;
   const photo = untracked(() => imitation.photo.value ?? heroOf({ store, engine }));
@@ -283,7 +284,7 @@ effect(() => {
 expectFiles(window, subjects.expect);
 holdSliders(window);
 
-/** Whether something is on its way that nobody should wait for longer than need be. */
+/** Whether an urgent task is running, which idle work must not delay. */
 const busy = () =>
   store.planner.value === null ||
   store.reading.value !== null ||
@@ -318,10 +319,10 @@ effect(() => {
       (lettering.words.value.length === 0 || reshaping.editing.value || ui.lettered.value === page));
   const idle = !busy() && painted;
   document.body.dataset.idle = String(idle);
-  // Of a large album the first page is drawn long before all is read.
+  // The first page of a large album is drawn long before all photos are read.
   const read = store.page.value?.panels.every(({ photo }) => photo === null || store.album.value.get(photo)?.meta);
   document.body.dataset.drawn = String(painted && !!read);
-  // Detection refines what is there already, so it is told apart.
+  // Detection improves an existing page, so it has a separate state.
   document.body.dataset.searched = String(idle && subjects.searched.value);
   document.body.dataset.detected = String(idle && subjects.settled.value);
   document.body.dataset.masked = String(idle && subjects.settled.value && masks.settled.value);
@@ -334,7 +335,7 @@ effect(() => {
 });
 
 keepBook({ store, pages });
-// What was begun on a page ends when another is turned to.
+// Unfinished edits of a page end when another page opens.
 book.sheet.subscribe(() => untracked(leavePage));
 
 render(
@@ -346,7 +347,7 @@ render(
 
 keepFocus(document.getElementById('app') as HTMLElement);
 
-/** Takes the style of the address, which then stands for the page alone again. */
+/** Applies the style of the address, and removes it from the address. */
 function openLink() {
   const { hash } = window.location;
   if (!isStyleLink(hash)) return;
@@ -354,12 +355,12 @@ function openLink() {
   void ownStyles.openLink(hash);
 }
 
-/** A workspace lies over the page, and over what was said of it. */
+/** A workspace covers the page and its notes. */
 effect(() => {
   if (ui.work.value !== null) untracked(messages.leaveNotes);
 });
 
-/** What Escape leaves: what was begun last. */
+/** The action of Escape: closes the mode that was opened last. */
 function leaveMode() {
   if (ui.preview.peek()) return () => void (ui.preview.value = false);
   if (framing.placing.peek() !== null) return () => framing.place(null);
@@ -402,7 +403,7 @@ effect(() => {
   });
 });
 
-/** Closes what belongs to the page before. */
+/** Closes everything that belongs to the previous page. */
 function leavePage() {
   framing.place(null);
   framing.mode.value = null;
@@ -411,7 +412,7 @@ function leavePage() {
   lettering.choose(-1);
 }
 
-/** Closes what belongs to the project before. */
+/** Closes everything that belongs to the previous project. */
 function leave() {
   leavePage();
   explorer.stop();

@@ -9,10 +9,13 @@ import type { Messages } from '../ui/messages.ts';
 
 type Kind = 'style' | 'layout' | 'other';
 
-/** Fields of which a file of that kind has at least one. */
+/** A file of this kind has at least one of these fields. */
 const FIELDS = { style: ['background', 'foreground'], layout: ['family', 'tree', 'polygons'] } as const;
 
-/** @param beside whether the files came with photos: then JSON of other programs, such as Google Takeout, is skipped */
+/**
+ * @param beside whether photos were opened with the files: then JSON of other programs, such as Google Takeout, is
+ * skipped
+ */
 export async function openPlans(
   files: readonly File[],
   {
@@ -34,7 +37,7 @@ export async function openPlans(
   if (!beside) for (const { name } of of('other')) messages.fileFailed(name, strings.unknownJson);
 }
 
-/** A file that is not JSON counts as a layout: reading it as one says what is wrong with it. */
+/** A file that is not JSON counts as a layout, because the layout reader reports the error. */
 async function kindOf(file: File): Promise<Kind> {
   if (file.size > LONGEST_STYLE) return 'other';
   try {

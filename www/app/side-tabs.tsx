@@ -1,6 +1,6 @@
 /**
- * What the page is made of, beside it: one tab a kind, each as high as the window. The tab list is one tab stop; arrows,
- * Home and End go from tab to tab.
+ * The panel next to the page: one tab for each kind of content, each as high as the window. The tab list is one tab
+ * stop. Arrows, Home and End move between tabs.
  */
 
 import { useEffect, useId, useRef } from 'preact/hooks';
@@ -25,7 +25,7 @@ export function SideTabs() {
   const open = ui.sideTab.value;
   const chosen = lettering.chosen.value;
 
-  // Who chooses a word on the page wants to change it.
+  // Selecting a text item opens its tab.
   useEffect(() => {
     if (chosen >= 0) ui.sideTab.value = 'words';
   }, [chosen]);
@@ -85,7 +85,7 @@ const CONTENT: Record<SideTab, ComponentChildren> = {
   page: <PageSettingsForm />,
 };
 
-/** It stays when another tab is open, with what was sought in it and how far it was scrolled. */
+/** An inactive tab stays mounted, so that its search text and scroll position are retained. */
 function TabPanel({
   id,
   tab,

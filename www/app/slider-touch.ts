@@ -1,9 +1,10 @@
 /**
- * A finger that begins to scroll on a slider: browsers move the slider to where it touched before they know that it scrolls.
- * What the slider says is held back until the finger goes along it or is lifted, and taken back when the browser scrolls.
+ * Prevents sliders from changing when a finger scrolls the page. Browsers move a slider on touch, before they detect
+ * scrolling. The change is delayed until the finger moves along the slider or is lifted, and is undone if the browser
+ * scrolls.
  */
 
-/** CSS pixels along a slider after which it is meant. */
+/** Minimum movement along a slider, in CSS pixels, that counts as intended. */
 const MEANT = 6;
 
 type Held = { slider: HTMLInputElement; value: string; id: number; x: number; told: boolean };
@@ -46,7 +47,7 @@ export function holdSliders(root: EventTarget) {
     if (held && !held.told && !own && event.target === held.slider) event.stopImmediatePropagation();
   }
 
-  /** From here on the slider is heard. */
+  /** Starts to accept values of the slider. */
   function tell() {
     if (!held || held.told) return;
     held.told = true;

@@ -52,7 +52,7 @@ export function Stage() {
         hasPhoto: (id) => !store.sketch.peek() && engine.hasPhoto(id),
       },
       onPainted: (document) => {
-        // Of a sketch nothing is to be seen yet.
+        // A sketch is not visible yet.
         ui.painted.value = store.sketch.peek() ? null : document;
       },
       onError: ({ message, code }) => messages.alert(strings.panelFailed(strings.reasons[code ?? ''] ?? message)),
@@ -74,10 +74,10 @@ export function Stage() {
     if (ui.painted.value === page && about) say(about);
   }, [ui.painted.value, page, about]);
 
-  // The number of photos read is part of what the page shows: panels fill as they come.
+  // The number of imported photos is a dependency: panels fill during the import.
   const read = store.reading.value?.done;
   const sketch = store.sketch.value;
-  // So are the subjects of photos, where the style asks for them.
+  // The subject masks of photos are a dependency, if the style uses them.
   const subjects = useSubjectsOf(page);
   useLayoutEffect(() => {
     if (page && geometry && width > 0) painter.current?.show(page, geometry, pixels, reshaping.editing.peek());
@@ -106,7 +106,8 @@ export function Stage() {
           lettering.choose(-1);
         }}
         onWheelCapture={(event: WheelEvent) => {
-          // Of a page that is larger than the window the wheel shows the rest; with Ctrl it is the panel's as ever.
+          // If the page is larger than the window, the wheel scrolls it. With Ctrl, it zooms the photo of the panel, as
+          // always.
           if (zoom > 1 && !event.ctrlKey) event.stopPropagation();
         }}
       >
@@ -138,7 +139,7 @@ export function Stage() {
   );
 }
 
-/** How the page is made; what is in each panel is said there. */
+/** Describes layout and style of the page. Each panel describes its content. */
 function description(app: App) {
   const { store } = app;
   const layout = store.layoutFacts.value;
@@ -167,7 +168,7 @@ function useWidth(ref: { current: Element | null }): number {
   return width;
 }
 
-/** What is in the middle of the area stays there when the page in it becomes larger or smaller. */
+/** Keeps the centre of the view fixed when the page changes its size. */
 function useHeldMiddle(ref: { current: HTMLElement | null }, zoom: number) {
   const middle = useRef({ x: 0.5, y: 0.5 });
   useEffect(() => {

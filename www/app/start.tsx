@@ -1,5 +1,5 @@
 /**
- * The start screen: one sentence, two buttons, a promise, pages of the sample album, and the projects of a person who returns.
+ * The start screen: one sentence, two buttons, a promise, pages of the sample album, and recent projects.
  */
 
 import { strings } from '../strings/strings.ts';

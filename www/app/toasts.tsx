@@ -106,11 +106,14 @@ function Alerts({ list, class: name }: { list: Message[]; class: string }) {
   );
 }
 
-/** Beside more text than this, in characters, a button would leave it a column a word wide; beside a mark and `Dismiss`, too, there is less room. */
+/**
+ * Maximum characters of a text with a button next to it. Longer texts would become a column with one word per line. An
+ * icon and `Dismiss` need space too.
+ */
 const SHORT = 60;
 const SHORT_ALERT = 20;
 
-/** What is long, and two ways on, have a line of their own. */
+/** A long text and two actions are on separate lines. */
 function Said({
   text,
   way,

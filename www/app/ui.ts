@@ -1,5 +1,5 @@
 /**
- * What the window looks like: never part of the document, never undone.
+ * State of the window. It is not part of the document and cannot be undone.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -9,10 +9,10 @@ import type { Way } from '../export/formats.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
-/** The tabs beside the page, in their order. */
+/** The tabs next to the page, in order. */
 export const SIDE_TABS = ['styles', 'layouts', 'words', 'page'] as const;
 export type SideTab = (typeof SIDE_TABS)[number];
-/** How much larger than the window has room for the page is shown. */
+/** Zoom factors of the page relative to the window. */
 export const ZOOMS = [1, 1.5, 2, 3, 4] as const;
 export type Sheet = 'photos' | 'styles' | 'layouts' | 'words' | 'settings';
 export type Ui = ReturnType<typeof createUi>;
@@ -29,14 +29,14 @@ export type Work = 'designer' | 'explorer' | 'imitation' | 'projects' | 'pages' 
 
 export function createUi(window: Window) {
   const wide = mediaSignal(window, '(min-width: 1000px)');
-  /** Whether there is room for words where numbers do. */
+  /** Whether there is space for labels in addition to numbers. */
   const roomy = mediaSignal(window, '(min-width: 1340px)');
-  /** The workspace that lies over the board. */
+  /** The workspace over the board. */
   const work: Signal<Work | null> = signal(null);
 
-  /** Whether single letters are shortcuts: speech input and unsteady hands set them off unasked. */
+  /** Whether single letters are shortcuts. Speech input and tremor can trigger them unintentionally. */
   const letterKeys = signal(remembered(window, LETTERS_KEY) !== 'off');
-  /** Whether the window has room for suggestions below the page. */
+  /** Whether the window has space for suggestions below the page. */
   const tall = mediaSignal(window, '(min-height: 1000px)');
   const choice = signal(remembered(window, IDEAS_KEY));
   /** Whether the strip of suggestions is unfolded. */
@@ -66,22 +66,22 @@ export function createUi(window: Window) {
     },
     /** Whether the page has the window to itself. */
     preview: signal(false),
-    /** How many times as large the page is as it would be whole. */
+    /** Zoom factor of the page; 1 shows the whole page. */
     zoom: signal(1) as Signal<number>,
     /** The sheet that is open on a small screen. */
     sheet: signal(null) as Signal<Sheet | null>,
-    /** The tab that is open beside the page on a large screen. */
+    /** The open tab next to the page on a large screen. */
     sideTab: signal('styles') as Signal<SideTab>,
-    /** What the dialog of export begins with, where a person came for that. */
+    /** The selected tab of the export dialog, if the user opened it for a specific export. */
     exportWay: signal(null) as Signal<Way | null>,
     work,
     /** Opens a workspace, or closes it where it is open. */
     toggleWork(which: Work) {
       work.value = work.peek() === which ? null : which;
     },
-    /** Whether photos are looked at for faces and objects; `inkpanel.detect` = `off` in the storage says no. */
+    /** Whether faces and objects are detected. `inkpanel.detect` = `off` in the storage turns detection off. */
     detects: remembered(window, DETECT_KEY) !== 'off',
-    /** Whether what is never cut off is drawn on the page. */
+    /** Whether the page shows its safe area. */
     safeArea: signal(false),
     /** Width on paper in inches for which coarse panels are marked; null marks none. */
     printCheck: signal(null) as Signal<number | null>,
@@ -89,16 +89,16 @@ export function createUi(window: Window) {
     styleShuffle: signal(false),
     /** Whether the bar of tools shows all of them. */
     allTools: signal(false),
-    /** Whether the boxes of what was found are drawn. */
+    /** Whether the boxes of detected subjects are shown. */
     subjects: signal(false),
     /** A photo of the stack that is open. */
     stack: signal(null) as Signal<string | null>,
     dialog: signal(null) as Signal<OpenDialog | null>,
     /** The page that is on the screen with all its panels; null while work for it is going on. */
     painted: signal(null) as Signal<PageDocument | null>,
-    /** The page whose words are all on the screen, likewise. */
+    /** The page whose text items are all visible. */
     lettered: signal(null) as Signal<PageDocument | null>,
-    /** What the views threw when they drew what is in the store. */
+    /** The error that the views threw. */
     failed: signal(null) as Signal<unknown>,
   };
 }

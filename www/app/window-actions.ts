@@ -1,4 +1,4 @@
-/** What is shown beside and over the page, and how. */
+/** Actions that show or hide parts of the window. */
 
 import { computed } from '@preact/signals';
 import type { ReadonlySignal } from '@preact/signals';

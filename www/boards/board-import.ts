@@ -19,7 +19,7 @@ type App = {
   messages: Pick<Messages, 'alert' | 'note' | 'fileFailed'>;
 };
 
-/** Fills the shots from a file, and reports what was filled in and what was lost. */
+/** Fills the shots from a file, and reports filled and lost fields. */
 export async function importShots(file: File, app: App) {
   await importing(app.messages, file.name, () => take(file, app));
 }

@@ -1,4 +1,4 @@
-/** How the sheets of the board are laid out, and what stands in their heads. */
+/** Settings of the storyboard sheets: layout and header. */
 
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
@@ -6,7 +6,7 @@ import { Icon } from '../ui/icon.tsx';
 import { LogoChoice } from './logo-choice.tsx';
 import { ASPECTS, PER_SHEET, RATES, rateName } from './shots.ts';
 
-/** The slowest first: names that are whole numbers would stand before the others. */
+/** Sorted by rate. Object keys that are integers would come first. */
 const RATE_NAMES = Object.keys(RATES).sort((a, b) => Number.parseFloat(a) - Number.parseFloat(b));
 
 export function BoardSettings() {

@@ -17,7 +17,7 @@ import { ShotsTable } from './shots-table.tsx';
 import './boards.css';
 import type { ListKind } from '../engine/protocol.ts';
 
-/** What a board is saved as, in the order of the list. */
+/** Export formats of a storyboard, in the order of the list. */
 const WAYS: readonly (ListKind | 'pdf' | 'zip')[] = ['pdf', 'zip', ...LISTS];
 
 export function BoardsScreen() {

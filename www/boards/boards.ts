@@ -26,7 +26,7 @@ import {
 } from './shots.ts';
 
 export type Boards = ReturnType<typeof createBoards>;
-/** A column of the list: a field that every board has, the length, or one of one's own. */
+/** A column of the list: a standard field, the length, or a custom field. */
 export type Column = { kind: 'field' | 'length' | 'own'; id: string };
 
 const UNTOLD = { scene: '', action: '', dialogue: '', notes: '', more: {} };
@@ -99,7 +99,7 @@ export function createBoards({
     return shot[id as 'action'] ?? '';
   }
 
-  /** @returns the shot with another text in a cell; null for a length that is none */
+  /** @returns the shot with the new text of a cell; null for an invalid length */
   function withCell(shot: Shot, { kind, id }: Column, typed: string): Shot | null {
     const text = typed.trim().slice(0, id === 'scene' || id === 'number' ? MOST.label : MOST.field);
     if (kind === 'own') return withColumn(shot, id, text);
@@ -162,7 +162,7 @@ export function createBoards({
     return true;
   }
 
-  /** The shots as lists of them tell it, with headings in the language of this visit. */
+  /** The shots in the format of exported lists, with headings in the current language. */
   function shotList(): ShotList {
     const { fps, pace, columns: own } = board.peek();
     const album = store.album.peek();
@@ -212,7 +212,7 @@ export function createBoards({
     });
   }
 
-  /** The look of a board of film people. */
+  /** The default storyboard for film production. */
   function filmBoard() {
     const { style, ...part } = FILM_BOARD;
     chooseStyle(style);

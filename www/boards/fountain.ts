@@ -1,9 +1,9 @@
 /**
- * Screenplays in Fountain (https://fountain.io/syntax): their scenes, what happens in them, and what is said. The text is read
- * once from start to end, so the time grows with its length only.
+ * Reads screenplays in Fountain format (https://fountain.io/syntax): scenes, action and dialogue. It reads the text
+ * once from start to end, so the time is linear.
  */
 
-/** A paragraph of a screenplay with its scene, and what is said in it. */
+/** A paragraph of a screenplay with its scene and dialogue. */
 export type ScriptLine = { scene: string; action?: string; dialogue?: string };
 
 const TITLE = /^(?:title|credit|authors?|source|notes|draft ?date|date|contact|copyright|revisions?):/i;
@@ -21,8 +21,8 @@ export function isFountain(text: string): boolean {
 }
 
 /**
- * Reads the paragraphs of a screenplay, one per shot. What is said belongs to the action before it. A scene without paragraphs
- * gives its synopses, or else its heading, so outlines are read too.
+ * Reads the paragraphs of a screenplay, one per shot. Dialogue belongs to the preceding action. A scene without
+ * paragraphs gives its synopses, or without synopses its heading, so outlines work too.
  */
 export function fountainLines(text: string): ScriptLine[] {
   const lines: ScriptLine[] = [];
@@ -75,7 +75,7 @@ export function fountainLines(text: string): ScriptLine[] {
     else if (rest.length > 0 || !isTransition(first)) act(joined(paragraph.map(withoutForce)));
   }
 
-  /** Adds what a character says, in parts if a parenthetical or a song is in between. */
+  /** Adds the dialogue of a character. A parenthetical or a song splits it into parts. */
   function addSpeech(speaker: string, rest: readonly string[]) {
     let said: string[] = [];
     let sung = false;
@@ -152,7 +152,7 @@ function headingOf(line: string): string | null {
   return number ? `${number[1]} ${heading.slice(0, number.index).trim()}` : heading;
 }
 
-/** Returns the name of a character with what is in brackets behind it, or null for another line. */
+/** Returns the name of a character with the text in brackets after it, or null for other lines. */
 function speakerOf(line: string): string | null {
   // A caret marks dialogue that is spoken at the same time.
   const single = line.endsWith('^') ? line.slice(0, -1).trim() : line;
@@ -189,14 +189,14 @@ function joined(lines: readonly string[]): string {
     .trim();
 }
 
-/** A letter that has case, or a digit: marks between such are part of a name or a calculation. */
+/** A cased letter or a digit: marks between them are part of a name or a calculation. */
 const WORD = /[\p{Lu}\p{Ll}\p{Lt}\p{N}]/u;
 const KINDS: readonly string[] = ['*', '**', '***', '_'];
 
 /** Removes the marks of emphasis and the backslashes of escaped characters. */
 function plain(line: string): string {
   const removed = new Set<number>();
-  /** Where a mark that is not closed yet is, by kind. */
+  /** Positions of opening marks without a closing mark, by kind. */
   const opened = new Map<string, number>();
   const remove = (at: number, count: number) => {
     for (let i = at; i < at + count; i += 1) removed.add(i);
@@ -216,7 +216,7 @@ function plain(line: string): string {
       if (closes && start !== undefined) {
         remove(start, mark.length);
         remove(at, mark.length);
-        // Marks opened in between stay as they are.
+        // Marks opened in between remain in the text.
         for (const [kind, place] of opened) if (place >= start) opened.delete(kind);
       } else if (opens) opened.set(mark, at);
     }

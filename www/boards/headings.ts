@@ -10,7 +10,7 @@ const SAVED: readonly (readonly string[])[] = [
   ['Cena', 'Plano', 'Imagem', 'Filme', 'Código de tempo', 'Duração', 'Quadros', 'Ação', 'Diálogo', 'Notas'],
 ];
 
-/** Other names: those in the table of the app, which is copied to spreadsheets. */
+/** Alternative names: the headings of the app's table, because users copy it to spreadsheets. */
 const SHOWN: readonly (readonly string[])[] = [
   ['', '', '', '', '', 'Length'],
   ['', '', '', '', '', 'Länge'],

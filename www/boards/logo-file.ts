@@ -4,9 +4,9 @@ import { MOST } from '../document/limits.ts';
 import { strings } from '../strings/strings.ts';
 import { urlOf } from '../ui/data-picture.tsx';
 
-/** Pixels that a logo has at most: those of the room in the head of a sheet at about 500 an inch. */
+/** Maximum size of a logo in pixels. It fills its space in the header of a sheet at about 500 DPI. */
 const ROOM = { width: 600, height: 264 };
-/** What a file that was too large is made smaller by, at least. */
+/** Largest factor between two attempts to reduce a file that is too large. */
 const SMALLER = 0.9;
 
 /**

@@ -1,6 +1,6 @@
 /**
- * The logo of a board as the engine knows it: a picture under an id of its own, which is no photo of the album and is never
- * told to the document.
+ * The logo of a board, as the engine stores it: a picture with a separate id. It is not a photo of the album, and
+ * documents do not contain its id.
  */
 
 import { strings } from '../strings/strings.ts';

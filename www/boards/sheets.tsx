@@ -8,7 +8,7 @@ import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 
-/** Sheets are laid out anew when typing rests. */
+/** Milliseconds without typing before the sheets are laid out again. */
 const REST_MS = 200;
 
 export function Sheets() {

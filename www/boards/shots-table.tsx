@@ -1,6 +1,7 @@
 /**
- * The list of shots: a table that is typed into like a spreadsheet. Enter goes on to the next shot, Tab to the next field,
- * Escape gives up what was typed; Alt with the arrows carries a shot; what spreadsheets copy is pasted over several cells.
+ * The shot list: an editable table like a spreadsheet. Enter goes to the next shot, Tab to the next field, and Escape
+ * discards the typed text. Alt with the arrows moves a shot. Cells copied from a spreadsheet are pasted over several
+ * cells.
  */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
@@ -229,13 +230,13 @@ function Cell({
   const [typed, setTyped] = useState(null as string | null);
   const text = typed ?? told;
   const name = `${headingOf(column)}, ${strings.boards.shot(row.number)}`;
-  /** What is given up is not taken when the cell loses the focus. */
+  /** Discarded text is not applied when the cell loses the focus. */
   const given = useRef(false);
 
   useEffect(() => {
     const cell = ref.current;
     if (!cell) return;
-    // As high as what stands in it.
+    // As high as its content.
     cell.style.height = 'auto';
     cell.style.height = `${cell.scrollHeight + 2}px`;
   }, [text]);
@@ -295,12 +296,12 @@ function Cell({
   );
 }
 
-/** Several lines of a text are no column of a spreadsheet. */
+/** A text with blank lines is not a column of a spreadsheet. */
 function isProse(text: string): boolean {
   return text.includes('\n\n');
 }
 
-/** What holds where nothing is told. */
+/** The value of an empty cell. */
 function placeholderOf({ number }: ShotRow, { id, kind }: Column, rate: Rate): string | undefined {
   if (kind === 'length') return lengthText(USUAL_SECONDS * rate.fps, rate);
   return kind === 'field' && id === 'number' ? number : undefined;

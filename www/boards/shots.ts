@@ -1,6 +1,6 @@
 /**
- * The photos in use as shots: in the order of the board, each with its number and what is told of it. Only read here; what a
- * person types becomes an edit (`boards.ts`).
+ * The photos in use as shots, in board order, with numbers and metadata. Read-only: an edit in `boards.ts` changes
+ * them.
  */
 
 import type { Board, Shot } from '../engine/types.ts';
@@ -27,7 +27,7 @@ export const NO_BOARD: Board = Object.freeze({
 /** How frames are counted, and how fast. */
 export type Rate = Pick<Board, 'fps' | 'pace'>;
 
-/** Rates by the names that cutting rooms have for them; DF leaves out numbers of frames, so that time codes keep to the clock. */
+/** Rates by their usual names in video editing. DF is drop-frame timecode, which follows the clock. */
 export const RATES: Readonly<Record<string, Rate>> = Object.freeze({
   '23.976': { fps: 24, pace: 'ntsc' },
   '24': { fps: 24 },
@@ -48,12 +48,12 @@ export const ASPECTS: Readonly<Record<string, number>> = Object.freeze({
   '1:1': 1,
   '9:16': 9 / 16,
 });
-/** How long a shot is that says nothing. */
+/** Default duration of a shot in seconds. */
 export const USUAL_SECONDS = 2;
 
 /**
- * As `ordered` in `src/document/shots.rs`: those that a person put somewhere, each of the others behind the one that it
- * follows by itself.
+ * Like `ordered` in `src/document/shots.rs`: shots that the user moved have a fixed position. Each other shot follows
+ * its automatic predecessor.
  */
 export function ordered(order: readonly string[], photos: readonly string[]): string[] {
   const there = new Set(photos);
@@ -65,7 +65,7 @@ export function ordered(order: readonly string[], photos: readonly string[]): st
   return all;
 }
 
-/** As `numbers` there: a shot's own, else what is counted of those without. */
+/** Like `numbers` in that file: the number of the shot itself, or a count of shots without a number. */
 export function numbered(rows: readonly (Pick<ShotRow, 'id' | 'shot'> & { said?: string })[]): ShotRow[] {
   let counted = 0;
   return rows.map((row) => {
@@ -119,9 +119,9 @@ function withoutDropped(number: number, fps: number): number {
 }
 
 /**
- * A length as people write it: `2` or `2.5` are seconds, `36f` are frames, `2:12` are seconds and frames, `0:02:12` has minutes
- * before them, `0:00:02:12` hours; `1 min 4 s 12 f` has units. At 29.97 DF, seconds and frames are a time code.
- * @returns frames; null for nothing, undefined for what is no length
+ * Reads a typed length. `2` or `2.5` are seconds, `36f` are frames, `2:12` are seconds and frames, `0:02:12` adds
+ * minutes, `0:00:02:12` adds hours. `1 min 4 s 12 f` has units. At 29.97 DF, seconds and frames are a timecode.
+ * @returns frames; null for an empty text, undefined for an invalid length
  */
 export function lengthOf(text: string, { fps, pace }: Rate, most: number): number | null | undefined {
   const plain = text.trim().toLowerCase().replace(',', '.');
@@ -144,13 +144,13 @@ export function lengthOf(text: string, { fps, pace }: Rate, most: number): numbe
   return Number.isFinite(count) && count >= 1 ? Math.min(count, most) : undefined;
 }
 
-/** A shot with another field; what is empty is not told. */
+/** Sets a field of a shot. Empty fields are removed. */
 export function withField(shot: Shot, field: string, text: string): Shot {
   const { [field as Field]: _, ...rest } = shot;
   return text ? { ...rest, [field]: text } : rest;
 }
 
-/** The same of a column of one's own. */
+/** Sets a custom column of a shot. */
 export function withColumn(shot: Shot, column: string, text: string): Shot {
   const { more = {}, ...rest } = shot;
   const { [column]: _, ...others } = more;

@@ -15,7 +15,7 @@ const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 /** Time in ms without new detections until crops are updated. */
 const REST = 400;
 
-/** @param app `later` runs what can wait, when nothing else is to be done */
+/** @param app `later` runs low-priority work when nothing else is due */
 export function keepBook({
   store,
   pages,
@@ -37,7 +37,7 @@ export function keepBook({
       const byId = new Map(photos.map((photo) => [photo.id, photo]));
       repair();
       const stale = remember(byId);
-      // The page that is edited follows by itself, and is up to date when it is turned away.
+      // The edited page is updated automatically, and is up to date when the user leaves it.
       if (page) known.set(page, essence(page, byId));
       if (stale && !waiting) {
         waiting = true;

@@ -83,7 +83,7 @@ export function createBook({
     go(store.project.peek().at + by);
   }
 
-  /** A page behind this one, of photos that no page shows as long as there are some, in the style of this one. */
+  /** Inserts a page after this one in the same style, with photos that no page shows, if there are any. */
   function add() {
     const { page, at } = store.project.peek();
     if (!page || cannotAdd() !== '') return;

@@ -44,7 +44,7 @@ export function PageThumb({
     event.preventDefault();
     event.stopPropagation();
     book.move(at, at + by);
-    // The browser takes the focus from what is moved.
+    // The browser removes the focus from a moved element.
     requestAnimationFrame(() => ref.current?.focus());
   }
 

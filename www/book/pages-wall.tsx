@@ -1,4 +1,4 @@
-/** All pages shown so far, to be searched by eye: back to one, and on from there. */
+/** The gallery of all versions of the page: choose one to continue from it. */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useSubjectsOf } from '../page/subjects-of.ts';

@@ -61,7 +61,7 @@ function Overlay({ retouching }: { retouching: Retouching }) {
   const { width, height } = retouching;
   const asked = useRef(0);
   useSignalEffect(() => {
-    // Read, so that it is heard.
+    // Read, to subscribe to the signal.
     retouching.seen.value;
     cancelAnimationFrame(asked.current);
     asked.current = requestAnimationFrame(() => {
@@ -78,7 +78,7 @@ function Ring({ retouching }: { retouching: Retouching }) {
   const { at, size, tool, width, height } = retouching;
   const style = useComputed(() => {
     const { x, y } = at.value ?? { x: 0.5, y: 0.5 };
-    // A figure is chosen at a point.
+    // `choose` selects a subject at a point.
     const radius = tool.value === 'choose' ? 0.012 : size.value;
     const part = (share: number) => `${(100 * share).toFixed(3)}%`;
     const [w, h] = [2 * radius, (2 * radius * width) / height];

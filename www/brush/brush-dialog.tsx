@@ -34,7 +34,7 @@ export function BrushDialog({ id }: { id: string }) {
 
   /** Escape and a click outside also close the dialog. The discarded changes can be restored for a while. */
   function cancel() {
-    // A dialog that is taken away says that it was closed.
+    // The `close` event also comes if the dialog is removed.
     if (typeof ui.dialog.peek() !== 'object' || ui.dialog.peek() === null) return;
     const steps = retouching?.steps() ?? [];
     ui.dialog.value = null;
@@ -68,7 +68,7 @@ function steps(event: KeyboardEvent, retouching: Retouching) {
   else retouching.redo();
 }
 
-/** @returns the mask of a photo in hand, null until it is there */
+/** @returns the mask of a photo that is being corrected, null until it is loaded */
 function useRetouching({ store, engine, ui, messages }: App, id: string): Retouching | null {
   const [retouching, setRetouching] = useState(null as Retouching | null);
   useEffect(() => {

@@ -80,7 +80,10 @@ export function BrushTools({
   );
 }
 
-/** How much of the photo the subject covers, or why the last command did nothing; said again after each step. */
+/**
+ * Share of the photo that the subject covers, or the reason why the last command had no effect. Announced again after
+ * each step.
+ */
 function Told({ retouching }: { retouching: Retouching }) {
   const vain = retouching.vain.value;
   return (

@@ -2,7 +2,7 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { useLoaded } from '../ui/loaded.ts';
 
-/** The dialog in which the subject of a photo is corrected, which comes when it is first asked for. */
+/** The dialog for correcting the subject of a photo. It is loaded on first use. */
 export function LazyBrush({ id }: { id: string }) {
   const { ui, messages } = useApp();
   const loaded = useLoaded(

@@ -12,7 +12,7 @@ module.initSync({ module: readFileSync(new URL('../pkg-brush/inkpanel_bg.wasm', 
 
 const [WIDTH, HEIGHT] = [160, 80];
 
-/** A square of 10 pixels at each of these columns, as the net would find it. */
+/** Squares of 10 pixels at these columns, as a detected mask. */
 function squares(...columns: number[]) {
   const row = [...columns, 80].map((left, i) => {
     const from = i === 0 ? 0 : columns[i - 1] + 10;

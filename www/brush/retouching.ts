@@ -8,7 +8,7 @@ import type { Hand, Mending } from '../engine/brush-module.ts';
 import type { Signal } from '@preact/signals';
 
 export type Retouching = ReturnType<typeof createRetouching>;
-/** Action of a press: paint, erase, or keep only the figure at that point. */
+/** Action of a press: paint, erase, or select only the subject at that point. */
 export type Tool = 'add' | 'take' | 'choose';
 export type Point = { x: number; y: number };
 

@@ -1,4 +1,4 @@
-/** The name of a block: the plain words, and the term of the field, which stands back. */
+/** The name of a block: a plain name, and the technical term in a weaker colour. */
 
 import { strings } from '../strings/strings.ts';
 import type { Block } from '../engine/types.ts';

@@ -56,7 +56,7 @@ export function useCardDrag(onDrop: (source: Source, to: Place) => void) {
     const handle = target.closest('.card-handle') !== null;
     if (!event.isPrimary || event.button !== 0 || (!mouse && !handle && source.from)) return;
     const lanes = document.querySelector('.lanes') as HTMLElement;
-    // In a small window the whole designer scrolls.
+    // In a small window, the whole designer scrolls.
     const scroller = (
       getComputedStyle(lanes).overflowY === 'visible' ? lanes.closest('.designer') : lanes
     ) as HTMLElement;
@@ -98,7 +98,7 @@ export function useCardDrag(onDrop: (source: Source, to: Place) => void) {
       cancelAnimationFrame(frame);
       setCarried(null);
       cancel.current = () => {};
-      // The click of this very hand comes right after.
+      // The click event of this gesture comes right after it.
       setTimeout(() => {
         lifted.current = false;
       }, 50);

@@ -1,5 +1,5 @@
 /**
- * The style designer: the preview, and beside it the two layers as lanes of cards.
+ * The style designer: the preview, and the two layers as lanes of cards next to it.
  */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
@@ -27,18 +27,18 @@ export function Designer() {
   const drag = useCardDrag(({ from, block }, gap) => {
     if (block !== undefined) {
       const place = designer.insert(block, gap);
-      // On a small screen the palette lies over the lanes.
+      // On a small screen, the palette covers the lanes.
       if (!ui.wide.peek()) setAdding(false);
       if (place) focusCard(place);
       return;
     }
-    // Taking the card out moves those behind it up by one.
+    // Removing the card moves later ones up by one.
     const to = gap.layer === from.layer && from.at < gap.at ? gap.at - 1 : gap.at;
     if (gap.layer !== from.layer || to !== from.at)
       designer.change({ type: 'move', layer: from.layer, at: from.at, toLayer: gap.layer, to });
   });
 
-  // A slider's drag that is cut short, by leaving say, is kept as far as it went; a card's is not.
+  // If the screen closes during a drag, the new value of a slider is retained, and the move of a card is cancelled.
   useEffect(
     () => () => {
       designer.release();

@@ -1,6 +1,6 @@
 /**
- * The designer: the draft on its table, what is done to it, and where it goes. The draft is a part of the project, so
- * undo and redo include its edits. While a slider is dragged the draft is separate, and the whole drag is one step.
+ * The designer: the current draft, its edits, and saving it. The draft is a part of the project, so undo and redo
+ * include its edits. While a slider is dragged the draft is separate, and the whole drag is one step.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -66,7 +66,7 @@ export function createDesigner({
     place,
     /** Content of the preview. */
     preview: signal('photo') as Signal<'photo' | 'page'>,
-    /** Names a layer, to whose end blocks go then. */
+    /** Selects the layer that receives new blocks at its end. */
     turnTo(layer: Layer) {
       if (place.peek().layer !== layer) place.value = { layer, at: null };
     },

@@ -35,7 +35,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
   const draft = designer.draft.value;
   const { layer, at } = designer.place.value;
   const steps = draft?.[layer] ?? [];
-  // The place may be gone meanwhile, by an undo say.
+  // An undo may have removed the position.
   const to = Math.min(at ?? steps.length, steps.length);
   const facts = useMemo(() => designer.factsBefore({ layer, at: to }), [draft, layer, to]);
   const follower = blocks.find(({ id }) => id === steps[to]?.block);
@@ -47,7 +47,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
     () => new Map(blocks.map((block) => [block.id, facts && styleWith(facts, layer, block)])),
     [facts, layer, blocks],
   );
-  // What is typed next is searched for.
+  // The next typed text goes to the search field.
   useLayoutEffect(() => field.current?.focus(), [layer, at]);
 
   function add(block: Block) {
@@ -164,7 +164,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
   );
 }
 
-/** @returns blocks with the words in their names first, then in their descriptions */
+/** @returns blocks with all search words in their names first, then in their descriptions */
 function search(blocks: readonly Block[], words: string): Block[] {
   const wanted = words.toLowerCase().split(/\s+/);
   const has = (text: string) => wanted.every((word) => text.toLowerCase().includes(word));

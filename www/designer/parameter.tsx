@@ -1,5 +1,6 @@
 /**
- * A parameter of a block, as its descriptor says: a slider with a number field, a switch, a choice, a colour, or a picture.
+ * A control for a parameter of a block, by its descriptor: a slider with a number field, a switch, a choice, a colour,
+ * or a picture.
  */
 
 import { TextureChoice } from './texture-choice.tsx';
@@ -111,7 +112,7 @@ function Range({
           onChange={({ currentTarget }) => {
             const typed = currentTarget.valueAsNumber;
             if (Number.isFinite(typed)) onSet(rounded(Math.min(max, Math.max(min, typed)), step));
-            // What was typed may be no value: the field shows what counts.
+            // Typed text may be invalid, so the field shows the accepted value.
             currentTarget.value = String(
               Number.isFinite(typed) ? rounded(Math.min(max, Math.max(min, typed)), step) : value,
             );

@@ -18,7 +18,7 @@ const AHEAD = 2;
 /** The longer side of the pictures on the cards. */
 const CARD = 176;
 
-/** @param options `cards`: whether the cards want pictures */
+/** @param options `cards`: whether the cards need pictures */
 export function createPreviewLoop({
   draw: drawOne,
   drawCards,

@@ -9,14 +9,14 @@ import type { Shown } from '../photos/photo-picker.tsx';
 type Size = { width: number; height: number };
 type Picture = { bitmap: ImageBitmap };
 export type Subject = {
-  /** Another one asks for another picture. */
+  /** A change requests a new picture. */
   of: unknown;
   name: string;
   /** Size of the live preview. */
   size: Size;
   /** The most pixels in width that are worth drawing. */
   most: number;
-  /** While a hand is at work. */
+  /** During an edit. */
   draw: (style: Style, size: Size, call?: Call) => Promise<Picture>;
   /** The pictures of the cards; `whole`: they come with the picture of the preview. */
   drawCards: (
@@ -24,7 +24,7 @@ export type Subject = {
     size: Size & { stages: number },
     call?: Call,
   ) => Promise<{ designed: Designed; whole: boolean }>;
-  /** When the hand rests. */
+  /** After an edit. */
   drawWhole: (style: Style, size: Size, call?: Call) => Promise<Picture>;
 };
 
@@ -32,7 +32,7 @@ export type Subject = {
 const LIVE = { long: 960, short: 540 };
 /** The long side of the copy of a photo that is drawn from. */
 const WORK = 1600;
-/** The width of a page while a hand is at work, which has many photos to draw. */
+/** Width of a page during an edit, because a page has many photos to draw. */
 const LIVE_PAGE = 360;
 
 type Drawing = Pick<Engine, 'drawDesign' | 'stylePhoto' | 'renderPage' | 'composePixels'>;

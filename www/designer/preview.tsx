@@ -30,7 +30,7 @@ export function Preview({ onStages }: { onStages: (designed: Designed) => void }
 
   const page = store.page.value;
   const kind = page && facts.length > 0 ? designer.preview.value : 'photo';
-  // What style the page is in does not count, as it is shown in the draft: it may follow each edit.
+  // The style of the page is ignored: the preview uses the draft, and the page may follow each edit.
   const pageKey = kind === 'page' ? JSON.stringify({ ...page, style: null }) : '';
   const subjects = useMemo(
     () =>

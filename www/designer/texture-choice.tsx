@@ -1,4 +1,4 @@
-/** A parameter that is a person's own picture: chosen from a file, shown, and taken away again. */
+/** A parameter with a custom picture: choose a file, show it, and remove it. */
 
 import { useRef } from 'preact/hooks';
 import { ChosenFiles } from '../photos/chosen-files.tsx';

@@ -8,7 +8,7 @@ import { strings } from '../strings/strings.ts';
 import { urlOf } from '../ui/data-picture.tsx';
 import type { Style, StyleStep } from '../engine/types.ts';
 
-/** How PNG and JPEG files begin: the name of a file may say anything. */
+/** First bytes of PNG and JPEG files, because a file name can be wrong. */
 const KINDS = [
   { type: 'image/png', start: [0x89, 0x50, 0x4e, 0x47] },
   { type: 'image/jpeg', start: [0xff, 0xd8, 0xff] },

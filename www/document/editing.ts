@@ -68,7 +68,7 @@ function ownPages(project: Project) {
     .toReversed();
 }
 
-/** The core gives most pages back as they are: then the one who made a page still knows it. */
+/** The core returns most pages unchanged. Then the object identity of a page is preserved. */
 function pagesIn(change: Change): readonly PageDocument[] {
   if (change.type === 'set-sheets') return change.sheets.map(({ page }) => page);
   return 'page' in change && change.page ? [change.page] : [];

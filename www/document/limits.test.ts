@@ -5,7 +5,7 @@ import { MOST, wellFormed } from './limits.ts';
 import { createShelves } from '../storage/shelves.ts';
 import { anchored } from '../lettering/word-places.ts';
 
-/** A page with a hand that letters it. */
+/** A page with the lettering tools. */
 async function lettered() {
   const app = fakeApp();
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));

@@ -131,10 +131,10 @@ export function createPages(
   }
 
   /**
-   * Changes size, gutter, paper and the like, of all pages of the storyboard alike.
+   * Changes size, gutter, paper and other settings of all pages of the storyboard.
    * @param gesture names one drag of a control, which is one step of the undo
-   * @param how `held`: the control is still in the hand. The other pages then wait for the call without it, which ends the
-   * drag: to plan all of an album at each step would hold the slider up
+   * @param how `held`: the user still holds the control. The other pages then wait for the call without it, which ends
+   * the drag: to plan all of an album at each step would hold the slider up
    */
   function changeSettings(wish: Partial<PageSettings>, gesture?: string, { held = false }: { held?: boolean } = {}) {
     const project = store.project.peek();
@@ -247,8 +247,8 @@ export function createPages(
   }
 
   /**
-   * Restores a page of the page history, in its place in the storyboard. If that place is gone, it replaces the present
-   * page.
+   * Restores a page of the page history, in its place in the storyboard. If that position does not exist any more, it
+   * replaces the current page.
    */
   function bringBack({ id, page, sheet = 0 }: Shown) {
     const sheets = sheetsOf(store.project.peek());

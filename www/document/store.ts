@@ -43,10 +43,10 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   /** The files of photos that are still being read. */
   const originals: Map<string, File> = new Map();
 
-  /** Whether the page is a sketch of the first: empty panels, until its photos are known. */
+  /** Whether the page is a sketch of the first page: empty panels until its photos are analysed. */
   const sketch = signal(false);
 
-  /** The photos in which faces were looked for before there was a page. */
+  /** Photos with finished face detection before the first page. */
   const faced: Signal<ReadonlySet<string>> = signal(new Set());
 
   /** Number of chosen files that are not in the tray yet, because the planner is not ready. */
@@ -108,7 +108,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     return judged;
   });
 
-  /** The photos in use, as the planner wants them: in their order. */
+  /** The photos in use, in order, for the planner. */
   const photos = computed(() => {
     const items = new Map(tray.value.map((item) => [item.id, item]));
     const used = new Set(tray.value.filter((item) => isUsed(item, verdicts.value)).map(({ id }) => id));
@@ -133,7 +133,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
 
   /** Custom layouts, in full. */
   const own: ReadonlySignal<readonly Template[]> = computed(() => project.value.ownLayouts);
-  /** The size of the page, the only part of its settings that says which layouts suit. */
+  /** The page size, the only setting that affects the choice of layouts. */
   const size = computed(() => `${project.value.settings.width} ${project.value.settings.height}`);
   /** Layouts to choose from: custom ones, and built-in ones that are good for the page. */
   const layouts = computed(() => {
@@ -184,7 +184,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     masks,
     measured,
     verdicts,
-    /** Films that are looked through for their shots, by key: how far, 0 to 1. */
+    /** Videos whose shots are being detected, by key: progress from 0 to 1. */
     looking,
     photos,
     unseen,

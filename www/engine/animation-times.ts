@@ -6,7 +6,7 @@
 /** Pictures that are read at most, and pixels of all of them together: some ten seconds of decoding. */
 const MOST_PICTURES = 3000;
 const MOST_PIXELS = 1.5e9;
-/** A file of more bytes is not looked into. */
+/** Maximum size of a file that is parsed. */
 const MOST_BYTES = 256 * 2 ** 20;
 /** Delay in seconds that browsers use for delays of 10 ms or less. */
 const SHORTEST = 0.1;

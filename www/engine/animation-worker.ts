@@ -74,7 +74,7 @@ async function read({ file, count, start, end, leading, times: told }: FileWish)
   if (left.size === new Set(shown).size) throw failure('damaged', 'The animation is damaged or truncated.');
 }
 
-/** Whether there is one more whole picture. */
+/** Returns whether there is another complete picture. */
 function advanced(animation: Animation): boolean {
   try {
     return animation.advance();

@@ -40,9 +40,9 @@ export async function blobOf(
 let drain: MessagePort | undefined;
 
 /**
- * Frees the memory of a buffer immediately. The garbage collector does not know how much memory small objects hold, and
- * runs late. Frames of a long video took hundreds of megabytes more in the meantime. `ArrayBuffer.transfer` does not
- * work: for buffers from messages or blobs, Chromium appears to keep the memory without counting it.
+ * Frees the memory of a buffer immediately. The garbage collector ignores the memory behind small objects, and runs
+ * late. Frames of a long video took hundreds of megabytes more in the meantime. `ArrayBuffer.transfer` does not work:
+ * for buffers from messages or blobs, Chromium appears to keep the memory without counting it.
  */
 export function detach({ buffer }: { buffer: ArrayBuffer }) {
   // The buffer was already transferred to a worker.

@@ -29,7 +29,7 @@ async function load(): Promise<Brushing> {
 }
 
 /**
- * A mask in hand; to be freed.
+ * A mask during correction. Must be freed.
  * @param own the corrected mask; `found` is the detected mask
  */
 export async function takeInHand(

@@ -86,7 +86,7 @@ export type Wish = Partial<Omit<PlanRequest, 'current'>> &
   Pick<PlanRequest, 'keep'> & { current?: PageDocument; anew?: boolean };
 /** Why no page has shown a photo yet: its turn will come, it is a page of text, or it has too few pixels. */
 export type Unseen = 'waits' | 'text' | 'small';
-/** A seed, and what the person likes where something is drawn. */
+/** A seed, and the user's preferences for random choices. */
 export type Draw = Pick<Request, 'seed' | 'taste'>;
 
 /**
@@ -112,7 +112,7 @@ export function createPlanner() {
     geometry: (layout: LayoutChoice, page: PageSettings): Geometry =>
       JSON.parse(core.page_geometry(JSON.stringify({ layout, page }))),
     /**
-     * @param request `own`: a person's own layouts
+     * @param request `own`: custom layouts
      * @returns those first, then the catalogue's that are good for the page
      */
     listLayouts: (request: { page: Partial<PageSettings>; own: readonly Template[] }): LayoutEntry[] =>
@@ -223,7 +223,7 @@ function plansOf(editor: core.Editor, album: core.Album) {
       JSON.parse(editor.repaired(album, JSON.stringify(draw), JSON.stringify(groups))),
     /** @returns the photos in use that no page has shown yet, and why */
     unseen: (): { photo: string; why: Unseen }[] => JSON.parse(editor.unseen(album)),
-    /** @returns the ids of those that are free for the page, as text */
+    /** @returns the ids of unused photos, as text */
     freePhotos: () => editor.free_photos(album),
   };
 }
@@ -261,7 +261,7 @@ function createAlbum() {
   let used: readonly PhotoMeta[] | null = null;
   return { of, using };
 
-  /** @returns that knows these photos */
+  /** @returns an album with these photos */
   function of(photos: readonly PhotoMeta[]): core.Album {
     const fresh = photos.filter((photo) => told.get(photo.id) !== photo);
     if (fresh.length > 0) album.know(JSON.stringify(fresh));
@@ -277,7 +277,7 @@ function createAlbum() {
 
   /**
    * @param photos another list where another is in use
-   * @returns that knows these to be in use
+   * @returns an album with these photos in use
    */
   function using(photos: readonly PhotoMeta[]): core.Album {
     if (photos === used) return album;

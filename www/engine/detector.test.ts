@@ -6,7 +6,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-/** Workers that answer whatever they are asked. */
+/** Workers that answer every message. */
 function answeringWorkers({ offline = () => false }: { offline?: () => boolean } = {}) {
   const workers: { ended: boolean; asked: string[] }[] = [];
   class Answering {
@@ -75,7 +75,7 @@ test('they are given up when asked, but not while photos are looked at or on the
   await looking;
   expect(live()).toBe(2);
   detector.rest();
-  // They may still have to keep their nets for the next visit.
+  // The delay before unloading the models for the next visit has not passed.
   vi.advanceTimersByTime(7_000);
   expect(live()).toBe(2);
   vi.advanceTimersByTime(2_000);

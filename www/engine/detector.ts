@@ -15,12 +15,12 @@ import type { Detection, FirstLook } from './types.ts';
 
 type Net = 'faces' | 'objects';
 
-/** Looks at a blank picture while a person still chooses photos; its sides in pixels. */
+/** Rounds of detection on a blank picture while the user chooses photos, and its sides in pixels. */
 const ROUNDS = 12;
 const BLANK = { width: 640, height: 480 };
 
 /**
- * @param spare asks the pool to keep this many other workers idle meanwhile, for low-priority work
+ * @param spare the pool keeps this many other workers idle during low-priority work
  * @param idle milliseconds after the last detection until the models are unloaded, if ever: they take a hundred
  *   megabytes
  */

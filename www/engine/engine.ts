@@ -1,6 +1,6 @@
 /**
- * The engine: all functions that make pixels, behind promises. It is independent of the app, so benchmarks and other
- * sites can use it.
+ * The engine: all functions that make pixels, as promises. It is independent of the app, so benchmarks and other sites
+ * can use it.
  */
 
 import { createAesthetics } from './aesthetics.ts';
@@ -93,7 +93,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
     dispose,
     importPhoto,
     importVideo,
-    /** The sounds of a film that may be drawn as words. */
+    /** Sounds of a video that can become sound effects. */
     hearFilm,
     prepareDetectors: detector.prepare,
     facesReady: detector.facesReady,
@@ -103,7 +103,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
     findObjects: detector.findObjects,
     /** Whether subject detection is available, and the detection for one photo. */
     masks: masking.masks,
-    // One net at a time: each takes a hundred megabytes.
+    // One model at a time: each takes a hundred megabytes.
     findMask: (id: string, call?: Call) => {
       detector.rest();
       return masking.findMask(id, call);
@@ -146,7 +146,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
   }
 
   async function ask<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {
-    // Once there is a pool a job is handed to it at once, before what is due after this: that may be to draw the whole window.
+    // With a pool, a job is passed on at once, before later tasks such as drawing the whole window.
     if (!pool) await ready;
     return (pool as NonNullable<typeof pool>).run(job);
   }
@@ -289,7 +289,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
 
   function dispose() {
     for (const part of [detector, design, aesthetics, masking, words, files]) part.dispose();
-    // At once where it is there: a job asked for after this is refused.
+    // If the pool exists, it is disposed at once, so that later jobs are rejected.
     if (pool) pool.dispose();
     else ready.then(() => pool?.dispose()).catch(() => {});
   }

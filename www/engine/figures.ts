@@ -1,6 +1,6 @@
 /**
- * Images of a page: one per panel, followed by one for each panel breakout, which lies over all panels. The foregrounds
- * follow: subjects of panels in front of an effect. They are cut out of existing images. The core numbers them so.
+ * Images of a page: one per panel, followed by one for each panel breakout, above all panels. The foregrounds follow:
+ * subjects of panels in front of an effect. They are cut out of existing images. The core numbers them so.
  */
 
 import type { PageDocument, Word } from './types.ts';

@@ -2,7 +2,7 @@
 
 import { isVideo } from './is-video.ts';
 
-/** Containers that no reader here knows; the words are their names. */
+/** Containers that no reader supports, with their names. */
 const FOREIGN: readonly [name: string, at: number, bytes: readonly number[]][] = [
   ['Flash Video', 0, [0x46, 0x4c, 0x56, 0x01]],
   ['Windows Media', 0, [0x30, 0x26, 0xb2, 0x75, 0x8e, 0x66, 0xcf, 0x11]],
@@ -22,7 +22,7 @@ const CODECS: readonly [name: string, codes: RegExp][] = [
   ['DNxHD', /avd[nh]/i],
   ['H.264', /avc1|avc3|h264|x264/i],
 ];
-/** Bytes of the beginning that are asked, and of the end, where some cameras write what is in a file. */
+/** Number of bytes that are read at the beginning, and at the end, because some cameras write the index there. */
 const ASKED = 64 << 10;
 const ENDING = 1 << 20;
 

@@ -10,16 +10,16 @@ import { rgbaOf } from './frame-pixels.ts';
 import type { InputVideoTrack, VideoSample } from 'mediabunny';
 import type { Looking } from '../pkg-films/inkpanel.js';
 
-/** Frames of a film that is decoded as a whole. */
+/** Maximum number of frames of a video that is decoded completely. */
 const SHORT = 1500;
 /** For long videos: number of key frames in the first pass, and in total. */
 const GLANCE = 24;
 const MOST_KEYS = 2000;
-/** Milliseconds in which what lies between key frames is looked at. */
+/** Maximum milliseconds for sampling frames between key frames. */
 const BETWEEN = 18_000;
 /** Time limit for short videos in milliseconds. */
 const WHOLE = 30_000;
-/** Seconds of frames after each key frame that are looked at first of all that lies between, and how often a second. */
+/** Seconds after each key frame that are sampled first, and samples per second in the rest of each gap. */
 const AFTER = 0.6;
 const OFTEN = 10;
 
@@ -99,7 +99,7 @@ export function createLooks(track: InputVideoTrack, looking: Looking, { from, to
     }
   }
 
-  /** @param how `every`: seconds between two looks; `until`: when it ends, in milliseconds of this worker's clock */
+  /** @param how `every`: seconds between two samples; `until`: time limit, in milliseconds of this worker's clock */
   async function during(
     start: number,
     end: number,

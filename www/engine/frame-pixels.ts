@@ -40,7 +40,7 @@ function converts(): Promise<boolean> {
   return asked;
 }
 
-/** A red pixel stays red, and a film's pixel has four bytes. */
+/** Tests whether a red pixel stays red, and whether a video pixel has four bytes. */
 async function probe(): Promise<boolean> {
   const canvas = new OffscreenCanvas(1, 1);
   const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D;

@@ -154,7 +154,7 @@ export function createImitating({ run, photos }: { run: Run; photos: ReturnType<
       }
       return search.proposals();
     } finally {
-      // A survey goes on where a search was stopped.
+      // A survey continues after a stopped search.
       ended = true;
       search.free();
     }

@@ -60,7 +60,7 @@ export function interned(history: unknown): unknown {
   const tables = new Map(TABLES.map((table) => [table, { parts: [] as unknown[], known: new Map<unknown, number>() }]));
 
   /**
-   * @param told the part as the table has it
+   * @param told the part in the format of the table
    * @returns its index; other values are returned unchanged and cannot be confused with an index
    */
   function named(table: keyof Tables, value: unknown, told: (value: unknown) => unknown = (same) => same): unknown {
@@ -118,7 +118,7 @@ export type Known = Partial<Omit<Tables, 'sheets'>> & { sheets?: readonly Sheet[
 
 /**
  * @param told tables from the core
- * @param known parts with which they begin
+ * @param known parts at the start of the tables
  * @returns functions that replace indices by parts: in a state or some of its fields, and in objects with a page
  */
 export function joinedWith(told: Tables, known: Known = {}) {

@@ -1,6 +1,6 @@
 /**
- * The glyphs of the fonts: a separate file for the words and exports modules. It is compressed, because servers do not
- * compress unknown file types.
+ * The glyphs of the fonts: a separate file for the `words` and `exports` modules. It is compressed, because servers do
+ * not compress unknown file types.
  */
 
 import { moduleBytes } from './module-bytes.ts';

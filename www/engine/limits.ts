@@ -34,7 +34,7 @@ export const TEXT = Object.freeze({
 });
 
 export const PNG = Object.freeze({
-  /** A page of ten thousand chunks was not made to be looked at. */
+  /** A page file with more chunks is malformed. */
   chunks: 100_000,
   /** Bytes of a chunk, by the format. */
   longest: 2 ** 31 - 1,

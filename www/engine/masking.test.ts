@@ -3,7 +3,7 @@ import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 vi.mock('./subject-net.ts', () => ({ NET: '/subject.onnx' }));
 const { createMasking } = await import('./masking.ts');
 
-/** Parts of a look until its subject is known. */
+/** Slices of work of a mask. */
 const PARTS = 3;
 
 type Order = { id: number; args: { look: number } };

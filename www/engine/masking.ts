@@ -14,7 +14,7 @@ import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
 import type { Masking, PhotoHandle } from './protocol.ts';
 
-/** Milliseconds after a page was drawn in which the next may be asked for. */
+/** Minimum milliseconds between a drawn page and the next job for masks. */
 const CALM = 1_000;
 /** Maximum pause in milliseconds, so that detection also ends during continuous shuffling. */
 const LONGEST_REST = 6_000;

@@ -18,7 +18,7 @@ const BLOCKS = 8;
 const PNG = 100;
 /** A million pixels of a JPEG or WebP file, or of pages put together. */
 const FILE = 60;
-/** A million pixels of a page on which a word is drawn. */
+/** A text item on a million pixels of a page. */
 const WORD = 20;
 /** Constant costs. */
 const CALL = 20;

@@ -6,7 +6,7 @@ import type { Imported } from './protocol.ts';
 
 const TELL = { waits: () => {}, expects: () => {} } as any;
 
-/** A studio that knows which photos it has, each of a hundred bytes a copy. */
+/** A studio that records its photos, each with a hundred bytes per copy. */
 function studio() {
   const there = new Set<string>();
   const work = {
@@ -38,7 +38,7 @@ it('holds few of the frames of a film that nobody shows, and those that are show
   await operations.front({ document: '{}', pictures: [0], width: 10, tier: 'work', photos: [shown.work] }, TELL);
   for (const id of ['b', 'c', 'd', 'e', 'f']) await imported(id);
   expect([...work.there]).toEqual(['a/work', 'e/work', 'e/small', 'f/work', 'f/small']);
-  // One that is gone is read again.
+  // A removed photo is read again.
   const again = await imported('g');
   work.drop_photo('g/work');
   await operations.front({ document: '{}', pictures: [0], width: 10, tier: 'work', photos: [again.work] }, TELL);

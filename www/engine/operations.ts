@@ -1,6 +1,6 @@
 /**
- * Operations of a worker, one function per operation of `protocol.ts`. Each answers with the value and the buffers to
- * hand over.
+ * Operations of a worker, one function per operation of `protocol.ts`. Each returns the value and the buffers to
+ * transfer.
  */
 
 import { blobOf, detach } from './blobs.ts';
@@ -18,7 +18,7 @@ import type { BitmapPatch, Imported, Operations, PhotoHandle, PixelPatch, Plates
 import type { Tell, Work } from './serving.ts';
 import type { ImportEntry, PixelSize } from './types.ts';
 
-/** No photo is larger; a film that was dropped by mistake must not fill the memory. */
+/** Maximum size of a photo, so that a dropped video does not fill the memory. */
 const MOST_BYTES = 512 * 2 ** 20;
 
 type Lru = ReturnType<typeof createLru>;
@@ -229,7 +229,7 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
     return { ok: await blobOf(png, { type: 'image/png' }), transfer: [] };
   }
 
-  /** Puts the planes of a fresh photo into a Blob, which the page hands to the other workers. */
+  /** Copies the planes of a new photo into a Blob, which the app passes to the other workers. */
   async function keep(key: string, { width, height }: PixelSize, among: Lru): Promise<PhotoHandle> {
     const planes = studio.photo_planes(key) as Uint8Array<ArrayBuffer>;
     among.touch(key, planes.length);

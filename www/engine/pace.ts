@@ -5,7 +5,7 @@
 
 import { SHARES_CODE } from './shared-code.ts';
 
-/** Times as long as measured, until it is known better. */
+/** Initial slowdown factor, until a measurement exists. */
 const FIRST = 4;
 /** Lower bound of the slowdown factor. */
 const LEAST = 1;

@@ -28,7 +28,7 @@ img, canvas { display: block; width: 100%; height: auto; }`;
 export class InkpanelPage extends HTMLElement {
   static observedAttributes = ['src', 'page', 'alt'];
 
-  /** How many pages there are, 0 until they are known. */
+  /** Number of pages, 0 until it is known. */
   pages = 0;
 
   #stop = new AbortController();
@@ -108,7 +108,7 @@ export class InkpanelPage extends HTMLElement {
     this.#put(image);
   }
 
-  /** Draws the wanted page for the width that it has here. */
+  /** Draws the requested page at its width in the layout. */
   async #show(signal: AbortSignal) {
     if (!this.#project) return;
     const { pages, name } = this.#project;

@@ -33,7 +33,7 @@ describe('chunks of a PNG', () => {
     expect(await types(file)).toEqual(['IHDR', 'IDAT', 'IEND']);
     expect(await types(more)).toEqual(['IHDR', 'iTXt', 'IDAT', 'ipPh', 'IEND']);
     const decode = async (blob: Blob) => PNG.sync.read(Buffer.from(await blob.arrayBuffer())).data;
-    // The reader of another hand checks every chunk.
+    // An independent reader checks every chunk.
     expect(await decode(more)).toEqual(await decode(file));
   });
 

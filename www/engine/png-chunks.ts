@@ -60,7 +60,7 @@ export async function dataOf(file: Blob, { at, length }: Chunk): Promise<Blob | 
 }
 
 /**
- * @param type four letters
+ * @param type four characters
  * @param data below 2 GB
  * @returns a chunk
  */

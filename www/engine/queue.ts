@@ -18,7 +18,7 @@ export const Priority = {
 /** One of them. */
 export type Priority = (typeof Priority)[keyof typeof Priority];
 
-/** Waiting entries from which on the page shall stay quick rather than all be done soon. */
+/** Minimum number of waiting entries at which quick response is more important than throughput. */
 export const CROWD = 24;
 
 export function createQueue<T extends { priority: number; key?: string }>() {

@@ -1,5 +1,5 @@
 /**
- * The calls that draw with photos of the album: panels, whole pages, thumbnails of styles.
+ * Rendering calls that need photos of the album: panels, whole pages, thumbnails of styles.
  */
 
 import { frontPictures, frontsOf, panelOf, standsBehind } from './figures.ts';
@@ -75,13 +75,13 @@ export function createRenders({
     return (await Promise.all(frontPictures(document).map(front))).flat();
   }
 
-  /** A whole page as one bitmap: thumbnails. */
+  /** Renders a whole page as one bitmap, for thumbnails. */
   async function renderPage(document: PageDocument, width: number, call?: Call): Promise<BitmapPatch> {
     const page = await run({ op: 'page', ...pageJob(document, width, 'small'), priority: Priority.VIEW, ...call });
     return words.over(document, width, page, await frontsFor(document, width, 'small', call), call);
   }
 
-  /** A whole page as pixels. */
+  /** Renders a whole page as pixels. */
   async function composePixels(document: PageDocument, width: number, call?: Call): Promise<PixelPatch> {
     const page = await run({ op: 'compose', ...pageJob(document, width, 'work'), priority: Priority.PAGE, ...call });
     return words.lay(document, width, page, await frontsFor(document, width, 'work', call), call);

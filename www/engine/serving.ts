@@ -16,7 +16,7 @@ export type Tell = { expects: (ms: number) => void; waits: (ms: number) => void 
 export const LOADING = 120_000;
 /** Milliseconds for the browser to read or store a blob. */
 export const STORING = 30_000;
-/** A file of a person may lie on a disk elsewhere that gives half a megabyte a second. */
+/** Minimum speed of a slow disk or network drive, in bytes per millisecond. */
 const BYTES_A_MS = 500;
 
 /** maximum milliseconds for reading it */

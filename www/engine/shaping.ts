@@ -11,14 +11,14 @@ import type { PageDocument } from './types.ts';
 type Learner = Pick<Lettering, 'learn' | 'missing'>;
 type Drawn = { ink: Uint8Array; width: number; baseline: number; left: number; advance: number };
 
-/** Height of an em in the pictures, in pixels: print shows letters smaller. */
+/** Height of an em in the traced pictures, in pixels. Printed text is smaller. */
 const EM = 144;
 const AIR = 4;
 /** Fonts of systems that draw signs in black, and whatever the system has. */
 const FAMILY = `"Noto Emoji", "Segoe UI Symbol", "Noto Sans", system-ui, sans-serif`;
 /** Maximum number of characters in a word. */
 const LONGEST = 60;
-/** Scripts that are shaped a word at a time. */
+/** Scripts that are shaped by word. */
 const JOINED =
   /[\p{Script=Arabic}\p{Script=Hebrew}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}\p{Script=Devanagari}\p{Script=Bengali}\p{Script=Gurmukhi}\p{Script=Gujarati}\p{Script=Oriya}\p{Script=Tamil}\p{Script=Telugu}\p{Script=Kannada}\p{Script=Malayalam}\p{Script=Sinhala}\p{Script=Thai}\p{Script=Lao}\p{Script=Tibetan}\p{Script=Myanmar}\p{Script=Khmer}\p{Script=Mongolian}]/u;
 const LEFTWARD = /[\p{Script=Arabic}\p{Script=Hebrew}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}]/u;
@@ -38,7 +38,7 @@ const FONT = 'comic-neue';
  * @returns a function that receives the text items of each page before they are measured or drawn
  */
 export function createShaping(letters: Learner) {
-  /** Texts that were looked at. */
+  /** Texts that were already checked. */
   const seen: Set<string> = new Set();
   const tried: Set<string> = new Set();
   let pen: ReturnType<typeof createPen> | null | undefined;
@@ -105,7 +105,7 @@ function createPen(): ((run: string) => Drawn | null) | null {
   }
 }
 
-/** Browsers that protect from fingerprinting hand out other pixels than were drawn. */
+/** Detects browsers that change canvas pixels to prevent fingerprinting. */
 function isHonest(context: OffscreenCanvasRenderingContext2D): boolean {
   context.fillStyle = '#204060';
   context.fillRect(0, 0, 8, 8);
@@ -166,7 +166,7 @@ function line(ink: Uint8Array, data: Uint8ClampedArray, width: number) {
   }
 }
 
-/** Whether both are boxes alike, whatever is in them. */
+/** Returns whether both are placeholder boxes of equal shape. */
 function isSameBox(one: Drawn, box: Drawn): boolean {
   if (one.width !== box.width || one.ink.length !== box.ink.length) return false;
   const height = box.ink.length / box.width;

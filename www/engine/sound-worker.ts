@@ -32,7 +32,7 @@ async function trackOf(file: Blob): Promise<SoundTrack | null> {
     if (!(await input.canRead())) throw failure('video-format', 'It is not an MP4, MOV, WebM or Matroska video.');
     const track = await input.getPrimaryAudioTrack();
     if (!track) return null;
-    // Seconds of a film start with its first picture.
+    // The times of a video start with its first frame.
     const pictures = await input.getPrimaryVideoTrack();
     const first = pictures ? Math.max(0, await pictures.getFirstTimestamp()) : 0;
     return { begins: Math.max(0, await track.getFirstTimestamp()) - first, length: await track.computeDuration() };

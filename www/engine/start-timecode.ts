@@ -6,7 +6,7 @@
 import { boxAt, typeAt } from './metadata/boxes.ts';
 import type { StartTimecode } from './types.ts';
 
-/** Boxes of a file that are looked at. */
+/** Maximum number of boxes that are read. */
 const MOST_BOXES = 5000;
 /** Bytes that are read of a box. */
 const MOST_BYTES = 1 << 16;

@@ -55,7 +55,7 @@ export function createStyleOperations({
    */
   function timed(name: string, begins: () => void): Map<number, number> {
     const times = clocks.get(name) ?? new Map();
-    // A handful of photos is looked at; the clocks of all others would only pile up.
+    // Only a few photos are active, so the clocks of others are removed.
     if (!clocks.has(name) && clocks.size > 16) clocks.clear();
     clocks.set(name, times);
     for (;;) {
@@ -77,7 +77,7 @@ export function createStyleOperations({
     return { ok: picture_look(width, height, studio.photo_planes(key), anyway), transfer: [] };
   }
 
-  /** The photo on which looks are tried; one at a time. */
+  /** The photo for style trials; one at a time. */
   async function sitterOf(photo: PhotoHandle, tell: Tell): Promise<Sitter> {
     const { key, width, height } = photo;
     if (sitting?.key !== key) {

@@ -11,7 +11,10 @@ import type { SubjectLook, SubjectNet } from '../pkg-detector/inkpanel.js';
 import type { Masking } from './protocol.ts';
 import type { Tell } from './serving.ts';
 
-/** Milliseconds after which a part ends with the operator that it is at. Most take less than one, the largest up to a second. */
+/**
+ * Milliseconds of one slice of work. A slice ends with its current operator: most take less than 1 ms, the largest up
+ * to a second.
+ */
 const PART = 25;
 
 let subjects: { ready: () => Promise<SubjectNet> } | undefined;

@@ -35,7 +35,7 @@ export function fakeWorkers() {
     const worker = holding(name);
     worker.onmessage({ data: { id: worker.request.id, ...sign } });
   };
-  /** All workers say that they are there. */
+  /** All workers report that they are ready. */
   const arrive = () => live().forEach((worker) => worker.onmessage({ data: { id: 0 } }));
   return { workers, spawn, live, holding, answer, tell, arrive };
 }

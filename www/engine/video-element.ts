@@ -30,11 +30,11 @@ export async function readByElement(
   try {
     video.src = address;
     const opened = await happens(video, 'loadeddata', OPENING);
-    // A codec that the system lacks may load without an error, as a film without a picture.
+    // Without a codec, a video may load without an error, but has no picture.
     if (!opened || video.videoWidth === 0) throw failure('video-codec', why);
     const whole = await lengthOf(video);
     const first = await wind(video, 0);
-    // A player that does not say when it shows a frame starts with the first one.
+    // If a player does not report displayed frames, the video starts with the first one.
     const begins = first < whole ? first : 0;
     const duration = whole - begins;
     onAbout({ duration });
@@ -52,7 +52,7 @@ export async function readByElement(
   }
 }
 
-/** Recordings of a browser do not know their length until they were wound to the end. */
+/** Recordings of a browser have no length until a seek to the end. */
 async function lengthOf(video: HTMLVideoElement) {
   if (Number.isFinite(video.duration)) return video.duration;
   const known = happens(video, 'durationchange', OPENING);
@@ -62,7 +62,7 @@ async function lengthOf(video: HTMLVideoElement) {
   return video.duration;
 }
 
-/** @param time seconds @returns when the frame begins that is shown then; `time` if that is not known */
+/** @param time seconds @returns the start of the frame at that time; `time` if it is unknown */
 async function wind(video: HTMLVideoElement, time: number) {
   const shown = new Promise<number>((resolve) => {
     const told = 'requestVideoFrameCallback' in video;

@@ -67,7 +67,7 @@ async function atTimes(sender: Sender, { count, start, end, leading, times: told
   for (const run of runs(times.length, leading)) await sender.send(run.map((index) => ({ index, time: times[index] })));
 }
 
-/** @param duration of the film, as the page knows it */
+/** @param duration of the video, as known to the app */
 async function byShots(track: InputVideoTrack, sender: Sender, wish: Spread, duration: number) {
   const { count, start = 0, end = Infinity, first, moments = [] } = wish;
   const [from, to] = [Math.max(first, start), Math.min(wish.duration, end)];
@@ -175,7 +175,7 @@ async function trackOf(input: Input) {
 /** @param clock converts seconds of the file to seconds from the first picture, which the page uses */
 function createSender(track: InputVideoTrack, clock: FilmClock) {
   const sink = new VideoSampleSink(track);
-  // A slow film may show one frame at two of the times.
+  // A video with few frames may return one frame for two times.
   const sent = new Set<number>();
   return { send, delivered: () => sent.size > 0 };
 

@@ -43,14 +43,17 @@ export type Frame = {
   rotation: number;
   data: Uint8Array<ArrayBuffer>;
 };
-/** the next frame is asked for when the promise of `onFrame` settles */
+/** The next frame is requested when the promise of `onFrame` settles. */
 export type Listener = {
   signal?: AbortSignal;
   onAbout: (about: About) => void;
   onFrame: (frame: Frame) => Promise<void>;
 };
 
-/** Milliseconds without a word of the reader: a slow device may decode hundreds of frames between two of the times. */
+/**
+ * Maximum milliseconds without a message of the reader. A slow device may decode hundreds of frames between two
+ * messages.
+ */
 const SILENCE = 60_000;
 
 /** Errors of files that the browser's player may still read. */

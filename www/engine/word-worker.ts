@@ -91,7 +91,7 @@ function pixels(
   return { x, y, width: wide, height, data };
 }
 
-/** Takes out of a word what the figure before it covers. */
+/** Removes the part of a text item that a subject covers. */
 function cut(picture: Picture, document: PageDocument, index: number, fronts: PixelPatch[]) {
   const front = fronts[frontsOf(document).indexOf(standsBehind(document.words?.[index] as Word) ?? -1)];
   if (!front) return;

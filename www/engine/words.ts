@@ -154,9 +154,9 @@ async function open() {
       shape(document);
       return JSON.parse(letters.measure(JSON.stringify(document)));
     },
-    /** @returns whether some of its letters are drawn with fonts of the system */
+    /** @returns whether system fonts draw some of its characters */
     foreign: (text: string): boolean => letters.foreign(text),
-    /** @returns the letters of a text that a font does not have, each once */
+    /** @returns the characters of a text without a glyph in a font, each once */
     missing: (text: string, font: string): string => letters.missing(text, font),
     /**
      * @param bytes of a file, WebVTT or SubRip

@@ -9,7 +9,7 @@ import { STORING, serveJobs } from './serving.ts';
 import type { Operations, Start } from './protocol.ts';
 import type { Work } from './serving.ts';
 
-/** The part of the room for photos that frames of films have until they are shown. */
+/** Share of the photo memory for video frames before they are shown. */
 const PASSING = 8;
 
 let started: Promise<{ studio: Studio; operations: Work<Operations> }> | undefined;

@@ -1,6 +1,6 @@
 /**
- * Colours for invented styles. The rules for new styles leave colours to the photo, so a whole wall would have the
- * colours of one photo. Three of four styles therefore get a print colour after their chain, spread evenly over the
+ * Colours for invented styles. Rules for new styles preserve the colours of the photo, so all styles on the wall would
+ * have the same colours. Three of four styles therefore get a print colour after their chain, spread evenly over the
  * colour wheel and from dark to light. The same seed gives the same colours.
  */
 

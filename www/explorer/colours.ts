@@ -25,7 +25,7 @@ const ENDS: readonly [Hue, number][] = [
 const GRAY = 0.022;
 /** Share of the colour that one hue has, unless several are mixed. */
 const MAIN = 0.42;
-/** Mean lightness up to which a picture is dark, and from which it is light. */
+/** Maximum mean lightness of a dark picture, and minimum of a light one. */
 const [DARK, LIGHT] = [0.45, 0.72];
 /** Bytes of a cell: red, green, blue and roughness. */
 const CELL = 4;

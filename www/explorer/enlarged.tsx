@@ -1,4 +1,4 @@
-/** A style of the wall seen large on the person's photo; the arrows go to its neighbours. */
+/** The enlarged view of a style on the user's photo. Arrow keys go to its neighbours. */
 
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
@@ -57,14 +57,14 @@ function View({
     dialog?.focus();
     return () => {
       dialog?.close();
-      // Where the person is by now, not where the view was opened.
+      // The current tile, not the tile that opened the view.
       const tile = document.querySelector(`[data-style="${CSS.escape(last.current)}"] .wall-picture`);
       (tile as HTMLElement | null)?.focus();
     };
   }, []);
 
-  // A button that has the focus loses it at the end of the wall, where nothing is before or behind: keys would then reach the
-  // explorer under the view, and Escape would close both.
+  // At the end of the wall, the focused button is disabled and loses the focus. Then keys would reach the explorer
+  // below, and Escape would close both.
   useLayoutEffect(() => {
     if (!ref.current?.contains(document.activeElement)) ref.current?.focus();
   }, [at]);
@@ -78,7 +78,7 @@ function View({
     explorer.enlarged.value = null;
   }
 
-  /** The wall shows what comes of it. */
+  /** The result is visible on the wall. */
   function andClose(deed: () => void) {
     return () => {
       deed();
@@ -87,7 +87,7 @@ function View({
   }
 
   function onKeyDown(event: KeyboardEvent) {
-    // The keys of the page do not reach under what lies over it.
+    // Keys do not reach the views below.
     event.stopPropagation();
     const step = STEPS[event.key];
     if (step === undefined || event.ctrlKey || event.metaKey || event.altKey) return;

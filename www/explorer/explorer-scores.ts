@@ -1,7 +1,7 @@
 /**
- * The score of each style on the explorer's wall, one figure from 0 to 100. It follows from simple measures of the
- * picture until the net has judged it. The model scores one style at a time after the user has sorted the wall, visible
- * styles first. The order does not change until the user sorts again.
+ * The score of each style on the explorer's wall, from 0 to 100. Simple measures give a first score, until the model
+ * has rated the picture. The model scores one style at a time after the user has sorted the wall, visible styles first.
+ * The order does not change until the user sorts again.
  */
 
 import { effect, signal } from '@preact/signals';
@@ -12,14 +12,14 @@ import type { Engine } from '../engine/engine.ts';
 import type { Item } from './explorer-wall.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 
-/** Without the net no other style can be judged. */
+/** Without the model, no other style can be rated. */
 const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
 /** Maximum delay of new scores in milliseconds, because scores that change constantly cannot be read. */
 const REST = 1200;
 /** Practical range of the model's ratings from 1 to 10. */
 const [WORST, BEST] = [2.5, 6.5];
 
-/** @param app not `wanted`, the net is not asked */
+/** @param app `wanted`: without it, the model is not used */
 export function createScores({
   engine,
   messages,
@@ -48,30 +48,33 @@ export function createScores({
 
   return { judged, progress, off, visible, points, shown, ask, pause, forget };
 
-  /** The one figure of a style, a whole number from 0 to 100. */
+  /** Returns the score of a style, a whole number from 0 to 100. */
   function points({ style, score }: Pick<Item, 'style' | 'score'>): number {
     const judgement = judged.value.get(style.id);
     const share = judgement ? (judgement - WORST) / (BEST - WORST) : score;
     return Math.round(100 * Math.min(1, Math.max(0, share)));
   }
 
-  /** The score that the wall shows: of the net if there is one, so that no figure changes its meaning. None if it is unknown. */
+  /**
+   * Returns the visible score. If the model gives scores, only these are shown, so that all scores are comparable. None
+   * if it is unknown.
+   */
   function shown(item: Item): number | null {
     return off.value || judged.value.get(item.style.id) ? points(item) : null;
   }
 
-  /** Has the net judge what hangs and what will hang. */
+  /** Rates the styles on the wall with the model. */
   function ask() {
     asked.value = true;
   }
 
-  /** Leaves the rest as it is until it is asked again. */
+  /** Stops the ratings until the next request. */
   function pause() {
     asked.value = false;
     stop();
   }
 
-  /** Another wall, or the same on another photo: there is nothing to know. */
+  /** A new wall, or the same wall on another photo, has no scores. */
   function forget() {
     pause();
     known.clear();
@@ -84,7 +87,7 @@ export function createScores({
     progress.value = null;
   }
 
-  /** The next style to ask about. */
+  /** The next style to rate. */
   function next(): Item | undefined {
     const open = items.peek().filter(({ style, photo }) => !known.has(style.id) && engine.hasPhoto(photo.id));
     return open.find(({ style }) => visible.has(style.id)) ?? open[0];

@@ -25,7 +25,7 @@ import type { VNode } from 'preact';
 const SIZE = { width: 160, height: 120 };
 /** Maximum size of a large view, in CSS pixels. */
 const LARGER = { width: 440, height: 380 };
-/** Milliseconds that one stays with a style before it is seen larger: the wall itself is to be looked at. */
+/** Milliseconds that the pointer stays on a style before it is enlarged, so that users can view the wall. */
 const REST = 500;
 
 export function Explorer() {
@@ -114,7 +114,7 @@ function useItems(shown: readonly Item[], photo: Photo | null, point: Point) {
   const { explorer, ownStyles } = useApp();
   const made = useRef(new Map() as Map<string, VNode>);
   const before = made.current;
-  // An element holds its canvas: those that hang there no more are let go.
+  // An element holds its canvas, so elements that are not shown any more are dropped.
   made.current = new Map();
   const pointed = useRef(point);
   pointed.current = point;

@@ -29,11 +29,11 @@ export type Item = {
 
 /** Mean difference of two signatures, in steps of 255, up to which they look the same. */
 const ALIKE = 7;
-/** More thumbnails than this only take memory; the oldest go, unless they are favourites. */
+/** Maximum number of thumbnails, to limit memory. The oldest are removed, unless they are favourites. */
 const MOST = 1200;
 
 /**
- * @param stays whether a style must not go, however many there are
+ * @param stays whether a style must not be removed
  * @param isDamaged whether a picture of a photo has burnt details or lost faces
  */
 export function createWall(
@@ -107,7 +107,7 @@ export function createWall(
     return fault !== '' || isDamaged(photo.id, signature) || alike();
   }
 
-  /** The style with a name that says its colour. */
+  /** Renames a style after its colour. */
   function renamed(style: Style, { signature }: Explored, fresh: readonly Item[]): Style {
     const { hue, lightness } = coloursOf(signature);
     const names = new Set([...items.peek(), ...fresh].map((item) => item.style.name));

@@ -1,7 +1,7 @@
 /**
- * The explorer: styles invented from seeds, or bred from others, tried out on a photo of the person's as they come.
- * Styles whose image is similar to another one, or almost empty, are rejected. The wall belongs to the session;
- * favourites are saved.
+ * The explorer: styles generated from seeds, or combined from others, shown on the user's photo as they arrive. Styles
+ * whose image is similar to another one, or almost empty, are rejected. The wall belongs to the session; favourites are
+ * saved.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -33,14 +33,14 @@ export type Explorer = ReturnType<typeof createExplorer>;
 /** Styles that the wall opens with, and that one press invents. */
 export const FIRST = 120;
 export const ROUND = 240;
-/** Children of two styles, and variations of one; so many are tried at most for them. */
+/** Number of children of two styles, and of variations of one style. `TRIES` limits the attempts. */
 export const LITTER = 12;
 const TRIES = 48;
 /** Styles sent to a worker at a time, and how many such parcels are on their way: no worker waits for the next. */
 const PARCEL = 6;
 const AHEAD = 4;
 
-/** @param app not `judged`, the net is not asked for scores */
+/** @param app `judged`: without it, the model is not used */
 export function createExplorer({
   store,
   engine,
@@ -65,7 +65,7 @@ export function createExplorer({
   const look = signal('all');
   const hue: Signal<Hue | null> = signal(null);
   const lightness: Signal<Lightness | null> = signal(null);
-  /** The favourites when they were asked for: one that is let go stays in its place until then. */
+  /** The favourites at the time of the last request. A removed favourite keeps its place until the next one. */
   const wasFavourite: Signal<ReadonlySet<string>> = signal(new Set());
   const surprise = signal(0.35);
   /** The style that waits for another to breed with. */
@@ -75,7 +75,7 @@ export function createExplorer({
   const parents: Map<string, Parents> = new Map();
   /** The parents of the last litter, whose children are shown whatever the wall is filtered by. */
   const lastParents: Signal<Parents | null> = signal(null);
-  /** Whether the person has sorted the wall. */
+  /** Whether the user has sorted the wall. */
   const sorted = signal(false);
   let made = 0;
   let running: AbortController | null = null;
@@ -190,7 +190,7 @@ export function createExplorer({
     await litter([style, style], Math.max(0.15, surprise.peek()), photo);
   }
 
-  /** Children, beside the parent that was chosen last. */
+  /** Children, inserted after the parent that was chosen last. */
   async function litter([a, b]: readonly [Style, Style], wild: number, photo: Photo) {
     const planner = store.planner.peek();
     if (!planner) return;

@@ -23,7 +23,7 @@ const PHOTOS = 3;
 const READY = 6;
 const PARCEL = 4;
 const TRIES = 48;
-/** The least a style must be worth, from 0 to 1 by simple measures, and from 1 to 10 by the net. */
+/** Minimum score of a style, from 0 to 1 by simple measures, and from 1 to 10 by the model. */
 const LEAST = 0.5;
 const LEAST_JUDGED = 4.5;
 /** Time in milliseconds after the last page change until work begins. */

@@ -1,4 +1,4 @@
-/** Names of invented styles that say what colour they are. Two styles never share a name. */
+/** Names of generated styles, with their colour. Two styles never share a name. */
 
 import type { Hue, Lightness } from './colours.ts';
 
@@ -18,7 +18,7 @@ const COLOURS: Record<Hue, Record<Lightness, string>> = {
 
 /**
  * Returns a name for a style.
- * @param name as it was generated: its last word is preserved
+ * @param name generated name, whose last word is preserved
  */
 export function colourName(name: string, hue: Hue, lightness: Lightness, taken: (name: string) => boolean): string {
   const kind = name.split(' ').at(-1) ?? '';

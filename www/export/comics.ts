@@ -1,6 +1,6 @@
 /**
- * Comics that are read: HTML with a reader in it, EPUB books, and what a comic archive tells of its pages. The core writes the
- * text; the pictures are put in here, as Blobs, which the browser keeps where it has room.
+ * Digital comics: HTML with a reader, EPUB books, and the metadata of comic archives. The core writes the text. This
+ * module inserts the pictures as Blobs, which the browser can store on disk.
  */
 
 import { language, strings } from '../strings/strings.ts';
@@ -38,9 +38,9 @@ export function createComics({
     const { signal } = how;
     const { type } = FORMATS[format];
     if (format === 'html') {
-      // What cannot be told is known before anything is drawn.
+      // Errors in the text are found before any page is drawn.
       const still = await engine.comicPieces(told(documents, kind), { signal });
-      // Panels that move take as long as all else.
+      // Animated panels take as long as everything else together.
       const steps = living ? 2 * documents.length : documents.length;
       const onProgress = (done: number) => how.onProgress(done, steps);
       const pictures = await drawn(documents, kind, quality, { signal, onProgress });
@@ -68,7 +68,7 @@ export function createComics({
     return new Blob([await archiveOf(entries)], { type });
   }
 
-  /** One page after the other; each has the same share of the whole. */
+  /** Pages are drawn one by one. Each has the same share of the progress. */
   async function drawn(documents: readonly PageDocument[], kind: PictureKind, quality: number, how: Work) {
     const draw = kind === 'webp' ? engine.exportWebp : engine.exportJpeg;
     const pictures: Blob[] = [];
@@ -79,7 +79,7 @@ export function createComics({
     return pictures;
   }
 
-  /** What lies beside the pages of a comic archive: what libraries and readers of comics want to know. */
+  /** The metadata files of a comic archive, for comic libraries and readers. */
   async function about(documents: readonly PageDocument[], inside: Inside, { signal }: Work) {
     const files = await engine.comicFiles('cbz', told(documents, inside), { signal });
     return files.flatMap(({ name, content }) =>
@@ -106,7 +106,7 @@ export function createComics({
   }
 }
 
-/** A picture as text, kept as a Blob. */
+/** Returns a picture as a data URL, stored as a Blob. */
 function dataUrl(picture: Blob): Promise<Blob> {
   return new Promise((resolve, reject) => {
     const reader = new FileReader();

@@ -1,4 +1,4 @@
-/** The ways out of the page. */
+/** Actions for exporting the page. */
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';

@@ -1,6 +1,6 @@
 /**
- * The ways out: pages as files, on the clipboard or in the share sheet, and one panel. Rendered at print size in the
- * background, with progress, one at a time.
+ * Exports: pages as files, to the clipboard or to the share sheet, and single panels. They are rendered at print size
+ * in the background, with progress, one at a time.
  */
 
 import { signal } from '@preact/signals';
@@ -55,7 +55,7 @@ export function createDownload({
   animatics: Pick<Animatics, 'film' | 'movingPictures'>;
   onSaved?: (pages: readonly PageDocument[]) => void;
 }) {
-  /** `packing`: the pages are drawn, and what goes with them is put in; `filming`: frames are counted. */
+  /** `packing`: the pages are drawn, and other content is added. `filming`: progress counts frames. */
   const progress: Signal<(Progress & { packing?: boolean; filming?: AnimaticWish['of'] }) | null> = signal(null);
   let running: AbortController | null = null;
   const make = createMaking({ store, engine, shotList, animatics });
@@ -67,7 +67,7 @@ export function createDownload({
     return store.sheets.value;
   }
 
-  /** All pages with more or fewer pixels, else as they are. */
+  /** All pages, with their pixel size multiplied by `factor`. */
   function scaledSheets(factor: number): PageDocument[] {
     const by = (length: number) => Math.round(length * factor);
     return sheets().map((document) => {
@@ -76,7 +76,7 @@ export function createDownload({
     });
   }
 
-  /** The page at another size: the same photos in the same layout, cropped anew. */
+  /** The page at another size: the same photos and layout, with new crops. */
   function preview(size: Partial<PageSettings>): PageDocument | null {
     const page = store.page.peek();
     const settings = page && sized(page.page, size);
@@ -87,7 +87,7 @@ export function createDownload({
       : pages.plan({ keep: { layout: true, style: true, photos: true }, page: settings, seed: page.seed });
   }
 
-  /** @param page the page as it is, unless told */
+  /** @param page default: the current page */
   async function start(page: PageDocument | null = store.page.peek()) {
     if (page) await saveAs({ pages: [page], format: 'png' });
   }
@@ -114,9 +114,9 @@ export function createDownload({
     return fileName(store.project.peek(), wish.pages.length, fileFormat(wish));
   }
 
-  /** What the file of a wish carries of its project; `unclean`: photos in it that keep what their files say. */
+  /** The project data in the exported file. `unclean`: photos whose metadata cannot be removed. */
   function loaded({ format }: Wish) {
-    // At once: what the person chose is for this file.
+    // Read before any wait, because the user's choice applies to this file.
     const what = isArchive(format) || format === 'png' ? pageFiles.take() : 'none';
     const packing = ({ signal: stop }: Work): Work => ({
       signal: stop,
@@ -168,7 +168,7 @@ export function createDownload({
       await navigator.clipboard.write([new ClipboardItem({ 'image/png': promised })]);
       messages.note(strings.copied);
     } catch (error) {
-      // What stopped the picture itself has been said.
+      // The error of the picture itself is already reported.
       if (await png) messages.alert(strings.copyFailed((error as Error).message));
     }
   }
@@ -188,7 +188,7 @@ export function createDownload({
       await navigator.share({ files: [file] });
     } catch (error) {
       const { name, message } = error as Error;
-      // Drawing took longer than a click counts, so the browser wants another.
+      // Drawing took too long after the click, so the browser requires another click.
       if (name === 'NotAllowedError')
         messages.note(strings.readyToShare, { label: strings.sharePart, run: () => void hand(file) });
       else if (name !== 'AbortError') messages.alert(strings.shareFailed(message));
@@ -196,8 +196,8 @@ export function createDownload({
   }
 
   /**
-   * Runs one piece of work at a time, with progress; what goes wrong is said.
-   * @returns null where it was cancelled or failed
+   * Runs one task at a time, with progress. Errors are reported.
+   * @returns null if the task was cancelled or failed
    */
   async function work(
     make: (how: Work) => Promise<Blob>,
@@ -218,7 +218,7 @@ export function createDownload({
     } catch (error) {
       const { code, message, photo } = error as { code?: string; message: string; photo?: string };
       const reason = strings.reasons[code ?? ''] ?? message;
-      // The loss of a worker says itself what it was busy with; other reasons are those of photos.
+      // If a worker is lost, the message already names its task. Other reasons concern a photo.
       const whole = /-missing$|^animatic-|^sound-/.test(code ?? '') ? reason : message;
       const why = photo && code !== 'worker-lost' ? strings.fileFailed(photo, reason) : whole;
       if (code !== 'cancelled') messages.alert(failed(why));

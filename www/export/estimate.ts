@@ -1,6 +1,6 @@
 /**
- * How large files will be. Pages are encoded at two small sizes: what the larger needs more than the smaller says what
- * the page at print size will need. Flat pictures grow slower than their pixels, noisy ones as fast.
+ * Estimates file sizes. Pages are encoded at two small sizes, and their growth predicts the size at print resolution.
+ * Files of flat pictures grow slower than their pixels, files of noisy ones as fast.
  */
 
 import type { PageDocument } from '../engine/types.ts';
@@ -10,13 +10,13 @@ import type { PictureFormat } from '../engine/measures.ts';
 type Measure = { bytes: number; pixels: number };
 
 /**
- * Parts of the width at which pages are encoded: over 26 styles the size told is off by 1.3 at most. An eighth and a
- * quarter take a fourth of the time, but patterns of lines then look like noise: off by 2.2.
+ * Fractions of the width at which pages are encoded. Over 26 styles, the estimate is off by a factor of 1.3 at most. An
+ * eighth and a quarter take a fourth of the time. But then line patterns look like noise, and the factor is 2.2.
  */
 const PARTS = [1 / 4, 1 / 2];
-/** So many pages of a long storyboard stand for all. */
+/** Maximum number of sampled pages of a long storyboard. */
 const MOST_PAGES = 3;
-/** The growth of the bytes with the pixels, as an exponent, lies between those. */
+/** Limits of the exponent with which bytes grow with pixels. */
 const [LEAST, MOST] = [0.5, 1];
 
 /**

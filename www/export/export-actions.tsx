@@ -6,7 +6,7 @@ import type { PageDocument } from '../engine/types.ts';
 import type { Format } from './formats.ts';
 import type { Wish } from './page-making.ts';
 
-/** What can be done with the pages: the copy is always a PNG of this page. */
+/** Actions of the export dialog. Copying always uses a PNG of this page. */
 export function ExportActions({ wish, page, close }: { wish: Wish; page: PageDocument | null; close: () => void }) {
   const { download } = useApp();
   const off = wish.pages.length === 0 || download.progress.value !== null;

@@ -59,7 +59,7 @@ export function createExportChoice(box: () => Pick<Storage, 'getItem' | 'setItem
       try {
         box().setItem(KEY, JSON.stringify(next));
       } catch {
-        // Denied or full: the choice is known until the app is closed.
+        // Storage is blocked or full, so the choice lasts until the app closes.
       }
     },
   };

@@ -24,9 +24,9 @@ import type { Choice } from './export-choice.ts';
 import type { Print } from './print.ts';
 
 const PREVIEW = 330;
-/** Sizes of fewer dots an inch are for screens. */
+/** Lower resolutions, in DPI, are for screens. */
 const COARSE_FROM = 150;
-/** Sizes of where A4 is not what lies in a printer. */
+/** Page sizes of countries that print on letter paper. */
 const AMERICAN = /letter|legal|tabloid|^us-/;
 /** The sizes with a picture, in their order; the others are in a list. */
 const PICTURED: readonly string[] = ['a4', 'a4-landscape', 'letter', 'square', 'wide', 'story', 'portrait', 'webtoon'];
@@ -208,7 +208,7 @@ export function ExportDialog() {
 function Sizes({ size, choose }: { size: string; choose: (id: string) => void }) {
   const pictured = PAGE_SIZES.filter(({ id }) => PICTURED.includes(id) || id === size);
   const listed = PAGE_SIZES.filter(({ id }) => !PICTURED.includes(id));
-  // Another size gives the page another layout, so this is rarely wanted.
+  // Another size changes the layout of the page, so this is rarely useful.
   return (
     <details class="export-size">
       <summary>

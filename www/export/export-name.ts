@@ -1,4 +1,4 @@
-/** What files of pages are called: after the project, with the number of the page where there are several. */
+/** Names of exported files: the project name, and the page number if there are several pages. */
 
 import { strings } from '../strings/strings.ts';
 import { fileNameOf } from '../ui/file-name.ts';
@@ -9,7 +9,7 @@ import type { Format } from './formats.ts';
 type Named = Pick<Project, 'name' | 'at' | 'others'>;
 
 /**
- * @param project whose page that is edited is the one that is saved alone
+ * @param project its page that is being edited is the one that is exported separately
  * @param count of the pages in the file
  */
 export function fileName(project: Named, count: number, format: Format): string {

@@ -1,4 +1,4 @@
-/** What the file carries besides its pictures, in the export dialog. */
+/** The embedded content of a file besides its pictures, in the export dialog. */
 
 import { useEffect } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
@@ -7,11 +7,11 @@ import type { Cargo } from '../storage/files/page-files.ts';
 
 const KINDS: readonly Cargo[] = ['none', 'project', 'photos'];
 
-/** @param props `archive`: it is no PNG, but an archive of pages */
+/** @param props `archive`: the file is an archive of pages, not a PNG */
 export function ExportProject({ archive }: { archive: boolean }) {
   const { cargo } = useApp().keeping.pageFiles;
   const now = cargo.value;
-  // Photos go with the file that is saved from here, not with a later one.
+  // The choice applies to the file that is exported here, not to later ones.
   useEffect(
     () => () => {
       cargo.value = 'none';

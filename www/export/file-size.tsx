@@ -7,12 +7,12 @@ import type { Wish } from './page-making.ts';
 
 /** While a slider is dragged nothing is measured. */
 const REST_MS = 250;
-/** What the two or three gray plates of a page take of what it takes in colour. */
+/** Size of the two or three gray plates of a page, relative to the page in colour. */
 const PLATES = 1.2;
-/** Pictures that stand in text take four letters for three bytes. */
+/** Base64 text has four characters per three bytes. */
 const AS_TEXT = 4 / 3;
 
-/** About how large the file will be; nothing where it cannot be told. */
+/** The estimated file size, or nothing if it is unknown. */
 export function FileSize({ wish }: { wish: Wish }) {
   const { engine } = useApp();
   const [bytes, setBytes] = useState(null as number | null);

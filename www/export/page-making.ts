@@ -16,8 +16,8 @@ import type { Print } from './print.ts';
 
 export type Work = { signal: AbortSignal; onProgress: (done: number, total: number) => void };
 /**
- * What goes with pages before they leave: `carry` puts it into the PNG of a page, `beside` gives what lies beside the pages
- * of an archive, if anything.
+ * Data that is added to exported pages. `carry` embeds it in the PNG of a page. `beside` returns additional files of an
+ * archive, if any.
  */
 export type Cargo = {
   carry: (png: Blob, page: PageDocument, how: Work) => Promise<Blob>;
@@ -31,9 +31,9 @@ export type Wish = {
   quality?: number;
   /** of a PDF file */
   print?: Print;
-  /** of a film */
+  /** Settings of a video. */
   film?: AnimaticWish;
-  /** of an HTML comic: panels that come from a film move */
+  /** HTML comics: whether panels with video frames are animated. */
   living?: boolean;
 };
 
@@ -80,7 +80,7 @@ export function createMaking({
     if (!isArchive(format)) return picture(documents[0], format as 'png' | 'jpeg' | 'webp', quality, how, carry);
     const entries = [];
     for (const [i, document] of documents.entries()) {
-      // Each page has the same share of the whole.
+      // Each page has the same share of the progress.
       const onProgress = (done: number, total: number) => how.onProgress(i + done / total, documents.length);
       const blob = await picture(document, inside, quality, { ...how, onProgress }, async (png) => png);
       entries.push({ name: pageName(i, documents.length, inside), blob });

@@ -7,14 +7,14 @@ import { useApp } from '../ui/context.ts';
 import type { Coarse } from './print.ts';
 import { COARSE, coarsePanels } from './print.ts';
 
-/** So many are named; the marks on the page show them all. */
+/** Maximum number of listed panels. The marks on the page show all of them. */
 const NAMED = 3;
 
 type Found = Coarse & { page: number };
 
 /**
- * @param pages as they are saved; `only` is the place of a page in the storyboard where it is saved alone; `enlarge` whether the
- * photos of these panels are enlarged well
+ * @param pages the exported pages. `only`: index of the page in the storyboard if a single page is exported. `enlarge`:
+ * whether the photos of these panels are upscaled
  */
 export function PrintCheck({
   pages,

@@ -1,4 +1,4 @@
-/** What a PDF file is printed as: bleed and marks, sheets that pages share, plates of inks. */
+/** Print options of a PDF file: bleed and marks, imposition, ink plates. */
 
 import { strings } from '../strings/strings.ts';
 import type { Bleed, Paper, Print, Sheets } from './print.ts';
@@ -20,7 +20,7 @@ export function PrintOptions({
   pages: number;
   /** Whether the pages are printed with inks. */
   plates: boolean;
-  /** What lies in a printer at home. */
+  /** The paper size of home printers. */
   home: Paper;
 }) {
   const words = strings.print;
@@ -33,7 +33,7 @@ export function PrintOptions({
           value={print.sheets}
           options={SHEETS}
           labels={words.impositions}
-          // Eight pages at their full size are a poster; a zine is made of what lies in the printer.
+          // Eight pages at full size are a poster. A zine fits the paper of a home printer.
           choose={(sheets) =>
             change({ sheets, paper: sheets === 'zine' && print.paper === 'none' ? home : print.paper })
           }

@@ -1,4 +1,7 @@
-/** What is asked of a file that is printed: bleed, marks, sheets, plates; and which panels are too coarse for it. */
+/**
+ * Options of a printed file: bleed, marks, imposition, plates. Also detects panels whose photos have a low resolution
+ * for print.
+ */
 
 import type { Album } from '../document/album.ts';
 import type { Bounds, Geometry, Imposition, PageDocument, PdfOptions, Style } from '../engine/types.ts';
@@ -7,9 +10,9 @@ import { grown } from '../page/panels/merging.ts';
 export type Bleed = 'none' | 'mm3' | 'inch' | 'mm5';
 export type Paper = 'none' | 'a4' | 'a3' | 'letter' | 'tabloid';
 export type Sheets = 'none' | 'booklet' | 'zine' | 'twoUp' | 'spreads';
-/** What a person chooses. */
+/** The user's choices. */
 export type Print = { bleed: Bleed; marks: boolean; sheets: Sheets; paper: Paper; plates: boolean };
-/** A panel whose photo has few pixels for its size on paper, from 0, and how many an inch. */
+/** A panel whose photo has a low resolution for its size on paper: index of the panel, and DPI. */
 export type Coarse = { panel: number; dpi: number };
 
 export const NO_PRINT: Print = { bleed: 'none', marks: false, sheets: 'none', paper: 'none', plates: false };
@@ -32,7 +35,7 @@ const IMPOSITIONS: Record<Sheets, Imposition | null> = {
   spreads: 'spreads',
 };
 
-/** Pixels an inch below which a print looks soft at arm's length. */
+/** Resolution in DPI below which a print looks soft at arm's length. */
 export const COARSE = 200;
 /** The most bleed that the core takes, in page widths. */
 const MOST_BLEED = 0.1;
@@ -45,19 +48,19 @@ export function bled(document: PageDocument, bleed: Bleed): PageDocument {
   return by > 0 ? { ...document, page: { ...document.page, bleed: by } } : document;
 }
 
-/** @returns pages whose coarse photos are enlarged well, where that is wanted */
+/** @returns pages with upscaled low-resolution photos, if requested */
 export function enlarged(documents: readonly PageDocument[], enlarge: boolean): readonly PageDocument[] {
   if (!enlarge) return documents;
   return documents.map((document) => ({ ...document, page: { ...document.page, enlarge } }));
 }
 
-/** @returns the page as it is kept: how it was printed is no part of it */
+/** @returns the page without print options, which are not saved with it */
 export function kept(document: PageDocument): PageDocument {
   const { enlarge: _, ...page } = document.page;
   return { ...document, page };
 }
 
-/** What of it the file is told. */
+/** The options that apply to a PDF file. */
 export function pdfOptions({ marks, sheets, paper }: Print): PdfOptions {
   return { marks, imposition: IMPOSITIONS[sheets], paper: sheets === 'none' ? null : PAPERS[paper] };
 }
@@ -68,7 +71,7 @@ export function blanks(sheets: Sheets, pages: number): number {
   return (seats - (pages % seats)) % seats;
 }
 
-/** Whether pages are printed with the same inks, of which there can be plates: those of one style are. */
+/** Whether all pages use the same inks, so that plates are possible. This holds for pages of one style. */
 export function hasPlates(pages: readonly PageDocument[], styles: readonly Style[]): boolean {
   const [style, ...others] = new Set(pages.map((page) => JSON.stringify(page.style)));
   if (style === undefined || others.length > 0) return false;

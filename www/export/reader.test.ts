@@ -1,4 +1,4 @@
-/** What the reader of an HTML comic reckons; how it looks and reads is for the browser tests. */
+/** Tests the calculations of the reader of an HTML comic. Browser tests check its look and its text. */
 
 import { describe, expect, test } from 'vitest';
 import { boxOf, fitted, placeOf, stepped, swiped } from '../../src/output/reader/reader.js';

@@ -34,7 +34,7 @@ export function HelpDialog() {
         value={sought}
         onInput={({ currentTarget }) => setSought(currentTarget.value)}
         onKeyDown={(event) => {
-          // Else the browser would only empty the field.
+          // Without this, the browser only empties the field.
           if (event.key === 'Escape') close();
         }}
       />
@@ -76,7 +76,7 @@ export function HelpDialog() {
   );
 }
 
-/** One that was found is open; of the others a person opens what they want to read. */
+/** A found topic is open. The user opens the others. */
 function Topics({ of, open }: { of: readonly Topic[]; open: boolean }) {
   return (
     <section class="help-topics" aria-label={strings.helpTopics}>

@@ -40,7 +40,7 @@ export function createHints({
   const seen = signal(recall(box));
   /** Since the hints began. */
   const shuffles = signal(0);
-  /** Whether they were asked for again: then a page that was shuffled before is as good as the first. */
+  /** Whether the user restarted the hints. Then earlier shuffles do not count. */
   const again = signal(false);
   /** The panel that the pointer rests on. */
   const pointed = signal<number | null>(null);
@@ -71,9 +71,9 @@ export function createHints({
     lock: () => shuffles.value >= ENOUGH && !locked.value && selection.panels.value.length === 0,
   };
   const done: Record<Hint, () => boolean> = {
-    // Whoever is at work on a panel has found the way on.
+    // A user who selects panels needs no hint for Shuffle.
     shuffle: () => shuffles.value > 0 || selection.panels.value.length > 0,
-    // Who shuffles on is busy with something else.
+    // The hint ends if the user shuffles again.
     crop: () =>
       shuffles.value > before ||
       (cropsOf(store.page.value) !== crops && (store.page.value?.panels.some(({ edited }) => edited) ?? false)),
@@ -108,7 +108,7 @@ export function createHints({
   }
 
   return {
-    /** The one that is to be seen now. */
+    /** The hint that is visible now. */
     shown: computed(() => (free.value ? current.value : null)),
     /** The panel that the hint about pictures is for. */
     panel,

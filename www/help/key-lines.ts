@@ -12,7 +12,7 @@ export function keyLines(actions: Tables): KeyLine[] {
   for (const action of Object.values(actions).flatMap((table) => Object.values(table))) {
     if (!action.keys) continue;
     const does = action.about ?? ('label' in action ? now(action.label) : '');
-    // Of an action the first shortcut is told; of keys that a part of the page hears by itself, all.
+    // Only the first shortcut of a global action is listed. All keys are listed if a component handles them.
     const shortcuts = 'run' in action ? action.keys.slice(0, 1) : action.keys;
     const keys = shortcuts.flatMap((shortcut) => keyNames(shortcut));
     const last = lines.at(-1);

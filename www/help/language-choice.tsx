@@ -1,4 +1,4 @@
-/** The language of the page, each named in itself. The words are chosen once a load, so another loads the page again. */
+/** The language of the page, each named in itself. The language is loaded once, so changing it reloads the page. */
 
 import { language, strings } from '../strings/strings.ts';
 import { LANGUAGES, rememberLanguage } from '../strings/language.ts';

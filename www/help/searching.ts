@@ -24,7 +24,8 @@ export function searchHelp(
   const has = (text: string) => words.every((word) => plain(text).includes(word));
   const begins = (text: string) => words.every((word) => beginsIn(plain(text), word));
   const found = topics.filter(({ title, text }) => has(`${title} ${text}`));
-  // A lock is no block; but where nothing begins so, a part of a compound may be meant.
+  // Matches at the start of a word are preferred: "lock" should not find "block". Without any, parts of compounds
+  // count.
   const near = found.filter(({ title, text }) => begins(`${title} ${text}`));
   return {
     topics: [...(near.length > 0 ? near : found)].sort((a, b) => Number(has(b.title)) - Number(has(a.title))),
@@ -32,7 +33,10 @@ export function searchHelp(
   };
 }
 
-/** @returns whether a word of the text begins so; where words are not written apart, whether it is in it */
+/**
+ * @returns whether a word of the text starts with the search word. In scripts without spaces, whether the text contains
+ * it
+ */
 function beginsIn(text: string, word: string): boolean {
   if (!/^\p{Script=Latin}/u.test(word)) return text.includes(word);
   for (let at = text.indexOf(word); at >= 0; at = text.indexOf(word, at + 1))
@@ -40,7 +44,7 @@ function beginsIn(text: string, word: string): boolean {
   return false;
 }
 
-/** Letters without their accents; a voiced kana is another letter than the plain one, and stays what it is. */
+/** Removes accents from letters. A voiced kana is a different letter, so it does not change. */
 function plain(text: string): string {
   return text
     .normalize('NFKD')

@@ -1,6 +1,5 @@
 /**
- * A style from a picture: the picture beside the person's own photo in the style that is chosen, and below them all styles
- * that were found.
+ * A style from a picture: the picture next to the user's photo in the selected style, and all found styles below them.
  */
 
 import { useEffect, useMemo, useRef } from 'preact/hooks';
@@ -36,7 +35,7 @@ export function ImitationScreen() {
 
   const subject = fact?.id;
   useEffect(() => (subject === undefined ? undefined : imitation.prepare(subject)), [subject]);
-  // A picture that came is looked at without being asked; what is under way ends with the workspace.
+  // Analyses a new picture automatically. Closing the workspace cancels running work.
   useEffect(() => {
     if (picture && fact && imitation.proposals.peek().length === 0 && imitation.fault.peek() === null)
       void imitation.search(fact.id);
@@ -93,7 +92,7 @@ export function ImitationScreen() {
   );
 }
 
-/** The browser's file dialog behind a button. */
+/** A button that opens the browser's file dialog. */
 function ChoosePicture({ strong }: { strong: boolean }) {
   const { imitation } = useApp();
   const input = useRef(null as HTMLInputElement | null);
@@ -122,7 +121,7 @@ function Original() {
   );
 }
 
-/** The person's photo in the style that is chosen, as it is until there is one. */
+/** The user's photo in the selected style, or unchanged without one. */
 function Result({ fact }: { fact: Shown }) {
   const { engine, imitation } = useApp();
   const style = imitation.proposals.value.find(({ id }) => id === imitation.shown.value);

@@ -1,6 +1,6 @@
 /**
- * A style from a picture: the picture whose look is wanted, the search for it on a photo of the person's own, and the
- * styles that it proposes. They belong to the session; one that is saved, used or edited becomes a part of the project.
+ * A style from a picture: the picture, the search on a photo of the user, and the proposed styles. They belong to the
+ * session; one that is saved, used or edited becomes a part of the project.
  */
 
 import { signal } from '@preact/signals';
@@ -82,7 +82,7 @@ export function createImitation({
    */
   function prepare(id: string): () => void {
     const ends = new AbortController();
-    // What keeps it from its work, a search is kept from too, and tells.
+    // Errors are ignored here. A search would have the same error and report it.
     void engine.surveyLooks(id, { signal: ends.signal }).catch(() => undefined);
     return () => ends.abort();
   }
@@ -144,7 +144,7 @@ export function createImitation({
   }
 
   async function read({ file }: Picture, ends: AbortSignal): Promise<string> {
-    // A worker may still have the pixels of the picture before at hand.
+    // A worker may still have the pixels of the previous picture.
     const id = `${ID}-${(pictures += 1)}`;
     try {
       await engine.importPhoto(id, file, { signal: ends });

@@ -1,6 +1,6 @@
 /**
- * The layouts as thumbnails, filtered by family and number of panels: the layout of the page if it is in no list,
- * custom layouts, and built-in layouts that are good for the page.
+ * The layouts as thumbnails, filtered by family and number of panels. The list has custom layouts and the built-in
+ * layouts that are good for the page. If the layout of the page is in neither list, it comes first.
  */
 
 import { useSignal } from '@preact/signals';
@@ -12,7 +12,7 @@ import { Listbox } from '../ui/listbox.tsx';
 import { usePageGlimpse } from '../ui/glimpse.tsx';
 import type { LayoutEntry, Template } from '../engine/types.ts';
 
-/** The filter that shows a person's own layouts; no family of the core has a capital. */
+/** The filter for custom layouts. The core's families are lower case. */
 const MINE = 'Mine';
 const KEEP = Object.freeze({ layout: true, style: true, photos: true });
 

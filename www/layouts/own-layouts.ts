@@ -14,7 +14,7 @@ import type { Template } from '../engine/types.ts';
 
 export type OwnLayouts = ReturnType<typeof createOwnLayouts>;
 
-/** More would make the list long and the storage full; the oldest go. */
+/** Maximum number of layouts, to limit the list and the storage. The oldest are removed. */
 const MOST = 200;
 /** Maximum size of a layout file in bytes. The core has the same limit, but checks it after reading the file. */
 const LONGEST = 256 * 1024;

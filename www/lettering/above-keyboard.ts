@@ -1,11 +1,11 @@
 /**
- * The keyboard of a screen covers the foot of the window, which stays as high as it was: what is written there is moved up
- * with its page, between the bar above and the keyboard.
+ * Keeps edited text above an on-screen keyboard. The keyboard covers the bottom of the window without changing its
+ * height. So the page moves up until the text is between the top bar and the keyboard.
  */
 
 /** Pixels between what is written and the keyboard. */
 const AIR = 8;
-/** What is less is the bar of a browser that comes and goes. */
+/** Minimum height of a keyboard. Smaller changes are browser toolbars that appear and disappear. */
 const KEYBOARD = 80;
 
 /**
@@ -16,7 +16,7 @@ export function liftAbove(field: HTMLElement): () => void {
   const seen = window.visualViewport;
   const area = field.closest('.stage-area') as HTMLElement | null;
   if (!seen || !area) return () => {};
-  // Zoomed in by two fingers, the person has the place in hand.
+  // If the page is zoomed, the user controls the position.
   const look = () => {
     area.style.translate = '';
     const keyboard = window.innerHeight - seen.height;
@@ -25,7 +25,7 @@ export function liftAbove(field: HTMLElement): () => void {
     const { top, bottom } = field.getBoundingClientRect();
     const ceiling = Math.max(seen.offsetTop, barAbove(area)) + AIR;
     const floor = seen.offsetTop + seen.height - AIR;
-    // Where both do not fit, the beginning of the text is in sight.
+    // If both do not fit, the beginning of the text is visible.
     const by = Math.max(Math.min(0, floor - bottom), ceiling - top);
     if (by === 0) return;
     area.dataset.lifted = 'true';
@@ -44,7 +44,7 @@ export function liftAbove(field: HTMLElement): () => void {
   };
 }
 
-/** @returns where the room of the page begins */
+/** @returns the top of the visible area of the page */
 function barAbove(area: Element): number {
   return area.closest('.centre')?.getBoundingClientRect().top ?? 0;
 }

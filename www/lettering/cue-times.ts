@@ -1,19 +1,19 @@
 /**
- * When somebody speaks in a film: subtitles that come with it have a say in which of its frames are taken, so that what is said
- * finds a picture. What they say is read later, and by the core.
+ * Speech times of a video, from subtitles that are imported with it. Frame selection uses them, so that the speech has
+ * a matching picture. The core reads the subtitle texts later.
  */
 
 import { MOST } from '../document/limits.ts';
 import { readText } from '../engine/text-file.ts';
 import { isVideo } from '../engine/video.ts';
 
-/** Seconds, by film. */
+/** Seconds, by video. */
 export type Moments = ReadonlyMap<File, readonly number[]>;
 
 /** From when to when a cue is shown. */
 const CUE = /((?:\d+:)?\d{1,2}:\d{2}[.,]\d{1,3})[ \t]*-->[ \t]*((?:\d+:)?\d{1,2}:\d{2}[.,]\d{1,3})/g;
 
-/** @param speech files of subtitles; others say nothing of times */
+/** @param speech subtitle files; other files have no times */
 export async function momentsOf(files: readonly File[], speech: readonly File[]): Promise<Moments> {
   const films = files.filter(isVideo);
   const moments = new Map<File, number[]>();

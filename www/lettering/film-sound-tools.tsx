@@ -1,4 +1,4 @@
-/** The sounds of the films on the table: a button for each that has them heard, and what they may be drawn as. */
+/** Sounds of the imported videos: a button for each video starts the detection, and a list offers sound effects. */
 
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
@@ -27,7 +27,7 @@ function FilmSounds({ video }: { video: Video }) {
   const found = events && filmSounds.proposals(video, events);
   return (
     <>
-      {/* It stays where it is while the film is heard: a hand on the keyboard stays with it. */}
+      {/* The button stays in place during detection, so that it keeps the keyboard focus. */}
       <button
         type="button"
         class="button small"

@@ -9,7 +9,7 @@ function sound(start: number, loudness = -10, more: Partial<SoundEvent> = {}): S
   return { start, end: start + 0.1, kind: 'hit', loudness, words: ['clap', 'crack', 'snap'], ...more };
 }
 
-/** Frames at 1, 4 and 9 seconds, of which the last is on no page. */
+/** Frames at 1, 4 and 9 seconds. The last one is on no page. */
 function app(hearFilm = vi.fn(async (..._: any[]) => [] as SoundEvent[])) {
   const frame = (id: string, time: number) => [id, { id, video: 'v', time }] as const;
   const lay = vi.fn((words: readonly unknown[]) => ({ shown: words.length, waiting: 0 }));

@@ -1,6 +1,7 @@
 /**
- * Words of sound out of the sound itself: a film is heard when somebody asks for it, and what stands out near the frames that pages
- * show is proposed as effects. Each that is taken belongs to the photo of its frame, as subtitles do, and is one step of the undo.
+ * Sound effects from the sound of a video. On request, a video is analysed, and prominent sounds near frames on pages
+ * are proposed as sound effects. An added effect belongs to the photo of its frame, like subtitles, and is one undo
+ * step.
  */
 
 import { signal } from '@preact/signals';
@@ -17,16 +18,16 @@ import type { Lettering } from './lettering.ts';
 import type { Signal } from '@preact/signals';
 
 export type FilmSounds = ReturnType<typeof createFilmSounds>;
-/** How far a film was heard: `why` it was not, as a sentence. */
+/** State of a detection. `why`: the reason of a failure, as a sentence. */
 export type Heard = { stage: SoundStage } | { why: string } | { events: readonly SoundEvent[] };
-/** A sound near a frame: `taken` is the word that stands for it, if one does. */
+/** A sound near a frame. `taken` is the text item of this sound, if it was added. */
 export type Proposal = { event: SoundEvent; photo: string; cue: string; taken: string | undefined };
 
 /** Seconds that a sound may be away from the frame that it is drawn on. */
 const NEAR = 1.5;
 /** Sounds that are proposed for one frame: the loudest. */
 const EACH = 3;
-/** Degrees that an effect is turned, as one that is added by hand. */
+/** Rotation of a sound effect in degrees, as for manually added ones. */
 const TURNED = -8;
 
 export function createFilmSounds({
@@ -40,7 +41,7 @@ export function createFilmSounds({
   lettering: Pick<Lettering, 'lay' | 'ready'>;
   messages: Pick<Messages, 'note'>;
 }) {
-  /** By the file: other frames of a film are another video. */
+  /** By file, because other frames of a video belong to another entry. */
   const heard: Signal<ReadonlyMap<File, Heard>> = signal(new Map());
   const stops = new Map<File, AbortController>();
 
@@ -102,7 +103,7 @@ export function createFilmSounds({
   }
 
   async function take({ event, photo, cue }: Proposal, word: SoundWord) {
-    // Before there are letters a word has no place.
+    // Without glyphs, a text item has no position.
     if (!(await lettering.ready())) return;
     const text = strings.soundWords[word];
     const turned = event.kind === 'music' ? {} : { angle: TURNED };
@@ -111,12 +112,12 @@ export function createFilmSounds({
   }
 }
 
-/** A film is known by its name: its key is another each time that a project is opened. */
+/** A video is identified by its name, because its key changes each time a project is opened. */
 function cueOf({ name }: Video, { start }: SoundEvent): string {
   return `${name} sound ${start.toFixed(3)}`;
 }
 
-/** @returns the frame that a sound is heard at, else the one that it is nearest to, if it is near */
+/** @returns the frame during the sound, or without one the nearest frame, if it is near enough */
 function nearest({ start, end }: SoundEvent, frames: readonly { id: string; time: number }[]): string | undefined {
   const away = (time: number) => Math.max(start - time, time - end, 0);
   const order = (time: number) => away(time) * 1e6 + Math.abs(time - start);

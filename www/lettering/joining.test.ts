@@ -35,7 +35,7 @@ test('joining names the balloon before, and parting keeps them apart', () => {
   const apart = parted(words, 2);
   expect(hangsOn(apart, 2)).toBe(-1);
   expect(apart[2].apart).toBe(true);
-  // A name that an earlier word has leads to that one: the balloon gets another.
+  // The name already belongs to an earlier item, so the balloon gets another name.
   const twice = joinedBefore([balloon({ id: 'a', panel: 1 }), balloon({ id: 'a' }), balloon()], 2);
   expect(hangsOn(twice, 2)).toBe(1);
 });

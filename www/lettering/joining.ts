@@ -1,11 +1,11 @@
 /**
- * Balloons that hang together: one outline, one tail. A balloon names the one that it hangs on, `joined` by hand or `linked` by
- * itself when it was placed.
+ * Linked balloons: they share one outline and one tail. A balloon stores the name of the previous balloon in its chain:
+ * in `joined` if the user linked it, in `linked` if the placement did.
  */
 
 import type { Word } from '../engine/types.ts';
 
-/** @returns the balloon that a word hangs on, by its place in the list; -1 where it stands alone */
+/** @returns the index of the balloon that a text item is linked to; -1 without a link */
 export function hangsOn(words: readonly Word[], index: number): number {
   const name = words[index]?.joined || words[index]?.linked;
   if (!name) return -1;
@@ -13,7 +13,7 @@ export function hangsOn(words: readonly Word[], index: number): number {
   return at === index ? -1 : at;
 }
 
-/** @returns all words that hang together with one, itself among them, in their order */
+/** @returns the indices of all text items of a chain, in order */
 export function chainOf(words: readonly Word[], index: number): number[] {
   const on = words.map((_, i) => hangsOn(words, i));
   const chain = new Set([index]);
@@ -30,7 +30,7 @@ export function balloonBefore(words: readonly Word[], index: number): number {
   return words.findLastIndex((word, i) => i < index && word.kind === 'balloon' && (word.panel ?? null) === panel);
 }
 
-/** @returns the words with a balloon joined to the one before it, at the place that the core finds beside it */
+/** @returns the text items with a balloon linked to the previous one, at the position that the core finds next to it */
 export function joinedBefore(words: readonly Word[], index: number): Word[] {
   const before = balloonBefore(words, index);
   if (before < 0) return [...words];
@@ -42,14 +42,14 @@ export function joinedBefore(words: readonly Word[], index: number): Word[] {
   });
 }
 
-/** @returns the words with a balloon that stands alone, and goes on to */
+/** @returns the text items without the link of this balloon */
 export function parted(words: readonly Word[], index: number): Word[] {
   return words.map((word, i) =>
     i === index ? { ...word, joined: null, linked: null, apart: true, auto: true } : word,
   );
 }
 
-/** A name that no word has. */
+/** Returns an unused name. */
 function freeName(words: readonly Word[]): string {
   const taken = new Set(words.map(({ id }) => id));
   let number = 1;

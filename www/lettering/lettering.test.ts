@@ -8,10 +8,10 @@ import type { KnownPhoto } from '../engine/words.ts';
 let lettering: ReturnType<typeof createLettering>;
 let store: ReturnType<typeof fakeApp>['store'];
 let pages: ReturnType<typeof fakeApp>['pages'];
-/** What was told of photos each time that words were placed. */
+/** The known photos at each placement of text. */
 let asked: Record<string, KnownPhoto>[] = [];
 
-/** As the core does in little: automatic words go to a quarter of their panel, and all are a tenth of the page wide. */
+/** A simple model of the core: automatic items go to a quarter of their panel, and all are a tenth of the page wide. */
 const letters = {
   settle: ({ words }: any, photos: Record<string, KnownPhoto>) => {
     asked.push(photos);

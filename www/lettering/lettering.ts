@@ -1,6 +1,6 @@
 /**
- * Words on the page, by hand: added, written, moved, pointed, removed. Each edit is one step of the undo. A word that
- * nobody has moved is placed by the core, again and again as the page changes, so that it hides no face.
+ * Manual lettering: adding, editing, moving and removing text items, and pointing their tails. Each edit is one undo
+ * step. The core places the other text items again whenever the page changes, so that they hide no face.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -15,16 +15,16 @@ import type { PageDocument, Word, WordBox } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Signal } from '@preact/signals';
 
-/** Widths of words that are taken, in page widths. */
+/** Allowed widths of text items, in page widths. */
 const [NARROWEST, WIDEST] = [0.04, 0.96];
 
 export type Lettering = ReturnType<typeof createLettering>;
-/** A word that is laid over pages: on a panel of the page whose place is told, else on its photo. */
+/** A text item that is added to pages: to a panel of the page `sheet` if it is set, otherwise to its photo. */
 export type AddedWord = Word & { sheet?: number; joins?: boolean };
-/** What the next click on the page is for. */
+/** The purpose of the next click on the page. */
 export type Mode = 'move' | 'tail';
 
-/** @param app `load`: what knows the letters */
+/** @param app `load`: loads the glyphs */
 export function createLettering({
   store,
   messages,
@@ -43,9 +43,9 @@ export function createLettering({
     return page && letters.value && words.value.length > 0 ? letters.value.measure(page) : [];
   });
   const marked = signal(-1);
-  /** The word that is being changed. */
+  /** The selected text item. */
   const chosen = computed(() => (marked.value < words.value.length ? marked.value : -1));
-  /** The word whose text is being written. */
+  /** The text item that is being edited. */
   const editing = signal(-1);
   const mode: Signal<Mode | null> = signal(null);
   /** Words of photos that no page shows. */
@@ -86,7 +86,7 @@ export function createLettering({
     pageAt,
   };
 
-  /** Returns the box of a word as it would be with another text; null without letters. */
+  /** Returns the box of a text item with another text; null without glyphs. */
   function measured(index: number, text: string): WordBox | null {
     const page = store.page.peek();
     const written = words.peek().map((word, i) => (i === index ? { ...word, text: bounded(text) } : word));
@@ -105,7 +105,7 @@ export function createLettering({
   }
 
   /**
-   * A new word on the panel that is chosen, else on the first that has none.
+   * Adds a text item to the selected panel. Without a selection, it goes to the first panel without text.
    * @returns whether it is there
    */
   async function add(kind: Word['kind']): Promise<boolean> {
@@ -146,9 +146,9 @@ export function createLettering({
   }
 
   /**
-   * Lays words over all pages in one step. Words that no page shows or has room for are unplaced, and words that are there
-   * already are not added again.
-   * @returns how many more words there are on pages and in the list of unplaced text
+   * Adds text items to all pages in one step. Items without a page or without space are unplaced. Existing items are
+   * not added again.
+   * @returns the number of added text items on pages and in the list of unplaced text
    */
   function lay(fresh: readonly AddedWord[]): { shown: number; waiting: number } {
     const count = () => ({
@@ -156,14 +156,14 @@ export function createLettering({
       waiting: waiting.peek().length,
     });
     const before = count();
-    // The language of a film is not that of the page: its words part nowhere.
+    // The language of a video may differ from the language of the page, so its words are not hyphenated.
     const laid = fresh.slice(0, MOST.added).map((word): AddedWord => ({ craft: 2, ...word, text: bounded(word.text) }));
     store.change({ type: 'add-words', words: laid });
     const after = count();
     return { shown: after.shown - before.shown, waiting: after.waiting - before.waiting };
   }
 
-  /** A word that waits comes onto the page, and belongs to the photo of the panel that is chosen, or of the first. */
+  /** Places an unplaced text item on the page. It belongs to the photo of the selected panel, or of the first one. */
   function take(index: number) {
     const page = store.page.peek();
     const word = waiting.peek()[index];
@@ -176,7 +176,7 @@ export function createLettering({
     choose(all.length - 1);
   }
 
-  /** Words that wait are no longer wanted. */
+  /** Deletes unplaced text items. */
   function drop(indices: readonly number[]) {
     store.change({ type: 'drop-waiting', words: [...indices] });
   }
@@ -186,12 +186,12 @@ export function createLettering({
     if (!page || !words.peek()[index]) return;
     // Shuffle does not replace edited text.
     const changed = words.peek().map((word, i) => (i === index ? { ...word, ...news, made: undefined } : word));
-    // What a person puts somewhere goes there alone; else those that hang together find their places together.
+    // A text item that the user moves has a fixed position. Otherwise all balloons of its chain are placed again.
     const free = news.auto === false ? [index] : chainOf(changed, index);
     store.change({ type: 'change-page', page: settled({ ...page, words: changed }, free), gesture });
   }
 
-  /** Joins a balloon to the one before it on its panel, or parts it from the one that it hangs on. */
+  /** Links a balloon to the previous one on its panel, or removes its link. */
   function join(index: number, on: boolean) {
     const page = store.page.peek();
     if (!page || !words.peek()[index]) return;
@@ -201,7 +201,7 @@ export function createLettering({
     store.change({ type: 'change-page', page: settled({ ...page, words: changed }, free) });
   }
 
-  /** @param text nothing removes the word */
+  /** @param text an empty text deletes the item */
   function write(index: number, text: string) {
     const clean = bounded(text.trim()).trim();
     editing.value = -1;
@@ -239,7 +239,7 @@ export function createLettering({
     edit(index, { angle: rounded(((((angle + 180) % 360) + 360) % 360) - 180) }, gesture);
   }
 
-  /** A word belongs to the photo that it is put on. */
+  /** A text item belongs to the photo below it. */
   function onPhoto(place: Partial<Word>): Partial<Word> {
     const page = store.page.peek();
     return { ...place, photo: page ? photoOn(page, place.panel ?? -1) : null };
@@ -252,7 +252,7 @@ export function createLettering({
     choose(-1);
     editing.value = -1;
     const all = words.peek();
-    // What hung on it has a tail of its own again.
+    // Balloons that were linked to it have separate tails again.
     const orphans = all.flatMap((_, i) => (hangsOn(all, i) === index ? [i - Number(i > index)] : []));
     const left = all
       .filter((_, i) => i !== index)
@@ -261,7 +261,7 @@ export function createLettering({
     messages.note(strings.wordRemoved(strings.word(word.kind, word.text)));
   }
 
-  /** Lets a word find its place again. */
+  /** Places a text item automatically again. */
   function settleOne(index: number) {
     edit(index, { auto: true, width: null, size: 'auto' });
   }

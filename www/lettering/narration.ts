@@ -26,7 +26,7 @@ const HOUR = 3_600_000;
 const LEAST_GAP = 3 * HOUR;
 /** Height of an em of the title, in page widths. */
 const TITLE_SIZE = 0.04;
-/** Width of a capital letter in ems, room beside the text, and the greatest width of a title, in page widths. */
+/** Width of a capital letter in ems, padding of the text, and maximum width of a title, in page widths. */
 const [LETTER, PADDING, WIDEST_TITLE] = [0.7, 0.03, 0.8];
 
 /** @returns the page without the text that an earlier shuffle added */

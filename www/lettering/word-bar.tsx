@@ -13,13 +13,13 @@ import { LEAST_SIZE, MOST_SIZE } from './word-units.ts';
 import type { Place } from './word-places.ts';
 import { knobOf } from './word-places.ts';
 
-/** Pixels between the word and the bar: the handles have room. */
+/** Pixels between the text item and the bar, for the handles. */
 const AIR = 18;
 /** Half of a handle, which the bar never covers. */
 const HANDLE = 12;
-/** Each press makes the letters so much larger or smaller. */
+/** Factor of the text size per press. */
 const GROWTH = 1.12;
-/** What the switches of an effect give. */
+/** Values of the switches of a sound effect. */
 const ARC = 0.6;
 const SLANT = 15;
 const THICK = 0.14;
@@ -68,12 +68,12 @@ export function WordBar({ index, box }: { index: number; box: WordBox }) {
       class="word-bar"
       role="toolbar"
       aria-label={strings.wordBar}
-      // It finds its place anew where the page is enlarged.
+      // A change of the zoom updates its position.
       data-zoom={ui.zoom.value}
       onClick={stop}
       onPointerDown={stop}
       onKeyDown={(event: KeyboardEvent) => {
-        // Letters pressed here are no shortcuts of the page.
+        // Keys pressed here are not shortcuts of the page.
         if (event.key !== 'Escape' && event.key !== 'Tab') event.stopPropagation();
       }}
     >
@@ -175,7 +175,10 @@ function EffectTools({ word, set }: { word: Word; set: (news: Partial<Word>) => 
   );
 }
 
-/** Puts the bar above the word and its handles, else below them, in the middle over it as far as the window lets it. */
+/**
+ * Places the bar above the text item and its handles. Without enough space, it goes below them. It is centred, as far
+ * as the window allows.
+ */
 function place(bar: HTMLElement, box: WordBox, height: number, knob?: Place) {
   const page = bar.closest('.page') as HTMLElement;
   const [width, tall] = [page.clientWidth, page.clientHeight];
@@ -188,7 +191,7 @@ function place(bar: HTMLElement, box: WordBox, height: number, knob?: Place) {
   const below = Math.max(pixels(box.y + box.height), ...handles.map((y) => y + HANDLE - AIR / 2)) + AIR;
   const ceiling = room.top - top + 4;
   const floor = room.bottom - top - bar.offsetHeight - 4;
-  // A word as high as the page leaves the side on which more is free.
+  // If the item is as high as the page, the bar goes to the side with more space.
   const y = above >= ceiling ? above : below <= floor ? below : above - ceiling > floor - below ? above : below;
   const middle = (box.x + box.width / 2) * width - bar.offsetWidth / 2;
   const x = Math.max(room.left - left + 4, Math.min(middle, room.right - left - bar.offsetWidth - 4));

@@ -85,7 +85,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
 }
 
 /**
- * As large as the balloon and its text are, and not over the edge of the page, where the window may end.
+ * Sets the size to the size of the balloon and its text. The page limits the size, because the window may end there.
  * @param size of the balloon in page widths
  */
 function grow(area: HTMLTextAreaElement, page: HTMLElement, size: readonly [number, number], pad: number) {

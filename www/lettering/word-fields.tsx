@@ -1,4 +1,4 @@
-/** What can be changed of one word. */
+/** Settings of one text item. */
 
 import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
@@ -22,10 +22,10 @@ type AmountProps = {
   onValue: (value: number) => void;
 };
 
-/** Half the line around the letters of an effect that has none told, in ems. */
+/** Default outline of a sound effect, in ems; half the width of the line. */
 export const USUAL_OUTLINE = 0.06;
 
-/** Whether a word is set in capitals: letterers do so but for sounds. */
+/** Whether a text item is set in capitals. By default, letterers do so except for sound effects. */
 export function capitals({ capitals, craft, kind }: Word): boolean {
   return capitals ?? (craft === 2 && kind !== 'effect');
 }
@@ -33,7 +33,7 @@ export function capitals({ capitals, craft, kind }: Word): boolean {
 /** Limits of the width, in page widths. */
 const [NARROWEST, WIDEST] = [0.04, 0.96];
 
-/** A letter as it is told; one for private use, which nothing shows, by its number. */
+/** A readable name of a character. Private-use characters are invisible, so they get their code point. */
 function named(letter: string): string {
   if (!/\p{Co}/u.test(letter)) return letter;
   return `U+${(letter.codePointAt(0) ?? 0).toString(16).toUpperCase().padStart(4, '0')}`;
@@ -55,7 +55,7 @@ export function WordFields({ index }: { index: number }) {
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   const { length, text } = unitsOf(store.page.value?.page ?? store.project.value.settings);
 
-  // Whether anybody can say where the figure is that an effect would stand behind.
+  // Whether the subject is known that a sound effect would be behind.
   const isKnown = subjectOf(store, word) !== '';
   const missing = [...lettering.missing(word.text, box.font)].map(named).join(' ');
 

@@ -1,4 +1,6 @@
-/** What mouse, touch and keys do with a word and with its tail. A drag, or a key that is held, is one step of the undo. */
+/**
+ * Mouse, touch and keyboard handling of a text item and its tail. A drag, or a key that is held down, is one undo step.
+ */
 
 import { useRef } from 'preact/hooks';
 import type { Bounds } from '../engine/types.ts';
@@ -6,7 +8,7 @@ import { WAYS } from '../page/panels/panel-shape.ts';
 import { useApp } from '../ui/context.ts';
 import { knobOf } from './word-places.ts';
 
-/** What an arrow moves by, in page widths, and with Shift. */
+/** Step of an arrow key in page widths, and with Shift. */
 const STEP = 0.005;
 const LARGE_STEP = 0.03;
 /** Pixels before a press counts as a drag. */
@@ -19,7 +21,7 @@ const RIGHT = 90;
 /** in page widths */
 type Place = [number, number];
 type Grip = { id: number; x: number; y: number; at: Place; gesture: string; moved: boolean };
-/** The last press: whether the word had been chosen by a tap before it, and whether it was carried. */
+/** The last press: whether the text item was already selected by a tap, and whether it was dragged. */
 type Press = { chosen: boolean; moved: boolean; tapped: boolean };
 
 /** @param event on the page or something on it */
@@ -45,7 +47,7 @@ export function useWordHands(index: number) {
     const [x] = middle();
     if (lettering.words.peek()[index]?.kind !== 'effect') lettering.resize(index, 2 * Math.abs(to[0] - x), gesture);
     else {
-      // Letters that are turned and bent grow with the distance of the hand.
+      // The size of rotated and bent text follows the distance of the pointer.
       const box = lettering.boxes.peek()[index];
       const now = distance(corner(), middle());
       if (box && now > 0) lettering.resize(index, (widthOf() * distance(to, middle())) / now, gesture);
@@ -78,7 +80,7 @@ export function useWordHands(index: number) {
     if (event.key === 'Enter') lettering.editing.value = index;
     else if (event.key === 'Delete' || event.key === 'Backspace') {
       lettering.remove(index);
-      // The focus goes on to what is left, not to the top of the window.
+      // Moves the focus to another text item, so that it does not go to the top of the window.
       requestAnimationFrame(() => focusOn('[data-word]', '.panels > [tabindex="0"]'));
     } else if (event.key === 'Escape' && lettering.mode.peek()) lettering.mode.value = null;
     else if (event.key === 'Escape' && lettering.chosen.peek() === index) lettering.choose(-1);
@@ -106,7 +108,7 @@ export function useWordHands(index: number) {
         event.stopPropagation();
         const { chosen, moved } = last.current;
         last.current.tapped = true;
-        // By touch a second tap writes in it: nobody looks for a double one.
+        // On touch screens, a second tap starts editing, because users rarely try a double tap.
         if (chosen && !moved && (event as PointerEvent).pointerType === 'touch') lettering.editing.value = index;
         else lettering.choose(index);
       },
@@ -133,7 +135,7 @@ export function useWordHands(index: number) {
         held.current = '';
       },
     },
-    /** Where the handles are, in page widths. */
+    /** Positions of the handles, in page widths. */
     corner,
     knobAt: knob,
   };
@@ -202,7 +204,7 @@ function distance([ax, ay]: Place, [bx, by]: Place): number {
   return Math.hypot(ax - bx, ay - by);
 }
 
-/** @param selectors the first of which something is there says what gets the focus */
+/** @param selectors the first one that matches an element sets the focus */
 export function focusOn(...selectors: string[]) {
   const found = selectors.map((selector) => document.querySelector(selector)).find((element) => element !== null);
   (found as HTMLElement | undefined)?.focus();

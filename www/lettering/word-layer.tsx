@@ -1,6 +1,6 @@
 /**
- * The words on the page: a canvas with their pictures, and over it one focusable element a word, the tail of the one
- * that is chosen, and the field where text is written.
+ * The text items on the page: a canvas with their pictures, and one focusable element per item above it. The selected
+ * item also has its tail and a text field.
  */
 
 import { useEffect, useRef } from 'preact/hooks';
@@ -34,7 +34,7 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
     });
     return () => painter.current?.dispose();
   }, []);
-  // Effects may stand behind the subjects of photos, which come later, as photos do.
+  // Sound effects may be behind the subjects of photos, whose masks arrive later, like photos.
   const subjects = useSubjectsOf(page);
   const read = store.reading.value?.done;
   useEffect(() => {
@@ -119,7 +119,7 @@ function spot([x, y]: readonly [number, number], height: number) {
   return { left: percent(x), top: percent(y / height) };
 }
 
-/** Over the whole page while the next click says where something goes. */
+/** Covers the page while the next click selects a position. */
 function Aim() {
   const { lettering } = useApp();
   const index = lettering.chosen.value;

@@ -1,6 +1,6 @@
 /**
- * Keeps the canvas of the words true to the document: one picture a word, so that a hand that moves one does not have
- * all drawn anew. A word waits for the picture that is being drawn of it before it asks for the next.
+ * Draws the text items of the document to a canvas, one picture per item, so that moving one does not redraw the
+ * others. An item waits for its current picture before it requests the next.
  */
 
 import { paintOrder, standsBehind } from '../engine/figures.ts';
@@ -10,7 +10,7 @@ import type { BitmapPatch } from '../engine/protocol.ts';
 
 type Sheet = { document: PageDocument; width: number; keys: string[] };
 
-/** Pictures kept: those of a few pages, and all of the one that is shown. */
+/** Maximum number of cached pictures: enough for a few pages. Pictures of the visible page are always cached. */
 const MOST = 80;
 
 export function createWordPainter(
@@ -22,7 +22,7 @@ export function createWordPainter(
     onError,
   }: {
     render: Engine['renderWord'];
-    /** a text that changes when what is known of the subjects that effects stand behind does */
+    /** a text that changes when the subject masks in front of sound effects change */
     subjectsOf?: (document: PageDocument) => string;
     onPainted: (document: PageDocument | null) => void;
     onError: (error: Error & { code?: string }) => void;
@@ -33,7 +33,7 @@ export function createWordPainter(
   /** The last picture of each place, shown until the next comes. */
   let shown: (BitmapPatch | null)[] = [];
   const running: Set<number> = new Set();
-  /** What could not be drawn is not tried again. */
+  /** Text items that failed are not tried again. */
   const failed: Set<string> = new Set();
   let sheet: Sheet | null = null;
 
@@ -46,11 +46,11 @@ export function createWordPainter(
       sheet &&
       sheet.width === width &&
       JSON.stringify([sheet.document.layout, sheet.document.page]) === JSON.stringify([layout, page]);
-    // Another page does not show the words of the one before in their old places.
+    // A new page must not show text items of the previous page in their old positions.
     if (!same || words.length !== sheet?.keys.length) shown = [];
-    // Joined balloons are drawn as one shape, and words take the colours of the style where they have none.
+    // Linked balloons are drawn as one shape. Text items without colours use the colours of the style.
     const joined = words.filter(({ id, joined, linked }) => id || joined || linked);
-    // What stands behind a figure is cut by it.
+    // A subject in front of a sound effect clips it.
     const before = JSON.stringify([document.panels, document.merges, style, subjectsOf(document)]);
     const key = (word: Word) => [
       word,
@@ -90,7 +90,7 @@ export function createWordPainter(
       });
   }
 
-  /** The oldest pictures go, but none of the page that is shown: nobody would ask for it again. */
+  /** Removes the oldest pictures, except pictures of the visible page, which would not be requested again. */
   function forget() {
     const own = new Set(sheet?.keys);
     for (const old of [...kept.keys()]) {

@@ -1,13 +1,13 @@
-/** Places of words: fractions of a panel, or of the page, and back to page widths. */
+/** Converts positions of text items: fractions of a panel or of the page, to and from page widths. */
 
 import { MOST } from '../document/limits.ts';
 import type { Bounds, Geometry, Word, WordBox } from '../engine/types.ts';
 
-/** In page widths, or fractions of what is told. */
+/** A position in page widths, or in fractions of a frame. */
 export type Place = [number, number];
 
 /**
- * What the places of a word are fractions of.
+ * The frame of a text item: its position is a fraction of it.
  * @returns in page widths
  */
 export function frameOf({ panels, height }: Geometry, { panel }: Pick<Word, 'panel'>): Bounds {
@@ -25,8 +25,8 @@ export function pagePoint(geometry: Geometry, word: Pick<Word, 'panel'>, [x, y]:
 }
 
 /**
- * A word with its middle at a place of the page: it stands on the panel there, the uppermost where several lie on one
- * another, and stays on its own in a gutter. The tail points where it is told.
+ * Moves the centre of a text item to a position on the page. It belongs to the topmost panel there, and in a gutter to
+ * its previous panel. `tip` is the end of the tail.
  */
 export function anchored(geometry: Geometry, word: Word, to: Place, tip: Place | null): Partial<Word> {
   const at = [Math.min(1, Math.max(0, to[0])), Math.min(geometry.height, Math.max(0, to[1]))] as Place;
@@ -48,9 +48,9 @@ function within(part: number): number {
 
 /**
  * @param middle of the effect, in page widths
- * @param box where it is, none while that is not known
+ * @param box its box, or undefined if it is unknown
  * @param angle in degrees
- * @returns where an effect is held to be turned: above it, as it stands
+ * @returns the position of the rotation handle, above the sound effect
  */
 export function knobOf([x, y]: Place, box: Pick<WordBox, 'height'> | undefined, angle?: number | null): Place {
   const turned = ((angle ?? 0) * Math.PI) / 180;

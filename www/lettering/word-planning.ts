@@ -1,6 +1,6 @@
 /**
- * Words as pages are planned: the letters, loaded when a page first has words, and the places of those that nobody has
- * moved.
+ * Text items during planning: loads the glyphs when a page first has text, and places all items that the user did not
+ * move.
  */
 
 import { computed, effect, signal, untracked } from '@preact/signals';
@@ -16,7 +16,7 @@ import type { ReadonlySignal, Signal } from '@preact/signals';
 /** Words are shown among the alternatives once a drag rests for this long, in ms. */
 const REST = 300;
 
-/** @param app `load`: what knows the letters */
+/** @param app `load`: loads the glyphs */
 export function createWordPlanning({
   store,
   messages,
@@ -30,9 +30,9 @@ export function createWordPlanning({
   const loading = signal(false);
   const none = [] as readonly Word[];
   const words = computed(() => store.page.value?.words ?? none);
-  /** The words as they were when they last rested. */
+  /** The text items after the last change. */
   const rested = signal(none);
-  /** A page was planned while the letters were not there: its words stand where they stood on another. */
+  /** A page was planned before the glyphs were loaded: its text items still have the positions of another page. */
   let owed = false;
 
   let timer: ReturnType<typeof setTimeout> | undefined;
@@ -44,12 +44,13 @@ export function createWordPlanning({
         rested.value = now;
       }, REST);
   });
-  // A page that comes with words, from a file or a session before, needs the letters too. Its words stay where they are, though
-  // more may be known of its photos by now.
+  // A page that is opened with text, from a file or an earlier session, needs the glyphs too. Its text items do not
+  // move, even if detection has found more.
   effect(() => {
     if (words.value.length > 0 && !letters.value) void ready().then((table) => table && owed && settle(true));
   });
-  // Words that came with their photo, or were laid over all pages, have no places yet. It is no step of its own.
+  // Text items that came with a photo, or that were added to all pages, have no position yet. Placing them is not a
+  // separate undo step.
   effect(() => {
     const project = store.project.value;
     const lost = sheetsOf(project).some(({ page }) => homeless(page).length > 0);
@@ -70,7 +71,7 @@ export function createWordPlanning({
 
   return { words, letters, loading: loading as ReadonlySignal<boolean>, rested, ready, settled, on };
 
-  /** @returns null where they cannot be had, which is said */
+  /** @returns null if the glyphs cannot be loaded, which is reported */
   async function ready(): Promise<Letters | null> {
     if (letters.peek()) return letters.peek();
     loading.value = true;
@@ -86,9 +87,9 @@ export function createWordPlanning({
   }
 
   /**
-   * The page with its words where they hide no face, and as little of bodies as they can. If the layout has changed, words
-   * that the user placed move off faces as well.
-   * @param only the words that may move; all unless told
+   * Places the text items of a page clear of faces, and of subjects as far as possible. If the layout has changed, text
+   * items that the user placed move off faces as well.
+   * @param only the text items that may move; by default all
    */
   function settled(page: PageDocument, only?: readonly number[]): PageDocument {
     const table = letters.peek();
@@ -114,8 +115,8 @@ export function createWordPlanning({
   }
 
   /**
-   * Another page with the words of this one whose photos it shows, and the unplaced text of its photos, up to the limit of a
-   * page. Text without a photo stays unplaced.
+   * Returns another page with the text items of this page whose photos it shows, and the unplaced text of its photos,
+   * up to the limit of a page. Text without a photo stays unplaced.
    */
   function on(page: PageDocument): PageDocument {
     const { waiting = [] } = store.project.peek();
@@ -140,12 +141,12 @@ function isLaidOut(page: PageDocument, before: PageDocument | null): boolean {
   return before !== null && look(page) !== look(before);
 }
 
-/** Which words of a page have no place yet. */
+/** Returns the text items of a page without a position. */
 function homeless({ words = [] }: PageDocument): number[] {
   return words.flatMap(({ auto, x }, i) => (auto !== false && (x === undefined || x === null) ? [i] : []));
 }
 
-/** The word on the panel of its photo, as the core carries it; none where the photo is not there. */
+/** The text item on the panel of its photo, as in the core; empty if the page does not show the photo. */
 function carried(word: Word, { panels }: PageDocument): Word[] {
   const { photo, panel } = word;
   if (!photo || panel === undefined || panel === null || panels[panel]?.photo === photo) return [word];
@@ -153,7 +154,7 @@ function carried(word: Word, { panels }: PageDocument): Word[] {
   return at < 0 ? [] : [{ ...word, panel: at }];
 }
 
-/** @returns all but the places that the core chooses */
+/** @returns everything except automatic positions */
 function essence(words: readonly Word[]): string {
   return JSON.stringify(words.map((word) => (word.auto ? { ...word, x: 0, y: 0, tail: null } : word)));
 }

@@ -11,7 +11,7 @@ import { FilmSoundTools } from './film-sound-tools.tsx';
 import { WordFields } from './word-fields.tsx';
 import { ActionButton } from '../ui/action-button.tsx';
 
-/** Waiting words that are listed: those of a whole film would be no list to read. */
+/** Maximum number of listed unplaced items, because a whole video may have thousands. */
 const LISTED = 100;
 
 export function WordTools() {

@@ -7,7 +7,7 @@ import { chunk, chunksOf, fileOf } from '../engine/webp.ts';
 
 const ANIMATION = 0x02;
 const ALPHA = 0x10;
-/** Not blended with the frame before: each frame is the whole picture. None is cleared behind it. */
+/** Not blended with the previous frame: each frame is a complete picture. No frame is cleared after it. */
 const REPLACES = 0x02;
 /** Chunks that hold the pixels of a picture. */
 const PIXELS = ['ALPH', 'VP8 ', 'VP8L'];
@@ -17,7 +17,7 @@ type Size = { width: number; height: number };
 /**
  * @param frames WebP files of that size
  * @param ms that each is seen
- * @param changes whether each but the first shows what is new in it alone (`changesOf`)
+ * @param changes whether every frame except the first contains only its changes (`changesOf`)
  */
 export function animatedWebp(
   frames: readonly Uint8Array<ArrayBuffer>[],
@@ -29,7 +29,7 @@ export function animatedWebp(
   head[0] = ANIMATION | ALPHA;
   three(head, 4, width - 1);
   three(head, 7, height - 1);
-  // No colour behind it; it plays for ever.
+  // No background colour, and an endless loop.
   const animation = new Uint8Array(6);
   const parts = frames.map((file, i) => {
     const pixels = chunksOf(file).filter(({ name }) => PIXELS.includes(name));

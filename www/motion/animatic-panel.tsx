@@ -1,4 +1,6 @@
-/** The choices of a film, of shots or of pages, beside the film itself, which plays as it will be saved. Loaded when it is first asked for. */
+/**
+ * The settings of a video of shots or pages, next to the preview, which equals the exported video. Loaded on first use.
+ */
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { ANIMATIC_SIZES } from '../engine/bounds.ts';
@@ -33,7 +35,7 @@ export function AnimaticPanel({ of, close, children }: AnimaticProps) {
   const change = (part: Partial<AnimaticWish>) => setWish({ ...chosen, ...part });
   const { planned, failed } = usePlan(wish);
   const kinds = useKinds(wish);
-  // What the browser cannot encode is not offered; the next best is taken.
+  // Formats that the browser cannot encode are not offered. The next best format is used.
   const kind = kinds === null || kinds.includes(wish.kind) ? wish.kind : kinds[0];
   const asked = useMemo(() => ({ ...wish, kind }), [wish, kind]);
   const seconds = planned ? planned.plan.frames / planned.plan.rate : 0;
@@ -190,13 +192,13 @@ function usePlan(wish: AnimaticWish): { planned: Planned | null; failed: string 
   return state;
 }
 
-/** The kinds that this browser makes of frames of that size; null until it is known. */
+/** The formats that this browser can encode at this size; null until it is known. */
 function useKinds({ size }: AnimaticWish): readonly Kind[] | null {
   const { animatics } = useApp();
   const [kinds, setKinds] = useState(null as readonly Kind[] | null);
   useEffect(() => {
     let gone = false;
-    // Of a film: the size of a GIF file says nothing of what an encoder can do.
+    // Tested with a video, because the size of a GIF does not depend on an encoder.
     void kindsHere(animatics.sizeOf({ kind: 'mp4', size })).then((found) => {
       if (!gone) setKinds(found);
     });

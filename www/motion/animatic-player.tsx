@@ -212,7 +212,7 @@ function createReel(
       one.loops = loops;
       if (clipsOf(frameAt(table, current)).includes(clip)) show(current);
     };
-    // A photo that cannot be drawn stays as it is; the file names it.
+    // A photo that cannot be drawn stays a still. The export reports it.
     await enliven(clip, { signal, onDrawn }).catch(() => {});
     if (!signal.aborted) canvas.dataset.moving = String(drawn.get(clip)?.loops?.length ?? 0);
   }

@@ -1,6 +1,6 @@
 /**
- * The album as a film: the shots of the board one after the other (an animatic), or the pages read panel by panel (a
- * motion page). The core plans it, the engine draws its images, and a separate worker encodes the file.
+ * Videos of the album: an animatic with the shots of the storyboard in order, or a motion comic with animated pages.
+ * The core plans it, the engine draws its images, and a separate worker encodes the file.
  */
 
 import { ANIMATIC_SIZES } from '../engine/bounds.ts';
@@ -105,7 +105,8 @@ export function createAnimatics({
 
   /**
    * Which panels of pages or shots can be animated: photos that are frames of an available video.
-   * @returns `apart`: it would, but its style draws subjects apart, which are known of one picture alone
+   * @returns `apart`: it would move, but its style draws subjects separately, and the subject masks of a video are
+   * known for one frame only
    */
   function living(of: AnimaticWish['of']): 'none' | 'apart' | 'some' {
     const page = store.page.value;
@@ -177,7 +178,7 @@ export function createAnimatics({
     return { picture: bitmap, caption: text };
   }
 
-  /** The panels of a clip that move, which take seconds to be drawn: `onDrawn` hears after each what there is. */
+  /** Renders the animated panels of a clip, which takes seconds. `onDrawn` is called after each panel. */
   async function previewLoops(
     { plan }: Planned,
     clip: number,
@@ -190,7 +191,7 @@ export function createAnimatics({
     return Math.max(1, Math.round((plan.clips[clip].picture.page.width * width) / plan.size[0]));
   }
 
-  /** The words of a page in the order in which they appear. @param width of the page, in pixels */
+  /** The text items of a page in order of appearance. @param width of the page, in pixels */
   async function wordsOf({ reading }: AnimaticClip, width: number, call?: Call): Promise<DrawnWord[]> {
     const words = reading?.words;
     if (!reading || !words) return [];
@@ -205,7 +206,8 @@ export function createAnimatics({
   }
 
   /**
-   * The file. Pictures are drawn from the photos at full size, each when its first frame is due, and forgotten behind it.
+   * The file. Pictures are drawn from the photos at full size, each before its first frame, and released after the last
+   * one.
    * @throws as `failure`: `animatic-empty`, `animatic-encoder`, `animatic-long`, `sound-unread`, and errors of photos
    */
   async function film(wish: AnimaticWish, { signal, onProgress }: Work): Promise<Blob> {

@@ -9,7 +9,7 @@ export function placeOn({ page }: PageDocument, width: number, { x, y, ...size }
   return { x: x / width, y: y / height, width: size.width / width, height: size.height / height };
 }
 
-/** A word of a page. @param width of the page, in pixels */
+/** Renders a text item of a page. @param width of the page, in pixels */
 export async function drawnWord(
   engine: Pick<Engine, 'renderWord'>,
   document: PageDocument,

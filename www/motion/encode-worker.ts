@@ -38,9 +38,9 @@ export type FromEncoder =
   | { file: ArrayBuffer }
   | { error: { code: string; message: string } };
 
-/** Seconds between two frames from which a film can be shown. */
+/** Seconds between key frames. Playback can start only at a key frame. */
 const KEY_FRAMES = 2;
-/** Frames between two words of how far it is. */
+/** Frames between two progress reports. */
 const TOLD = 6;
 
 const pictures: Map<number, Drawn> = new Map();
@@ -130,7 +130,7 @@ async function film(begin: Begin): Promise<ArrayBuffer> {
   return target.buffer;
 }
 
-/** @throws `animatic-sound` where the browser encodes none of the kinds that go with the film */
+/** @throws `animatic-sound` if the browser has no encoder for this video format */
 async function voiceOf({ channels, sampleRate }: Sound, codecs: readonly ('aac' | 'opus')[]) {
   for (const codec of codecs)
     if (await canEncodeAudio(codec, { numberOfChannels: channels.length, sampleRate, bitrate: AUDIO_BITRATE }))

@@ -19,7 +19,7 @@ export type Frame = {
   veil: number;
   beat: number;
 };
-/** A word of a page, with the panel that it is read with; the place in fractions of the page. */
+/** A text item of a page, with the panel that it belongs to, and its position in fractions of the page. */
 export type DrawnWord = { bitmap: ImageBitmap; panel: number; place: Bounds };
 /** The pictures of a panel that moves; the place in fractions of the picture. */
 export type DrawnLoop = { bitmaps: ImageBitmap[]; place: Bounds };

@@ -3,7 +3,7 @@ import { useApp } from '../ui/context.ts';
 import { useLoaded } from '../ui/loaded.ts';
 import type { AnimaticProps } from './animatic-panel.tsx';
 
-/** The choices of a film, which come when they are first asked for. */
+/** The settings of a video, loaded on first use. */
 export function LazyAnimatic({ of, close, children }: AnimaticProps) {
   const { messages } = useApp();
   const loaded = useLoaded(

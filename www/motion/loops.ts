@@ -24,8 +24,8 @@ export function createLoops({
   return { known, of };
 
   /**
-   * Whether a photo is a frame of a film that can be read. It reads signals, because a video's duration may be known
-   * after its frames.
+   * Whether a photo is a frame of a readable video. It reads signals, because a video's duration may be known after its
+   * frames.
    */
   function known(photo: string | null): boolean {
     return momentOf(photo, store.album.value, store.videos.value) !== null;
@@ -40,7 +40,7 @@ export function createLoops({
 
   /**
    * @param pixels of all pictures of all panels, at most
-   * @param call `onDrawn` hears what there is after each panel
+   * @param call `onDrawn` is called after each panel
    * @returns the animated panels and the panels above them, in paint order; a panel without a readable video stays
    *   still
    */
@@ -49,13 +49,13 @@ export function createLoops({
     pixels: number,
     { signal, onDrawn = () => {} }: { signal?: AbortSignal; onDrawn?: (loops: DrawnLoop[]) => void } = {},
   ): Promise<DrawnLoop[]> {
-    // Its subjects are known of one picture alone.
+    // The subject masks are known for one frame only.
     if (drawsParts(store, document)) return [];
     const boxes = store.planner.peek()?.geometry(document.layout, document.page).panels ?? [];
     const moving = new Map(
       document.panels.flatMap(({ photo, figure }, index) => {
         const moment = momentOf(photo);
-        // A figure that steps out of its panel would be there twice, and one picture across panels is cut for each of them.
+        // A breakout would appear twice, and a picture across several panels is cut for each of them.
         const still = figure || document.merges.some((group) => group.includes(index));
         return moment && !still && boxes[index] ? [[index, { moment, box: boxes[index].bounds }] as const] : [];
       }),
@@ -77,7 +77,7 @@ export function createLoops({
         const patches = await engine.drawLiving(document, pictures[0], width, moment, { signal }).catch(orNone(signal));
         if (patches.length > 0) keep(pictures[0], patches);
       } else {
-        // What lies over a panel that moves is laid over it again.
+        // Pictures that lie above a moving panel are drawn again on top of it.
         const over = pictures.filter((index) =>
           [...moving].some(([below, { box }]) => below < index && overlap(box, boxes[index]?.bounds)),
         );
@@ -97,7 +97,7 @@ export function createLoops({
     const work = async () => {
       for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) await draw(next);
     };
-    // While one film is decoded the panel of another is drawn.
+    // One video is decoded while a panel of another one is drawn.
     await Promise.all([work(), work()]);
     return inOrder();
   }

@@ -1,4 +1,4 @@
-/** A person's sound under an animatic: decoded by the browser, as long as the film. */
+/** A custom soundtrack of an animatic: decoded by the browser, cut to the length of the video. */
 
 import { failure } from '../engine/protocol.ts';
 
@@ -6,7 +6,7 @@ import { failure } from '../engine/protocol.ts';
 export type Sound = { channels: Float32Array<ArrayBuffer>[]; sampleRate: number };
 
 const RATE = 48_000;
-/** Seconds in which a sound that is longer than the film fades away. */
+/** Duration of the fade-out in seconds, if the soundtrack is longer than the video. */
 const FADE = 1.5;
 
 /**

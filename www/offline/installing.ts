@@ -1,4 +1,4 @@
-/** The page as a program of the device, where the browser offers that. */
+/** Installation of the app on the device, if the browser offers it. */
 
 import { computed, signal } from '@preact/signals';
 import type { Signal } from '@preact/signals';
@@ -9,7 +9,7 @@ export type Installing = ReturnType<typeof createInstalling>;
 export function createInstalling(window: Pick<Window, 'addEventListener'>) {
   const offer: Signal<InstallEvent | null> = signal(null);
   window.addEventListener('beforeinstallprompt', (event) => {
-    // The button says it, when the person wants to know.
+    // A button of the app offers the installation instead of the browser's own prompt.
     event.preventDefault();
     offer.value = event as InstallEvent;
   });
@@ -19,7 +19,7 @@ export function createInstalling(window: Pick<Window, 'addEventListener'>) {
 
   return {
     possible: computed(() => offer.value !== null),
-    /** Has the browser ask the person; it can be asked once. */
+    /** Shows the browser's installation prompt, which is possible only once. */
     install: () => {
       const event = offer.value;
       offer.value = null;

@@ -8,11 +8,11 @@ import { strings } from '../strings/strings.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Keeping } from '../storage/storage.ts';
 
-/** Milliseconds at rest after which the files are fetched: the first page must not wait for them. */
+/** Milliseconds of rest before the files are downloaded, so that they do not delay the first page. */
 const CALM = 2_000;
-/** Milliseconds between two looks for a new version, of a page that stays open. */
+/** Milliseconds between two checks for a new version, for a page that stays open. */
 const OFTEN = 3600_000;
-/** Milliseconds after which a new version that does not take over is waited for no longer. */
+/** Maximum milliseconds to wait until a new version takes over. */
 const PATIENCE = 10_000;
 /** Prefix of the locks that tell the worker which build a tab uses. */
 const PAGE_LOCK = 'inkpanel.page ';
@@ -75,7 +75,7 @@ export function createOffline({
     }
   }
 
-  /** Looks for a new version when the person comes back to the page. */
+  /** Checks for a new version when the user returns to the page. */
   function look() {
     if (document.visibilityState !== 'visible' || Date.now() - looked < OFTEN) return;
     looked = Date.now();
@@ -87,7 +87,7 @@ export function createOffline({
     if (workers.controller) messages.offer(strings.newVersion, { label: strings.reload, run: () => void reload() });
   }
 
-  /** The other pages of the version before go on with it. */
+  /** Other open pages of the previous version continue with it. */
   async function reload() {
     await keeping.flush();
     if (!keeping.isSafe()) {

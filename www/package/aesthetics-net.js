@@ -1,5 +1,5 @@
 // @ts-check
-/** In place of the file of this name in `engine/`: the package has no net that scores pictures. */
+/** Replaces the file of this name in `engine/`: the package has no model that rates pictures. */
 
 /** @type {string | undefined} */
 export const NET = undefined;

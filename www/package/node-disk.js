@@ -1,5 +1,5 @@
 // @ts-check
-/** Reads the engine's own files from the disk, as Node's `fetch` knows no addresses of files. */
+/** Reads the engine's files from disk, because Node's `fetch` does not support file URLs. */
 
 import { readFile } from 'node:fs/promises';
 import { readAssetsWith } from './assets.js';

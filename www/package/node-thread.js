@@ -1,5 +1,5 @@
 // @ts-check
-/** What a thread of Node runs: a worker of the engine, which finds there what a browser's worker has. */
+/** Entry point of a Node thread: runs a worker of the engine, with the functions of a browser's worker. */
 
 import { parentPort, workerData } from 'node:worker_threads';
 import { readFromDisk } from './node-disk.js';
@@ -11,5 +11,5 @@ Object.assign(globalThis, {
     port.postMessage(message, transfer),
 });
 await import(workerData);
-// What came until now waited in the port.
+// Earlier messages waited in the port.
 port.on('message', (data) => globalThis.onmessage?.(/** @type {MessageEvent} */ ({ data })));

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * The engine in Node: the same as in a browser, its workers are threads. What browsers alone do is not there: films, and
- * photos that only a browser decodes (AVIF, HEIC).
+ * The engine in Node. It works as in a browser, but its workers are threads. It has no codecs of browsers, so it cannot
+ * read videos, AVIF and HEIC.
  */
 
 import { availableParallelism } from 'node:os';
@@ -9,7 +9,7 @@ import { Worker as Thread } from 'node:worker_threads';
 import { createEngine as create } from './index.js';
 import { readFromDisk } from './node-disk.js';
 
-/** A thread with the face of a browser's worker, as far as the engine looks at it. */
+/** A thread with the interface of a browser worker, as far as the engine uses it. */
 class ThreadWorker {
   /** @type {((event: { data: unknown }) => void) | null} */
   onmessage = null;

@@ -1,5 +1,5 @@
 // @ts-check
-/** In place of the file of this name in `engine/`: the package has no net that finds the subjects of photos. */
+/** Replaces the file of this name in `engine/`: the package has no model that finds the subjects of photos. */
 
 /** @type {string | undefined} */
 export const NET = undefined;

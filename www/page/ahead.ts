@@ -1,6 +1,6 @@
 /**
- * The next page of Shuffle, planned and drawn while a person looks at the present one. Every change of the project, of the
- * photos or of what is found in them makes it another.
+ * Plans and draws the next page of Shuffle in advance, while the user looks at the current one. A change of the
+ * project, the photos or the detection results starts it again.
  */
 
 import { effect, signal } from '@preact/signals';
@@ -12,7 +12,9 @@ import type { ReadonlySignal, Signal } from '@preact/signals';
 
 export type Ahead = ReturnType<typeof createAhead>;
 
-/** Milliseconds that a page is looked at before the next is made: whoever shuffles quickly needs the workers himself. */
+/**
+ * Milliseconds of rest before the next page is prepared. While the user shuffles quickly, the workers must stay free.
+ */
 const REST = 350;
 
 export function createAhead({
@@ -30,7 +32,7 @@ export function createAhead({
   effect(() => {
     const { project, photos, reading, planner } = store;
     const now = project.value.page;
-    // As long as photos come, the page and its photos change by themselves.
+    // During an import, the page and its photos change automatically.
     const rests = photos.value.length > 0 && reading.value === null && planner.value && ui.painted.value === now;
     clearTimeout(timer);
     page.value = null;

@@ -29,7 +29,8 @@ export function Alternatives() {
     return page ? lettering.on(page) : null;
   });
 
-  // Both in tasks of their own: scrolling lays the page out, and making pages is as much work as showing what has changed.
+  // Both run in separate tasks: scrolling forces a layout of the page, and planning pages takes as long as rendering
+  // the change.
   useEffect(() => {
     const frame = requestAnimationFrame(() => strip.current?.scrollTo({ left: 0 }));
     return () => cancelAnimationFrame(frame);
@@ -41,7 +42,7 @@ export function Alternatives() {
   }, [open, basis, atEnd, items]);
 
   function onWheel(event: WheelEvent) {
-    // A wheel that only goes up and down moves the strip sideways.
+    // A vertical wheel scrolls the strip sideways.
     if (event.deltaX === 0 && !event.ctrlKey && strip.current) strip.current.scrollLeft += event.deltaY;
   }
 
@@ -80,7 +81,7 @@ export function Alternatives() {
 function Alternative({ page, number, point }: { page: PageDocument; number: number; point: Point }) {
   const { store, pages, engine, lettering } = useApp();
   const words = lettering.rested.value;
-  // Words belong to the story: another page has those of this one.
+  // Text items belong to the story, so the alternatives show the text of this page.
   const shown = useMemo(() => lettering.on(page), [page, words]);
   const ref = useRef(null as HTMLButtonElement | null);
   const width = () => screenPixels(ref.current?.clientWidth ?? 100);

@@ -1,7 +1,6 @@
 /**
- * An endless stream of other pages, made as they come into view. It depends on the photos that are free for the page, the page
- * settings, the wanted number of panels, and what is locked, single panels too: while these stand, so does the stream, whichever
- * of its pages is chosen and whatever is written on it.
+ * An endless stream of alternative pages, planned as they scroll into view. It depends on the unused photos, the page
+ * settings, the number of panels, and the locks. Choosing one of its pages or editing text does not restart it.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -18,7 +17,7 @@ const TRIES = 12;
 const STRETCH = 12;
 
 export function createAlternatives({ store, pages }: { store: Store; pages: Pages }) {
-  /** What the stream depends on, as text. */
+  /** The inputs of the stream, as text. */
   const basis = computed(() => {
     const { project, photos, reading, planner } = store;
     const { page, locks, panels, settings, styling, sheet } = project.value;
@@ -102,7 +101,10 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
   }
 }
 
-/** @returns the photos of a page that is planned, so that the next ones show others; no id first, as its lead is not known */
+/**
+ * @returns the photos of a planned page, so that the next pages show others. The first id is empty, because the photo
+ * of the leading panel is unknown
+ */
 function photosOf({ panels }: PageDocument): string[] {
   return ['', ...panels.flatMap(({ photo }) => photo ?? [])];
 }
@@ -115,7 +117,7 @@ function before(items: readonly PageDocument[]): { layouts: string[]; styles: st
   return { layouts: layout === undefined ? [] : [layout], styles: style === undefined ? [] : [style] };
 }
 
-/** @returns the same for pages that look the same */
+/** @returns an equal text for pages that look equal */
 function look(page: PageDocument): string {
   return JSON.stringify({ ...page, seed: 0 });
 }

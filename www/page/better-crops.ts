@@ -67,7 +67,7 @@ export function createBetterCrops({
   }
 }
 
-/** Whether a person would see that a panel shows something else. */
+/** Whether the change of a panel is visible. */
 function differs(before: PageDocument, after: PageDocument): boolean {
   return after.panels.some(({ photo, crop }, i) => {
     const was = before.panels[i];
@@ -76,7 +76,7 @@ function differs(before: PageDocument, after: PageDocument): boolean {
   });
 }
 
-/** @returns the part that two crops have in common over what both cover, 0 to 1 */
+/** @returns the intersection of two crops divided by their union, 0 to 1 */
 function overlap(a: Bounds, b: Bounds): number {
   const side = (from: number, length: number, other: number, its: number) =>
     Math.max(0, Math.min(from + length, other + its) - Math.max(from, other));

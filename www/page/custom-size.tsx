@@ -1,6 +1,6 @@
 /**
- * A page size of one's own: sides in pixels, millimetres or inches, and dots an inch. Live, as soon as the numbers
- * are a page.
+ * Form for a custom page size: width and height in pixels, millimetres or inches, and DPI. It changes the page as soon
+ * as the numbers are valid.
  */
 
 import { useState } from 'preact/hooks';
@@ -15,7 +15,7 @@ export function CustomSize() {
   const { store, pages } = useApp();
   const { settings } = store.project.value;
   const [unit, setUnit] = useState('px' as Unit);
-  /** What is being typed and is no page yet. */
+  /** Input that is not a valid size yet. */
   const [typed, setTyped] = useState({} as Partial<Record<Field, string>>);
   const { width, height, dpi } = settings;
   const shown = {
@@ -27,7 +27,7 @@ export function CustomSize() {
 
   function read(fields: Record<Field, string>) {
     const dots = Math.round(Number(fields.dpi));
-    // What nobody touched keeps its pixels; a length that was rounded for the eye must not change them.
+    // An unchanged field retains its exact pixels, because the displayed length is rounded.
     const side = (name: 'width' | 'height') =>
       fields[name] === String(lengthIn(settings[name], unit, dpi)) && dots === dpi
         ? settings[name]

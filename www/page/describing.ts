@@ -1,4 +1,7 @@
-/** The page in words, from what was found in its photos: for who does not see it, here and wherever it is shown. */
+/**
+ * Describes the page in text, from the detected subjects of its photos: for screen readers, and for alternative texts
+ * elsewhere.
+ */
 
 import { strings } from '../strings/strings.ts';
 import { grown } from './panels/merging.ts';
@@ -9,7 +12,7 @@ import type { Seen } from '../strings/compose.ts';
 /** a box in parts of its photo */
 type Subject = Bounds & { label: string; score?: number };
 
-/** What the net is less sure of is often something else. */
+/** Minimum detection score of a subject in a description. Less certain detections are often wrong. */
 const SURE = 0.5;
 /** The most kinds of things that are named. */
 const MOST = 4;
@@ -23,7 +26,7 @@ export function seenIn(subjects: readonly Subject[], crop: Bounds | null): Seen[
   const shown = subjects.filter((subject) => (subject.score ?? 1) >= SURE && (crop === null || holds(crop, subject)));
   const of = (label: string) => shown.filter((subject) => subject.label === label);
   const area = (label: string) => of(label).reduce((sum, { width, height }) => sum + width * height, 0);
-  // A person is found as a whole, by the face, or by both.
+  // A detector may find the whole person, the face, or both.
   const people = Math.max(of('person').length, of('face').length);
   const kinds = [...new Set(shown.map(({ label }) => label))].filter((label) => label !== 'person' && label !== 'face');
   const things = kinds.sort((a, b) => area(b) - area(a)).map((label) => ({ label, count: of(label).length }));
@@ -36,7 +39,7 @@ function holds(crop: Bounds, { x, y, width, height }: Bounds) {
   return u >= 0 && u <= 1 && v >= 0 && v <= 1;
 }
 
-/** @returns `two people and a dog`; empty where nothing was found */
+/** @returns `two people and a dog`; empty without detected subjects */
 export function describePanel(page: PageDocument, album: Album, panel: number): string {
   // Panels that are merged show one photo together.
   const { photo, crop } = page.panels[grown([panel], page)[0]];
@@ -46,7 +49,7 @@ export function describePanel(page: PageDocument, album: Album, panel: number): 
 
 /**
  * @param style its name
- * @returns sentences that stand for the page, as the `alt` of an image does
+ * @returns sentences that describe the page, as the `alt` text of an image
  */
 export function describePage(page: PageDocument, album: Album, style: string): string {
   const panels = page.panels.map(({ photo }, i) =>

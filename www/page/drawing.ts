@@ -28,7 +28,7 @@ function drawPanel(context: CanvasRenderingContext2D, sheet: Sheet, { patch, coa
     context.drawImage(ready.bitmap, ready.x * scale, ready.y * scale, ready.width * scale, ready.height * scale);
     return;
   }
-  // A figure that is not there yet is not missed.
+  // A missing breakout is not an error while its mask is not ready.
   const panel = geometry.panels[index];
   if (!panel) return;
   context.save();
@@ -46,7 +46,10 @@ function drawPanel(context: CanvasRenderingContext2D, sheet: Sheet, { patch, coa
   context.restore();
 }
 
-/** A picture that no longer fits: where only the crop was moved it is moved along, else stretched to the panel. */
+/**
+ * Draws an outdated picture. If only the crop was moved, the picture is moved too. Otherwise it is stretched to the
+ * panel.
+ */
 function drawOlder(
   context: CanvasRenderingContext2D,
   { document, geometry, width }: Sheet,

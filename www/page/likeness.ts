@@ -1,4 +1,4 @@
-/** How a page differs from the one before it, which says whether old pictures may stand in for new ones. */
+/** Compares a page with the previous one, to decide whether old pictures can be shown until the new ones are ready. */
 
 import type { Geometry, PageDocument } from '../engine/types.ts';
 import type { Sheet } from './painter.ts';
@@ -13,7 +13,7 @@ export function onlyMoved({ slots }: Sheet, { panels }: Geometry): boolean {
   return slots.length === panels.length;
 }
 
-/** @returns whether only lengths and colours differ, which must follow the hand at once */
+/** @returns whether only lengths and colours differ, which must follow the pointer at once */
 export function sameLook(a: PageDocument, b: PageDocument): boolean {
   const photos = ({ panels }: PageDocument) => panels.map(({ photo }) => photo);
   return JSON.stringify([a.style, photos(a)]) === JSON.stringify([b.style, photos(b)]);

@@ -1,4 +1,4 @@
-/** What can be done with the page as a whole. */
+/** Actions for the whole page. */
 
 import { computed } from '@preact/signals';
 import { position, versions } from '../document/history.ts';

@@ -1,4 +1,4 @@
-/** The page in words, to be copied to where the page is shown. */
+/** A text description of the page, for copying. */
 
 import { describePage } from './describing.ts';
 import { strings } from '../strings/strings.ts';
@@ -14,7 +14,7 @@ export function PageDescription() {
   const text = describePage(page, store.album.value, style ? strings.styleTitle(style) : strings.ownStyle);
 
   function copy() {
-    // Without a secure address there is no clipboard.
+    // The clipboard is only available on secure origins.
     (navigator.clipboard?.writeText(text) ?? Promise.reject(new Error('no clipboard'))).then(
       () => messages.note(strings.descriptionCopied),
       () => messages.alert(strings.descriptionNotCopied(text)),

@@ -25,11 +25,11 @@ export function PageSettingsForm() {
   const { store, pages, narrating, ui } = useApp();
   const { settings } = store.project.value;
   const drags = useRef(0);
-  /** Whether a size of one's own was asked for; it may be that of a known one for a while. */
+  /** Whether the user selected a custom size. It may equal a known size for a while. */
   const [custom, setCustom] = useState(false);
   const size = custom ? 'custom' : sizeId(settings);
 
-  /** The drag that has changed the page that is shown alone so far. */
+  /** The drag that has changed only the visible page so far. */
   const held = useRef('');
 
   const change = (name: keyof PageSettings, value: number | string) => {
@@ -41,7 +41,7 @@ export function PageSettingsForm() {
     held.current = '';
     drags.current += 1;
   };
-  // What is put away while it is held is let go of.
+  // Ends the drag if the form unmounts.
   useEffect(() => rest, []);
 
   function resize(id: string) {

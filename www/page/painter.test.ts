@@ -30,7 +30,7 @@ const panel = (name: string) => ({
   ],
   bounds: { x: 0, y: 0, width: 1, height: 1 },
 });
-/** Each layout has shapes of its own. */
+/** The shapes of each layout differ. */
 const geometry = (layout: string): any => ({ width: 1, height: 1, panels: [panel(layout), panel(layout)] });
 
 function painter(readable = ['a', 'b'], subjectOf?: (document: any, photo: string) => string | undefined) {
@@ -232,7 +232,7 @@ test('a panel and the figure that steps out of it are one job, drawn anew togeth
   await finish('As0');
   await finish('As1+2');
   expect(drawn).toEqual(['As0', 'As1', 'As2']);
-  // The figure may be cut off elsewhere by what another panel shows.
+  // The content of another panel may clip the subject elsewhere.
   show(broken({ x: 0, y: 0, width: 0.5, height: 0.5 }), geometry('A'), 10);
   expect(jobs.slice(2).map(({ name }) => name)).toEqual(['As0', 'As1+2']);
   expect(jobs.map(({ signal }) => signal.aborted)).toEqual([false, false, false, false]);

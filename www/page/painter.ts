@@ -1,7 +1,7 @@
 /**
- * Keeps the page's canvas true to the document. Panels are rendered one by one; a page in another layout appears
- * at once when all of its panels are there, or after a moment with those that are, so that a shuffle neither
- * flickers nor waits. While a length is dragged the old pictures follow the new geometry until the new ones come.
+ * Draws the document to the page's canvas. Panels are rendered one by one. A new layout appears when all of its panels
+ * are rendered, or after a short time with the finished ones. So Shuffle neither flickers nor waits. While a length is
+ * dragged, the old pictures follow the new geometry until the new ones arrive.
  */
 
 import { drawPage, sheetSize } from './drawing.ts';
@@ -12,7 +12,7 @@ import type { Geometry, PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Patch } from './patches.ts';
 
-/** `signature` says everything the picture of a panel depends on. */
+/** `signature` contains everything that affects the picture of a panel. */
 export type Slot = {
   signature: string;
   patch: Patch | null;
@@ -22,7 +22,7 @@ export type Slot = {
 };
 export type Sheet = { document: PageDocument; geometry: Geometry; width: number; slots: Slot[] };
 
-/** A new layout is shown with what there is after this time, in ms. */
+/** Maximum time in ms that a new layout waits for all of its panels. */
 const PATIENCE = 120;
 /** A page that will take longer than this, in ms, is first drawn at half the size. */
 const COARSE_ABOVE = 100;
@@ -43,9 +43,9 @@ export function createPainter(
 ) {
   const patches = createPatches(engine.renderPictures, engine.subjectOf);
   let sheet: Sheet | null = null;
-  /** What is on the canvas. */
+  /** The content of the canvas. */
   let visible: Sheet | null = null;
-  /** What is being drawn of each panel, by its place: a hand that moves it waits for that picture before the next. */
+  /** Panels that are being drawn, by index. During a drag, the next picture of a panel waits for the current one. */
   const running: Map<number, string> = new Map();
   let frame = 0;
   let timer: ReturnType<typeof setTimeout> | undefined;
@@ -54,7 +54,7 @@ export function createPainter(
 
   /**
    * @param width of the page on the screen, in its pixels
-   * @param follow whether the layout is changed by hand, so that the pictures follow its panels
+   * @param follow whether the user changes the layout manually, so that the pictures follow its panels
    */
   function show(document: PageDocument, geometry: Geometry, width: number, follow: boolean = false) {
     const old = sheet;
@@ -75,13 +75,13 @@ export function createPainter(
     report();
   }
 
-  /** Draws the panels of a page that may be shown next, after all else; the next page that is shown cancels it. */
+  /** Draws the panels of a likely next page with the lowest priority. The next page that is shown cancels it. */
   function prepare(document: PageDocument, geometry: Geometry, width: number) {
     for (const index of picturesOf(document)) {
       const { photo } = document.panels[panelOf(document, index)];
       const signature = patches.signature(document, geometry, index, width);
       if (photo === null || !engine.hasPhoto(photo) || patches.cached(signature)) continue;
-      // What goes wrong is said when the page is shown.
+      // Errors are reported when the page is shown.
       patches.get(signature, document, geometry, index, width, true).catch(() => {});
     }
   }
@@ -112,7 +112,7 @@ export function createPainter(
     patches.get(slot.signature, from.document, from.geometry, index, from.width).then(
       (patch) => {
         if (stale(slot, index)) follow(index, patch);
-        // The sheet may have been replaced by one that wants the very same picture.
+        // A new sheet may need the same picture.
         const wanted = sheet?.slots.find((other) => other.signature === slot.signature);
         if (wanted) arrive(wanted, { patch });
       },
@@ -132,7 +132,7 @@ export function createPainter(
     return sheet !== null && sheet.slots[index] !== undefined && sheet.slots[index].signature !== signature;
   }
 
-  /** Shows the picture in the place of the one before, and asks for what is wanted by now. */
+  /** Shows the new picture of a panel, and requests the picture for its current state. */
   function follow(index: number, patch: Patch | null) {
     const now = sheet as Sheet;
     const slot = now.slots[index];
@@ -146,7 +146,7 @@ export function createPainter(
     report();
   }
 
-  /** @returns whether nothing more is to come */
+  /** @returns whether all pictures are final */
   function complete(of: Sheet): boolean {
     return of.slots.every((slot, i) => {
       const { photo } = of.document.panels[panelOf(of.document, i)];

@@ -1,5 +1,5 @@
 /**
- * Page sizes a person knows, in pixels of the export.
+ * Common page sizes, in pixels of the export.
  */
 
 import { PAGE, PAGE_SIZES } from '../engine/bounds.ts';
@@ -12,10 +12,13 @@ export function sizeId({ width, height }: { width: number; height: number }): st
   return PAGE_SIZES.find((size) => size.width === width && size.height === height)?.id ?? 'custom';
 }
 
-/** How far from the edge of a page that has no name faces and words stay, in parts of its shorter side. */
+/** Safe distance of faces and text from the edge of a page with a custom size, as a fraction of its shorter side. */
 const USUAL_SAFE = 0.03;
 
-/** What of a page is never cut off: pixels from its sides, from its top and bottom, and from the fold in its middle. */
+/**
+ * The area of a page that trimming never cuts off: distances in pixels from its sides, from its top and bottom, and
+ * from the fold in its middle.
+ */
 export function safeArea(page: { width: number; height: number }): { across: number; down: number; fold: number } {
   const known = PAGE_SIZES.find(({ id }) => id === sizeId(page));
   if (known) return { across: known.safe[0], down: known.safe[1], fold: known.fold };
@@ -52,7 +55,7 @@ export function pixelsOf(length: number, unit: Unit, dpi: number): number {
   return Math.round(unit === 'in' ? length * dpi : (length / 25.4) * dpi);
 }
 
-/** @returns what the core would not take */
+/** @returns the limit that the size exceeds; empty for a valid size */
 export function whyNotSize({
   width,
   height,

@@ -1,6 +1,6 @@
 /**
- * The pictures of panels: asked for once, shared, and kept for a while, so that the previous page is there at once. A panel and
- * the figure that steps out of it are one job.
+ * A cache of panel pictures. Each is rendered once, shared, and cached for a while, so that the previous page appears
+ * at once. A panel and the subject that breaks its border are one job.
  */
 
 import { drawnWith, panelOf } from '../engine/figures.ts';
@@ -19,13 +19,13 @@ export type Patch = {
   crop: Bounds | null;
   bounds: Bounds;
 };
-/** `stop` is that of the job, `ahead`: nobody waits for it yet. */
+/** `stop` cancels the job. `ahead`: low priority, because no view needs the picture yet. */
 type Flight = { promise: Promise<Patch>; stop: AbortController; ahead: boolean };
 
 /** Pictures kept, in bytes: a dozen pages on a large screen. */
 const BUDGET = 96 * 2 ** 20;
 
-/** @param subjectOf what is known of the subject of a photo, where the style of the page asks for it */
+/** @param subjectOf the subject mask of a photo, if the style of the page uses it */
 export function createPatches(
   render: Engine['renderPictures'],
   subjectOf: (document: PageDocument, photo: string) => string | undefined = () => undefined,
@@ -36,14 +36,14 @@ export function createPatches(
   /** Quick pictures that are being drawn, by their panels. */
   const sketches: Map<number, { document: PageDocument; page: number; patches: Promise<Patch[]> }> = new Map();
   let bytes = 0;
-  /** How long a page of a style took, in ms a pixel. */
+  /** Rendering time of a page per style, in ms per pixel. */
   const pace: Map<string, number> = new Map();
 
   return { signature, cached, get, coarse, keepOnly, expected, forget, dispose };
 
   /**
-   * A cut that is moved leaves the panels that it does not touch as they are: what counts is the shape of the panel
-   * and of those that it shares an image with, and how many panels there are, which says how wide lines are.
+   * The key of a picture. It contains only the shapes of the panel and of panels that share its image, so moving a
+   * divider elsewhere does not change it. The number of panels is included, because it changes the width of lines.
    * @returns all that the picture depends on
    */
   function signature(document: PageDocument, geometry: Geometry, picture: number, width: number): string {
@@ -63,7 +63,7 @@ export function createPatches(
       shapes,
       geometry.panels.filter(({ overlay }) => !overlay).length,
       width,
-      // A panel is cut out of the drawing of its figure, which leaves the faces of all others alone.
+      // A panel is cut out of the picture of its subject. That picture does not depend on the faces of other panels.
       drawnWith(document, index).length > 1
         ? [picture, panels[index].figure, panels.map((panel) => [panel.crop, panel.faces]), geometry.panels]
         : null,
@@ -78,7 +78,7 @@ export function createPatches(
     return patch;
   }
 
-  /** @param ahead whether nobody waits for it yet, so that it comes after all else */
+  /** @param ahead whether no view needs the picture yet, so that it is rendered last */
   function get(
     key: string,
     document: PageDocument,
@@ -89,12 +89,13 @@ export function createPatches(
   ): Promise<Patch> {
     const before = flights.get(key);
     if (before && (ahead || !before.ahead)) return before.promise;
-    // It stands behind all else, and somebody waits for it now.
+    // The waiting job has the lowest priority, but now a view needs the picture.
     before?.stop.abort();
     const stop = new AbortController();
     const start = performance.now();
     const priority = ahead ? Priority.REST : Priority.PANEL;
-    // What is there or is being drawn is not drawn once more: alone the other is the very same.
+    // Pictures that exist or are being rendered are not rendered again. A picture is identical whether it is rendered
+    // separately or in a group.
     const lacks = (other: string) => other === key || (!kept.has(other) && flights.get(other)?.stop === before?.stop);
     const keyOf = (picture: number) => (picture === index ? key : signature(document, geometry, picture, width));
     const pictures = drawnWith(document, index).filter((picture) => lacks(keyOf(picture)));
@@ -112,7 +113,7 @@ export function createPatches(
     const flying = keys.map((_, at) => flightOf(at));
     flying.forEach((flight, at) => {
       flights.set(keys[at], flight);
-      // Nobody may ask for the other.
+      // The other pictures of the job may have no reader.
       flight.promise.catch(() => {});
     });
     return flying[keys.indexOf(key)].promise;
@@ -140,13 +141,13 @@ export function createPatches(
     return (await sketch.patches)[pictures.indexOf(index)];
   }
 
-  /** Cancels the pictures that nobody waits for any more. */
+  /** Cancels the pictures that no view needs any more. */
   function keepOnly(wanted: string[]) {
     const needed = new Set(wanted.map((key) => flights.get(key)?.stop));
     for (const { stop } of flights.values()) if (!needed.has(stop)) stop.abort();
   }
 
-  /** The last of a page's panels tells how long the page took: they were all asked for together. */
+  /** Measures the time of a page. Its panels are requested together, so the last one gives the total. */
   function learn({ style, page }: PageDocument, width: number, ms: number) {
     const name = JSON.stringify(style);
     const now = ms / ((width * width * page.height) / page.width);
@@ -165,7 +166,7 @@ export function createPatches(
       if (bytes <= BUDGET || old === key) break;
       bytes -= size({ bitmap });
       kept.delete(old);
-      // Not closed: the canvas may still show it. The browser frees it when nobody holds it.
+      // Not closed, because the canvas may still show it. The browser frees it after the last reference is gone.
     }
     return patch;
   }
@@ -185,7 +186,10 @@ function size({ bitmap }: { bitmap: ImageBitmap }) {
   return bitmap.width * bitmap.height * 4;
 }
 
-/** The part of the photo that a panel's image shows, and where that image is: its own, or that of its group. */
+/**
+ * The part of the photo that a panel's image shows, and the position of the image. Merged panels share the image of
+ * their group.
+ */
 export function shown(
   document: PageDocument,
   geometry: Geometry,

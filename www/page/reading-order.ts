@@ -1,4 +1,4 @@
-/** The panels of a page in the order in which they are read, where an inset in the middle is not the last one. */
+/** The panels of a page in reading order. An inset in the middle is not the last one. */
 
 import type { PageDocument } from '../engine/types.ts';
 import type { Planner } from '../document/store.ts';

@@ -1,9 +1,9 @@
-/** What is never cut off, as a line on the page on the screen: it is in no file. */
+/** The safe area as a line on the page. Exported files do not contain it. */
 
 import type { PageSettings } from '../engine/types.ts';
 import { safeArea } from './paper.ts';
 
-/** @param settings of the page that it lies on */
+/** @param settings of its page */
 export function SafeArea({ settings }: { settings: PageSettings }) {
   const { width, height } = settings;
   const { across, down, fold } = safeArea(settings);

@@ -1,4 +1,4 @@
-/** What is known of the subjects of a page's photos, for pictures that depend on it. */
+/** Subject masks of a page's photos, for pictures that depend on them. */
 
 import { hasParts } from '../styles/parts.ts';
 import { frontsOf } from '../engine/figures.ts';
@@ -12,8 +12,9 @@ export function drawsParts({ styles }: Pick<Store, 'styles'>, { style }: PageDoc
 }
 
 /**
- * @returns a text that changes when the page is to be drawn anew for them; empty where its style draws no part apart, and no effect
- * stands behind one. Read while a view is rendered, it renders that again.
+ * @returns a text that changes when the masks change and the page must be drawn again. It is empty if the style has no
+ * part for the subject or the background, and no sound effect is behind a subject. A component that reads it renders
+ * again on changes.
  */
 export function subjectsOf(store: Pick<Store, 'styles' | 'masks'>, page: PageDocument | null): string {
   if (!page || (!drawsParts(store, page) && frontsOf(page).length === 0)) return '';
@@ -21,7 +22,10 @@ export function subjectsOf(store: Pick<Store, 'styles' | 'masks'>, page: PageDoc
   return page.panels.map(({ photo }) => (photo === null ? '' : (masks.get(photo) ?? ''))).join(' ');
 }
 
-/** @returns the mask of the photo that a word stands on; empty where there is none. Read while a view is rendered, it renders that again */
+/**
+ * @returns the mask of the photo behind a text item, or an empty text. A component that reads it renders again on
+ * changes.
+ */
 export function subjectOf({ page, masks }: Pick<Store, 'page' | 'masks'>, { panel }: Word): string {
   const { panels = [], merges = [] } = page.value ?? {};
   const leader = merges.find((group) => group.includes(panel ?? -1))?.[0] ?? panel ?? -1;

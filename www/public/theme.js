@@ -1,5 +1,5 @@
 // @ts-check
-// The theme that was chosen (`ui/theme.ts`), before anything is painted: it is no module, so the page waits for it.
+// Applies the chosen theme (`ui/theme.ts`) before the first paint. Not a module, because the page must wait for it.
 try {
   const theme = localStorage.getItem('inkpanel.theme');
   if (theme === 'light' || theme === 'dark') document.documentElement.dataset.theme = theme;

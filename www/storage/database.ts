@@ -104,7 +104,7 @@ async function open(name: string, onClosed: () => void) {
         if (!made.objectStoreNames.contains(table)) made.createObjectStore(table, { keyPath: 'id' });
       }
     },
-    // A newer page in another tab wants other tables, or the database is deleted: neither shall wait for this page.
+    // A newer version in another tab needs other tables, or the database is deleted. Neither must wait for this page.
     blocking: () => {
       database?.close();
       onClosed();

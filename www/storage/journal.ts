@@ -14,7 +14,7 @@ import type { History, Shown } from '../document/history.ts';
 type Box = Pick<Storage, 'getItem' | 'setItem' | 'removeItem' | 'key' | 'length'>;
 /** A history that is in the database, or may be. */
 export type Base = { stamp: string; history: History };
-/** Photos that the database does not know: their ids and names. */
+/** Photos that are not in the database: their ids and names. */
 type Names = readonly (readonly [string, string])[];
 type Told = { history: History; photos: Names };
 /** Runs of list items: start and length. */

@@ -35,8 +35,8 @@ export type Opening = ReturnType<typeof createOpening>;
 const PATIENCE = 2_000;
 
 /**
- * A project that cannot be shown. `why` is a key of the reasons in `strings`, `detail` the place of the fault; `back`:
- * there are states of it to go back to.
+ * A project that cannot be shown. `why` is a key of the reasons in `strings`, `detail` the position of the error.
+ * `back`: whether it has earlier states.
  */
 type Broken = { id: string; name: string; why: string; detail: string; back: boolean };
 /** `drawn` resolves when the views have drawn the store, and rejects on an error; `retry` draws again. */
@@ -107,7 +107,7 @@ export function createOpening({
   let queue: Promise<unknown> = Promise.resolve();
   /** Settles when the tab's project is open or has failed. */
   let begun: Promise<unknown> = Promise.resolve();
-  /** States that were gone back to in vain, of the project that is broken. */
+  /** Earlier states of the broken project that were restored without success. */
   const vain: Set<string> = new Set();
 
   return {

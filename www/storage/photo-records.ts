@@ -26,7 +26,7 @@ const TOGETHER = 40;
 const BYTES_TOGETHER = 24 * 2 ** 20;
 /** Photos whose copies are written together. */
 const COPIES_TOGETHER = 4;
-/** So few that wait are written with their copies at once, where they were decoded by now. */
+/** Maximum number of waiting records that are written at once with their copies, if these are decoded. */
 const FEW = 8;
 
 /** `room`: free storage in bytes */
@@ -56,7 +56,7 @@ export function createPhotoRecords({
 
   return { keyed, protect, prove, improve, waiting, missing, know, lose, retry, forgo };
 
-  /** Photos that the database is known to have. */
+  /** Records photos that are in the database. */
   function know(records: readonly PhotoRecord[]) {
     for (const { id, file, work } of records) {
       kept.set(id, work ? 'all' : 'file');

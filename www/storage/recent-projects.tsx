@@ -6,7 +6,7 @@ import { Picture } from './projects-dialog.tsx';
 /** Projects that fit into one row of the start screen. */
 const SHOWN = 4;
 
-/** The projects that were changed last, for a person who returns. */
+/** The recent projects. */
 export function RecentProjects() {
   const { keeping } = useApp();
   const recent = [...keeping.list.value].sort((a, b) => b.changed - a.changed).slice(0, SHOWN);

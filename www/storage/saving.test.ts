@@ -43,7 +43,7 @@ const alerts = (tab: Tab) => tab.messages.list.value.filter(({ kind }) => kind =
 /** The photos that are empty frames. */
 const absent = (tab: Tab) => tab.store.facts.value.filter((fact) => fact.absent).map(({ name }) => name);
 
-/** Fails whatever is written as `wrong` says. */
+/** Storage whose writes fail as `wrong` defines. */
 function failing(wrong: (value: any) => Error | null) {
   const { put } = IDBObjectStore.prototype;
   return vi.spyOn(IDBObjectStore.prototype, 'put').mockImplementation(function spied(value: any, key) {

@@ -280,7 +280,7 @@ export function createSaving({
   async function work(of: Ledger) {
     try {
       let repairs = 0;
-      // One that another took the place of goes where it belongs; its photos are in the hands of that other.
+      // If another project replaced this one, the old one is saved first. Its photos belong to the other project.
       while (of === ledger || of.due) {
         const base = await database();
         const step = await locks.during(PHOTOS_LOCK, { mode: 'shared' }, () => stepOf(of, base));

@@ -15,7 +15,7 @@ export type Snapshot = {
   videos: Video[];
 };
 
-/** @param drawn states to go back to */
+/** @param drawn earlier states */
 export function snapshotOf(store: Store, drawn: readonly Project[] = []): Snapshot {
   const history = store.history.peek();
   const needed = factsOf(store, { ...history, past: [...history.past, ...drawn] });

@@ -72,7 +72,7 @@ describe('after the page is loaded again', () => {
     await vi.waitFor(() => expect(before.store.originals.size).toBe(1));
     await before.keeping.flush();
     before.engine.importPhoto = importPhoto;
-    // The tab dies; its lock goes with it.
+    // The tab crashes, and its lock is released.
     const dead = fakeBrowser(browser);
     const after = await dead.tab();
     await vi.waitFor(() => expect(after.names()).toEqual(['a.jpg', 'b.jpg']));

@@ -232,7 +232,7 @@ export function createKeeping({
       told = { why, message: why === '' ? 0 : tellUnreadable(gone, tried) };
     }
     tried = false;
-    // The browser may ask the person, who then knows what for.
+    // The browser may show a prompt, and the user must know the reason for it.
     if (asked || navigator.userActivation?.hasBeenActive === false) return;
     asked = true;
     void navigator.storage?.persist?.().catch(() => false);

@@ -72,7 +72,7 @@ function boxOf() {
 
 const living: (() => void)[] = [];
 
-/** Ends all tabs of all browsers, which would else go on saving during the next test. */
+/** Ends all tabs of all browsers, which would otherwise save during the next test. */
 export function allDie() {
   living.splice(0).forEach((die) => die());
 }
@@ -147,7 +147,7 @@ export function fakeBrowser({
           planes: new Blob([`${tier} of ${file.name}`]),
         });
         photos.add(id, { name: file.name, file, work: handle('work'), small: handle('small') });
-        // The same file looks the same wherever it is read.
+        // The same file always has the same fingerprint.
         return { ...unreadMeta(id), fingerprint: unreadMeta(text).fingerprint, measures: { twin: 0 } };
       },
       renderPage: () => Promise.reject(new Error('no pixels here')),
@@ -161,7 +161,7 @@ export function fakeBrowser({
       localStorage: local,
       document: Object.assign(new EventTarget(), { visibilityState: 'visible' }),
     }) as any;
-    /** Whether the tab asks before it closes. */
+    /** Whether the tab asks for confirmation before it closes. */
     const asks = () => !window.dispatchEvent(new Event('beforeunload', { cancelable: true }));
     const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave: () => {}, views });
     prepare({ engine });

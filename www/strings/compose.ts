@@ -1,4 +1,4 @@
-/** Everything that the page says, of what a language has: its words and its names, and the rules of a place. */
+/** Builds all strings of the app from a language's texts and names, and from the formats of a locale. */
 
 import { naming } from './names.ts';
 import { numbersIn } from './numbers.ts';
@@ -11,7 +11,7 @@ export type Translation = { words: Words; names: Names };
 /** How many of a kind of thing. */
 export type Seen = { label: string; count: number };
 
-/** What languages are given to count with: they import nothing that runs. */
+/** Functions for plurals, passed to the languages, because language files import no code. */
 export type Counted = typeof counted;
 
 /**

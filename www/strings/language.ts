@@ -1,6 +1,6 @@
-/** Which language the page speaks: the person's choice, else the browser's first that there is, else English. */
+/** The language of the app: the user's choice, or the first supported language of the browser, or English. */
 
-/** Languages by code, each in its own words. */
+/** Languages by code, each with its own name. */
 export const LANGUAGES = {
   en: 'English',
   de: 'Deutsch',
@@ -15,8 +15,8 @@ export type Language = keyof typeof LANGUAGES;
 const KEY = 'inkpanel.language';
 
 /**
- * @param chosen by the person, if ever
- * @param wanted the browser's languages, the best first: `es-MX`
+ * @param chosen the user's choice, if any
+ * @param wanted the browser's languages in order of preference: `es-MX`
  */
 export function pickLanguage(chosen: string | null, wanted: readonly string[]): Language {
   const codes = [chosen ?? '', ...wanted].map(languageOf);
@@ -24,8 +24,8 @@ export function pickLanguage(chosen: string | null, wanted: readonly string[]): 
 }
 
 /**
- * How numbers, dates and lists are written: as where the person lives, if the browser tells of such a place.
- * @param wanted the browser's languages, the best first
+ * The locale for numbers, dates and lists: the user's region, if the browser reports it.
+ * @param wanted the browser's languages in order of preference
  */
 export function localeOf(language: Language, wanted: readonly string[]): string {
   return wanted.find((tag) => languageOf(tag) === language) ?? language;
@@ -44,7 +44,7 @@ export function browserLanguages(): readonly string[] {
   return typeof document === 'undefined' ? [] : navigator.languages;
 }
 
-/** Keeps the choice for the next load; where the browser keeps nothing it is lost. */
+/** Stores the choice for the next start, if the browser allows storage. */
 export function rememberLanguage(language: Language) {
   try {
     window.localStorage.setItem(KEY, language);

@@ -1,24 +1,23 @@
 /**
- * Names that the core and the data files bring along in English, in the page's language by their ids. What a language
- * has no name for keeps the English one.
+ * Translates names that the core and the data files have in English. A name without a translation stays English.
  */
 
 export type Block = { id: string; label: string; help: string };
 export type Parameter = { id: string; label: string; help?: string };
 
-/** What a language calls them, by id; a name and a help where there are two. */
+/** Translations by id, with a help text if the English name has one. */
 export type Names = {
   /** Families of layouts and tags of styles. */
   families: Record<string, string>;
   /** Choices of parameters. */
   choices: Record<string, string>;
-  /** A plain name with the field's term in brackets, and a help, the core's unless told. */
+  /** A plain name with the technical term in brackets, and a help text. Default: the help text of the core. */
   blocks: Record<string, [string, string?]>;
   /** By block and parameter: `hue.angle`. */
   parameters: Record<string, [string, string]>;
   layouts: Record<string, string>;
   styles: Record<string, string>;
-  /** The core's sentences on why a photo is kept or set aside. */
+  /** The reasons of the core for selecting or excluding a photo. */
   verdicts: { same: (name: string) => string; sharpest: (of: string) => string; only: string; blurred: string };
 };
 

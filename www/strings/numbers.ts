@@ -1,15 +1,15 @@
-/** What is written by the rules of a place, and not by a translator: numbers, sizes, times, lists. */
+/** Formats that follow the locale: numbers, sizes, times, lists. */
 
-/** Digits behind the point of a number that is shown whole. */
+/** Maximum decimal places of a number with full precision. */
 const MOST_DIGITS = 6;
-/** Days of a stretch that is told by its first and its last. */
+/** Maximum number of days of a range that shows both dates. */
 const MOST_DAYS = 62;
 
 /** @param locale such as `de` or `es-MX` */
 export function numbersIn(locale: string) {
   const formats: Map<string, Intl.NumberFormat> = new Map();
 
-  /** Formats are kept: to make one takes longer than to use it a thousand times. */
+  /** Formats are cached, because creating one takes longer than using it a thousand times. */
   function format(value: number, digits: number | undefined, how: Intl.NumberFormatOptions = {}) {
     const name = `${digits} ${how.style} ${how.unit}`;
     const known =
@@ -23,12 +23,12 @@ export function numbersIn(locale: string) {
     return known.format(value);
   }
 
-  /** @param digits behind the point; without it as many as there are */
+  /** @param digits decimal places; all by default */
   const decimal = (value: number, digits?: number) => format(value, digits);
 
   const unit = (value: number, name: string, digits: number) => format(value, digits, { style: 'unit', unit: name });
 
-  /** @returns minutes and seconds, and hours where there are any: `1:02:03.4` */
+  /** @returns minutes and seconds, and hours if necessary: `1:02:03.4` */
   function clock(seconds: number): string {
     const tenths = Math.round(seconds * 10);
     const [hours, minutes, rest] = [Math.floor(tenths / 36_000), Math.floor(tenths / 600) % 60, (tenths % 600) / 10];
@@ -39,7 +39,7 @@ export function numbersIn(locale: string) {
   /**
    * @param from a day, in milliseconds of UTC
    * @param to a day not before it
-   * @returns the days as one writes them: `3–5 June 2026`; of several months these, of several years these alone
+   * @returns the range in the usual form: `3–5 June 2026`. Longer ranges show only months, or only years
    */
   function dates(from: number, to: number): string {
     const days = (to - from) / 86_400_000;
@@ -48,9 +48,9 @@ export function numbersIn(locale: string) {
       days <= MOST_DAYS ? { day: 'numeric', month: 'long', year } : days <= 366 ? { month: 'long', year } : { year };
     const format = new Intl.DateTimeFormat(locale, { ...parts, timeZone: 'UTC' });
     const ends = [format.format(from), format.format(to)];
-    // Where a language writes stretches in figures alone, the two ends in words are nearer to a name.
+    // If a language formats ranges only with digits, both dates in words are easier to read as a name.
     const range = typeof format.formatRange === 'function' ? format.formatRange(from, to) : '/';
-    // Some languages have spaces that only typesetters know.
+    // Some languages use special spaces, which are replaced.
     return (range.includes('/') ? [...new Set(ends)].join(' – ') : range).replaceAll(/\s+/gu, ' ');
   }
 

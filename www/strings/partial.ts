@@ -1,11 +1,11 @@
-/** A language that says only part of what English says: English shows through. */
+/** Incomplete translations: missing texts appear in English. */
 
 import type { Names } from './names.ts';
 import type { Words } from './en/index.ts';
 
 /**
- * The same shape, of which everything may be missing: sentences and lists are there as a whole or not at all. Names that every
- * object has (`valueOf`) are not looked at, as none is without them.
+ * The same type with optional fields. Functions and lists are never partial. Names that every object has (`valueOf`)
+ * are excluded, because no object lacks them.
  */
 export type PartOf<T> = T extends ((...given: never[]) => unknown) | readonly unknown[]
   ? T
@@ -13,13 +13,13 @@ export type PartOf<T> = T extends ((...given: never[]) => unknown) | readonly un
     ? { [K in keyof T as K extends keyof Object ? never : K]?: PartOf<T[K]> }
     : T;
 
-/** A folder of `strings/` in which words may be missing. */
+/** A folder of `strings/` with possibly missing texts. */
 export type PartTranslation = { words: PartOf<Words>; names: Names };
 
 const isGroup = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** @returns all that `whole` has, each in the words of `part` where there are some, and what `part` alone has */
+/** @returns the fields of `whole`, replaced by fields of `part` with the same name, and additional fields of `part` */
 export function filled<T extends object>(part: NoInfer<PartOf<T>>, whole: T): T {
   const out: Record<string, unknown> = Object.fromEntries(Object.entries(whole));
   for (const [key, value] of Object.entries(part)) {

@@ -1,4 +1,4 @@
-/** A language says all that English says, in the same form. */
+/** Every language has all strings of English, in the same form. */
 
 import { readFileSync, readdirSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
@@ -9,7 +9,7 @@ import { LANGUAGES, localeOf, pickLanguage } from './language.ts';
 import { filled } from './partial.ts';
 import { inLanguage, translations } from './testing.ts';
 
-/** Languages that may lack words, which are then said in English (`docs/guide/translating.md`). */
+/** Incomplete languages. Their missing texts appear in English (`docs/guide/translating.md`). */
 const PARTIAL: readonly string[] = [];
 
 const others = Object.entries(translations).filter(([code]) => code !== 'en');
@@ -20,7 +20,7 @@ function kind(value: unknown): string {
   return Array.isArray(value) ? `array of ${value.length}` : typeof value;
 }
 
-/** @returns every key below, with the kind of what it holds */
+/** @returns every key below, with the type of its value */
 function shape(value: any, path: string = ''): [string, string][] {
   const below = value !== null && typeof value === 'object' ? Object.entries(value) : [];
   return [[path, kind(value)], ...below.flatMap(([key, inner]) => shape(inner, `${path}.${key}`))];
@@ -32,7 +32,7 @@ function texts(value: unknown): string[] {
   return value !== null && typeof value === 'object' ? Object.values(value).flatMap(texts) : [];
 }
 
-/** What languages give names to, by the area of `Names`. */
+/** Ids that languages name, by area of `Names`. */
 const named = {
   styles: readAll('../../styles/').map(({ id }) => id),
   layouts: readAll('../../layouts/').map(({ id }) => id),
@@ -111,10 +111,10 @@ it('texts are set by the rules of their language', () => {
     readdirSync(new URL(`./${code}/`, import.meta.url)).map((name) =>
       readFileSync(new URL(`./${code}/${name}`, import.meta.url), 'utf8'),
     );
-  // A line never begins with a mark, so the space before it does not break; code has marks of its own.
+  // A line never begins with a punctuation mark, so the space before it does not break. Code contains other marks.
   const loose = written('fr').flatMap((text) => text.match(/[a-zà-ÿ)}] [:;!?»](?= [a-zà-ÿ$«]|['`])/g) ?? []);
   expect(loose.filter((found) => !/[)}] [:?]/.test(found))).toEqual([]);
-  // Japanese marks are as wide as its letters.
+  // Japanese punctuation is full-width.
   expect(written('ja').flatMap((text) => text.match(/[ぁ-んァ-ヶ一-龠][,.:;!?()]/g) ?? [])).toEqual([]);
 });
 

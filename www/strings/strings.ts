@@ -1,6 +1,6 @@
 /**
- * Every word on the page, in the language of this visit. A language is a folder of `strings/` with the areas of
- * `strings/en/`; it is chosen once, before anything is drawn, so words never change under a running page.
+ * All strings of the app, in the current language. A language is a folder of `strings/` with the areas of
+ * `strings/en/`. It is chosen once before the first draw, so strings never change in a running page.
  */
 
 import { compose } from './compose.ts';
@@ -25,12 +25,12 @@ const OTHERS: Record<Exclude<Language, 'en'>, () => Promise<PartTranslation>> = 
 const wanted = currentLanguage();
 const translation: PartTranslation = wanted === 'en' ? english : await OTHERS[wanted]().catch(() => english);
 
-/** English where the one that is wanted cannot be loaded. */
+/** English if the chosen language cannot be loaded. */
 export const language: Language = translation === english ? 'en' : wanted;
 
 if (typeof document !== 'undefined') document.documentElement.lang = language;
 
-/** What a language does not say, or not yet, is said in English. */
+/** Missing texts of a language appear in English. */
 const words = filled(translation.words, english.words);
 
 export const strings = compose(localeOf(language, browserLanguages()), { ...translation, words });

@@ -13,6 +13,6 @@ export const translations: Record<string, Translation> = {
   ...Object.fromEntries(Object.entries(folders).map(([path, translation]) => [path.split('/')[1], translation])),
 };
 
-/** Everything that the page says in a language; what it lacks in English. */
+/** All strings of the app in a language, with English for missing texts. */
 export const inLanguage = (code: string) =>
   compose(code, { ...translations[code], words: filled(translations[code].words, english.words) });

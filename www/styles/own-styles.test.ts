@@ -77,7 +77,7 @@ describe('my styles', () => {
     const alerts = messages.failures.value.map(({ text }) => text);
     expect(alerts[0]).toMatch(/bad\.json.*background.*missing/);
     expect(alerts[1]).toMatch(/long\.json.*512 KB/);
-    // Another style of a designed one's id gets an id of its own.
+    // Another style with the id of a built-in style gets a new id.
     expect(kept()).toEqual([style('fresh-1', { name: 'Other' })]);
     expect(opened.map(({ id }) => id)).toEqual(['fresh-1']);
   });

@@ -16,7 +16,7 @@ import type { Style } from '../engine/types.ts';
 
 export type OwnStyles = ReturnType<typeof createOwnStyles>;
 
-/** More would make the lists long and the storage full; the oldest go. */
+/** Maximum number of styles, to limit the lists and the storage. The oldest are removed. */
 const MOST = 300;
 
 /** @returns an id that no other style has */
@@ -40,7 +40,7 @@ export function createOwnStyles({
 
   return { mine, favourites, save, remove, duplicate, exportFile, open, openLink, copyLink, favour, isFavourite, find };
 
-  /** @returns one of the person's own or favourite styles */
+  /** @returns a custom or favourite style of the user */
   function find(id: string): Style | undefined {
     return [...mine.peek(), ...favourites.peek()].find((style) => style.id === id);
   }
@@ -74,7 +74,7 @@ export function createOwnStyles({
     saveFile(new Blob([`${JSON.stringify(style, null, 2)}\n`], { type: 'application/json' }), `${name}.json`);
   }
 
-  /** Takes styles from files; the last good one goes to the designer. */
+  /** Imports styles from files. The last valid one opens in the designer. */
   async function open(files: readonly File[]) {
     const taken: { file: File; style: Style }[] = [];
     for (const file of files) {
@@ -111,7 +111,7 @@ export function createOwnStyles({
   ): Promise<string> {
     const mark = await linkOf(style);
     const link = address.replace(/#.*$/s, '') + mark;
-    // A texture makes a link that no program passes on whole.
+    // Links with a texture are too long for most programs.
     if (mark.length > LONGEST_LINK) {
       messages.alert(strings.linkTooLong(style.name));
       return link;

@@ -8,7 +8,7 @@ export type RecentStyles = ReturnType<typeof createRecentStyles>;
 const KEY = 'inkpanel.recent-styles';
 const MOST = 6;
 
-/** @param box may throw where storage is refused: then they are known for as long as the page is there */
+/** @param box may throw if storage is blocked: then the list lasts until the page closes */
 export function createRecentStyles(box: () => Box) {
   const ids = signal(read(box));
   return {
@@ -20,7 +20,7 @@ export function createRecentStyles(box: () => Box) {
       try {
         box().setItem(KEY, JSON.stringify(ids.peek()));
       } catch {
-        // Refused or full: what was chosen in this visit is known anyway.
+        // Storage is blocked or full. The choices of this visit are still in memory.
       }
     },
   };

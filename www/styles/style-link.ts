@@ -1,10 +1,10 @@
 /**
- * A style as a link: its JSON, deflated, in the letters of base64url, behind `#style=`. Links are untrusted, so their
- * size is limited. The core then checks the style like a file.
+ * A style as a link: its JSON, deflated, in base64url, after `#style=`. Links are untrusted, so their size is limited.
+ * The core then checks the style like a file.
  */
 
 const MARK = '#style=';
-/** No link is longer, in letters. */
+/** Maximum length of a link in characters. */
 export const LONGEST_LINK = 16 * 1024;
 /** No style in a link is longer, in bytes; a small link may hold a huge text. */
 export const LONGEST_STYLE = 512 * 1024;

@@ -1,6 +1,6 @@
 /**
- * The styles as images of the user's photo, searched by name or kind: the style of the page if it is in no list,
- * favourites, recent styles, custom styles, and built-in styles by family.
+ * The styles as images of the user's photo, searched by name or kind. The list has favourites, recent styles, custom
+ * styles, and built-in styles by family. If the style of the page is in no list, it comes first.
  */
 
 import { useSignal } from '@preact/signals';
@@ -29,7 +29,7 @@ export function StylesList() {
   const kind = useSignal('');
   const sought = useSignal('');
   const [recent, setRecent] = useState(recentStyles.ids.peek());
-  // A style goes to the recent ones when one comes back to the list, not from under the pointer.
+  // The list of recent styles is updated when the user returns to it, so that nothing moves under the pointer.
   useEffect(() => setRecent(recentStyles.ids.peek()), [ui.sideTab.value]);
   const style = (store.page.value?.style ?? null) as string | Style | null;
   const selected = typeof style === 'string' ? style : (style?.id ?? null);
@@ -37,7 +37,7 @@ export function StylesList() {
   const kinds = useMemo(() => kindsOf({ catalogue, mine, favourites, recent }), [catalogue, mine, favourites, recent]);
   const glimpse = usePageGlimpse((id) => pages.plan({ keep: KEEP, style: ownStyles.find(id) ?? id }));
 
-  // Where the kind is gone, as with the last favourite, all are shown.
+  // If the kind does not exist any more, for example without the last favourite, all styles are shown.
   const open = kinds.some(({ id }) => id === kind.value) ? kind.value : '';
   const words = sought.value.trim().toLocaleLowerCase();
   const found = (option: Style) => strings.styleTitle(option).toLocaleLowerCase().includes(words);

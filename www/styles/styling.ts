@@ -1,4 +1,7 @@
-/** How a shuffle draws styles: also from a person's own and favourites, some of them invented, a layer of the page kept. */
+/**
+ * Options of Shuffle for styles: it also uses custom and favourite styles, generates some, and can retain a layer of
+ * the page.
+ */
 
 import type { Styling } from '../document/project.ts';
 import type { Store } from '../document/store.ts';

@@ -80,7 +80,7 @@ export function createTaste({ planner, box }: { planner: () => Pick<Planner, 'la
     try {
       box().setItem(KEY, JSON.stringify({ version: 1, on: wanted, ...next }));
     } catch {
-      // Storage may be refused or full; what was learnt lasts as long as the page.
+      // Storage may be blocked or full. Then the preferences last until the app closes.
     }
   }
 

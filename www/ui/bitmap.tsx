@@ -7,7 +7,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { Priority } from '../engine/queue.ts';
 import type { Call } from '../engine/engine.ts';
 
-/** Thumbnails are asked for a little before they scroll into view. */
+/** Thumbnails are requested shortly before they scroll into view. */
 const MARGIN = '160px';
 
 /** @param props `of`: the drawn object, `by`: other dependencies of the image; a change of either draws a new image */
@@ -41,7 +41,7 @@ export function Bitmap({
         canvas.getContext('bitmaprenderer')?.transferFromImageBitmap(bitmap);
         setDrawn(true);
       },
-      // A thumbnail that cannot be drawn stays a skeleton; the page itself says what is wrong with a photo.
+      // A thumbnail that cannot be drawn stays a skeleton. The page reports errors of photos.
       () => {},
     );
     return () => stop.abort();
@@ -53,7 +53,7 @@ export function Bitmap({
 export function useInView(ref: { current: Element | null }): boolean {
   const [inView, setInView] = useState(false);
   useEffect(() => {
-    // `scrollMargin` looks ahead inside lists that scroll, `rootMargin` in the window.
+    // `scrollMargin` extends the visible area inside scrolling lists, `rootMargin` in the window.
     const options = { rootMargin: MARGIN, scrollMargin: MARGIN } as IntersectionObserverInit;
     const observer = new IntersectionObserver(
       (entries) => setInView(entries[entries.length - 1].isIntersecting),

@@ -1,6 +1,6 @@
 /** File names for all systems: readable, without characters that Windows, macOS or Linux reject. */
 
-/** Most bytes of a name without its ending: systems take 255, and browsers put ` (1)` behind a name that is there. */
+/** Maximum bytes of a name without its extension. Systems allow 255, and browsers add ` (1)` to an existing name. */
 const MOST_BYTES = 180;
 /**
  * Characters that Windows rejects, path separators, control characters, and direction marks, which can disguise an
@@ -42,7 +42,7 @@ function undeviced(name: string): string {
   return DEVICE.test(name) ? `_${name}` : name;
 }
 
-/** Cut between letters as a reader sees them. */
+/** Cuts between user-perceived characters. */
 function cut(text: string, most: number): string {
   if (bytesOf(text) <= most) return text;
   let kept = '';

@@ -1,6 +1,6 @@
 /**
  * A large preview of a choice on hover, keyboard focus or long press: the page in that style or layout, or a photo. It
- * is there for the eye only, and gone with Escape.
+ * is only visual, and Escape hides it.
  */
 
 import { useEffect, useState } from 'preact/hooks';
@@ -24,7 +24,7 @@ export type Glimpsed = {
 /** Position of the preview: over the page, or on the side of the control with the most space. */
 type Side = 'page' | 'beside';
 
-/** Milliseconds that one stays with a choice before it is drawn: who moves across a list wants to see the list. */
+/** Milliseconds of rest on a choice before it is drawn, because users who move across a list want to see the list. */
 const REST = 220;
 
 type Pointed = { id: string; at: DOMRect };

@@ -6,7 +6,7 @@
 import { useRef, useState } from 'preact/hooks';
 import { onEscape } from './on-escape.ts';
 
-/** an item, and before which one it would land */
+/** The index of the dragged item, and the gap where it would land. */
 type Carried = { from: number; gap: number | null };
 /** Selectors of the scrolling list, and of its items. */
 type Where = { list: string; item: string };
@@ -83,7 +83,7 @@ export function useListDrag({ list: listOf, item: itemOf }: Where, onDrop: (from
       () => {
         end();
         if (!holds || gap === null) return;
-        // Taking it out moves those behind it up by one.
+        // Removing it moves later ones up by one.
         const to = from < gap ? gap - 1 : gap;
         if (to !== from) onDrop(from, to);
       },
@@ -99,7 +99,7 @@ export function useListDrag({ list: listOf, item: itemOf }: Where, onDrop: (from
   return { carried, take, dragged };
 }
 
-/** Whether its items lie below each other. */
+/** Returns whether its items are in a column. */
 function isColumn(list: Element) {
   const { display, flexDirection } = getComputedStyle(list);
   return !display.includes('flex') || flexDirection === 'column';

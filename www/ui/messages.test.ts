@@ -75,7 +75,7 @@ describe('files that cannot be read', () => {
     way?.run();
     expect(messages.listed.value).toBe(true);
     expect(way?.stays).toBe(true);
-    // The list goes with its message.
+    // The list disappears with its message.
     messages.close(id);
     expect([messages.listed.value, messages.failures.value]).toEqual([false, []]);
   });

@@ -92,7 +92,7 @@ export function createMessages() {
 
   /**
    * A file that could not be read. It is added to the existing message.
-   * @param alone the message for a single file, and its action
+   * @param text the message for a single file
    */
   function fileFailed(
     name: string,

@@ -47,7 +47,7 @@ pub fn run(project: &Project) -> Result<()> {
         });
         let _: Vec<()> = tries.into_iter().collect::<Result<_>>()?;
         let rate = ALBUMS as f64 * 60.0 / start.elapsed().as_secs_f64();
-        println!("{workers} at a time: {rate:.1} pages a minute");
+        println!("{workers} at a time: {rate:.1} pages per minute");
         anyhow::Ok(rate)
     };
     let [one, two, all] = [drawn(1, Some(1))?, drawn(2, Some(1))?, drawn(1, None)?];

@@ -24,10 +24,10 @@ const BUDGETS: [(&str, &str, usize); 8] = [
     ("detectors", "pkg-detector", 2_500_000),
 ];
 
-/// The most that the letters may take, which are packed: the modules of words and of exports both ask for them.
+/// Maximum size of the packed glyphs, which the modules `words` and `exports` both download.
 const LETTERS: usize = 130_000;
 
-/// Fails when a module has outgrown its budget, or the letters theirs.
+/// Fails if a module or the glyphs exceed their budget.
 pub fn check(project: &Project) -> Result<()> {
     for (name, folder, budget) in BUDGETS {
         let folder = project.www().join(folder);

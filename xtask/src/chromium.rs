@@ -8,7 +8,7 @@ use anyhow::{Result, bail};
 use crate::debian;
 use crate::tools::in_path;
 
-/// Names that Chromium and its kin go by in PATH.
+/// Names of Chromium and related browsers in PATH.
 const NAMES: &[&str] = &["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
 
 /// Names of the headless version of the same engine.
@@ -33,7 +33,7 @@ pub fn find() -> Result<PathBuf> {
         if given.is_file() {
             return Ok(given);
         }
-        bail!("CHROMIUM is {}, which is no file", given.display());
+        bail!("CHROMIUM: {} is not a file", given.display());
     }
     if let Some(found) = installed() {
         return Ok(found);

@@ -6,9 +6,8 @@
 //! shuffle(min(max(a, -32768), 32767), ...)    the same with two shuffles in place of the instruction
 //! ```
 //!
-//! wasm-opt knows neither. Both become `narrow(a, ...)`, only if the limits are not tighter than the limits
-//! of the instruction. So results do not change. Everything else is copied unchanged, so a module never
-//! grows.
+//! wasm-opt does neither. Both become `narrow(a, ...)`, only if the limits are not tighter than the limits of
+//! the instruction. So results do not change. Everything else is copied unchanged, so a module never grows.
 
 use std::ops::Range;
 
@@ -99,7 +98,7 @@ fn edits(function: FuncToValidate<ValidatorResources>, body: &FunctionBody<'_>) 
             operator.operator_arity(&validator).context("an instruction of unknown arity")?;
         let lowest = made.len().checked_sub(taken as usize);
         validator.op(start, &operator)?;
-        // A branch leaves a stack of any height behind it; the validator knows which it is.
+        // A branch can leave any stack height. The validator has the value.
         let height = validator.operand_stack_height() as usize;
         let operands = lowest.map(|lowest| made.split_off(lowest)).unwrap_or_default();
         made.truncate(height.saturating_sub(given as usize));

@@ -38,7 +38,7 @@ pub fn install_all(packages: &[&str]) -> Result<bool> {
     Ok(true)
 }
 
-/// Whether dpkg knows a package as installed.
+/// Returns whether a package is installed, by dpkg.
 pub fn has(package: &str) -> bool {
     let mut query = Command::new("dpkg-query");
     query.args(["--show", "--showformat", "${db:Status-Status}", package]).stderr(Stdio::null());
@@ -56,7 +56,8 @@ fn is_root() -> bool {
     false
 }
 
-/// Debian or a child of it. Ubuntu's `chromium` is a stub that wants snap, so Ubuntu is left to its owner.
+/// Debian or a child of it. Ubuntu's `chromium` is a stub that requires snap, so nothing is installed on
+/// Ubuntu.
 fn is_debian() -> bool {
     Path::new("/usr/bin/apt-get").exists()
         && fs::read_to_string("/etc/os-release").is_ok_and(|release| says_debian(&release))

@@ -1,5 +1,5 @@
-//! The tables of near-duplicates found and mistaken, over the photos of the repository and frames of films that are for
-//! this only.
+//! Makes the tables of detected and false near-duplicates, for the photos of the repository and for frames of
+//! test videos.
 
 use std::fs;
 use std::path::PathBuf;

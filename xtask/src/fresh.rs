@@ -57,7 +57,7 @@ fn copy(project: &Project, root: &Path) -> Result<()> {
         fs::File::options().append(true).open(&to)?.set_modified(found.modified()?)?;
         folders.extend(Path::new(file).ancestors().skip(1).map(Path::to_owned));
     }
-    // A folder cannot be opened on Windows, where the crates are then compiled again.
+    // Windows cannot open a folder. There, the crates are compiled again.
     #[cfg(unix)]
     for folder in folders {
         let modified = project.root.join(&folder).metadata()?.modified()?;
@@ -92,7 +92,7 @@ impl Running {
 
 impl Drop for Running {
     fn drop(&mut self) {
-        // The server runs Node and cargo, which would go on. They are in one process group.
+        // The server runs Node and cargo, which would continue. They are in one process group.
         #[cfg(unix)]
         let _ = Command::new("kill").args(["-TERM", "--", &format!("-{}", self.0.id())]).status();
         let _ = self.0.kill();

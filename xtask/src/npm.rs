@@ -12,7 +12,7 @@ use crate::tools;
 /// The oldest Node that Vite 8 and Playwright run on.
 const NODE: (u32, u32) = (20, 19);
 
-/// Installs the packages of www unless they are there as the lock file wants them.
+/// Installs the packages of www unless they match the lock file.
 pub fn install(project: &Project) -> Result<()> {
     let www = project.www();
     install_in(project, "npm", &www, clean_install(&www))
@@ -25,8 +25,8 @@ pub fn install_peers(project: &Project) -> Result<()> {
     install_in(project, "peers", &folder, clean_install(&folder))
 }
 
-/// Installs Ace, which looks at EPUB files, unless it is there as its lock file wants it. The browser that it runs in is the
-/// one of the other tests: it downloads none.
+/// Installs Ace, the EPUB checker, unless the version of its lock file is installed. The browser that it runs
+/// in is the one of the other tests: it downloads none.
 pub fn install_ace(project: &Project) -> Result<()> {
     let folder = project.root.join("tests/ace");
     let mut install = clean_install(&folder);
@@ -34,7 +34,7 @@ pub fn install_ace(project: &Project) -> Result<()> {
     install_in(project, "ace", &folder, install)
 }
 
-/// Runs `install` unless the packages of a folder are there as its files want them.
+/// Runs `install` unless the packages of a folder match its files.
 fn install_in(project: &Project, name: &'static str, folder: &Path, mut install: Command) -> Result<()> {
     check_node()?;
     let mut inputs = Inputs::default();

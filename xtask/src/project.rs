@@ -48,7 +48,7 @@ impl Project {
         self.root.join("www")
     }
 
-    /// Cargo at the top folder, with the target folder of this checkout whatever the environment says.
+    /// Cargo in the top folder, always with the target folder of this checkout.
     pub fn cargo(&self) -> Command {
         let mut command = Command::new(cargo());
         command.current_dir(&self.root).env("CARGO_TARGET_DIR", &self.target);
@@ -81,7 +81,7 @@ mod tests {
     fn only_an_engine_that_was_compiled_by_hand_is_compiled_incrementally() {
         let target = tempfile::tempdir().unwrap();
         assert!(!has_incremental(target.path()));
-        // This program is compiled by cargo itself, before it can say anything.
+        // Cargo compiles this program before the program can set options.
         let kept = target.path().join("debug/incremental");
         std::fs::create_dir_all(kept.join("xtask-1x2y3z")).unwrap();
         assert!(!has_incremental(target.path()));

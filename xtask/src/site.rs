@@ -33,7 +33,7 @@ pub fn build_modules(project: &Project, purpose: Purpose) -> Result<()> {
     wasm::build_all(project, &wasm::all(project), purpose)
 }
 
-/// Whether the module of the nets is there when the front end is bundled.
+/// Whether the detection module exists when the front end is bundled.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Nets {
     There,
@@ -78,7 +78,7 @@ pub fn start_serving(project: &Project, port: u16) -> Result<(Child, String)> {
     let (detectors, needed) = modules.split_last().context("there are modules")?;
     letters::make(project)?;
     let stale = wasm::stale(project, needed, SERVE);
-    // Downloads need little CPU time, so they run beside the compiler.
+    // Downloads need little CPU time, so they run in parallel with the compiler.
     thread::scope(|scope| {
         let fetched = scope.spawn(|| npm::install(project).inspect(|()| models::make_or_warn(project)));
         let compiled = wasm::compile(project, &stale, SERVE);
@@ -115,7 +115,8 @@ pub fn add_detectors(project: &Project) -> Result<bool> {
 
 const SERVE: Purpose = Purpose::Serve;
 
-/// The files of the module of the nets in a site that was bundled before it was there. `nets-module.js` names them.
+/// Placeholders of the detection module in a site that was bundled before the module was compiled.
+/// `nets-module.js` names them.
 const LATER: [&str; 2] = ["nets-later.js", "nets-later.wasm"];
 
 fn assets(project: &Project) -> PathBuf {

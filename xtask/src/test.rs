@@ -64,7 +64,7 @@ enum Lane {
     Web,
 }
 
-/// What a suite needs.
+/// Requirements of a suite.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Needs {
     Nothing,
@@ -245,7 +245,7 @@ pub fn run(project: &Project, tier: Tier, names: &[String], skip_default: bool) 
     summarise(project, &lines, start.elapsed())
 }
 
-/// Whether a suite runs. Suites that are asked for by name run in any tier.
+/// Whether a suite runs. Suites that are requested by name run in any tier.
 fn is_wanted(suite: &Suite, tier: Tier, names: &[String], skip_default: bool) -> bool {
     if !names.is_empty() {
         return names.iter().any(|name| name == suite.name);
@@ -253,7 +253,7 @@ fn is_wanted(suite: &Suite, tier: Tier, names: &[String], skip_default: bool) ->
     suite.tiers.iter().any(|own| *own <= tier && !(skip_default && *own == Change))
 }
 
-/// Installs what the suites share: npm packages and models.
+/// Installs the shared requirements of the suites: npm packages and models.
 fn prepare(project: &Project, wanted: &[&Suite]) -> Result<()> {
     if wanted.iter().any(|suite| suite.needs != Needs::Nothing) {
         npm::install(project)?;

@@ -11,7 +11,7 @@ use crate::{npm, site, tools};
 
 #[derive(Subcommand)]
 pub enum Task {
-    /// Write a PO file for each language into a folder, and list what only code can say
+    /// Write a PO file for each language into a folder, and list texts that need code
     Export {
         /// Where to; it is made if it is not there
         folder: PathBuf,

@@ -102,14 +102,14 @@ pub fn core(project: &Project) -> Module {
     Module { name: "core", folder: project.www().join("pkg"), ..fast() }
 }
 
-/// The detectors, which the page loads after its first page is drawn. The time goes into tract's kernels, which the
-/// profile compiles for speed; the rest is large.
+/// The detectors, which the page loads after its first page is drawn. Most of the time is spent in tract's
+/// kernels, which the profile compiles for speed. The rest is large.
 pub fn detectors(project: &Project) -> Module {
     let folder = project.www().join("pkg-detector");
     Module { name: "detectors", package: "inkpanel-detectors", group: Group::Detectors, folder, ..small() }
 }
 
-/// The words module, loaded with the first text. Compiled for size, because speed does not matter.
+/// The `words` module, loaded with the first text. Compiled for size, because speed does not matter.
 pub fn words(project: &Project) -> Module {
     Module { name: "words", package: "inkpanel-words", folder: project.www().join("pkg-words"), ..small() }
 }

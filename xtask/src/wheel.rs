@@ -19,8 +19,8 @@ pub fn run(project: &Project, with_ray: bool) -> Result<()> {
     make(project, with_ray, None).map(|_| ())
 }
 
-/// As [`run`], and says where the wheel is. Its entries have this time, in seconds since 1970, or the time of
-/// the build.
+/// Like [`run`], and prints the path of the wheel. Its entries have this time, in seconds since 1970, or the
+/// time of the build.
 ///
 /// # Errors
 /// As there.

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * The canvas 2D context's own filters. Drawing is recorded and done when pixels are asked for, so each run
- * reads one pixel back.
+ * The canvas 2D context's own filters. Canvases record drawing commands and run them when pixels are read, so each run
+ * reads one pixel.
  */
 
 import * as tables from './tables.js';

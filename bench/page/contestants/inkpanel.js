@@ -16,7 +16,7 @@ export async function load({ width, height, data }) {
   };
 }
 
-/** @returns {Promise<{ blocks: any[], styles: any[] }>} what there is to time */
+/** @returns {Promise<{ blocks: any[], styles: any[] }>} the rows to measure */
 export async function catalogue() {
   await init();
   return { blocks: JSON.parse(blocks()), styles: JSON.parse(styles()) };

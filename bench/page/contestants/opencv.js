@@ -78,7 +78,7 @@ export async function load({ width, height, data }) {
         return () => cv.resize(source, out, size, 0, 0, p.percent < 100 ? cv.INTER_AREA : cv.INTER_CUBIC);
       }
       case 'detail':
-        // The usual diameter of 9 instead of the 25 that sigma_s asks for: less work, to OpenCV's advantage.
+        // The usual diameter of 9 instead of 25 for this sigma_s: less work, an advantage for OpenCV.
         return () => {
           cv.bilateralFilter(gray, a, 9, p.sigma_r, p.sigma_s, cv.BORDER_REPLICATE);
           cv.addWeighted(gray, 1 + p.delta / 100, a, -p.delta / 100, 0, out);

@@ -19,7 +19,7 @@ export const saturation = (amount) =>
 /** Rows of the matrix that turns U and V. @param {number} degrees */
 export function hue(degrees) {
   const [cos, sin] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
-  // U and V of each primary, and what each of the two gives back to red, green and blue (BT.601, full range).
+  // U and V of each primary colour, and their contributions to red, green and blue (BT.601, full range).
   const u = [-0.168736, -0.331264, 0.5];
   const v = [0.5, -0.418688, -0.081312];
   const back = [

@@ -34,7 +34,7 @@ pub enum Mend {
     Nothing,
     /// The detected mask.
     Found,
-    /// Only the next of several figures.
+    /// The next subject, if the mask has several.
     NextFigure,
 }
 
@@ -99,7 +99,7 @@ impl Retouch {
         self.session.abandon();
     }
 
-    /// Does something to the mask as a whole; whether anything changed.
+    /// Applies a correction to the whole mask. Returns whether anything changed.
     pub fn mend(&mut self, how: Mend) -> bool {
         self.session.mend(match how {
             Mend::Grow => Mending::Grow,
@@ -113,7 +113,7 @@ impl Retouch {
         })
     }
 
-    /// Selects only the figure at a point, in fractions of the photo. Returns whether anything changed.
+    /// Selects only the subject at a point, in fractions of the photo. Returns whether anything changed.
     pub fn choose(&mut self, x: f32, y: f32) -> bool {
         self.session.mend(Mending::FigureAt([x, y]))
     }

@@ -1,7 +1,8 @@
 //! The web boundary of the core, with the files of `wasm/`. It holds no algorithm.
 //!
 //! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a
-//! `code` beside its `message`. The page calls the functions for planning; a worker holds a [`Studio`].
+//! `code` in addition to its `message`. The page calls the functions for planning; a worker holds a
+//! [`Studio`].
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
@@ -71,8 +72,8 @@ fn listed(list: &impl Serialize) -> String {
     serde_json::to_string(list).unwrap_or_default()
 }
 
-/// Checks a style file and returns it normalised. One of the page's own from before blocks had a choice keeps
-/// its look. Throws `invalid-style`.
+/// Checks a style file and returns it normalised. A style that the app saved before blocks had a choice
+/// retains its look. Throws `invalid-style`.
 #[wasm_bindgen]
 pub fn check_style(json: &str, file: &str) -> std::result::Result<String, JsValue> {
     let check = || -> Result<String> {
@@ -142,7 +143,7 @@ impl Patch {
 }
 
 impl Patch {
-    /// An image that lies nowhere in particular.
+    /// Returns an image without a position in a photo.
     fn whole(width: usize, height: usize, rgba: Vec<u8>) -> Self {
         Self { area: PixelRect { x: 0, y: 0, width, height }, rgba }
     }
@@ -264,7 +265,7 @@ impl Studio {
         render().map_err(thrown)
     }
 
-    /// A whole page.
+    /// Renders a whole page.
     pub fn compose(
         &mut self,
         document: &str,
@@ -279,7 +280,7 @@ impl Studio {
         render().map_err(thrown)
     }
 
-    /// Draws a photo, or a crop of it (JSON, or empty for the whole), in a style.
+    /// Draws a photo in a style. The crop is JSON, or empty for the whole photo.
     pub fn stylize_photo(
         &mut self,
         key: &str,
@@ -360,7 +361,7 @@ impl Studio {
         core::arch::wasm32::memory_size::<0>() as f64 * PAGE
     }
 
-    /// Keeps both copies of a photo that was read; gives its facts as JSON.
+    /// Stores both copies of an imported photo, and returns its facts as JSON.
     fn take_in(&mut self, photo: Imported) -> std::result::Result<String, JsValue> {
         let facts = serde_json::to_string(&photo.entry()).map_err(|error| internal(&error))?;
         self.photos.insert(format!("{}/work", photo.meta.id), photo.work);
@@ -375,13 +376,14 @@ impl Studio {
         Ok(scene)
     }
 
-    /// Tells the subject in a picture of a region of a photo, where it is known and the style asks for it.
+    /// Sets the subject mask for a picture of a region of a photo, if the subject is known and the style uses
+    /// it.
     fn show_subject(&mut self, key: &str, region: Region, picture: &Image, style: &Style) {
         let subject = if style.has_parts() { self.subject_in(key, region, picture) } else { None };
         self.context.show_subject(subject);
     }
 
-    /// The subject in a picture of a region of a photo, where it is known.
+    /// Returns the subject mask for a picture of a region of a photo, if the subject is known.
     fn subject_in(&self, key: &str, region: Region, picture: &Image) -> Option<Plane> {
         let (photo, matte) = (self.photos.get(key)?, self.subjects.get(key)?);
         let scale = scale_of(picture.width() as f64 * picture.height() as f64);
@@ -403,7 +405,7 @@ fn style_of(json: &str) -> Result<Style> {
 }
 
 fn not_begun() -> Error {
-    Error::Encode("no page was begun".into())
+    Error::Encode("no page is open".into())
 }
 
 fn internal(error: &impl std::fmt::Display) -> JsValue {

@@ -1,5 +1,5 @@
 //! wasm bindings of the decoders for rare photos: WebP, TIFF, GIF, and colours of scanners or presses. It is
-//! loaded with the first of them, and makes them files that the core reads.
+//! loaded with the first such file, and converts it to a format that the core reads.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]

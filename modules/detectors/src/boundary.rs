@@ -1,7 +1,7 @@
 //! wasm bindings of the detector module.
 //!
-//! Boxes cross as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` beside its
-//! `message`.
+//! Boxes cross as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` in
+//! addition to its `message`.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]

@@ -1,7 +1,7 @@
 //! wasm bindings of storyboards in the exports module: sheets as pages, edit lists, and plans of animatics
 //! and motion comics.
 //!
-//! Errors are like in the words module.
+//! Errors are like in the `words` module.
 
 use crate::letters::Lettering;
 use inkpanel::error::{Error, Result};

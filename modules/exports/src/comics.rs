@@ -1,7 +1,7 @@
 //! The web boundary of comics that are read, a part of the module of other files: their text. The app inserts
 //! the images, which it has as blobs.
 //!
-//! Errors are like in the words module.
+//! Errors are like in the `words` module.
 
 use crate::letters::Lettering;
 use inkpanel::error::{Error, Result};

@@ -1,7 +1,7 @@
 //! The web boundary of the module of files other than PNG: pages as JPEG, WebP and PDF. The core draws the
 //! pixels, which arrive as patches.
 //!
-//! Errors are like in the words module.
+//! Errors are like in the `words` module.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
@@ -118,7 +118,7 @@ impl Plate {
 }
 
 fn no_plate() -> Error {
-    Error::InvalidDocument { location: "style".into(), reason: "prints no plate of that number".into() }
+    Error::InvalidDocument { location: "style".into(), reason: "has no plate with this number".into() }
 }
 
 #[wasm_bindgen]
@@ -146,7 +146,7 @@ impl Cut {
         std::mem::take(&mut self.jpeg)
     }
 
-    /// Moves out the opacity of each pixel of a figure, packed.
+    /// Moves out the opacity of each pixel of a subject, packed.
     #[must_use]
     pub fn take_alpha(&mut self) -> Option<Vec<u8>> {
         self.alpha.take()

@@ -1,4 +1,4 @@
-//! wasm bindings of the films module: selects representative frames of a video from frames that the browser
+//! wasm bindings of the `films` module: selects representative frames of a video from frames that the browser
 //! decodes, and analyses its sound. The worker that reads videos loads it with the first video.
 
 // Every function that returns a Result throws as the module's documentation says.
@@ -49,7 +49,7 @@ impl Looking {
         Ok(())
     }
 
-    /// How many frames were looked at.
+    /// Number of analysed frames.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn looks(&self) -> usize {

@@ -1,8 +1,8 @@
-//! wasm bindings of the words module: placement, size and pixels of text items. It is loaded when a page
-//! first has words, and given their letters (`wasm_letters`).
+//! wasm bindings of the `words` module: placement, size and pixels of text items. The app loads it when a
+//! page first has text, and passes the glyphs (`wasm_letters`).
 //!
-//! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a `code` beside
-//! its `message`.
+//! Structured data crosses as JSON text, pixels as byte arrays. Every error is a JavaScript `Error` with a
+//! `code` in addition to its `message`.
 
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
@@ -52,13 +52,13 @@ impl Lettering {
         measure().map_err(thrown)
     }
 
-    /// Whether some letters of a text were learnt.
+    /// Returns whether a text contains traced glyphs.
     #[must_use]
     pub fn foreign(&self, text: &str) -> bool {
         self.letters().foreign(text)
     }
 
-    /// One word of a page that is `width` pixels wide.
+    /// Renders one text item of a page with a width of `width` pixels.
     pub fn render(
         &self,
         document: &str,

@@ -311,7 +311,7 @@ fn check_riff(bytes: &[u8], name: &'static str) -> Result<()> {
     if bytes.len() as u64 >= u64::from(announced) + 8 {
         Ok(())
     } else {
-        Err(Error::damaged(name, "its end is missing"))
+        Err(Error::damaged(name, "it is truncated"))
     }
 }
 

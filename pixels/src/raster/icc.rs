@@ -108,7 +108,7 @@ fn by_curves(profile: &[u8], channels: Channels) -> Option<Correction> {
 
 /// Correction by tables, or by the profile's curves if its tables cannot be read.
 #[cfg(feature = "rare")]
-#[expect(clippy::unnecessary_wraps, reason = "a build without tables has none to give")]
+#[expect(clippy::unnecessary_wraps, reason = "without tables, it always returns `None`")]
 fn tables(profile: &[u8], channels: Channels) -> Result<Option<Correction>> {
     let tables = transform(profile, channels).map(Box::new).map(Correction::Tables);
     Ok(tables.or_else(|| by_curves(profile, channels)))

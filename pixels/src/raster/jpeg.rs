@@ -102,7 +102,8 @@ pub(super) fn reduced(bytes: &[u8], longest: usize) -> Option<Vec<Plane>> {
 /// The file without records, as the decoder takes it, and the damage that is left out of it.
 ///
 /// # Errors
-/// `damaged` if less than half of the picture can be decoded, `too-large` if there is no memory to repair it.
+/// `damaged` if less than half of the picture can be decoded, `too-large` if its repair needs too much
+/// memory.
 pub(super) fn readable(
     bytes: &[u8],
     markers: &Markers<'_>,
@@ -124,7 +125,7 @@ pub(super) fn readable(
         Some((file, damage)) => Ok((file, damage.checked(name)?)),
         // An unusual kind, which the decoder may support.
         None if markers.complete => Ok((markers.without_records(bytes), None)),
-        None => Err(Error::damaged(name, "its end is missing")),
+        None => Err(Error::damaged(name, "it is truncated")),
     }
 }
 
@@ -165,7 +166,7 @@ const RESTART_INTERVAL: u8 = 0xDD;
 const APP0: u8 = 0xE0;
 const APP1: u8 = 0xE1;
 const APP2: u8 = 0xE2;
-/// Adobe's, which says what the colours are.
+/// Adobe's marker, which defines the colour space.
 const APP14: u8 = 0xEE;
 const APP15: u8 = 0xEF;
 const COMMENT: u8 = 0xFE;

@@ -152,7 +152,7 @@ fn records(file: &[u8]) -> Records {
     records
 }
 
-/// The kind and the body of the first chunk, and what follows it.
+/// Returns the type and the data of the first chunk, and the rest.
 fn chunk(bytes: &[u8]) -> Option<(&[u8; 4], &[u8], &[u8])> {
     let length = u32::from_be_bytes(*bytes.first_chunk()?) as usize;
     let (kind, rest) = bytes[4..].split_first_chunk()?;

@@ -30,7 +30,7 @@ pub(super) enum Channels {
 }
 
 impl Channels {
-    /// How many samples a pixel has.
+    /// Returns the number of samples per pixel.
     pub(super) fn count(self) -> usize {
         match self {
             Self::Grey => 1,

@@ -101,7 +101,7 @@ impl Header {
             }
             if tag == ICC_PROFILE && tiff.bytes(field).is_none() {
                 // The pixels may exist, but their format is unknown.
-                return Err(Error::damaged(name, "its end is missing"));
+                return Err(Error::damaged(name, "it is truncated"));
             }
             let new = match tag {
                 // 1: grey, black is 0.

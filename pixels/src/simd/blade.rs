@@ -23,8 +23,8 @@ pub const FRACTION: u32 = 13;
 /// Samples before the first pixel of a widened row.
 pub const LEAD: usize = SIDE / 2;
 
-/// Samples that a widened row holds beyond its pixels: the filter's reach on both sides, and what the last
-/// lanes of the last block read for weights of 0.
+/// Extra samples of a widened row: the reach of the filter on both sides, and padding that the last lanes
+/// read with weight 0.
 pub const MARGIN: usize = LEAD + 8;
 
 /// Rows of weights; the eighth of a row is 0.
@@ -54,7 +54,7 @@ pub fn filter_rows(
     let width = first.len();
     // Equal lengths, so that one bounds check per block is enough for all rows.
     let rows = rows.map(|row| &row[..width + MARGIN]);
-    // Pairs of known length: a copy of unknown length is a call, and a slow one in wasm.
+    // Pairs with a known length, because a copy with an unknown length is a slow function call in wasm.
     let ((pairs, last), (second_pairs, second_last)) =
         (first.as_chunks_mut::<2>(), second.as_chunks_mut::<2>());
     for (block, &place) in places.iter().enumerate() {

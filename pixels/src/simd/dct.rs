@@ -43,8 +43,8 @@ fn load(row: &[f32; 8], half: usize) -> f32x4 {
     f32x4::new(std::array::from_fn(|i| row[4 * half + i]))
 }
 
-/// Writes the samples of a block, moved up by 128, to the first `width` bytes of `height` rows that are `stride` apart.
-/// Sides are 1, 2, 4 or 8; only the first `columns` and `rows` of the coefficients are looked at.
+/// Writes the samples of a block, moved up by 128, to the first `width` bytes of `height` rows that are
+/// `stride` apart. Sides are 1, 2, 4 or 8. Only the first `columns` and `rows` of the coefficients are read.
 pub fn inverse(
     block: &Block,
     (columns, rows): (usize, usize),

@@ -1,8 +1,8 @@
-//! Rotated halftone grids on SIMD lanes. The dot size follows the tone. The output is the paper that stays
-//! white.
+//! Rotated halftone grids on SIMD lanes. The dot size follows the tone. The output is the remaining white
+//! paper.
 //!
-//! Everything about a dot is an area here. With d the distance of a pixel from its dot's centre, in cells, and r the
-//! radius that covers what the ink asks for:
+//! Everything about a dot is an area here. With d the distance of a pixel from the centre of its dot, in
+//! cells, and r the radius of the dot for the ink coverage:
 //!
 //! ```text
 //! phase  = frac of the turned position, 2^16 for a cell, about the centre        (wraps by itself)
@@ -34,8 +34,8 @@ const AREA: i16 = 41;
 /// The sharpness of the ramp: at half of its width the product with the slope is this.
 const HALF: f32 = 1024.0;
 
-/// Inks from this one on need other sizes than v / pi: dots begin to overlap, and their ramps to meet, in the corners
-/// between four of them.
+/// From this ink level on, sizes differ from v / pi: dots begin to overlap, and their ramps meet in the
+/// corners between four dots.
 const MEETING: u8 = 180;
 
 /// A grid of dots. Positions are in cells, as 32-bit fractions of one, which wrap.
@@ -46,7 +46,7 @@ pub struct Screen {
     down: [u32; 2],
     /// Phases of a segment's pixels relative to its first, both coordinates in turn, for four pixels at a time; even.
     phases: [[[i16; 8]; STEP / 4]; SEGMENT / STEP],
-    /// Differences of area beyond this are all ink or none.
+    /// Larger differences of area mean full ink or no ink.
     limit: i16,
     /// A power of two that brings the limit near the largest lane.
     zoom: i16,
@@ -203,7 +203,7 @@ fn raise_low(bytes: u8x16) -> i16x8 {
     cast(u8x16::unpack_low(u8x16::ZERO, bytes))
 }
 
-/// The upper eight bytes alike.
+/// Like the other function, for the upper eight bytes.
 #[inline]
 fn raise_high(bytes: u8x16) -> i16x8 {
     cast(u8x16::unpack_high(u8x16::ZERO, bytes))
@@ -224,7 +224,8 @@ fn multiply(a: u8x16, b: u8x16) -> u8x16 {
     u8x16::narrow_i16x8(low, high)
 }
 
-/// C, M, Y and K (0..=255) of a row: K = 255 - max, C = 255 (max - R) / max, M and Y alike. All rows have one length.
+/// Converts a row to C, M, Y and K (0..=255): K = 255 - max, C = 255 (max - R) / max, and M and Y in the same
+/// way. All rows have one length.
 pub fn separate(colors: [&[u8]; 3], inks: &mut [Vec<u8>; 4]) {
     let width = colors[0].len();
     for x in (0..width - width % STEP).step_by(STEP) {

@@ -1,4 +1,4 @@
-//! Doubles an image with Catmull-Rom. Its samples lie at a quarter and three quarters between the samples of
+//! Doubles an image with Catmull-Rom. Its samples are at a quarter and three quarters between the samples of
 //! the source. Four integer weights, in 128ths, are enough.
 
 use super::mix::{LANES, load, load_part};
@@ -16,8 +16,9 @@ fn widen(samples: u8x16) -> Wide {
     [u16x8::from_u8x16_low(samples), u16x8::from_u8x16_high(samples)]
 }
 
-/// The two outputs beside the middle one of five samples, a quarter of a sample before and after it. Products of bytes and the weights
-/// that are above 0 fit sixteen bits without a sign; taking away the others ends at 0, as clamping would.
+/// The two outputs next to the middle one of five samples, a quarter of a sample before and after it.
+/// Products of bytes and the weights that are above 0 fit sixteen bits without a sign; taking away the others
+/// ends at 0, as clamping would.
 #[inline]
 fn beside([a, b, c, d, e]: [u8x16; 5]) -> [u8x16; 2] {
     let [a, b, c, d, e] = [a, b, c, d, e].map(widen);

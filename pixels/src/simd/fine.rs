@@ -1,7 +1,7 @@
 //! Planes of 16-bit samples in 1/64 grey steps.
 //!
-//! A blur that is later multiplied (`XDoG` multiplies the difference of two by about twenty) must not be
-//! rounded to whole grey steps in between. 255 * 64 leaves room for the sum of two samples in an i16.
+//! A blur that is later multiplied must not be rounded to whole grey levels in between. `XDoG` multiplies the
+//! difference of two blurs by about twenty. Samples of at most 255 * 64 allow the sum of two in an i16.
 
 use super::fir::LANES;
 use crate::raster::Plane;
@@ -57,28 +57,28 @@ impl Fine {
         self.samples
     }
 
-    /// Takes over a plane of whole grey steps. Both have one size.
+    /// Converts a plane of whole grey levels. Both have one size.
     pub fn widen(&mut self, plane: &Plane) {
         for (fine, &sample) in self.samples.iter_mut().zip(plane.samples()) {
             *fine = i16::from(sample) << FRACTION;
         }
     }
 
-    /// Rounds to whole grey steps. Both have one size.
+    /// Rounds to whole grey levels. Both have one size.
     pub fn narrow(&self, plane: &mut Plane) {
         narrow_row(&self.samples, plane.samples_mut());
     }
 }
 
-/// Rounds fine samples to whole grey steps.
+/// Rounds fine samples to whole grey levels.
 pub fn narrow_row(fine: &[i16], out: &mut [u8]) {
     for (out, &fine) in out.iter_mut().zip(fine) {
         *out = ((fine + (1 << (FRACTION - 1))) >> FRACTION).clamp(0, 255) as u8;
     }
 }
 
-/// Copies a row into `padded` with `before` repeats of its first sample in front and repeats of its last
-/// behind, up to `length` and a whole number of lanes.
+/// Copies a row into `padded`. Its first sample is repeated `before` times at the start, and its last sample
+/// at the end, up to `length` and a whole number of SIMD lanes.
 pub fn pad_row(row: &[i16], before: usize, length: usize, padded: &mut Vec<i16>) {
     padded.clear();
     padded.resize(before, row[0]);

@@ -182,8 +182,8 @@ fn groups<const N: usize>(row: &[i16]) -> [i16x8; N] {
     std::array::from_fn(|g| i16x8::new(groups[g]))
 }
 
-/// The loop under all of them. Four groups of lanes at a time hide the latency of the products; the last,
-/// incomplete group computes a whole one and keeps what fits.
+/// The loop under all of them. Four groups of lanes at a time hide the latency of the products. The last,
+/// incomplete group is computed completely, and only the valid part is stored.
 #[inline]
 fn convolve<'a>(
     kernel: &Kernel,

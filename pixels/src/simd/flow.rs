@@ -37,7 +37,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// Makes room for `width` pixels; the field becomes 0.
+    /// Sets the width in pixels, and clears the field to 0.
     pub fn clear(&mut self, width: usize) {
         let length = padded(width);
         self.tones.resize(length, 0);
@@ -48,7 +48,7 @@ impl Row {
     }
 }
 
-/// Samples of a row buffer: one group of lanes before and a group behind.
+/// Samples of a row buffer: with one group of lanes before and one after the row.
 #[must_use]
 pub fn padded(width: usize) -> usize {
     FRONT + width.next_multiple_of(LANES) + LANES
@@ -288,8 +288,9 @@ impl Step {
     }
 }
 
-/// 1 / sqrt(v) has half the exponent of v, turned: subtracting half of the bits of v from this constant gives it
-/// with a straight line in place of the mantissa's curve. Multiplied by 2^`field_bits`.
+/// 1 / sqrt(v) has half the exponent of v with the opposite sign. Subtracting half of the bits of v from this
+/// constant gives an approximation with a straight line instead of the curve of the mantissa. Multiplied by
+/// 2^`field_bits`.
 fn magic(field_bits: u32) -> i32 {
     (0x5f37_a000 + (field_bits << 23)) as i32
 }

@@ -22,7 +22,7 @@ const BRIDGE: f32 = 1.4;
 /// From this sigma on the coarse grid is faster than the direct convolution (measured).
 const COARSE_FROM: f32 = 2.4;
 
-/// Buffers that one blur leaves to the next, so that a slider that moves allocates nothing.
+/// Buffers that are reused by the next blur, so that moving a slider allocates nothing.
 #[derive(Default, Debug)]
 pub struct Buffers {
     planes: Vec<Vec<i16>>,

@@ -75,8 +75,8 @@ fn mix_at<const BITS: u32>(sources: impl Iterator<Item = (Pair, [u8x16; 2])>) ->
     u8x16::narrow_i16x8(narrow(a, b), narrow(c, d))
 }
 
-/// `out = sum of weighted rows`, where the rows lie in `source` from the given offsets, two a pair, each at
-/// least as long as `out`.
+/// Writes the sum of weighted rows to `out`. The rows start at the given offsets in `source`, two per pair.
+/// Each is at least as long as `out`.
 pub fn mix_rows(source: &[u8], offsets: &[usize], pairs: &[Pair], precision: Precision, out: &mut [u8]) {
     let (offsets, _) = offsets.as_chunks::<2>();
     let whole = out.len() - out.len() % LANES;
@@ -142,7 +142,7 @@ pub fn load_part(source: &[u8]) -> u8x16 {
 /// Turns rows into columns: four rounds in which every vector meets the one half a tile away.
 #[must_use]
 pub fn transpose(tile: [u8x16; LANES]) -> [u8x16; LANES] {
-    // Written out: as a loop over arrays the compiler keeps the tile in memory.
+    // Written out, because in a loop over arrays the compiler puts the tile into memory.
     let round = |[a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p]: [u8x16; LANES]| {
         let (low, high) = (u8x16::unpack_low, u8x16::unpack_high);
         let first =

@@ -1,4 +1,4 @@
-//! Row kernels on lanes: the only folder that knows how many pixels an instruction holds.
+//! SIMD row kernels. Only this folder depends on the number of pixels per instruction.
 //!
 //! Everything here is integer arithmetic, or floats without a rounding that could differ, so wasm, x86 and ARM
 //! give the same bytes. The lane types come from
@@ -13,7 +13,7 @@
 //! | [`lanes`] | moves between lane widths |
 //! | [`flow`] | rows of the dual solver of Total Variation Flow |
 //! | [`screen`] | the choice of a pattern for each tone |
-//! | [`dots`] | the dots of a printing screen, and colours taken apart in inks |
+//! | [`dots`] | the dots of a printing screen, and separation of colours into inks |
 //! | [`edge`] | gradient magnitudes |
 //! | [`volume`] | rows of cells over x and tone: gathered, blurred, read between |
 //! | [`fine`] | planes of 1/64 grey steps, in which blurs keep their precision |

@@ -24,7 +24,7 @@ pub struct Wide {
 }
 
 impl Wide {
-    /// Room for `width` x `height` samples, all 0. The sides grow to whole cells inside of the margin.
+    /// Room for `width` x `height` samples, all 0. The sides grow to whole cells within the margin.
     #[must_use]
     pub fn new(width: usize, height: usize, margin: usize) -> Self {
         let stride = width.next_multiple_of(CELL) + 2 * margin;
@@ -110,9 +110,10 @@ fn two_rows(samples: &[i16], at: usize, stride: usize) -> i16x8 {
     cast([four(at), four(at + stride)])
 }
 
-/// Weighted sums of samples at the offsets of each cell's direction. `turns` has a direction for each cell, row by row;
-/// `offsets` the steps (right, down) of each direction; `weights` are Q15, one for each step. Steps beyond the margin are
-/// cut to it. The sums go to `out`, which has the size of `source`, margins too.
+/// Weighted sums of samples at the offsets of each cell's direction. `turns` has a direction for each cell,
+/// row by row; `offsets` the steps (right, down) of each direction; `weights` are Q15, one for each step.
+/// Steps beyond the margin are cut to it. Writes the sums to `out`, which has the size of `source`, including
+/// margins.
 pub fn average(
     source: &Wide,
     out: &mut Wide,
@@ -161,8 +162,9 @@ const WEIGHT: u32 = 12;
 /// out = sum of w_k sample_k / sum of w_k
 /// ```
 ///
-/// `shapes` has a shape for each cell, row by row; `places` the eight steps (right, down) of each shape. All planes and
-/// `spread` have one size and one margin; `reach` is 1 to 32767, in the units of `spread`. Rounded to whole grey steps.
+/// `shapes` has a shape for each cell, row by row; `places` the eight steps (right, down) of each shape. All
+/// planes and `spread` have one size and one margin; `reach` is 1 to 32767, in the units of `spread`. Rounded
+/// to whole grey levels.
 pub fn choose(
     planes: &[Wide],
     spread: &Wide,

@@ -1,7 +1,7 @@
 //! Operations on the three channels of each pixel, in place, sixteen pixels at a time.
 //!
-//! A closure works on eight pixels as 16-bit lanes; narrowing back to u8 saturates, which is the clipping
-//! that the formulas ask for.
+//! A closure processes eight pixels as 16-bit lanes. Narrowing to u8 saturates, which is the clipping of the
+//! formulas.
 
 use super::lanes::{widen_high, widen_low};
 use crate::raster::{Image, Plane};
@@ -160,7 +160,7 @@ pub fn to_color(y: &mut [u8], u: &mut [u8], v: &mut [u8]) {
     const GU: i16 = 11277;
     const GV: i16 = 23401;
     const BU: i16 = 29032;
-    // In 1/256 steps about mid gray, saturating is the clipping that is asked for.
+    // In 1/256 steps around mid gray, saturation is the required clipping.
     let eight = |y: i16x8, u: i16x8, v: i16x8| {
         let (red, blue) = (v.mul_scale_round_n(RV), u.mul_scale_round_n(BU));
         let green = u.mul_scale_round_n(GU).saturating_add(v.mul_scale_round_n(GV));

@@ -200,8 +200,8 @@ impl Affine {
     }
 }
 
-/// The offsets between which a line of this slope rounds to all entries, clipping at both ends, and the inputs that set
-/// them.
+/// Returns the lowest and the highest offset at which a line of this slope, clipped at both ends, rounds to
+/// all entries. With each offset comes the input that limits it.
 fn bounds(entries: &[u8; 256], slope: f64) -> ((f64, usize), (f64, usize)) {
     let (mut low, mut high) = ((f64::MIN, 0), (f64::MAX, 0));
     for (v, &entry) in entries.iter().enumerate() {
@@ -269,7 +269,8 @@ fn apply_steps(first: u8, steps: &[(u8, u8)], chunks: &mut [[u8; 16]]) {
 /// How often each value occurs.
 #[must_use]
 pub fn histogram(samples: &[u8]) -> [u32; 256] {
-    // Eight tables, so that equal neighbours do not wait for each other, and one load for eight samples.
+    // Eight tables, so that increments of equal neighbours do not depend on each other, and one load for
+    // eight samples.
     let mut counts = [[0u32; 256]; 8];
     let (chunks, tail) = samples.as_chunks::<8>();
     for chunk in chunks {

@@ -77,9 +77,9 @@ fn sparse(samples: &[u8]) -> [u32; 256] {
     counts
 }
 
-/// How many samples are at most `first`, and at most each of the tones behind it.
+/// Counts the samples of at most `first`, and of at most each of the following tones.
 fn count(samples: &[u8], first: u8) -> [u64; TRIED] {
-    /// Steps after which a count of one byte may be full.
+    /// Maximum number of steps before a one-byte counter can overflow.
     const FULL: usize = 255;
     let bounds: [u8; TRIED] = std::array::from_fn(|k| first.saturating_add(k as u8));
     let mut totals = [0; TRIED];

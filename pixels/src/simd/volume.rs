@@ -43,7 +43,7 @@ pub struct Level {
 /// next cell. `columns` has the first cell of each pixel's column.
 pub fn gather(row: &[u8], columns: &[u32], stride: usize, levels: &[Level; 256], slots: &mut [[f32; 4]]) {
     let columns = &columns[..row.len()];
-    // Indices: a zip that skips looks at what it skips.
+    // Indices, because a zip iterator with a step also reads the skipped elements.
     for x in (0..row.len()).step_by(stride) {
         let level = &levels[usize::from(row[x])];
         if let Some(slot) = slots.get_mut((columns[x] + level.cell) as usize) {
@@ -63,7 +63,8 @@ pub fn collect(slots: &mut [[f32; 4]], cells: &mut [f32]) {
     }
 }
 
-/// `target[i]` = [1 4 6 4 1] / 16 of `source` at distances of `shift`; zeros lie beyond the ends. Both have one length.
+/// `target[i]` = [1 4 6 4 1] / 16 of `source` at distances of `shift`, with zeros beyond the ends. Both have
+/// one length.
 pub fn binomial(source: &[f32], shift: usize, target: &mut [f32]) {
     let n = source.len();
     let edge = (2 * shift).min(n);
@@ -163,8 +164,9 @@ pub struct Across<'a> {
     pub shares: &'a [[i16; 2]],
 }
 
-/// Moves every sample of a row away from its base by `amount` (-1..=3.9) times its distance, or toward it where that is
-/// negative. The base lies between eight corners; `down` are the shares of the upper row and of the lower.
+/// Moves every sample of a row away from its base by `amount` (-1..=3.9) times its distance, or toward it
+/// where that is negative. The base is between eight corners. `down` has the weights of the upper and the
+/// lower row.
 pub fn exaggerate(
     row: &mut [u8],
     across: Across<'_>,

@@ -1,6 +1,7 @@
-//! The light score: how good a stylised photo looks, from 0 to 1, by simple statistics and without a net.
+//! Light score: the quality of a stylised photo, from 0 to 1, by simple statistics and without a model.
 //!
-//! It sorts invented styles: it drops what is flat, noise or the photo itself. Weights are this project's own.
+//! It filters generated styles: it drops flat results, noise, and results that equal the photo. Weights are
+//! this project's own.
 
 use crate::raster::{Image, Plane};
 use crate::simd::point::luma_plane;
@@ -18,15 +19,15 @@ const FREE_CLIPPING: f64 = 0.75;
 const TOO_ALIKE: f64 = 0.9;
 /// Light scores below this are of rubbish.
 const POOR: f64 = 0.2;
-/// A picture with less spread than this, in grey steps, shows nothing.
+/// Minimum spread of a picture with content, in grey levels.
 const FLAT: f64 = 6.0;
 
-/// Share of nearly white pixels from which a picture is mostly blank paper, unless its photo was nearly so: this much
-/// less.
+/// Minimum share of nearly white pixels at which a picture counts as mostly blank, and how much higher than
+/// in the photo it must be.
 const PALE: (f64, f64) = (0.55, 0.3);
-/// Share of the photo's edges that must be left where most is paper; drawings keep more.
+/// Minimum share of the photo's edges that remain if most of the picture is paper. Drawings have more.
 const KEPT: f64 = 0.5;
-/// Grey steps from which on a pixel is nearly white.
+/// Lowest grey level that counts as nearly white.
 const WHITE: usize = 226;
 /// Differences of neighbours, in grey steps, that are an edge in a photo, and that show in a picture.
 const EDGES: (f64, f64) = (12.0, 6.0);
@@ -34,7 +35,7 @@ const EDGES: (f64, f64) = (12.0, 6.0);
 const MURKY: (f64, f64) = (0.06, 50.0);
 /// Grey step between dark and light.
 const MIDDLE: usize = 128;
-/// Similarity to the photo from which a style is none, where its colours are the photo's too.
+/// Minimum similarity to the photo at which a style counts as having no effect, if the colours match too.
 const SAME: f64 = 0.93;
 /// Mean difference of the colours, in grey steps, up to which they are the photo's.
 const SAME_COLOUR: f64 = 14.0;
@@ -68,19 +69,19 @@ impl Fault {
     }
 }
 
-/// The measurements of a stylised picture without a net.
+/// Measurements of a stylised picture without a model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Judgement {
     /// The light score, 0 to 1.
     pub score: f64,
-    /// The factor of any score: 1, down to .5 for the photo itself, which must not win.
+    /// The factor of the score: 1, down to 0.5 for a result that equals the photo.
     pub novelty: f64,
     /// The fault of the picture, if any.
     pub fault: Option<Fault>,
 }
 
-/// Judges `result` as a stylised `source`; both of one size, a thumbnail is enough. What is pale or murky in the photo
-/// may be so in the picture.
+/// Rates `result` as a stylised version of `source`. Both have one size, and thumbnails are enough. A picture
+/// may be as pale or as dark as its photo.
 #[must_use]
 pub fn judge(source: &Image, result: &Image) -> Judgement {
     let (before, after) = (luma_plane(source), luma_plane(result));
@@ -129,7 +130,7 @@ pub fn score(source: &Image, result: &Image) -> f64 {
     judge(source, result).score
 }
 
-/// The rank from 0 to 1 of a picture whose mean score by the net is `mean`, 1 to 10.
+/// Returns the rank from 0 to 1 of a picture for the model's mean score `mean`, 1 to 10.
 #[must_use]
 pub fn rank(mean: f64, judgement: &Judgement) -> f64 {
     if judgement.fault.is_some() { 0.0 } else { ((mean - 1.0) / 9.0 * judgement.novelty).clamp(0.0, 1.0) }
@@ -140,7 +141,7 @@ fn above(shares: &[f64; 256], step: usize) -> f64 {
     shares[step..].iter().sum()
 }
 
-/// Share of the photo's edges that are seen in the picture; all where there are none.
+/// Returns the share of the photo's edges that the picture still shows; 1 if the photo has no edges.
 fn kept(edges: &[f64], left: &[f64]) -> f64 {
     let at = edges.iter().zip(left).filter(|(edge, _)| **edge > EDGES.0);
     let (seen, all) = at

@@ -8,10 +8,10 @@ use super::part::Parts;
 use super::procedural;
 use oorandom::Rand64;
 
-/// Blocks of a layer that is bred, at most: more costs time and shows nothing new.
+/// Maximum number of blocks in a layer of a child. More cost time and add nothing new.
 const MOST: usize = 10;
 
-/// A child of two styles, or of one that is given twice. `surprise` goes from 0, which only crosses, to 1, which
+/// A child of two styles, or of one that is given twice. `surprise` ranges from 0 (only crossing) to 1, which
 /// changes values by up to a factor of four and adds, drops and swaps blocks. Its id is `bred-SEED`.
 #[must_use]
 pub fn breed(a: &Style, b: &Style, seed: u32, surprise: f64) -> Style {
@@ -91,13 +91,13 @@ fn mutate(layer: &mut Vec<Step>, surprise: f64, random: &mut Rand64) {
     }
 }
 
-/// From 1/4 for -1 over 1 for 0 to 4 for 1, by operations that every machine rounds alike.
+/// Returns 1/4 for -1, 1 for 0 and 4 for 1, by operations with identical rounding on every machine.
 fn factor(push: f64) -> f64 {
     if push < 0.0 { 1.0 / (1.0 - 3.0 * push) } else { 1.0 + 3.0 * push }
 }
 
-/// Makes a layer valid again: what cannot take the channels before it goes, so does what is bypassed, a second
-/// Size, which multiplies the work, and what is beyond the most.
+/// Makes a layer valid. It removes blocks whose input channels do not fit, bypassed blocks, a second Size,
+/// which would multiply the work, and blocks beyond the maximum.
 fn repair(layer: &mut Vec<Step>) {
     let mut channels = Channels::Color;
     let mut sized = false;

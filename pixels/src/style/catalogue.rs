@@ -41,7 +41,7 @@ pub fn by_family() -> Vec<&'static Style> {
         FAMILIES.iter().position(|family| style.tags.first().is_some_and(|tag| tag == family))
     };
     let mut styles: Vec<&Style> = catalogue().iter().collect();
-    // What is in no family comes last.
+    // Styles without a family come last.
     sort_by_key(&mut styles, |style| family(style).unwrap_or(FAMILIES.len()));
     styles
 }

@@ -1,8 +1,8 @@
 //! A layer compiled into passes and run.
 //!
-//! Runs of blocks that look at single pixels become one pass over tiles that stay in cache, and neighbouring
-//! tables in it one table. The blocks that look at neighbours stand between these passes. U and V are only
-//! computed where a later To Color wants them back.
+//! Consecutive point operations become one pass over tiles that fit the cache, and consecutive tables become
+//! one table. Blocks that read neighbouring pixels run between these passes. U and V are computed only if a
+//! later To Color needs them.
 
 use super::blocks::{Channels, Kernel, PointOp};
 use super::context::Context;
@@ -73,9 +73,9 @@ pub fn run_until(steps: &[Step], end: usize, mut image: Image, context: &mut Con
     Ok(image)
 }
 
-/// Runs the last of `steps`: alone, or, where it looks at single pixels, in one pass with the blocks before it in
-/// `steps`, all of the same kind. `chroma_wanted` keeps U and V for a To Color behind. The result keeps the size that
-/// the block gave it.
+/// Runs the last of `steps`. If it is a point operation, it runs in one pass with the blocks before it in
+/// `steps`, all of the same kind. `chroma_wanted` stores U and V for a later To Color. The result has the
+/// size that the block returned.
 ///
 /// # Errors
 /// `cancelled` if the context is cancelled.
@@ -313,7 +313,7 @@ fn run_tile(ops: &[PointOp], [a, b, c]: [&mut [u8]; 3], state: &mut State, keep_
                 point::tint(a, b, c, *shares);
                 *state = State::Color;
             }
-            // Already what they make; the check of the style file admits nothing else here.
+            // The channels already match. The check of the style file rejects other cases.
             (PointOp::Color(_) | PointOp::ToGray | PointOp::ToColor | PointOp::Tint(_), _) => {}
         }
     }

@@ -1,4 +1,4 @@
-//! What a run gives to its blocks: scale, scratch memory, cancellation.
+//! State that a run passes to its blocks: scale, scratch memory, cancellation.
 
 use super::blocks::PointOp;
 use super::faces::FaceBox;
@@ -6,11 +6,11 @@ use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};
 use crate::simd::gaussian::Buffers;
 
-/// Pixels of the image that spatial parameters are told for.
+/// Number of pixels of the image for which spatial parameters are defined.
 const REFERENCE_PIXELS: f64 = 1920.0 * 1080.0;
 
-/// One render's scale, its scratch memory (kept between renders, so that nothing is allocated again while a
-/// slider moves) and a question that stops it.
+/// Scale and scratch memory of a render, and a function for cancelling it. The memory is reused, so that
+/// moving a slider allocates nothing.
 #[derive(Default)]
 pub struct Context<'a> {
     scale: f32,
@@ -26,7 +26,7 @@ pub struct Context<'a> {
     pub(in crate::style) sheet: Option<super::blocks::DrawnSheet>,
     /// The tiles of the last Pattern Filling.
     pub(in crate::style) tiles: Option<super::blocks::DrawnTiles>,
-    /// The last person's own texture at the size at which it was drawn.
+    /// The last custom texture at its rendered size.
     pub(in crate::style) texture: Option<super::blocks::DrawnTexture>,
     faces: Vec<FaceBox>,
     subject: Option<Plane>,
@@ -48,7 +48,7 @@ enum KnownTones {
 }
 
 impl<'a> Context<'a> {
-    /// A context for an image of its own, scaled by its size.
+    /// Returns a context for a stand-alone image. The scale follows its size.
     #[must_use]
     pub fn for_image(image: &Image) -> Self {
         let mut context = Self::default();
@@ -56,7 +56,7 @@ impl<'a> Context<'a> {
         context
     }
 
-    /// Sets the scale for an image that is rendered by itself.
+    /// Sets the scale for an image that is rendered separately.
     pub fn fit_scale(&mut self, image: &Image) {
         self.scale = scale_of(image.width() as f64 * image.height() as f64);
     }
@@ -77,18 +77,20 @@ impl<'a> Context<'a> {
         self.faces = faces;
     }
 
-    /// The faces of this image, which are forgotten: the next has others. None where nobody cares for them.
+    /// Takes the faces of this image, so that the next image starts without faces. Returns an empty list if
+    /// the style does not protect faces.
     pub(in crate::style) fn shown_faces(&mut self, cared: bool) -> Vec<FaceBox> {
         let faces = std::mem::take(&mut self.faces);
         if cared { faces } else { Vec::new() }
     }
 
-    /// Tells the subject of the image that is stylised next, at its size: 255 within, 0 beside it; none where it is not known.
+    /// Sets the subject mask of the next image, at its size: 255 inside, 0 outside. `None` if the subject is
+    /// unknown.
     pub fn show_subject(&mut self, subject: Option<Plane>) {
         self.subject = subject;
     }
 
-    /// The subject of this image, as far as it is known.
+    /// Returns the subject mask of this image, if it is known.
     pub(in crate::style) fn subject(&self) -> Option<&Plane> {
         self.subject.as_ref()
     }
@@ -131,7 +133,7 @@ impl<'a> Context<'a> {
     }
 
     /// # Errors
-    /// `cancelled` when the caller no longer wants the result.
+    /// `cancelled` if the caller cancels.
     pub fn check_cancelled(&self) -> Result<()> {
         if self.cancelled.is_some_and(|cancelled| cancelled()) { Err(Error::Cancelled) } else { Ok(()) }
     }
@@ -174,7 +176,7 @@ impl<'a> Context<'a> {
     }
 }
 
-/// The scale of an image of so many pixels: sqrt(pixels / (1920 * 1080)).
+/// Returns the scale of an image of `pixels` pixels: sqrt(pixels / (1920 * 1080)).
 #[must_use]
 pub fn scale_of(pixels: f64) -> f32 {
     (pixels / REFERENCE_PIXELS).sqrt() as f32

@@ -1,9 +1,10 @@
-//! How blocks drew before they had a choice, so that what was saved then looks as it did.
+//! Compatibility of saved styles with blocks that later got a choice of methods. A saved style looks the same
+//! as before.
 //!
-//! A block that gets another way to draw has it as a parameter, whose default is the better one. Styles that the program
-//! writes always tell such a parameter, the default too. So a style within a saved page or project, or of the page's
-//! own store, that does not tell it was written before there was a choice, and [`told`] completes it with the way of that
-//! time. A style file that does not tell it has the default, like any parameter.
+//! If a block gets a second method, a parameter selects it, and the better method is the default. The program
+//! always writes such a parameter, even if it has the default value. A style in a saved page, a project or
+//! browser storage may lack the parameter. Then it was saved before the choice existed, and [`told`] adds the
+//! old method. A style file without the parameter uses the default, as for any other parameter.
 
 use serde_json::{Map, Value};
 
@@ -14,13 +15,14 @@ const BEFORE: &[(&str, &str, &str)] = &[
     ("equalize", "channels", "each"),
 ];
 
-/// Whether a style that is written tells this parameter even where it is the default.
+/// Returns whether a written style includes this parameter even if it has the default value.
 #[must_use]
 pub fn is_always_told(block: &str, param: &str) -> bool {
     BEFORE.iter().any(|&(of, id, _)| (of, id) == (block, param))
 }
 
-/// Completes a style in JSON that was saved, perhaps before its blocks had a choice. An id, or what is no style, stays.
+/// Adds the parameters that a saved style in JSON lacks, because its blocks had no choice then. An id and an
+/// invalid style stay unchanged.
 #[must_use]
 pub fn told(mut style: Value) -> Value {
     for layer in ["background", "foreground"] {
@@ -33,15 +35,15 @@ pub fn told(mut style: Value) -> Value {
     style
 }
 
-/// The same for the values of one block.
+/// Adds missing parameters to one block, as [`told`] does for a style.
 pub fn complete(block: &str, values: &mut Map<String, Value>) {
     for &(_, param, before) in BEFORE.iter().filter(|&&(of, ..)| of == block) {
         values.entry(param).or_insert_with(|| before.into());
     }
 }
 
-/// Whether a style file is as the page wrote them before blocks had a choice: with id, name and tags, which a file made by
-/// hand can leave out.
+/// Returns whether a style file has id, name and tags, as the app wrote them before blocks had a choice. A
+/// hand-written file can omit them.
 #[must_use]
 pub fn is_of_the_page(style: &Value) -> bool {
     ["id", "name", "tags"].iter().all(|field| style.get(field).is_some())

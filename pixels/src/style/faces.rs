@@ -1,8 +1,8 @@
 //! Protection of faces: lines, cells and areas of a panel shrink with the smallest main face. Inside faces, each layer is drawn
 //! again at half the scale, light is brought to features, and colours stay near the photo.
 //!
-//! All lengths depend on the height of a face, which grows with the render like any length of a style: thumbnail, preview
-//! and print agree. The shares were found by eye.
+//! All lengths depend on the height of a face, which grows with the render like any length of a style:
+//! thumbnail, preview and print agree. The shares were chosen by visual comparison.
 
 use super::blocks::Channels;
 use super::chain;
@@ -48,18 +48,20 @@ const MOST: &[(&str, &str, f32)] = &[
     ("tvf", "time", 1.0 / 4.0),
     ("etf", "sigma", 1.0 / 28.0),
 ];
-/// However small faces are, so much of a length stays, but of cells.
+/// Minimum factor of a length, even for very small faces. Cells have no minimum.
 const LEAST: f32 = 0.5;
 
-/// Spread of light in a face, from its fifth to its 95th percentile, up to which it is raised, and how much at most.
+/// Maximum spread of luma in a face, from the 5th to the 95th percentile, that is increased, and the maximum
+/// factor.
 const CONTRAST: (f32, f32) = (110.0, 1.5);
-/// Middle tones between which a face is left, and how far it is moved at most, in grey steps.
+/// Range of middle tones in which a face is not changed, and the maximum shift, in grey levels.
 const LIGHT: (f32, f32, f32) = (92.0, 176.0, 30.0);
 /// Light for the line layer, whose blacks would fill dark skin.
 const LINE_LIGHT: (f32, f32, f32) = (124.0, 190.0, 64.0);
 /// Darkest tones that have no detail, up to this one, and the part of such pixels that makes a face a silhouette.
 const SILHOUETTE: (u8, f32) = (8, 0.2);
-/// How much stronger than in the photo colours of a face may be, and what is always allowed, in grey steps.
+/// Maximum colour strength of a face relative to the photo, and a difference that is always allowed, in grey
+/// levels.
 const CHROMA: (f32, f32) = (1.55, 9.0);
 /// Least strength of colours in a face, as a part of their strength in the photo.
 const PALEST: f32 = 0.45;
@@ -72,7 +74,7 @@ const PROCESS_INKS: [f32; 3] = [4.0, 5.0, 6.0];
 /// Largest spread of the biases of Hue that keeps the colours of the photo, in grey steps.
 const NEUTRAL: f32 = 14.0;
 
-/// Lengths in a face that is drawn again, as parts of those beside it.
+/// Factor of lengths in a face that is drawn again, relative to its surroundings.
 const FINER: f32 = 0.5;
 /// Scale of the thinnest line in a face, in pixels of the render.
 const THINNEST: f32 = 0.55;
@@ -85,12 +87,13 @@ const ROOM: f64 = 0.5;
 /// Most colours of flat areas in a face: skin in light and shade, hair, lips and eyes.
 const FACE_COLORS: f32 = 6.0;
 
-/// Blocks that lay a screen, strokes or paper over a picture. They have to go on evenly across a face.
+/// Blocks that lay a screen, strokes or paper over a picture. Their pattern must continue across a face.
 const SCREENS: [&str; 6] = ["halftone", "pattern", "engrave", "strokes", "plates", "paper"];
-/// Where the mask of a face begins to fall and where it ends, in half sides of its box.
+/// Distances from the centre of a face at which its mask starts to fall and reaches 0, in half sides of its
+/// box.
 const MASK: (f64, f64) = (0.9, 1.5);
 
-/// The faces of an image that are to be read.
+/// The faces of an image that must stay recognisable.
 pub(super) struct Care<'a> {
     faces: Vec<&'a FaceBox>,
     /// Height of the smallest, in pixels.
@@ -161,7 +164,7 @@ impl<'a> Care<'a> {
     /// and the layer keeps colours, the colours in faces stay near the photo.
     ///
     /// # Errors
-    /// `cancelled` when the context says so.
+    /// `cancelled` if the caller cancels.
     pub(super) fn run(
         &self,
         steps: &[Step],
@@ -224,7 +227,7 @@ fn held(before: [f32; 3], after: [f32; 3]) -> [f32; 3] {
     let y = y_after.clamp(TONES.0 * y_before, 255.0 - TONES.1 * (255.0 - y_before));
     let chroma = |rgb: [f32; 3], y: f32| [(rgb[2] - y) / 1.772, (rgb[0] - y) / 1.402];
     let (own, now) = (chroma(before, y_before), chroma(after, y_after));
-    // Products and roots are rounded alike on all platforms.
+    // Products and square roots are rounded identically on all platforms.
     let length = |[u, v]: [f32; 2]| (u * u + v * v).sqrt();
     let (strength, strength_now) = (length(own), length(now));
     // As strong as the style makes it, up to a limit, and near the direction of the photo.
@@ -273,7 +276,7 @@ impl Room {
         }
     }
 
-    /// Lays the drawing of a face on the whole picture.
+    /// Draws the new drawing of a face into the whole picture.
     fn lay(&self, whole: &mut Image, again: &Image, face: &FaceBox) {
         if whole.is_luma() != again.is_luma() {
             return;
@@ -293,7 +296,8 @@ impl Room {
     }
 }
 
-/// Place of the first block that has to go on evenly across faces. 0 if a later block restores colours.
+/// Returns the index of the first block whose pattern must continue across faces. 0 if a later block restores
+/// colours.
 fn first_screen(steps: &[Step]) -> usize {
     let is_screen = |step: &Step| !step.bypass && SCREENS.contains(&step.block.id);
     let first = steps.iter().position(is_screen).unwrap_or(steps.len());

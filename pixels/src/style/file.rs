@@ -36,7 +36,7 @@ pub struct Style {
     /// Colour of the lines.
     #[cfg_attr(feature = "typescript", ts(as = "Option<String>"))]
     pub ink: [u8; 3],
-    /// Whether it takes care of faces, as a style does that does not say otherwise.
+    /// Whether faces are protected. Default: true.
     #[cfg_attr(feature = "typescript", ts(as = "Option<bool>"))]
     pub faces: bool,
     /// Score from 0 to 1 of a generated style.
@@ -58,7 +58,7 @@ pub struct Step {
     pub block: &'static Block,
     /// Its values in the order of the descriptor.
     pub values: Vec<f32>,
-    /// The picture of its texture parameter, where it has one and a person gave one.
+    /// The picture of the texture parameter, if the block has one and the user chose a picture.
     pub texture: Option<Arc<Texture>>,
     /// The block stays in the file but is left out of the chain.
     pub bypass: bool,
@@ -67,7 +67,7 @@ pub struct Step {
 }
 
 impl Style {
-    /// Reads a style file. `file` names it in errors, and gives the id where the file has none.
+    /// Reads a style file. `file` names it in errors, and is the id of a style without one.
     ///
     /// # Errors
     /// `invalid-style`, naming file, place and reason.
@@ -95,7 +95,7 @@ impl Style {
         let stem = file.rsplit('/').next().unwrap_or(file).trim_end_matches(".json");
         let id = text(file, map, "id")?.unwrap_or_else(|| stem.to_owned());
         let background = layer(file, map, "background")?
-            .ok_or_else(|| invalid(file, "background", "is missing; it is the list of blocks"))?;
+            .ok_or_else(|| invalid(file, "background", "is missing; it must be a list of blocks"))?;
         Ok(Self {
             name: text(file, map, "name")?.unwrap_or_else(|| id.clone()),
             id,
@@ -155,7 +155,8 @@ impl Style {
         !faces::recolours(&self.background)
     }
 
-    /// Whether a layer or a block that runs is for a part of the picture, so that the subject has to be known.
+    /// Returns whether an active layer or block applies to a part of the picture, so that the subject mask is
+    /// needed.
     #[must_use]
     pub fn has_parts(&self) -> bool {
         let steps = self.background.iter().chain(self.foreground.iter().flatten());
@@ -193,8 +194,8 @@ impl Step {
     }
 }
 
-/// An f32 as the decimal that a person wrote: 1.2, not 1.2000000476837158. By the reader of JSON: that of the standard library
-/// would bring a table of 10 kB along.
+/// Returns an f32 as its shortest decimal: 1.2, not 1.2000000476837158. It uses the parser of the JSON
+/// reader, because the parser of the standard library adds a table of 10 kB.
 #[must_use]
 pub fn decimal(value: f32) -> f64 {
     serde_json::from_str(&value.to_string()).unwrap_or(f64::from(value))
@@ -228,11 +229,11 @@ impl Param {
         }
     }
 
-    /// Reads a value, or says what would be right.
+    /// Reads a value. The error describes valid values.
     pub(crate) fn value_from_json(&self, value: &Value) -> std::result::Result<f32, String> {
         let in_range = |number: f64| {
             let (min, max) = self.kind.range();
-            // As an f32, which the bounds are, too: 0.3 is no less than 0.3.
+            // Compared as f32, like the limits, so that 0.3 is accepted if the minimum is 0.3.
             let value = number as f32;
             if (min..=max).contains(&value) {
                 Ok(value)
@@ -376,12 +377,12 @@ fn step(file: &str, place: &str, value: &Value) -> Result<Step> {
             step.part = Some(part_of(value).map_err(|reason| invalid(file, &place, reason))?);
             continue;
         }
-        // A pattern that is a picture is a person's own.
+        // A pattern that is a picture is a custom texture.
         let is_picture = value.as_str().is_some_and(|text| text.starts_with("data:"));
         let key = if key == "pattern" && is_picture { "texture" } else { key.as_str() };
         let Some(i) = block.params.iter().position(|param| param.id == key) else {
             let known: Vec<&str> = block.params.iter().map(|param| param.id).collect();
-            let known = if known.is_empty() { "it has none".to_owned() } else { known.join(", ") };
+            let known = if known.is_empty() { "no parameters".to_owned() } else { known.join(", ") };
             return Err(invalid(file, &place, format!("is not a parameter of this block ({known})")));
         };
         if matches!(block.params[i].kind, Kind::Texture) {
@@ -395,7 +396,8 @@ fn step(file: &str, place: &str, value: &Value) -> Result<Step> {
     Ok(step)
 }
 
-/// What comes out of a block that is given `channels`, or why it cannot take them.
+/// Returns the output channels of a block for the given input channels, or an error if the block cannot
+/// process them.
 fn check_channels(file: &str, place: &str, step: &Step, channels: Channels) -> Result<Channels> {
     let block = step.block;
     let place = format!("{place} ({})", block.id);

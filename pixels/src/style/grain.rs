@@ -1,12 +1,13 @@
-//! Noise of a given size, the same on every platform: what paper, pencils and printing presses leave to chance.
+//! Noise of a given size, identical on every platform. It simulates the irregularity of paper, pencils and
+//! printing presses.
 //!
-//! Values of a lattice that repeats, by a hash, with smooth steps between (value noise). Positions are in units of the
-//! picture's scale, so that the grain of a preview is that of the print.
+//! Value noise: a repeating lattice of hashed values with smooth interpolation. Positions are in units of the
+//! picture's scale, so that preview and print have the same grain.
 
 /// Lattice points before noise repeats.
 const PERIOD: u32 = 256;
 
-/// A number that looks random, of its place and a seed.
+/// Returns a pseudo-random number for a position and a seed.
 fn hash(x: u32, y: u32, seed: u32) -> u32 {
     // The finalizer of MurmurHash3 over a sum of odd multiples.
     let mut h = x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77) ^ seed.wrapping_mul(0xc2b2_ae3d);
@@ -15,7 +16,7 @@ fn hash(x: u32, y: u32, seed: u32) -> u32 {
     h ^ (h >> 16)
 }
 
-/// The same as a number of 0 to 1.
+/// Returns the hash as a number from 0 to 1.
 #[must_use]
 pub fn chance(x: u32, y: u32, seed: u32) -> f32 {
     // 24 bits, which an f32 holds exactly.
@@ -46,7 +47,7 @@ impl Grain {
             &self.lattice[y * PERIOD as usize..(y + 1) * PERIOD as usize]
         };
         let (above, below) = (line(down), line(down + 1));
-        // One line of the lattice at this height; pixels then lie between two of its points.
+        // Returns one line of the lattice at this height. Pixels are between two of its points.
         let points: Vec<f32> =
             above.iter().zip(below).map(|(above, below)| above + between * (below - above)).collect();
         for (x, out) in out.iter_mut().enumerate() {
@@ -75,7 +76,8 @@ pub struct Tile {
 }
 
 impl Tile {
-    /// Noise of spots of about `size` pixels on a square of about `side` pixels: a whole number of spots.
+    /// Returns noise with spots of about `size` pixels on a square of about `side` pixels: a whole number of
+    /// spots.
     #[must_use]
     pub fn new(seed: u32, size: f32, side: f32) -> Self {
         let size = size.max(0.5);

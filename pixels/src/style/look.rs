@@ -1,5 +1,6 @@
-//! What kind of look a picture has, and whether two pictures of one photo look the same: how invented styles are
-//! sorted into families, and how those that nobody could tell apart are found. Thresholds are this project's own.
+//! Classifies the look of a picture, and detects whether two pictures of one photo look the same. The
+//! generator of styles sorts its results into families, and drops results that look identical. The thresholds
+//! were chosen for this project.
 
 use crate::raster::Image;
 use crate::raster::resize::{Region, resample_image};
@@ -8,17 +9,17 @@ use crate::simd::table::histogram;
 
 /// Columns and rows of a signature.
 const GRID: (usize, usize) = (12, 9);
-/// Share of nearly black and nearly white pixels from which a picture is a drawing.
+/// Minimum share of nearly black and nearly white pixels in a drawing.
 const LINE: f64 = 0.72;
 /// How far from black and from white still counts, in grey steps.
 const NEAR: usize = 48;
 /// Mean distance of the largest to the smallest channel, in grey steps, below which a picture is gray.
 const COLOURLESS: f64 = 9.0;
-/// The same for a drawing, whose ink may have a tint.
+/// Limit for drawings, whose ink may have a tint.
 const INK: f64 = 26.0;
-/// Share of pixels that equal their right and lower neighbours, from which colours are flat.
+/// Minimum share of pixels that equal their right and lower neighbours in a picture with flat colours.
 const FLAT: f64 = 0.5;
-/// Differences up to this many grey steps are none.
+/// Maximum difference of pixels that count as equal, in grey levels.
 const EQUAL: u8 = 2;
 
 /// A family of look.
@@ -71,8 +72,8 @@ pub fn look(picture: &Image) -> Look {
     if flat as f64 / pixels >= FLAT { Look::Flat } else { Look::Wild }
 }
 
-/// Mean colour and roughness over a grid of 12 x 9 cells, 4 bytes a cell. Pictures of one photo whose signatures
-/// differ by a few steps on average look the same.
+/// Returns mean colour and roughness over a grid of 12 x 9 cells, 4 bytes per cell. If the signatures of two
+/// pictures of one photo differ by a few levels on average, they look the same.
 #[must_use]
 pub fn signature(picture: &Image) -> Vec<u8> {
     let (columns, rows) = GRID;
@@ -81,7 +82,8 @@ pub fn signature(picture: &Image) -> Vec<u8> {
     let luma = luma_plane(picture);
     let (width, height) = (luma.width(), luma.height());
     let mut rough = vec![(0_u32, 0_u32); columns * rows];
-    // Where the pixels of a column of cells begin, and where the last ends; the first of a row has none before it.
+    // First pixel of each column of cells, and the end of the last one. Starts at 1, because the first pixel
+    // of a row has no left neighbour.
     let edges: Vec<usize> = (0..=columns).map(|column| (column * width).div_ceil(columns).max(1)).collect();
     for y in 0..height {
         let row = luma.row(y);

@@ -2,24 +2,24 @@
 //!
 //! | module | for |
 //! |---|---|
-//! | [`part`] | layers and blocks that are for the subject of a photo, or for what is behind it |
-//! | [`params`] | what a parameter is: kind, default, range, step, unit |
-//! | [`blocks`] | the registry and one file a block |
+//! | [`part`] | layers and blocks that apply only to the subject or the background of a photo |
+//! | [`params`] | parameter descriptors: kind, default, range, step, unit |
+//! | [`blocks`] | the registry, with one file per block |
 //! | [`blade`] | operators learned from photos, as banks of small filters |
-//! | [`faces`] | what a style does not do to faces |
+//! | [`faces`] | protection of faces |
 //! | [`mod@file`] | the style file: parsing with exact error places, writing |
 //! | [`chain`] | a layer compiled into passes and run |
 //! | [`tangents`] | the direction of edges everywhere, and averages along it |
 //! | [`context`] | scale, scratch memory and cancellation that a run gives to its blocks |
 //! | [`catalogue`] | the designed styles that ship in `styles/` |
-//! | [`earlier`] | how blocks drew before they had a choice, for what was saved then |
-//! | [`texture`] | a person's own texture for Pattern Filling |
+//! | [`earlier`] | compatibility of saved styles with blocks that later got a choice |
+//! | [`texture`] | custom texture for Pattern Filling |
 //! | [`grain`] | noise of a given size, the same everywhere |
 //! | [`stages`] | a chain that keeps the picture after every block, for the designer |
 //! | [`procedural`] | styles invented from a seed |
 //! | [`breeding`] | new styles from two others |
 //! | [`imitate`] | styles that look like a picture |
-//! | [`look`] | what kind of look a picture has, and whether two look the same |
+//! | [`look`] | family of a look, and whether two pictures look the same |
 //! | [`aesthetic`] | the light score that sorts them |
 
 pub mod aesthetic;
@@ -51,12 +51,12 @@ use crate::simd::point::luma_plane;
 
 /// Runs a style on an image: the background layer, and the foreground layer laid over it as ink.
 ///
-/// The result has the size of `image`; it is luma when nothing in it has colour. Where the context knows of faces in the
-/// image, the style takes care of them, unless it says that it does not. Where it knows of the subject, layers and blocks that
-/// are for a part are in that part alone.
+/// The result has the size of `image`. It is luma if nothing in it has colour. The style protects the faces
+/// that the context knows, unless it turns protection off. If the context knows the subject, layers and
+/// blocks for one part apply only there.
 ///
 /// # Errors
-/// `cancelled` when the context says so.
+/// `cancelled` if the caller cancels.
 #[inline(never)]
 pub fn stylize(image: &Image, style: &Style, context: &mut Context<'_>) -> Result<Image> {
     let drawn = cared(image, style, context);

@@ -1,5 +1,5 @@
-//! What a block's parameter is. Controls, the JSON check, the procedural generator and the documentation all
-//! come from these descriptors.
+//! Parameters of a block. Controls, the JSON check, the style generator and the documentation all use these
+//! descriptors.
 
 use super::file::Step;
 use super::texture::Texture;
@@ -54,7 +54,7 @@ pub enum Kind {
         /// The names.
         names: &'static [&'static str],
     },
-    /// A person's own picture, as a data URL; an empty text is none. It stands beside the numbers
+    /// A picture of the user as a data URL; an empty text means no picture. It is stored next to the numbers
     /// ([`Step::texture`](super::file::Step)).
     Texture,
     /// A colour; in style files it is `#rrggbb`.
@@ -80,7 +80,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// Sign shown behind the number.
+    /// Unit sign after the number.
     #[must_use]
     pub fn sign(self) -> &'static str {
         match self {
@@ -120,7 +120,8 @@ impl Kind {
 }
 
 impl Param {
-    /// The nearest value that the control can stand on, in range; numbers go by a tenth of the slider's step.
+    /// Returns the nearest value in range that the control can show. Numbers are rounded to a tenth of the
+    /// slider's step.
     #[must_use]
     pub fn rounded(&self, value: f32) -> f32 {
         let (min, max) = self.kind.range();
@@ -159,13 +160,13 @@ pub const fn integer(
     Param { id, label, help, kind: Kind::Integer { default, min, max } }
 }
 
-/// A choice between working on every channel alike and on luma; the first is the default.
+/// A choice between processing every channel and processing luma. The first is the default.
 #[must_use]
 pub const fn channels(names: &'static [&'static str]) -> Param {
     Param {
         id: "channels",
         label: "Works on",
-        help: "Luma alone, which keeps the colours, or each of red, green and blue.",
+        help: "Only luma, which preserves the colours, or each of red, green and blue.",
         kind: Kind::Choice { names },
     }
 }
@@ -210,7 +211,7 @@ impl<'a> Args<'a> {
         Self { values: &step.values, texture: step.texture.as_ref(), scale }
     }
 
-    /// The person's own texture.
+    /// A custom texture.
     #[must_use]
     pub fn texture(&self) -> Option<&'a Arc<Texture>> {
         self.texture

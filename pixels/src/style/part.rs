@@ -55,11 +55,11 @@ impl Part {
     }
 }
 
-/// How much steeper the border becomes: what is faint is beside the subject, what is nearly in it is in.
+/// Factor that steepens the border: faint parts fall outside the subject, nearly solid parts inside.
 const STEEPER: i32 = 2;
 
-/// The subject at the size of `picture`, with its edges; none where there is none, or a vague one. `picture` shows `region` of
-/// a photo of `size` pixels; `scale` is that of lengths.
+/// Returns the subject mask at the size of `picture`, refined at its edges, or `None` if the mask is vague.
+/// `picture` shows `region` of a photo of `size` pixels. `scale` is the scale of lengths.
 #[must_use]
 pub fn subject_in(
     matte: &Matte,
@@ -84,8 +84,8 @@ pub fn subject_in(
     Some(subject)
 }
 
-/// What a block or layer made of a picture, in its part alone. Where either of the two has colour, so has the result, whatever is
-/// known of the subject; its size is that of `before`.
+/// Limits the result of a block or layer to one part of the picture. The result has colour if one of the two
+/// pictures has it, even without a subject mask. It has the size of `before`.
 #[inline(never)]
 pub(in crate::style) fn mixed(before: Image, after: Image, part: Part, context: &Context<'_>) -> Image {
     let (width, height) = (before.width(), before.height());

@@ -1,6 +1,6 @@
-//! Styles that nobody designed: chains of blocks drawn at random, by the rules of "Graphic Narrative with Interactive
-//! Stylization Design" (Garcia-Dorado et al., section on procedural styles). Three rules of our own keep them from being
-//! nearly white or nearly the photo: see `STRETCH`, `DARK` and `STRONG`.
+//! Generated styles: random chains of blocks, by the rules of "Graphic Narrative with Interactive Stylization
+//! Design" (Garcia-Dorado et al., section on procedural styles). Three additional rules avoid results that
+//! are nearly white or nearly the photo: see `STRETCH`, `DARK` and `STRONG`.
 //!
 //! The same seed gives the same style on every machine and in every release.
 
@@ -18,13 +18,13 @@ const GRAY_CHANCE: f64 = 0.2;
 /// A block that may be drawn, and the ranges of its values.
 struct Draw {
     block: &'static str,
-    /// Parameter, least and most; others keep their default.
+    /// Parameter, minimum and maximum. The others have their default values.
     ranges: &'static [(&'static str, f64, f64)],
-    /// Whether it may come more than once.
+    /// Whether it may occur more than once.
     repeats: bool,
 }
 
-/// What is drawn from. Ranges are the paper's.
+/// The blocks to choose from. Ranges are from the paper.
 const DRAWS: &[Draw] = &[
     Draw { block: "xdog", ranges: &[("sigma", 0.5, 8.0), ("p", 1.0, 40.0)], repeats: true },
     Draw { block: "tvf", ranges: &[("time", 3.0, 40.0)], repeats: true },
@@ -39,18 +39,18 @@ const DRAWS: &[Draw] = &[
     Draw { block: "size", ranges: &[("percent", 100.0, 300.0)], repeats: false },
 ];
 
-/// What goes before Soft Threshold. By itself that turns most of a photo white, as everything above a rather dark gray
-/// becomes paper; stretched like this a good part of any photo lies below.
+/// The block before Soft Threshold. Soft Threshold turns everything above a rather dark gray into paper, so
+/// most of a photo would become white. After this stretch, a good part of any photo lies below that gray.
 const STRETCH: Draw =
     Draw { block: "equalize", ranges: &[("low", 12.0, 32.0), ("high", 96.0, 100.0)], repeats: false };
 
 /// Least product of Soft Threshold's softness and threshold: with less, even black becomes a gray.
 const DARK: f32 = 1.4;
 
-/// Blocks that leave no photo as it was.
+/// Blocks with a visible effect on any photo.
 const STRONG: [&str; 2] = ["xdog", "soft_threshold"];
 
-/// First and second words of the names.
+/// First and second words of generated names.
 const NAMES: [[&str; 16]; 2] = [
     [
         "Quiet", "Bold", "Dusty", "Late", "Wild", "Pale", "Deep", "Loose", "Sharp", "Warm", "Cold", "Rough",
@@ -65,7 +65,7 @@ const NAMES: [[&str; 16]; 2] = [
 /// The style of a seed: four to nine blocks in one layer. Its id is `invented-SEED`.
 #[must_use]
 pub fn invent(seed: u32) -> Style {
-    // Neighbouring seeds would begin alike.
+    // Neighbouring seeds would give similar first numbers.
     let mut random =
         Rand64::new(u128::from(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15_f39c_c060_5ced_c835) | 1);
     let count = random.rand_range(LENGTH.0..LENGTH.1 + 1) as usize;
@@ -96,7 +96,7 @@ pub fn invent(seed: u32) -> Style {
         }
     }
     if gray {
-        // Anywhere but at the very end, where it could only undo what was done to the colours.
+        // Any position except the end, where it could only undo changes of the colours.
         let to = random.rand_range(0..chain.len() as u64 - 1) as usize;
         let step = chain.remove(0);
         chain.insert(to, step);
@@ -114,7 +114,8 @@ pub fn invent(seed: u32) -> Style {
     }
 }
 
-/// Adds Soft Threshold, and what it needs before it: lines that it turns into ink stay next to it.
+/// Adds Soft Threshold and the block that it needs before it. A line block, whose output it turns into ink,
+/// stays next to it.
 fn threshold(chain: &mut Vec<Step>, mut step: Step, random: &mut Rand64) {
     if let [phi, epsilon, ..] = &mut step.values[..] {
         *phi = phi.max((DARK / *epsilon * 1000.0).ceil() / 1000.0);
@@ -132,7 +133,7 @@ pub(super) fn any_step(random: &mut Rand64) -> Option<Step> {
     blocks::find(draw.block).map(|block| step_of(draw, block, random))
 }
 
-/// Two words.
+/// Returns a name of two words.
 pub(super) fn name(random: &mut Rand64) -> String {
     let mut word = |list: usize| NAMES[list][random.rand_range(0..16) as usize];
     format!("{} {}", word(0), word(1))

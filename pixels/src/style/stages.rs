@@ -1,5 +1,5 @@
-//! A style as its designer sees it: the picture after every block is kept, so that a change computes only the
-//! changed block and those behind it. The pixels are those of [`stylize`](super::stylize).
+//! A style in the designer. The picture after every block is stored, so that a change runs only the changed
+//! block and later ones. The pixels equal the result of [`stylize`](super::stylize).
 
 use super::blocks::Kernel;
 use super::chain::{lay_ink, run_last};
@@ -29,22 +29,22 @@ pub struct Stages {
     lanes: [Vec<Stage>; 2],
 }
 
-/// What one block made.
+/// The result of one block.
 struct Stage {
     step: Step,
-    /// Whether U and V were kept for a To Color behind.
+    /// Whether U and V were stored for a later To Color.
     chroma: bool,
     /// None for a block that is bypassed: the picture is the one before.
     picture: Option<Image>,
 }
 
 impl Stages {
-    /// Nothing run yet. A gray photo becomes R, G, B, as every chain begins with colour. `subject` is that of the photo, at its
-    /// size, as far as it is known.
+    /// Returns stages without results. A gray photo becomes R, G, B, as every chain begins with colour.
+    /// `subject` is the subject mask at the size of the photo, if it is known.
     #[must_use]
     pub fn new(photo: Image, subject: Option<Plane>) -> Self {
         let photo = match photo.planes() {
-            // Three planes of one size are always an image; the photo stands in where they would not be.
+            // Three planes of one size always form an image. The fallback to the photo is never used.
             [y] => Image::from_rgb([y.clone(), y.clone(), y.clone()]).unwrap_or(photo),
             _ => photo,
         };
@@ -67,10 +67,10 @@ impl Stages {
         self.style = Some(style);
     }
 
-    /// Runs the first block whose picture is missing, and says which it was; none when all are there.
+    /// Runs the first block without a picture and returns its position, or `None` if every block has one.
     ///
     /// # Errors
-    /// `cancelled` when the context says so.
+    /// `cancelled` if the caller cancels.
     pub fn advance(&mut self, context: &mut Context<'_>) -> Result<Option<(Layer, usize)>> {
         let Some(style) = &self.style else { return Ok(None) };
         for layer in LAYERS {
@@ -83,7 +83,8 @@ impl Stages {
             let picture = if step.bypass {
                 None
             } else {
-                // Blocks of single pixels run as one pass, whose tables round once: the same pass gives the same pixels.
+                // Point operations run as one pass, whose tables round once. So the same pass gives the same
+                // pixels.
                 let first = if is_point(step) { run_start(steps, done) } else { done };
                 let before = self.before(layer, first).clone();
                 context.show_subject(step.part.and_then(|_| self.subject.clone()));
@@ -158,7 +159,7 @@ fn is_point(step: &Step) -> bool {
     step.part.is_none() && matches!(step.block.kernel, Kernel::Point(_))
 }
 
-/// Where the pass of blocks of single pixels begins that ends at `index`.
+/// Returns the start of the pass of point operations that ends at `index`.
 fn run_start(steps: &[Step], index: usize) -> usize {
     let behind = steps[..index].iter().rev().take_while(|step| step.bypass || is_point(step));
     index - behind.count()

@@ -9,7 +9,7 @@
 //! coherence = (l1 - l2) / (l1 + l2)
 //! ```
 //!
-//! One of [`TURNS`] directions stands for each cell, so that four pixels of a row are read at the same offsets.
+//! Each cell stores one of [`TURNS`] directions, so that four pixels of a row are read at the same offsets.
 //!
 //! Sources: Kyprianidis and Döllner, "Image abstraction by structure adaptive filtering", 2008 (smoothed structure tensor
 //! for a flow field); Kang, Lee and Chui, "Coherent line drawing", 2007 (averages along it).
@@ -46,7 +46,7 @@ impl Tangents {
             // Twice the angle of the gradient; the tangent is a quarter turn further.
             let angle = half_turns(across, along) + 0.5;
             *turn = ((angle * TURNS as f32).round() as usize % TURNS) as u8;
-            // What is nearly flat has noise for a direction.
+            // In nearly flat areas, the direction is noise.
             *coherence = (255.0 * difference / (sum + 1.0)) as u8;
         }
         Self { columns, turns, coherence }
@@ -58,7 +58,7 @@ impl Tangents {
         &self.turns
     }
 
-    /// How much of one direction each cell is, 0 to 255.
+    /// Coherence of the direction of each cell, 0 to 255.
     #[must_use]
     pub fn coherence(&self) -> &[u8] {
         &self.coherence
@@ -77,8 +77,8 @@ impl Tangents {
         }
     }
 
-    /// Averages of `plane` along the field by a Gaussian of `sigma` pixels: in passes whose steps grow threefold, each over
-    /// what the one before gave, which follows bends.
+    /// Averages `plane` along the field with a Gaussian of `sigma` pixels. Each pass has a step three times
+    /// as large and filters the result of the previous pass, which follows bends.
     pub fn smooth_along(&self, plane: &mut Wide, spare: &mut Wide, sigma: f32) {
         for taps in passes(sigma) {
             average(plane, spare, &self.turns, &offsets(&taps), &weights(&taps));
@@ -87,8 +87,8 @@ impl Tangents {
     }
 }
 
-/// The taps of passes whose variances add up to that of `sigma`. A pass with gaps needs one before it that fills them: a
-/// Gaussian of .6 gaps.
+/// Returns the taps of passes whose variances add up to the variance of `sigma`. A pass with gaps needs a
+/// previous pass that fills them: a Gaussian of 0.6 gaps.
 fn passes(sigma: f32) -> Vec<Vec<(f32, f32)>> {
     const FILL: f32 = 0.6;
     let (mut passes, mut done, mut gap) = (Vec::new(), 0.0f32, 1.0f32);

@@ -1,5 +1,5 @@
-//! A person's own texture for Pattern Filling: a small PNG or JPEG file that stands in the style as a data URL, so that a
-//! style is one file wherever it goes.
+//! Custom texture for Pattern Filling: a small PNG or JPEG file, stored in the style as a data URL. So a
+//! style remains a single file.
 
 use crate::raster::Plane;
 use crate::raster::decode::{Limits, decode_fit};
@@ -13,16 +13,17 @@ pub const MOST_BYTES: usize = 256 << 10;
 /// Pixels of the longer side that are drawn; a larger picture is reduced.
 const LONGEST: usize = 512;
 
-/// What the file may ask for: a texture of a few kilobytes may announce a huge picture.
+/// Limits for decoding: a texture of a few kilobytes may announce a huge picture.
 const LIMITS: Limits = Limits { max_pixels: 16_000_000, max_side: 8192, max_bytes: 128 << 20 };
 
-/// Grey steps between the darkest and the lightest tone from which on there is something to draw with.
+/// Minimum difference between the darkest and the lightest tone, in grey levels. A texture with less contrast
+/// cannot draw tones.
 const LEAST_CONTRAST: u8 = 8;
 
 /// Parts of a grey step in which a blur is computed.
 const PARTS: u32 = 16;
 
-/// A texture as it was read.
+/// A decoded texture.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Texture {
     url: String,
@@ -33,7 +34,7 @@ impl Texture {
     /// Reads `data:image/png;base64,...` or the same with `image/jpeg`.
     ///
     /// # Errors
-    /// What is wrong with it, as the end of a sentence about it.
+    /// The reason as the end of a sentence about the texture.
     pub fn read(url: &str) -> Result<Self, String> {
         const SHAPE: &str =
             "must be a PNG or JPEG picture as a data URL: data:image/png;base64, and its bytes in base64";
@@ -70,8 +71,8 @@ impl Texture {
         &self.url
     }
 
-    /// The order in which its pixels take ink, the darkest first: two thirds their own tone, a third that of their
-    /// surroundings, so that the lines of a picture of only two tones swell.
+    /// Returns the order in which pixels take ink, the darkest first. Two thirds are the tone of a pixel, one
+    /// third the tone of its surroundings, so that lines swell in a picture of only two tones.
     pub(in crate::style) fn tones(&self) -> &Plane {
         &self.tones
     }
@@ -100,11 +101,11 @@ fn tones(luma: &Plane) -> Plane {
     })
 }
 
-/// The mean of `2 radius + 1` values about each, of a line that goes round.
+/// Returns the mean of `2 radius + 1` values around each value of a cyclic line.
 fn box_means(line: &[u32], radius: usize) -> Vec<u32> {
     let (length, count) = (line.len(), 2 * radius + 1);
     let at = |i: usize| line[i % length];
-    // As many whole rounds ahead as no index is below zero.
+    // Whole periods are added, so that no index is below zero.
     let start = length * radius.div_ceil(length) - radius;
     let mut sum: u32 = (start..start + count).map(at).sum();
     (0..length)

@@ -1,8 +1,8 @@
 // @ts-check
 /**
- * The reader of a comic in one file: panel by panel, by whole pages, or as text. It stands in the file as it is here, so it
- * imports nothing. What it knows of the comic it reads from the page: `data-size` of a page is its picture's width and height,
- * `data-box` of a panel is what has to be in view, in pixels of that picture.
+ * The reader of a comic in one HTML file. It shows panels, whole pages, or text. The exporter copies this file
+ * unchanged, so it imports nothing. It reads the comic from the page: `data-size` of a page is the width and height of
+ * its picture. `data-box` of a panel is the area to show, in pixels of that picture.
  */
 
 /** @typedef {{ x: number, y: number, width: number, height: number }} Box */
@@ -14,16 +14,16 @@
 const SWIPE = 40;
 /** A finger or a mouse that moves so little has not moved. */
 const STILL = 10;
-/** The part of the width, from the left, where a tap goes back. */
+/** A tap in this part of the width, from the left, goes back. */
 const BACK = 0.3;
-/** Where the picture is enlarged by two fingers to more than this, one finger moves it. */
+/** Minimum magnification of a pinch zoom at which one finger pans the picture. */
 const ENLARGED = 1.05;
 /**
- * Keys that go on or back.
+ * Keys for next and previous.
  * @type {Record<string, 1 | -1 | undefined>}
  */
 const KEYS = { ArrowRight: 1, ArrowDown: 1, PageDown: 1, ArrowLeft: -1, ArrowUp: -1, PageUp: -1 };
-/** Screens on which a whole page is too small to be read. */
+/** Screens that are too small for reading a whole page. */
 const SMALL = '(max-width: 700px), (max-height: 500px)';
 
 /**
@@ -36,10 +36,10 @@ export function boxOf(text) {
 }
 
 /**
- * Where a page has to be, and how large, so that a part of it fills a screen.
+ * Returns position and scale of a page at which `box` fills the screen.
  * @param {Box} box the part, in pixels of the page's picture
  * @param {Size} stage the screen
- * @param {number} room around it, in pixels of the screen
+ * @param {number} room margin in pixels of the screen
  * @returns {{ scale: number, x: number, y: number }}
  */
 export function fitted(box, stage, room) {
@@ -56,7 +56,7 @@ export function fitted(box, stage, room) {
 /**
  * @param {{ x: number, y: number }} from where a finger came down
  * @param {{ x: number, y: number }} to where it was lifted
- * @returns {-1 | 0 | 1} 1 goes on, -1 back
+ * @returns {-1 | 0 | 1} 1 for next, -1 for previous
  */
 export function swiped(from, to) {
   const [x, y] = [to.x - from.x, to.y - from.y];
@@ -132,7 +132,7 @@ function start(document) {
     progress.style.transform = `scaleX(${read / all})`;
     previous.setAttribute('aria-disabled', String(stepped(at, -1, counts, view) === null));
     next.setAttribute('aria-disabled', String(stepped(at, 1, counts, view) === null));
-    // What comes next is decoded while this is read.
+    // Decodes the next picture in advance.
     pages[at.page + 1]?.image.decode().catch(() => {});
   }
 
@@ -166,7 +166,7 @@ function start(document) {
     remember();
   }
 
-  /** The address says where one is, so that a page that is opened again goes on there. */
+  /** Stores the current position in the address, so that a reload continues there. */
   function remember() {
     const id = view === 'panels' ? pages[at.page].panels[at.panel].id : pages[at.page].page.id;
     try {
@@ -261,8 +261,8 @@ function start(document) {
 }
 
 /**
- * The shapes that are not dimmed: a panel but for those that lie on it, and its words.
- * @param {readonly Element[]} shapes of all panels; what comes later lies on top
+ * Returns the shapes that are not dimmed: the panel without later panels on top of it, and its text items.
+ * @param {readonly Element[]} shapes of all panels; later ones are on top
  * @param {number} panel
  * @returns {Node[]}
  */

@@ -45,7 +45,7 @@ pub(super) fn write(list: &ShotList) -> String {
     out
 }
 
-/// Names of reels, of eight letters and digits, by the numbers of their sources.
+/// Reel names of eight letters and digits, by the index of their source.
 #[derive(Default)]
 struct Reels(HashMap<usize, String>);
 

@@ -173,7 +173,7 @@ impl ShotList {
 /// The files that shots are from.
 #[derive(Default)]
 struct Sources<'a> {
-    /// The first shot of each film.
+    /// The first shot of each video.
     films: HashMap<&'a str, Source>,
     /// Number of files with a name.
     names: HashMap<&'a str, u64>,

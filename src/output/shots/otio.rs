@@ -6,7 +6,7 @@ use super::timecode::Rate;
 use super::{Cut, ShotList};
 use serde_json::{Value, json};
 
-/// The name under which its media is known.
+/// The key of the media reference.
 const MEDIA: &str = "DEFAULT_MEDIA";
 
 pub(super) fn write(list: &ShotList) -> String {

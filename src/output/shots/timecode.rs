@@ -1,13 +1,13 @@
 //! Timecode: frames as hours, minutes, seconds and frames. It counts 24, 25 or 30 frames per second, or the
-//! NTSC rates, which are slower by a thousandth. Non-drop-frame timecode at NTSC rates falls 3.6 seconds per
-//! hour behind the clock. Drop-frame timecode at 29.97 skips two frame numbers at each minute except every
-//! tenth.
+//! NTSC rates, which are slower by a thousandth. Non-drop-frame timecode at NTSC rates is 3.6 seconds per
+//! hour slower than the clock. Drop-frame timecode at 29.97 skips two frame numbers at each minute except
+//! every tenth.
 //!
 //! Source: SMPTE ST 12-1, "Time and Control Code", 5.2.
 
 use serde::{Deserialize, Serialize};
 
-/// The programme starts at one hour, by convention, which leaves room for leaders. In seconds of the time
+/// The programme starts at one hour, by convention, which leaves time for leaders. In seconds of the time
 /// code.
 pub const PROGRAMME: u64 = 3_600;
 /// Upper limit of times, in seconds.
@@ -79,8 +79,8 @@ impl Rate {
         seconds * self.exact()
     }
 
-    /// Returns how many whole frames there are in a time in seconds. The last frame counts even if a share of
-    /// up to `missing` of it is missing.
+    /// Returns the number of whole frames in a time in seconds. The last frame counts even if a share of up
+    /// to `missing` of it is missing.
     #[must_use]
     pub fn whole_frames(self, seconds: f64, missing: f64) -> u64 {
         (self.frames_in(seconds) + missing) as u64
@@ -120,7 +120,7 @@ impl Rate {
         let minute = u64::from(self.base) * 60 - dropped;
         let ten = u64::from(self.base) * 60 * WHOLE - dropped * (WHOLE - 1);
         let (tens, rest) = (frame / ten, frame % ten);
-        // The first minute of ten is whole; each other is shorter, and its first numbers are left out.
+        // The first minute of ten is complete. The others skip their first frame numbers.
         let minutes = rest.saturating_sub(dropped) / minute;
         frame + dropped * ((WHOLE - 1) * tens + minutes)
     }

@@ -66,7 +66,7 @@ fn item(out: &mut String, (i, cut): (usize, &Cut), length: u64, pace: &str) {
     );
 }
 
-/// Frames of the source of a shot; if that is not known, as far as any shot reaches into it.
+/// Returns the number of frames of the source of a shot. If it is unknown, the last frame of any shot counts.
 fn length_of(cut: &Cut, cuts: &[Cut]) -> u64 {
     let same = cuts.iter().filter(|other| other.source == cut.source);
     cut.length.unwrap_or_else(|| same.map(|other| other.start + other.frames).fold(0, u64::max))

@@ -56,7 +56,7 @@ pub(super) fn draw(
         draw_panel(content, ground, i, panel);
         end(content);
     }
-    // Breakouts lie over all panels. Their alternative text is on their panel.
+    // Breakouts are above all panels. Their alternative text is on their panel.
     let figures = document.panels.len()..document.first_front();
     for picture in pictures.iter().filter(|picture| figures.contains(&picture.index)) {
         draw_alone(content, ground, picture);

@@ -18,7 +18,7 @@ const PARTS: f64 = 1000.0;
 /// All fonts of a file.
 pub(super) struct Fonts<'a>(Vec<Face<'a>>);
 
-/// A font with the letters that are used of it, in ascending order; the code of a letter is its place and one.
+/// A font with its used characters, in ascending order. The code of a character is its index plus one.
 pub(super) struct Face<'a> {
     font: &'a Font,
     /// The glyph table, for the text of glyphs.
@@ -29,7 +29,7 @@ pub(super) struct Face<'a> {
 }
 
 impl<'a> Fonts<'a> {
-    /// The fonts that the words of pages need.
+    /// Returns the fonts that the text of pages needs.
     pub(super) fn of(pages: &[Vec<Laid>], letters: &'a Letters, next: &mut impl FnMut() -> Ref) -> Self {
         let mut faces: Vec<(&'a Font, BTreeSet<char>)> = Vec::new();
         for row in pages.iter().flatten().flat_map(|laid| rows(laid, 1.0, letters)) {
@@ -71,7 +71,7 @@ impl Face<'_> {
         format!("F{}", self.place)
     }
 
-    /// The letter as text of this font has it.
+    /// Returns the code of a character in this font.
     pub(super) fn code(&self, letter: char) -> [u8; 2] {
         let place = self.letters.binary_search(&letter).map_or(0, |at| at as u16 + 1);
         place.to_be_bytes()
@@ -111,7 +111,7 @@ impl Face<'_> {
         pdf.cmap(unicode, &packed(&map.finish())).filter(Filter::FlateDecode);
     }
 
-    /// The name with the mark of a font that is not whole: six capitals, others for other letters.
+    /// Returns the name with the prefix of a subset font: six capitals that depend on its characters.
     fn full_name(&self) -> String {
         let mut sum =
             self.letters.iter().fold(17u32, |sum, &letter| sum.wrapping_mul(31) ^ u32::from(letter));

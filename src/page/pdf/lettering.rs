@@ -40,7 +40,7 @@ pub(super) fn ranks(document: &Document, words: &[Laid]) -> Result<Vec<(i64, f64
         let panel = laid.word.panel.filter(|panel| *panel < panels.len()).or_else(under);
         let panel = panel.map_or_else(
             || {
-                // A logo stands among the words of a head.
+                // A logo is in the list of text items of a header.
                 let mut shown = panels.iter().zip(&document.panels).filter(|(_, content)| !content.plain);
                 let above = shown.all(|(panel, _)| at.y < panel.bounds.y + panel.bounds.height / 2.0);
                 if above { -1 } else { panels.len() as i64 }
@@ -52,7 +52,7 @@ pub(super) fn ranks(document: &Document, words: &[Laid]) -> Result<Vec<(i64, f64
     Ok(words.iter().map(rank).collect())
 }
 
-/// The words of a page.
+/// The text items of a page.
 pub(super) struct Lettering<'a> {
     pub(super) ground: &'a Ground<'a>,
     pub(super) letters: &'a Letters,
@@ -62,7 +62,7 @@ pub(super) struct Lettering<'a> {
 }
 
 impl Lettering<'_> {
-    /// Draws a word.
+    /// Draws a text item.
     pub(super) fn draw(
         &self,
         content: &mut Content,
@@ -110,7 +110,7 @@ impl Lettering<'_> {
         content.restore_state();
     }
 
-    /// The letters as text.
+    /// Draws the characters as text.
     fn text(&self, content: &mut Content, laid: &Laid, width: f64, bend: &Bend) {
         let size = laid.setting.size * width;
         content.begin_text();
@@ -159,7 +159,7 @@ fn stroke(content: &mut Content, shapes: &[Vec<Point>], (colours, with): (&Colou
     content.stroke();
 }
 
-/// A line of text with the distances that its letters have on the page.
+/// Draws a line of text with the glyph distances of the page.
 fn show(content: &mut Content, row: &Row, face: &Face, bend: &Bend, size: f64) {
     let Some(&(_, start)) = row.letters.first() else { return };
     stand(content, bend, (row, start), size);
@@ -177,8 +177,8 @@ fn show(content: &mut Content, row: &Row, face: &Face, bend: &Bend, size: f64) {
     }
 }
 
-/// Puts the pen at the start of a row, along the line that the word has there, its letters leaning by a part of their
-/// height. Text stands upwards, the page downwards.
+/// Moves the pen to the start of a row, along the baseline of the item, with the slant of its glyphs. Text
+/// stands upwards, the page downwards.
 fn stand(content: &mut Content, bend: &Bend, (row, start): (&Row, f64), size: f64) {
     let lean = if row.strong { LEAN } else { 0.0 };
     let place = |along: f64, up: f64| {

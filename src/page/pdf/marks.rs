@@ -8,7 +8,7 @@ use pdf_writer::Content;
 
 /// Width of the lines, in points: the thinnest that all printers print.
 const LINE: f64 = 0.25;
-/// Points of a dash and of the gap behind it: a fold.
+/// Lengths in points of a dash and a gap of a fold line.
 const FOLD: [f32; 2] = [3.0, 2.0];
 
 /// Draws the marks of a sheet, in points from the upper left corner of the trimmed area.

@@ -4,15 +4,15 @@
 //! | module | for |
 //! |---|---|
 //! | [`picture`] | the picture of a panel, as the file holds it |
-//! | [`options`] | what is asked of a file beside its pages |
-//! | [`impose`] | which page goes where on sheets that are folded or cut |
+//! | [`options`] | options of a file, apart from its pages |
+//! | [`impose`] | imposition: order of pages on sheets that are folded or cut |
 //! | `sheet` | a side of a sheet, with its measures |
 //! | `drawing` | the panels of a page |
-//! | `lettering` | the words of a page |
+//! | `lettering` | the text of a page |
 //! | `marks` | where a sheet is cut and folded |
 //! | `color` | colours, or the plate of one ink |
-//! | `fonts` | the letters that the words need |
-//! | `tags` | what is read, in its order, and what stands for pictures |
+//! | `fonts` | the subset fonts of the text |
+//! | `tags` | reading order of the text, and alternative texts of the pictures |
 //! | `about` | title, language and colour space |
 //!
 //! The geometry is the same as for pixels, from the same functions.
@@ -55,7 +55,7 @@ pub struct Leaf {
     pub alts: Vec<String>,
 }
 
-/// Writes pages at their print size, on sheets as the options say.
+/// Writes pages at their print size, with the given imposition.
 ///
 /// # Errors
 /// `invalid-document` for panels that do not fit the layout, invalid text items, or a plate of an ink that

@@ -17,7 +17,7 @@ pub struct Picture {
     pub area: PixelRect,
     /// The file.
     pub jpeg: Vec<u8>,
-    /// Opacity of each pixel of a figure or foreground: packed bytes, row by row.
+    /// Opacity of each pixel of a breakout or foreground: packed bytes, row by row.
     pub alpha: Option<Vec<u8>>,
 }
 
@@ -117,7 +117,7 @@ impl Picture {
     }
 }
 
-/// Whether a JPEG file has one channel, as its frame says. Source: ITU-T T.81, section B.2.2.
+/// Returns whether the header of a JPEG file has one channel. Source: ITU-T T.81, section B.2.2.
 fn is_gray(jpeg: &[u8]) -> bool {
     let mut at = 2;
     while let Some(&[0xff, marker, high, low]) = jpeg.get(at..at + 4) {

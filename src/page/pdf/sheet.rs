@@ -146,7 +146,7 @@ impl Sheet {
         let scale = self.fit / self.unit;
         let more = more * scale;
         let (right, bottom) = (left + self.size.0 * scale + more, top - self.size.1 * scale - more);
-        // Numbers are rounded; no box lies outside of the paper.
+        // Numbers are rounded, so boxes are limited to the paper.
         let [x, y, width, height] =
             [left - more, bottom, right, top + more].map(|value| ((value * 1e4).round() / 1e4) as f32);
         let media = self.media_box();

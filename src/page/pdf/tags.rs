@@ -1,5 +1,5 @@
 //! Tagged-PDF structure for screen readers: the document and its pages in reading order. Each page has panels
-//! as figures with alternative text, and text items as paragraphs after their panel.
+//! as PDF figures with alternative text, and text items as paragraphs after their panel.
 //!
 //! Source: ISO 32000-1, sections 14.6 to 14.8.
 
@@ -13,7 +13,7 @@ struct Element {
     /// Its place there: the panel, then down and across.
     rank: (i64, f64),
     role: StructRole,
-    /// Alternative text of a figure, or text of a paragraph.
+    /// Alternative text of a PDF figure, or text of a paragraph.
     text: String,
     /// The sheet that it is drawn on.
     page: Ref,

@@ -20,19 +20,19 @@ use crate::page::scene::MAX_SIDE;
 const LINE: f64 = 0.0014;
 /// Width of the outline by the rules of letterers, about half a millimetre in total on A4.
 const FINER: f64 = 0.0011;
-/// The line around the letters of a caption without a box, in ems.
+/// Outline of the glyphs of a caption without a box, in ems.
 const HALO: f64 = 0.1;
-/// How much emphasised letters lean, as a part of their height.
+/// Slant of emphasised glyphs, as a fraction of their height.
 pub(in crate::page) const LEAN: f64 = 0.21;
 /// Half of the additional stroke width of emphasised glyphs, in ems, for fonts without a bolder style.
 const HEAVIER: f64 = 0.016;
 /// Lengths of a whisper's dashes and of the gaps between, in page widths.
 const DASH: (f64, f64) = (0.0085, 0.007);
-/// The distance of lines to write on, in ems: a hand needs more room than a press.
+/// Distance of ruled lines for handwriting, in ems. Handwriting needs more space than print.
 const RULES: f64 = 2.1;
 /// Half their width, in page widths.
 const RULE: f64 = 0.0003;
-/// The line around the letters of an effect, in ems.
+/// Outline of the glyphs of a sound effect, in ems.
 const RING: f64 = 0.075;
 
 /// Draws one text item of a document whose page is `width` pixels wide.
@@ -80,7 +80,7 @@ pub fn lay_words_behind(
 }
 
 /// Draws all text items of a document whose page is `width` pixels wide, and passes each with its index to
-/// `give`. Items behind figures come first, in order. `fronts`: the subjects of the panels that
+/// `give`. Items behind subjects come first, in order. `fronts`: the subjects of the panels that
 /// [`Document::fronts`] names, as [`render_panel`](crate::page::compose::render_panel) draws them.
 ///
 /// # Errors
@@ -105,22 +105,22 @@ pub fn drawn_behind(
     Ok(())
 }
 
-/// The lines of a word on a page of some width, in its pixels.
+/// The outlines of a text item on a page of some width, in its pixels.
 pub(in crate::page) struct Lines {
     /// Outline of a balloon or a caption; its tail is a part of it, or follows it. Linked balloons share
     /// their outlines.
     pub(in crate::page) body: Vec<Vec<Point>>,
     /// The outlines overlap and are one shape: their lines are drawn below what fills them, twice as wide.
     pub(in crate::page) united: bool,
-    /// Outlines of the letters.
+    /// Outlines of the glyphs.
     pub(in crate::page) text: Vec<Vec<Point>>,
-    /// Outlines of the letters that are drawn heavier, with half the width of the line that makes them so.
+    /// Outlines of bold glyphs, with half the width of the stroke that makes them bold.
     pub(in crate::page) heavy: (Vec<Vec<Point>>, f64),
-    /// A line around the letters sets them off what is below: there is no body.
+    /// An outline around the glyphs separates them from the background, because there is no body.
     pub(in crate::page) ringed: bool,
-    /// Half the width of the line around the body, or around the letters.
+    /// Half the width of the outline of the body, or of the glyphs.
     pub(in crate::page) half: f64,
-    /// Lengths of dashes and gaps of the line, where it has some.
+    /// Lengths of dashes and gaps of the line, or `None` for a solid line.
     pub(in crate::page) dash: Option<(f64, f64)>,
 }
 
@@ -211,13 +211,14 @@ pub fn draw(laid: &Laid, width: f64, letters: &Letters) -> Patch {
     Patch { area, rgba }
 }
 
-/// Letters of a line that stand alike, before they are bent and turned, in pixels from the middle of their word.
+/// Glyphs of one line with the same orientation, before bending and rotation, in pixels from the middle of
+/// their text item.
 pub(in crate::page) struct Row<'a> {
-    /// Height of the baseline below the middle; of one that is turned, how far it is to the right.
+    /// Distance of the baseline below the middle. For rotated glyphs, its distance to the right.
     pub(in crate::page) baseline: f64,
-    /// It runs down, its letters turned by a quarter.
+    /// Whether it runs down, with glyphs rotated by a quarter turn.
     pub(in crate::page) turned: bool,
-    /// The letters, each with the place of the pen.
+    /// The characters with their pen positions.
     pub(in crate::page) letters: Vec<(char, f64)>,
     /// The font of them all.
     pub(in crate::page) font: &'a Font,
@@ -237,7 +238,7 @@ impl Row<'_> {
     }
 }
 
-/// The lines of a word on a page of `width` pixels, with the readings of their letters.
+/// Returns the lines of a text item on a page of `width` pixels, with ruby readings.
 pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -> Vec<Row<'a>> {
     let Some(font) = letters.font(&laid.word.font) else { return Vec::new() };
     if laid.word.vertical {
@@ -326,8 +327,8 @@ fn read<'s>(setting: &'s Setting, line: usize, spans: &[(f64, f64)]) -> Vec<(&'s
     all
 }
 
-/// The cells of the columns of a word on a page of `width` pixels, from right to left, and the readings
-/// beside them. Emphasised text is bolder and not slanted.
+/// Returns the cells of the columns of vertical text on a page of `width` pixels, from right to left, with
+/// their ruby readings. Emphasised text is bolder and not slanted.
 fn columns<'a>(laid: &Laid, width: f64, (letters, font): (&'a Letters, &'a Font)) -> Vec<Row<'a>> {
     let setting = &laid.setting;
     let size = setting.size * width;
@@ -384,7 +385,7 @@ struct Column<'a> {
 }
 
 impl<'a> Column<'a> {
-    /// Adds the rows of a column, and answers where each letter begins and ends. `apart`: extra advance of
+    /// Adds the rows of a column, and returns the start and end of each character. `apart`: extra advance of
     /// each character, half of it before the character. `row` returns the other fields of the row that begins
     /// with a character.
     fn stand(
@@ -480,14 +481,14 @@ pub fn boxes(laid: &Laid, width: f64, letters: &Letters) -> Vec<(f64, (f64, f64,
     boxes
 }
 
-/// The place of a word, and the arc and the turn of an effect around it.
+/// The position of a text item, with arc and rotation of a sound effect.
 pub(in crate::page) struct Bend {
     middle: (f64, f64),
-    /// Radius of the circle that the line lies on; 0 for a straight one.
+    /// Radius of the circle of the baseline; 0 for a straight line.
     radius: f64,
     sin: f64,
     cos: f64,
-    /// How much letters lean, as a part of their height.
+    /// Slant of the glyphs, as a fraction of their height.
     slant: f64,
 }
 
@@ -496,7 +497,7 @@ impl Bend {
     pub(in crate::page) fn new(laid: &Laid, width: f64) -> Self {
         let effect = laid.word.kind == Kind::Effect;
         let (sin, cos) = if effect { laid.word.angle.to_radians().sin_cos() } else { (0.0, 1.0) };
-        // The whole line covers a third of the circle at most.
+        // The line covers a third of the circle at most.
         let turn = laid.word.arc * std::f64::consts::FRAC_PI_3;
         let radius = if effect && turn.abs() > 0.02 && !laid.word.vertical {
             laid.setting.half.0 * width / turn
@@ -521,7 +522,7 @@ impl Bend {
     pub(in crate::page) fn moved(&self, x: f64, y: f64) -> Point {
         let (mut x, mut y) = (x - self.slant * y, y);
         if self.radius != 0.0 {
-            // The bow's middle stays in the middle of the word.
+            // The middle of the arc stays in the middle of the text item.
             let rise =
                 self.radius * (1.0 - (self.radius.signum() * std::f64::consts::FRAC_PI_3 / 2.0).cos()) * 0.25;
             let (sin, cos) = (x / self.radius).sin_cos();

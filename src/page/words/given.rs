@@ -1,8 +1,8 @@
 //! Glyphs from the user's font files, for characters that the bundled fonts lack. The command line and Python
 //! use them. The app uses system fonts instead (`www/engine/shaping.ts`).
 //!
-//! The first font with all characters of a text run shapes it. Words of joining or complex scripts are shaped
-//! as a whole. Other text is shaped character by character. The outlines become glyphs like those traced from
+//! The first font with all characters of a text run shapes it. Text in joining or complex scripts is shaped
+//! by word. Other text is shaped character by character. The outlines become glyphs like those traced from
 //! images, so images and PDF files look the same. Glyphs of vertical text are shaped again with vertical
 //! alternates (`vert`).
 //!
@@ -139,7 +139,7 @@ fn face(file: &[u8]) -> Option<Face<'_>> {
 
 /// Result of `work` on an untrusted file. `None` if the font reader panics.
 fn guarded<T>(work: impl FnOnce() -> Option<T>) -> Option<T> {
-    // Nothing that the work may have left half done is looked at again.
+    // Nothing reads the state that a panic may leave incomplete.
     catch_unwind(AssertUnwindSafe(work)).ok().flatten()
 }
 
@@ -204,7 +204,7 @@ fn learn(letters: &mut Letters, faces: &mut [Option<Face<'_>>], stretch: &str) {
     }
 }
 
-/// Learns the forms for columns of the letters of a word, each of the first font that has the letter.
+/// Adds the vertical forms of the characters of a word, each from the first font with a glyph.
 fn stand(letters: &mut Letters, faces: &[Option<Face<'_>>], word: &str) {
     let mut buffer = [0; 4];
     for letter in word.chars().filter(|&letter| !letter.is_ascii() && !is_joined(letter)) {
@@ -235,7 +235,7 @@ fn standing(face: &Face<'_>, run: &str) -> Option<Outline> {
         return None;
     }
     let mut form = outline(face, &upright, 0..upright.len(), false)?;
-    // The pen of a column is in its middle, at the top of the square, and goes down.
+    // The pen of a column starts in the middle of its top, and moves down.
     let moved = |point: Point| Point::new(point.x + 0.5, point.y + vertical::BASELINE);
     for contour in &mut form.contours {
         contour.start = moved(contour.start);

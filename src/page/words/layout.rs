@@ -28,7 +28,7 @@ pub struct Laid {
 /// Balloons that are joined are drawn as one shape, by the first of them.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub enum Chain {
-    /// It stands alone.
+    /// Not linked to other balloons.
     #[default]
     None,
     /// It is the first, and draws these outlines with its own.
@@ -82,7 +82,7 @@ pub struct Ground {
 
 include!(concat!(env!("OUT_DIR"), "/palettes.rs"));
 
-/// The colours that words take from the style of a document.
+/// Returns the text colours of a document's style.
 fn palette_of(style: &serde_json::Value) -> Palette {
     let known = style.as_str().and_then(|id| PALETTES.iter().find(|(known, _)| *known == id));
     match known {
@@ -161,7 +161,7 @@ impl Ground {
             most: own.unwrap_or_else(|| part((0.94, 0.8))),
             page: (0.96 / reach, 0.96 * self.height / reach),
         };
-        // A person's width may be more than the panel's.
+        // A custom width may exceed the panel.
         let width = word.width.filter(|_| !word.plain);
         let room = width.map_or(wish.room, |_| (wish.page.0, wish.room.1));
         let most = width.map_or(wish.most, |_| (wish.page.0, wish.most.1));
@@ -226,7 +226,7 @@ pub fn lay_all(document: &Document, letters: &Letters) -> Result<Vec<Laid>> {
     Ok(all)
 }
 
-/// The balloon that each word is joined to.
+/// Returns the balloon that each text item is linked to.
 pub(super) fn joined<'w>(words: &(impl Iterator<Item = &'w Word> + Clone)) -> Vec<Option<usize>> {
     let place = |name: &String| {
         let mut balloons =

@@ -1,6 +1,6 @@
 //! Traced glyphs, for characters that the fonts lack. The browser draws an Arabic word, a Chinese character
-//! or an emoji with a system font, and its outline becomes a glyph. Native builds use font files (`given`).
-//! So it looks the same in the preview, in images and in PDF files, at any size.
+//! or an emoji with a system font. Its outline becomes a glyph. Native builds use font files (`given`). So
+//! its look is identical in the preview, in images and in PDF files, at any size.
 //!
 //! The outline is at half coverage, by marching squares (Lorensen and Cline 1987, in the plane), simplified
 //! by the Douglas-Peucker algorithm.
@@ -38,14 +38,14 @@ pub struct Drawing<'a> {
     pub advance: f64,
 }
 
-/// A run of text that is a letter by now.
+/// A run of text with a traced glyph.
 #[derive(Debug, Clone)]
 pub(super) struct Learnt {
     /// The text.
     pub(super) run: String,
     /// It is read from right to left.
     pub(super) leftward: bool,
-    /// It is the form for columns of the letter of that number: no text has it.
+    /// Vertical form of the character with this number. It is not in any text.
     pub(super) stands_for: Option<usize>,
 }
 
@@ -59,7 +59,7 @@ pub(super) fn number(letter: char) -> Option<usize> {
     u32::from(letter).checked_sub(FIRST).map(|number| number as usize).filter(|number| *number < MOST_LEARNT)
 }
 
-/// How far letters for private use are moved that a text has, so that none is taken for one that was learnt.
+/// Offset of private-use characters in a text, so that none collides with a placeholder.
 const APART: u32 = 0xf_0000 - FIRST;
 
 /// Replaces characters of text that collide with the placeholders.
@@ -67,7 +67,7 @@ pub(super) fn private(letter: char) -> char {
     number(letter).and_then(|_| char::from_u32(u32::from(letter) + APART)).unwrap_or(letter)
 }
 
-/// The letter as the text has it.
+/// Returns the character in the text.
 pub(super) fn private_again(letter: char) -> char {
     let before = u32::from(letter).checked_sub(APART).and_then(char::from_u32);
     before.filter(|&before| number(before).is_some()).unwrap_or(letter)

@@ -40,7 +40,7 @@ struct Piece {
     gap: f64,
     /// It begins a line.
     fresh: bool,
-    /// How the word parts behind it, where the text goes on without a space.
+    /// How the word is divided after it, if the text continues without a space.
     after: After,
 }
 
@@ -85,7 +85,7 @@ impl<'a> Lens<'a> {
         lens
     }
 
-    /// Whether the text is one that a letterer would break by eye.
+    /// Returns whether the text is short enough for line breaking in a lens shape.
     pub(super) fn is_short(&self) -> bool {
         self.pieces.len() <= MOST_PIECES
     }
@@ -227,7 +227,8 @@ impl<'a> Lens<'a> {
         let count = self.pieces.len();
         let mut at = 0;
         while at < before.len() {
-            // All that end at the same piece go on alike, but for the length of their last line.
+            // States that end at the same piece have the same next lines. Only the length of their last line
+            // differs.
             let start = before[at].end;
             let same = before[at..].iter().take_while(|state| state.end == start).count();
             let mut width = 0.0;
@@ -269,7 +270,7 @@ impl<'a> Lens<'a> {
             After::Hyphen => HYPHEN,
             After::Torn => TORN,
         };
-        // The last line of a box may be short, but for one word that is lost there.
+        // The last line of a box may be short. Only a single lost word is a fault.
         let short = goal.last && !self.is_lens() && off < 0.0 && off > -0.6;
         parted + if short { 2.0 * off * off } else { 10.0 * off * off }
     }

@@ -13,7 +13,7 @@ pub fn spoken(letter: char) -> char {
     if letter == STEM { 'I' } else { letter }
 }
 
-/// The fonts of the page, and the combinations of letters and accents.
+/// The fonts of the page, and the combinations of characters and accents.
 #[derive(Default)]
 pub struct Letters {
     /// The composed character, its base and its mark, in ascending order of the first.
@@ -58,7 +58,7 @@ impl Letters {
     /// # Errors
     /// `damaged` if the table is not complete and valid.
     pub fn parse(bytes: &[u8]) -> Result<Self> {
-        Reader { bytes }.letters().ok_or_else(|| Error::damaged("letters", "the table is not whole"))
+        Reader { bytes }.letters().ok_or_else(|| Error::damaged("letters", "the table is truncated"))
     }
 
     /// The table of the bundled fonts.
@@ -157,13 +157,13 @@ impl Letters {
         }
     }
 
-    /// The form of a letter for columns, where its font has one.
+    /// Returns the vertical form of a character, if its font has one.
     pub(super) fn standing(&self, letter: char) -> Option<char> {
         let of = learning::number(letter)?;
         learning::letter(self.learnt.iter().position(|learnt| learnt.stands_for == Some(of))?)
     }
 
-    /// Adds a letter to all fonts.
+    /// Adds a glyph to all fonts.
     fn add_glyph(&mut self, letter: char, advance: f64, contours: &[Contour]) {
         for font in &mut self.fonts {
             let glyph = Glyph { letter: u32::from(letter), advance, contours: contours.to_vec() };
@@ -229,7 +229,7 @@ impl Letters {
         self.compositions.iter().find(|entry| entry[1..] == wanted).and_then(|entry| char::from_u32(entry[0]))
     }
 
-    /// The letter without its accent.
+    /// Returns the character without its accent.
     fn base(&self, letter: char) -> u32 {
         let code = u32::from(letter);
         self.compositions
@@ -287,7 +287,7 @@ impl Font {
             return;
         }
         let Some(l) = self.glyph('l') else { return };
-        // Heights stay in whole units: the fonts of PDF files have no others.
+        // Heights are in whole units, because fonts in PDF files require it.
         let em = f64::from(self.units);
         let lower = |point: Point| Point::new(point.x, (point.y * height / tall * em).round() / em);
         let contour = |contour: &Contour| Contour {
@@ -477,7 +477,7 @@ mod tests {
             let apart = letters.width(font, &['A']) + letters.width(font, &['V']);
             let together = letters.width(font, &['A', 'V']);
             assert!(together < apart - 0.01, "{id}: {together} {apart}");
-            // Accents do not change how close letters stand.
+            // Accents do not change the kerning.
             let accented = letters.advance(font, 'Á', Some('V')) - letters.advance(font, 'Á', None);
             assert!((accented - (together - apart)).abs() < 1e-9);
         }

@@ -4,21 +4,21 @@
 //! | module | for |
 //! |---|---|
 //! | [`letters`] | outlines, advances and kerning of the fonts |
-//! | [`learning`] | letters that the fonts do not have, from pictures of them |
-//! | `given` | the same from font files of a person, natively |
-//! | `vertical` | how letters stand in columns |
-//! | [`model`] | a word as plain data, checked |
+//! | [`learning`] | traced glyphs of characters that the fonts lack |
+//! | `given` | fonts from the user's files, in native builds |
+//! | `vertical` | placement of glyphs in vertical text |
+//! | [`model`] | a text item as plain data, validated |
 //! | [`wording`] | text as letterers write it: capitals, quotes, emphasis, hyphens |
-//! | [`ruby`] | readings small beside their letters |
+//! | [`ruby`] | ruby: small readings next to the characters |
 //! | [`setting`] | text broken into lines and fitted into a shape |
-//! | `lens` | the same by the conventions of letterers |
-//! | `shapes` | outlines of balloons and captions, those of the first pages |
-//! | `balloons` | those of letterers |
-//! | [`layout`] | where a word of a document is, and how large |
-//! | [`draw`] | a word as pixels |
-//! | [`palette`] | colours of words from the style of their page |
-//! | [`place`] | where a word goes by itself: away from faces, off the figures of photos |
-//! | [`truetype`] | letters of the table as a font for other programs |
+//! | `lens` | line breaking by lettering rules: a lens shape |
+//! | `shapes` | outlines of balloons and captions in pages of version 1 |
+//! | `balloons` | outlines of balloons by lettering rules |
+//! | [`layout`] | position and size of a text item in a document |
+//! | [`draw`] | rendering of a text item |
+//! | [`palette`] | text colours from the style of the page |
+//! | [`place`] | automatic placement of text items: away from faces and subjects |
+//! | [`truetype`] | bundled glyphs as a TrueType font for other programs |
 //!
 //! Text may contain any Unicode character. The bundled fonts have extended Latin with accents and combining
 //! marks, Greek, Cyrillic, and some signs. Other characters (emoji, Hebrew, Chinese) are traced from images

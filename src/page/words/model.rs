@@ -57,7 +57,7 @@ pub enum Craft {
 
 /// A caption, a balloon or a sound effect.
 #[derive(Debug, Clone, PartialEq)]
-#[allow(clippy::struct_excessive_bools, reason = "each is a field of the file by itself")]
+#[allow(clippy::struct_excessive_bools, reason = "each is a separate field of the file")]
 pub struct Word {
     /// Kind.
     pub kind: Kind,
@@ -89,7 +89,7 @@ pub struct Word {
     pub craft: Craft,
     /// Whether a caption has no box. Its text is on the image, with an outline.
     pub boxless: bool,
-    /// Whether the caption is only left-aligned text from the top of its room.
+    /// Whether the caption is only left-aligned text from the top of its area.
     pub plain: bool,
     /// Whether ruled lines replace the text.
     pub ruled: bool,
@@ -103,7 +103,7 @@ pub struct Word {
     pub behind: bool,
     /// Id, for links of other balloons.
     pub id: Option<String>,
-    /// The name of the balloon that this one is joined to: the same mouth says both.
+    /// The name of the balloon that this one is linked to; both have one speaker.
     pub joined: Option<String>,
     /// Automatically linked balloon. It is found again at each automatic placement.
     pub linked: Option<String>,
@@ -194,7 +194,7 @@ impl Word {
             boxless: field.truth("boxless")?.unwrap_or(false) && kind == Kind::Caption,
             plain: (field.truth("plain")?.unwrap_or(false) || ruled) && kind == Kind::Caption,
             ruled,
-            // Letterers write all in capitals, but for sounds, that are written as they sound.
+            // By default, letterers write everything in capitals, except sound effects.
             capitals: capitals.unwrap_or(craft == Craft::Letterer && kind != Kind::Effect),
             slant: field.number("slant", -STEEPEST, STEEPEST)?.unwrap_or(0.0),
             outline: field.number("outline", 0.0, WIDEST_OUTLINE)?,
@@ -237,7 +237,7 @@ impl Word {
     }
 }
 
-/// Reads fields of one word.
+/// Reads fields of one text item.
 struct Field<'v> {
     value: &'v Value,
     index: usize,
@@ -257,7 +257,7 @@ impl<'v> Field<'v> {
         }
     }
 
-    /// Two numbers, or nothing said.
+    /// Reads two numbers, or nothing if the field is missing.
     fn pair(&self, name: &str, least: f64, most: f64) -> Result<Option<(f64, f64)>> {
         let value = &self.value[name];
         if value.is_null() {
@@ -270,7 +270,7 @@ impl<'v> Field<'v> {
         }
     }
 
-    /// Yes or no, or nothing said.
+    /// Reads a boolean, or nothing if the field is missing.
     fn truth(&self, name: &str) -> Result<Option<bool>> {
         match &self.value[name] {
             Value::Null => Ok(None),

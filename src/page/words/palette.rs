@@ -1,5 +1,5 @@
 //! Default colours of text items, from the style of their page: ink, paper and accent. `build.rs` computes
-//! them for the built-in styles, so that the words module does not contain styles.
+//! them for the built-in styles, so that the `words` module does not contain styles.
 //!
 //! Text has a contrast of at least 7 : 1 with its background (WCAG 2.2, success criterion 1.4.6).
 
@@ -20,7 +20,7 @@ pub struct Palette {
     pub edge: [u8; 3],
 }
 
-/// Least contrast of letters to their ground.
+/// Minimum contrast of text to its background.
 const CONTRAST: f64 = 7.0;
 
 /// The palette of a complete style. Invalid styles get the palette of an empty style.

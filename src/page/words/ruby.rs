@@ -13,9 +13,9 @@ use super::letters::{Font, Letters};
 use super::vertical;
 use std::ops::Range;
 
-/// Size of a reading, in parts of its letters'.
+/// Size of a reading, relative to its base characters.
 pub(super) const SIZE: f64 = 0.5;
-/// Room between letters and their reading, in ems.
+/// Distance between characters and their reading, in ems.
 const AIR: f64 = 0.05;
 /// Maximum length of a reading and of its base text, in characters. Longer text in such brackets is a title
 /// or a quotation.
@@ -34,12 +34,12 @@ pub struct Under {
     pub apart: f64,
 }
 
-/// Some letters of a text and their reading.
+/// Base characters of a text, and their reading.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Note {
     base: Range<usize>,
     reading: Range<usize>,
-    /// The bar before the letters.
+    /// The vertical bar before the base characters.
     bar: Option<usize>,
 }
 
@@ -61,7 +61,7 @@ pub(super) enum Part {
     Sign,
 }
 
-/// Whether a letter is of Han, so that a reading behind it is its.
+/// Returns whether a character is Han, so that a following reading belongs to it.
 fn is_han(letter: char) -> bool {
     "々〆〇ヶ".contains(letter)
         || matches!(u32::from(letter), 0x3400..=0x4dbf | 0x4e00..=0x9fff | 0xf900..=0xfaff | 0x2_0000..=0x3_ffff)
@@ -164,7 +164,7 @@ pub fn stretches(text: &str) -> Vec<(String, Option<String>)> {
     out.into_iter().map(|(_, base, reading)| (base, reading)).collect()
 }
 
-/// Length of a reading in ems of its letters, in a line or a column.
+/// Returns the length of a reading in ems of its base characters, in a line or a column.
 fn length(letters: &Letters, font: &Font, reading: &[char], columns: bool) -> f64 {
     SIZE * if columns {
         vertical::steps(letters, font, reading).iter().sum::<f64>()
@@ -173,7 +173,7 @@ fn length(letters: &Letters, font: &Font, reading: &[char], columns: bool) -> f6
     }
 }
 
-/// How far apart letters stand that are `wide` together, so that their reading is no longer than they are.
+/// Returns the letter spacing of characters with a total width of `wide`, so that their reading fits.
 pub(super) fn apart(
     letters: &Letters,
     font: &Font,
@@ -231,7 +231,7 @@ mod tests {
             ("人々《ひとびと》", "[人々/ひとびと]"),
             ("東《ひがし》京《きょう》", "[東/ひがし][京/きょう]"),
             ("|本気《まじ》と|書《か》いて", "[本気/まじ]と[書/か]いて"),
-            // Explicit ones may say anything.
+            // An explicit reading may contain any text.
             ("|宇宙《うちゅう foo》", "[宇宙/うちゅう foo]"),
         ] {
             assert_eq!(told(text), says);

@@ -1,6 +1,6 @@
 //! Text broken into lines and fitted into a shape.
 //!
-//! For each number of lines, the narrowest shape that holds the words is found, with each line filled to the
+//! For each number of lines, finds the narrowest shape that contains the text, with each line filled to the
 //! width of the shape. This balances the lines. Lines of an ellipse are short at the top and the bottom. The
 //! number of lines with the best shape is used. If none fits, a smaller size is tried.
 
@@ -68,9 +68,9 @@ pub struct Setting {
 /// Values of a kind: lengths in ems, sizes in page widths.
 pub(super) struct Manner {
     pub(super) round: bool,
-    /// Room beside the letters, and above and below them.
+    /// Space left and right of the glyphs, and above and below them.
     pub(super) pad: (f64, f64),
-    /// Width over height that looks best.
+    /// Preferred width over height.
     pub(super) aspect: f64,
     largest: f64,
     /// Minimum size for easy reading.
@@ -134,7 +134,7 @@ pub(super) const LEGIBLE_ON_SCREENS: f64 = 0.0182;
 
 /// Each size that is tried is smaller by this factor.
 const STEP: f64 = 0.93;
-/// Most lines of a word.
+/// Maximum number of lines of a text item.
 const MOST_LINES: usize = 60;
 
 /// Sets a text of [`marks`](super::wording::marks), with its [`readings`](super::wording::readings).
@@ -147,7 +147,7 @@ pub fn set(letters: &Letters, font: &Font, text: (&[Mark], &[Vec<char>]), wish: 
     if !wish.vertical {
         return lines(letters, font, text, (wish, &manner));
     }
-    // Columns are lines that lie on their side.
+    // Columns are rotated lines.
     let aside = |(across, down): (f64, f64)| (down, across);
     let mut own =
         Wish { width: None, room: aside(wish.room), most: aside(wish.most), page: aside(wish.page), ..*wish };
@@ -188,7 +188,8 @@ fn lines(
         Some(lens) => lens.at(size, room, setter.wish.width),
         None => setter.at(size, room, false),
     };
-    // First letters become smaller so far as they are read with ease, then their shape larger, then letters again.
+    // Step 1: reduce the text while it stays readable. Step 2: enlarge the shape. Step 3: reduce the text
+    // further.
     let readable = wish.size.unwrap_or(manner.readable);
     let stages =
         [(wish.room, wish.size.unwrap_or(manner.largest), readable), (wish.most, readable, smallest)];
@@ -251,7 +252,7 @@ pub(super) struct Setter<'a> {
     /// The font for emphasis.
     pub(super) strong: &'a Font,
     pub(super) text: &'a [Mark],
-    /// The readings of its letters.
+    /// The readings of its characters.
     pub(super) readings: &'a [Vec<char>],
     pub(super) wish: &'a Wish,
     pub(super) manner: &'a Manner,
@@ -261,22 +262,23 @@ pub(super) struct Setter<'a> {
     pub(super) apart: &'a [f64],
 }
 
-/// How badly a shape looks, the first token of each line and the one after its last, and half the shape's sizes in ems.
+/// Cost of a shape, the first token of each line and the token after its last, and half the size of the shape
+/// in ems.
 type Candidate = (f64, Vec<(usize, usize)>, (f64, f64));
 
-/// Letters that stay together: a word of the text, or a part of one that is too long for any line.
+/// Characters that stay together: a word, or a part of a word that is longer than any line.
 struct Token {
     start: usize,
     end: usize,
     width: f64,
-    /// Room before it when it is not the first of its line: a space, or nothing in the middle of a word.
+    /// Space before it unless it begins a line: a space, or nothing within a word.
     gap: f64,
     /// It begins a line.
     fresh: bool,
 }
 
 impl Setter<'_> {
-    /// How far the pen moves over a letter of the text, in ems.
+    /// Returns the advance of a character of the text, in ems.
     pub(super) fn advance(&self, at: usize, next: Option<char>) -> f64 {
         let apart = self.apart.get(at).copied().unwrap_or_default();
         if let Some(step) = self.steps.get(at) {
@@ -286,7 +288,7 @@ impl Setter<'_> {
         self.letters.advance(if mark.strong { self.strong } else { self.font }, mark.letter, next) + apart
     }
 
-    /// How much further the pen goes over each letter because of its reading, in ems.
+    /// Returns the additional advance of each character because of its reading, in ems.
     fn apart(&self) -> Vec<f64> {
         if self.readings.is_empty() {
             return Vec::new();
@@ -313,7 +315,7 @@ impl Setter<'_> {
         if self.apart.is_empty() { Vec::new() } else { part.map(under).collect() }
     }
 
-    /// Room between two words of a line in ems.
+    /// Returns the space between two words of a line, in ems.
     pub(super) fn space(&self) -> f64 {
         self.letters.advance(self.font, ' ', None)
     }
@@ -343,11 +345,11 @@ impl Setter<'_> {
     /// A quick test: `false` if the text is certainly too long.
     fn may_fit(&self, size: f64, room: (f64, f64)) -> bool {
         let area = room.0.max(self.wish.width.unwrap_or(0.0)) * room.1;
-        // No letter of the fonts but the narrowest is less than a fifth of an em wide.
+        // Only the narrowest glyphs are less than a fifth of an em wide.
         self.text.len() < 200 || self.text.len() as f64 * 0.1 * size * size < area
     }
 
-    /// A line with a width, and which of its letters are emphasised.
+    /// Returns the characters of a line, and which of them are emphasised.
     pub(super) fn line(&self, part: std::ops::Range<usize>) -> (Vec<char>, Vec<bool>) {
         self.text[part].iter().map(|mark| (mark.letter, mark.strong)).unzip()
     }
@@ -388,7 +390,7 @@ impl Setter<'_> {
             if lines.len() < count && !cut && !tokens.is_empty() {
                 continue;
             }
-            // A balloon of one short word is not a pill.
+            // A balloon with one short word must not become a pill shape.
             if self.manner.round {
                 a = a.max(b * 1.1).min(wide);
             }
@@ -436,7 +438,7 @@ impl Setter<'_> {
         })
     }
 
-    /// The text in tokens no wider than `most` ems. In a sound effect only line ends part words.
+    /// The text in tokens no wider than `most` ems. In a sound effect, words break only at line ends.
     fn tokens(&self, most: f64) -> Vec<Token> {
         let space = self.space();
         let whole = matches!(self.wish.kind, Kind::Effect) && self.wish.size.is_none();

@@ -47,7 +47,7 @@ fn whole(font: &Font, ems: f64) -> i16 {
     (ems * f64::from(font.units)).round() as i16
 }
 
-/// The points of a contour, each with whether it lies on the curve.
+/// Returns the points of a contour, and whether each is on the curve.
 fn points(font: &Font, contour: &Contour) -> Vec<(i16, i16, bool)> {
     let at = |point: crate::layout::Point, on: bool| (whole(font, point.x), whole(font, point.y), on);
     let mut out = vec![at(contour.start, true)];
@@ -106,7 +106,7 @@ fn head(font: &Font, all: Corners) -> Vec<u8> {
     out.0
 }
 
-/// The tables behind their directory.
+/// Writes the tables after their directory.
 fn assemble(tables: Vec<(&[u8; 4], Vec<u8>)>) -> Vec<u8> {
     let count = tables.len();
     let step = count.ilog2();

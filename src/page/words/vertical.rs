@@ -1,5 +1,5 @@
 //! Vertical text (tategaki), from top to bottom and right to left, for Chinese and Japanese. Most characters
-//! are upright in a square. Dashes, brackets and words of other scripts are rotated. Full stops and small
+//! are upright in a square. Dashes, brackets and words in other scripts are rotated. Full stops and small
 //! kana move inside their squares. Two digits or exclamation marks share one square.
 //!
 //! Vertical alternates of the user's fonts (`given`) are used unchanged. All other glyphs are rotated and
@@ -11,13 +11,13 @@
 use super::letters::{Font, Letters};
 use crate::layout::Point;
 
-/// From the top of its square to the baseline of a letter, in ems.
+/// Distance from the top of its square to the baseline of a character, in ems.
 pub(super) const BASELINE: f64 = 0.88;
 /// Distance of two columns in ems.
 pub(super) const PITCH: f64 = 1.24;
 /// How far small kana move to the right and up.
 const SMALL: (f64, f64) = (0.1, 0.1);
-/// The side of the square of a letter, in ems.
+/// Side of the square of a character, in ems.
 const SQUARE: f64 = 1.0;
 
 /// Orientation of a character in a column.
@@ -35,7 +35,7 @@ enum Stand {
 /// Letters that stand together in a column.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Cell {
-    /// Which of the column's letters.
+    /// Index of its first character in the column.
     pub(super) start: usize,
     /// The one after the last.
     pub(super) end: usize,
@@ -51,19 +51,20 @@ pub(super) struct Cell {
     pub(super) form: Option<char>,
 }
 
-/// Whether a letter is of a script that is set without spaces and may be set in columns: a line may end beside it.
+/// Returns whether a character belongs to a script without spaces that supports vertical text. A line may end
+/// next to it.
 pub(super) fn is_ideographic(letter: char) -> bool {
     matches!(u32::from(letter),
         0x2e80..=0x312f | 0x3190..=0xa4cf | 0xf900..=0xfaff | 0xfe30..=0xfe4f | 0xff01..=0xff9f
         | 0x1_b000..=0x1_b16f | 0x2_0000..=0x3_ffff)
 }
 
-/// Whether no line begins with a letter: closing marks, small kana, signs that repeat or lengthen.
+/// Returns whether a character must not begin a line: closing marks, small kana, repetition and length marks.
 pub(super) fn begins_no_line(letter: char) -> bool {
     small(letter) || "、。，．・：；！？)）」』】〉》〕］｝〟’”ー〜～…‥々ゝゞヽヾ!?.,:;".contains(letter)
 }
 
-/// Whether no line ends with a letter: opening marks.
+/// Returns whether a character must not end a line: opening marks.
 pub(super) fn ends_no_line(letter: char) -> bool {
     "(（「『【〈《〔［｛〝‘“".contains(letter)
 }
@@ -91,7 +92,7 @@ fn stand(letter: char) -> Stand {
     }
 }
 
-/// The letters of a column in cells, from the top down.
+/// Divides the characters of a column into cells, from top to bottom.
 pub(super) fn cells(letters: &Letters, font: &Font, column: &[char]) -> Vec<Cell> {
     let seen = |at: usize| letters.text_of(column[at]).chars().next().unwrap_or(' ');
     let alone = |letter: char| letter.is_ascii_digit() || matches!(letter, '!' | '?' | '！' | '？');
@@ -113,7 +114,7 @@ pub(super) fn cells(letters: &Letters, font: &Font, column: &[char]) -> Vec<Cell
             at += 1;
             continue;
         }
-        // Two that are narrow are one; a number of more digits is a word of another script.
+        // Two narrow digits share a cell. A longer number is set like a word of another script.
         let before =
             at.checked_sub(1).map(seen).is_some_and(|before| before.is_alphanumeric() && !upright(before));
         let after = (at + run < column.len()).then(|| seen(at + run));
@@ -180,7 +181,8 @@ fn upright(letter: char) -> bool {
     stand(letter) != Stand::Turned
 }
 
-/// How far each letter of a column goes on, in ems: the first of a cell that is a square takes all of it.
+/// Returns the vertical advance of each character of a column, in ems. For a square cell, the first character
+/// has all of it.
 pub(super) fn steps(letters: &Letters, font: &Font, column: &[char]) -> Vec<f64> {
     let mut steps = vec![0.0; column.len()];
     for Cell { start, end, turned, length, .. } in cells(letters, font, column) {
@@ -247,7 +249,7 @@ mod tests {
         let column = letters.cleaned("何っ。");
         let off: Vec<(f64, f64)> = cells(&letters, font, &column).iter().map(|cell| cell.off).collect();
         assert_eq!(off[..2], [(0.0, 0.0), SMALL]);
-        // The letters of this test reach from 0 to 0.8 ems, and go as far from the other edges.
+        // The glyphs of this test extend from 0 to 0.8 ems, with equal distances to the other edges.
         assert!((off[2].0 - 0.2).abs() < 1e-9 && (off[2].1 + 0.04).abs() < 1e-9, "{off:?}");
     }
 }

@@ -1,5 +1,5 @@
-//! Typography of letterers: capitals, curly quotes, crossbar I only for the pronoun, emphasis for `*stars*`,
-//! readings (`ruby`), and hyphenation points of long words.
+//! Typography by lettering rules: capitals, curly quotes, crossbar I only for the pronoun, emphasis for
+//! `*stars*`, readings (`ruby`), and hyphenation points of long words.
 //!
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); the patterns of `TeX` by way of `hypher`.
 
@@ -78,7 +78,7 @@ pub fn readings(word: &Word, letters: &Letters) -> Vec<Vec<char>> {
     readings
 }
 
-/// The letters of a word as it is written, with its emphasis.
+/// Returns the characters of a text item as they are written, with emphasis.
 fn written(word: &Word, letters: &Letters) -> Vec<Mark> {
     let own = |letter: char| if matches!(letter, STEM | SOFT) { '\u{fffd}' } else { letter };
     let text: String =
@@ -86,7 +86,7 @@ fn written(word: &Word, letters: &Letters) -> Vec<Mark> {
     emphasised(&letters.cleaned(&text))
 }
 
-/// The letters that are set, and apart from them their readings.
+/// Separates the visible characters from their readings.
 fn read_apart(marks: Vec<Mark>, letters: &Letters) -> (Vec<Mark>, Vec<Vec<char>>) {
     let seen: Vec<char> =
         marks.iter().map(|mark| letters.text_of(mark.letter).chars().next().unwrap_or(' ')).collect();
@@ -212,7 +212,8 @@ fn elided(marks: &[Mark]) -> bool {
     ["em", "tis", "twas", "til", "cause", "bout", "round", "n", "neath", "ere"].contains(&word.as_str())
 }
 
-/// Marks where words may part: behind their own hyphens and dashes, and long ones by the rules of their language.
+/// Marks break opportunities of words: after hyphens and dashes, and hyphenation points of long words in
+/// their language.
 fn parts(marks: &mut [Mark], language: &str) {
     for at in 1..marks.len() {
         let (before, here) = (marks[at - 1].letter, marks[at].letter);
@@ -240,7 +241,7 @@ fn parts(marks: &mut [Mark], language: &str) {
     }
 }
 
-/// Marks where lines may end beside letters of scripts that have no spaces (JLREQ, 3.1.7 and 3.1.8).
+/// Marks line break opportunities for scripts without spaces (JLREQ, 3.1.7 and 3.1.8).
 fn beside(marks: &mut [Mark], letters: &Letters) {
     let ends = |letter: char| {
         let text = letters.learnt(letter).map_or(letter.to_string(), str::to_owned);
@@ -277,8 +278,8 @@ fn breaks(word: &str, language: &str) -> Vec<usize> {
         .collect()
 }
 
-/// English words part behind long prefixes and before long endings: its patterns would take a tenth of the module of words,
-/// for hyphens that letterers avoid.
+/// English words break after long prefixes and before long suffixes. Full patterns would take a tenth of the
+/// size of the `words` module, for hyphens that letterers avoid.
 fn english(word: &str) -> Vec<usize> {
     const BEGINNINGS: [&str; 7] = ["counter", "under", "super", "inter", "hyper", "trans", "after"];
     const ENDINGS: [&str; 7] = ["tion", "sion", "ment", "ness", "less", "ship", "hood"];
@@ -295,7 +296,8 @@ fn english(word: &str) -> Vec<usize> {
     beginnings.chain(endings).collect()
 }
 
-/// All in capitals. The I with bars is the pronoun's; in words it is a stem, where the font has both.
+/// Converts to capitals. If the font has both forms of I, the pronoun gets serifs and other words get a plain
+/// stem.
 fn capitals(marks: &[Mark], language: &str, font: &Font) -> Vec<Mark> {
     let letter = |at: usize| marks.get(at).map(|mark| mark.letter);
     let within = |letter: Option<char>| letter.is_some_and(char::is_alphanumeric);

@@ -1,5 +1,7 @@
 // @ts-check
-/** Projects and pages as people make and save them, by the gestures of the browser tests: README.md says how it is run. */
+/**
+ * Makes and saves projects and pages with the same user actions as the browser tests. See README.md for the command.
+ */
 
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { openExport, saved } from '../../web/app/export-dialog.js';
@@ -9,7 +11,7 @@ import { write } from '../../web/app/text-items.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 
-/** Version of what is saved; older folders stay as they are. */
+/** Folder of the current version. Folders of older versions do not change. */
 const OUT = new URL('version-1/', import.meta.url);
 const SMALL = ['bee.jpg', 'cat.jpg', 'dahlia.jpg', 'macaw.jpg', 'camera.jpg'];
 const OWN = { id: 'own', name: 'Own', tags: ['ink'], background: [{ block: 'posterize', levels: 4 }, { block: 'saturation', amount: 1.7 }], foreground: [{ block: 'to_gray' }, { block: 'xdog', sigma: 1.1 }], ink: '#203050' };

@@ -1,5 +1,5 @@
 // @ts-check
-/** Makes the saved projects and pages of this folder: README.md says how. */
+/** Makes the saved projects and pages of this folder; see README.md. */
 
 import config from '../../../www/playwright.config.js';
 

@@ -1,13 +1,13 @@
 // @ts-check
-/** The page's database, as a fault or a hostile hand would find it. */
+/** Access to the app's database, to simulate faults and manipulated data. */
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
 /** @typedef {'projects' | 'states' | 'facts' | 'photos'} Table */
 
-/** A file of the site that is no page: there the tables are nobody's. */
+/** A file of the site without the app, so that no other code has the tables open. */
 const ELSEWHERE = './icon.svg';
 
-/** In the page: all tables with their records, and small doings with them. */
+/** Helper functions for the tables, as code that runs in the page. */
 const HANDS = `
   const open = (name, upgrade) => new Promise((resolve, reject) => {
     const request = indexedDB.open(name, 1);
@@ -28,9 +28,9 @@ const HANDS = `
   });
 `;
 
-/** Leaves the page, so that nothing but the test touches the tables. @param {Page} page */
+/** Leaves the page, so that only the test accesses the tables. @param {Page} page */
 export async function leave(page) {
-  // A browser asks for it where a document names no icon.
+  // Browsers request it for a document without an icon.
   await page.route('**/favicon.ico', (route) => route.fulfill({ status: 204 }));
   await page.goto(ELSEWHERE);
 }
@@ -45,10 +45,10 @@ export async function backUp(page) {
 }
 
 /**
- * The tables as they were, but for one.
+ * Restores the tables from the copy, and changes one of them.
  * @param {Page} page that was left
  * @param {Table} table
- * @param {string} change an expression of `record`, as it was, and `i`: what stands in its place; undefined: nothing
+ * @param {string} change an expression of the original `record` and `i`, for the new record; undefined removes it
  */
 export async function spoil(page, table, change) {
   await page.evaluate(`(async () => { ${HANDS}
@@ -91,7 +91,7 @@ export async function tables(page, { of = '' } = {}) {
     const project = '${of}' === '' ? null : await get(base, 'projects', '${of}');
     const found = {};
     for (const table of TABLES) {
-      // Of all projects together there is too much to be looked at.
+      // All projects together have too much data to check.
       const keys = ['projects', 'states'].includes(table) ? ['${of}'] : project?.refs ?? [];
       const records = project === null ? await all(base, table) : (await Promise.all(keys.map((key) => get(base, table, key)))).filter(Boolean);
       found[table] = Object.fromEntries(await Promise.all(records.map(async (record) => [record.id, await told(record)])));

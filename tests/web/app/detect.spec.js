@@ -1,5 +1,5 @@
 // @ts-check
-/** Faces and objects: found after the first page, shown when asked for, and missed without harm. */
+/** Faces and objects: detected after the first page, shown on request. The app also works without detection. */
 
 import { add, expect, idle, openBoard, photos, press, detectingTest as test } from './support.js';
 
@@ -15,7 +15,7 @@ test('photos are looked at once the page is there, and what is found can be seen
   await page.getByLabel('Photos or video').waitFor({ state: 'attached' });
   expect(early).toEqual([]);
   await add(page, await photos(...SOME));
-  // A line at the photos tells how far it is, and goes.
+  // A progress bar at the photos appears and disappears.
   const line = page.getByRole('region', { name: 'Photos' }).getByRole('progressbar', { name: /^Detecting faces/ });
   await expect(line).toBeVisible();
   await idle(page);

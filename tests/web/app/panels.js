@@ -1,5 +1,5 @@
 // @ts-check
-/** What tests do with single panels, and how they see which of four has changed. */
+/** Actions on single panels, and comparison of the pixels of four panels. */
 
 import { PNG, choose, expect, idle, openBoard, pixelsOf } from './support.js';
 

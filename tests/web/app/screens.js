@@ -35,7 +35,7 @@ async function photoDrawer(page) {
   if (await button(page, 'Photos').isVisible()) await button(page, 'Photos').click();
 }
 
-/** Until a wall of styles is there, which comes by itself. @param {Page} page */
+/** Waits for the first wall of styles, which appears automatically. @param {Page} page */
 async function invented(page) {
   await expect(page.locator('.wall-item').nth(5)).toBeVisible();
   await expect(page.getByRole('region', { name: 'Style explorer' })).toHaveAttribute('aria-busy', 'false', {
@@ -176,7 +176,7 @@ const SCREENS = {
   },
 };
 
-/** A page of four equal panels, so that no screen hangs on a layout drawn by chance. @param {Page} page */
+/** A page of four equal panels, so that no screen depends on a random layout. @param {Page} page */
 export async function openFour(page) {
   if (/** @type {{ width: number }} */ (page.viewportSize()).width >= 1000) await four(page);
   else {
@@ -190,22 +190,22 @@ export async function openFour(page) {
   }
 }
 
-/** Back to the board, by keys alone. @param {Page} page */
+/** Returns to the board by keyboard only. @param {Page} page */
 async function back(page) {
   for (let i = 0; i < 5; i += 1) {
     await page.evaluate(() => /** @type {HTMLElement | null} */ (document.activeElement)?.blur());
     await page.keyboard.press('Escape');
-    // What it leaves is gone with the next picture; keys that come before that are for nobody.
+    // Closed parts disappear in the next frame, and earlier keys would have no effect.
     await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
   }
   for (const dismiss of await page.getByRole('button', { name: 'Dismiss' }).all()) await dismiss.click();
 }
 
 /**
- * Goes through all screens. One that cannot be opened is noted, and the others are gone through all the same.
+ * Opens all screens. A screen that cannot be opened is recorded, and the others are still checked.
  * @param {Page} page
  * @param {(name: string) => Promise<void>} look
- * @param {Record<string, unknown>} wrong what is noted, by screen
+ * @param {Record<string, unknown>} wrong findings by screen
  */
 export async function lookAtScreens(page, look, wrong) {
   for (const [name, open] of Object.entries(SCREENS)) {

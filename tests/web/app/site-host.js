@@ -63,8 +63,8 @@ export async function startHost({ headers } = {}) {
 }
 
 /**
- * Another build of the same site: no file in `assets` has its old name, so that nothing of the old one is on the host
- * any more, and `data-build` of the page says which it is.
+ * Makes another build of the same site. No file in `assets` has its old name, so the host has no old files.
+ * `data-build` of the page names the build.
  * @param {string} name
  * @param {(folder: string) => Promise<void>} [change] before its files are listed
  * @returns {Promise<string>} its folder, to be removed

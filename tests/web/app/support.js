@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * What the tests of the app share: a page that is checked for errors and for requests to other origins, and the steps
- * that most tests begin with.
+ * Shared helpers of the app tests: a page that is checked for errors and for requests to other origins, and common
+ * steps.
  */
 
 import { readFile } from 'node:fs/promises';
@@ -19,7 +19,7 @@ import { AxeBuilder, PNG, expect, test as plain } from '../../../www/testing.ts'
  * @typedef {{ isUsed?: boolean, names?: string, start?: string, picture?: string }} Board
  */
 
-/** Photos that are no part of the site. */
+/** Photos that are not part of the site. */
 const PHOTOS = new URL('../../photos/', import.meta.url);
 
 /**
@@ -183,7 +183,7 @@ const BOARDS = new WeakMap();
 export const sharedBoardTest = testsOn();
 
 /**
- * The state of a page: its panels, the open screen, and what is chosen, pressed or filled in. One line for each.
+ * The state of a page: its panels, the open screen, and all selected, pressed or filled controls. One line for each.
  * @param {Page} page
  * @returns {Promise<string>}
  */
@@ -246,7 +246,7 @@ export const SAMPLES = ['sample album'];
 export const SIX = ['bee.jpg', 'cat.jpg', 'crab.jpg', 'gateway.jpg', 'macaw.jpg', 'temple.jpg'];
 
 /**
- * Until the page is drawn and its crops are final: what is found in the photos may still move them.
+ * Waits until the page is drawn and its crops are final, because detection may still move them.
  * @param {Page} page
  */
 export async function idle(page) {
@@ -346,7 +346,7 @@ export async function dismissAlerts(page) {
 }
 
 /**
- * Drops files on the window, as a person does.
+ * Drops files on the window, like a user.
  * @param {Page} page
  * @param {File[]} files
  * @param {{ altKey?: boolean }} [keys] held meanwhile
@@ -389,7 +389,7 @@ export async function reach(page, name) {
 }
 
 /**
- * Opens a tab beside the page; on a small screen, where there are none, nothing.
+ * Opens a tab next to the page. Small screens have no tabs, so nothing happens there.
  * @param {Page} page
  * @param {'Styles' | 'Layouts' | 'Text' | 'Page'} name
  */
@@ -426,7 +426,7 @@ export async function makePageSmall(page) {
 }
 
 /**
- * What the page is made of, as a person can tell it: the chosen layout and style, and the photo in each panel.
+ * The visible state of the page: the selected layout and style, and the photo in each panel.
  * @param {Page} page
  */
 export async function contents(page) {
@@ -463,7 +463,7 @@ export function pixelsOf(address) {
 /**
  * @param {string} a a data address of a PNG, as `picture` returns
  * @param {string} b another of the same size
- * @returns {number} how many of their pixels a person would tell apart, by their red
+ * @returns {number} number of pixels whose red values differ visibly
  */
 export function different(a, b) {
   const [one, other] = [pixelsOf(a), pixelsOf(b)];
@@ -492,9 +492,9 @@ export async function accessible(page) {
 }
 
 /**
- * What axe finds, once nothing fades in any more: it would take what is half there for pale.
+ * Runs axe after all fade-ins, because it would report half-transparent text as low contrast.
  * @param {Page} page
- * @param {string[]} [only] the rules that are asked, else all
+ * @param {string[]} [only] the rules to run; by default all
  */
 export async function offences(page, only) {
   await page.evaluate(() =>
@@ -505,7 +505,7 @@ export async function offences(page, only) {
         .map(({ finished }) => finished),
     ),
   );
-  // In one piece, as there is no frame of another origin: else all that is found goes through a second page, which takes
+  // In legacy mode, because no frame has another origin. Otherwise the results go through a second page, which takes
   // four times as long.
   const axe = new AxeBuilder({ page }).setLegacyMode(true);
   const rules = only ? { runOnly: only } : { rules: { 'target-size': { enabled: true } } };

@@ -11,7 +11,7 @@ import { contents, expect, idle, openBoard, photos, picture, press, test } from 
 /** @typedef {import('./support.js').Page} Page */
 
 const MB = 2 ** 20;
-/** What the tab may take at any moment, its workers with it. */
+/** Maximum memory of the tab with its workers. */
 const MOST_MEMORY = 1024 * MB;
 
 const NOTHING = packedNothing(64);
@@ -49,7 +49,7 @@ function documentOf(list, present = {}) {
   );
 }
 
-/** A page that is right but for its many words. @param {number} count */
+/** A valid page with too many text items. @param {number} count */
 const wordy = (count) => ({
   version: 1,
   seed: 1,
@@ -81,7 +81,7 @@ async function memoryOf(browser) {
 }
 
 /**
- * Drops the file, and looks at all that a person could have lost.
+ * Drops the file, and checks that nothing is lost.
  * @param {Page} page
  * @param {string} path of the file
  * @param {RegExp} reason
@@ -96,7 +96,7 @@ async function trapped(page, path, reason) {
   await idle(page);
   expect([await picture(page), await contents(page)]).toEqual(before);
   await expect(page.getByRole('progressbar')).toHaveCount(0);
-  // Of several files that fail one message tells.
+  // If several files fail, there is one message.
   await page.getByRole('button', { name: 'Dismiss' }).click();
   await expect(page.getByRole('alert')).toHaveText('');
 }
@@ -247,7 +247,7 @@ test('page PNGs that are traps are refused, and what is open stays', async ({ pa
   await unharmed(page);
 });
 
-/** What a page tells of itself. @param {Buffer} png @returns {Promise<string>} */
+/** The text chunk of a page's PNG. @param {Buffer} png @returns {Promise<string>} */
 async function textIn(png) {
   const { chunksOf, textHead, textOf } = await import('../../../www/engine/png-chunks.ts');
   const file = new Blob([new Uint8Array(png)]);

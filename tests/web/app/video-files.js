@@ -1,5 +1,5 @@
 // @ts-check
-/** What is in a file of a film. */
+/** Content of video files. */
 
 import { execFile } from 'node:child_process';
 import { promisify } from 'node:util';
@@ -7,7 +7,7 @@ import { promisify } from 'node:util';
 const run = promisify(execFile);
 
 /**
- * What ffprobe finds in a file, and what it complains of.
+ * Returns streams and warnings of a file, by ffprobe.
  * @param {string} path
  * @returns {Promise<any>} `streams`, with their frames counted, `format`, and `complaints`
  */

@@ -1,4 +1,4 @@
-/** What a project with a bundler writes: a page of one photo, an undo, and the element. */
+/** A sample project with a bundler: a page of one photo, an undo, and the custom element. */
 
 import { createEngine, createProject, type PhotoMeta } from 'inkpanel';
 import 'inkpanel/element';

@@ -1,5 +1,8 @@
 // @ts-check
-/** What a program of Node does with the package, told as JSON: `node node.js`, in the project in which it is installed. */
+/**
+ * A sample Node program that uses the package and prints its results as JSON. Run `node node.js` in a project with the
+ * package.
+ */
 
 import { readFile, writeFile } from 'node:fs/promises';
 import { createEngine, createProject, openProject } from 'inkpanel';

@@ -1,5 +1,5 @@
 // @ts-check
-/** The package in Node, without a browser: what it draws is what the native program draws. */
+/** The package in Node, without a browser: its pixels equal the pixels of the native program. */
 
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';

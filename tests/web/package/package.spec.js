@@ -153,7 +153,7 @@ async function bundled(page, bundle) {
   }
 }
 
-/** @param {string} script @param {string} [head] what stands before it */
+/** @param {string} script @param {string} [head] HTML before the script */
 const pageOf = (script, head = '') =>
   `<!doctype html><link rel='icon' href='data:,'>${head}<script type='module' src='${script}'></script>`;
 
@@ -179,7 +179,7 @@ test('a project of esbuild is built with the package beside it, and draws', asyn
   bundled(page, async (at, folder) => {
     const common = /** @type {const} */ ({ bundle: true, format: 'esm', target: 'es2022', packages: 'external' });
     await esbuild.build({ entryPoints: [at('main.ts')], outfile: at('dist/main.js'), ...common });
-    // It leaves `new URL(file, import.meta.url)` as it is, so the package's files stay as they are.
+    // It does not change `new URL(file, import.meta.url)`, so the package's files need no change.
     cpSync(join(folder, 'node_modules/inkpanel'), at('dist/inkpanel'), { recursive: true });
     const imports = { inkpanel: './inkpanel/engine/index.js', 'inkpanel/element': './inkpanel/engine/page-element.js' };
     writeFileSync(

@@ -26,7 +26,7 @@ export function emptyProject() {
 
 /**
  * @param {string} folder
- * @returns {Promise<{ address: string, missing: string[], close: () => void }>} `missing`: what was asked for in vain
+ * @returns {Promise<{ address: string, missing: string[], close: () => void }>} `missing`: requests for missing files
  */
 export async function serve(folder) {
   /** @type {string[]} */

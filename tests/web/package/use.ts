@@ -1,4 +1,6 @@
-/** What a project in TypeScript may write; each line that is marked as wrong has to be refused. */
+/**
+ * Valid and invalid use of the types in a TypeScript project. The compiler must reject each line with an error mark.
+ */
 import { createEngine, type Found, type PageDocument, type PixelPatch, type Style } from 'inkpanel';
 
 const engine = createEngine({ workers: 2 });

@@ -4,7 +4,7 @@ import { openCore } from './core.js';
 import { inkpanel, picture, SIZE, stylizeNatively } from './native.js';
 
 /** @typedef {{ id: string, input: string, params: object[] }} Block */
-/** What `openCore` left in the page. @type {any} */
+/** The object that `openCore` stored in the page. @type {any} */
 let core;
 
 test.beforeEach(async ({ page }) => openCore(page));

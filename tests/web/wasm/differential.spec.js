@@ -1,11 +1,11 @@
 // @ts-check
-/** What both the browser and the core decode looks alike: at most 2 of 255 apart on average. */
+/** Images that both the browser and the core decode are similar: a mean difference of at most 2 of 255. */
 
 import { readFileSync, readdirSync } from 'node:fs';
 import { PNG, expect, test } from '../../../www/testing.ts';
 import { openCore } from './core.js';
 
-/** What `openCore` left in the page. @type {any} */
+/** The object that `openCore` stored in the page. @type {any} */
 let core;
 
 const DATA = new URL('../../oracles/data/', import.meta.url);
@@ -13,11 +13,11 @@ const PHOTOS = new URL('../../photos/', import.meta.url);
 const MOST = 2;
 /** Under alpha, Chromium's AVIF decoder and the one of Pillow part a little further. */
 const MOST_CLEAR = 3;
-/** What Chromium has no decoder for. */
+/** Formats without a decoder in Chromium. */
 const ONLY_OURS = /\.tiff?$/;
 /**
- * What Chromium leaves out, against littlecms and the EXIF record: unusual curves, the turn of a WebP file, and what inks look
- * like by the tables of a press (`tests/import.rs` compares these with littlecms).
+ * Features that Chromium ignores: unusual curves, the EXIF orientation of a WebP file, and LUT-based CMYK profiles.
+ * `tests/import.rs` compares these files with littlecms.
  */
 const NOT_THEIRS = /^(png-icc-formulas\.png|webp-exif-6\.webp|jpeg-icc-tables-(press|ycck)\.jpg)$/;
 

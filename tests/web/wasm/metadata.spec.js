@@ -1,12 +1,12 @@
 // @ts-check
-/** What is taken out of photos is no pixel: each is decoded before and after, by the core or by the browser. */
+/** Removing metadata changes no pixel: each photo is decoded before and after, by the core or by the browser. */
 
 import { readFile, readdir } from 'node:fs/promises';
 import { soiled } from '../../../www/engine/metadata/testing.ts';
 import { expect, test } from '../../../www/testing.ts';
 import { openCore } from './core.js';
 
-/** What `openCore` left in the page. @type {any} */
+/** The object that `openCore` stored in the page. @type {any} */
 let core;
 
 const DATA = new URL('../../oracles/data/', import.meta.url);

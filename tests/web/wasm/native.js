@@ -43,7 +43,7 @@ export function stylizeNatively(source, style, path) {
   const [input, file, output] = [path('in.png'), path('style.json'), path('out.png')];
   writeFileSync(input, PNG.sync.write(source));
   writeFileSync(file, JSON.stringify(style));
-  // The module is told of no subject either.
+  // Without a subject mask, as in the module.
   inkpanel('stylize', '--no-detect', '--style', file, input, '-o', output);
   return PNG.sync.read(readFileSync(output));
 }

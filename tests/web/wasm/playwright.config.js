@@ -1,5 +1,5 @@
 // @ts-check
-/** The wasm core alone in a blank page, against the native build: `cargo xtask test wasm`. */
+/** The wasm core in a blank page, compared with the native build: `cargo xtask test wasm`. */
 
 import { CHROMIUM } from '../launching.js';
 

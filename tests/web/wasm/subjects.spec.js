@@ -6,11 +6,11 @@ import { readFile } from 'node:fs/promises';
 import { expect, test } from '../../../www/testing.ts';
 import { openCore } from './core.js';
 
-/** What `openCore` left in the page. @type {any} */
+/** The object that `openCore` stored in the page. @type {any} */
 let core;
 
 const ROOT = new URL('../../../', import.meta.url);
-/** Of the net's answer, and of the places in it that the oracle tells. */
+/** Side of the model's output, and number of sampled positions per side in the oracle. */
 const [SIDE, ACROSS] = [320, 40];
 
 test('subjects are those of ONNX Runtime', async ({ page }) => {

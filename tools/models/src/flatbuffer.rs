@@ -23,7 +23,7 @@ impl<'a> Table<'a> {
         Ok((number(self.file, at, size)? << unused) as i64 >> unused)
     }
 
-    /// A table; none where the file leaves it out.
+    /// Returns a table, or `None` if the file omits it.
     pub(super) fn table(&self, field: usize) -> Result<Option<Self>> {
         let Some(at) = self.field(field)? else { return Ok(None) };
         Ok(Some(Self { file: self.file, at: self.follow(at)? }))
@@ -47,7 +47,7 @@ impl<'a> Table<'a> {
         self.file.get(start..start + count).context("a list goes beyond the file's end")
     }
 
-    /// Where a list's first entry is, and how many there are.
+    /// Returns the position of a list's first entry and the number of entries.
     fn list(&self, field: usize, size: usize) -> Result<Option<(usize, usize)>> {
         let Some(at) = self.field(field)? else { return Ok(None) };
         let at = self.follow(at)?;
@@ -61,7 +61,7 @@ impl<'a> Table<'a> {
         Ok(at + number(self.file, at, 4)? as usize)
     }
 
-    /// Where a field's value is; none where the file leaves it out.
+    /// Returns the position of a field's value, or `None` if the file omits it.
     fn field(&self, field: usize) -> Result<Option<usize>> {
         let back = number(self.file, self.at, 4)? as i32;
         let offsets =

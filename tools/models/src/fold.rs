@@ -29,7 +29,7 @@ impl Open {
         Ok(())
     }
 
-    /// Adds to each result channel (or the same to all).
+    /// Adds a value to each result channel. A single value applies to all channels.
     pub(super) fn shift(&mut self, by: &[f32]) -> Result<()> {
         let (channels, _) = self.channels(by.len())?;
         let bias = self.bias.get_or_insert_with(|| vec![0.0; channels]);

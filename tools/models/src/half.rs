@@ -9,7 +9,7 @@ pub(super) fn half(value: f32) -> u16 {
         // Infinity, or not a number.
         return sign | 0x7c00 | u16::from(magnitude > 0x7f80_0000) << 9;
     }
-    // The bits below the last one that is kept: 13 in the normal range, more below 2^-14.
+    // Number of dropped low bits: 13 in the normal range, more below 2^-14.
     let exponent = magnitude >> 23;
     let (fraction, dropped) = if exponent >= 113 {
         (magnitude - (112 << 23), 13)

@@ -1,5 +1,6 @@
-//! The weights of a `MobileNet` by Keras (HDF5, a group a layer) to ONNX: the net that scores how good a picture looks.
-//! The file holds weights alone, so the layers are written down here; batch normalisation is folded into them.
+//! Converts the weights of a Keras `MobileNet` (HDF5, one group per layer) to ONNX: the model that rates how
+//! good a picture looks. The file has only weights, so the layers are defined here. Batch normalisation is
+//! folded into them.
 //!
 //! A. Howard et al., "`MobileNets`: Efficient Convolutional Neural Networks for Mobile Vision Applications" (2017);
 //! H. Talebi, P. Milanfar, "NIMA: Neural Image Assessment" (2018).
@@ -15,9 +16,9 @@ use super::onnx::Graph;
 const SIDE: usize = 224;
 /// Pairs of a depthwise and a pointwise convolution.
 const PAIRS: usize = 13;
-/// Those of them that halve the sides.
+/// Layers that halve the sides.
 const HALVING: [usize; 4] = [2, 4, 6, 12];
-/// What Keras adds to the variances of this net.
+/// Value that Keras adds to the variances of this model.
 const EPSILON: f32 = 1e-3;
 
 /// Converts the weights. The input is named `image` (NCHW); the output `scores` has one logit for each of the scores
@@ -59,7 +60,7 @@ impl MobileNet {
     ) -> Result<Tensor> {
         let weights = transposed(&self.read(name, kernel)?, order)?;
         let size = [weights.shape[2], weights.shape[3]];
-        // This net was trained with as much padding before as after, other than Keras does by itself.
+        // This model was trained with equal padding before and after, unlike the default of Keras.
         let window = Window { size, stride: [stride; 2], dilation: [1; 2], padding: Padding::Around };
         let mut layer = Open { from: from.clone(), weights, bias: None, window };
         let norm = format!("{name}_bn");

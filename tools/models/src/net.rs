@@ -127,7 +127,7 @@ pub(super) fn reshape(graph: &mut Graph, from: &Tensor, shape: Vec<usize>) -> Re
     Ok(Tensor { name: graph.node("Reshape", &[&name, &wanted], &[]), shape })
 }
 
-/// Sizes as the file format wants them.
+/// Sizes in the type of the file format.
 pub(super) fn long(sizes: &[usize]) -> Vec<i64> {
     sizes.iter().map(|size| *size as i64).collect()
 }

@@ -1,7 +1,8 @@
-//! Writes the part of the ONNX file format that our nets need: protocol buffers, by hand, as they are only tags,
-//! lengths and bytes. Field numbers are those of `onnx.proto3`, IR version 8, opset 13.
+//! Writes the subset of the ONNX file format that the models need. ONNX files are protocol buffers, which
+//! consist of tags, lengths and bytes, so no library is needed. Field numbers follow `onnx.proto3`, IR
+//! version 8, opset 13.
 //!
-//! Large weights are stored in half precision and cast when the net is loaded, which halves the file.
+//! Large weights are stored in half precision and cast when the model is loaded, which halves the file.
 
 use super::half::half;
 
@@ -31,12 +32,12 @@ pub(super) struct Graph {
     inputs: Message,
     outputs: Message,
     count: usize,
-    /// Whether weights are stored as they are, however many there are.
+    /// Whether weights are stored without rounding, even if there are many.
     pub(super) exact: bool,
 }
 
 impl Graph {
-    /// The net's input, f32.
+    /// The model's input, f32.
     pub(super) fn input(&mut self, name: &str, shape: &[i64]) -> String {
         self.inputs.message(11, &value_info(name, shape));
         name.to_owned()

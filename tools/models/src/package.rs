@@ -15,7 +15,7 @@ use crate::program;
 pub enum Registry {
     /// A gzipped tar archive by npm.
     Npm,
-    /// A wheel, which is a zip archive, by pip. Python is not asked for: what comes from here is optional.
+    /// A Python wheel (a zip archive), downloaded by pip. Optional, because Python may be missing.
     PyPi,
 }
 
@@ -83,7 +83,7 @@ impl Package<'_> {
         }
     }
 
-    /// What the archive is called.
+    /// Returns the file name of the archive.
     fn file_name(&self) -> String {
         match self.registry {
             Registry::Npm => format!("{}.tgz", self.name.trim_start_matches('@').replace(['/', '@'], "-")),

@@ -1,6 +1,6 @@
-//! A TensorFlow.js graph model to ONNX: the part of a detector between its prepared image and its raw outputs.
-//! What multiplies or shifts the channels of a convolution by constants (batch normalisation, biases) is folded
-//! into its weights.
+//! Converts a TensorFlow.js graph model to ONNX: the part of a detector between its prepared image and its
+//! raw outputs. Constants that multiply or shift the channels of a convolution (batch normalisation, biases)
+//! are folded into its weights.
 
 use std::collections::HashMap;
 
@@ -11,13 +11,13 @@ use super::fold::Open;
 use super::net::{self, Constant, Padding, Tensor, Window, long};
 use super::onnx::{Attribute, Graph};
 
-/// What to cut out of the graph.
+/// The part of the graph to extract.
 pub(super) struct Cut<'a> {
-    /// The node whose result is the net's input.
+    /// The node whose result is the model's input.
     pub(super) input: &'a str,
     /// Side of the square input in pixels.
     pub(super) side: usize,
-    /// The nodes whose results are the net's outputs.
+    /// The nodes whose results are the model's outputs.
     pub(super) outputs: &'a [&'a str],
 }
 
@@ -87,7 +87,7 @@ fn whole_number(value: &Value) -> Option<usize> {
     text.or_else(|| value.as_u64().map(|number| number as usize))
 }
 
-/// What a node gives.
+/// Result of a node.
 #[derive(Clone, Debug)]
 enum Outcome {
     Tensor(Tensor),
@@ -123,7 +123,7 @@ impl<'a> Converter<'a> {
         }
         let node = *self.nodes.get(name).with_context(|| format!("there is no node {name}"))?;
         let located = |error: anyhow::Error| {
-            // The node at fault is named, not all those that wait for it.
+            // The error names the failing node, not the nodes that depend on it.
             if error.chain().len() > 1 { error } else { error.context(format!("node {name}")) }
         };
         let outcome = self.evaluate(name, node).map_err(located)?;
@@ -286,7 +286,7 @@ impl<'a> Converter<'a> {
     }
 }
 
-/// A text that is written as the codes of its letters.
+/// Returns a text that is stored as character codes.
 fn text(value: &Value) -> String {
     let codes = value.as_array().into_iter().flatten().filter_map(Value::as_u64);
     codes.map(|code| code as u8 as char).collect()

@@ -1,5 +1,5 @@
-//! A TensorFlow Lite file to ONNX: nets of convolutions in floating point, as `BlazeFace` is one. Field numbers and
-//! codes are those of TensorFlow's `schema.fbs`.
+//! Converts a TensorFlow Lite file to ONNX: floating-point convolution models such as `BlazeFace`. Field
+//! numbers and codes follow TensorFlow's `schema.fbs`.
 
 use std::collections::HashMap;
 
@@ -106,7 +106,8 @@ impl<'a> Reader<'a> {
             RESIZE_BILINEAR => self.resized(&from, output, options)?,
             RESHAPE => {
                 let shape = self.shape(output)?;
-                // The net gives lists of anchors: what is 1 between the list and its values says nothing.
+                // The model returns lists of anchors. Dimensions of size 1 between list and values are
+                // ignored.
                 let ends = |i: usize| i == 0 || i == 1 || i + 1 == shape.len();
                 let shape = shape.iter().enumerate().filter(|(i, side)| ends(*i) || **side != 1);
                 let shape = shape.map(|(_, side)| *side).collect();
@@ -215,7 +216,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// An operator's options; where the file has none, all are their defaults.
+/// Options of an operator. Without options in the file, all have default values.
 #[derive(Clone, Copy)]
 struct Options<'a>(Option<Table<'a>>);
 

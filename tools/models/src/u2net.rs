@@ -1,5 +1,6 @@
-//! The net that finds what a photo shows: an ONNX file that was written by `PyTorch`, with shapes that are worked out while it
-//! runs. Here they are worked out once, only the finest of its seven masks is kept, and the weights are halved in size.
+//! Converts the model that finds the subject of a photo: an ONNX file from `PyTorch`, which computes shapes
+//! at run time. The converter computes them once, retains only the finest of its seven masks, and halves the
+//! size of the weights.
 
 use std::collections::HashMap;
 
@@ -20,7 +21,8 @@ struct Node<'a> {
     texts: HashMap<String, &'a [u8]>,
 }
 
-/// Converts the file. The input is named `image` (NCHW, `side` pixels a side), the output `mask` are logits of the same size.
+/// Converts the file. The input is named `image` (NCHW, `side` x `side` pixels). The output `mask` has logits
+/// of the same size.
 pub(super) fn convert(file: &[u8], side: usize) -> Result<Vec<u8>> {
     let model = Message::new(file)?;
     let graph = model.message(7)?.context("the file has no graph")?;
@@ -42,7 +44,7 @@ pub(super) fn convert(file: &[u8], side: usize) -> Result<Vec<u8>> {
     let name = written.input("image", &[1, 3, side as i64, side as i64]);
     let image = Tensor { name, shape: vec![1, side, side, 3] };
     let mut converter = Converter { nodes, weights, graph: written, done: HashMap::from([(input, image)]) };
-    // The last step makes shares of logits, which whoever runs the net does.
+    // The last step converts logits to probabilities. It is dropped, because the detection code does it.
     let last = converter.nodes.get(&output).context("the output is made by no node")?;
     ensure!(last.operator == "Sigmoid", "the output is made by {}", last.operator);
     let logits = last.inputs.first().context("a node without input")?.clone();
@@ -164,7 +166,7 @@ impl Converter<'_> {
         Ok([shape[1], shape[2]])
     }
 
-    /// Larger by a whole factor.
+    /// Upscaling by a whole factor.
     fn resized(&mut self, from: &Tensor, [height, width]: [usize; 2]) -> Result<Tensor> {
         let factor = height / from.shape[1];
         ensure!([factor * from.shape[1], factor * from.shape[2]] == [height, width], "no whole factor");
@@ -177,14 +179,14 @@ impl Converter<'_> {
         Ok(Tensor { name, shape: vec![1, height, width, from.shape[3]] })
     }
 
-    /// The tensor whose sides a list of sizes was taken from: sides 2 and 3 of its shape, one by one, behind those of the
-    /// tensor that is resized.
+    /// Returns the tensor whose sides define a list of sizes. The list has sides 2 and 3 of its shape, after
+    /// the sides of the resized tensor.
     fn sized_as(&self, sizes: &str) -> Result<String> {
         let mut at = sizes.to_owned();
         for step in ["Concat", "Cast", "Concat", "Unsqueeze", "Gather", "Shape"] {
             let node = self.nodes.get(&at).with_context(|| format!("there is no node {at}"))?;
             ensure!(node.operator == step, "sizes are made by {} instead of {step}", node.operator);
-            // The list's second half is that of the height and width.
+            // The second half of the list has height and width.
             let input = usize::from(at == sizes);
             at.clone_from(node.inputs.get(input).context("it lacks an input")?);
         }

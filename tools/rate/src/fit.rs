@@ -20,7 +20,8 @@ const RATE: f64 = 0.5;
 /// Weight of the squares of the weights, which keeps them finite where terms separate all pairs.
 const RIDGE: f64 = 0.01;
 
-/// The weights, how often they agree with a person, and how often they do on pairs of albums that were left out.
+/// Prints the weights, and how often they agree with the ratings, also for pairs of albums that were left out
+/// of the fit.
 ///
 /// # Errors
 /// If there are too few pairs.
@@ -40,7 +41,7 @@ pub(crate) fn report(pairs: &[Pair]) -> Result<String> {
 
     let albums: Vec<&String> =
         pairs.iter().map(|pair| &pair.album).collect::<BTreeSet<_>>().into_iter().collect();
-    // Pages of one album look alike: an album is wholly in or out of a part.
+    // Pages of one album are similar, so a fold contains an album completely or not at all.
     let fold_of = |pair: &Pair| albums.iter().position(|album| **album == pair.album).unwrap_or(0) % FOLDS;
     let folds: BTreeSet<usize> = pairs.iter().map(fold_of).collect();
     let mut agreed = 0.0;

@@ -1,5 +1,5 @@
-//! `cargo xtask rate`: shows two automatic pages of one album, stores which one a person prefers, and fits the terms of the
-//! composer's score to the stored pairs.
+//! `cargo xtask rate`: shows two automatic pages of one album, stores which one the user prefers, and fits
+//! the terms of the composer's score to the stored pairs.
 
 mod fit;
 mod pages;

@@ -1,4 +1,5 @@
-//! Files of a release: archives whose bytes depend on nothing but their content and the day of the release, and their sums.
+//! Files of a release: archives and checksums. The bytes of an archive depend only on its content and on the
+//! day of the release.
 
 use std::fs;
 use std::path::Path;
@@ -10,14 +11,14 @@ use inkpanel_models::digest;
 
 use crate::compare;
 
-/// What a file of an archive is.
+/// Type of a file in an archive.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     Plain,
     Program,
 }
 
-/// A gzipped tar archive that is being made: everything lies in one folder, with one time and one owner.
+/// A gzipped tar archive under construction. Everything is in one folder, with one time and one owner.
 pub(crate) struct Archive {
     folder: String,
     /// In seconds since 1970.
@@ -79,7 +80,7 @@ impl Archive {
     }
 }
 
-/// What `sha256sum --check` reads of all files of a folder.
+/// Returns the checksums of all files of a folder, in the format of `sha256sum --check`.
 ///
 /// # Errors
 /// When a file cannot be read.

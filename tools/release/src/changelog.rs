@@ -1,5 +1,5 @@
-//! `CHANGELOG.md` by the convention of [Keep a Changelog](https://keepachangelog.com): what stands under Unreleased becomes the
-//! section of the version.
+//! `CHANGELOG.md` by the convention of [Keep a Changelog](https://keepachangelog.com): the entries under
+//! Unreleased become the section of the version.
 
 use anyhow::{Context, Result, bail, ensure};
 use semver::Version;
@@ -17,12 +17,13 @@ pub(crate) struct Released {
     pub(crate) day: Date,
 }
 
-/// The changelog `text` with a section for `version`: as it stands where there is one, or made of what stands under Unreleased
-/// and dated `today`. An empty Unreleased stays above it.
+/// Returns the changelog `text` with a section for `version`. An existing section does not change. Otherwise
+/// the entries under Unreleased become the section, dated `today`, and an empty Unreleased section stays
+/// above it.
 ///
 /// # Errors
-/// When nothing is said of the version, when there is something under Unreleased beside a section of the version, or when a
-/// section has no day.
+/// If the version has no entries, if both Unreleased and the section of the version have entries, or if a
+/// section has no date.
 pub(crate) fn release(text: &str, version: &Version, today: Date) -> Result<Released> {
     let sections = parse_changelog::parse(text).with_context(
         || "CHANGELOG.md has no section that begins with `## [VERSION]` or `## [Unreleased]`",
@@ -47,7 +48,7 @@ fn says_something(notes: &str) -> bool {
     notes.lines().any(|line| !line.trim().is_empty() && !line.starts_with('#'))
 }
 
-/// The changelog whose heading `title` is that of an empty section, with the version's below it.
+/// Renames the section `title` to the version, and adds an empty section `title` above it.
 fn renamed(text: &str, title: &str, version: &Version, today: Date) -> Result<String> {
     let day = written(today)?;
     let section = format!("## [{UNRELEASED}]\n\n## [{version}] - {day}\n");

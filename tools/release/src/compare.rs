@@ -54,7 +54,7 @@ fn parting(first: &[u8], second: &[u8]) -> Option<usize> {
 /// All files below a folder, by their paths in it, with forward slashes.
 ///
 /// # Errors
-/// When a folder cannot be listed or a name is no Unicode.
+/// If a folder cannot be listed, or a name is not Unicode.
 pub(crate) fn files(folder: &Path) -> Result<BTreeSet<String>> {
     let mut found = BTreeSet::new();
     let mut open = vec![String::new()];

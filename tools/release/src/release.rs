@@ -1,5 +1,5 @@
-//! `cargo xtask release`: a version, checked and packed. Either all of its files are there in the end, or none is and every file of
-//! the checkout is as it was.
+//! `cargo xtask release`: checks and packs a version. It either writes all files, or none and restores every
+//! file of the checkout.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ use crate::archive::{self, Archive, Kind};
 use crate::versions::{self, Edit, Made};
 use crate::{changelog, compare, sbom};
 
-/// How many files are listed of those that differ, or are not committed.
+/// Maximum number of listed files that differ or are not committed.
 const LISTED: usize = 20;
 
 /// How much of a release is done.
@@ -32,7 +32,8 @@ pub(crate) enum Extent {
     Quick,
 }
 
-/// Makes a release, or checks that one can be made of what is committed; without a version of the one that stands in Cargo.toml.
+/// Makes a release of the committed files, or checks that one can be made. Default version: the one in
+/// Cargo.toml.
 ///
 /// # Errors
 /// When a check fails or something cannot be built. Then nothing is left of it.
@@ -43,7 +44,7 @@ pub(crate) fn run(project: &Project, version: Option<&Version>, extent: Extent) 
     ensure!(*version >= current, "{version} is older than {current}, the version that Cargo.toml has");
     let made = project.target.join(format!("release-{version}"));
     if extent == Extent::Release {
-        ensure!(!made.exists(), "{} is there already: move it away first", made.display());
+        ensure!(!made.exists(), "{} already exists; move it first", made.display());
     }
     let told = fs::read_to_string(project.root.join("CHANGELOG.md")).context("cannot read CHANGELOG.md")?;
     let released = changelog::release(&told, version, OffsetDateTime::now_utc().date())?;
@@ -76,14 +77,14 @@ pub(crate) fn run(project: &Project, version: Option<&Version>, extent: Extent) 
     Ok(())
 }
 
-/// What is released is what is committed.
+/// Fails if the checkout has uncommitted changes.
 fn clean(project: &Project) -> Result<()> {
     let mut git = Command::new("git");
     let told = tools::output(git.args(["status", "--porcelain"]).current_dir(&project.root))?;
     let changed: Vec<_> = told.lines().collect();
     ensure!(
         changed.is_empty(),
-        "a release is made of what is committed: commit these, or put them away:\n{}",
+        "a release contains only committed files: commit these, or remove them:\n{}",
         listed(&changed)
     );
     Ok(())
@@ -98,7 +99,7 @@ fn listed(lines: &[impl AsRef<str>]) -> String {
     shown.join("\n")
 }
 
-/// The lock files are those of the manifests as they stand.
+/// Fails if a lock file does not match its manifest.
 fn locked(project: &Project) -> Result<()> {
     for manifest in ["Cargo.toml", "python/Cargo.toml"] {
         let mut cargo = project.cargo();
@@ -163,7 +164,7 @@ fn keep(file: &Path, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// The licences of this project and of what is compiled in, which go wherever it goes.
+/// Adds the licences of this project and of compiled libraries to every archive.
 fn licences(project: &Project, archive: &mut Archive, others: &str) -> Result<()> {
     for file in ["LICENSE-MIT", "LICENSE-APACHE"] {
         archive.file(file, Kind::Plain, &project.root.join(file))?;
@@ -205,7 +206,8 @@ fn same_twice(project: &Project) -> Result<()> {
     bail!("two builds of the same sources differ in {} files:\n{}", lines.len(), listed(&lines))
 }
 
-/// A checkout in a folder of its own, far from this one: what is committed, with the version set, and the nets, whose sums are known.
+/// Returns a checkout in a separate folder: the committed files with the version set, and the models with
+/// known checksums.
 fn copy(project: &Project) -> Result<(Project, TempDir)> {
     let folder = tempfile::Builder::new().prefix("inkpanel-").tempdir()?;
     let root = folder.path().canonicalize()?;
@@ -221,7 +223,7 @@ fn copy(project: &Project) -> Result<(Project, TempDir)> {
     Ok((Project::at(root, target), folder))
 }
 
-/// Copies a file, or a link as what it leads to within the checkout.
+/// Copies a file. A link becomes its target within the checkout.
 fn copy_one(from: &Path, to: &Path) -> Result<()> {
     #[cfg(unix)]
     if from.is_symlink() {
@@ -231,7 +233,7 @@ fn copy_one(from: &Path, to: &Path) -> Result<()> {
     Ok(())
 }
 
-/// A temporary folder is for its maker alone; a release is not.
+/// Temporary folders are readable only by their owner, so this makes the release readable by others.
 fn readable(folder: &Path) -> Result<()> {
     #[cfg(unix)]
     {

@@ -1,5 +1,5 @@
-//! What a release is made of, as a list in the form of [CycloneDX](https://cyclonedx.org): crates, npm packages, nets and fonts that go
-//! out with it. What builds and tests them is left out.
+//! Lists the components of a release in [CycloneDX](https://cyclonedx.org) format: crates, npm packages,
+//! models and fonts. Build and test tools are left out.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -28,7 +28,7 @@ use crate::changelog;
 /// The property that tells in which files of the release a component is.
 const PART: &str = "inkpanel:part";
 
-/// Fonts whose letters are compiled in, by the npm packages that they are from (`fonts/README.md`).
+/// Fonts whose glyphs are compiled in, by their npm packages (`fonts/README.md`).
 const FONTS: [(&str, &str); 4] = [
     ("ComicNeue", "@expo-google-fonts/comic-neue@0.4.1"),
     ("ComicRelief", "@fontsource/comic-relief@5.3.0"),
@@ -36,7 +36,7 @@ const FONTS: [(&str, &str); 4] = [
     ("Bangers", "@expo-google-fonts/bangers@0.4.1"),
 ];
 
-/// Something that goes out with a release.
+/// A component of a release.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Item {
     class: Classification,
@@ -60,7 +60,7 @@ impl Items {
     }
 }
 
-/// The list for a version, as JSON; it is the same for the same sources.
+/// Returns the list for a version as JSON. The same sources give the same list.
 ///
 /// # Errors
 /// When cargo or the lock file of npm does not tell, or something has no licence.
@@ -80,7 +80,7 @@ pub(crate) fn json(project: &Project, version: &Version, day: Date) -> Result<St
     written(&items, version, day)
 }
 
-/// What rustc calls this machine.
+/// Returns the target triple of this machine.
 ///
 /// # Errors
 /// When rustc does not tell.
@@ -101,7 +101,7 @@ fn crates(metadata: &Value, (part, roots): (&'static str, &[&str]), items: &mut 
     let roots = notices::workspace_ids(metadata, roots);
     ensure!(!roots.is_empty(), "{part}: the packages are missing in the output of cargo metadata");
     let packages = || metadata["packages"].as_array().into_iter().flatten();
-    // They run in the compiler, and nothing of them is in what it makes.
+    // Procedural macros run in the compiler. None of their code is in the output.
     let macros = packages().filter(|package| is_macro(package)).filter_map(|package| package["id"].as_str());
     let needed = notices::reached(metadata, &roots, &macros.collect());
     for package in packages() {
@@ -132,7 +132,7 @@ fn is_macro(package: &Value) -> bool {
         .any(|kind| kind == "proc-macro")
 }
 
-/// The npm packages of the site: what the lock file has no mark at that it is for development alone.
+/// Adds the npm packages of the site: entries of the lock file without the mark for development.
 fn packages(lock: &Value, items: &mut Items) -> Result<()> {
     for (path, package) in lock["packages"].as_object().context("package-lock.json has no packages")? {
         // The first is the project itself.
@@ -148,7 +148,7 @@ fn packages(lock: &Value, items: &mut Items) -> Result<()> {
     Ok(())
 }
 
-/// The nets; all are under one licence (`www/models/README.md`).
+/// The models; all have one licence (`www/models/README.md`).
 fn nets(items: &mut Items) {
     for inkpanel_models::Part { file, sha256, registry, package } in inkpanel_models::parts() {
         let purl = match (registry, package.rsplit_once('@'), package.split_once("==")) {
@@ -228,13 +228,13 @@ fn component((purl, item): (&String, &Item)) -> Result<Component> {
 /// How many parts a list has.
 ///
 /// # Errors
-/// When it is no JSON.
+/// If it is not valid JSON.
 pub(crate) fn count(list: &str) -> Result<usize> {
     let list: Value = serde_json::from_str(list)?;
     list["components"].as_array().map(Vec::len).context("the list names no parts")
 }
 
-/// Files of `fonts/` that no entry of the list stands for.
+/// Returns files of `fonts/` without an entry in the list.
 #[cfg(test)]
 fn fonts_not_told(folder: &std::path::Path) -> Vec<String> {
     let names = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());

@@ -8,7 +8,7 @@ use semver::Version;
 use serde_json::Value;
 use toml_edit::{DocumentMut, Item};
 
-/// What begins the names of the crates that are released; crates of a lock file without a source are of this repository.
+/// Prefix of the crates in a release. Crates of a lock file without a source belong to this repository.
 const CRATES: &str = "inkpanel";
 /// The tool is of the workspace and takes its version from there.
 const TOOL: &str = "xtask";
@@ -22,13 +22,13 @@ pub(crate) struct Edit {
 }
 
 impl Edit {
-    /// What `path` becomes; nothing where that is what it is.
+    /// Returns the edit of `path`, or `None` if nothing changes.
     pub(crate) fn new(path: PathBuf, before: String, after: String) -> Option<Self> {
         (before != after).then_some(Self { path, before, after })
     }
 }
 
-/// Edits that were made, taken back unless they are kept.
+/// Edits that were made. They are undone unless the release succeeds.
 #[must_use]
 pub(crate) struct Made(Vec<Edit>);
 
@@ -131,7 +131,8 @@ const MANIFESTS: &[(&str, &[&[&str]])] = &[
     ("python/Cargo.toml", &[&["package", "version"]]),
 ];
 
-/// A file, a pointer to its version, and how the line with it begins: npm writes these files always alike.
+/// A file, a pointer to its version, and the start of the line with it. npm always formats these files in the
+/// same way.
 type Json = (&'static str, &'static [(&'static str, &'static str)]);
 const PACKAGES: &[Json] = &[
     ("www/package.json", &[("/version", "  \"version\": \"")]),
@@ -151,7 +152,7 @@ fn toml(path: &Path) -> Result<(String, DocumentMut)> {
     Ok((text, parsed))
 }
 
-/// Puts a text in the place of a text, and leaves what stands around it.
+/// Replaces a text without changing its surroundings.
 fn set(item: &mut Item, version: &str) -> Result<()> {
     let value = item.as_value_mut().filter(|value| value.is_str()).context("there is no text")?;
     let around = value.decor().clone();

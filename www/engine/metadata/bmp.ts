@@ -13,7 +13,7 @@ const [CORE, INFO, OS2, V4, V5] = [12, 40, 64, 108, 124];
 const HEADS = [CORE, INFO, 52, 56, OS2, V4, V5];
 /** How pixels are packed. */
 const [PLAIN, RLE8, RLE4, MASKS, ALPHA_MASKS] = [0, 1, 2, 3, 6];
-/** Which colours they are: a profile in the file, one that is elsewhere, and none, as the letters of each. */
+/** Kinds of colour profiles: embedded, linked, and none, with their codes. */
 const [EMBEDDED, LINKED, SRGB] = [0x4d424544, 0x4c494e4b, 0x73524742];
 
 /**
@@ -73,7 +73,7 @@ export function bmpParts(bytes: Uint8Array<ArrayBuffer>): BlobPart[] | null {
   return [whole];
 }
 
-/** @returns bytes of a row, which is whole words */
+/** @returns bytes of a row, padded to 32-bit words */
 function rowOf(width: number, bits: number): number {
   return 4 * Math.ceil((width * bits) / 32);
 }
@@ -93,7 +93,7 @@ function blankEnds(bytes: Uint8Array, start: number, rows: number, { row, used }
 }
 
 /**
- * @param told how long the file says that they are
+ * @param told length in the header of the file
  * @returns bytes of the runs to their end, or the stated length without an end mark; 0 if they are truncated
  */
 function lengthOfRuns(bytes: Uint8Array, start: number, packing: number, told: number): number {
@@ -101,7 +101,7 @@ function lengthOfRuns(bytes: Uint8Array, start: number, packing: number, told: n
     const [count, value] = [bytes[at], bytes[at + 1]];
     at += 2;
     if (count > 0) continue;
-    // The end of the picture; a move; pixels one by one, which fill whole words.
+    // End of the picture, a move, or single pixels, padded to 16-bit words.
     if (value === 1) return at - start;
     if (value === 2) at += 2;
     else if (value > 2) at += 2 * Math.ceil((packing === RLE8 ? value : value / 2) / 2);

@@ -21,7 +21,7 @@ const NESTED = new Set([
   'mfra',
   'tapt',
 ]);
-/** Boxes that say where the pictures and sounds are, how long each is seen, and how it is coded. */
+/** Boxes with positions, durations and codecs of pictures and sounds. */
 const NEEDED = new Set([
   'mvhd',
   'tkhd',
@@ -80,7 +80,7 @@ const CODER = [
   [20, 24],
   [50, 82],
 ];
-/** No part of a film that is read as a whole is larger. */
+/** Maximum size of a part that is read completely. */
 const MOST_BYTES = 256 * 2 ** 20;
 /** Zeros that replace removed boxes, in chunks of this size. */
 const NOTHING = new Uint8Array(2 ** 20);

@@ -10,7 +10,7 @@ import { blankAround, meet } from './ranges.ts';
 import type { Box } from './boxes.ts';
 import type { Range } from './ranges.ts';
 
-/** `name` is where its name lies, which ends with a byte of nothing. */
+/** `name` is the position of its name, which ends with a zero byte. */
 type Item = { type: string; name: Range };
 
 /** Pictures, and what puts them together. */
@@ -212,7 +212,7 @@ function placesOf(view: DataView, { inner, end }: Box, data: number): Map<number
 /**
  * @param bytes are changed
  * @param type of the item
- * @param ranges where it lies
+ * @param ranges its positions
  */
 function blankRecord(bytes: Uint8Array, type: string, ranges: readonly Range[]) {
   const before = new Uint8Array(ranges.reduce((sum, [from, to]) => sum + to - from, 0));
@@ -242,7 +242,7 @@ function scrubProperties(bytes: Uint8Array, view: DataView, { inner, end }: Box)
     if (box.type === 'ipma') continue;
     const properties = box.type === 'ipco' ? boxesIn(view, box.inner, box.end) : null;
     if (!properties) blankBox(bytes, box);
-    // They are counted: one that goes leaves its place.
+    // Properties are referenced by index, so a removed one leaves its place.
     for (const property of properties ?? []) if (!PROPERTIES.has(property.type)) blankBox(bytes, property);
   }
 }

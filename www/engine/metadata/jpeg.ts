@@ -69,7 +69,10 @@ function shortened(bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-/** @returns where the next marker is that begins a segment or ends the file, behind stuffed zeros and restarts; -1: nowhere */
+/**
+ * @returns the position of the next marker that begins a segment or ends the file, after stuffed zeros and restarts; -1
+ * without one
+ */
 function nextMarker(bytes: Uint8Array, at: number): number {
   for (let i = bytes.indexOf(0xff, at); i >= 0 && i + 1 < bytes.length; i = bytes.indexOf(0xff, i)) {
     const next = bytes[i + 1];

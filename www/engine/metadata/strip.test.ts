@@ -316,7 +316,7 @@ describe('a photo that another program made', async () => {
     const { blob: clean } = await stripped(new Blob([loud]));
     const text = await textOf(clean);
     for (const word of ['camera', '46.2', 'SECR', '2019:07:14', 'Tests']) expect(text).not.toContain(word);
-    // Positions are counted in some files: there the pixels are looked at, in tests/web/wasm/metadata.spec.js.
+    // Some files contain byte positions. Their pixels are compared in tests/web/wasm/metadata.spec.js.
     if (/\.(jpg|png|webp|gif)$/.test(name)) expect(await bytesOf(clean)).toEqual(await bytesOf(blob));
     else expect(clean.size).toBeLessThanOrEqual(loud.length - 'SECRET of the camera, Phone 99'.length);
   });
@@ -331,11 +331,11 @@ describe('a TIFF', () => {
     const at = view.getUint32(4, true);
     const fields = Array.from({ length: view.getUint16(at, true) }, (_, i) => at + 2 + 12 * i);
     const field = (tag: number) => fields.find((place) => view.getUint16(place, true) === tag) as number;
-    // The words lie among the pixels.
+    // The metadata is between the pixels.
     view.setUint32(field(65000) + 8, view.getUint32(field(273) + 8, true), true);
     const { blob, clean } = await withoutMetadata(new Blob([file]));
     expect([clean, (await textOf(blob)).includes('SECRET')]).toEqual([false, false]);
-    // A picture that lies where its directory does cannot be cleaned.
+    // A picture that overlaps its directory cannot be cleaned.
     view.setUint32(field(273) + 8, at, true);
     expect((await withoutMetadata(new Blob([file]))).blob.size).toBe(file.length);
   });

@@ -20,7 +20,7 @@ import { webpParts } from './webp.ts';
 /** `clean`: false if the file still contains metadata, because its format is unknown or it is damaged. */
 export type Stripped = { blob: Blob; clean: boolean };
 
-/** PNG chunks that change the look of pixels, and chunks of animations. Others go, whatever they are. */
+/** PNG chunks that change the look of pixels, and chunks of animations. Other chunks are removed. */
 const PNG_CHUNKS = [
   'IHDR',
   'PLTE',
@@ -41,7 +41,7 @@ const PNG_CHUNKS = [
   'fcTL',
   'fdAT',
 ];
-/** A file that is larger than this is a film; of films only some parts are read. */
+/** Minimum size of a file that counts as a video. Videos are only read in part. */
 const MOST_BYTES = 512 * 2 ** 20;
 
 /** @returns the same again when it is stripped again */

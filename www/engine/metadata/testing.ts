@@ -226,7 +226,7 @@ function soiledTiff(file: Uint8Array) {
   return body;
 }
 
-/** In reserved fields, in the gap before the pixels, in the ends of rows, and behind the end. */
+/** Adds data to reserved fields, to the gap before the pixels, to the ends of rows, and after the end. */
 function soiledBmp(file: Uint8Array) {
   const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
   const start = view.getUint32(10, true);

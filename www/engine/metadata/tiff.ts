@@ -9,7 +9,7 @@ import type { Range } from './ranges.ts';
 
 /** `at` is the offset of its value, inside or outside of the field; `length` is the size of the value in bytes. */
 type Field = { tag: number; type: number; count: number; at: number; length: number };
-/** `place` is where it lies. */
+/** `place` is its position. */
 type Directory = { place: number; end: number; fields: Field[]; next: number };
 
 /** Tags that each image needs. */
@@ -50,15 +50,15 @@ const NEEDED = new Set([
   339,
   340,
   341,
-  342, // what its samples mean
+  342, // interpretation of samples
   282,
   283,
-  296, // pixels an inch
+  296, // resolution
   292,
   293,
   317,
   347,
-  50674, // what its compression needs
+  50674, // LERC parameters
   529,
   530,
   531,
@@ -95,7 +95,8 @@ export function tiffParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[]; 
   const little = bytes[0] === 0x49;
   const directories = directoriesOf(view, little);
   if (!directories) return null;
-  // Smaller copies may show what was cut from the picture; the first is the one that is opened.
+  // Reduced copies may show parts that were cropped from the picture. The first directory is the picture that programs
+  // open.
   const pictures = directories.filter(({ fields }, i) => i === 0 || !(numberOf(view, little, fields, KIND) & REDUCED));
 
   const pixels: Range[] = [];
@@ -126,7 +127,7 @@ export function tiffParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[]; 
   );
   const kept = joined([[0, 8], ...pixels, ...values, ...tables]);
   const end = kept[kept.length - 1][1];
-  // The last table may have been cut behind its fields.
+  // The last table may be truncated after its fields.
   if (
     pixels.length === 0 ||
     joined([...pixels, ...values]).some(([, to]) => to > bytes.length) ||
@@ -142,7 +143,7 @@ export function tiffParts(bytes: Uint8Array<ArrayBuffer>): { parts: BlobPart[]; 
   return { parts: [whole], clean };
 }
 
-/** @returns the same and nothing behind it */
+/** @returns the same data, without anything after it */
 function grown(bytes: Uint8Array, length: number): Uint8Array<ArrayBuffer> {
   const longer = new Uint8Array(length);
   longer.set(bytes);
@@ -225,7 +226,10 @@ function numberOf(view: DataView, little: boolean, fields: readonly Field[], tag
   return numbersOf(view, little, fields, tag)[0] ?? 0;
 }
 
-/** Files of cameras (DNG, NEF) have a small picture in front, and the large one behind it needs much that is on no list. */
+/**
+ * Camera files (DNG, NEF) have a small picture first. The large one after it needs tags that the allowlist does not
+ * contain.
+ */
 function hasFullSize(view: DataView, little: boolean, fields: readonly Field[]) {
   return numbersOf(view, little, fields, SUB_DIRECTORIES).some((place) => {
     const inner = directoryAt(view, little, place);

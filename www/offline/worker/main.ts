@@ -39,7 +39,7 @@ worker.addEventListener('message', (event: OrderEvent) => {
 
 worker.addEventListener('fetch', (event: RequestEvent) => {
   const { request } = event;
-  // A worker that is no page has no Content-Security-Policy on a host without headers.
+  // On a host without headers, a service worker has no Content-Security-Policy.
   if (new URL(request.url).origin !== new URL(scope).origin) return event.respondWith(Response.error());
   const path = versions.pathOf(request);
   if (request.method === 'POST' && path === SHARE) return event.respondWith(shares.take(request));

@@ -7,7 +7,7 @@
 export const SHARE = 'share';
 export const SHARED = 'inkpanel-shared';
 const FOLDER = 'shared/';
-/** Milliseconds after which unclaimed shared files are deleted. */
+/** Lifetime of unclaimed shared files, in milliseconds. */
 const LONGEST = 24 * 3600_000;
 
 /** @param world `scope`: the address of the site's folder */

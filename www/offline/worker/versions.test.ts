@@ -94,7 +94,7 @@ describe('a build', () => {
     expect(await text(next.versions.answer('', asked('', 'navigate')))).toBe('page two');
     expect(await text(next.versions.answer('assets/index-one.js', asked('assets/index-one.js')))).toBe('script one');
     await caches.delete('inkpanel /some/path/ two');
-    // What the browser threw away comes from the host, not from another build.
+    // A file that the browser evicted comes from the host, not from another build.
     expect(await text(next.versions.answer('', asked('', 'navigate')))).toBe('page two');
   });
 
@@ -119,7 +119,7 @@ describe('a build', () => {
 });
 
 describe('sweeping', () => {
-  /** Three builds, and nets of two of them. */
+  /** Three builds. Two of them have models. */
   async function three() {
     const caches = fakeCaches();
     for (const version of ['one', 'two', 'three']) await world(version, { caches }).versions.install();

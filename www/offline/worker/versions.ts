@@ -1,6 +1,6 @@
 /**
- * The cached builds of the site. Each has a separate cache that is filled atomically. A page that is open goes on with
- * the files of its build when a newer one has taken over: its cache stays until the last such page is closed. Files of
+ * The cached builds of the site. Each has a separate cache that is filled atomically. An open page continues with the
+ * files of its build when a newer one takes over. Its cache stays until the last such page is closed. Files of
  * different builds cannot meet, as scripts name other files by their content.
  *
  * Not by Workbox: it keeps one cache for all builds, and would bring Babel and a second Rollup into the build.
@@ -151,7 +151,7 @@ export function createVersions({
   }
 }
 
-/** @returns as `integrity` of a request wants it */
+/** @returns a hash in the format of `integrity` */
 export async function integrityOf(response: Response): Promise<string> {
   const digest = await crypto.subtle.digest('SHA-256', await response.arrayBuffer());
   return `sha256-${btoa(String.fromCharCode(...new Uint8Array(digest)))}`;

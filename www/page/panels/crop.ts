@@ -1,4 +1,7 @@
-/** The part of a photo that a panel shows, moved by hand: it never leaves the photo. All in fractions of the photo. */
+/**
+ * Manual crops: the part of a photo that a panel shows. A crop never leaves the photo. All values are fractions of the
+ * photo.
+ */
 
 import type { Bounds as Crop } from '../../engine/types.ts';
 
@@ -8,11 +11,11 @@ type Subject = { x: number; y: number; width: number; height: number; label: str
 
 /** The least part of a photo's side that a crop shows. */
 const LEAST = 0.06;
-/** The room round a subject that is fitted, in its own sides. */
+/** Size of the crop around a fitted subject, in sides of the subject. */
 const ROOM = 1.35;
 
 /**
- * The picture follows the hand.
+ * The picture follows the pointer.
  * @param byX in widths of the panel
  * @param byY in its heights
  */
@@ -22,7 +25,7 @@ export function panned(crop: Crop, byX: number, byY: number): Crop {
 
 /**
  * @param factor above 1 comes closer
- * @param at what stays where it is, in parts of the panel
+ * @param at the fixed point, as fractions of the panel
  */
 export function zoomed(crop: Crop, factor: number, [u, v]: [number, number] = [0.5, 0.5]): Crop {
   const widest = 1 / Math.max(crop.width, crop.height);
@@ -33,10 +36,10 @@ export function zoomed(crop: Crop, factor: number, [u, v]: [number, number] = [0
 }
 
 /**
- * The crop that shows the subject large: all faces, else the surest thing that was found.
+ * The crop that shows the subject large: all faces, or without faces the detection with the highest score.
  * @param photo in pixels
  * @param aspect of the panel, width over height
- * @returns nothing when there is no subject
+ * @returns `null` without a subject
  */
 export function fitted(subjects: readonly Subject[], photo: Size, aspect: number): Crop | null {
   const faces = subjects.filter(({ label }) => label === 'face');

@@ -13,7 +13,7 @@ import type { OwnKeys } from '../../ui/action.ts';
 type End = 'both' | 'from' | 'to';
 type Grip = { id: number; x: number; y: number; cut: Cut; end: End; name: string };
 
-/** What an arrow key moves a cut by, and with Shift. */
+/** Step of an arrow key when it moves a divider, and with Shift. */
 const STEP = 0.01;
 const LARGE_STEP = 0.05;
 

@@ -43,7 +43,7 @@ export function enlarged(planner: Measures, page: PageDocument, panel: number): 
   return layout === page.layout ? null : layout;
 }
 
-/** The layouts in which one cut lies a step to either side. */
+/** The layouts with one divider moved by a step to either side. */
 function movesOf(planner: Measures, layout: LayoutChoice, page: PageDocument): LayoutChoice[] {
   const { cuts } = planner.layoutFacts(layout, page.page);
   return cuts.flatMap(({ fraction, slant }, cut) =>

@@ -59,7 +59,7 @@ async function app() {
   const planner = made.planner as any;
   const panels = Array.from({ length: 4 }, (_, i) => ({ bounds: { x: i / 4, y: 0, width: 0.25, height: 1 } }));
   planner.geometry = () => ({ width: 1, height: 1, panels });
-  // The core keeps what it is given; this is what the tests of the core say.
+  // The core retains the current panels. The tests of the core check that.
   planner.planned = (page: PageDocument | null, { keep, current }: Wish) =>
     page && keep.photos && current ? { ...page, panels: current.panels } : page;
   const use = { photo: 'p1', crop: { x: 0.2, y: 0.2, width: 0.4, height: 0.4 } };

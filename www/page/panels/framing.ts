@@ -1,6 +1,6 @@
 /**
- * Photos in panels, by hand: moved, enlarged, fitted, exchanged, replaced, locked. What is done to a panel is done to
- * all that share its image.
+ * Manual editing of photos in panels: move, zoom, fit, swap, replace, lock. An edit of a panel affects all panels that
+ * share its image.
  */
 
 import { effect, signal } from '@preact/signals';
@@ -14,17 +14,19 @@ import type { Signal } from '@preact/signals';
 
 export type Framing = ReturnType<typeof createFraming>;
 
-/** What the next key or click on the page is for; `at` is where the focus point would be, in parts of the image. */
+/**
+ * The purpose of the next key or click on the page. `at` is the position of the focus point, as fractions of the image.
+ */
 export type Mode = { kind: 'frame' | 'swap' | 'focus' | 'replace'; panel: number; at?: [number, number] };
 
 export function createFraming({ store, pages }: { store: Store; pages: Pages }) {
   let steps = 0;
   const mode: Signal<Mode | null> = signal(null);
-  /** The photo that the next panel is to show. */
+  /** The photo that the next clicked panel will show. */
   const placing: Signal<string | null> = signal(null);
   /** The panel whose photo is being cropped. */
   const cropping: Signal<number | null> = signal(null);
-  // Whoever does something else, or goes back, no longer looks for a panel for it.
+  // Any other edit, undo or redo cancels the placing of a photo.
   let { past } = store.history.peek();
   effect(() => {
     if (store.history.value.past === past) return;
@@ -66,7 +68,7 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
     mode.value = mode.peek()?.kind === kind ? null : { kind, panel };
   }
 
-  /** @returns what it shows; nothing for an empty panel */
+  /** @returns the crop of its photo, or `null` for an empty panel */
   function cropOf(panel: number): Crop | null {
     const page = store.page.peek();
     const use = page?.panels[groupOf(page, panel)[0]];
@@ -167,8 +169,8 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
   }
 
   /**
-   * Marks the point that matters in the photo of a panel; every crop keeps it, and those of the page are made anew.
-   * @param at parts of the image; none forgets the point
+   * Sets the focus point of the photo in a panel. Every crop contains it, and the crops of the page are computed again.
+   * @param at fractions of the image; `null` removes the point
    */
   function focus(panel: number, at: [number, number] | null) {
     const page = store.page.peek();
@@ -228,7 +230,7 @@ function groupOf(page: PageDocument, panel: number): number[] {
   return grown([panel], page);
 }
 
-/** @returns without a figure that steps out */
+/** @returns the panel without a breakout */
 function framed({ figure: _figure, ...use }: PanelUse): PanelUse {
   return use;
 }

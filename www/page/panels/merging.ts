@@ -55,7 +55,7 @@ export function createMerging({ store, pages, selection }: { store: Store; pages
 }
 
 /**
- * The panels, with those that they share an image with already.
+ * The given panels, and all panels that already share an image with them.
  * @returns in ascending order
  */
 export function grown(panels: readonly number[], { merges }: PageDocument): number[] {
@@ -79,7 +79,7 @@ export function whyNotMerge(panels: readonly number[], page: PageDocument, { bas
   return reached.length === group.length ? '' : strings.merging.apart;
 }
 
-/** The groups that `Split` parts: those with a chosen panel, or all when none is chosen. */
+/** The groups that `Split` divides: groups with a selected panel, or all groups without a selection. */
 export function splitting(panels: readonly number[], { merges }: PageDocument) {
   return panels.length === 0 ? merges : merges.filter((group) => group.some((panel) => panels.includes(panel)));
 }

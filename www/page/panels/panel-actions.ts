@@ -1,4 +1,4 @@
-/** What can be done with the panels that are chosen, with their photos, and with the cuts between them. */
+/** Actions for the selected panels, their photos, and the dividers between them. */
 
 import { computed } from '@preact/signals';
 import { LARGE_STEP as LARGE_SCRUB, STEP as SCRUB } from './scrubbing.ts';
@@ -9,7 +9,7 @@ import type { ReadonlySignal } from '@preact/signals';
 import type { Parts } from '../../ui/context.ts';
 import type { Action, OwnKeys } from '../../ui/action.ts';
 
-/** A panel with the focus has keys of its own for it, whichever panels are chosen. */
+/** The focused panel has additional keys. They affect only this panel, not the selection. */
 export type PanelAction = Action & {
   /** @param how `gesture`: the step of the undo; `large`: Shift is held */
   onPanel?: (panel: number, how: { gesture: string; large: boolean }) => void;
@@ -17,10 +17,10 @@ export type PanelAction = Action & {
   allows?: (panel: number) => boolean;
 };
 
-/** What a click, and what a key press enlarges a photo by. */
+/** Zoom factors of a click and of a key press. */
 const CLICK_ZOOM = 1.2;
 const KEY_ZOOM = 1.1;
-/** What a click moves a cut by, in parts of the cell that is cut. */
+/** Distance that a click moves a divider, as a fraction of the divided cell. */
 const CUT_STEP = 0.02;
 
 export function createPanelActions({
@@ -100,7 +100,7 @@ export function createPanelActions({
       undo: 'step',
     }) satisfies Partial<PanelAction>;
 
-  /** As in film editors; with Shift a second. */
+  /** As in video editors: a frame, and with Shift a second. */
   const scrubbed = (way: 1 | -1) =>
     ({
       about: strings.keyAbout.scrub,

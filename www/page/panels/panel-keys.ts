@@ -1,6 +1,6 @@
 /**
- * What keys do on a panel: arrows go to the next one, Shift with Enter chooses it, plus and minus zoom its photo.
- * Enter takes hold of the photo: arrows then move it, until Enter or Escape. The same keys set a focus point.
+ * Keys of a focused panel. Arrows go to the next panel, Shift+Enter selects it, plus and minus zoom its photo. After
+ * Enter, arrows move the photo until Enter or Escape. The same keys set a focus point.
  */
 
 import { useRef } from 'preact/hooks';
@@ -13,7 +13,7 @@ import type { PanelShape } from './panel-shape.ts';
 import type { OwnKeys } from '../../ui/action.ts';
 import type { PanelAction } from './panel-actions.ts';
 
-/** What an arrow moves a photo by, in parts of the panel, and with Shift. */
+/** Step of an arrow key when it moves a photo, as a fraction of the panel, and with Shift. */
 const STEP = 0.02;
 const LARGE_STEP = 0.1;
 
@@ -79,7 +79,7 @@ export function usePanelKeys({ panels, go }: { panels: readonly PanelShape[]; go
     return acted(event, panel);
   }
 
-  /** What has its button too. */
+  /** Actions that also have a button. */
   function acted(event: KeyboardEvent, panel: number): Deed | undefined {
     const shortcuts = pressed(event);
     const table: Record<string, PanelAction | OwnKeys> = actions.panels;

@@ -1,4 +1,4 @@
-/** Where panels are on the page: for the elements that stand for them, and for the arrow keys. */
+/** Positions of panels on the page: for their elements, and for the arrow keys. */
 
 import type { Geometry } from '../../engine/types.ts';
 
@@ -15,7 +15,7 @@ export function place({ bounds, polygon, circle }: PanelShape, height: number) {
     top: percent(bounds.y / height),
     width: percent(bounds.width),
     height: percent(bounds.height / height),
-    // A slanted panel is hit where it is, not where its box is.
+    // A click hits the slanted shape, not its bounding box.
     clipPath: circle ? 'circle(50%)' : `polygon(${points.join(', ')})`,
   };
 }
@@ -29,7 +29,7 @@ export const WAYS: Record<string, [number, number]> = {
 
 /**
  * The nearest panel in a direction; sideways distance counts double.
- * @returns `from` itself when there is none
+ * @returns `from` if there is no neighbour in this direction
  */
 export function neighbour(panels: readonly PanelShape[], from: number, [wayX, wayY]: [number, number]): number {
   const centre = ({ bounds }: PanelShape) => [bounds.x + bounds.width / 2, bounds.y + bounds.height / 2];

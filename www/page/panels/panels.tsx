@@ -1,7 +1,7 @@
 /**
- * The panels of the page for keyboard, pointer and screen reader: transparent elements over the canvas, one tab
- * stop for all, arrows move between them by where they are on the page. A click chooses a panel, with Shift or Ctrl
- * one more; what else the hand does is in `panel-gestures.ts` and `panel-keys.ts`.
+ * The panels of the page for keyboard, pointer and screen reader. They are transparent elements over the canvas, with
+ * one tab stop for all. Arrows move between them by their position on the page. A click selects a panel, and Shift or
+ * Ctrl adds another one. `panel-gestures.ts` and `panel-keys.ts` handle the other input.
  */
 
 import { useRef, useState } from 'preact/hooks';
@@ -89,7 +89,7 @@ export function Panels({ page, geometry }: { page: PageDocument; geometry: Geome
   );
 }
 
-/** What is said of a panel beside its name: its photo, what is in it, and whether it is chosen. */
+/** The description of a panel in addition to its name: its photo, the content, and whether it is selected. */
 function useDescription(page: PageDocument): (panel: number) => string | undefined {
   const { store, selection } = useApp();
   return (panel) => {

@@ -1,6 +1,6 @@
 /**
- * Layouts that a person makes: a surprise, a cut that is moved, a panel that is split or taken away, panels that are joined. The layout then
- * stands in the page in full, like any other.
+ * Manual changes of the layout: a generated layout, a moved divider, a split or removed panel, joined panels. The page
+ * then stores the complete layout, like any other page.
  */
 
 import { signal } from '@preact/signals';
@@ -13,7 +13,7 @@ import type { Signal } from '@preact/signals';
 
 export type Reshaping = ReturnType<typeof createReshaping>;
 
-/** Panels of a surprise where no number is wanted. */
+/** Number of panels of a generated layout, if the user did not choose one. */
 const USUAL = { least: 3, most: 8 };
 
 const EMPTY: PanelUse = { photo: null, crop: null, locked: false, edited: false };
@@ -32,7 +32,7 @@ export function createReshaping({ store, pages, seed }: { store: Store; pages: P
     joinPanels,
   };
 
-  /** A layout that nobody has seen, with the wanted number of panels. */
+  /** Shows a generated layout with the chosen number of panels. */
   function surprise() {
     const planner = store.planner.peek();
     const { panels, settings, page } = store.project.peek();
@@ -79,7 +79,7 @@ export function createReshaping({ store, pages, seed }: { store: Store; pages: P
     change({ type: 'join', panels: group }, (page) => joined(page, group));
   }
 
-  /** @param follow what becomes of the panels */
+  /** @param follow adapts the panels of the page to the new layout */
   function change(wish: LayoutChange, follow: (page: PageDocument) => PageDocument, gesture?: string) {
     const planner = store.planner.peek();
     const page = store.page.peek();
@@ -94,7 +94,7 @@ export function spliced(page: PageDocument, panel: number, by: 1 | -1): PageDocu
   const panels = [...page.panels];
   if (by > 0) panels.splice(panel + 1, 0, EMPTY);
   else panels.splice(panel, 1);
-  // The half of a merged panel, or what is left of a group, need not hang together any more.
+  // Half of a merged panel, or the remaining panels of a group, may not be adjacent any more.
   return { ...page, panels, merges: otherMerges(page, [panel], (other) => (other > panel ? other + by : other)) };
 }
 
@@ -104,7 +104,7 @@ export function joined(page: PageDocument, group: readonly number[]): PageDocume
   const shown = group.filter((panel) => page.panels[panel].photo !== null);
   const stays = shown.find((panel) => page.panels[panel].locked) ?? shown[0] ?? first;
   const left = page.panels.map((_panel, i) => i).filter((panel) => panel === first || !group.includes(panel));
-  // Its shape is another, so its crop is found anew.
+  // The shape of the panel changes, so its crop is computed again.
   const panels = left.map((panel) => (panel === first ? { ...page.panels[stays], edited: false } : page.panels[panel]));
   return { ...page, panels, merges: otherMerges(page, group, (panel) => left.indexOf(panel)) };
 }

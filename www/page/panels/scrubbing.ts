@@ -15,7 +15,7 @@ import type { Reading } from '../../photos/reading.ts';
 
 export type Scrubbing = ReturnType<typeof createScrubbing>;
 
-/** Seconds of a press: two or three frames of most films. */
+/** Seconds per key press: two or three frames of most videos. */
 export const STEP = 0.1;
 export const LARGE_STEP = 1;
 
@@ -32,7 +32,7 @@ export function createScrubbing({
   engine: Pick<Engine, 'importVideo'>;
   messages: Pick<Messages, 'fileFailed'>;
 }) {
-  /** Seconds still to go, and in which panel. */
+  /** Remaining seconds, and their panel. */
   let pending = { panel: -1, seconds: 0, gesture: '' };
   const busy = signal(false);
 
@@ -76,7 +76,7 @@ export function createScrubbing({
         start: time,
         end: time,
         onPhoto: (_, { measures: _measures, ...meta }) => {
-          // A frame that a person looked for is not set aside for being like its neighbours.
+          // A frame that the user chose is never excluded as a near-duplicate.
           store.know({ id, name: strings.frameName(video.name, time), meta, measures: null, video: video.key, time });
         },
       });

@@ -1,6 +1,5 @@
 /**
- * The panels that a person has chosen to do something with. They are of one page: another page or another number of
- * panels has none chosen.
+ * The selected panels of a page. Showing another page or changing the number of panels clears the selection.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -10,7 +9,7 @@ export type Selection = ReturnType<typeof createSelection>;
 
 export function createSelection({ store }: { store: Store }) {
   const chosen = signal({ of: '', panels: [] as readonly number[] });
-  /** Whether each click adds to the choice, for hands without Shift or Ctrl. */
+  /** Whether each click extends the selection, for users without Shift or Ctrl. */
   const several = signal(false);
 
   const of = computed(() => {
@@ -36,7 +35,7 @@ export function createSelection({ store }: { store: Store }) {
     },
     /**
      * A click on a panel.
-     * @param adds whether a key says that it adds to the choice
+     * @param adds whether a key extends the selection
      */
     press(panel: number, adds: boolean) {
       if (adds || several.peek()) this.toggle(panel);

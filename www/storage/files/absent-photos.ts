@@ -22,7 +22,7 @@ import type { ReadonlySignal } from '@preact/signals';
 type Match = { frame: Fact; id: string; name: string; meta: Imported['meta'] };
 export type AbsentPhotos = ReturnType<typeof createAbsentPhotos>;
 
-/** Milliseconds in which who opened the project can say more than that photos are missing. */
+/** Milliseconds to wait for a better message than a list of missing photos, from the code that opened the project. */
 const MORE_TO_SAY = 300;
 
 /** @param app `missing`: photos that are on the page, but can be saved no more */
@@ -103,7 +103,7 @@ export function createAbsentPhotos({
     try {
       const hashes = new Map();
       for (const file of files) if (!isVideo(file)) hashes.set(file, await hashOf(file));
-      // A photo that is the very one comes before one that looks like it.
+      // An identical photo is preferred to a similar one.
       for (const exact of [true, false]) {
         for (const [file, hash] of hashes) {
           if (matches.has(file) || free().length === 0) continue;

@@ -10,7 +10,7 @@ import type { FilePhoto } from './project-json.ts';
 /** `exact`: its file has the same hash. If not, it has a similar fingerprint and the same size. */
 type Found = { fact: Fact; record: PhotoRecord | null; exact: boolean };
 
-/** by the ids of the wanted photos; each photo is used once */
+/** by the ids of the missing photos; each photo is used once */
 export async function foundPhotos(
   wanted: readonly FilePhoto[],
   {

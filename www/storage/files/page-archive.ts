@@ -41,7 +41,7 @@ const TYPES: Record<string, string> = {
  */
 export type Inside = { page: PageFile } | { project: true } | { pictures: File[]; damaged: string[]; beyond: number };
 
-/** @returns whether it says that it is an archive */
+/** @returns whether name or type mark it as an archive */
 export const isArchiveFile = ({ name, type }: File): boolean =>
   /\.(zip|cbz)$/i.test(name) ||
   ['application/zip', 'application/x-zip-compressed', 'application/vnd.comicbook+zip'].includes(type);

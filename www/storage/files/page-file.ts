@@ -27,7 +27,7 @@ export type PageFile = {
 };
 
 const KEYWORD = 'inkpanel';
-/** By the letters' cases: not needed for the picture, of one program, may be copied with it. */
+/** The case of the letters means: ancillary, private, safe to copy. */
 const PHOTOS = 'ipPh';
 
 /** @param photos none: it does without */
@@ -74,7 +74,9 @@ export function withPage(json: string, planner: Pick<Planner, 'readProject'>): F
   return project;
 }
 
-/** Each entry knows its own checksum. A part that is broken costs the photos, not the page; one that is a trap costs all. */
+/**
+ * Each entry contains its checksum. A part that is broken costs the photos, not the page; one that is a trap costs all.
+ */
 function photosIn(part: Blob) {
   return readArchive(part).catch((error) => {
     if (error.code === 'damaged-project') return new Map();

@@ -91,7 +91,7 @@ describe('a page that carries its project', () => {
       [expect.stringMatching(/2 of its 3 photos are not on this device/)],
       'Choose photos',
     ]);
-    // It goes out as it came, though two photos are not here.
+    // It is exported unchanged, although two photos are missing.
     expect(await textIn(await downloaded(other, 'project'))).toBe(await textIn(file));
     other.store.change({ type: 'rename', name: 'Later' });
     const [z, c] = other.files('z.jpg', 'c.jpg');

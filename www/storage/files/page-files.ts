@@ -34,7 +34,7 @@ import type { Signal } from '@preact/signals';
 export type Cargo = 'none' | 'project' | 'photos';
 export type PageFiles = ReturnType<typeof createPageFiles>;
 
-/** @returns whether it says that it is a PNG */
+/** @returns whether name or type mark it as a PNG */
 export const isNamedPng = ({ name, type }: File): boolean => type === 'image/png' || /\.png$/i.test(name);
 
 export function createPageFiles({

@@ -29,7 +29,7 @@ export async function pageJson(
   const facts = project.tray
     .flatMap(({ id }) => (shown.has(id) ? (album.get(id) ?? []) : []))
     .filter(({ meta }) => meta !== null);
-  // No words on the page are like these: texts that are ids are renamed where the page is opened.
+  // No text on the page equals such an id, because opening a page renames all texts that are ids.
   const ids = new Map(facts.map(({ id }, i) => [id, `#photo-${i + 1}`]));
   const idOf = (id: string) => ids.get(id) as string;
 

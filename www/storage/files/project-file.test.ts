@@ -62,14 +62,14 @@ describe('a project file', () => {
     expect(look(now.present.page)).toEqual(look(present.page));
     const name = (id: string | null) => tab.store.album.value.get(String(id))?.name;
     expect(now.present.page?.panels.every(({ photo }) => name(photo))).toBe(true);
-    // It is saved beside the one that it came from.
+    // It is saved next to its source project.
     expect([tab.keeping.status.value, reasons()]).toEqual(['saved', []]);
     await tab.keeping.refresh();
     expect(tab.keeping.list.value.length).toBe(2);
   });
 
   it('has no photos that only the undo history needs', async () => {
-    // More than a page has room for, besides the three of the pages before.
+    // More than the limit of a page, in addition to the three of the earlier pages.
     await tab.add(...'defghijklmnop'.split('').map((name) => `${name}.jpg`));
     const { shown } = tab.store.history.value;
     const onPages = photosOn(shown.map(({ page }) => page));

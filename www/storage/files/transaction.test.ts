@@ -16,7 +16,7 @@ beforeEach(async () => {
   tab = await fakeBrowser().tab();
   const { planner } = tab.store;
   const { choose } = planner.peek() as any;
-  // The core takes whole numbers only.
+  // The core accepts only whole numbers.
   Object.assign(planner.peek() as any, {
     choose: (photos: any[], threshold: number) => {
       if (!Number.isInteger(threshold))

@@ -45,7 +45,7 @@ export const faultStrings = {
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>
     `${n === 1 ? '1 Datei wurde' : `${n} Dateien wurden`} ausgelassen: Ein Projekt fasst ${most} Fotos.`,
-  /** The same where the reason is what the file is. */
+  /** Reasons by error code that name the kind of file. */
   reasonsOf: {
     'film-container': (what: string) =>
       `Inkpanel kann dieses Videoformat nicht lesen (${what}). Wandle es in MP4 mit H.264-Video um, zum Beispiel mit HandBrake oder ffmpeg.`,

@@ -1,6 +1,6 @@
 export const keyStrings = {
   letterKeys: 'Kürzel mit einem Buchstaben',
-  // As the keyboard calls them; what is called alike everywhere is not here.
+  // Labels of the keys. Keys with the same label in every language are missing.
   keyNames: {
     Ctrl: 'Strg',
     Space: 'Leertaste',
@@ -9,7 +9,7 @@ export const keyStrings = {
     PageUp: 'Bild auf',
     PageDown: 'Bild ab',
   },
-  // What the list says of keys that are no action with a name of its own.
+  // Descriptions of keys that belong to no named action.
   keyAbout: {
     walk: 'Von Panel zu Panel gehen',
     turn: 'Zwischen den Seiten blättern',

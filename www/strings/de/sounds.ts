@@ -20,7 +20,7 @@ export const soundStrings = {
     large: (size: string) => `Das Video ist größer als ${size}, die Grenze für die Tonanalyse.`,
     undecodable: 'Dieser Browser kann den Ton nicht dekodieren.',
   },
-  /** What a sound is written as. */
+  /** Lettering of each sound. */
   soundWords: {
     bang: 'PENG!',
     boom: 'BUMM!',

@@ -4,7 +4,7 @@ export const wordStrings = {
   words: 'Text',
   addWord: { caption: 'Textkasten hinzufügen', balloon: 'Sprechblase hinzufügen', effect: 'Soundwort hinzufügen' },
   wordShort: { caption: 'Textkasten', balloon: 'Sprechblase', effect: 'Soundwort' },
-  /** What a new word says. */
+  /** Text of a new item. */
   wordSample: { caption: 'Unterdessen…', balloon: 'Hallo!', effect: 'WUMM!' },
   wordKind: { caption: 'Textkasten', balloon: 'Sprechblase', effect: 'Soundwort' },
   word: (kind: Kind, text: string) => `${wordStrings.wordKind[kind]}: ${text}`,

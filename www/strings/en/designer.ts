@@ -1,4 +1,4 @@
-/** The words of the designer and the explorer. */
+/** Strings of the designer and the explorer. */
 
 export const designerStrings = {
   designer: 'Style designer',

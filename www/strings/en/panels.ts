@@ -1,4 +1,4 @@
-/** The words about panels. */
+/** Strings of panels. */
 
 export const panelStrings = {
   panelTools: 'Panel tools',

@@ -1,4 +1,4 @@
-/** Words beside the page: layouts, styles, other pages. */
+/** Strings of the side panel: layouts, styles, other pages. */
 
 export const sideStrings = {
   look: 'Look of the page',

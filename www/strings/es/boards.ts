@@ -1,4 +1,4 @@
-/** Words of boards: the list of shots, the sheets, the ways out and in. */
+/** Strings of the storyboard: shot list, sheets, import and export. */
 
 export const boardsStrings = {
   boards: {

@@ -1,6 +1,6 @@
 import type { Counted, Seen } from '../compose.ts';
 
-/** One and many of what is found in photos. */
+/** Singular and plural of detected things. */
 const NAMES: Record<string, [string, string]> = {
   person: ['una persona', 'personas'],
   lettering: ['un rótulo', 'rótulos'],

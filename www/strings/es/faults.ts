@@ -41,7 +41,7 @@ export const faultStrings = {
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>
     `${n === 1 ? '1 archivo no se añadió' : `${n} archivos no se añadieron`}: en un proyecto caben ${most} fotos.`,
-  /** The same where the reason is what the file is. */
+  /** Reasons by error code that name the kind of file. */
   reasonsOf: {
     'film-container': (what: string) =>
       `Inkpanel no puede leer este formato de vídeo (${what}). Conviértelo a MP4 con vídeo H.264, por ejemplo con HandBrake o ffmpeg.`,

@@ -1,8 +1,8 @@
 export const keyStrings = {
   letterKeys: 'Atajos de una letra',
-  // As the keyboard calls them; what is called alike everywhere is not here.
+  // Labels of the keys. Keys with the same label in every language are missing.
   keyNames: { Ctrl: 'Ctrl', Space: 'Espacio', Shift: 'Mayús', Enter: 'Intro', PageUp: 'Re Pág', PageDown: 'Av Pág' },
-  // What the list says of keys that are no action with a name of its own.
+  // Descriptions of keys that belong to no named action.
   keyAbout: {
     walk: 'Pasar de una viñeta a otra',
     turn: 'Ir de una página a otra',

@@ -22,7 +22,7 @@ export const soundStrings = {
     large: (size: string) => `El vídeo pesa más de ${size}, el límite del análisis de sonido.`,
     undecodable: 'Este navegador no puede descodificar el sonido.',
   },
-  /** What a sound is written as. */
+  /** Lettering of each sound. */
   soundWords: {
     bang: '¡PUM!',
     boom: '¡BUM!',

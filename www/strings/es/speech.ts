@@ -1,4 +1,4 @@
-/** The words about lettering by hand, scripts and subtitles. */
+/** Strings of lettering tools, scripts and subtitles. */
 
 export const speechStrings = {
   wordResize: 'Cambiar el tamaño del texto',

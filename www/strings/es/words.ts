@@ -4,7 +4,7 @@ export const wordStrings = {
   words: 'Texto',
   addWord: { caption: 'Añadir cartela', balloon: 'Añadir bocadillo', effect: 'Añadir onomatopeya' },
   wordShort: { caption: 'Cartela', balloon: 'Bocadillo', effect: 'Sonido' },
-  /** What a new word says. */
+  /** Text of a new item. */
   wordSample: { caption: 'Mientras tanto…', balloon: '¡Hola!', effect: '¡PUM!' },
   wordKind: { caption: 'Cartela', balloon: 'Bocadillo', effect: 'Onomatopeya' },
   word: (kind: Kind, text: string) => `${wordStrings.wordKind[kind]}: ${text}`,

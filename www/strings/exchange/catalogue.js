@@ -1,5 +1,5 @@
 // @ts-check
-/** What there is to translate: the sentences of `strings/en`, and what the core and the data files bring along in English. */
+/** The strings to translate: texts of `strings/en`, and English names in the core and the data files. */
 
 import { readFileSync, readdirSync } from 'node:fs';
 import * as core from '../../pkg/inkpanel.js';
@@ -14,16 +14,16 @@ import { leavesOf, readSource, sentenceOf } from './source.js';
  */
 
 /**
- * `code`: sentences that only code can tell, which are translated by hand.
+ * `code`: texts that only code can express. They are translated manually.
  * @typedef {{ messages: Message[], code: string[], sources: Map<string, Source> }} Catalogue
  */
 
-/** What stands in a language's `blocks.ts`, `layouts.ts`, `styles.ts` and `names.ts`, and comes from elsewhere in English. */
+/** Names in a language's `blocks.ts`, `layouts.ts`, `styles.ts` and `names.ts`. Their English source is elsewhere. */
 const NAMED = /^(blocks\/|names\/names\/(choices|families)\/)/;
 
 /**
  * @param {string | URL} folder of a language
- * @returns {Map<string, string>} its files by their names without ending; none where there is no such folder
+ * @returns {Map<string, string>} its files by their names without extension; empty if the folder does not exist
  */
 export function filesIn(folder) {
   const url = new URL(folder, import.meta.url);
@@ -59,7 +59,7 @@ export function catalogue() {
 }
 
 /**
- * The names of `Names`: what `naming` (`names.ts`) says where a language has none.
+ * The names of `Names`, as `naming` (`names.ts`) returns them without a translation.
  * @param {Map<string, Source>} sources
  * @returns {Message[]}
  */

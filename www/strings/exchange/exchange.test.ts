@@ -1,4 +1,6 @@
-/** What goes out to translators comes back as it was, and nothing that is not understood is taken or lost. */
+/**
+ * Exported texts are identical after import. Texts that the importer does not understand are neither changed nor lost.
+ */
 
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -30,7 +32,7 @@ function sentence(code: string, before: string = '') {
   return sentenceOf(source, node.type === 'TSAsExpression' ? node.expression : node);
 }
 
-/** A PO file in which some sentences are said otherwise. */
+/** A PO file with some changed texts. */
 function changed(code: string, change: (context: string, entry: { msgid: string; msgstr: string[] }) => void) {
   const file = po.parse(exported(code, filesOf(code), all).text);
   for (const [context, entries] of Object.entries(file.translations)) {
@@ -39,7 +41,7 @@ function changed(code: string, change: (context: string, entry: { msgid: string;
   return po.compile(file).toString();
 }
 
-/** @returns what a PO file says, by the contexts */
+/** @returns the texts of a PO file, by context */
 const msgstrs = (text: string) =>
   new Map(
     Object.entries(po.parse(text).translations).flatMap(([context, entries]) =>
@@ -48,8 +50,8 @@ const msgstrs = (text: string) =>
   );
 
 /**
- * What a function says for many arguments, and what everything else says. Of none nothing is asked: the languages that say of none
- * what they say of one do so in most sentences here, not in all.
+ * The results of a function for several arguments, and all other texts. The count 0 is not tested: languages that treat
+ * 0 as singular do so in most texts here, not in all.
  */
 function said(value: unknown): unknown {
   if (typeof value === 'function') return [1, 2, 7].map((n) => told(value, n));

@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * `node main.js export FOLDER [LANGUAGE]` and `node main.js import FILE`, which `cargo xtask translations` calls. `docs/guide/translating.md`
- * is for those who translate.
+ * Implements `cargo xtask translations`: `node main.js export FOLDER [LANGUAGE]` and `node main.js import FILE`.
+ * `docs/guide/translating.md` is the guide for translators.
  */
 
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -45,7 +45,7 @@ function readOne(file) {
   const { language, files, changed, refused } = imported(readFileSync(file, 'utf8'), filesOf, all);
   const isNew = before.size === 0;
   if (isNew && changed > 0) completeFolder(files, all.sources);
-  // All is known by now: what is written is written whole.
+  // All results are known before the first file is written, so that no partial result is left.
   if (changed > 0) mkdirSync(folderOf(language), { recursive: true });
   for (const [name, text] of files) {
     if (before.get(name) !== text) writeFileSync(new URL(`${name}.ts`, folderOf(language)), text);

@@ -18,7 +18,7 @@ const HOLE = /\{([^{}]*)\}/g;
 const formsOf = (language) => {
   const rules = new Intl.PluralRules(language);
   const { pluralCategories } = rules.resolvedOptions();
-  // Forms of millions (`many` in French) are not asked for by what the page counts.
+  // Counts in the app are too small for the plural form of millions (`many` in French).
   const small = new Set(Array.from({ length: 1000 }, (_, n) => rules.select(n)));
   return {
     count: Math.max(1, small.size),
@@ -34,7 +34,7 @@ const formsOf = (language) => {
 export function pluralForms(language) {
   const { count, zeroIsOne } = formsOf(language);
   if (count === 1) return { forms: 1, header: 'nplurals=1; plural=0;', condition: '' };
-  // French says of none what it says of one. What has three forms and more is written by hand.
+  // French treats 0 as singular. Languages with three or more forms are translated manually.
   return zeroIsOne
     ? { forms: 2, header: 'nplurals=2; plural=(n > 1);', condition: '< 2' }
     : { forms: 2, header: 'nplurals=2; plural=(n != 1);', condition: '=== 1' };
@@ -64,7 +64,7 @@ function sentencesIn(files) {
  * @param {Sentence} english
  * @param {Sentence | null} other
  * @param {number} forms
- * @returns {string[] | null} how the other is written beside the English; nothing where that cannot be told without code
+ * @returns {string[] | null} the translation next to the English text; null if it needs code
  */
 function beside(english, other, forms) {
   if (!other || english.literal !== other.literal || (other.count !== null && other.count !== english.count))
@@ -77,9 +77,9 @@ function beside(english, other, forms) {
 
 /**
  * @param {string} language
- * @param {Files} files what it has
+ * @param {Files} files its current files
  * @param {Catalogue} catalogue
- * @returns {{ text: string, missing: number, code: string[] }} `code`: what it says by code, where English does not
+ * @returns {{ text: string, missing: number, code: string[] }} `code`: texts that are code here, but not in English
  */
 export function exported(language, files, { messages }) {
   const { forms, header } = pluralForms(language);
@@ -128,11 +128,12 @@ export function exported(language, files, { messages }) {
 }
 
 /**
- * The files of a language with what a PO file says. What it leaves empty stays as it was.
+ * Updates the files of a language from a PO file. Texts that are empty in the PO file do not change.
  * @param {string} text of the PO file
- * @param {(language: string) => Files} filesOf what a language has
+ * @param {(language: string) => Files} filesOf current files of a language
  * @param {Catalogue} catalogue
- * @returns {{ language: string, files: Files, changed: number, refused: string[] }} `refused`: what was not taken, and why
+ * @returns {{ language: string, files: Files, changed: number, refused: string[] }} `refused`: rejected texts, and the
+ * reasons
  */
 export function imported(text, filesOf, catalogue) {
   const { headers, translations } = po.parse(text);
@@ -152,7 +153,7 @@ export function imported(text, filesOf, catalogue) {
   const entries = Object.values(translations)
     .flatMap((entries) => Object.values(entries))
     .filter(({ msgid }) => msgid !== '');
-  // What names controls of other areas comes when these are there.
+  // Texts that refer to controls of other areas come last, after these areas exist.
   const late = (/** @type {string | undefined} */ context) =>
     Number(known.get(context ?? '')?.english.holes.some((hole) => hole.includes('.')) ?? false);
   entries.sort((a, b) => late(a.msgctxt) - late(b.msgctxt));
@@ -195,7 +196,7 @@ export function imported(text, filesOf, catalogue) {
  * @param {Sentence} english
  * @param {string[]} told
  * @param {number} forms
- * @returns what is wrong with a translation, if anything
+ * @returns the errors of a translation
  */
 function mistakes(english, told, forms) {
   if (told.length !== (english.count === null ? 1 : forms)) return `it has ${told.length} forms`;
@@ -215,8 +216,8 @@ function mistakes(english, told, forms) {
 /**
  * @param {Sentence} english
  * @param {string[]} told
- * @param {string | null} parameters with their types; nothing where it is no function
- * @param {string} condition by which one is told from many
+ * @param {string | null} parameters with their types; null if it is not a function
+ * @param {string} condition selects the singular
  */
 function codeOf(english, told, parameters, condition) {
   if (english.literal) return quoted(told[0]);

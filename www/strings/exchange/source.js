@@ -1,10 +1,10 @@
 // @ts-check
-/** Reads what a file of `strings/` says: every sentence with its place, also those that are functions of numbers and names. */
+/** Reads the texts in a file of `strings/`: every text with its path, including functions of numbers and names. */
 
 import { parseSync } from 'vite';
 
 /**
- * A node of the syntax tree; what it has depends on its type.
+ * A node of the syntax tree. Its fields depend on its type.
  * @typedef {any} Node
  * @typedef {{ text: string, declared: Map<string, Node>, exported: Map<string, Node>, imports: Map<string, Import>, taken: Map<string, Taken> }} Source
  * @typedef {{ from: string, name: string, statement: string }} Import
@@ -13,12 +13,12 @@ import { parseSync } from 'vite';
  */
 
 /**
- * What a sentence says: texts and what is put between them, by its code.
+ * The parts of a text: literal texts, and code for the placeholders between them.
  * @typedef {(string | { hole: string })[]} Parts
  */
 
 /**
- * What a sentence can be, of all that a file can write.
+ * A text in its general form.
  * @typedef {{ one: string, many: string, holes: string[], count: string | null, condition: string | null, parameters: string | null, literal: boolean }} Sentence
  */
 
@@ -59,7 +59,7 @@ export function readSource(text, name) {
 }
 
 /**
- * Without brackets and what is said of its type.
+ * Removes brackets and type annotations.
  * @param {Node} node
  * @returns {Node}
  */
@@ -73,7 +73,7 @@ export const nameOf = ({ key }) => (key.type === 'Identifier' ? key.name : Strin
 
 /**
  * @param {Source} source
- * @returns {Leaf[]} everything that is no object and no list, by the export that it is in and its path there
+ * @returns {Leaf[]} everything that is neither an object nor a list, by its export and its path there
  */
 export function leavesOf(source) {
   /** @type {(node: Node, key: string[]) => Leaf[]} */
@@ -88,16 +88,16 @@ export function leavesOf(source) {
         below(element, [...key, String(at)]),
       );
     }
-    // Another file's words under their own name.
+    // Strings of another file under their own name.
     return inner.type === 'Identifier' ? [] : [{ key, node: inner }];
   };
   return [...source.exported].flatMap(([name, node]) => below(node, [name]));
 }
 
-/** Why a sentence can be told by code alone. */
+/** Thrown if a text needs code. */
 class Code extends Error {}
 
-/** Numbers by which it is seen what a condition parts. */
+/** Numbers for testing the ranges of a condition. */
 const MANY = [2, 3, 7, 100];
 
 /** @type {Record<string, (a: number, b: number) => boolean>} */
@@ -113,7 +113,7 @@ const COMPARED = {
 /**
  * @param {Source} source
  * @param {Node} node a leaf of it
- * @returns {Sentence | null} nothing where it takes code to tell it
+ * @returns {Sentence | null} null if the text needs code
  */
 export function sentenceOf(source, node) {
   const isFunction = node.type === 'ArrowFunctionExpression';
@@ -132,7 +132,7 @@ export function sentenceOf(source, node) {
     const texts = [...one, ...many].filter((part) => typeof part === 'string');
     // A bracket in the text itself would be taken for a place of something.
     if ((holes.length > 0 || seen.count) && texts.some((text) => /[{}]/.test(text))) throw new Code();
-    // Words in what is put in, or more than a name: a translator could not tell what it is.
+    // A translator could not understand a placeholder with text or code.
     if (holes.some((hole) => !/^[a-z][\w.]*$/i.test(hole))) throw new Code();
     const parameters = isFunction
       ? source.text.slice(node.start, source.text.indexOf('=>', lastEnd(node))).trim()
@@ -152,7 +152,7 @@ const told = (parts) => parts.map((part) => (typeof part === 'string' ? part : `
 
 /**
  * @param {Node} parameter
- * @returns {string[]} what it is called, or its parts
+ * @returns {string[]} its name, or the names of its parts
  */
 function namesIn(parameter) {
   if (parameter.type === 'Identifier') return [parameter.name];
@@ -164,12 +164,13 @@ function namesIn(parameter) {
 }
 
 /**
- * What an expression says of one thing, or of many.
+ * Evaluates an expression for one thing or for many.
  * @param {Source} source
  * @param {Node} expression
- * @param {Map<string, Parts>} bound what names stand for
+ * @param {Map<string, Parts>} bound the values of names
  * @param {boolean} single
- * @param {{ count: string | null, condition: string | null }} seen which hole is counted, and how it is told from many
+ * @param {{ count: string | null, condition: string | null }} seen the placeholder of the count, and the condition for
+ * the singular
  * @returns {Parts}
  */
 function evaluate(source, expression, bound, single, seen) {

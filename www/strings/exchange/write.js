@@ -1,5 +1,5 @@
 // @ts-check
-/** Puts sentences into the files of a language, which stay as they are written but for these. */
+/** Replaces texts in the files of a language, without other changes. */
 
 import { bare, leavesOf, nameOf, readSource } from './source.js';
 
@@ -176,7 +176,7 @@ function built([part, ...rest], code) {
  * @param {string} text
  * @param {any} node an object or a list
  * @param {any[]} members
- * @param {string} made the member behind the last
+ * @param {string} made the new last member
  */
 function appended(text, node, members, made) {
   const last = members.at(-1);

@@ -42,7 +42,7 @@ export const faultStrings = {
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>
     `${n === 1 ? '1 fichier a été laissé' : `${n} fichiers ont été laissés`} de côté : un projet contient ${most} photos.`,
-  /** The same where the reason is what the file is. */
+  /** Reasons by error code that name the kind of file. */
   reasonsOf: {
     'film-container': (what: string) =>
       `Inkpanel ne peut pas lire ce format vidéo (${what}). Convertissez-le en MP4 avec une vidéo H.264, avec HandBrake ou ffmpeg par exemple.`,

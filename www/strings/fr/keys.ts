@@ -1,6 +1,6 @@
 export const keyStrings = {
   letterKeys: 'Raccourcis d’une lettre',
-  // As the keyboard calls them; what is called alike everywhere is not here.
+  // Labels of the keys. Keys with the same label in every language are missing.
   keyNames: {
     Ctrl: 'Ctrl',
     Space: 'Espace',
@@ -9,7 +9,7 @@ export const keyStrings = {
     PageUp: 'Page préc.',
     PageDown: 'Page suiv.',
   },
-  // What the list says of keys that are no action with a name of its own.
+  // Descriptions of keys that belong to no named action.
   keyAbout: {
     walk: 'Passer d’une case à l’autre',
     turn: 'Aller d’une page à l’autre',

@@ -1,4 +1,4 @@
-/** What the core and the data files call things, by their ids. */
+/** Names of things in the core and the data files, by id. */
 
 import { blocks, parameters } from './blocks.ts';
 import { layouts } from './layouts.ts';

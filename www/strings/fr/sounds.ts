@@ -19,7 +19,7 @@ export const soundStrings = {
     large: (size: string) => `La vidéo pèse plus de ${size}, la limite de l’analyse du son.`,
     undecodable: 'Ce navigateur ne peut pas décoder le son.',
   },
-  /** What a sound is written as. */
+  /** Lettering of each sound. */
   soundWords: {
     bang: 'PAN !',
     boom: 'BOUM !',

@@ -4,7 +4,7 @@ export const wordStrings = {
   words: 'Texte',
   addWord: { caption: 'Ajouter un cartouche', balloon: 'Ajouter une bulle', effect: 'Ajouter une onomatopée' },
   wordShort: { caption: 'Cartouche', balloon: 'Bulle', effect: 'Bruit' },
-  /** What a new word says. */
+  /** Text of a new item. */
   wordSample: { caption: 'Pendant ce temps…', balloon: 'Salut !', effect: 'BOUM !' },
   wordKind: { caption: 'Cartouche', balloon: 'Bulle', effect: 'Onomatopée' },
   word: (kind: Kind, text: string) => `${wordStrings.wordKind[kind]} : ${text}`,

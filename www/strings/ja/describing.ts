@@ -1,6 +1,6 @@
 import type { Counted, Seen } from '../compose.ts';
 
-/** What is found in photos, and the word that counts it. */
+/** Detected things, and their counters. */
 const NAMES: Record<string, [string, string]> = {
   person: ['人', '人'],
   lettering: ['文字', 'か所'],

@@ -42,7 +42,7 @@ export const faultStrings = {
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>
     `${n}個のファイルを除外しました：1つのプロジェクトに入る写真は${most}枚までです。`,
-  /** The same where the reason is what the file is. */
+  /** Reasons by error code that name the kind of file. */
   reasonsOf: {
     'film-container': (what: string) =>
       `Inkpanelはこの動画形式（${what}）を読み込めません。HandBrakeやffmpegなどで、H.264のMP4に変換してください。`,

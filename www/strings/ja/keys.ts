@@ -1,6 +1,6 @@
 export const keyStrings = {
   letterKeys: '文字キーだけのショートカットを使う',
-  // As the keyboard calls them; what is called alike everywhere is not here.
+  // Labels of the keys. Keys with the same label in every language are missing.
   keyNames: {
     Ctrl: 'Ctrl',
     Space: 'スペース',
@@ -9,7 +9,7 @@ export const keyStrings = {
     PageUp: 'Page Up',
     PageDown: 'Page Down',
   },
-  // What the list says of keys that are no action with a name of its own.
+  // Descriptions of keys that belong to no named action.
   keyAbout: {
     walk: 'コマからコマへ移る',
     turn: 'ページを切り替える',

@@ -18,7 +18,7 @@ export const soundStrings = {
     large: (size: string) => `動画が音の解析の上限（${size}）より大きいです。`,
     undecodable: 'このブラウザーはこの動画の音声をデコードできません。',
   },
-  /** What a sound is written as. */
+  /** Lettering of each sound. */
   soundWords: {
     bang: 'バン！',
     boom: 'ドン！',

@@ -1,6 +1,6 @@
 import type { Counted, Seen } from '../compose.ts';
 
-/** One and many of what is found in photos. */
+/** Singular and plural of detected things. */
 const NAMES: Record<string, [string, string]> = {
   person: ['uma pessoa', 'pessoas'],
   lettering: ['um letreiro', 'letreiros'],
@@ -86,7 +86,7 @@ const NAMES: Record<string, [string, string]> = {
 };
 const NUMBERS = ['', '', 'dois', 'três', 'quatro', 'cinco', 'seis', 'sete', 'oito', 'nove', 'dez', 'onze', 'doze'];
 
-/** Two, alone among these, has a gender. */
+/** In Portuguese, only the number two has a gender here. */
 const FEMININE = NUMBERS.map((numeral) => (numeral === 'dois' ? 'duas' : numeral));
 
 export const describingStrings = {

@@ -41,7 +41,7 @@ export const faultStrings = {
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>
     `${n === 1 ? '1 arquivo ficou' : `${n} arquivos ficaram`} de fora: um projeto aceita ${most} fotos.`,
-  /** The same where the reason is what the file is. */
+  /** Reasons by error code that name the kind of file. */
   reasonsOf: {
     'film-container': (what: string) =>
       `o Inkpanel não consegue ler este formato de vídeo (${what}). Converta-o para MP4 com vídeo H.264, por exemplo com HandBrake ou ffmpeg.`,

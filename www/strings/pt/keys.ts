@@ -1,8 +1,8 @@
 export const keyStrings = {
   letterKeys: 'Atalhos de uma letra',
-  // As the keyboard calls them; what is called alike everywhere is not here.
+  // Labels of the keys. Keys with the same label in every language are missing.
   keyNames: { Ctrl: 'Ctrl', Space: 'Espaço', Shift: 'Shift', Enter: 'Enter', PageUp: 'Page Up', PageDown: 'Page Down' },
-  // What the list says of keys that are no action with a name of its own.
+  // Descriptions of keys that belong to no named action.
   keyAbout: {
     walk: 'Ir de um quadro a outro',
     turn: 'Ir de uma página a outra',

@@ -20,7 +20,7 @@ export const soundStrings = {
     large: (size: string) => `O vídeo tem mais de ${size}, o limite da análise de som.`,
     undecodable: 'Este navegador não consegue decodificar o som.',
   },
-  /** What a sound is written as. */
+  /** Lettering of each sound. */
   soundWords: {
     bang: 'BANG!',
     boom: 'BUM!',

@@ -4,7 +4,7 @@ export const wordStrings = {
   words: 'Texto',
   addWord: { caption: 'Adicionar caixa de texto', balloon: 'Adicionar balão', effect: 'Adicionar onomatopeia' },
   wordShort: { caption: 'Caixa', balloon: 'Balão', effect: 'Som' },
-  /** What a new word says. */
+  /** Text of a new item. */
   wordSample: { caption: 'Enquanto isso…', balloon: 'Oi!', effect: 'BUM!' },
   wordKind: { caption: 'Caixa de texto', balloon: 'Balão', effect: 'Onomatopeia' },
   word: (kind: Kind, text: string) => `${wordStrings.wordKind[kind]}: ${text}`,

@@ -38,7 +38,7 @@ const FOLDERS: [&str; 13] = [
     "licences",
 ];
 
-/// Builds the package and says where it is.
+/// Builds the package and prints its path.
 ///
 /// # Errors
 /// When a part cannot be built.
@@ -73,7 +73,8 @@ fn build(project: &Project) -> Result<PathBuf> {
     Ok(folder)
 }
 
-/// The types of a module without the disposal that `using` asks for: older libraries of TypeScript do not know its symbol.
+/// Removes the `Symbol.dispose` members for `using` from the types of a module, because older TypeScript
+/// libraries lack this symbol.
 fn without_disposal(types: &Path) -> Result<()> {
     let text = fs::read_to_string(types)?;
     let kept: String = text.split_inclusive('\n').filter(|line| !line.contains("[Symbol.dispose]")).collect();
@@ -89,7 +90,7 @@ fn engine(project: &Project, folder: &Path) -> Result<()> {
     let installed = www.join("node_modules").join(library);
     copy(&installed.join(bundle), &folder.join(format!("vendor/{library}.js")))?;
     copy(&installed.join("LICENSE"), &folder.join(format!("licences/{library}-MPL.txt")))?;
-    // A browser knows no packages by name.
+    // Browsers cannot resolve package names.
     for reader in FILM_READERS.map(|file| out.join(file)) {
         let text = fs::read_to_string(&reader)?;
         let named = format!("from '{library}'");
@@ -110,7 +111,7 @@ fn compile(project: &Project, folder: &Path) -> Result<()> {
     for entry in fs::read_dir(folder.join("engine"))? {
         let file = entry?.path();
         if file.is_file() {
-            // The compiler knows imports, but neither the addresses of workers nor the imports of types.
+            // The compiler rewrites imports, but neither the URLs of workers nor type imports.
             let text = fs::read_to_string(&file)?.replace(".ts', import.meta.url", ".js', import.meta.url");
             let types = file.to_string_lossy().ends_with(".d.ts");
             let named = if types { text.replace(".ts'", ".js'").replace(".ts\"", ".js\"") } else { text };
@@ -154,7 +155,7 @@ fn manifest(project: &Project) -> Result<Value> {
         "keywords": package["keywords"],
         "license": package["license"],
         "type": "module",
-        // The types lie beside the module, where TypeScript looks for them.
+        // TypeScript expects the types next to the module.
         "exports": {
             ".": {
                 "types": format!("./{ENTRY}.d.ts"),
@@ -175,7 +176,7 @@ fn manifest(project: &Project) -> Result<Value> {
     }))
 }
 
-/// Builds the package, packs it and says where the file is. npm gives all entries one time.
+/// Builds the package, packs it and prints the path of the file. npm sets one time for all entries.
 ///
 /// # Errors
 /// When a part cannot be built, or npm does not pack it.
@@ -208,7 +209,7 @@ fn is_script(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|extension| extension == "js")
 }
 
-/// Copies the wanted files of a folder, without subfolders.
+/// Copies the selected files of a folder, without subfolders.
 fn copy_all(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> Result<()> {
     for entry in fs::read_dir(from).with_context(|| format!("cannot list {}", from.display()))? {
         let path = entry?.path();

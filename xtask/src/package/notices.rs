@@ -1,4 +1,5 @@
-//! The licences of the crates inside the wasm modules: most ask that their text goes wherever they go.
+//! Collects the licences of the crates in the wasm modules. Most licences require that copies include their
+//! text.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;

@@ -1,4 +1,4 @@
-//! Projects as they are opened: read and checked in full, or refused with a sentence.
+//! Opens projects: reads and checks them completely, or rejects them with a message.
 
 use super::thrown;
 use inkpanel::document::file::ProjectFile;

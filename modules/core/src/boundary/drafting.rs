@@ -13,7 +13,7 @@ pub fn empty_draft(id: &str, name: &str) -> String {
     draft::empty_json(id, name)
 }
 
-/// A style taken apart. Throws `invalid-style`.
+/// Returns the editable draft of a style. Throws `invalid-style`.
 #[wasm_bindgen]
 pub fn draft_of(style: &str) -> std::result::Result<String, JsValue> {
     let draft = || -> Result<String> { draft::of_json(&parse::<Value>(style, "style")?) };

@@ -6,8 +6,8 @@ use inkpanel::page::{Document, breaking};
 use inkpanel::raster::Matte;
 use wasm_bindgen::prelude::*;
 
-/// Returns the page with the figure of a panel breaking out, or an empty string if it cannot. `mask`: the
-/// subject of the panel's photo.
+/// Returns the page with the subject of a panel breaking its border, or an empty string if that is
+/// impossible. `mask`: the subject of the panel's photo.
 #[wasm_bindgen]
 pub fn break_frame(document: &str, panel: usize, mask: String) -> std::result::Result<String, JsValue> {
     let broken = || -> Result<String> {

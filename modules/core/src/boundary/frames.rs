@@ -1,4 +1,4 @@
-//! Frames of videos, which the browser decodes and hands over as pixels.
+//! Frames of videos. The browser decodes them and passes their pixels.
 
 use super::{Patch, Studio, thrown};
 use inkpanel::error::Result;

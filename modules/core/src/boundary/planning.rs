@@ -60,7 +60,7 @@ impl Editor {
         })
     }
 
-    /// A page that was shown before, which the request tells as the current one, as it can be shown now.
+    /// Returns an earlier version of a page in its current form. The request has it as the current page.
     pub fn brought_back(&self, album: &Album, request: &str) -> std::result::Result<String, JsValue> {
         self.asked(album, request, &mut |planning, request| {
             let page = request.current.as_ref().map(|page| planning.brought_back(page));
@@ -84,7 +84,7 @@ impl Editor {
         })
     }
 
-    /// Whether one of the other pages shows a photo that is not in use.
+    /// Returns whether another page shows a photo that is not in use.
     pub fn torn(&self, album: &Album) -> std::result::Result<bool, JsValue> {
         self.planning(album).map(|planning| planning.torn()).map_err(thrown)
     }

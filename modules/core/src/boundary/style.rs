@@ -1,4 +1,4 @@
-//! Styles as they are designed, invented, bred and scored on the page.
+//! Styles in the app: design, generation, combination and scores.
 
 use super::{Patch, Studio, parse, style_of, thrown};
 use inkpanel::error::{Error, Result};
@@ -144,7 +144,7 @@ impl Studio {
         Ok(step.map_or(-1, |(layer, index)| 256 * layer as i32 + index as i32))
     }
 
-    /// The design as far as it was run.
+    /// Returns the result of the design after the blocks that already ran.
     pub fn design_result(&self) -> std::result::Result<Patch, JsValue> {
         Ok(patch(&self.stages().map_err(thrown)?.result()))
     }
@@ -200,7 +200,7 @@ impl Studio {
 
     fn stages(&self) -> Result<&Stages> {
         let first = self.designs.0.first().map(|(_, stages)| stages);
-        first.ok_or_else(|| Error::Encode("no design was begun".into()))
+        first.ok_or_else(|| Error::Encode("no design is open".into()))
     }
 }
 

@@ -162,7 +162,7 @@ pub struct Figures {
 const NONE: u32 = u32::MAX;
 
 impl Figures {
-    /// Finds the figures of a mask. Figure 0 is the largest. Of equal figures, the one that begins further up
+    /// Finds the subjects of a mask. Subject 0 is the largest. Among equal ones, the one with the higher top
     /// comes first.
     #[must_use]
     pub fn of(mask: &Plane) -> Self {

@@ -84,7 +84,7 @@ impl Bank {
     pub fn parse(name: &str, bytes: &[u8]) -> Result<Self> {
         let invalid = |reason: String| Error::InvalidBank { name: name.to_owned(), reason };
         let Some((header, rest)) = bytes.split_first_chunk::<HEADER>() else {
-            return Err(invalid(format!("is {} bytes long, its header needs {HEADER}", bytes.len())));
+            return Err(invalid(format!("is {} bytes long, its header requires {HEADER}", bytes.len())));
         };
         if header[..4] != MAGIC {
             return Err(invalid("does not begin with BLDE".to_owned()));
@@ -105,7 +105,7 @@ impl Bank {
         let buckets = ORIENTATIONS * strengths * coherences;
         let length = HEADER + limits * 4 + levels * buckets * WEIGHTS * 2;
         if strengths == 0 || coherences == 0 || bytes.len() != length {
-            return Err(invalid(format!("is {} bytes long, its header asks for {length}", bytes.len())));
+            return Err(invalid(format!("is {} bytes long, its header requires {length}", bytes.len())));
         }
         let (limits, weights) = rest.split_at(limits * 4);
         let mut limits = limits.as_chunks::<4>().0.iter().map(|bytes| f32::from_le_bytes(*bytes));
@@ -147,8 +147,9 @@ impl Bank {
         self.levels.last().map_or(0.0, |level| level.0)
     }
 
-    /// The filters of a strength of at most [`Bank::strongest`], one a bucket; none where it is too weak to be seen.
-    /// Weights between two levels follow the square of the strength, as the variance of a smoothing does.
+    /// Returns the filters for a strength of at most [`Bank::strongest`], one per bucket, or `None` if the
+    /// effect is too weak to be visible. Weights between two levels follow the square of the strength, like
+    /// the variance of a smoothing filter.
     #[must_use]
     pub fn filters(&self, strength: f32) -> Option<Vec<Filter>> {
         let above = self.levels.iter().position(|level| level.0 >= strength).unwrap_or(self.levels.len() - 1);
@@ -213,9 +214,9 @@ mod tests {
             (with(0, b'X'), "does not begin with BLDE"),
             (with(4, 9), "has version 9, but this program reads version 1"),
             (with(6, 5), "has side, fraction bits, orientations [5, 13, 16]"),
-            (with(9, 0), "its header asks for"),
-            (with(11, 3), "its header asks for"),
-            (good[..good.len() - 1].to_vec(), "its header asks for"),
+            (with(9, 0), "its header requires"),
+            (with(11, 3), "its header requires"),
+            (good[..good.len() - 1].to_vec(), "its header requires"),
             (with(HEADER + 3, 0xff), "limits must be above 0 and rise"),
             (with(HEADER + 11, 0x7f), "levels must be above 0 and rise"),
         ];

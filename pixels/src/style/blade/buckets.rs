@@ -7,10 +7,10 @@
 //! l1, l2   = ((a + c) +- sqrt((a - c)^2 + 4 b^2)) / 2
 //! ```
 //!
-//! An even number of corners lies about each z, so the smoothing also takes the corners back to the pixels. Division
-//! by the gradient keeps one strong edge from deciding for all around it.
-//! Orientation is the sector of (a - c, 2 b), strength is l1, in grey steps for a z, coherence is
-//! (sqrt l1 - sqrt l2) / (sqrt l1 + sqrt l2).
+//! An even number of corners surrounds each z, so the smoothing also moves the corners back to the pixels.
+//! Division by the gradient keeps one strong edge from deciding for all around it. Orientation is the sector
+//! of (a - c, 2 b), strength is l1, in grey steps for a z, coherence is (sqrt l1 - sqrt l2) / (sqrt l1 + sqrt
+//! l2).
 
 use super::bank::Shape;
 use crate::raster::Plane;
@@ -20,7 +20,7 @@ use crate::style::context::Context;
 /// Corners before a pixel in its smoothing.
 const BEFORE: usize = TAPS / 2 - 1;
 
-/// Floats behind a row that the last lanes may read.
+/// Additional floats after a row that the last lanes may read.
 const SLACK: usize = 8;
 
 /// Writes the bucket of each block. `places` has half the sides of `luma`, rounded up.
@@ -36,7 +36,7 @@ pub fn choose(luma: &Plane, shape: &Shape, places: &mut Plane, context: &mut Con
     let (mut upper, mut lower) = halves.split_at_mut(length);
     halve(luma, 0, columns, upper);
     lower.copy_from_slice(upper);
-    // Row j of corners lies between the rows j - 1 and j of z, both kept inside.
+    // Row j of corners is between the rows j - 1 and j of z, clamped to the plane.
     let mut corners = -(BEFORE as isize);
     for y in 0..rows {
         while corners <= (y + TAPS - 1 - BEFORE) as isize {
@@ -86,7 +86,7 @@ mod tests {
         places
     }
 
-    /// A ramp that rises in one direction by so many grey steps a pixel.
+    /// Returns a ramp that rises in one direction by `slope` grey levels per pixel.
     fn ramp(degrees: f32, slope: f32) -> Plane {
         let (sin, cos) = degrees.to_radians().sin_cos();
         Plane::from_fn(60, 60, |x, y| {

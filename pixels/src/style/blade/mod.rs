@@ -1,14 +1,15 @@
-//! BLADE: an image operator learned from photos as a bank of small filters, one of which is chosen for each place
-//! by the edge that runs through it.
+//! BLADE: an image operator, learned from photos as a bank of small filters. The local edge selects the
+//! filter of each place.
 //!
 //! ```text
 //! bucket  halve luma; structure tensor; quantise its orientation, strength and coherence
 //! filter  out(i) = sum over 7 x 7 of h(bucket(i), j) z(i + j), the same filter for R, G and B
 //! ```
 //!
-//! A bank is a data file (`pixels/src/style/banks/README.md`) that holds filters for a few strengths of its operator; between
-//! two strengths the weights are interpolated, below the first toward no filter at all, and beyond the last the
-//! filters run several times. A block is a descriptor and a [`Trained`] bank: see `blocks/etf.rs`.
+//! A bank is a data file (`pixels/src/style/banks/README.md`). It holds filters for a few strengths of its
+//! operator. Between two strengths, the weights are interpolated. Below the first strength, they fade towards
+//! the identity filter. Beyond the last strength, the filters run several times. A block is a descriptor and
+//! a [`Trained`] bank: see `blocks/etf.rs`.
 //!
 //! Source: Getreuer et al., "BLADE: filter learning for general purpose computational photography", 2018
 //! (arXiv 1711.10700).
@@ -55,22 +56,22 @@ impl Trained {
         self.bank.get_or_init(|| Bank::parse(self.name, self.bytes)).as_ref().map_err(Clone::clone)
     }
 
-    /// Runs the operator at a strength, in the unit in which the bank states its strengths (pixels of this render
-    /// where it is a length).
+    /// Runs the operator at a strength in the unit of the bank. If the unit is a length, it means pixels of
+    /// this render.
     ///
     /// # Errors
-    /// `invalid-bank`, or `cancelled` when the context says so.
+    /// `invalid-bank`, or `cancelled` if the caller cancels.
     pub fn run(&self, strength: f32, image: Image, context: &mut Context<'_>) -> Result<Image> {
         run(self.bank()?, strength, image, context)
     }
 }
 
-/// Runs a bank's operator at a strength. A strength beyond what `MOST_PASSES` reach, as the print of a strong
-/// setting asks for, runs on a smaller image: there its own pixels are larger, too, and it looks as it does on
-/// the screen.
+/// Runs the operator of a bank at a strength. Strong settings of large prints exceed the reach of
+/// `MOST_PASSES` passes. They run on a smaller image, whose larger pixels give the same look as on the
+/// screen.
 ///
 /// # Errors
-/// `cancelled` when the context says so.
+/// `cancelled` if the caller cancels.
 pub fn run(bank: &Bank, strength: f32, image: Image, context: &mut Context<'_>) -> Result<Image> {
     let most = bank.strongest() * (MOST_PASSES as f32).sqrt();
     if strength <= most {
@@ -117,7 +118,7 @@ pub fn apply(plane: &mut Plane, places: &Plane, filters: &[Filter], context: &mu
         put(&mut ring, plane, y);
     }
     for top in (0..height).step_by(2) {
-        // The rows above were overwritten in the plane, but are still here as they were.
+        // The plane already has new values in the rows above. The ring buffer still has their old values.
         for y in [top + 3, top + 4] {
             if y < height {
                 put(&mut ring, plane, y);

@@ -1,5 +1,5 @@
-//! Brightness: luma times a gain, clipped; a colour image keeps its colour differences, as the paper has it, or has
-//! each channel times the gain, which makes colours stronger or weaker, too.
+//! Brightness: luma times a gain, clipped. A colour image retains its colour differences, as in the paper.
+//! Alternatively, each channel is multiplied by the gain, which changes the strength of colours too.
 
 use super::{Block, Channels, Kernel, PointOp};
 use crate::simd::table::Table;

@@ -1,6 +1,6 @@
 //! Histogram Minimum Dynamic Range: widens the tones if the 5 and 95 percentiles of luma are closer than the
-//! requested range. The tones are scaled about their midpoint up to that range, and shifted so that both lie
-//! in 0..=255.
+//! requested range. The tones are scaled around their midpoint to that range, and shifted so that both are in
+//! 0..=255.
 
 use super::{Block, Channels, Kernel, PointOp};
 use crate::simd::table::Table;
@@ -9,7 +9,7 @@ use crate::style::params::{Unit, number};
 pub(super) static BLOCK: Block = Block {
     id: "dynamic_range",
     label: "Histogram Minimum Dynamic Range",
-    help: "Gives dull photos a least contrast and leaves the others alone.",
+    help: "Gives dull photos a minimum contrast. Other photos do not change.",
     input: Channels::Any,
     output: Channels::Any,
     params: &[number(

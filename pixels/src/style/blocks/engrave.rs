@@ -54,7 +54,8 @@ const WORK: f32 = 0.5;
 /// Over how many pixels the relief and the field are smoothed.
 const FORM: f32 = 14.0;
 
-/// How far one whole step of tone raises the relief, in lines, and by how much of a line's density it may at most bend.
+/// Height of the relief per whole step of tone, in lines, and the maximum bend relative to the density of
+/// lines.
 const RELIEF: (f32, f32) = (9.0, 0.45);
 
 /// Angles of the screens against the first, and the darkness at which they begin.
@@ -97,8 +98,8 @@ fn run(args: Args<'_>, mut plane: Plane, context: &mut Context<'_>) -> Result<Pl
         white.fill(1.0);
         for (i, (screen, from)) in screens.iter().enumerate() {
             screen.row(y, &mut phases);
-            // The next screen takes over from its start darkness. Up to there, this screen covers the whole
-            // tone.
+            // The next screen takes over from its start darkness. Up to this tone, this screen covers
+            // everything.
             let limit = screens.get(i + 1).map_or(1.0, |(_, next)| next.max(0.5));
             cut(&phases, &shades, (*from, limit, 0.5 * pitch), &mut rest, &mut white);
         }
@@ -275,8 +276,8 @@ fn bends(degrees: f32, strength: f32) -> [(f32, f32); TURNS] {
     })
 }
 
-/// The function on a grid whose differences come nearest to the ones that are wanted at its points: from a coarse grid
-/// down to this one, by successive over-relaxation.
+/// Returns the function on a grid whose differences are nearest to the given differences. It uses successive
+/// over-relaxation, from a coarse grid down to this one.
 fn solve(columns: usize, rows: usize, across: &[f32], down: &[f32]) -> Vec<f32> {
     let mut result = vec![0.0; columns * rows];
     if columns > 3 && rows > 3 {

@@ -1,6 +1,6 @@
 //! Linear Histogram Equalization: (v - lo) 255 / (hi - lo), where lo and hi are percentiles of luma (inverted
-//! CDF); unchanged where they meet. A colour image has its luma stretched and keeps its colour differences, as the paper
-//! has it, or all channels stretched alike, which makes colours stronger, too.
+//! CDF); unchanged where they meet. For a colour image, either only luma is stretched, as in the paper, or
+//! each channel, which makes colours stronger.
 
 use super::{Block, Channels, Kernel, PointOp};
 use crate::simd::table::Table;

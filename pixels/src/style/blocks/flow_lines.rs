@@ -1,4 +1,4 @@
-//! Flow Lines: contours as a hand draws them, in long strokes.
+//! Flow Lines: contours like manual drawings, in long strokes.
 //!
 //! ```text
 //! D = tone G(sigma) + (1 - tone) 200 + p (G(sigma) - G(1.6 sigma))
@@ -9,8 +9,9 @@
 //! A difference of Gaussians finds lines. The average along the tangent joins their pieces and drops texture
 //! without a direction, such as grass. Remaining pieces shorter than `shortest` are removed completely.
 //!
-//! Sources: Kang, Lee and Chui, "Coherent line drawing", 2007; Winnemöller et al., "`XDoG`", 2012 (the threshold and the
-//! smoothing along the flow behind it); Kyprianidis and Döllner, 2008 (the field, see [`crate::style::tangents`]).
+//! Sources: Kang, Lee and Chui, "Coherent line drawing", 2007; Winnemöller et al., "`XDoG`", 2012 (the
+//! threshold, and the smoothing along the flow after it); Kyprianidis and Döllner, 2008 (the field, see
+//! [`crate::style::tangents`]).
 
 use super::{Block, Channels, Kernel};
 use crate::error::Result;
@@ -35,14 +36,14 @@ pub(super) static BLOCK: Block = Block {
         number(
             "length",
             "Stroke length",
-            "How far strokes are drawn on.",
+            "How far strokes are extended.",
             (6.0, 0.0, 24.0, 0.5),
             Unit::Pixels,
         ),
         number(
             "tone",
             "Solid blacks",
-            "0 draws contours alone, 100 fills what is dark.",
+            "0 draws only contours, 100 fills dark areas.",
             (0.0, 0.0, 100.0, 1.0),
             Unit::Percent,
         ),
@@ -239,7 +240,7 @@ mod tests {
             let speck = (40..46).contains(&y) && (10..16).contains(&x);
             if long || diagonal || speck { 10 } else { 255 }
         });
-        // A soft border goes with its piece.
+        // A soft border is removed with its piece.
         plane.samples_mut()[46 * 120 + 12] = 230;
         let before = plane.clone();
         drop_short(&mut plane, 20.0);

@@ -1,9 +1,9 @@
 //! Halftone: dots of ink on a turned grid, as offset printing lays them.
 //!
-//! Inks from colour: K = 1 - max, C = (max - R) / max, M and Y alike. A dot's radius r (in cells) covers the
-//! share v of its cell: v = pi r^2 up to r = 1/2. Beyond it the circles overlap and v = pi r^2 - 4 (r^2
-//! acos(1 / 2r) - sqrt(r^2 - 1/4) / 2). A pixel takes its ink by its distance from its dot's centre, with an
-//! edge one pixel soft ([`crate::simd::dots`]). Inks multiply.
+//! Inks from colour: K = 1 - max, C = (max - R) / max, and M and Y in the same way. A dot's radius r (in
+//! cells) covers the share v of its cell: v = pi r^2 up to r = 1/2. Beyond it the circles overlap and v = pi
+//! r^2 - 4 (r^2 acos(1 / 2r) - sqrt(r^2 - 1/4) / 2). A pixel takes its ink by its distance from its dot's
+//! centre, with an edge one pixel soft ([`crate::simd::dots`]). Inks multiply.
 
 use super::{Block, Channels, Kernel};
 use crate::error::Result;
@@ -25,7 +25,7 @@ pub(super) static BLOCK: Block = Block {
         Param {
             id: "mode",
             label: "Inks",
-            help: "Cyan, magenta, yellow and black, or black alone.",
+            help: "Cyan, magenta, yellow and black, or only black.",
             kind: Kind::Choice { names: &["cmyk", "mono"] },
         },
     ],

@@ -1,5 +1,5 @@
-//! Kuwahara: paint. Every pixel takes the colour of the calmest places about it, so that areas become strokes and
-//! edges stay where they are.
+//! Kuwahara: paint. Every pixel gets the colour of the calmest areas around it, so that areas become strokes
+//! and edges stay in place.
 //!
 //! Eight windows, Gaussians of .4 radius, are placed on an ellipse around the pixel, at .6 radius from it.
 //! The stretch and the coherence there make the ellipse longer along the tangent of edges and narrower across
@@ -33,11 +33,11 @@ pub(super) static BLOCK: Block = Block {
         number(
             "stretch",
             "Stretch",
-            "How much longer than wide strokes are along edges.",
+            "Length of strokes along edges, relative to their width.",
             (70.0, 0.0, 100.0, 1.0),
             Unit::Percent,
         ),
-        integer("passes", "Passes", "How often it is painted over.", (2, 1, 4)),
+        integer("passes", "Passes", "Number of passes.", (2, 1, 4)),
     ],
     kernel: Kernel::Image(run),
 };

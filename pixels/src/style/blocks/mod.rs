@@ -112,7 +112,7 @@ impl Block {
     }
 }
 
-/// Which images a block takes or gives.
+/// Input and output channels of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -121,7 +121,7 @@ pub enum Channels {
     Luma,
     /// R, G and B.
     Color,
-    /// Either; as an output, what came in.
+    /// Any channels. As an output: the same channels as the input.
     Any,
 }
 
@@ -202,6 +202,6 @@ pub(in crate::style) fn tried<T>(
     for &(i, value) in change {
         values[i] = value;
     }
-    #[allow(clippy::unwrap_used, reason = "a test may stop at the first thing that is not as expected")]
+    #[allow(clippy::unwrap_used, reason = "a test may panic")]
     run(Args::new(&values, 1.0), &mut context).unwrap()
 }

@@ -1,4 +1,4 @@
-//! Paper: the sheet under everything, with its tint, its tooth and what the tooth does to paint and pencil.
+//! Paper: the sheet under the picture. It has a tint and a tooth, and the tooth affects paint and pencil.
 //!
 //! ```text
 //! t   = the height of the sheet at a place, -1 to 1, from noise of a few sizes
@@ -28,7 +28,7 @@ pub(super) static BLOCK: Block = Block {
         Param {
             id: "sheet",
             label: "Sheet",
-            help: "What the surface is like.",
+            help: "The kind of surface.",
             kind: Kind::Choice { names: &["smooth", "cold-press", "laid", "newsprint", "kraft", "canvas"] },
         },
         Param {
@@ -39,7 +39,7 @@ pub(super) static BLOCK: Block = Block {
                 names: &["white", "ivory", "cream", "newsprint", "kraft", "gray", "blue", "rose", "own"],
             },
         },
-        number("grain", "Grain", "How much of the surface is seen.", (40.0, 0.0, 100.0, 1.0), Unit::Percent),
+        number("grain", "Grain", "How visible the surface is.", (40.0, 0.0, 100.0, 1.0), Unit::Percent),
         number(
             "pigment",
             "In the paint",
@@ -171,7 +171,7 @@ fn plane_of(sheet: usize, side: usize, unit: f32) -> Vec<f32> {
             }
         }
     }
-    // Ribs and threads on a tile, a whole and even number of them.
+    // Ribs and threads per tile: a whole and even number.
     let across = |count: f32| (count * side as f32 / (SIDE * unit) / 2.0).round().max(1.0) * 2.0;
     let (wires, chains, threads) = (across(70.0), across(6.0), across(60.0));
     for (i, out) in heights.iter_mut().enumerate() {

@@ -1,9 +1,9 @@
 //! Plates: a picture printed in a few inks, one plate each, as a risograph or a screen printer does.
 //!
 //! Each ink takes its share of the difference to white, (1 - R, 1 - G, 1 - B), by least squares. The shares
-//! are scaled so that black is full ink on its plate. No tone is lost with any set of inks. A spot colour
-//! beside black has no share in grays and keeps its own scale. The plates are grained or screened and shifted
-//! against each other by a seed. Their inks multiply:
+//! are scaled so that black is full ink on its plate. No tone is lost with any set of inks. In addition to
+//! black, a spot colour has no share in grays and has a separate scale. The plates are grained or screened
+//! and shifted against each other by a seed. Their inks multiply:
 //!
 //! ```text
 //! a    = clamp(M (1 - rgb))                M: pseudo-inverse of the inks' own (1 - rgb), each row scaled to a sum of 1
@@ -40,16 +40,16 @@ pub(super) static BLOCK: Block = Block {
         number(
             "pitch",
             "Dots",
-            "Distance between dots of a screen; below 3 there are none.",
+            "Distance between dots of a screen. Values below 3 turn the screen off.",
             (0.0, 0.0, 30.0, 0.5),
             Unit::Pixels,
         ),
         integer("steps", "Steps", "Tones of a plate, paper among them; 1 keeps all.", (1, 1, 6)),
         number("density", "Density", "How much ink is laid.", (100.0, 40.0, 160.0, 1.0), Unit::Percent),
-        integer("seed", "Chance", "Another number shifts the plates another way.", (1, 0, 99)),
-        colour("ink_1", "Ink 1", "An ink of the set \"own\"; white is none.", ink::RED.rgb),
-        colour("ink_2", "Ink 2", "An ink of the set \"own\"; white is none.", ink::BLUE.rgb),
-        colour("ink_3", "Ink 3", "An ink of the set \"own\"; white is none.", [255; 3]),
+        integer("seed", "Chance", "Random seed for the shift of the plates.", (1, 0, 99)),
+        colour("ink_1", "Ink 1", "An ink of the set \"own\". White turns it off.", ink::RED.rgb),
+        colour("ink_2", "Ink 2", "An ink of the set \"own\". White turns it off.", ink::BLUE.rgb),
+        colour("ink_3", "Ink 3", "An ink of the set \"own\". White turns it off.", [255; 3]),
     ],
     kernel: Kernel::Image(|args, image, context| run(args, &image, context)),
 };
@@ -72,7 +72,7 @@ const NAMES: &[&str] = &[
 /// Index of the first parameter of the inks of the set "own".
 const OWN: usize = 7;
 
-/// An ink as printers name it, and how it looks in full on white paper.
+/// An ink with its name in print and its solid colour on white paper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Ink {
     /// Its name, in English, fit for a file.
@@ -110,7 +110,8 @@ pub fn inks_of(step: &Step) -> Option<Vec<Ink>> {
     (step.block.id == BLOCK.id && !step.bypass).then(|| inks(Args::new(&step.values, 1.0)))
 }
 
-/// The step as it is for plates that a press prints: no paper is missed there by design, and the grain is the press's own.
+/// Returns the step for plates that are printed on a press: misregistration and grain then come from the
+/// press.
 #[must_use]
 pub fn exact(step: &Step) -> Step {
     let mut step = step.clone();
@@ -186,7 +187,7 @@ fn run(args: Args<'_>, image: &Image, context: &mut Context<'_>) -> Result<Image
         let fits = i + 1 == inks.len();
         let (dx, dy) = if fits { (0, 0) } else { misfit(shift, seed, i as u32) };
         let screen = pitch.map(|pitch| Screen::new(ANGLES[i + 3 - inks.len()], f64::from(pitch)));
-        // Every plate has its grain somewhere else.
+        // The grain of each plate has a separate offset.
         let apart = i * height / 3 + i * 57;
         for y in 0..height {
             if y % 128 == 0 {
@@ -236,7 +237,7 @@ fn misfit(shift: f32, seed: u32, plate: u32) -> (isize, isize) {
     ((x / length * far).round() as isize, (y / length * far).round() as isize)
 }
 
-/// For each ink what it takes of 1 - R, 1 - G and 1 - B, in Q12.
+/// For each ink its shares of 1 - R, 1 - G and 1 - B, in Q12.
 fn shares(inks: &[Ink], density: f32) -> Vec<[i32; 3]> {
     let colors: Vec<[f64; 3]> =
         inks.iter().map(|ink| ink.rgb.map(|tone| 1.0 - f64::from(tone) / 255.0)).collect();

@@ -1,5 +1,5 @@
-//! Size: scales the image; the blocks behind it run at the new size, and the layer returns to the panel's
-//! size at its end. Smaller makes what follows coarser and faster, larger makes it finer.
+//! Size: scales the image. The following blocks run at the new size, and the layer returns to the size of the
+//! panel at its end. Smaller makes what follows coarser and faster, larger makes it finer.
 
 use super::{Block, Channels, Kernel};
 use crate::raster::resize::{Region, resample};
@@ -8,10 +8,16 @@ use crate::style::params::{Unit, number};
 pub(super) static BLOCK: Block = Block {
     id: "size",
     label: "Size",
-    help: "Works at another size from here on: small is coarse, large is fine.",
+    help: "Changes the working size of all later blocks: small is coarse, large is fine.",
     input: Channels::Any,
     output: Channels::Any,
-    params: &[number("percent", "Size", "Of the size before.", (100.0, 10.0, 300.0, 5.0), Unit::Percent)],
+    params: &[number(
+        "percent",
+        "Size",
+        "Relative to the previous size.",
+        (100.0, 10.0, 300.0, 5.0),
+        Unit::Percent,
+    )],
     kernel: Kernel::Planes(|args, plane, context| {
         let (width, height) = target(plane.width(), plane.height(), f64::from(args.number(0)) / 100.0);
         if (width, height) == (plane.width(), plane.height()) {

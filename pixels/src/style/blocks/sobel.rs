@@ -1,5 +1,5 @@
-//! Sobel: the magnitude of the 3 x 3 gradient, a quarter of it, so that a full step from black to white along
-//! an axis gives 255; borders repeat the edge.
+//! Sobel: a quarter of the magnitude of the 3 x 3 gradient, so that a step from black to white along an axis
+//! gives 255. Borders repeat the edge.
 
 use super::{Block, Channels, Kernel};
 use crate::simd::edge::{self, magnitude};
@@ -16,7 +16,7 @@ pub(super) static BLOCK: Block = Block {
         Param {
             id: "invert",
             label: "Invert",
-            help: "Black lines on white, as a line layer wants them.",
+            help: "Black lines on white, for the line layer.",
             kind: Kind::Flag { default: false },
         },
     ],

@@ -25,7 +25,7 @@ pub(super) static BLOCK: Block = Block {
         number(
             "epsilon",
             "Threshold",
-            "Brightness from which on all is white.",
+            "Minimum brightness of white areas.",
             (80.0, 0.0, 255.0, 1.0),
             Unit::Grey,
         ),

@@ -2,7 +2,7 @@
 //!
 //! Noise averaged along a field of directions makes strokes. Their values are spread evenly over 0 to 1, so
 //! the share of an area with values below its darkness equals its darkness. Strokes run at the chosen angle
-//! in areas without a direction. Darker tones get a second hand of strokes across:
+//! in areas without a direction. Darker tones get a second layer of strokes across:
 //!
 //! ```text
 //! u   = F(noise averaged along the field)                  evenly spread, F its distribution
@@ -37,7 +37,7 @@ pub(super) static BLOCK: Block = Block {
         number(
             "angle",
             "Angle",
-            "Direction where the photo has none.",
+            "Direction in areas without edges.",
             (-50.0, -90.0, 90.0, 1.0),
             Unit::Degrees,
         ),
@@ -69,7 +69,7 @@ pub(super) static BLOCK: Block = Block {
 /// Over how many pixels the field is smoothed.
 const FORM: f32 = 10.0;
 
-/// The second hand: its angle against the first, and the darkness at which it begins.
+/// The second layer of strokes: its angle to the first layer, and the minimum darkness.
 const CROSS: (f32, f32) = (58.0, 0.45);
 
 /// Standard deviation of value noise, in grey steps.
@@ -167,9 +167,9 @@ fn spread(deviation: f32) -> Vec<u8> {
 
 /// How strokes become ink.
 struct Pen {
-    /// How much steeper than a stroke's own values its edge is, in 1/256.
+    /// Slope of the edge relative to a stroke's own values, in 1/256.
     slope: i32,
-    /// Share of a stroke's ink for each darkness, in 1/256: a hand presses harder in the shade.
+    /// Share of a stroke's ink for each darkness, in 1/256. Dark strokes have more pressure.
     press: [i32; 256],
     /// `press` divided by the darkness: a factor for the difference to white, in 1/256.
     full: [i32; 256],
@@ -186,17 +186,17 @@ impl Pen {
         }
     }
 
-    /// The ink of a darkness at a place of both hands, 0 to 255.
+    /// Returns the ink of a darkness for both layers, 0 to 255.
     #[inline]
     fn ink(&self, dark: u8, first: u8, second: u8) -> i32 {
         const FROM: i32 = (CROSS.1 * 255.0) as i32;
         let dark = i32::from(dark);
         let at =
             |dark: i32, stroke: u8| (((dark - i32::from(stroke)) * self.slope + 32_640) >> 8).clamp(0, 255);
-        // The second hand leaves a tenth of the paper.
+        // The second layer leaves a tenth of the paper white.
         let across = ((dark - FROM) * (65_536 * 255 / (255 - FROM))) >> 16;
         let second = if dark > FROM && second > 0 { (at(across, second) * 230) >> 8 } else { 0 };
-        // Paper stays free of strokes.
+        // White areas have no strokes.
         if dark == 0 { 0 } else { at(dark, first).max(second) }
     }
 

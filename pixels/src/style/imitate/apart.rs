@@ -1,4 +1,4 @@
-//! The difference between the looks of two pictures, part by part. One unit of each part is barely visible.
+//! The difference between two looks, in parts. One unit of each part is barely visible.
 
 use super::colours::palette_distance;
 use super::features::{Features, TONES};
@@ -8,13 +8,14 @@ use crate::style::context::scale_of;
 /// Minimum pitch, in pixels of a trial, that is visible in it.
 const FINEST: f32 = 2.4;
 
-/// What a screen counts that was not seen close yet: about as much as one that is far off.
+/// Distance of a screen that has no close-up measurement yet: about as much as a very different screen.
 const UNSEEN: f32 = 3.0;
 
-/// Where two looks are no longer the same: Delta E 2000 of the palettes, and shares of the lines; a bit less than people grant.
+/// Limits at which two looks differ: Delta E 2000 of the palettes, and relative difference of the line
+/// density. Both are slightly stricter than human judgement.
 const PALETTE: f32 = 3.6;
 const LINES: f32 = 0.17;
-/// What that counts beyond how far they are apart.
+/// Extra distance beyond these limits.
 const MISS: f32 = 1.0;
 
 /// The parts of a distance.
@@ -34,7 +35,7 @@ impl Apart {
     }
 }
 
-/// From the look that is wanted to one that was found.
+/// Returns the distance of the wanted look to another look.
 pub(super) fn apart(wanted: &Features, found: &Features) -> Apart {
     let texture: f32 = wanted
         .texture
@@ -74,7 +75,7 @@ pub(super) fn screens(wanted: &Features, found: &Features) -> f32 {
     }
 }
 
-/// Work that turns one histogram into the other, in steps of the whole range.
+/// Earth mover's distance of two histograms, in steps of the whole range.
 fn tones(a: &[f32; TONES], b: &[f32; TONES]) -> f32 {
     let mut carried = 0.0f32;
     let mut work = 0.0;
@@ -85,7 +86,7 @@ fn tones(a: &[f32; TONES], b: &[f32; TONES]) -> f32 {
     work / TONES as f32
 }
 
-/// Which share of the lines is missing or too much; where there is next to none, nothing.
+/// Returns the relative difference of the line density; 0 if both are nearly 0.
 fn lines_apart(wanted: f32, found: f32) -> f32 {
     ((wanted - found).abs() - 0.004).max(0.0) / wanted.max(1e-3)
 }

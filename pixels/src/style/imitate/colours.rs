@@ -20,7 +20,7 @@ pub struct Colour {
     pub share: f32,
 }
 
-/// The colours of a picture by k-means in Oklab, the most common first, alike ones joined.
+/// Returns the colours of a picture by k-means in Oklab, the most common first. Similar colours are joined.
 pub(super) fn palette(image: &Image) -> Vec<Colour> {
     let counts = histogram(image);
     let colours = means(&counts, cells(), MOST);
@@ -67,8 +67,8 @@ pub fn palette_distance(a: &[Colour], b: &[Colour]) -> f32 {
     0.5 * (one_way(a, b) + one_way(b, a))
 }
 
-/// How many cells of 8 x 8 x 8 colours hold 80 per cent of a picture, as a share of those that a photo of its size would
-/// need at most.
+/// Returns the number of 8 x 8 x 8 colour cells that hold 80 per cent of a picture, divided by the maximum
+/// for a photo of this size.
 pub(super) fn variety(image: &Image) -> f32 {
     let mut counts = histogram(image).pixels;
     sort_by(&mut counts, |a, b| b.cmp(a));

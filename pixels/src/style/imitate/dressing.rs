@@ -12,7 +12,7 @@ use crate::style::params::colour_value;
 /// How the colours are taken over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Dress {
-    /// Only that of the lines.
+    /// Only the colour of the lines.
     Lines,
     /// Lines on a blank sheet.
     Blank,
@@ -29,7 +29,7 @@ pub(super) enum Dress {
 pub(super) const ALL: [Dress; 6] =
     [Dress::Lines, Dress::Blank, Dress::Mono, Dress::Plates, Dress::Flats, Dress::Painted];
 
-/// Steps that make colours, which those of the picture replace.
+/// Steps that create colours. The colours of the picture replace them.
 const COLOURING: [&str; 10] = [
     "saturation",
     "hue",
@@ -43,7 +43,7 @@ const COLOURING: [&str; 10] = [
     "paper",
 ];
 
-/// What a picture asks of the styles that are tried for it.
+/// Features of the picture that candidate styles must match.
 #[derive(Debug, Clone)]
 pub(super) struct Wanted {
     pub(super) features: Features,
@@ -63,7 +63,7 @@ impl Wanted {
     }
 }
 
-/// A style dressed so; none where that cannot be, or changes nothing.
+/// Applies a variant to a style. Returns `None` if that is impossible or has no effect.
 pub(super) fn dressed(style: &Style, dress: Dress, wanted: &Wanted) -> Option<Style> {
     let mut out = style.clone();
     let light_ink = oklab(style.ink)[0] > 0.6;
@@ -129,7 +129,7 @@ pub(super) fn dressed(style: &Style, dress: Dress, wanted: &Wanted) -> Option<St
         }
     }
     pitched(&mut out, screen.pitch);
-    // Whether gray and colour meet where they should is known there.
+    // The parser checks that gray and colour inputs match.
     Style::from_value("imitation", &out.to_value()).ok()
 }
 
@@ -139,7 +139,7 @@ fn body(background: &[Step], gray: bool, without: &[&str]) -> Option<Vec<Step>> 
     let dropped =
         |id: &str| COLOURING.contains(&id) || without.contains(&id) || (id == "to_gray" && !luma_only);
     let mut kept: Vec<Step> = background.iter().filter(|step| !dropped(step.block.id)).cloned().collect();
-    // What is only there to make an even tone leaves nothing.
+    // Without a tone to reproduce, blocks that only make an even tone have no use.
     if background.iter().any(|step| step.block.id == "brightness" && step.values[0] == 0.0) {
         kept.clear();
         kept.push(step("equalize", &[("low", 1.0), ("high", 92.0)])?);
@@ -170,7 +170,7 @@ fn sheet(tint: [u8; 3]) -> Option<Step> {
     step("paper", &values)
 }
 
-/// Gives all screens of a style a pitch, where there is one.
+/// Sets the pitch of all screens of a style, unless `pitch` is 0.
 pub(super) fn pitched(style: &mut Style, pitch: f32) {
     if pitch <= 0.0 {
         return;
@@ -185,7 +185,7 @@ pub(super) fn pitched(style: &mut Style, pitch: f32) {
     }
 }
 
-/// Makes all that repeats coarser by a factor; tells whether there is anything.
+/// Multiplies the size of all repeating structures by a factor. Returns whether the style has any.
 pub(super) fn scaled(style: &mut Style, factor: f32) -> bool {
     let mut any = false;
     for step in layers(style).flatten() {

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 /// Pixels at which pictures are measured and styles are tried.
 pub(super) const AREA: usize = 160_000;
 
-/// Pixels of the picture in which screens are looked for: fine ones are gone in a smaller one.
+/// Pixels of the picture for measuring screens. Smaller pictures lose fine screens.
 pub(super) const FINE: usize = 1_200_000;
 
 /// Steps of the tones.
@@ -45,14 +45,17 @@ pub struct Features {
     pub flat: f32,
     /// Mean chroma in Oklab.
     pub chroma: f32,
-    /// Standard deviation of the colours of one lightness, in Oklab: next to nothing in prints of one or two inks.
+    /// Standard deviation of the colours of one lightness, in Oklab. It is nearly 0 in prints with one or two
+    /// inks.
     pub free: f32,
-    /// How many colours it takes to make most of the picture, 0 to 1 and more; 0 where nobody asked, as of trials.
+    /// Number of colours that make up most of the picture, 0 to 1 and more; 0 if not requested, as for
+    /// trials.
     pub variety: f32,
-    /// Share of the pixels that have one of the ten most common grays, but for black and white; 0 where nobody asked.
+    /// Share of the pixels that have one of the ten most common grays, except black and white; 0 if not
+    /// requested.
     pub steps: f32,
-    /// Share of the pixels next to which nothing changes, of those where it changes little: near 1 where areas are of one
-    /// colour each, with edges between them; 0 where nobody asked.
+    /// Share of flat pixels among flat pixels and gentle slopes. It is near 1 if each area has one colour and
+    /// a hard edge; 0 if not requested.
     pub terraced: f32,
     /// Share of the pixels next to a hard edge; 0 if not requested.
     pub edges: f32,
@@ -134,7 +137,7 @@ fn tones(luma: &Plane) -> [f32; TONES] {
     })
 }
 
-/// Of pictures in a few levels nearly all; see [`Features::steps`].
+/// Returns nearly 1 for pictures with few tones; see [`Features::steps`].
 fn steps(picture: &Image) -> f32 {
     /// Grays that count as black, and as white.
     const ENDS: usize = 6;
@@ -148,7 +151,7 @@ fn steps(picture: &Image) -> f32 {
 
 /// See [`Features::terraced`] and [`Features::edges`].
 fn terraces(luma: &Plane) -> (f32, f32) {
-    /// Differences of neighbours that are still a slope, and those from which on they are an edge.
+    /// Maximum difference of neighbours on a slope, and minimum difference at an edge, in grey levels.
     const SLOPE: u8 = 10;
     const EDGE: u8 = 40;
     let (mut equal, mut slopes, mut edges) = (0u32, 0u32, 0u32);
@@ -204,7 +207,7 @@ fn flat(luma: &Plane) -> f32 {
 
 /// Mean chroma, and how far colours of one lightness are apart.
 fn freedom(picture: &Image) -> (f32, f32) {
-    /// One pixel of so many is looked at.
+    /// One pixel in this many is sampled.
     const SPARSE: usize = 7;
     const STEPS: usize = 20;
     let [r, g, b] = picture.planes() else { return (0.0, 0.0) };

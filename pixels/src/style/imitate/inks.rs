@@ -1,25 +1,25 @@
-//! The paper and the inks of a print, from its colours: inks multiply, so what they make together is known.
+//! The paper and the inks of a print, from its colours. Inks multiply, so their overprints are known.
 
 use super::colours::{Colour, delta_e, oklab};
 use crate::order::sort_by;
 
-/// A colour with a smaller share of the picture is no paper.
+/// Minimum share of the picture for a colour that counts as paper.
 const PAPER: f32 = 0.02;
 
 /// Coverages that are tried for each ink.
 const COVERAGES: [f32; 4] = [0.0, 0.35, 0.7, 1.0];
 
-/// What another ink must spare, in Oklab.
+/// Minimum reduction of the error for one more ink, in Oklab.
 const WORTH: f32 = 0.012;
 
-/// What a picture was printed with.
+/// Paper and inks of a printed picture.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(clippy::struct_field_names, reason = "paper and inks are the printer's words")]
 pub(super) struct Inks {
     pub(super) paper: [u8; 3],
     /// One to three, as they look on white, the darkest first.
     pub(super) inks: Vec<[u8; 3]>,
-    /// How far the colours of the picture are from what they can print, in Oklab.
+    /// Mean distance of the colours from the printable colours, in Oklab.
     pub(super) error: f32,
 }
 

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// Half the width of the widest line, in pixels of a 1920 x 1080 picture.
 const REACH: f32 = 11.0;
 
-/// Grey steps by which a line differs from both its sides.
+/// Minimum contrast between a line and both its sides, in grey levels.
 const STEP: u8 = 36;
 
 /// Lines of one kind.
@@ -15,7 +15,7 @@ const STEP: u8 = 36;
 pub struct Lines {
     /// Share of the picture's pixels that belong to one, 0 to 1.
     pub density: f32,
-    /// Mean width, in pixels of a 1920 x 1080 picture; 0 where there is none.
+    /// Mean width, in pixels of a 1920 x 1080 picture; 0 if there are no lines.
     pub width: f32,
 }
 
@@ -37,7 +37,8 @@ fn dark_lines(luma: &Plane, reach: usize, scale: f32) -> Lines {
         borders += u32::from(on[0]) + upright + level;
         std::mem::swap(&mut on, &mut above);
     }
-    // Of a border in any direction, pi / 4 of what a walk along rows and columns crosses is its length.
+    // The number of crossings along rows and columns, times pi / 4, is the length of a border. This holds on
+    // average over all directions.
     let length = borders as f32 * std::f32::consts::FRAC_PI_4;
     Lines {
         density: area as f32 / (width * height) as f32,

@@ -1,5 +1,5 @@
-//! A style from a picture: chains of blocks are looked for that give a person's own photo the look of a picture (a comic
-//! page, a print, a painting). What comes out is a style like any other, which can be read and designed on.
+//! Style from a picture: searches for chains of blocks that give the user's photo the look of a comic page, a
+//! print or a painting. The result is an ordinary style, which the user can read and edit.
 //!
 //! ```text
 //! picture -> features (features.rs) -> nothing to imitate? (nothing.rs)
@@ -15,7 +15,7 @@
 //! | `colours`, `lines`, `spectrum` | parts of that |
 //! | `inks` | the paper and inks that a print was made with |
 //! | `dressing` | designed styles in the colours of the picture |
-//! | `apart` | how far one look is from another |
+//! | `apart` | distance between two looks |
 //! | `search` | the styles to try and to propose |
 //! | `nothing` | pictures without a distinct look |
 
@@ -55,7 +55,8 @@ pub fn read(picture: &Image) -> Result<Features> {
     Ok(features)
 }
 
-/// The same of whatever somebody insists on: a painting may be told from a photo by people alone.
+/// Reads the features without the check for plain photos, if the user insists. Only a person can distinguish
+/// some paintings from photos.
 ///
 /// # Errors
 /// `small-picture`.
@@ -81,7 +82,7 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// The photo for a trial; all that are asked for at once see it alike.
+    /// Returns the photo for a trial. Simultaneous trials use the same photo.
     #[must_use]
     pub fn of(photo: &Image, ask: &Ask) -> Self {
         if ask.close {
@@ -107,12 +108,12 @@ pub fn attempt(seen: &Seen, style: &Style, context: &mut Context<'_>) -> Result<
     Ok(Trial { features, signature: signature(&drawn) })
 }
 
-/// Pixels of the sketch of a photo in which the part that is seen close is looked for.
+/// Pixels of the reduced photo for selecting the close-up.
 const SKETCH: usize = 20_000;
-/// Windows that are looked at for the one that is seen close, along each side.
+/// Number of candidate windows for the close-up, along each side.
 const WINDOWS: usize = 5;
 
-/// The part of the photo that shows a screen best, as it is in a large picture of it.
+/// Returns the part of the photo that shows a screen best, at the scale of a large picture.
 fn telling(photo: &Image, area: usize) -> Image {
     let (width, height) = (photo.width() as f64, photo.height() as f64);
     let part = (area as f64 / FINE as f64).sqrt();
@@ -123,8 +124,9 @@ fn telling(photo: &Image, area: usize) -> Image {
     resample_image(photo, region, side(width), side(height))
 }
 
-/// Left and upper edge, as parts of the whole, of the window with most of middle tones and least of its own texture: there dots
-/// have room on both sides of their size, and nothing else repeats.
+/// Returns the left and upper edge, as parts of the whole, of the window with the most middle tones and the
+/// least texture. Dots in middle tones have room to grow and to shrink, and no other pattern disturbs the
+/// measurement.
 fn window(luma: &Plane, part: f64) -> (f64, f64) {
     let (width, height) = (luma.width(), luma.height());
     let clear = |x: usize, y: usize| {
@@ -164,7 +166,7 @@ mod tests {
         });
         let (x, y) = window(&luma, 0.4);
         assert!((x - 0.6).abs() < 0.16 && (y - 0.6).abs() < 0.16, "{x} {y}");
-        // A part as large as the whole lies where that is.
+        // A part with full size has only one position.
         assert_eq!(window(&luma, 1.0), (0.0, 0.0));
     }
 }

@@ -24,7 +24,7 @@ use crate::style::params::Kind;
 use oorandom::Rand64;
 use std::collections::HashSet;
 
-/// How much is tried.
+/// Effort of a search.
 #[derive(Debug, Clone, Copy)]
 pub struct Effort {
     /// Designed styles that are dressed.
@@ -66,12 +66,12 @@ pub struct Ask {
     pub style: Style,
     /// Pixels at which the photo is drawn, as many as the picture was measured at.
     pub area: usize,
-    /// Whether a part of the photo is to be seen close, for its screen.
+    /// Whether the trial uses a close-up of the photo, to measure its screen.
     pub close: bool,
 }
 
-/// The first question of each search whose picture was reduced to be measured: every designed style as it is. It depends on no
-/// picture, so it can be answered before one is chosen.
+/// Returns the first trials of each search whose picture was reduced for measuring: every built-in style,
+/// unchanged. They do not depend on the picture, so they can run before the user chooses one.
 #[must_use]
 pub fn survey() -> Vec<Ask> {
     catalogue().iter().map(|style| Ask { style: style.clone(), area: AREA, close: false }).collect()
@@ -96,7 +96,7 @@ enum Stage {
 #[derive(Clone)]
 struct Candidate {
     style: Style,
-    /// Which designed style it comes from, and how it is dressed.
+    /// Index of the built-in style, and the variant.
     origin: (usize, usize),
     apart: Apart,
     found: Features,
@@ -189,7 +189,7 @@ impl Search {
     pub fn proposals(&self) -> Vec<Style> {
         let mut chosen: Vec<&Candidate> = Vec::new();
         let Some(best) = self.known.first().map(|best| best.apart.total()) else { return Vec::new() };
-        // First one of a kind, then more of a kind, at last whatever is there.
+        // First one proposal per kind, then more per kind, then any others.
         for (kinds, alike, most) in [(1, ALIKE, PROPOSALS.1), (2, ALIKE, PROPOSALS.0), (9, 0.5, PROPOSALS.0)]
         {
             for candidate in &self.known {
@@ -244,7 +244,7 @@ impl Search {
         }
     }
 
-    /// Half of the styles are the nearest altogether, the others by what colours do not change.
+    /// Takes half of the styles by total distance, and the other half by features other than colour.
     fn dress(&mut self) {
         let mut nearest: Vec<usize> =
             self.known.iter().take(self.effort.nearest / 2).map(|near| near.origin.0).collect();
@@ -308,7 +308,7 @@ impl Search {
         }
     }
 
-    /// Takes over what a style's screen is like close by, and gives it the pitch that it should have.
+    /// Stores the screen that was measured in a close-up, and corrects the pitch of the style.
     fn tuned(&mut self, style: &Style, close: &Features) {
         let same = |candidate: &&mut Candidate| same_chain(&candidate.style, style);
         let Some(candidate) = self.known.iter_mut().find(same) else { return };
@@ -358,8 +358,8 @@ impl Gaps {
     }
 }
 
-/// Which values answer to what is missing: block, parameter, and the power of their factor for each gap (lines, width,
-/// tone, texture).
+/// Parameters that reduce a difference: block, parameter, and the exponent of the factor for each difference
+/// (lines, width, tone, texture).
 const ANSWERS: &[(&str, &str, [f32; 4])] = &[
     ("xdog", "p", [0.7, 0.0, 0.0, 0.0]),
     ("xdog", "sigma", [0.2, 0.9, 0.0, 0.0]),
@@ -395,7 +395,7 @@ fn nudge(style: &mut Style, gaps: &Gaps, random: &mut Rand64) {
     }
 }
 
-/// Parameters that say what a thing is rather than how much of it there is.
+/// Parameters that select a kind, not an amount.
 const FIXED: [(&str, &str); 6] = [
     ("plates", "seed"),
     ("plates", "pitch"),

@@ -6,9 +6,10 @@
 //! peak  = the r where E stands highest above its neighbourhood on a logarithmic axis
 //! ```
 //!
-//! Two patches go through one transform as its real and imaginary part; the sum of their powers is the mean of |Z(k)|^2 and
-//! |Z(-k)|^2. The transform is a plain one of radix 2: the libraries that `tract` brings plan transforms of any length with
-//! kernels for each, which is more code than all of this room.
+//! One transform processes two patches as its real and imaginary part. The sum of their powers is the mean of
+//! |Z(k)|^2 and
+//! |Z(-k)|^2. The transform is a plain radix-2 FFT. The libraries that `tract` uses support any length, with
+//! more code than this whole module.
 //!
 //! Source: Field, "Relations between the statistics of natural images and the response properties of cortical cells", 1987
 //! (the spectrum of natural pictures).
@@ -27,22 +28,22 @@ type Row = [f32; SIDE];
 /// Patches, at most; an even number.
 const PATCHES: usize = 12;
 
-/// Rings from which and up to which a peak counts: a tenth of a patch, and two pixels and a bit.
+/// Range of rings that can hold a peak: periods from a tenth of a patch down to about two pixels.
 const RINGS: (usize, usize) = (4, 60);
 
-/// From this height above its neighbourhood a peak is a screen, as a natural logarithm: tiles, roofs and fences of photos stay
-/// below, screens and hatching of designed styles are above.
+/// Minimum height of a peak above its neighbourhood for a screen, as a natural logarithm. Tiles, roofs and
+/// fences in photos are below, screens and hatching of built-in styles above.
 pub(super) const CLEAR: f32 = 1.35;
 
-/// What repeats.
+/// A repeating pattern, such as a dot screen.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Screen {
-    /// Distance of the dots or lines, in pixels of a 1920 x 1080 picture; 0 where nothing repeats.
+    /// Distance of the dots or lines, in pixels of a 1920 x 1080 picture; 0 if nothing repeats.
     pub pitch: f32,
-    /// How far it stands out: the natural logarithm of the power against that of the neighbourhood.
+    /// Strength of the peak: the natural logarithm of its power relative to its surroundings.
     pub strength: f32,
-    /// How much of the power of its ring lies in its strongest directions, 0 (all alike) to 1: dots and straight lines have
-    /// much, grain and lines that wind have little.
+    /// Share of the power of its ring in the strongest directions, 0 (all equal) to 1. Dots and straight
+    /// lines have much, grain and curved lines have little.
     pub directed: f32,
 }
 
@@ -72,11 +73,12 @@ pub(super) fn screen(luma: &Plane, scale: f32) -> Screen {
     Screen { pitch, strength, directed: directed(&power, ring) }
 }
 
-/// The ring that stands highest above its neighbourhood, and by how much.
+/// Returns the ring with the highest peak above its neighbourhood, and the height of the peak.
 fn peak(energy: &[f32; SIDE / 2]) -> Option<(usize, f32)> {
     let mut best: Option<(usize, f32)> = None;
     for ring in RINGS.0..=RINGS.1 {
-        // What is half and half again as fine, without the peak itself.
+        // Frequencies around the peak, without the peak itself: 0.4 to 0.7 times and 1.4 to 1.8 times its
+        // frequency.
         let around = |range: std::ops::RangeInclusive<usize>| {
             let rings = &energy[*range.start()..=(*range.end()).min(SIDE / 2 - 1)];
             if rings.is_empty() { f32::INFINITY } else { rings.iter().sum::<f32>() / rings.len() as f32 }
@@ -96,7 +98,7 @@ fn peak(energy: &[f32; SIDE / 2]) -> Option<(usize, f32)> {
     best
 }
 
-/// Which share of a ring's power lies in its strongest eighth of directions, beyond an eighth.
+/// Returns the share of a ring's power in its strongest eighth of directions, beyond an eighth.
 fn directed(power: &[f32], ring: usize) -> f32 {
     const SECTORS: usize = 24;
     let mut sectors = [0.0f32; SECTORS];
@@ -150,7 +152,7 @@ fn power(luma: &Plane) -> Vec<f32> {
             *out += re * re + im * im;
         }
     }
-    // Of the two patches of a pair together: the mean of both halves.
+    // The power of both patches of a pair is the mean of the two mirrored halves.
     let mirrored = |at: usize| (SIDE - at / SIDE) % SIDE * SIDE + (SIDE - at % SIDE) % SIDE;
     (0..SIDE * SIDE).map(|at| f32::midpoint(power[at], power[mirrored(at)])).collect()
 }
@@ -169,7 +171,7 @@ fn places(width: usize, height: usize) -> Vec<(usize, usize)> {
         .collect()
 }
 
-/// A patch without its mean under a window; what lies beyond the picture is its mean.
+/// Copies a patch without its mean under a window. Pixels outside of the picture have the mean value.
 fn cut(luma: &Plane, (left, top): (usize, usize), window: &[f32], out: &mut [Row]) {
     let (width, height) = (SIDE.min(luma.width()), SIDE.min(luma.height()));
     let rows = (top..top + height).map(|y| &luma.row(y)[left..left + width]);
@@ -196,8 +198,8 @@ fn transform(re: &mut [Row], im: &mut [Row], turns: &[(f32, f32)]) {
     }
 }
 
-/// A transform of radix 2 of each column, with places turned first: all columns take the same step at once, so that registers
-/// hold neighbours.
+/// A radix-2 transform of each column, after bit reversal. All columns do each step together, so that SIMD
+/// registers hold neighbours.
 ///
 /// Source: Cooley and Tukey, "An algorithm for the machine calculation of complex Fourier series", 1965.
 fn columns(re: &mut [Row], im: &mut [Row], turns: &[(f32, f32)]) {
@@ -226,7 +228,8 @@ fn columns(re: &mut [Row], im: &mut [Row], turns: &[(f32, f32)]) {
     }
 }
 
-/// Sums and differences of two rows, the second of which is turned; each is its real and imaginary part.
+/// Replaces two rows by their sum and difference after rotating the second one. Each row has a real and an
+/// imaginary part.
 fn butterfly((re_a, im_a): (&mut Row, &mut Row), (re_b, im_b): (&mut Row, &mut Row), (cos, sin): (f32, f32)) {
     for i in 0..SIDE {
         let (x, y) = (re_b[i] * cos - im_b[i] * sin, re_b[i] * sin + im_b[i] * cos);

@@ -14,7 +14,7 @@ use crate::raster::Matte;
 /// width, for a superellipse with the exponent 2.4 at the middle of the band.
 const BANDS: [f64; 5] = [0.693, 0.952, 1.0, 0.952, 0.693];
 
-/// The figure of a photo on the page. Lengths are in page widths.
+/// The subject of a photo on the page. Lengths are in page widths.
 #[derive(Debug, Clone)]
 pub(super) struct Figure {
     /// Pixels of the mask, across and down.
@@ -22,19 +22,19 @@ pub(super) struct Figure {
     /// Number of subject pixels above and left of each corner, row by row. There is one more corner than
     /// pixels per side.
     sums: Vec<u32>,
-    /// The whole photo.
+    /// The photo without cropping.
     photo: Bounds,
     /// Bounds of its panel on the page.
     panel: Bounds,
-    /// The area of the figure in that.
+    /// The area of the subject there.
     pub(super) area: f64,
-    /// It is a person or an animal.
+    /// Whether it is a person or an animal.
     pub(super) alive: bool,
 }
 
 impl Figure {
-    /// The figure of a photo that would lie at `photo` if all of it were shown, in a panel. None where the mask is vague, or
-    /// where the panel shows nothing of the figure.
+    /// Returns the subject of a photo in a panel, if the full photo would cover `photo`. `None` if the mask
+    /// is vague, or if the panel shows nothing of the subject.
     pub(super) fn of(mask: &Matte, photo: Bounds, panel: Bounds) -> Option<Self> {
         if mask.facts().is_vague() {
             return None;
@@ -54,7 +54,7 @@ impl Figure {
         (figure.area > 0.0).then_some(figure)
     }
 
-    /// The area of the figure in a box, as far as the panel shows it.
+    /// Returns the visible area of the subject in a box.
     pub(super) fn inside(&self, area: Bounds) -> f64 {
         let Self { photo, panel, .. } = self;
         let left = area.x.max(panel.x);
@@ -73,7 +73,7 @@ impl Figure {
         if pixels < 1e-6 { 0.0 } else { pixels / across / down }
     }
 
-    /// The area of the figure under a word; `round`: a balloon, whose corners are free.
+    /// Returns the area of the subject below a text item. `round`: a balloon, whose corners are free.
     pub(super) fn under(&self, area: Bounds, round: bool) -> f64 {
         if !round {
             return self.inside(area);

@@ -9,7 +9,7 @@ use crate::page::words::model::{Kind, Word};
 
 /// Places that are tried along each side of a panel.
 const STEPS: usize = 9;
-/// Length of a tail that no face asks for, in page widths.
+/// Default length of a tail without a face, in page widths.
 const TAIL: f64 = 0.035;
 
 /// Returns the position of a text item and the end of its tail. `spoken`: faces that already have a balloon.
@@ -39,7 +39,7 @@ fn speaker(word: &Word, seen: &[Seen], spoken: &[Point]) -> Option<Bounds> {
     faces.min_by(|a, b| said(a).cmp(&said(b)).then(a.x.total_cmp(&b.x)))
 }
 
-/// The best place in the frame, as the box that the word covers there.
+/// Returns the best position in the frame, as the box of the text item.
 fn best(
     laid: &Laid,
     frame: Bounds,

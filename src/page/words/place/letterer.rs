@@ -8,7 +8,8 @@
 //! Consecutive balloons of one speaker are linked automatically: the search is repeated with each such pair
 //! as one. The pair stays if the cost is not higher and the connector covers no subject.
 //!
-//! Costs have ranks: faces, borders, other items and reading order outweigh habits and looks.
+//! Costs have ranks: faces, borders, other items and reading order are more important than conventions and
+//! style.
 //!
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); Thawonmas and Shuda, "Comic layout for automatic comic
 //! generation from game log" (2008), for faces and order as constraints.
@@ -39,7 +40,7 @@ const HALF_WAY: f64 = 0.5;
 const LEANING: (f64, f64) = (8.0, 24.0);
 /// Cost of breaking a rule.
 const FORBIDDEN: f64 = 400.0;
-/// Cost of moving a word that the user placed across the whole panel.
+/// Cost of moving a text item across the whole panel, if the user placed it.
 const NEAR: f64 = 60.0;
 /// Cost of covering a body.
 const BODY: f64 = 60.0;
@@ -100,19 +101,19 @@ pub(super) fn groups(words: &[Word], ground: &Ground) -> Vec<Vec<usize>> {
 /// The page, for the placement of one panel.
 #[derive(Clone, Copy)]
 pub(super) struct Page<'a> {
-    /// All words of the document.
+    /// All text items of the document.
     pub(super) words: &'a [Word],
     /// Link of each item: set manually, or to a balloon with a fixed position.
     pub(super) joins: &'a [Option<usize>],
     /// Occupied areas, with the index of the item.
     pub(super) taken: &'a [(usize, Bounds)],
-    /// Where people put words that move now, with the number of the word.
+    /// Position that the user dragged a text item to, with its index.
     pub(super) wanted: &'a [(usize, Point)],
     pub(super) ground: &'a Ground,
     pub(super) letters: &'a Letters,
 }
 
-/// Places of the words of a group, and what the set costs.
+/// Positions of the text items of a group, and their cost.
 type Places = (f64, Vec<Place>);
 
 /// Places the text items of a group and links balloons. Returns the index, the placement and the linked
@@ -161,7 +162,8 @@ pub(super) fn place(
     group.iter().copied().zip(best.1).map(|(index, place)| (index, place, linked(index))).collect()
 }
 
-/// Balloons of a group that follow each other, the later one first, with no other of the panel between them, and look alike.
+/// Returns pairs of consecutive balloons of a group, the later one first. No other balloon of the panel is
+/// between them, and both have one look.
 fn pairs(words: &[Word], group: &[usize], here: impl Fn(&Word) -> bool) -> Vec<(usize, usize)> {
     let is_balloon = |word: &Word| matches!(word.kind, Kind::Balloon(_)) && here(word);
     let before = |&later: &usize| {
@@ -208,7 +210,7 @@ fn speakers(seen: &[Seen]) -> Vec<(usize, f64)> {
     likely
 }
 
-/// An area that is tried for a word.
+/// A candidate area for a text item.
 struct Spot {
     area: Bounds,
     /// Cost without the tail.
@@ -225,18 +227,18 @@ impl Spot {
     }
 }
 
-/// A panel in which words are placed.
+/// A panel during placement.
 struct Room<'a> {
     frame: Bounds,
     panel: Option<&'a ResolvedPanel>,
     seen: &'a [Seen],
     figures: &'a [Figure],
-    /// The panels that lie on this one.
+    /// The panels above this one.
     above: Vec<&'a ResolvedPanel>,
     /// Faces that may speak, and their costs.
     speakers: Vec<(usize, f64)>,
     page: Page<'a>,
-    /// How many words are placed.
+    /// Number of text items.
     count: usize,
 }
 
@@ -330,13 +332,13 @@ impl Room<'_> {
         group.iter().all(|&index| good(index))
     }
 
-    /// Candidates for an item. `rank`: how many of the panel's words come before it.
+    /// Candidates for an item. `rank`: number of preceding text items of the panel.
     fn weighed(&self, index: usize, rank: usize) -> Vec<Spot> {
         let Page { words, ground, letters, .. } = self.page;
         let word = &words[index];
         let usual = ground.lay(Word { room: None, ..word.clone() }, letters);
         let mut shapes = vec![(None, usual)];
-        // A person's size or width is not changed.
+        // A custom size or width does not change.
         if word.kind != Kind::Effect && word.width.is_none() && self.count <= CROWD {
             for (across, down) in
                 [(0.94, 0.2), (0.94, 0.3), (0.22, 0.8), (0.34, 0.8), (0.46, 0.34), (0.3, 0.3)]
@@ -390,10 +392,10 @@ impl Room<'_> {
         kept
     }
 
-    /// The areas that are tried for a word.
+    /// Returns the candidate areas for a text item.
     fn spots(&self, laid: &Laid) -> Vec<Bounds> {
         let Bounds { width, height, .. } = covered(laid);
-        // A caption lies on the border of its panel: they are one line.
+        // A caption shares its border with its panel.
         let inset = if laid.word.kind == Kind::Caption { 0.0 } else { INSET };
         let along = |start: f64, length: f64, size: f64| -> Vec<f64> {
             let room = length - size - 2.0 * inset;
@@ -537,7 +539,8 @@ impl Room<'_> {
         }
     }
 
-    /// Position of the head of the largest person or animal, or else of the largest thing.
+    /// Returns the position of the head of the largest person or animal, or of the largest object without
+    /// them.
     fn largest(&self) -> Option<Point> {
         let size =
             |seen: &&Seen| seen.bounds.width * seen.bounds.height * if seen.person { 4.0 } else { 1.0 };
@@ -611,8 +614,8 @@ fn together(one: (&Word, &Place), other: (&Word, &Place), joined: bool, follow: 
     cost
 }
 
-/// Cost of a linked balloon directly below or directly beside the one before. Letterers offset them in both
-/// directions.
+/// Cost of a linked balloon directly below or directly next to the previous one. Letterers offset them in
+/// both directions.
 fn staggered(a: Bounds, b: Bounds) -> f64 {
     let (aside, below, weight) = STAGGER;
     let (from, to) = (center(a), center(b));
@@ -660,7 +663,7 @@ fn cover(area: Bounds, other: Bounds, round: bool) -> f64 {
     part
 }
 
-/// Whether two ovals keep some room between them although their boxes do not.
+/// Returns whether two ovals have a distance although their boxes overlap.
 fn ovals_apart(a: Bounds, b: Bounds, near: f64) -> bool {
     let (one, other) = (center(a), center(b));
     let across = (one.x - other.x).abs() / (f64::midpoint(a.width, b.width) + near);
@@ -681,12 +684,12 @@ fn entry(from: Point, to: Point, bounds: Bounds) -> f64 {
     span(from, to, bounds).map_or(2.0, |(first, _)| first)
 }
 
-/// How much of a line lies in a box, in lengths of the line.
+/// Returns the part of a line inside a box, in lengths of the line.
 fn inside(from: Point, to: Point, bounds: Bounds) -> f64 {
     span(from, to, bounds).map_or(0.0, |(first, last)| last - first)
 }
 
-/// The part of a line that lies in a box (Liang and Barsky, 1984).
+/// Returns the part of a line inside a box (Liang and Barsky, 1984).
 fn span(from: Point, to: Point, bounds: Bounds) -> Option<(f64, f64)> {
     let (mut first, mut last) = (0.0f64, 1.0f64);
     let sides = [

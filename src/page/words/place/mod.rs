@@ -19,16 +19,17 @@ use crate::raster::Matte;
 use figure::Figure;
 use serde_json::{Value, json};
 
-/// Room between a word and the edge of its panel, in page widths.
+/// Distance between a text item and the edge of its panel, in page widths.
 const INSET: f64 = 0.008;
 
-/// Points across and down at which a word is compared with panels on its own.
+/// Number of sample points in each direction for the overlap of a text item with overlays.
 const SAMPLES: usize = 8;
 
 /// Minimum covered part of a face or text item at which a text item counts as in the way.
 const FAR: f64 = 0.12;
 
-/// A box that holds more of a figure than this part of it is the box of that figure: the mask says better where it is.
+/// If a box contains more than this part of a subject, it is the box of that subject. Then the mask replaces
+/// it.
 const SAME: f64 = 0.15;
 
 /// Properties of a photo for placement.
@@ -52,7 +53,7 @@ impl<'s> From<&'s PhotoMeta> for Known<'s> {
     }
 }
 
-/// Something in a photo, where it is on the page.
+/// A detected object, in page coordinates.
 #[derive(Debug, Clone, Copy)]
 struct Seen {
     bounds: Bounds,
@@ -67,7 +68,7 @@ struct Seen {
 #[derive(Debug, Default)]
 struct Scenery {
     seen: Vec<Seen>,
-    /// The figures of photos that have masks.
+    /// The subjects of photos with masks.
     figures: Vec<Figure>,
 }
 
@@ -222,7 +223,7 @@ fn set_place(word: &mut Value, place: &Value) {
     fields.remove("linked");
     for name in ["x", "y", "tail", "room"] {
         match place.get(name) {
-            // Items without a room omit the field, for compatibility.
+            // Items without this field omit it, for compatibility.
             Some(Value::Null) if name == "room" => {
                 fields.remove(name);
             }
@@ -253,7 +254,7 @@ fn named(words: &mut [Value], index: usize) -> String {
     if let Some(own) = own.filter(|name| holder(name) == Some(index)) {
         return own.to_owned();
     }
-    // There are as many names as words, and one more.
+    // One more name than text items, so that one is free.
     let free = (1..=words.len() + 1).map(|number| format!("b{number}")).find(|name| holder(name).is_none());
     let name = free.unwrap_or_default();
     words[index]["id"] = json!(name);
@@ -288,7 +289,7 @@ fn covered(laid: &Laid) -> Bounds {
     Bounds { x: laid.middle.x - a, y: laid.middle.y - b, width: 2.0 * a, height: 2.0 * b }
 }
 
-/// Adds the visible subjects of a panel, and its figure for items with the rules of letterers.
+/// Adds the visible subjects of a panel, and its mask for items with lettering rules.
 fn see<'s>(
     document: &Document,
     ground: &Ground,
@@ -364,13 +365,13 @@ fn reaches(shape: &ResolvedShape, point: Point, ring: f64) -> bool {
     }
 }
 
-/// The panels that lie on the panel of a word.
+/// Returns the panels above the panel of a text item.
 fn above<'g>(word: &Word, ground: &'g Ground) -> Vec<&'g ResolvedPanel> {
     let own = panel_of(word, ground).unwrap_or(ground.panels.len());
     ground.panels.iter().skip(own + 1).filter(|panel| panel.overlay).collect()
 }
 
-/// The part of a word that lies on other panels than its own. Corners of a balloon are free.
+/// Returns the part of a text item that is over other panels. Corners of a balloon are free.
 fn hidden(area: Bounds, round: bool, above: &[&ResolvedPanel]) -> f64 {
     if above.is_empty() {
         return 0.0;
@@ -391,7 +392,7 @@ fn hidden(area: Bounds, round: bool, above: &[&ResolvedPanel]) -> f64 {
     on_others / f64::max(all, 1.0)
 }
 
-/// Whether a word hides a face, or lies on another panel than its own.
+/// Returns whether a text item hides a face, or is over another panel.
 fn is_in_the_way(area: Bounds, scenery: &Scenery, above: &[&ResolvedPanel]) -> bool {
     let faces = scenery.seen.iter().filter(|seen| seen.face).map(|seen| seen.bounds);
     let mut covers = faces.map(|face| shared(area, face) / (face.width * face.height).max(1e-12));

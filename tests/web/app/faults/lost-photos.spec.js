@@ -131,7 +131,7 @@ faultTest('workers that crash during a download are replaced, and the file is sa
       .waitFor()
       .then(() => null),
   ]);
-  // Data that was transferred to a worker may be lost. Then a message says so, and the next download works.
+  // Data that was transferred to a worker may be lost. Then a message reports it, and the next download works.
   expect(outcome ? await outcome.path() : (await download(page)).path).toBeTruthy();
 });
 

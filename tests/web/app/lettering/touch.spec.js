@@ -58,7 +58,7 @@ for (const { viewport, tall } of [
       await page.keyboard.type('Down here');
       await page.keyboard.press('Enter');
       await idle(page);
-      // To the bottom of the page, where the keyboard would cover it.
+      // To the bottom of the page, below the on-screen keyboard.
       await word(page, 'Balloon: Down here').focus();
       for (let i = 0; i < 60; i += 1) await page.keyboard.press('Shift+ArrowDown');
       await idle(page);

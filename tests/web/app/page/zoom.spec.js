@@ -62,7 +62,7 @@ test('the wheel scrolls an enlarged page and does not zoom a photo', async ({ pa
   await page.mouse.wheel(0, 120);
   await expect.poll(async () => before.y - (await boxOf(page)).y).toBeGreaterThan(60);
   await expect(button(page, 'Undo')).toBeEnabled();
-  // What is undone is the choice of the layout: the wheel left no step.
+  // Undo reverts the choice of the layout, because the wheel created no undo step.
   await button(page, 'Undo').click();
   await expect(page.getByRole('group', { name: /^Panel \d of 4$/ })).toHaveCount(0);
   await button(page, 'Redo').click();

@@ -16,8 +16,8 @@ const CELL: f32 = 0.89;
 /// No grid has more cells: tiny sigmas are coarsened until they fit.
 const MAX_CELLS: usize = 6_000_000;
 
-/// Empty cells behind the tones of a column. They absorb the values that a blur along the tone carries across
-/// an end, so that the blur is one sum over the whole row.
+/// Empty cells after the tones of a column. They absorb the values that a blur along the tone moves across an
+/// end, so that the blur is one sum over the whole row.
 const GAP: usize = 2;
 
 /// Rows of cells that the blur along y sees.
@@ -129,7 +129,7 @@ impl Grid {
         Ok(())
     }
 
-    /// Makes the tones of row `row` of cells. Rows come in their order.
+    /// Makes the tones of row `row` of cells. Rows must arrive in order.
     fn settle(&mut self, row: usize, plane: &Plane) {
         while self.gathered.0 <= row + REACH / 2 {
             self.gather_row(plane);

@@ -24,7 +24,7 @@ use grid::Grid;
 pub(super) static BLOCK: Block = Block {
     id: "detail",
     label: "Image Detail Control",
-    help: "Smooths texture away or brings it forward, and leaves edges alone.",
+    help: "Removes or enhances texture without changing edges.",
     input: Channels::Any,
     output: Channels::Any,
     params: &[
@@ -35,7 +35,13 @@ pub(super) static BLOCK: Block = Block {
             (50.0, -100.0, 300.0, 1.0),
             Unit::Percent,
         ),
-        number("sigma_s", "Radius", "Size of what counts as texture.", (8.0, 1.0, 32.0, 0.5), Unit::Pixels),
+        number(
+            "sigma_s",
+            "Radius",
+            "Maximum size of details that count as texture.",
+            (8.0, 1.0, 32.0, 0.5),
+            Unit::Pixels,
+        ),
         number(
             "sigma_r",
             "Edge height",

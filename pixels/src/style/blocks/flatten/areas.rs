@@ -5,7 +5,7 @@ use super::palette::Costs;
 use crate::raster::sets::Sets;
 use crate::raster::{Image, Plane};
 
-/// Rounds in which pixels ask their neighbours.
+/// Rounds in which pixels adopt the area of their neighbours.
 const ROUNDS: usize = 3;
 
 /// Cost of a neighbour that differs at full smoothness, in units of the costs.
@@ -72,9 +72,9 @@ pub(super) struct Areas {
 }
 
 /// Areas of equal labels. Areas of fewer than `least` pixels have joined the neighbour with the longest
-/// common border. Labels change alike.
+/// common border. Updates the labels accordingly.
 pub(super) fn merge_small(labels: &mut [u8], (width, height): (usize, usize), least: usize) -> Areas {
-    // Areas join the ones around them; several rounds, as small ones may lie side by side.
+    // Small areas join their neighbours. Several rounds, because small areas can be adjacent.
     for _ in 0..4 {
         let areas = connect(labels, (width, height));
         let mut sizes = vec![0usize; areas.count];
@@ -112,7 +112,7 @@ pub(super) fn merge_small(labels: &mut [u8], (width, height): (usize, usize), le
         let mut longest = vec![0usize; areas.count];
         for run in borders.chunk_by(|a, b| a == b) {
             let (small, other) = run[0];
-            // A larger neighbour is worth more than a small one that will be gone itself.
+            // Large neighbours are preferred to small ones, which will disappear.
             let length = run.len() * if sizes[other as usize] >= least { 4 } else { 1 };
             if length > longest[small as usize] {
                 longest[small as usize] = length;
@@ -249,7 +249,7 @@ pub(super) fn paint(
     }
 }
 
-/// Pixels of the picture in one of the areas' resolution: a row of two above another.
+/// Pixels of the picture per pixel of the label map: one row of two above another.
 const CORNERS: usize = STEP * STEP;
 
 /// The inputs for the colour of a pixel near a border.
@@ -267,7 +267,7 @@ impl Votes<'_> {
     /// The colours of the four pixels of the square (i, j): of each the two areas with most weight about it, one pixel soft.
     fn mixed(&self, (i, j): (usize, usize)) -> [[u8; 3]; CORNERS] {
         let (width, height) = self.size;
-        // Which areas are about a square is looked up once for all of its pixels.
+        // The areas around a square are determined once for all of its pixels.
         let mut sums = [(0u32, [0.0f32; CORNERS]); 12];
         let mut count = 0;
         let mut totals = [0.0f32; CORNERS];

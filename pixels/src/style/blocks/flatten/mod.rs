@@ -36,7 +36,7 @@ pub(super) static BLOCK: Block = Block {
         Param {
             id: "palette",
             label: "Palette",
-            help: "Where the colours come from.",
+            help: "Source of the colours.",
             kind: Kind::Choice { names: NAMES },
         },
         number(
@@ -56,7 +56,7 @@ pub(super) static BLOCK: Block = Block {
         number(
             "own",
             "Own colours",
-            "How much of its own mean colour an area keeps.",
+            "How much of its mean colour an area retains.",
             (0.0, 0.0, 100.0, 1.0),
             Unit::Percent,
         ),

@@ -1,4 +1,4 @@
-//! Palettes, and how far each colour of a picture is from theirs.
+//! Palettes, and the distance of each colour of a picture from their colours.
 
 use crate::order::sort_by_key;
 use crate::raster::Image;

@@ -1,5 +1,5 @@
 //! Pattern Filling: luma in a few levels, each drawn with its own tile of lines or dots, from white paper to
-//! solid black. The tile sets are drawn by code, see [`tiles`]; a person's own texture gives its ink by its tones, see
+//! solid black. Code draws the tile sets, see [`tiles`]. The tones of a custom texture define its ink, see
 //! [`own`].
 
 mod own;
@@ -25,14 +25,14 @@ pub(super) static BLOCK: Block = Block {
         Param {
             id: "pattern",
             label: "Pattern",
-            help: "What the tones are drawn with.",
+            help: "The pattern that draws the tones.",
             kind: Kind::Choice { names: tiles::NAMES },
         },
         number("scale", "Scale", "Size of the pattern.", (1.0, 0.25, 4.0, 0.05), Unit::None),
         Param {
             id: "texture",
             label: "Own texture",
-            help: "A picture of your own in place of the pattern: its dark parts take ink first.",
+            help: "Your picture instead of the pattern: its dark parts take ink first.",
             kind: Kind::Texture,
         },
     ],

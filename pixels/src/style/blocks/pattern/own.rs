@@ -1,5 +1,5 @@
-//! Tones by a person's own texture. A tone of darkness d takes ink in the darkest parts of the texture, which
-//! cover the share d. Each tone holds the ink of the lighter ones, as with the patterns of code.
+//! Tones drawn with a custom texture. A tone of darkness d takes ink in the darkest parts of the texture,
+//! which cover the share d. Each tone holds the ink of the lighter ones, as with the patterns of code.
 
 use crate::error::Result;
 use crate::raster::Plane;

@@ -1,5 +1,5 @@
-//! Tile sets drawn by code: each is a rule that says how far a point is from the nearest ink, which keeps the
-//! edges smooth at every scale.
+//! Tile sets drawn by code. Each rule returns the distance of a point to the nearest ink, which gives smooth
+//! edges at every scale.
 
 use std::f32::consts::{PI, TAU};
 
@@ -16,7 +16,7 @@ pub(super) struct Tile {
 }
 
 impl Tile {
-    /// Rows and columns after which the pattern repeats.
+    /// Rows and columns of one period of the pattern.
     pub(super) fn side(&self) -> usize {
         self.side
     }
@@ -126,7 +126,7 @@ fn cross_hatch(x: f32, y: f32, darkness: f32) -> f32 {
 fn dots(x: f32, y: f32, darkness: f32) -> f32 {
     const SPACING: f32 = 8.0;
     let (coverage, holes) = if darkness <= 0.5 { (darkness, false) } else { (1.0 - darkness, true) };
-    // Two dots a cell of SPACING x SPACING.
+    // Each cell of SPACING x SPACING has two dots.
     let radius = (coverage * SPACING * SPACING / (2.0 * PI)).sqrt();
     let shift = if holes { SPACING / 2.0 } else { 0.0 };
     let near = |x: f32, y: f32| {
