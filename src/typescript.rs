@@ -38,6 +38,7 @@ use crate::page::layouts::{
     GenerateRequest, Geometry, LayoutChange, LayoutEntry, LayoutFacts, LayoutsRequest,
 };
 use crate::page::pdf::{Imposition, Options};
+use crate::page::book;
 use crate::page::request::{Avoid, Families, Keep, Mode, Request, Taste};
 use crate::page::words::layout::WordBox;
 use crate::page::{Document, catalogue, layouts, request, shuffle};
@@ -92,6 +93,10 @@ pub(crate) struct Word {
     auto: Option<bool>,
     /// Shuffle made it: the next shuffle replaces it.
     made: Option<bool>,
+    /// It belongs to a book: a shuffle keeps it, another book replaces it.
+    book: Option<bool>,
+    /// It is a page number, which follows the position of the page.
+    number: Option<bool>,
     /// The photo that it belongs to: it goes wherever that is. Null names the one on its panel.
     #[ts(optional = nullable)]
     photo: Option<String>,
@@ -400,6 +405,8 @@ fn types() -> String {
         Request,
         Keep,
         Mode,
+        book::Wish,
+        book::Styles,
         Taste,
         Avoid,
         Families,

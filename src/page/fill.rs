@@ -119,7 +119,7 @@ pub fn framed_json<'p>(photos: impl Iterator<Item = &'p PhotoMeta>, aspect: f64)
 }
 
 /// The faces of a photo, or its animals if it has no faces, the largest first.
-fn faces_of(photo: &PhotoMeta) -> Vec<Crop> {
+pub(super) fn faces_of(photo: &PhotoMeta) -> Vec<Crop> {
     // As few digits as say where a pixel is: a project holds many.
     let rounded = |part: f64| (part.clamp(-1.0, 2.0) * 1e4).round() / 1e4;
     let mut faces: Vec<Crop> = Subject::protected(&photo.subjects)

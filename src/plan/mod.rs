@@ -11,13 +11,17 @@
 //! | [`turns`] | photos that wait for a panel |
 //! | [`tones`] | the styles that keep what the photos show |
 //! | [`spread`] | an album cut into pages |
+//! | [`moments`] | capture times as days and seconds |
+//! | [`book`] | the pages of a book: which photos each shows |
 //!
 //! Nothing here knows a document: what stays of the page before comes in as slots that are locked. All of it is pure;
 //! chance comes from a seed.
 
 pub mod assign;
+pub mod book;
 pub mod composer;
 pub mod layouts;
+pub mod moments;
 pub mod prepared;
 pub mod slots;
 pub mod spread;
