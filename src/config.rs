@@ -1,4 +1,4 @@
-//! Settings of `render` in a file. Each setting has the name of an option. The command line takes precedence.
+//! Settings of `render` and `book` in a file. Each setting has the name of an option. The command line takes precedence.
 
 use crate::{Complaint, album};
 use clap::{Command, CommandFactory};
@@ -23,16 +23,17 @@ pub(crate) fn expanded<C: CommandFactory>(
     let complain = |reason: String| format!("{}: {reason}", file.display());
     let settings = read(&file).map_err(complain)?;
     let command = C::command();
-    let render = command.find_subcommand("render").ok_or("the render command is missing")?;
+    let name = arguments[1].to_str().unwrap_or_default();
+    let render = command.find_subcommand(name).ok_or("the command is missing")?;
     let folder = file.parent().unwrap_or(Path::new(""));
     let (head, tail) = arguments.split_at(2);
     let (options, files) = options(settings, render, folder, tail).map_err(complain)?;
     Ok(([head, &options[..], tail].concat(), files))
 }
 
-/// The file that `render --config` names.
+/// The file that `--config` names.
 fn named(arguments: &[OsString]) -> Option<PathBuf> {
-    if arguments.get(1)?.to_str()? != "render" {
+    if !["render", "book"].contains(&arguments.get(1)?.to_str()?) {
         return None;
     }
     let mut rest = arguments[2..].iter().take_while(|argument| *argument != "--");

@@ -8,6 +8,7 @@
 mod album;
 mod animating;
 mod boards;
+mod books;
 mod config;
 mod destination;
 mod detectors;
@@ -34,6 +35,7 @@ use inkpanel::native::QUALITY;
 use inkpanel::page::import::{Imported, import};
 use inkpanel::page::request::{Families, Request};
 use inkpanel::page::storyboard::{self, Choice};
+use inkpanel::page::words::given::GivenFonts;
 use inkpanel::page::{Document, catalogue};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
@@ -87,6 +89,9 @@ enum Command {
     /// Make a comic page or several from photos, or draw a saved page.
     #[command(after_help = RENDER_HELP)]
     Render(Box<Render>),
+    /// Make a book from photos: a cover, chapters by day with captions, page numbers and an end page.
+    #[command(after_help = books::HELP)]
+    Book(Box<books::Book>),
     /// Score the pages of a plan that `render --json` printed.
     #[command(
         after_help = "Example:\n  inkpanel render --json photos/ > plan.json && inkpanel score plan.json"
@@ -295,13 +300,38 @@ struct How {
 #[allow(clippy::struct_excessive_bools, reason = "each is a separate option")]
 struct Planned {
     #[command(flatten)]
-    paper: Paper,
+    album: Chosen,
     /// Layout id (see `inkpanel layouts`) or layout file.
     #[arg(long, value_name = "ID|FILE")]
     layout: Option<String>,
     /// Use only layouts of this family. Can be repeated.
     #[arg(long, value_name = "FAMILY", value_parser = layout_families(), conflicts_with = "layout")]
     layout_family: Vec<String>,
+    /// Number of panels. [default: 5 or 6, depending on the layout]
+    #[arg(long)]
+    panels: Option<usize>,
+    /// Let a subject break the panel border if there is enough room (needs subject.onnx).
+    #[arg(long)]
+    figures: bool,
+    /// Let panels share one image.
+    #[arg(long)]
+    merge: bool,
+    /// Captions, balloons and sound effects: a JSON array of text items.
+    #[arg(long, value_name = "FILE")]
+    words: Option<PathBuf>,
+    /// Number of pages, for a PDF file, a comic or a file name such as page-%02d.png. Pages begin where the time or the scene
+    /// changes. [default: 1]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pages: Option<u32>,
+}
+
+/// Options of pages and books: the paper, the photos and the style.
+#[derive(clap::Args, Default, PartialEq)]
+#[command(next_help_heading = "Planning (photos only)")]
+#[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
+struct Chosen {
+    #[command(flatten)]
+    paper: Paper,
     /// Style id (see `inkpanel styles`) or style file.
     #[arg(long, value_name = "ID|FILE")]
     style: Option<String>,
@@ -320,28 +350,12 @@ struct Planned {
     /// Keep the order of the command line instead of the order of capture.
     #[arg(long)]
     as_given: bool,
-    /// Number of panels. [default: 5 or 6, depending on the layout]
-    #[arg(long)]
-    panels: Option<usize>,
-    /// Let a subject break the panel border if there is enough room (needs subject.onnx).
-    #[arg(long)]
-    figures: bool,
-    /// Let panels share one image.
-    #[arg(long)]
-    merge: bool,
     /// Skip face and object detection. Crops then follow contrast.
     #[arg(long)]
     no_detect: bool,
     /// Folder that contains faces.onnx and objects.onnx. [default: next to the program, or www/models]
     #[arg(long, value_name = "DIR")]
     models: Option<PathBuf>,
-    /// Captions, balloons and sound effects: a JSON array of text items.
-    #[arg(long, value_name = "FILE")]
-    words: Option<PathBuf>,
-    /// Number of pages, for a PDF file, a comic or a file name such as page-%02d.png. Pages begin where the time or the scene
-    /// changes. [default: 1]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
-    pages: Option<u32>,
     /// Print the plan as JSON: layout, style, panels, crops and score.
     #[arg(long)]
     json: bool,
@@ -374,6 +388,12 @@ fn main() -> ExitCode {
                 render.files = listed;
             }
             render_page(&render)
+        }
+        Command::Book(mut book) => {
+            if book.files.is_empty() {
+                book.files = listed;
+            }
+            books::make(&book)
         }
         Command::Score { plan, json, models, no_detect } => {
             plans::score(&plan, json, !no_detect, models.as_deref())
@@ -417,7 +437,7 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     if let Some(output) = &output {
         how.printing.check(Kind::of(&output.named)?)?;
     }
-    if planned.json && output.as_ref().is_some_and(|output| album::is_standard(&output.path)) {
+    if planned.album.json && output.as_ref().is_some_and(|output| album::is_standard(&output.path)) {
         return Err("--json and the page cannot both go to standard output".into());
     }
     if files.is_empty() && document.is_none() {
@@ -517,18 +537,18 @@ fn plan_page(
     (files, album_name): (&[PathBuf], &str),
 ) -> Result<(), Complaint> {
     let layout = render.layout.as_deref().map(layout_value).transpose()?;
-    let style = render.style.as_deref().map(style_value).transpose()?;
-    let page = render.paper.settings()?;
+    let style = render.album.style.as_deref().map(style_value).transpose()?;
+    let page = render.album.paper.settings()?;
     let fonts = how.printing.fonts()?;
     let mut photos = import_all(files);
-    let looked = !render.no_detect && add_subjects(&mut photos, render.models.as_deref());
-    star(&mut photos, &render.star);
+    let looked = !render.album.no_detect && add_subjects(&mut photos, render.album.models.as_deref());
+    star(&mut photos, &render.album.star);
     if render.figures {
-        segments::add_masks(&mut photos, render.models.as_deref())?;
+        segments::add_masks(&mut photos, render.album.models.as_deref())?;
     }
-    let used = used_photos(render, &photos);
+    let used = used_photos(&render.album, &photos);
     let request = Request {
-        seed: render.seed.unwrap_or(1),
+        seed: render.album.seed.unwrap_or(1),
         photos: used,
         page,
         layout,
@@ -536,8 +556,8 @@ fn plan_page(
         panels: render.panels,
         merge: Some(render.merge),
         figures: Some(render.figures),
-        ordered: render.as_given.then_some(true),
-        within: Families { layouts: render.layout_family.clone(), styles: render.style_family.clone() },
+        ordered: render.album.as_given.then_some(true),
+        within: Families { layouts: render.layout_family.clone(), styles: render.album.style_family.clone() },
         ..Request::default()
     };
     let mut pages = storyboard::pages(&request, render.pages.map(|pages| pages as usize))
@@ -552,13 +572,6 @@ fn plan_page(
     let drawn: Vec<Document> = pages.iter().map(|page| page.document.clone()).collect();
     drawing::tell_missing(&drawn, &fonts)?;
     check_strict(how)?;
-    let paths: HashMap<&str, &Path> =
-        photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path.as_path())).collect();
-    let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
-    let masks =
-        photos.iter().filter_map(|(_, photo)| Some((photo.meta.id.clone(), photo.meta.mask.clone()?)));
-    let masks = segments::Masks::new(masks.collect(), render.models.as_deref()).detecting(!render.no_detect);
-    let means = how.printing.means(&full, &fonts, &masks);
     let album = projects::Album {
         name: album_name.to_owned(),
         pages: &drawn,
@@ -566,18 +579,39 @@ fn plan_page(
         used: request.photos.iter().map(|photo| photo.id.as_str()).collect(),
         looked,
     };
-    let mut written = match output {
-        Some(output) => write_pages(&album, &means, output, (how, render.pages.is_some()))?,
-        None => Vec::new(),
-    };
-    if let Some(file) = &how.save_document {
-        documents::save(&drawn, &paths, render.pages.is_some(), file)?;
-        written.push(file.clone());
-    }
-    if render.json {
+    let written = write_album(&album, &fonts, output, (how, render.pages.is_some(), &render.album))?;
+    if render.album.json {
         print(&plans::told(&pages, &photos)?)?;
     }
     done(&written)
+}
+
+/// Draws and writes the pages of an album, and the plan if it is to be saved. `several`: one file per page.
+///
+/// Returns the files.
+fn write_album(
+    album: &projects::Album<'_>,
+    fonts: &GivenFonts,
+    output: Option<&Output>,
+    (how, several, chosen): (&How, bool, &Chosen),
+) -> Result<Vec<PathBuf>, Complaint> {
+    let photos = album.photos;
+    let paths: HashMap<&str, &Path> =
+        photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path.as_path())).collect();
+    let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
+    let masks =
+        photos.iter().filter_map(|(_, photo)| Some((photo.meta.id.clone(), photo.meta.mask.clone()?)));
+    let masks = segments::Masks::new(masks.collect(), chosen.models.as_deref()).detecting(!chosen.no_detect);
+    let means = how.printing.means(&full, fonts, &masks);
+    let mut written = match output {
+        Some(output) => write_pages(album, &means, output, (how, several))?,
+        None => Vec::new(),
+    };
+    if let Some(file) = &how.save_document {
+        documents::save(album.pages, &paths, several, file)?;
+        written.push(file.clone());
+    }
+    Ok(written)
 }
 
 /// Writes the pages of an album: one file per page if there are `several`, otherwise one file.
@@ -633,7 +667,7 @@ fn is_named(path: &Path, name: &Path) -> bool {
 }
 
 /// Returns the photos for the pages, in order. Similar and blurred photos are reported and left out.
-fn used_photos(render: &Planned, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMeta> {
+fn used_photos(render: &Chosen, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMeta> {
     /// Maximum number of photos that are reported one by one.
     const FEW: usize = 10;
     let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();

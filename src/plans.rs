@@ -28,7 +28,7 @@ pub(crate) fn told(pages: &[Planned], photos: &[(PathBuf, Imported)]) -> Result<
     Ok(json!({ "pages": pages }))
 }
 
-fn told_page(page: &Planned, photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {
+pub(crate) fn told_page(page: &Planned, photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {
     let document = &page.document;
     let template = document.template().map_err(|error| error.to_string())?;
     let aspect = document.page.aspect();

@@ -27,6 +27,7 @@ use crate::output::motion::{self, Reading, Said, Stop};
 use crate::output::shots::timecode::{Pace, StartTimecode};
 use crate::output::shots::{Film, ListedShot, ShotList};
 use crate::output::{self, Comic, ComicPage, PictureKind, Piece};
+use crate::page::book;
 use crate::page::catalogue::{BlockEntry, ChoiceRequest, MeasuresEntry, ParamEntry, ParamKind, VerdictEntry};
 use crate::page::document::{LayoutChoice, PanelContent, StyleChoice};
 use crate::page::import::{ImportEntry, PixelSize};
@@ -88,6 +89,10 @@ pub(crate) struct Word {
     auto: Option<bool>,
     /// Shuffle made it: the next shuffle replaces it.
     made: Option<bool>,
+    /// It belongs to a book: a shuffle keeps it, another book replaces it.
+    book: Option<bool>,
+    /// It is a page number, which follows the position of the page.
+    number: Option<bool>,
     /// The photo that it belongs to. The item follows this photo. Null names the one on its panel.
     #[ts(optional = nullable)]
     photo: Option<String>,
@@ -396,6 +401,8 @@ fn types() -> String {
         Request,
         Keep,
         Mode,
+        book::Wish,
+        book::Styles,
         Taste,
         Avoid,
         Families,

@@ -16,6 +16,7 @@
 //! | [`own`] | lists shared by all projects |
 //! | [`planning`] | planning of pages from unused photos |
 //! | [`spreading`] | distribution of an album over pages |
+//! | [`booking`] | a book of an album, which replaces the pages |
 //! | [`upkeep`] | pages that lost a photo |
 //! | [`draft`] | a style while it is designed |
 //! | [`speech`] | dialogue, split into balloons |
@@ -39,6 +40,7 @@
 //! An error in the present state, its pages or the photos of a file rejects the whole file. Invalid undo
 //! states, pages of the page history, and custom styles or layouts are dropped and reported.
 
+pub mod booking;
 pub mod draft;
 pub mod edit;
 pub mod editor;

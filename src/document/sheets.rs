@@ -4,6 +4,7 @@
 use super::project::{Project, Sheet};
 use crate::json::Writer;
 use crate::page::Document;
+use crate::page::book::renumber;
 use crate::raster::Matte;
 use serde_json::Map;
 use std::collections::HashSet;
@@ -22,6 +23,7 @@ impl Project {
     /// Replaces the pages of the storyboard. `None` if `at` is out of range.
     #[must_use]
     pub(super) fn set_sheets(&mut self, sheets: &[Arc<Sheet>], at: usize) -> Option<()> {
+        let sheets = numbered(sheets);
         let edited = sheets.get(at)?;
         self.page = Some(edited.page.clone());
         (self.page_id, self.sheet, self.at) = (edited.page_id, edited.sheet, at);
@@ -50,6 +52,22 @@ impl Project {
             self.others = others.into();
         }
     }
+}
+
+/// The pages with the numbers of a book in their order.
+fn numbered(sheets: &[Arc<Sheet>]) -> Vec<Arc<Sheet>> {
+    let number = |(i, sheet): (usize, &Arc<Sheet>)| {
+        let is_numbered = |word: &serde_json::Value| word["number"] == true;
+        if !sheet.page.words.iter().any(is_numbered) {
+            return sheet.clone();
+        }
+        let mut page = sheet.page.as_ref().clone();
+        match renumber(&mut page, i + 1) {
+            true => Arc::new(Sheet { page: Arc::new(page), ..sheet.as_ref().clone() }),
+            false => sheet.clone(),
+        }
+    };
+    sheets.iter().enumerate().map(number).collect()
 }
 
 /// Changes the page with that index. `None` leaves it unchanged.

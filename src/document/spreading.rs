@@ -130,13 +130,14 @@ impl Planning<'_> {
 
 /// The page with the previous text items of its photos. Items of a whole page stay with their first photo.
 #[inline(never)]
-fn with_words(page: Document, before: &[Arc<Sheet>]) -> Document {
+pub(super) fn with_words(page: Document, before: &[Arc<Sheet>]) -> Document {
     // Unplaced text of these photos is already on the page.
     let mut words = page.words;
     for old in before.iter().map(|sheet| &sheet.page) {
         let first = old.panels.first().and_then(|panel| panel.photo.as_deref());
         let shows = |photo: &str| page.panels.iter().any(|panel| panel.photo.as_deref() == Some(photo));
-        for word in &old.words {
+        // Automatic text belongs to the old pages.
+        for word in old.words.iter().filter(|word| word["made"] != true) {
             let own = photo_of(word, &old.panels);
             if word["panel"].is_null() && first.is_some_and(shows) {
                 words.push(word.clone());

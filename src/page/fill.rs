@@ -119,7 +119,7 @@ pub fn framed_json<'p>(photos: impl Iterator<Item = &'p PhotoMeta>, aspect: f64)
 }
 
 /// The faces of a photo, or its animals if it has no faces, the largest first.
-fn faces_of(photo: &PhotoMeta) -> Vec<Crop> {
+pub(super) fn faces_of(photo: &PhotoMeta) -> Vec<Crop> {
     // Rounded to the precision of a pixel, because a project has many crops.
     let rounded = |part: f64| (part.clamp(-1.0, 2.0) * 1e4).round() / 1e4;
     let mut faces: Vec<Crop> = Subject::protected(&photo.subjects)

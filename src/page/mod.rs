@@ -10,6 +10,7 @@
 //! | [`request`] | parameters for planning a document |
 //! | [`shuffle`] | a new document from photos, locks and a seed |
 //! | [`storyboard`] | the photos of an album that pages are made of, and its pages |
+//! | [`book`] | a book of an album: cover, chapters, captions, numbers, end page |
 //! | [`styling`] | the style of a page that leaves it to chance |
 //! | `fill` | the panels of a template filled with photos |
 //! | [`scene`] | a document resolved to pixels of one size |
@@ -30,6 +31,7 @@
 //! | [`pdf`] | pages as lines, text and pictures |
 
 mod bleed;
+pub mod book;
 pub mod breaking;
 pub mod carrying;
 pub mod catalogue;

@@ -11,13 +11,17 @@
 //! | [`turns`] | photos that wait for a panel |
 //! | [`tones`] | styles that preserve the content of the photos |
 //! | [`spread`] | an album cut into pages |
+//! | [`moments`] | capture times as days and seconds |
+//! | [`book`] | the pages of a book: which photos each shows |
 //!
 //! Nothing here depends on a document: locked slots carry the retained parts of the old page. All functions
 //! are pure, and random choices depend on a seed.
 
 pub mod assign;
+pub mod book;
 pub mod composer;
 pub mod layouts;
+pub mod moments;
 pub mod prepared;
 pub mod slots;
 pub mod spread;

@@ -266,6 +266,12 @@ impl Shelf {
         Self { places }
     }
 
+    /// Places of some of the photos, which share what is found out.
+    #[must_use]
+    pub fn some(&self, photos: &[usize]) -> Self {
+        Self { places: photos.iter().map(|&photo| self.places[photo].clone()).collect() }
+    }
+
     /// The photo at a place, prepared now if it was not before.
     pub(super) fn get(&self, at: usize, photo: &PhotoMeta) -> &Prepared {
         self.places[at].get_or_init(|| Prepared::of(photo))

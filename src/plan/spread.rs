@@ -1,5 +1,6 @@
 //! An album cut into pages where its time, its place or its scene changes.
 
+use super::moments::Moment;
 use crate::framing::PhotoMeta;
 use crate::order::sort_by;
 
@@ -45,6 +46,7 @@ pub fn balanced(count: usize, most: usize, counts: &[usize]) -> Vec<usize> {
 /// Score of a page break before each photo, except the first, 0 to 1.
 #[must_use]
 pub fn cuts(photos: &[PhotoMeta]) -> Vec<f64> {
+    let seconds = |taken| Moment::parse(taken).map(|moment| moment.seconds as f64);
     let times: Vec<Option<f64>> =
         photos.iter().map(|photo| photo.taken.as_deref().and_then(seconds)).collect();
     let pause = |i: usize| Some((times[i]? - times[i - 1]?).abs());
@@ -108,17 +110,6 @@ fn solved(cuts: &[f64], allowed: &[usize], even: f64, pages: usize) -> Option<Ve
     }
     sizes.reverse();
     Some(sizes)
-}
-
-/// Returns the seconds of `YYYY:MM:DD HH:MM:SS`. All months have 31 days, because the values are only
-/// compared.
-fn seconds(taken: &str) -> Option<f64> {
-    let mut numbers =
-        taken.split([':', ' ', '-', 'T', '.']).map(|digits| digits.parse::<u32>().ok().map(f64::from));
-    let mut next = || numbers.next().flatten();
-    let (year, month, day) = (next()?, next()?, next()?);
-    let (hour, minute, second) = (next()?, next()?, next().unwrap_or(0.0));
-    Some(((((year * 12.0 + month) * 31.0 + day) * 24.0 + hour) * 60.0 + minute) * 60.0 + second)
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@ const OWN_USE: Record<string, string> = {
 const TEXT_FIELDS = 'input:not([type=checkbox], [type=range], [type=color], [type=file]), textarea, select';
 
 /**
- * @param parts `leave`: what Escape does on the board, where it does something; `covered`: whether a modal dialog is open;
+ * @param parts `leave`: what Escape does on the board, where it does something; `covered`: whether a modal dialog is open.
  *   `pointed`: the button that was pressed by the pointer and has the focus by that alone: Space is not meant for it
  * @returns a listener for `keydown` on the window
  */

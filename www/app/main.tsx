@@ -12,6 +12,7 @@ import { unreadMeta } from '../document/album.ts';
 import { createAhead } from '../page/ahead.ts';
 import { createAlternatives } from '../page/alternatives.ts';
 import { createBook } from '../book/book.ts';
+import { createBookMaking } from '../book/book-making.ts';
 import { keepBook } from '../book/book-upkeep.ts';
 import { createArrivals } from './arrivals.ts';
 import { createBetterCrops } from '../page/better-crops.ts';
@@ -145,6 +146,15 @@ const subjects = createSubjects({
   wanted: ui.detects,
   window,
 });
+const bookMaking = createBookMaking({
+  store,
+  book,
+  pages,
+  messages,
+  album: reading,
+  searched: () => !ui.detects || (subjects.searched.peek() && subjects.settled.peek()),
+  ready: lettering.ready,
+});
 const boards = createBoards({ store, engine, chooseStyle: pages.chooseStyle });
 const animatics = createAnimatics({ store, engine, boards });
 const masks = createMasks({
@@ -223,6 +233,7 @@ const parts: Parts = {
   boards,
   animatics,
   book,
+  bookMaking,
   selection,
   lettering,
   narrating,

@@ -6,11 +6,24 @@ import type { PageDocument } from '../engine/types.ts';
 import type { Parts } from '../ui/context.ts';
 import type { Action } from '../ui/action.ts';
 
-export function createBookActions({ store, book, messages, ui }: Pick<Parts, 'store' | 'book' | 'messages' | 'ui'>) {
+export function createBookActions({
+  store,
+  book,
+  bookMaking,
+  messages,
+  ui,
+}: Pick<Parts, 'store' | 'book' | 'bookMaking' | 'messages' | 'ui'>) {
   const { at, several } = book;
   const last = computed(() => at.value === store.project.value.others.length);
   const whyNotAdd = computed(book.cannotAdd);
   const whyNotSpread = computed(book.cannotSpread);
+  /** Asks before new pages replace pages with manual changes. */
+  function asked(run: () => void) {
+    if (store.sheets.peek().some(isHandMade))
+      messages.alert(strings.book.spreadAsk, { label: strings.book.spreadYes, run });
+    else run();
+  }
+
   return {
     turnBack: {
       label: strings.book.turnBack,
@@ -38,16 +51,28 @@ export function createBookActions({ store, book, messages, ui }: Pick<Parts, 'st
       run: book.add,
       undo: 'step',
     },
+    make: {
+      label: strings.book.make,
+      help: computed(() => whyNotSpread.value || strings.book.makeHelp(store.photos.value.length)),
+      icon: 'book',
+      enabled: computed(() => whyNotSpread.value === '' && bookMaking.progress.value === null),
+      run: () => asked(() => bookMaking.make('one')),
+      undo: 'step',
+    },
+    makeChapters: {
+      label: strings.book.makeChapters,
+      help: computed(() => whyNotSpread.value || strings.book.makeChaptersHelp),
+      icon: 'book',
+      enabled: computed(() => whyNotSpread.value === '' && bookMaking.progress.value === null),
+      run: () => asked(() => bookMaking.make('chapters')),
+      undo: 'step',
+    },
     spread: {
       label: strings.book.spreadAlbum,
       help: computed(() => whyNotSpread.value || strings.book.spreadHelp(store.photos.value.length)),
       icon: 'spread',
       enabled: computed(() => whyNotSpread.value === ''),
-      run: () => {
-        if (store.sheets.peek().some(isHandMade))
-          messages.alert(strings.book.spreadAsk, { label: strings.book.spreadYes, run: book.spreadAlbum });
-        else book.spreadAlbum();
-      },
+      run: () => asked(book.spreadAlbum),
       undo: 'step',
     },
     earlier: {
@@ -77,5 +102,7 @@ export function createBookActions({ store, book, messages, ui }: Pick<Parts, 'st
 
 /** Whether the user wrote on the page, or moved or locked photos. */
 function isHandMade({ panels, words = [] }: PageDocument): boolean {
-  return words.length > 0 || panels.some(({ edited, locked }) => edited || locked);
+  // The close crops on the end page of a book are automatic.
+  const isBook = words.some(({ book }) => book);
+  return words.some(({ made }) => !made) || panels.some(({ edited, locked }) => (edited && !isBook) || locked);
 }

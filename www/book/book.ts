@@ -7,7 +7,7 @@ import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { photosOn, sheetsOf } from '../engine/sheets.ts';
 import type { PageDocument } from '../engine/types.ts';
-import type { Messages } from '../ui/messages.ts';
+import type { Messages, Way } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Sheet } from '../engine/sheets.ts';
 import type { Store } from '../document/store.ts';
@@ -54,6 +54,7 @@ export function createBook({
     remove,
     move,
     spreadAlbum,
+    replace,
     styleAll,
   };
 
@@ -138,11 +139,16 @@ export function createBook({
     const before = sheetsOf(project);
     if (!project.page || cannotSpread() !== '') return;
     const sheets = pages.spread();
+    replace(sheets, { text: strings.book.spread(store.photos.peek().length, sheets.length), before, at: project.at });
+  }
+
+  /** Replaces all pages, and offers to restore the pages `before`. `more`: another offer. */
+  function replace(
+    sheets: readonly Sheet[],
+    { text, before, at, more }: { text: string; before: readonly Sheet[]; at: number; more?: Way },
+  ) {
     set(sheets, 0);
-    messages.note(strings.book.spread(store.photos.peek().length, sheets.length), {
-      label: strings.book.takeBack,
-      run: () => bringBack(before, project.at),
-    });
+    messages.note(text, { label: strings.book.takeBack, run: () => bringBack(before, at) }, more);
   }
 
   /** Gives all pages the style of this one. */

@@ -29,7 +29,9 @@ function Alone() {
   return (
     <section class="book" aria-label={strings.book.name} data-several="false">
       <AddPage />
+      {offers && <MakeBook />}
       {offers && <SpreadAlbum />}
+      <Making />
     </section>
   );
 }
@@ -68,6 +70,7 @@ function Several() {
         />
       )}
       {(wide || open) && <Tools />}
+      <Making />
       <span class="visually-hidden" aria-live="polite">
         {strings.book.page(at + 1, sheets.length)}
       </span>
@@ -86,6 +89,7 @@ function Tools() {
         <ActionButton action={remove} />
       </div>
       {isEnabled(styleAll) && <ActionButton action={styleAll} class="book-text" text />}
+      <MakeBook />
       <SpreadAlbum />
     </div>
   );
@@ -101,6 +105,34 @@ function AddPage() {
       </span>
       {add.label}
     </ActionButton>
+  );
+}
+
+function MakeBook() {
+  const { make } = useApp().actions.book;
+  return <ActionButton action={make} class="book-text book-make" text />;
+}
+
+/** Progress of a book that is being made. */
+function Making() {
+  const { bookMaking } = useApp();
+  const progress = bookMaking.progress.value;
+  if (progress === null) return null;
+  const { done, of } = progress;
+  const label = of === 0 ? strings.book.looking : strings.book.making(done, of);
+  return (
+    <div class="book-making" aria-busy="true">
+      <span>{label}</span>
+      <progress
+        class="progress"
+        aria-label={label}
+        value={of === 0 ? undefined : done}
+        max={of === 0 ? undefined : of}
+      />
+      <button type="button" class="button" onClick={bookMaking.cancel}>
+        {strings.cancel}
+      </button>
+    </div>
   );
 }
 

@@ -3,7 +3,7 @@
 import { position, versions } from './history.ts';
 import { photosOn, sheetsOf } from '../engine/sheets.ts';
 import type { Draw, Wish } from '../engine/core.ts';
-import type { LayoutChoice, PageDocument, PageSettings, StyleChoice } from '../engine/types.ts';
+import type { BookWish, LayoutChoice, PageDocument, PageSettings, StyleChoice } from '../engine/types.ts';
 import type { Shown } from './history.ts';
 import type { Part, Project } from './project.ts';
 import type { Sheet } from '../engine/sheets.ts';
@@ -13,6 +13,13 @@ const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
 /** Number of seeds that are tried for another arrangement of photos. A single photo has only one arrangement. */
 const MOST_TRIES = 5;
+
+/** Lets the browser draw and the user act between two pages. */
+function turned(): Promise<void> {
+  return new Promise((done) => {
+    setTimeout(done);
+  });
+}
 
 /** @returns a seed that was likely never used */
 export function freshSeed(): number {
@@ -58,6 +65,7 @@ export function createPages(
     changeSettings,
     another,
     spread,
+    book,
     repaired,
     bringBack,
     previous,
@@ -165,6 +173,32 @@ export function createPages(
   function spread(): Sheet[] {
     const sheets = canPlan() ? store.plans().spread(draw()) : null;
     return (sheets ?? []).map((sheet, i) => ({ ...sheet, page: settled(narrated(sheet.page, i)) }));
+  }
+
+  /**
+   * Makes a book of the photos in use, page by page.
+   * @param told is called with the number of pages that are planned, and with their number
+   * @returns its pages; null if it was cancelled, or if the photos changed meanwhile
+   */
+  async function book(
+    wish: BookWish,
+    told: (done: number, of: number) => void,
+    signal: AbortSignal,
+  ): Promise<Sheet[] | null> {
+    const maker = canPlan() ? store.plans().book(draw(), wish) : null;
+    if (!maker) return null;
+    const { tray } = store.project.peek();
+    let more = maker.length > 0;
+    for (let done = 0; more; done += 1) {
+      told(done, maker.length);
+      await turned();
+      if (signal.aborted || store.project.peek().tray !== tray) {
+        maker.stop();
+        return null;
+      }
+      more = maker.step();
+    }
+    return maker.sheets().map((sheet) => ({ ...sheet, page: settled(sheet.page) }));
   }
 
   /** Replaces missing photos on all pages and removes pages without photos; null if nothing changes. */

@@ -11,6 +11,7 @@ import type { Program } from './protocol.ts';
 import type {
   Block,
   BoardPicture,
+  BookWish,
   BreedRequest,
   ChoiceRequest,
   Difference,
@@ -211,6 +212,22 @@ function plansOf(editor: core.Editor, album: core.Album) {
       JSON.parse(editor.brought_back(album, JSON.stringify({ ...draw, current }))),
     /** @returns the photos distributed over new pages, which replace the present ones */
     spread: (draw: Draw): Sheet[] | null => JSON.parse(editor.spread(album, JSON.stringify(draw))),
+    /**
+     * Begins a book of the photos in use. `step` plans a page and returns whether there are more; `sheets` returns the pages, and
+     * ends it, as `stop` does.
+     * @returns null without a page
+     */
+    book: (draw: Draw, wish: BookWish) => {
+      const maker = editor.book(album, JSON.stringify(draw), JSON.stringify(wish));
+      return (
+        maker && {
+          length: maker.length,
+          step: () => maker.step(),
+          sheets: (): Sheet[] => JSON.parse(editor.booked(album, maker)),
+          stop: () => maker.free(),
+        }
+      );
+    },
     /** @returns a page to be added, of photos that no page shows as long as there are some */
     another: (draw: Draw): PageDocument | null => JSON.parse(editor.another(album, JSON.stringify(draw))),
     /** Whether one of the other pages shows a photo that is not in use. */

@@ -867,6 +867,10 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   auto?: boolean,
   /** Shuffle made it: the next shuffle replaces it. */
   made?: boolean,
+  /** It belongs to a book: a shuffle keeps it, another book replaces it. */
+  book?: boolean,
+  /** It is a page number, which follows the position of the page. */
+  number?: boolean,
   /** The photo that it belongs to: it goes wherever that is. Null names the one on its panel. */
   photo?: string | null,
   /** The subtitle that it was made of: none is added twice. */
@@ -1023,6 +1027,23 @@ export type Keep = {
 
 /** How photos that do not stay are chosen. */
 export type Mode = "shuffle" | "photos";
+
+/** What is asked of a book. */
+export type BookWish = {
+  /** The title. Default: the places or the days of the photos. */
+  title?: string,
+  /** Language of the text, such as `en` or `pt-BR`. */
+  language?: string,
+  /** The places of photos by id. */
+  places?: { [key in string]: string },
+  /** Number of pages with cover and end page, from [`MIN_PAGES`]. Default: as many as the photos need. */
+  pages?: number,
+  /** How styles are chosen. */
+  styles?: BookStyles,
+};
+
+/** How the styles of a book are chosen. */
+export type BookStyles = "one" | "chapters";
 
 /**
  * What a person liked so far, as the natural logarithm of what it does to the weights of families and styles. As JSON

@@ -18,6 +18,9 @@ import type { Signal } from '@preact/signals';
 /** Allowed widths of text items, in page widths. */
 const [NARROWEST, WIDEST] = [0.04, 0.96];
 
+/** An edited text item belongs to the user: neither Shuffle nor a new book replaces it. */
+const BY_HAND = { made: undefined, book: undefined, number: undefined };
+
 export type Lettering = ReturnType<typeof createLettering>;
 /** A text item that is added to pages: to a panel of the page `sheet` if it is set, otherwise to its photo. */
 export type AddedWord = Word & { sheet?: number; joins?: boolean };
@@ -185,7 +188,7 @@ export function createLettering({
     const page = store.page.peek();
     if (!page || !words.peek()[index]) return;
     // Shuffle does not replace edited text.
-    const changed = words.peek().map((word, i) => (i === index ? { ...word, ...news, made: undefined } : word));
+    const changed = words.peek().map((word, i) => (i === index ? { ...word, ...news, ...BY_HAND } : word));
     // A text item that the user moves has a fixed position. Otherwise all balloons of its chain are placed again.
     const free = news.auto === false ? [index] : chainOf(changed, index);
     store.change({ type: 'change-page', page: settled({ ...page, words: changed }, free), gesture });

@@ -29,10 +29,10 @@ const TITLE_SIZE = 0.04;
 /** Width of a capital letter in ems, padding of the text, and maximum width of a title, in page widths. */
 const [LETTER, PADDING, WIDEST_TITLE] = [0.7, 0.03, 0.8];
 
-/** @returns the page without the text that an earlier shuffle added */
+/** @returns the page without the text that an earlier shuffle added. The text of a book stays. */
 export function plain(page: PageDocument): PageDocument {
   const words = page.words ?? [];
-  const own = words.filter(({ made }) => !made);
+  const own = words.filter(({ made, book }) => !made || book);
   return own.length === words.length ? page : { ...page, words: own };
 }
 

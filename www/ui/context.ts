@@ -4,6 +4,7 @@ import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import type { Boards } from '../boards/boards.ts';
 import type { Book } from '../book/book.ts';
+import type { BookMaking } from '../book/book-making.ts';
 import type { ShownPages } from '../book/shown-pages.ts';
 import type { Designer } from '../designer/designer.ts';
 import type { Pages } from '../document/pages.ts';
@@ -48,6 +49,7 @@ export type Parts = {
   pages: Pages;
   crops: BetterCrops;
   book: Book;
+  bookMaking: BookMaking;
   boards: Boards;
   animatics: Animatics;
   subjects: Subjects;

@@ -10,6 +10,7 @@
 pub mod album;
 #[cfg(feature = "bench")]
 pub mod bench;
+pub mod booking;
 pub mod document_reading;
 pub mod drafting;
 pub mod editing;

@@ -139,7 +139,7 @@ impl Editor {
     }
 
     #[inline(never)]
-    fn planning<'p>(&'p self, album: &'p Album) -> Result<Planning<'p>> {
+    pub(super) fn planning<'p>(&'p self, album: &'p Album) -> Result<Planning<'p>> {
         let planning = Planning {
             project: self.hands.project(),
             photos: album.used()?,

@@ -1,0 +1,284 @@
+//! The texts of a book: title, captions with day, place and time of day, page numbers and the last words.
+
+use super::phrases::Phrases;
+use crate::framing::{PhotoMeta, Subject};
+use crate::page::Document;
+use crate::plan::book::{Outline, Role};
+use crate::plan::moments::Moment;
+use serde_json::{Value, json};
+use std::collections::HashMap;
+
+/// Maximum number of captions of a page.
+const MOST_CAPTIONS: usize = 2;
+/// A shorter pause in seconds gets no caption.
+const PAUSE: i64 = 3 * 3600;
+/// Maximum span in days whose days are counted. Days of longer albums are told by date.
+const COUNTED: i64 = 10;
+/// Height of an em in page widths: of page numbers, and of captions that begin a chapter.
+const NUMBER: f64 = 0.017;
+const HEADING: f64 = 0.026;
+/// Maximum height of an em of a title, and of the text below it, in page widths.
+const TITLE: f64 = 0.15;
+const SUBTITLE: f64 = 0.036;
+/// Width of titles in page widths, width of a capital letter in ems, and height of a line in ems.
+const WIDTH: f64 = 0.88;
+const LETTER: f64 = 0.5;
+const LINE: f64 = 1.1;
+/// Distance of a title from the edge of the page, in page widths.
+const EDGE: f64 = 0.05;
+
+/// The time and place of each photo of an album, in its order.
+pub(super) struct Told<'a> {
+    /// When each photo was taken.
+    pub(super) moments: Vec<Option<Moment>>,
+    /// The place of each photo; empty if it is unknown.
+    pub(super) places: Vec<&'a str>,
+}
+
+impl<'a> Told<'a> {
+    pub(super) fn new(photos: &[PhotoMeta], places: &'a HashMap<String, String>) -> Self {
+        let moments = photos.iter().map(|photo| photo.taken.as_deref().and_then(Moment::parse)).collect();
+        let place = |photo: &PhotoMeta| places.get(&photo.id).map_or("", |place| place.trim());
+        Self { moments, places: photos.iter().map(place).collect() }
+    }
+
+    /// First and last day.
+    fn days(&self) -> Option<(i64, i64)> {
+        let days = || self.moments.iter().flatten().map(|moment| moment.day());
+        Some((days().min()?, days().max()?))
+    }
+
+    /// The places in their order, each once.
+    fn different_places(&self) -> Vec<&'a str> {
+        let mut different: Vec<&str> = Vec::new();
+        for place in self.places.iter().filter(|place| !place.is_empty()) {
+            if !different.contains(place) {
+                different.push(place);
+            }
+        }
+        different
+    }
+
+    /// The title, and the line below it, which may be empty. `given`: the title that the user chose.
+    pub(super) fn title(&self, given: &str, phrases: &Phrases) -> (String, String) {
+        let dates = self.days().map(|(from, to)| phrases.dates(from, to)).unwrap_or_default();
+        let places = phrases.places(&self.different_places());
+        let title =
+            [given.trim(), &places, &dates, &phrases.untitled].into_iter().find(|text| !text.is_empty());
+        let title = title.unwrap_or_default().to_owned();
+        let below = if title == dates { String::new() } else { dates };
+        (title, below)
+    }
+
+    /// The caption of each photo that has one, by page, and whether it begins a chapter.
+    pub(super) fn captions(
+        &self,
+        outline: &Outline,
+        title: &str,
+        phrases: &Phrases,
+    ) -> Vec<Vec<(usize, String, bool)>> {
+        let days = self.days();
+        let several = days.is_some_and(|(from, to)| from != to);
+        let counted = days.is_some_and(|(from, to)| to - from < COUNTED);
+        let known = self.different_places();
+        // A book about one place has it in its title.
+        let titled = known.len() == 1 && title.to_lowercase().contains(&known[0].to_lowercase());
+        let mut place = if titled { known[0] } else { "" };
+        let (mut chapter, mut last) = (None, None::<Moment>);
+        let mut pages = Vec::new();
+        for leaf in &outline.leaves {
+            let mut told = Vec::new();
+            for &photo in leaf.photos.iter().filter(|_| matches!(leaf.role, Role::Page | Role::Full)) {
+                let begins = chapter != Some(outline.chapters[photo]);
+                let (moment, here) = (self.moments[photo], self.places[photo]);
+                let mut parts: Vec<String> = Vec::new();
+                if let (true, true, Some(moment), Some((first, _))) = (begins, several, moment, days) {
+                    let nth = phrases.nth_day(moment.day() - first).filter(|_| counted);
+                    parts.push(nth.map_or_else(|| phrases.short(moment.day()), str::to_owned));
+                }
+                if !here.is_empty() && here != place {
+                    parts.push(here.to_owned());
+                }
+                if let (true, Some(before), Some(now)) = (parts.is_empty() && !begins, last, moment) {
+                    let (was, is) = (phrases.part(before.hour()), phrases.part(now.hour()));
+                    if now.seconds - before.seconds >= PAUSE && was != is && before.day() == now.day() {
+                        parts.push(is.to_owned());
+                    }
+                }
+                if !parts.is_empty() && (begins || told.len() < MOST_CAPTIONS) {
+                    told.push((photo, phrases.sentences(&parts), begins));
+                }
+                chapter = Some(outline.chapters[photo]);
+                place = if here.is_empty() { place } else { here };
+                last = moment.or(last);
+            }
+            pages.push(told);
+        }
+        pages
+    }
+}
+
+/// A caption on the panel that shows a photo.
+pub(super) fn caption(
+    page: &Document,
+    photo: &str,
+    (text, begins): (&str, bool),
+    language: &str,
+) -> Option<Value> {
+    let panel = page.panels.iter().position(|panel| panel.photo.as_deref() == Some(photo))?;
+    let mut word = json!({
+        "kind": "caption", "text": text, "panel": panel, "photo": photo, "auto": true, "craft": 2,
+        "made": true, "book": true, "language": language,
+    });
+    if begins {
+        word["size"] = json!(HEADING);
+    }
+    Some(word)
+}
+
+/// The number of a page, from 1, at its lower edge.
+pub(super) fn number(page: &Document, number: usize) -> Value {
+    let aspect = page.page.aspect();
+    let middle = (page.page.margin / 2.0).max(NUMBER * 0.7);
+    json!({
+        "kind": "caption", "text": number.to_string(), "x": 0.5, "y": 1.0 - middle * aspect, "size": NUMBER,
+        "boxless": true, "auto": false, "craft": 2, "made": true, "book": true, "number": true,
+    })
+}
+
+/// A large text and a smaller one below it, at the upper or the lower edge of the page, wherever they hide less of the
+/// subjects of the first panel. `low`: the lower edge is taken.
+pub(super) fn title(
+    page: &Document,
+    photo: &PhotoMeta,
+    (text, below): (&str, &str),
+    (language, low): (&str, bool),
+) -> Vec<Value> {
+    let aspect = page.page.aspect();
+    let (size, lines) = fitted(text);
+    let smaller = if below.is_empty() { 0.0 } else { SUBTITLE };
+    let high = (lines as f64 * size + smaller) * LINE;
+    let band = (high + EDGE) * aspect;
+    let hidden = |from: f64, to: f64| -> f64 { covered(page, photo, from, to) };
+    let top = low || hidden(0.0, band) <= hidden(1.0 - band, 1.0);
+    let start = if top { EDGE * aspect } else { 1.0 - (high + EDGE) * aspect };
+    let word = |text: &str, y: f64, size: f64, font: &str| {
+        json!({
+            "kind": "caption", "text": text, "x": 0.5, "y": y, "width": WIDTH, "size": size, "font": font,
+            "boxless": true, "auto": false, "craft": 2, "made": true, "book": true, "language": language,
+        })
+    };
+    let middle = start + lines as f64 * size * LINE / 2.0 * aspect;
+    let mut words = vec![word(text, middle, size, "bangers")];
+    if !below.is_empty() {
+        let y = start + (lines as f64 * size * LINE + smaller * LINE * 0.6) * aspect;
+        words.push(word(below, y, SUBTITLE, "comic-neue-bold"));
+    }
+    words
+}
+
+/// The height of an em that a title gets, and its number of lines.
+fn fitted(text: &str) -> (f64, usize) {
+    let wide = |text: &str| text.chars().map(|c| if c > '\u{2e80}' { 1.0 } else { LETTER }).sum::<f64>();
+    let longest = text.split_whitespace().map(wide).fold(LETTER, f64::max);
+    let whole = wide(text).max(LETTER);
+    let sized = |lines: usize| {
+        // Words do not part, so lines are not equally full.
+        let slack = if lines > 1 { 0.8 } else { 1.0 };
+        (WIDTH * 0.94 * lines as f64 * slack / whole).min(WIDTH * 0.94 / longest).min(TITLE)
+    };
+    // More lines only if they make the title clearly larger.
+    (2..=3)
+        .map(|lines| (sized(lines), lines))
+        .fold((sized(1), 1), |best, next| if next.0 > 1.35 * best.0 { next } else { best })
+}
+
+/// How much of the subjects of the first panel lies between two heights of the page, faces most.
+fn covered(page: &Document, photo: &PhotoMeta, from: f64, to: f64) -> f64 {
+    let Some(crop) = page.panels.first().and_then(|panel| panel.crop) else { return 0.0 };
+    let part = |subject: &Subject| {
+        let top = (subject.y - crop.y) / crop.height;
+        let bottom = top + subject.height / crop.height;
+        let shared = (bottom.min(to) - top.max(from)).max(0.0) / (bottom - top).max(1e-6);
+        let weight = if subject.label == crate::framing::FACE { 4.0 } else { 1.0 };
+        let alive = if subject.is_alive() { 1.0 } else { 0.3 };
+        shared * weight * alive * (subject.width * subject.height).sqrt()
+    };
+    photo.marked().map(|subject| part(&subject)).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::book::Leaf;
+
+    fn photos(taken: &[&str]) -> Vec<PhotoMeta> {
+        let photo = |(i, taken): (usize, &&str)| PhotoMeta {
+            taken: (!taken.is_empty()).then(|| format!("2026:{taken}:00")),
+            ..PhotoMeta::unmeasured(&format!("p{i}"), 3000, 2000)
+        };
+        taken.iter().enumerate().map(photo).collect()
+    }
+
+    fn told(taken: &[&str], places: &[&str], chapters: &[usize], title: &str) -> Vec<String> {
+        let photos = photos(taken);
+        let places =
+            places.iter().enumerate().map(|(i, place)| (format!("p{i}"), (*place).to_owned())).collect();
+        let page = Leaf { role: Role::Page, chapter: 0, photos: (0..photos.len()).collect() };
+        let outline = Outline { leaves: vec![page], chapters: chapters.to_vec() };
+        let phrases = Phrases::of("en").unwrap();
+        let told = Told::new(&photos, &places).captions(&outline, title, &phrases);
+        told.into_iter().flatten().map(|(photo, text, _)| format!("{photo} {text}")).collect()
+    }
+
+    #[test]
+    fn a_day_begins_with_its_number_and_its_place() {
+        let taken = ["06:09 10:00", "06:09 11:00", "06:10 09:00"];
+        assert_eq!(
+            told(&taken, &["Lisbon", "Lisbon", "Sintra"], &[0, 0, 1], "Portugal"),
+            ["0 First day. Lisbon.", "2 Second day. Sintra.",]
+        );
+        // A place that is unknown, or in the title, is not told.
+        assert_eq!(told(&taken, &["", "", ""], &[0, 0, 1], ""), ["0 First day.", "2 Second day."]);
+        assert_eq!(
+            told(&taken, &["Rome", "Rome", "Rome"], &[0, 0, 1], "Rome 2026"),
+            ["0 First day.", "2 Second day.",]
+        );
+    }
+
+    #[test]
+    fn a_pause_tells_the_time_of_day_and_a_long_album_its_dates() {
+        assert_eq!(
+            told(&["06:09 09:00", "06:09 12:30", "06:09 20:10"], &[], &[0, 0, 0], "Trip"),
+            ["1 At noon.", "2 In the evening.",]
+        );
+        assert_eq!(told(&["03:09 09:00", "06:10 12:30"], &[], &[0, 1], ""), ["0 9 March.", "1 10 June."]);
+        assert!(told(&["", ""], &[], &[0, 0], "").is_empty());
+    }
+
+    #[test]
+    fn a_title_is_the_users_or_of_places_or_of_days() {
+        let title = |given: &str, places: &[(&str, &str)]| {
+            let places = places.iter().map(|(id, place)| ((*id).to_owned(), (*place).to_owned())).collect();
+            let photos = photos(&["06:09 10:00", "06:10 11:00"]);
+            Told::new(&photos, &places).title(given, &Phrases::of("en").unwrap())
+        };
+        let days = "9–10 June 2026".to_owned();
+        assert_eq!(title("Holiday", &[]), ("Holiday".into(), days.clone()));
+        assert_eq!(
+            title(" ", &[("p0", "Lisbon"), ("p1", "Sintra")]),
+            ("Lisbon and Sintra".into(), days.clone())
+        );
+        assert_eq!(title("", &[]), (days, String::new()));
+        let nothing = Told { moments: vec![None], places: vec![""] };
+        assert_eq!(nothing.title("", &Phrases::of("de").unwrap()).0, "Unsere Fotos");
+    }
+
+    #[test]
+    fn titles_fill_their_width_and_long_words_stay_whole() {
+        let (short, one) = fitted("Rome");
+        let (long, more) = fitted("A very long weekend on the islands of the north");
+        assert!((short - TITLE).abs() < 1e-9 && one == 1 && more > 1 && long < short && long > 0.05);
+        assert!(fitted("Donaudampfschifffahrtsgesellschaft").0 * LETTER * 34.0 <= WIDTH);
+    }
+}

@@ -1,0 +1,91 @@
+/** Makes a book of all photos: cover, chapters by day, captions, page numbers, end page. One undo step. */
+
+import { signal } from '@preact/signals';
+import { sheetsOf } from '../engine/sheets.ts';
+import { language, strings } from '../strings/strings.ts';
+import type { Signal } from '@preact/signals';
+import type { BookStyles } from '../engine/types.ts';
+import type { Book } from './book.ts';
+import type { Messages } from '../ui/messages.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
+
+export type BookMaking = ReturnType<typeof createBookMaking>;
+
+/** Maximum time in ms to wait for faces, which choose the cover. Crops follow later detections. */
+const PATIENCE = 15_000;
+/** Time in ms between two looks at the detection. */
+const LOOK = 100;
+
+/**
+ * @param app `album`: the title of the album, and the places of its photos; `searched`: whether all photos were looked at;
+ * `ready` loads what places text
+ */
+export function createBookMaking({
+  store,
+  book,
+  pages,
+  messages,
+  album,
+  searched,
+  ready,
+  wait = (ms) =>
+    new Promise((done) => {
+      setTimeout(done, ms);
+    }),
+}: {
+  store: Store;
+  book: Pick<Book, 'cannotSpread' | 'replace'>;
+  pages: Pick<Pages, 'book'>;
+  messages: Pick<Messages, 'note'>;
+  album: { title: () => string; moments: () => ReadonlyMap<string, { place: string }> };
+  searched: () => boolean;
+  ready: () => Promise<unknown>;
+  wait?: (ms: number) => Promise<void>;
+}) {
+  /** Pages that are planned, and their number, which is 0 while photos are looked at; null if no book is made. */
+  const progress = signal(null) as Signal<{ done: number; of: number } | null>;
+  let stop: AbortController | null = null;
+
+  return { progress, make, cancel };
+
+  /** @param styles one style for all pages, or one per chapter */
+  async function make(styles: BookStyles) {
+    if (progress.peek() || !store.project.peek().page || book.cannotSpread() !== '') return;
+    stop = new AbortController();
+    const { signal } = stop;
+    progress.value = { done: 0, of: 0 };
+    try {
+      await Promise.all([ready(), looked(signal)]);
+      const before = store.project.peek();
+      const places = Object.fromEntries([...album.moments()].map(([id, { place }]) => [id, place]));
+      const told = (done: number, of: number) => {
+        progress.value = { done, of };
+      };
+      const sheets = signal.aborted
+        ? null
+        : await pages.book({ title: album.title(), language, places, styles }, told, signal);
+      if (!sheets || sheets.length === 0) return;
+      book.replace(sheets, {
+        text: strings.book.made(sheets.length),
+        before: sheetsOf(before),
+        at: before.at,
+        more:
+          styles === 'one' && new Set(store.photos.peek().map(({ taken }) => taken?.slice(0, 10))).size > 1
+            ? { label: strings.book.makeChapters, run: () => void make('chapters') }
+            : undefined,
+      });
+    } finally {
+      progress.value = null;
+      stop = null;
+    }
+  }
+
+  function cancel() {
+    stop?.abort();
+  }
+
+  async function looked(signal: AbortSignal) {
+    for (let waited = 0; waited < PATIENCE && !searched() && !signal.aborted; waited += LOOK) await wait(LOOK);
+  }
+}
