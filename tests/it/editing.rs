@@ -1090,7 +1090,7 @@ fn a_page_comes_back_with_photos_of_the_table_on_the_paper_of_the_others() {
 /// photos.
 #[test]
 fn no_two_pages_claim_one_photo() {
-    sequences(1_000, |seed| {
+    sequences(crate::trials(100, 1_000), |seed| {
         let mut random = Rand64::new(u128::from(seed));
         let mut seeds = Seeds::new(seed);
         let all = metas(6 + (seed % 20) as usize);

@@ -135,8 +135,9 @@ fn the_same_seed_finds_the_same() {
         let styles = survey.search(look.clone(), seed, Effort::BRIEF);
         styles.iter().map(|style| style.to_value().to_string()).collect::<Vec<_>>()
     };
-    assert_eq!(told(5), told(5));
-    for text in told(5) {
+    let found = told(5);
+    assert_eq!(found, told(5));
+    for text in found {
         Style::parse("imitated.json", &text).unwrap();
     }
 }

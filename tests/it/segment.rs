@@ -34,7 +34,7 @@ fn subjects_are_those_of_onnx_runtime() {
     let net = segmenter();
     let rows = expected()["subjects"].as_array().unwrap().clone();
     assert_eq!(rows.len(), 10);
-    for row in rows {
+    for row in rows.iter().step_by(crate::trials(3, 1) as usize) {
         let file = row["file"].as_str().unwrap();
         let shares = net.shares(&photo(file)).unwrap();
         let expected = bytes(&row["shares"]);

@@ -11,7 +11,7 @@ use crate::{tables, tools};
 /// Python package that is installed in an environment below `target`.
 const PEER: &str = "opencv-python-headless==5.0.0.93";
 
-/// Builds for this machine's processor, as `OpenCV` chooses its kernels by it, measures, and writes a table of [`tables::BENCHMARKS`].
+/// Builds for this machine's processor, as `OpenCV` chooses its kernels by it, measures, and writes a table of `docs/reports/benchmarks.md`.
 pub fn run(project: &Project) -> Result<()> {
     let folder = project.target.join("native");
     let photo = project.root.join("www/public/samples/06-castle.jpg");
