@@ -661,7 +661,7 @@ fn star(photos: &mut [(PathBuf, Imported)], names: &[PathBuf]) {
     }
 }
 
-/// Whether a path is the one that is named, in full or by its last parts.
+/// Returns whether a path matches a name, completely or by its last parts.
 fn is_named(path: &Path, name: &Path) -> bool {
     path.ends_with(name.strip_prefix(".").unwrap_or(name))
 }

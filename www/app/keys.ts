@@ -1,5 +1,5 @@
 /**
- * The keyboard: one listener that finds the action of a shortcut. A control with the focus receives its keys first.
+ * The keyboard: one listener that maps shortcuts to actions. A control with the focus receives its keys first.
  */
 
 import { isEnabled } from '../ui/action.ts';
@@ -49,7 +49,7 @@ export function createKeys({
     const shortcut = pressed(event).find((keys) => byKeys.has(keys));
     const action = shortcut === undefined ? undefined : byKeys.get(shortcut);
     if (!shortcut || !action || isSilent(shortcut, event.target)) return;
-    // Over the board the page is out of sight: nothing shuffles it unseen.
+    // Behind a workspace the page is invisible, so nothing shuffles it.
     if (ui.work.peek() !== null && action.heard !== 'everywhere') return;
     if (isEnabled(action)) {
       // Some browsers press a focused button when the key is released.

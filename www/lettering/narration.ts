@@ -10,7 +10,7 @@ import type { PageDocument, Word } from '../engine/types.ts';
 export type Moment = { at: number | null; place: string };
 
 export type Narration = {
-  /** The title of the page. An empty title adds none. */
+  /** The title of the page. An empty title adds no title item. */
   title: string;
   /** By photo id. */
   moments: ReadonlyMap<string, Moment>;

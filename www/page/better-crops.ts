@@ -31,7 +31,7 @@ export function createBetterCrops({
 }) {
   /** The page that is offered instead of another. */
   const offer = signal<{ of: PageDocument; better: PageDocument } | null>(null);
-  /** When the page appeared on the screen. */
+  /** Time when the page became visible. */
   let seen: { version: string; at: number } | null = null;
 
   effect(() => {
