@@ -157,7 +157,7 @@ impl Request {
         let (size, fps) = self.checked()?;
         let lengths = self.lengths(fps)?;
         let most = (self.dissolve.clamp(0.0, 10.0) * f64::from(fps)).round() as u32;
-        // In a dissolve, each shot has at least one frame of its own without the other shot.
+        // In a dissolve, each shot has at least one frame without the other shot.
         let dissolves: Vec<u32> = lengths.windows(2).map(|pair| most.min(pair[0].min(pair[1]) - 1)).collect();
         let dissolve = |cut: Option<usize>| cut.and_then(|cut| dissolves.get(cut)).copied().unwrap_or(0);
         let mut start = 0;
