@@ -328,7 +328,7 @@ struct Planned {
 /// Options of pages and books: the paper, the photos and the style.
 #[derive(clap::Args, Default, PartialEq)]
 #[command(next_help_heading = "Planning (photos only)")]
-#[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
+#[allow(clippy::struct_excessive_bools, reason = "each is a separate option")]
 struct Chosen {
     #[command(flatten)]
     paper: Paper,

@@ -17,8 +17,8 @@ const OWN_USE: Record<string, string> = {
 const TEXT_FIELDS = 'input:not([type=checkbox], [type=range], [type=color], [type=file]), textarea, select';
 
 /**
- * @param parts `leave`: what Escape does on the board, where it does something; `covered`: whether a modal dialog is open.
- *   `pointed`: the button that was pressed by the pointer and has the focus by that alone: Space is not meant for it
+ * @param parts `leave`: the action of Escape on the board, if any. `covered`: whether a modal dialog is open.
+ * `pointed`: the button that has the focus because of a click. Space must not press it again.
  * @returns a listener for `keydown` on the window
  */
 export function createKeys({
