@@ -27,9 +27,9 @@ Examples:
   inkpanel book photos/ --pages 12 --style noir -o page-%02d.png
 
 Exit codes:
-  0  success; skipped files are listed on standard error
-  1  bad input, or a warning with --strict; the reason is on standard error and no file is written
-  2  wrong usage: an option, its value, or a settings file";
+  0  Success. Skipped files are listed on standard error.
+  1  Bad input, or a warning with --strict. The reason is on standard error, and no file is written.
+  2  Wrong usage: an option, its value, or a settings file.";
 
 /// How the styles of a book are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -83,7 +83,7 @@ pub(crate) fn make(made: &Book) -> Result<(), Complaint> {
         }
         if how.skip_existing && output.exists() {
             let event = json!({ "event": "skipped", "file": output.path.display().to_string() });
-            telling::step(&event, Some(format!("{}: is there already", output.path.display())));
+            telling::step(&event, Some(format!("{}: exists already, skipped", output.path.display())));
             return Ok(());
         }
         if matches!(Kind::of(&output.named), Ok(Kind::Shots(_))) {
@@ -170,7 +170,8 @@ fn planned(
     Ok((pages, title))
 }
 
-/// The plan as JSON: that of `render`, with the title of the book, and the purpose and the chapter of each page.
+/// Returns the plan as JSON, as `render` does, with the title of the book, and the purpose and chapter of
+/// each page.
 fn told(title: &str, pages: &[BookPage], photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {
     let page = |page: &BookPage| {
         let mut told = plans::told_page(&page.planned, photos)?;

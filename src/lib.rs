@@ -21,7 +21,7 @@
 //!
 //! | to | there is |
 //! |---|---|
-//! | give photos | [`Photo`], and an [`Album`] that has read them |
+//! | read photos | [`Photo`], and an [`Album`] of photos that were read |
 //! | detect faces and objects, so that no crop cuts them | [`Nets`](https://docs.rs/inkpanel/latest/inkpanel/struct.Nets.html) and `Album::detect` (feature `detect`) |
 //! | plan pages | [`PageOptions`], [`layouts`], [`Style`] |
 //! | draw pages | [`Page`], [`Pixels`], [`pdf`] |

@@ -328,7 +328,7 @@ struct Planned {
 /// Options of pages and books: the paper, the photos and the style.
 #[derive(clap::Args, Default, PartialEq)]
 #[command(next_help_heading = "Planning (photos only)")]
-#[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
+#[allow(clippy::struct_excessive_bools, reason = "each is a separate option")]
 struct Chosen {
     #[command(flatten)]
     paper: Paper,
@@ -661,7 +661,7 @@ fn star(photos: &mut [(PathBuf, Imported)], names: &[PathBuf]) {
     }
 }
 
-/// Whether a path is the one that is named, in full or by its last parts.
+/// Returns whether a path matches a name, completely or by its last parts.
 fn is_named(path: &Path, name: &Path) -> bool {
     path.ends_with(name.strip_prefix(".").unwrap_or(name))
 }

@@ -342,7 +342,7 @@ pub(crate) fn tell_differences(
     }
 }
 
-/// The first names of a list, and how many more there are.
+/// Returns the first names of a list, and the number of the others.
 pub(crate) fn some(names: &[&str]) -> String {
     match names.len() {
         0..=4 => names.join(", "),

@@ -56,7 +56,7 @@ pub(crate) fn language(tag: &str) -> Result<String, Complaint> {
     Ok(tag.to_owned())
 }
 
-/// Draws pages, and puts the comic of them in its place.
+/// Draws pages, and writes the comic.
 ///
 /// Returns the file.
 pub(crate) fn write(

@@ -1,4 +1,4 @@
-//! Saved projects and pages on the command line: drawn as the page itself exports them.
+//! Saved projects and pages on the command line, drawn like exports of the app.
 
 use crate::album::{self, told};
 use crate::destination::Output;
@@ -90,7 +90,7 @@ fn drawn(
     let means = printing.means(&photos, &fonts, &masks);
     drawing::tell_missing(&wanted, &fonts)?;
     if how.strict {
-        // Damage is reported before anything is written; errors come back when the photo is drawn.
+        // Damage is reported before anything is written. Errors are reported again when the photo is drawn.
         for id in files.keys() {
             drop(photos(id));
         }
@@ -153,7 +153,7 @@ fn subjects(photo: &FilePhoto) -> Vec<Subject> {
 /// A photo at full size by id; `None` if its file is missing.
 ///
 /// # Errors
-/// A sentence with its name where it cannot be read.
+/// A sentence with its name if it cannot be read.
 pub(crate) fn photo(
     saved: &Saved,
     files: &HashMap<String, Vec<u8>>,

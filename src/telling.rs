@@ -19,7 +19,7 @@ pub(crate) fn as_json() {
 }
 
 /// Prints a warning, such as a skipped file or a photo without a panel. The run continues, unless `--strict`
-/// is set. `file` is the one that it is about, if any.
+/// is set. `file`: the affected file, if any.
 pub(crate) fn note(file: Option<&str>, why: &str) {
     NOTES.fetch_add(1, Ordering::Relaxed);
     say(&json!({ "event": "note", "file": file, "message": why }), || match file {

@@ -96,7 +96,7 @@ pub(crate) struct Word {
     /// The photo that it belongs to. The item follows this photo. Null names the one on its panel.
     #[ts(optional = nullable)]
     photo: Option<String>,
-    /// The subtitle that it was made of: none is added twice.
+    /// The subtitle of origin, so that it is not added twice.
     #[ts(optional = nullable)]
     cue: Option<String>,
     /// Lettering rules: 2 for the rules of letterers, for all new items. Items without it are from old pages
@@ -133,7 +133,7 @@ pub(crate) struct Word {
     language: Option<String>,
     /// Its lines are columns, read from the top down and from right to left.
     vertical: Option<bool>,
-    /// Width and height in page widths that it keeps to, found when it was placed.
+    /// Width and height in page widths, fixed when it was placed.
     #[ts(type = "readonly [width: number, height: number] | null", optional)]
     room: Option<(f64, f64)>,
 }
@@ -199,7 +199,7 @@ struct Difference {
 struct Misfit {
     #[ts(as = "draft::Misfit")]
     lacks: String,
-    /// The block that gives it.
+    /// The block that provides it.
     remedy: String,
 }
 
@@ -234,14 +234,14 @@ struct DraftFacts {
 #[derive(TS, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct RepairedSheets {
-    /// In order; a page that stays as it was is left out.
+    /// In order. Unchanged pages are left out.
     #[ts(type = "ReadonlyArray<Omit<Sheet, 'page'> & Partial<Pick<Sheet, 'page'>>>")]
     sheets: Vec<Value>,
     /// Which is edited.
     at: usize,
 }
 
-/// Numbers of things in a row: the first, and how many.
+/// Consecutive numbers: the first, and the count.
 type Runs = Vec<(usize, usize)>;
 
 /// A history that was put into an editor.
@@ -468,7 +468,7 @@ fn types() -> String {
     formatted(&out)
 }
 
-/// The type of the codes of errors, out of the function that gives them.
+/// Returns the type of error codes, from the function that returns them.
 fn error_codes() -> String {
     let (_, code) = include_str!("../pixels/src/error.rs").split_once("pub fn code(").unwrap();
     let arms = code.split("    }\n\n").next().unwrap().lines();

@@ -26,7 +26,7 @@ fn what_is_said_besides_the_pixels_takes_little_memory() {
     let webp = fs::read(data.join("webp-icc-p3.webp")).unwrap();
     let mib = 1 << 20;
     let half = |_| vec![b'a'; 65_000];
-    // The file, and how many bytes of it are copied at most: the pixels of a JPEG file are, metadata never.
+    // The file, and the maximum number of copied bytes: the pixels of a JPEG file, but no metadata.
     let files = [
         ("iCCP of 900 MB", png(&[(*b"iCCP", inflating(900 * mib))])),
         ("two iCCP of 900 MB", png(&[(*b"iCCP", inflating(900 * mib)), (*b"iCCP", inflating(900 * mib))])),
@@ -56,7 +56,7 @@ fn what_is_said_besides_the_pixels_takes_little_memory() {
     assert!(offences.is_empty(), "{offences:#?}");
 }
 
-/// A WebP file whose profile is replaced by one of that many bytes.
+/// Returns a WebP file with a profile of this length.
 fn webp_with_profile(webp: &[u8], length: u32) -> Vec<u8> {
     let at = webp.windows(4).position(|name| name == b"ICCP").unwrap();
     let old = u32::from_le_bytes(*webp[at + 4..].first_chunk().unwrap()).next_multiple_of(2) as usize;

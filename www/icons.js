@@ -1,7 +1,7 @@
 // @ts-check
 /**
- * Draws the icons that the manifest names out of `public/icon.svg`, by Chromium: `node icons.js`. Their PNG files are in
- * git, as they change with the drawing only.
+ * Draws the icons that the manifest names out of `public/icon.svg`, by Chromium: `node icons.js`. Their PNG files are
+ * in git, because they change only with the drawing.
  */
 
 import { readFile, writeFile } from 'node:fs/promises';

@@ -73,7 +73,7 @@ export default defineConfig({
   ],
   // A page that waits for a timer, a message or a worker leaves cores idle: two files run in parallel, even on two cores.
   workers: 2,
-  // The machine may be busy. A limit ends a test that hangs; it measures nothing.
+  // The machine may be busy. The time limit ends hanging tests. It measures nothing.
   timeout: 240_000,
   expect: { timeout: 30_000 },
   reporter: [['list']],

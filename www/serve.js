@@ -50,7 +50,7 @@ const server = createServer(async (request, response) => {
 
 /**
  * @param {string} file
- * @returns {Promise<Buffer>} compressed once as long as it does not change
+ * @returns {Promise<Buffer>} the compressed file, cached until it changes
  */
 function compressed(file) {
   const key = `${file} ${statSync(file).mtimeMs}`;

@@ -186,8 +186,8 @@ impl Template {
         &self.body
     }
 
-    /// Whether the template stays good on a page of that aspect (width over height): no panel thinner than
-    /// 12 % of the page's width, gutters taken off, and none drawn out to a ribbon.
+    /// Returns whether the template suits a page of this aspect ratio (width over height): without gutters,
+    /// no panel is thinner than 12 % of the page width, and no panel is very elongated.
     #[must_use]
     pub fn good_for(&self, page_aspect: f64) -> bool {
         let stretch = (page_aspect / self.aspect).max(self.aspect / page_aspect);

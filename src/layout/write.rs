@@ -63,13 +63,13 @@ pub struct Descriptor<'a> {
 pub struct LayoutPanel<'a> {
     /// Its outline.
     pub shape: Outline<'a>,
-    /// How much it draws the eye.
+    /// Visual prominence of the panel.
     pub weight: f32,
     /// Whether the panel is an overlay.
     pub overlay: bool,
 }
 
-/// The outline of a panel: one of both.
+/// The outline of a panel: a polygon or a circle.
 #[derive(Debug, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Outline<'a> {
@@ -95,7 +95,7 @@ pub struct Circle {
     pub radius: f64,
 }
 
-/// A panel on the page, in page widths; its outline is one of both.
+/// A panel on the page, in page widths. Its outline is a polygon or a circle.
 #[derive(Debug, Serialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct PlacedPanel<'a> {

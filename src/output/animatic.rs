@@ -157,7 +157,7 @@ impl Request {
         let (size, fps) = self.checked()?;
         let lengths = self.lengths(fps)?;
         let most = (self.dissolve.clamp(0.0, 10.0) * f64::from(fps)).round() as u32;
-        // In a dissolve each shot keeps one separate frame.
+        // In a dissolve, each shot has at least one frame without the other shot.
         let dissolves: Vec<u32> = lengths.windows(2).map(|pair| most.min(pair[0].min(pair[1]) - 1)).collect();
         let dissolve = |cut: Option<usize>| cut.and_then(|cut| dissolves.get(cut)).copied().unwrap_or(0);
         let mut start = 0;
@@ -385,7 +385,7 @@ fn journey(picture: &Picture, seconds: f64, index: usize) -> (Crop, Crop) {
     if index.is_multiple_of(2) { (first, last) } else { (last, first) }
 }
 
-/// The box about what must stay in view, as far as the crop shows it.
+/// Returns the visible part of the box that must stay in view.
 fn kept(subjects: &[Subject], crop: &Crop) -> Option<Crop> {
     let sure = |subject: &&Subject| subject.score >= SURE && !subject.is_scenery();
     let classes: [&dyn Fn(&&Subject) -> bool; 3] =
@@ -455,7 +455,7 @@ fn plain([width, height]: [u32; 2]) -> Value {
     })
 }
 
-/// An empty page with a caption; nothing for no text.
+/// Returns an empty page with a caption, or nothing without a text.
 fn caption_page(text: &str, [width, height]: [u32; 2]) -> Value {
     if text.is_empty() {
         return Value::Null;
@@ -474,7 +474,7 @@ fn caption_page(text: &str, [width, height]: [u32; 2]) -> Value {
     written(&document).unwrap_or(Value::Null)
 }
 
-/// The page as the page itself writes it.
+/// Returns the page in the format of the app.
 fn written(document: &Value) -> Result<Value> {
     page_value(&Document::parse(&document.to_string())?)
 }

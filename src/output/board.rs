@@ -25,7 +25,7 @@ const HEAD: f64 = 11.0;
 const TITLE: f64 = 4.9;
 /// Width of the sheet number.
 const NUMBER: f64 = 25.0;
-/// Most width and height of a logo, and the most that one of them is of the other.
+/// Maximum width and height of a logo, in millimetres, and the maximum ratio of its sides.
 const LOGO: (f64, f64) = (30.0, 9.0);
 const FLATTEST: f64 = 30.0;
 /// Offset of the header text next to a logo, which aligns their centres.
@@ -120,7 +120,7 @@ pub struct Labels {
     pub dialogue: String,
     /// Before the notes.
     pub notes: String,
-    /// Which sheet it is of how many.
+    /// Number of the sheet, and total number of sheets.
     pub page: String,
 }
 
@@ -179,7 +179,7 @@ impl Request {
             panels.push(json!({ "photo": picture.photo, "crop": picture.crop, "faces": picture.faces }));
             words.extend(self.told(grid, shot, (i, &frame, &text)));
         }
-        // Behind the frames, which keep their numbers.
+        // After the frames, so that their indices do not change.
         if let Some(logo) = &self.logo {
             polygons.push(grid.polygon(&logo.area()));
             panels.push(json!({ "photo": logo.photo, "plain": true }));

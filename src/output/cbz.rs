@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 
 const XML: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n";
 
-/// The files of the archive: the pages first, as they are read.
+/// Returns the files of the archive: first the pages, in reading order.
 ///
 /// # Errors
 /// As [`tell`].
@@ -31,7 +31,7 @@ fn picture(comic: &Comic, page: usize) -> String {
     format!("{}.{}", comic.page_name(page), comic.picture.ending())
 }
 
-/// A page is a double page where it is broad and others are upright.
+/// Returns whether a page is a double page: it is landscape, and others are portrait.
 fn is_double(page: &ToldPage, pages: &[ToldPage]) -> bool {
     page.width > page.height && pages.iter().any(|page| page.width <= page.height)
 }

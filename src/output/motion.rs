@@ -34,7 +34,7 @@ const READ: (f64, f64) = (0.5, 0.055);
 const FADE: f64 = 0.2;
 /// Margin around the visible area, relative to a panel and to the whole page.
 const ROOM: (f64, f64) = (0.07, 0.05);
-/// How much nearer the camera comes while it stays at a panel, a second and at most.
+/// Zoom of the camera while it rests on a panel: per second, and at most.
 const CLOSER: (f64, f64) = (0.01, 0.04);
 /// Reduction of the dimming during a camera move, so that its target is visible.
 const LIFTED: f64 = 0.7;
@@ -252,7 +252,8 @@ impl Reading {
     pub fn view(&self, frame: u32) -> Crop {
         match self.place(frame) {
             Place::At(stop) => {
-                // Slow enough to be even: it would seem to halt between the two ways else.
+                // Slow enough for constant speed. With easing, the camera would seem to stop between two
+                // moves.
                 between(&stop.first, &stop.last, part(frame, stop.from, stop.to - 1))
             }
             Place::Between(from, to) => {

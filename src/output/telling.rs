@@ -16,8 +16,8 @@ use std::f64::consts::{PI, TAU};
 const ROUND: f64 = 0.25;
 /// Corners that a circle has at least.
 const LEAST_CORNERS: f64 = 32.0;
-/// Words of a panel are read from the top; of two the one to the left is first where it is lower by less than this part of the
-/// way between them.
+/// Text items of a panel are read from top to bottom. The left one of two items comes first if it is lower by
+/// less than this part of their horizontal distance.
 const SLANT: f64 = 0.3;
 
 /// A page.

@@ -55,7 +55,8 @@ fn crossing([from, at, to]: [Point; 3], [first, second]: [f64; 2]) -> Point {
     Point::new(at.x + (second * a.0 - first * b.0) / sine, at.y + (second * a.1 - first * b.1) / sine)
 }
 
-/// The crop of larger bounds, so that what it shows in the smaller ones stays. It may reach beyond the photo.
+/// Enlarges a crop for larger bounds, so that the content of the smaller bounds does not move. It may reach
+/// beyond the photo.
 pub(super) fn widened(crop: Crop, from: Bounds, to: Bounds) -> Crop {
     let (across, down) = (crop.width / from.width, crop.height / from.height);
     Crop {
@@ -122,7 +123,7 @@ mod tests {
             corners(extended(&square, page, 2.0)),
             [(-300, -300), (5000, -300), (5000, 6000), (-300, 6000)]
         );
-        // The slanted line stays where it is on the page.
+        // The slanted line does not move on the page.
         let slanted = polygon(&[(0.0, 50.0), (50.0, 75.0), (50.0, 100.0), (0.0, 100.0)]);
         assert_eq!(
             corners(extended(&slanted, page, 2.0)),

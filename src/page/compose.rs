@@ -279,7 +279,7 @@ fn drawn(
     }
     let size = (photo.width() as f64, photo.height() as f64);
     context.show_faces(faces_in(panel, size, shown.region, shown.at));
-    // A style without parts is drawn as ever.
+    // A style without parts is drawn as usual.
     context.show_subject(shown.subject.clone().filter(|_| scene.style.has_parts()));
     stylize(&shown.image, &scene.style, context)
 }

@@ -11,7 +11,7 @@ use super::mask::PixelRect;
 use crate::layout::Point;
 use crate::order::sort_by;
 
-/// A closed line; its area is added to the coverage, or taken off it.
+/// A closed line, whose area is added to or subtracted from the coverage.
 pub struct Contour {
     /// Corners in page pixels, in either direction.
     pub points: Vec<Point>,

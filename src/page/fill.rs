@@ -27,7 +27,7 @@ pub(super) struct Stage {
 }
 
 impl Stage {
-    /// A layout on the page of `request`; `place` tells its number among all and how much it is liked beforehand.
+    /// Returns the stage of a layout on the page of `request`. `place` has its index and its prior weight.
     pub(super) fn new(
         request: &Request,
         layout: Value,
@@ -56,7 +56,7 @@ impl Stage {
         Self { layout, merges, candidate, heads, locked, panels, same_layout }
     }
 
-    /// Photos that stay on the page.
+    /// Photos that the page retains.
     pub(super) fn held(&self) -> Vec<usize> {
         self.candidate.slots.iter().filter_map(Slot::photo).collect()
     }

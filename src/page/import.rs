@@ -17,7 +17,7 @@ pub const WORK_SIDE: usize = 1600;
 /// Long side of the copy that thumbnails are rendered from, in pixels.
 pub const SMALL_SIDE: usize = 400;
 
-/// A photo as it was read.
+/// An imported photo.
 #[derive(Debug, Clone)]
 pub struct Imported {
     /// Facts for selection and framing.
@@ -103,7 +103,7 @@ pub fn import_image(id: &str, image: &Image, limits: &Limits) -> Result<Imported
 /// A decoded frame of a video.
 #[derive(Debug, Clone, Copy)]
 pub struct Frame<'a> {
-    /// Width and height in pixels, as they are stored.
+    /// Stored width and height in pixels.
     pub size: (usize, usize),
     /// Interleaved RGBA, `4 * width * height` bytes; alpha is ignored.
     pub rgba: &'a [u8],
@@ -127,7 +127,8 @@ pub fn import_frame(id: &str, frame: &Frame, limits: &Limits) -> Result<(Importe
     Ok((described(id, work, facts), file))
 }
 
-/// A frame upright, in square pixels, its long side `longest` at most: one of many of a panel that moves.
+/// Returns a frame upright, in square pixels, with a long side of at most `longest`: one of many frames of an
+/// animated panel.
 ///
 /// # Errors
 /// As [`import_frame`].

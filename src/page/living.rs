@@ -176,7 +176,7 @@ impl Steady {
         Some(moved)
     }
 
-    /// How much each block moves, 0 to 255.
+    /// Returns the motion of each block, 0 to 255.
     fn moved(&self, next: &[u8]) -> Plane {
         let blocks = |side: usize| side.div_ceil(BLOCK);
         let apart = block_differences(&self.rgb, next, self.width);

@@ -78,7 +78,7 @@ fn offset(points: &[Point], by: f64) -> Vec<Point> {
         .collect()
 }
 
-/// A polygon whose corners are arcs of `radius`, or of as much as half their shorter edge allows.
+/// Returns a polygon with arcs of `radius` as corners. A short edge limits the radius to half of its length.
 fn rounded(points: &[Point], radius: f64) -> Vec<Point> {
     let count = points.len();
     let mut out = Vec::new();

@@ -25,7 +25,7 @@
 //! | [`words`] | captions, balloons and sound effects, laid on the panels |
 //! | [`png`] | the exported PNG file |
 //! | [`jpeg`] | the smaller one |
-//! | `webp` | the one for browsers that make none themselves |
+//! | `webp` | WebP encoder for browsers without one |
 //! | [`srgb`] | the colour space of all files |
 //! | [`plates`] | colour separation into inks, one plate each |
 //! | [`pdf`] | pages as lines, text and pictures |

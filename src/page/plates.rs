@@ -102,7 +102,7 @@ fn table(inks: &[[u8; 3]]) -> Vec<[f32; 3]> {
     colors.map(|color| solved(&missing, color)).collect()
 }
 
-/// The coverages whose product comes nearest to a colour.
+/// Returns the coverages whose product is nearest to a colour.
 fn solved(missing: &[[f32; 3]], color: [f32; 3]) -> [f32; 3] {
     let mut covers = [0.0f32; 3];
     for _ in 0..ROUNDS {

@@ -128,7 +128,7 @@ impl From<Value> for Avoid {
     }
 }
 
-/// Parts of the current page that stay.
+/// Retained parts of the current page.
 #[derive(Debug, Clone, Copy, Default, Deserialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Keep {

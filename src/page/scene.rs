@@ -105,7 +105,7 @@ impl Scene {
         let figures = figures(document, &mut panels, (width, height));
         panels.extend(figures);
         let fronts = fronts(document, &panels);
-        // A picture that is shown as it is changes nothing of how the others are drawn.
+        // A picture without a style does not affect how the others are drawn.
         let plain = document.panels.iter().filter(|panel| panel.plain).count();
         let base = template.base_count().saturating_sub(plain).max(1);
         Ok(Self {

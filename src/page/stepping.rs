@@ -78,7 +78,7 @@ fn shares(figure: &Figure, Drawing { shown, photo, .. }: &Drawing, part: PixelRe
     let (width, height) = (part.width as f64, part.height as f64);
     let cut = Region { x: left, y: top, width, height };
     let guide = resample_image(&shown.image, cut, part.width, part.height);
-    // Pixels of the mask for one of the photo, and for one of the page.
+    // Ratio of mask pixels to photo pixels, and to page pixels.
     let (mask, region) = (&figure.shares, shown.region);
     let (x, y) = (mask.width() as f64 / photo.0 as f64, mask.height() as f64 / photo.1 as f64);
     let (across, down) =

@@ -1,4 +1,4 @@
-//! Pages of an album: which of its photos are worth a page, and how many pages they become.
+//! Pages of an album: selects the photos, and the number of pages.
 
 use super::import::Imported;
 use super::request::{Avoid, Request};
@@ -8,10 +8,10 @@ use crate::framing::PhotoMeta;
 use crate::plan::{Shelf, spread};
 use crate::select::{self, Measures, Verdict};
 
-/// Maximum number of photos per page. Pages with more do not show all of them.
+/// Maximum number of photos per page. Larger pages do not show all of their photos.
 const MOST_OF_A_PAGE: usize = 9;
 
-/// Which photos are taken, and in which order.
+/// Selection and order of the photos.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Choice {
     /// Maximum fingerprint distance of near-duplicates, in bits of 64. `None`: default.

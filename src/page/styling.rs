@@ -63,7 +63,7 @@ impl From<Value> for Styling {
     }
 }
 
-/// The style that `request` leaves to chance, or the one that it names or keeps.
+/// Returns the style of the request, the retained style, or a random style.
 pub(super) fn choose_style(
     request: &Request,
     stage: &Stage,
@@ -138,7 +138,8 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
     drawn.or_else(other).map(|(_, style)| style.clone()).ok_or_else(|| Error::UnknownStyle("any".into()))
 }
 
-/// Styles with their weights. Styles with the colours of photos get a share of all draws, if there are others.
+/// Styles with their weights. Styles with the colours of photos get a fixed share of all choices, if there
+/// are others.
 fn shared(styles: Vec<(f64, bool, Value)>, share: f64) -> Vec<(f64, Value)> {
     let sum =
         |kept: bool| styles.iter().filter(|(_, keeps, _)| *keeps == kept).map(|(weight, ..)| weight).sum();

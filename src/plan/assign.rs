@@ -139,7 +139,7 @@ impl<'a> Photos<'a> {
         (1.0 - gap / GAP).max(-2.0) - self.turns.led(photo)
     }
 
-    /// Returns the turn of a photo, see [`Turns::need`]. Documents take no turns.
+    /// Returns the turn of a photo, see [`Turns::need`]. Documents are excluded from turns.
     #[must_use]
     pub fn need(&self, photo: usize) -> f64 {
         if self.kind(photo) == Kind::Document { 0.0 } else { self.turns.need(photo) }
@@ -341,7 +341,7 @@ pub(super) fn looks(slots: &[Slot], chosen: &[usize], photos: &Photos) -> Vec<Lo
     slots.iter().zip(chosen).map(look).collect()
 }
 
-/// Fewer photos than panels: round the list again and again, but not into panels that touch.
+/// With fewer photos than panels, the list repeats, but not in adjacent panels.
 fn repeat(
     slots: &[Slot],
     open: &[usize],
@@ -383,8 +383,8 @@ fn solved(values: &[Vec<f64>], order: Order) -> Vec<usize> {
     }
 }
 
-/// The columns, ascending, that give the largest sum: the best of the first `k` rows in the first `j` columns either
-/// leaves column `j` out or gives it to row `k`.
+/// Returns the columns, ascending, with the largest sum. The best of the first `k` rows in the first `j`
+/// columns either leaves column `j` out or assigns it to row `k`.
 fn monotone(values: &[Vec<f64>]) -> Vec<usize> {
     let (rows, columns) = (values.len(), values.first().map_or(0, Vec::len));
     let mut best = vec![vec![f64::NEG_INFINITY; columns + 1]; rows + 1];
@@ -407,7 +407,7 @@ fn monotone(values: &[Vec<f64>]) -> Vec<usize> {
     chosen
 }
 
-/// The columns, all different, that give the largest sum: the Hungarian method with potentials (Kuhn 1955, Munkres
+/// Returns different columns with the largest sum: the Hungarian method with potentials (Kuhn 1955, Munkres
 /// 1957, in the form of shortest augmenting paths by Jonker and Volgenant 1987).
 fn hungarian(values: &[Vec<f64>]) -> Vec<usize> {
     let (rows, columns) = (values.len(), values.first().map_or(0, Vec::len));

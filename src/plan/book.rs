@@ -3,7 +3,7 @@
 //! ```text
 //! cover      the strongest photo that suits the page
 //! pages      a chapter per day, cut where time, place or scene change, by dynamic programming
-//! full page  a strong photo alone, at most one of twenty; the page after it is quiet
+//! full page  only a strong photo, at most one of twenty; the page after it is quiet
 //! end page   the last photo
 //! ```
 
@@ -93,7 +93,7 @@ pub struct Outline {
     pub chapters: Vec<usize>,
 }
 
-/// What is asked of an outline.
+/// Requirements for an outline.
 #[derive(Debug, Clone, Copy)]
 pub struct Wanted<'a> {
     /// The place of each photo; empty if it is unknown.
@@ -162,7 +162,7 @@ fn chapters(photos: &[PhotoMeta]) -> Vec<usize> {
     photos.iter().map(&mut of).collect()
 }
 
-/// How strong a photo is for a page of its own.
+/// Returns the strength of a photo for a full page.
 fn strength(album: &Photos, photo: usize) -> f64 {
     let star = f64::from(u8::from(album.all[photo].starred));
     let kind = match album.kind(photo) {

@@ -20,7 +20,7 @@ use crate::framing::{PhotoMeta, closeup};
 const TRIES: usize = 4;
 /// Plans that are framed in earnest before one is drawn.
 const FINALISTS: usize = 4;
-/// Most of them of one family of layouts.
+/// Maximum number of finalists of one family of layouts.
 const OF_A_FAMILY: usize = 1;
 /// How fast the chance of a plan falls with its rank, and with its distance from the best score.
 const FALL: f64 = 3.0;
@@ -39,7 +39,7 @@ const SCALES: [f64; 2] = [0.06, 0.22];
 pub struct Candidate {
     /// The places.
     pub slots: Vec<Slot>,
-    /// How much the layout is liked beforehand, 0 to 1.
+    /// Prior weight of the layout, 0 to 1.
     pub prior: f64,
     /// Group of similar candidates, for example candidates of one layout. Only the best one is used.
     pub layout: usize,
@@ -75,7 +75,7 @@ pub struct Score {
     pub dull: f64,
     /// Photos that recent pages did not show.
     pub turns: f64,
-    /// How much the layout is liked beforehand.
+    /// Prior weight of the layout.
     pub prior: f64,
     /// Whether neighbours differ in scale.
     pub rhythm: f64,
@@ -108,8 +108,9 @@ impl Score {
 /// Minimum score gap at which another layout replaces the preferred one.
 const SLACK: f64 = 0.4;
 
-/// The plan of a page. `heat` is 1 for a usual draw and more for a bolder one, 0 for the best; `None` when there are no
-/// candidates or no photos. `wanted`: the number of a layout that is taken unless another is clearly better.
+/// The plan of a page. `heat` is 1 for a usual draw and more for a bolder one, 0 for the best; `None` when
+/// there are no candidates or no photos. `wanted`: index of the preferred layout, which another one replaces
+/// only if it is clearly better.
 #[must_use]
 pub fn compose(
     candidates: &[&Candidate],

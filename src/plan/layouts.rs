@@ -82,7 +82,7 @@ pub struct Wanted<'a> {
     pub taste: &'a Taste,
 }
 
-/// A layout and how much it is liked beforehand, 0 to 1.
+/// A layout and its prior weight, 0 to 1.
 #[derive(Debug, Clone, Copy)]
 pub struct Drawn {
     /// The layout.
@@ -91,8 +91,9 @@ pub struct Drawn {
     pub prior: f64,
 }
 
-/// Draws layouts by their weights, by the largest `ln(weight) + gumbel` (Gumbel top-k: like drawing without putting
-/// back). Each family's weight is shared by its templates, or families with many would take all.
+/// Draws layouts by their weights, by the largest `ln(weight) + gumbel` (Gumbel top-k: like drawing without
+/// putting back). Templates share the weight of their family. Otherwise, large families would be chosen most
+/// of the time.
 #[must_use]
 pub fn draw(wanted: &Wanted, random: &mut Rand64) -> Vec<Drawn> {
     let within = |template: &&'static Template| is_within(wanted.families, template.family());
@@ -121,7 +122,8 @@ pub fn draw(wanted: &Wanted, random: &mut Rand64) -> Vec<Drawn> {
             let family = template.family();
             let liking = Taste::factor(&wanted.taste.families, family);
             let prior = weight(family) * liking * shape(template, wanted);
-            // A family of one template must not come as often as one of twenty.
+            // The factor is less than proportional, so that a family with one template is chosen less often
+            // than a family with twenty.
             let share = (fitting.iter().filter(|other| other.family() == family).count() as f64).powf(0.6);
             ((prior / share).ln() + gumbel(random), Drawn { template, prior: prior.min(1.5) })
         })

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`mod@slots`] | the panels of a page as slots for photos |
 //! | [`prepared`] | analysis of one photo, cached for all plans |
-//! | [`utility`] | how well a photo sits in a panel |
+//! | [`utility`] | fit of a photo in a panel |
 //! | [`mod@assign`] | photos to panels, by exact assignment |
 //! | [`layouts`] | the layouts that a page is chosen from |
 //! | [`composer`] | creates plans, scores their visible content, and selects one by rank |

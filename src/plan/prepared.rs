@@ -10,7 +10,7 @@ use crate::layout::Bounds;
 
 /// Number of cached crops. Their panel shapes range from 1:3 to 3:1 in equal steps of the logarithm.
 pub const ASPECTS: usize = 12;
-/// The widest of them.
+/// Aspect ratio of the widest one.
 const WIDEST: f64 = 3.0;
 /// Maximum number of subjects; the largest ones count.
 const MOST_MARKS: usize = 16;
@@ -78,7 +78,7 @@ pub(super) struct Mark {
     pub(super) text: bool,
     /// Penalty for cutting it: 0 for surroundings, and low for a body whose face is known.
     pub(super) whole: f64,
-    /// How much it matters, 0 and more.
+    /// Importance, 0 and more.
     pub(super) weight: f64,
 }
 

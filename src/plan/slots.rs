@@ -9,7 +9,7 @@ use crate::layout::{Bounds, ResolvedPanel, ResolvedShape};
 pub struct Slot {
     /// The wanted aspect ratio and shape of the crop.
     pub target: Target,
-    /// How much the panel draws the eye.
+    /// Visual prominence of the panel.
     pub weight: f32,
     /// Position in page widths. Panels that touch avoid the same photo.
     pub bounds: Bounds,
@@ -19,7 +19,7 @@ pub struct Slot {
     pub merged: bool,
     /// Photo and crop of a locked panel.
     pub locked: Option<Assignment>,
-    /// The photo that the panel keeps, in a crop that is still to be found.
+    /// The retained photo of the panel, whose crop is computed later.
     pub keeps: Option<usize>,
 }
 

@@ -11,7 +11,7 @@ const FEWEST: usize = 3;
 const LEFTOVER: f64 = 1.5;
 /// Pauses that count as a possible break and as a certain break, relative to the median.
 const PAUSES: (f64, f64) = (3.0, 60.0);
-/// Mean differences of colours, in grey steps, that are nothing and that are another place.
+/// Mean differences of colours, in grey levels, within a scene and between two scenes.
 const COLOURS: (f64, f64) = (24.0, 90.0);
 /// Bits of fingerprints that two photos of one place may differ in, as noise has it.
 const ALIKE: f64 = 20.0;
@@ -21,7 +21,7 @@ const ALIKE: f64 = 20.0;
 pub fn into_pages(photos: &[PhotoMeta], pages: usize) -> Vec<usize> {
     let pages = pages.clamp(1, photos.len().max(1));
     let even = photos.len() as f64 / pages as f64;
-    // Uneven by as much again and no more, which bounds the work as well.
+    // Pages may have up to twice the even number of photos, which also limits the work.
     let most = ((2.0 * even).ceil() as usize).clamp(1, photos.len().max(1));
     let allowed: Vec<usize> = (1..=most).collect();
     solved(&cuts(photos), &allowed, even, pages).unwrap_or_else(|| vec![photos.len()])
@@ -76,7 +76,8 @@ pub fn cuts(photos: &[PhotoMeta]) -> Vec<f64> {
         .collect()
 }
 
-/// The sizes with the least cost: the best pages of the first `end` photos end with one of the allowed sizes.
+/// Returns the sizes with the lowest cost: the best pages of the first `end` photos end with one of the
+/// allowed sizes.
 fn solved(cuts: &[f64], allowed: &[usize], even: f64, pages: usize) -> Option<Vec<usize>> {
     let count = cuts.len() + 1;
     let cost = |size: usize| {

@@ -4,7 +4,7 @@ use crate::framing::PhotoMeta;
 
 /// Number of recent pages that count.
 pub const PAGES: usize = 24;
-/// Panels of a usual page: as many photos have their turn at once.
+/// Panels of a usual page, which is the number of photos that are due at once.
 const A_PAGE: f64 = 5.0;
 /// Maximum wait of a photo in pages, and the bonus per page beyond it.
 const OVERDUE: usize = 8;
@@ -49,7 +49,7 @@ impl Turns {
         }
     }
 
-    /// How much it is the turn of a photo: less than 0 for one that was just shown, above 1 for one that is overdue.
+    /// Returns the priority of a photo: less than 0 if it was just shown, above 1 if it is overdue.
     #[must_use]
     pub fn need(&self, photo: usize) -> f64 {
         let Some(&since) = self.since.get(photo) else { return 0.0 };

@@ -16,7 +16,8 @@ const LITTLE: f64 = 0.4;
 const ENLARGED: f64 = 2.5;
 /// Height of a subject on the page, in page widths, below which it cannot be read, for faces and others.
 const READABLE: (f64, f64) = (0.03, 0.055);
-/// Height of each face of a group on the page, in page widths, below which a style leaves nothing of its features.
+/// Minimum height of each face of a group on the page, in page widths. In a smaller face, a style loses the
+/// features.
 const GROUP_FACE: f64 = 0.05;
 /// Minimum height of a face in a group, relative to the largest one. A smaller face is a passer-by.
 const OF_THE_GROUP: f64 = 0.5;
@@ -42,11 +43,11 @@ pub struct Look {
     pub subjects_cut: f64,
     /// The part of the photo that is seen, 0 to 1.
     pub kept: f64,
-    /// Pixels of the page for one of the photo.
+    /// Page pixels per photo pixel.
     pub enlarged: f64,
-    /// How much too small the main subject is, 0 to 1.
+    /// Shortfall of the size of the main subject, 0 to 1.
     pub too_small: f64,
-    /// Faces of a group that are too small, each counted by how much, up to 3 together.
+    /// Sum of the shortfalls of small faces of a group, up to 3.
     pub small_faces: f64,
     /// Lack of content in an image that several panels share, 0 to 1.
     pub dull: f64,
@@ -198,8 +199,8 @@ pub fn placed(slot: &Slot, photo: &PhotoMeta, prepared: &Prepared) -> (Crop, Loo
     best
 }
 
-/// How much too small the faces of a group are together, by their heights on the page: two or more of nearly one size. One face
-/// has [`Look::too_small`].
+/// Returns the sum of the shortfalls of the faces of a group, by their heights on the page. A group has two
+/// or more faces of similar size. One face has [`Look::too_small`].
 fn small_faces(heights: &[f64]) -> f64 {
     let largest = heights.iter().copied().fold(0.0, f64::max);
     let group = heights.iter().filter(|height| **height >= OF_THE_GROUP * largest);
@@ -225,7 +226,7 @@ fn under_others(slot: &Slot, inner: Bounds) -> bool {
     !slot.target.region.is_plain() && Region::default().shares(inner).0 > 0.5
 }
 
-/// The parts of a box that are seen: of all windows, and of the one that shows most.
+/// Returns the visible parts of a box: in all windows together, and in the window that shows most.
 fn shares(slot: &Slot, inner: Bounds) -> (f64, f64) {
     let (all, most) = slot.target.region.shares(inner);
     if slot.target.round && slot.target.region.is_plain() {

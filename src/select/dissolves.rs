@@ -25,7 +25,7 @@ const MAX_BEND: f64 = 0.25;
 /// Maximum root mean square difference between a frame and the nearest mixture of the two scenes, as a part of the
 /// difference between the scenes.
 const MAX_MISFIT: f64 = 0.45;
-/// Seconds before and after a dissolve in which the share must stay near 0 and near 1, and how near.
+/// Seconds before and after a dissolve in which the share must stay near 0 and near 1, and the tolerance.
 const REST: [f64; 2] = [0.3, 0.6];
 const MAX_DRIFT: f64 = 0.3;
 /// Minimum loss of contrast, as a part of the loss in a mixture of the two scenes.

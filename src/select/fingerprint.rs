@@ -38,7 +38,8 @@ pub fn fingerprint(luma: &Plane) -> u64 {
     bits
 }
 
-/// In how many bits two fingerprints differ: 0..=64. Near-duplicates come to 10 or less.
+/// Returns the number of different bits of two fingerprints: 0..=64. Near-duplicates differ in 10 bits or
+/// less.
 #[must_use]
 pub fn distance(a: u64, b: u64) -> u32 {
     (a ^ b).count_ones()

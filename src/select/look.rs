@@ -12,9 +12,9 @@ const CHROMA: [usize; 2] = [32, 18];
 const COARSE: [usize; 2] = [16, 9];
 /// Maximum width for measuring sharpness, in pixels. Finer detail is invisible in panels.
 const ACROSS: usize = 640;
-/// Below this standard deviation of luma a frame shows nothing: black, white, a colour.
+/// Maximum standard deviation of luma in an empty frame: black, white, one colour.
 const FLAT: f32 = 6.0;
-/// Grey steps about the most frequent one that count as the ground of a title.
+/// Tolerance around the most frequent grey level for the background of a title.
 const GROUND: usize = 8;
 /// Share of a frame that the ground of a title takes.
 const TITLE: f32 = 0.72;

@@ -80,7 +80,7 @@ impl Film {
         &self.looks
     }
 
-    /// How much the frames on both sides of a moment differ; 0 at the ends.
+    /// Returns the difference of the frames on both sides of a moment; 0 at the ends.
     #[must_use]
     pub fn change(&self, time: f64) -> f32 {
         let at = self.times.partition_point(|&other| other <= time);
@@ -119,7 +119,7 @@ impl Film {
         Shot { start, end, title: 2 * titles > seen.len(), usable: seen }
     }
 
-    /// Whether a frame is much weaker than one of the same shot shortly before or after it.
+    /// Returns whether a frame is much weaker than another one of the same shot shortly before or after it.
     fn is_fading(&self, i: usize, shot: &std::ops::Range<usize>) -> bool {
         let near = |&j: &usize| (self.times[j] - self.times[i]).abs() <= FADE;
         let before = (shot.start..i).rev().take_while(near);
@@ -127,10 +127,10 @@ impl Film {
         before.chain(after).any(|j| self.looks[i].deviation < FADED * self.looks[j].deviation)
     }
 
-    /// The numbers of the first frames of all shots but the first.
+    /// Returns the indices of the first frames of all shots except the first.
     fn cuts(&self, dissolves: &[Dissolve]) -> Vec<usize> {
         let mut cuts = self.hard_cuts();
-        // No cut falls into a dissolve but its own, in the middle.
+        // A dissolve contains only its own cut, in the middle.
         cuts.retain(|&cut| !dissolves.iter().any(|dissolve| dissolve.before < cut && cut <= dissolve.after));
         cuts.extend(dissolves.iter().map(|dissolve| dissolve.middle));
         crate::order::sort_by_key(&mut cuts, |cut| *cut);
@@ -305,14 +305,14 @@ pub(super) mod tests {
         let shots = film.shots(8.0);
         assert_eq!(shots.len(), 3, "{:?}", starts(&film));
         assert!(shots.iter().all(|shot| !shot.usable.is_empty()));
-        // The one that is cleanest.
+        // The frame with the least blend.
         let near = |&i: &usize| (40..45).contains(&i);
         assert!(shots[1].usable.iter().any(near), "{:?}", shots[1].usable);
     }
 
     #[test]
     fn a_weak_scene_is_usable_where_no_strong_one_is_near() {
-        // The light comes up over two seconds.
+        // The light fades in over two seconds.
         let light = |i: usize| 0.3 + 0.7 * ((i as f32 - 72.0) / 24.0).clamp(0.0, 1.0);
         let film = film((0..168).map(|i| look(1, 0, light(i))), 12.0);
         let shots = film.shots(14.0);

@@ -13,7 +13,7 @@ pub const MOST: usize = 120;
 const MOST_OF_SHOT: usize = 6;
 /// Seconds of a shot that each further frame of it takes.
 const SECONDS: f64 = 2.0;
-/// Difference in grey steps at which a frame of the same shot shows something else.
+/// Minimum difference in grey levels of a frame with other content in the same shot.
 const ANOTHER: f32 = 10.0;
 /// Maximum number of frames per shot for measuring changes.
 const ASKED: usize = 60;
@@ -35,7 +35,7 @@ pub struct Wish<'a> {
     pub moments: &'a [f64],
 }
 
-/// A frame to be taken.
+/// A frame to extract.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Still {
     /// Seconds.
@@ -114,7 +114,8 @@ fn quotas(film: &Film, shots: &[Shot], open: &[usize], count: usize) -> Vec<usiz
     quotas
 }
 
-/// The order in which shots get their first frame: long ones that show what none before showed, long ones, short ones.
+/// Returns the order in which shots get their first frame: long shots with new content, other long shots,
+/// short shots.
 fn first_come(film: &Film, shots: &[Shot], open: &[usize], length: &dyn Fn(usize) -> f64) -> Vec<usize> {
     let mut seen: Vec<&Look> = Vec::new();
     let mut order: Vec<(u8, usize)> = Vec::with_capacity(open.len());
@@ -131,8 +132,8 @@ fn first_come(film: &Film, shots: &[Shot], open: &[usize], length: &dyn Fn(usize
     order.into_iter().map(|(_, k)| k).collect()
 }
 
-/// The times of `quota` frames of a shot: it is cut into as many parts, and each gives the frame that is
-/// sharp and unlike the others. If a part is completely blurred, another part replaces it.
+/// Returns the times of `quota` frames of a shot. It is divided into as many parts, and each gives a sharp
+/// frame that differs from the others. If a part is completely blurred, another part replaces it.
 fn of_shot(film: &Film, shot: &Shot, quota: usize, wish: &Wish) -> Vec<f64> {
     let (times, looks) = (film.times(), film.looks());
     let inside = |i: &&usize| times[**i] >= shot.start + EDGE && times[**i] <= shot.end - EDGE;

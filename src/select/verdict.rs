@@ -6,8 +6,8 @@ use super::groups::leaders_by;
 use crate::order::sort_by;
 
 /// Below this part of the album's median [`laplacian`](super::sharpness::laplacian) a photo counts as
-/// blurred. In a set of 150 varied photos, one is below (a bare pyramid in haze). Each of them is below after
-/// blurring with a sigma of 2 pixels of 640.
+/// blurred. In a set of 150 varied photos, one is below (a bare pyramid in haze). All of them are below this
+/// value after blurring with a sigma of 2 pixels of 640.
 const BLURRED: f32 = 0.04;
 /// Minimum number of photos for a meaningful median.
 const FEW: usize = 4;

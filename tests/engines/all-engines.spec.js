@@ -1,5 +1,5 @@
 // @ts-check
-/** One project gives the same files whatever browser it is opened in. */
+/** One project gives the same files in every browser. */
 
 import { createHash } from 'node:crypto';
 import { start } from './engines.js';

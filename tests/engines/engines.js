@@ -90,12 +90,12 @@ function webkit(args) {
   };
 }
 
-/** Milliseconds that a browser may take to start, and how often it is tried. */
+/** Maximum milliseconds for starting a browser, and number of attempts. */
 const PATIENCE = 30_000;
 const TRIES = 2;
 
 /**
- * Starts a browser with nothing in it.
+ * Starts a browser with an empty profile.
  * @param {string} name
  * @param {Record<string, Engine>} [engines] must contain an engine of this name
  * @returns {Promise<Running>}
@@ -150,7 +150,7 @@ export function inTime(work, limit, fault) {
   const late = setTimeout(limit, undefined, { ref: false }).then(() => {
     throw new Error(fault);
   });
-  // The one that loses may fail unheard.
+  // The error of the slower promise is ignored.
   for (const promise of [work, late]) promise.catch(() => {});
   return Promise.race([work, late]);
 }

@@ -45,7 +45,7 @@ export const test = plain.extend(
         await use(person);
         expect(await person.faults()).toEqual([]);
       } finally {
-        // The runner notes how the test went; `use` throws nothing of it.
+        // The test runner records the result, because `use` does not throw it.
         if (info.status !== info.expectedStatus) {
           const seen = await running.driver.takeScreenshot().catch(() => '');
           await writeFile(info.outputPath('seen.png'), seen, 'base64');
@@ -200,7 +200,7 @@ export async function personIn({ driver, downloads }, address) {
         () =>
           driver
             .executeScript('const { idle, detected } = document.body.dataset; return `${idle} ${detected}`')
-            // WebKit answers nothing while it loads a page.
+            // WebKit does not answer while it loads a page.
             .catch(() => 'loading'),
         { message: 'idle and detected', timeout: PATIENCE, intervals: [50] },
       )
@@ -230,11 +230,11 @@ export async function personIn({ driver, downloads }, address) {
   }
 
   /**
-   * @param {() => Promise<unknown>} act that gives a file
+   * @param {() => Promise<unknown>} act downloads a file
    * @returns {Promise<{ name: string, path: string, bytes: Buffer }>}
    */
   async function saved(act) {
-    // A file of the same name takes the place of the one before in some browsers.
+    // In some browsers, a file of the same name replaces the previous one.
     const made = async (/** @type {string} */ name) => (await stat(join(downloads, name)).catch(() => null))?.mtimeMs;
     const before = new Map();
     for (const name of await readdir(downloads)) before.set(name, await made(name));
@@ -354,7 +354,7 @@ export async function personIn({ driver, downloads }, address) {
     /** The pixels of a canvas. @param {string} [selector] @returns {Promise<string>} */
     picture: (selector = '.page-canvas') =>
       driver.executeScript(
-        // A copy: WebKit reads nothing out of a canvas that shows a bitmap as it came.
+        // A copy, because WebKit cannot read pixels of a canvas that shows a transferred bitmap.
         `const shown = document.querySelector(arguments[0]);
          const copy = Object.assign(document.createElement('canvas'), { width: shown.width, height: shown.height });
          copy.getContext('2d').drawImage(shown, 0, 0);

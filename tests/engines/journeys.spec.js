@@ -165,7 +165,7 @@ test('shots and pages become films of a kind that the browser makes', async ({ p
 
 test('panels from films move in an HTML comic', async ({ person }) => {
   await person.begin([given('videos/album.mp4')]);
-  // Chance may choose a style that draws subjects apart, whose panels stay still.
+  // A random style may draw subjects separately, and then its panels are not animated.
   await person.take('Styles', 'Adventure Album');
   const { path, bytes } = await person.savedAs('html');
   await person.driver.get(pathToFileURL(path).href);
@@ -199,7 +199,7 @@ test('an HTML comic is read from its file, panel by panel', async ({ person }) =
   const panels = (await person.all('region', /^Page 1, panel \d: /)).length;
   expect(panels).toBeGreaterThan(1);
   const said = () => person.inPage(() => document.querySelector('[role=status]')?.textContent ?? '');
-  /** How much of the screen the panel takes along the side that it fills, and whether all of it is seen. */
+  /** Share of the screen that the panel fills along its limiting side, and whether it is completely visible. */
   const filled = (/** @type {number} */ panel) =>
     person.inPage((panel) => {
       const stage = /** @type {Element} */ (document.querySelector('main')).getBoundingClientRect();

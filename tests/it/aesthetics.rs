@@ -1,5 +1,5 @@
 //! Scores of pictures by the model, compared with a forward pass in numpy. `tests/oracles/aesthetics.py`
-//! makes the values. And the command that gives them.
+//! makes the values. Also the command line.
 #![cfg(feature = "cli")]
 
 use std::fs;

@@ -174,7 +174,7 @@ fn pixels_of(frame: &Image, view: &Crop, [from, to]: [(f64, f64); 2]) -> [usize;
     ]
 }
 
-/// The mean difference, of 255, between a part of the page as a frame has it and as the page itself has it.
+/// Returns the mean difference, of 255, between a part of the page in a frame and on the page.
 fn difference(frame: &Image, page: &Image, view: &Crop, part: [(f64, f64); 2]) -> f64 {
     let [left, top, right, bottom] = pixels_of(frame, view, part);
     let (width, height) = (right - left, bottom - top);
@@ -412,7 +412,7 @@ fn a_figure_that_steps_out_is_read_with_its_panel() {
     }
 }
 
-/// The saved project with something else in it.
+/// Returns the saved project with a change.
 fn changed(folder: &Path, change: impl FnOnce(&mut Value)) -> PathBuf {
     let mut archive = zip::ZipArchive::new(fs::File::open(project()).unwrap()).unwrap();
     let mut writer = zip::ZipWriter::new(Cursor::new(Vec::new()));

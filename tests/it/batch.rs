@@ -1,4 +1,4 @@
-//! The command line with many files, some of them bad: those are named and left out, the others are done.
+//! The command line with many files. Bad files are reported and left out, and the others are processed.
 
 #[allow(dead_code, reason = "the example makes more of it")]
 #[path = "../../examples/hostile/made.rs"]

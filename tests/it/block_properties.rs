@@ -28,7 +28,7 @@ fn inputs(block: &Block, width: usize, height: usize) -> Vec<Image> {
     }
 }
 
-/// The defaults, and every parameter at either end with the others at theirs or all of them at one end.
+/// The defaults, and every parameter at both ends with the others at their defaults or all at one end.
 fn settings(block: &Block) -> Vec<Vec<f32>> {
     let defaults: Vec<f32> = block.params.iter().map(|param| param.kind.default()).collect();
     let end = |high: bool| -> Vec<f32> {

@@ -36,7 +36,7 @@ fn bound(block: &str, params: &Map<String, Value>) -> Option<Bound> {
     Some(match block {
         // Fixed point of 15 bits rounds to the other side of a half now and then.
         "to_gray" | "saturation" | "hue" | "colorize" => Max(1.0),
-        // The kept U and V are bytes: a half that is rounded the other way is 1.77 steps of blue.
+        // The stored U and V are bytes. A half that is rounded in the other direction is 1.77 levels of blue.
         "to_color" => OneBut(0.01),
         // Tables of the exact formula; a half is rounded up here and there.
         "posterize" | "dynamic_range" => Max(1.0),
@@ -59,7 +59,7 @@ fn bound(block: &str, params: &Map<String, Value>) -> Option<Bound> {
         "detail" if number("delta") < 0.0 => Decibels(40.0),
         "detail" => Decibels(43.0),
         "sobel" => Max(1.0),
-        // Rounded and clipped once for each axis, which Catmull-Rom feels where it overshoots.
+        // Rounded and clipped once per axis, which matters if Catmull-Rom overshoots.
         "size" => OneBut(0.001),
         "pattern" => Max(1.0),
         // Radii are stored in bytes: the edge of a dot may be soft by another shade, its area may not differ.

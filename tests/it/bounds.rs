@@ -9,7 +9,7 @@ use inkpanel::page::words::model::FARTHEST;
 use inkpanel::select;
 use serde_json::Value;
 
-/// The module of bounds as it should be, formatted as Biome formats it.
+/// Returns the expected module of limits, in the format of Biome.
 fn bounds() -> String {
     let most = [
         ("Photos of a project.", "photos", limits::MOST_PHOTOS),
@@ -97,7 +97,7 @@ fn sizes() -> String {
     )
 }
 
-/// Digits in groups of three, as TypeScript takes them.
+/// Returns digits in groups of three, in TypeScript syntax.
 fn grouped(value: usize) -> String {
     let digits = value.to_string();
     let groups: Vec<_> =

@@ -14,7 +14,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// A page of a layout; all panels but the last have photos.
+/// A page of a layout. All panels except the last have photos.
 fn document(layout: &str, size: (u32, u32), words: &Value) -> Document {
     let settings = PageSettings { width: size.0, height: size.1, ..PageSettings::default() };
     let panels = resolve(find(layout).unwrap(), settings.aspect(), &settings).len();
@@ -41,7 +41,7 @@ fn comic(pages: Vec<Document>) -> Comic {
     }
 }
 
-/// Words in the wrong order, one for no panel, one that would be markup.
+/// Text items in the wrong order, one without a panel, one with markup characters.
 fn words() -> Value {
     json!([
         { "kind": "balloon", "text": "And you?\nFine.", "panel": 0, "x": 0.7, "y": 0.8 },
@@ -390,7 +390,7 @@ fn a_picture_that_moves_lies_over_its_panel_and_can_be_stopped() {
         .iter()
         .filter_map(|piece| if let Piece::Picture(number) = piece { Some(*number) } else { None })
         .collect();
-    // Behind the pages come the pictures that move, page after page.
+    // The animated pictures come after the pages, page by page.
     assert_eq!(numbers, [0, 2, 3, 1, 4]);
     let html = whole(&pieces);
     let second =

@@ -36,7 +36,7 @@ const FEWEST: usize = 50;
 const LIGHTS: [(&str, f32, f32); 4] =
     [("hazy", 0.4, 140.0), ("dark", 0.25, 0.0), ("bright", 1.5, 40.0), ("dull", 0.35, 75.0)];
 
-/// Share of its contrast in good light that a style keeps in bad light.
+/// Minimum share of its contrast that a style preserves in bad light.
 const KEPT: f64 = 0.5;
 
 /// Chains exactly as printed in the paper, without a block that corrects bad light. Designed styles akin to

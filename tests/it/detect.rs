@@ -1,5 +1,5 @@
-//! Detection on photos against ONNX Runtime and numpy; the values are made by `tests/oracles/detect.py`. And the
-//! command, as it is used.
+//! Detection on photos against ONNX Runtime and numpy; the values are made by `tests/oracles/detect.py`. Also
+//! the command line.
 
 use std::collections::BTreeMap;
 use std::fs;

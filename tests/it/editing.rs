@@ -152,7 +152,7 @@ fn a_photo_that_leaves_the_table_leaves_the_pages() {
         let photos: Vec<_> = sheet.page.panels.iter().map(|panel| panel.photo.as_deref()).collect();
         assert_eq!((photos, sheet.page.order.len()), (vec![None, Some("b"), None, Some("c")], 2));
     }
-    // A page from before that comes back has it no more; undo brings both back.
+    // After an earlier version of the page returns, the item is gone. Undo restores both.
     editor.apply(&Edit::ShowPage { page: Arc::new(shown), page_id: 1 }, &How::default());
     assert_eq!(editor.project().page.as_ref().unwrap().panels[0].photo, None);
     editor.apply(&Edit::Undo, &How::default());
@@ -196,7 +196,7 @@ fn ids_of(list: &List<Value>) -> Vec<&str> {
 fn what_another_project_does_to_shared_lists_no_undo_takes_back() {
     let own = |ids: &[&str]| Edit::OwnStyles { mine: shelf(ids) };
     let mut editor = played([own(&["a"]), own(&["b", "a"]), Edit::Rename { name: "x".into() }]);
-    // Elsewhere `c` came and `a` went.
+    // Another tab added `c` and removed `a`.
     assert!(editor.apply(&Edit::Share { lists: vec![(Shelf::Mine, shelf(&["c", "b"]))] }, &How::default()));
     assert!(!editor.apply(&Edit::Share { lists: vec![(Shelf::Mine, shelf(&["c", "b"]))] }, &How::default()));
     let states: Vec<_> = editor.history().states().map(|state| ids_of(&state.mine).join("")).collect();
@@ -1048,7 +1048,7 @@ fn other_paper_changes_what_it_must() {
     let wider = PageSettings { gutter: 0.03, ..settings.clone() };
     let same = planning.on_paper(page, &wider).unwrap();
     assert_eq!((&same.layout, &same.order, &same.page), (&page.layout, &page.order, &wider));
-    // A page among others keeps its photos, whatever layout it gets.
+    // A page among others retains its photos in any layout.
     let wide = PageSettings { width: settings.height, height: settings.width / 2, ..settings.clone() };
     let template = layout::find(page.layout.as_str().unwrap()).unwrap();
     let turned = planning.on_paper(page, &wide).unwrap();
@@ -1078,7 +1078,7 @@ fn a_page_comes_back_with_photos_of_the_table_on_the_paper_of_the_others() {
     editor.apply(&Edit::RemovePhotos { ids: vec![photos[0].id.clone()] }, &How::default());
     let back = back(&editor, &photos[1..]);
     assert!(back.panels.iter().all(|panel| panel.photo.as_ref().is_some_and(|id| *id != photos[0].id)));
-    // One that is alone brings its own.
+    // The only page of a project returns with its old paper.
     let mut alone = opened(&photos);
     let settings = Arc::new(paper);
     let now = alone.project().page.clone();
@@ -1231,7 +1231,7 @@ fn comparable(value: Value) -> Value {
     match value {
         Value::Number(number) => json!(number.as_f64()),
         Value::Array(list) => list.into_iter().map(comparable).collect(),
-        // No mark is as good as none.
+        // A missing mark and an empty mark are equal.
         Value::Object(map) => {
             // The stored runs are older than the text size for screens.
             let told = map

@@ -2,7 +2,8 @@
 //! per subject, named after it. A test renders all subjects of a folder, so a missing golden is found, and a
 //! golden without a subject too.
 //!
-//! With `BLESS=1` (`cargo xtask bless goldens`) what differs is stored as it is drawn now, and the test fails for once.
+//! `BLESS=1` (`cargo xtask bless goldens`) stores the current output of different pictures, and the test
+//! fails once.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -144,7 +145,7 @@ fn on_grey(image: &Image, width: usize, height: usize) -> Vec<u8> {
     whole
 }
 
-/// A PNG as small as it gets: it stays in git for ever.
+/// A PNG with the best compression, because it stays in git.
 fn encoded(width: usize, height: usize, rgb: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, width as u32, height as u32);

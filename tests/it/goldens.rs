@@ -28,7 +28,8 @@ const PHOTOS: [&str; 3] = ["cat", "pagoda", "macaw"];
 /// The part of `macaw.jpg` that every style is shown on: flat and busy, light and dark, of all colours.
 const HEAD_AND_WING: Region = Region { x: 170.0, y: 50.0, width: 480.0, height: 320.0 };
 
-/// Pixels of the styled picture for one of a picture of 1920 x 1080, so that lines are wide enough to be compared.
+/// Pixels of the stylised picture per pixel of a 1920 x 1080 picture, so that lines are wide enough to
+/// compare.
 const SCALE: f32 = 0.5;
 
 fn photo(name: &str) -> Vec<u8> {

@@ -279,7 +279,7 @@ fn balloons_of_others_stay_apart() {
         let words = placed_by(&[word(json!({})), word(second.clone())], &faces, None);
         assert_eq!(links(&words), [None, None], "{second}");
     }
-    // Two people who are far from each other take turns.
+    // Two people at a distance alternate.
     let two = [face(0.05, 0.7), face(0.83, 0.7)];
     assert_eq!(links(&said(&[("Who is it?", Some("anna")), ("Me.", Some("ben"))], &two)), [None, None]);
 }

@@ -1,5 +1,5 @@
-//! How many altered copies of a photo are found, and how many different photos are taken for copies.
-//! `cargo test --test near_duplicates -- --nocapture` prints the table.
+//! Counts detected altered copies of a photo, and different photos that count as copies. `cargo test --test
+//! near_duplicates -- --nocapture` prints the table.
 
 #[path = "../../examples/duplicate_table/variants.rs"]
 mod variants;

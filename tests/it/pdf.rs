@@ -33,7 +33,7 @@ fn document(words: &Value) -> Document {
     Document::parse(&value.to_string()).unwrap()
 }
 
-/// The first panel as it is drawn for a PDF file.
+/// The first panel in its form for a PDF file.
 fn first_panel(document: &Document) -> picture::Picture {
     let photo = Image::from_luma(
         Plane::from_samples(64, 64, (0..64 * 64).map(|i| (i % 64 * 4) as u8).collect()).unwrap(),

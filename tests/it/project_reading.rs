@@ -744,7 +744,7 @@ fn stray() -> impl Strategy<Value = Option<Value>> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1_000))]
 
-    /// Any change of a good project is refused with a place, or gives a project that can be used.
+    /// Any change of a valid project gives an error with its position, or a usable project.
     #[test]
     fn a_changed_project_is_refused_or_usable(changes in prop::collection::vec((any::<prop::sample::Index>(), any::<prop::sample::Index>(), stray()), 1..4)) {
         let mut value = whole();
@@ -755,7 +755,7 @@ proptest! {
             let Some(target) = value.pointer_mut(&path) else { continue };
             match stray {
                 Some(stray) => *target = stray,
-                // Instead something from elsewhere in the document, or nothing.
+                // Another part of the document, or nothing.
                 None if path.ends_with('e') => {
                     let (parent, name) = path.rsplit_once('/').unwrap();
                     if let Some(Value::Object(map)) = value.pointer_mut(parent) {

@@ -30,7 +30,7 @@ const ROOMS: [&[&str]; 16] = [
     &["facade"],
 ];
 
-/// All files below a folder with one of these endings.
+/// All files below a folder with one of these extensions.
 fn files(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {

@@ -1,5 +1,5 @@
-//! Subjects against ONNX Runtime, their refinement against `OpenCV`; the values are made by `tests/oracles/segment.py`. And the
-//! command, as it is used.
+//! Subjects against ONNX Runtime, their refinement against `OpenCV`; the values are made by
+//! `tests/oracles/segment.py`. Also the command line.
 
 use std::fs;
 use std::path::Path;

@@ -154,7 +154,8 @@ fn other_programs_distinguish_files_of_one_name() {
     }
 }
 
-/// The codes that `OpenTimelineIO` gives frames, and the frames that it reads in them (`tests/oracles/shots.py`).
+/// Timecodes of frames from `OpenTimelineIO`, and the frames that it reads in them
+/// (`tests/oracles/shots.py`).
 #[test]
 fn time_codes_are_those_of_another_program() {
     let told = fs::read_to_string(folder().with_file_name("timecodes.json")).unwrap();

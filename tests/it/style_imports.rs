@@ -1,4 +1,4 @@
-//! Style files from anywhere: each malformed one is refused with the place and the reason, and nothing panics.
+//! Malformed style files: each is rejected with its position and the reason, without a panic.
 
 use inkpanel::style::Style;
 

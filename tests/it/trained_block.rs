@@ -22,7 +22,7 @@ static BLOCK: Block = Block {
     kernel: Kernel::Image(|args, image, context| BANK.run(args.pixels(0), image, context)),
 };
 
-/// The bytes of a file, as `include_bytes!` would give them.
+/// The bytes of a file, like `include_bytes!`.
 static BANK: LazyLock<Trained> = LazyLock::new(|| Trained::new("mean", mean_of_nine().leak()));
 
 /// Weights of 1/9 on the four neighbours before the centre: 910 of 8192.

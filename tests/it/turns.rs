@@ -39,7 +39,7 @@ fn after_twelve_shuffles_each_photo_has_appeared() {
     for (count, people) in [(8, 2), (12, 3), (24, 6), (40, 4)] {
         for first in [1, 100, 900] {
             let mut request = Request { photos: album(count, people), ..Request::default() };
-            // One that is small, and one that is soft.
+            // A small photo, and a blurred one.
             (request.photos[count - 1].width, request.photos[count - 1].height) = (400, 300);
             request.photos[count - 2].sharpness = 0.01;
             for seed in first..first + 12 {

@@ -213,9 +213,10 @@ function scan(text, kind) {
   return { comments, strings };
 }
 
-/** Returns the text of a string. A placeholder becomes one word. */
+/** Returns the text of a string. A placeholder becomes one word, and example commands of the CLI help are left out. */
 function plain(/** @type {string} */ text) {
   return text
+    .replace(/^ {2}inkpanel .*$/gm, '')
     .replace(/\$\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}/g, 'code')
     .replace(/\\n|\\\n\s*/g, ' ')
     .replace(/\\(.)/g, '$1')

@@ -1,6 +1,6 @@
 /**
- * Files that come from the system: opened with the installed page, or shared with it by another program. They are
- * handled like dropped files.
+ * Files from the system: opened with the installed app, or shared by another program. They are handled like dropped
+ * files.
  */
 
 import { strings } from '../strings/strings.ts';

@@ -1,6 +1,6 @@
 /**
- * The board: the page in the middle, everything else around it and quiet. On a small screen the sides become
- * sheets that open below the page and leave it in view.
+ * The board: the page in the middle, surrounded by unobtrusive tools. On a small screen the sides become sheets that
+ * open below the page and leave it in view.
  */
 
 import { strings } from '../strings/strings.ts';

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { isFramedByOthers } from './framed.ts';
 
 /**
- * Windows in each other, the outermost first.
+ * Nested windows, the outermost first.
  * @returns the innermost
  */
 function windows(...origins: ('own' | 'other')[]): Window {

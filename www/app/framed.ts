@@ -1,7 +1,7 @@
 /**
- * A page of another site could hold this one in a frame, and have people press what they do not see. Hosts forbid it by a
- * header (`public/_headers`), which a page cannot do for itself; so it refuses to work there. The first import of
- * `main.tsx`: where this module throws, nothing else of the program begins.
+ * A page of another site could hold this one in a frame, and have people press what they do not see. Hosts forbid
+ * framing by a header (`public/_headers`). A page cannot set this header, so it refuses to run in a frame. The first
+ * import of `main.tsx`: if this module throws, the app does not start.
  */
 
 import { strings } from '../strings/strings.ts';

@@ -60,7 +60,7 @@ const ODD = [
   ','.repeat(20_000),
 ];
 
-/** Damages of a file: cut off, with other bytes, with a piece too many or twice, in another encoding, or nothing of it left. */
+/** Damages of a file: truncated, other bytes, additional or repeated parts, another encoding, or empty. */
 function damaged(files: readonly Bytes[]): fc.Arbitrary<Bytes> {
   const file = fc.constantFrom(...files);
   const place = fc.double({ min: 0, max: 1, noNaN: true });

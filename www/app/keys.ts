@@ -1,5 +1,5 @@
 /**
- * The keyboard: one listener that finds the action of a shortcut. A control with the focus receives its keys first.
+ * The keyboard: one listener that maps shortcuts to actions. A control with the focus receives its keys first.
  */
 
 import { isEnabled } from '../ui/action.ts';
@@ -17,8 +17,8 @@ const OWN_USE: Record<string, string> = {
 const TEXT_FIELDS = 'input:not([type=checkbox], [type=range], [type=color], [type=file]), textarea, select';
 
 /**
- * @param parts `leave`: what Escape does on the board, where it does something; `covered`: whether a modal dialog is open.
- *   `pointed`: the button that was pressed by the pointer and has the focus by that alone: Space is not meant for it
+ * @param parts `leave`: the action of Escape on the board, if any. `covered`: whether a modal dialog is open.
+ * `pointed`: the button that has the focus because of a click. Space must not press it again.
  * @returns a listener for `keydown` on the window
  */
 export function createKeys({
@@ -49,7 +49,7 @@ export function createKeys({
     const shortcut = pressed(event).find((keys) => byKeys.has(keys));
     const action = shortcut === undefined ? undefined : byKeys.get(shortcut);
     if (!shortcut || !action || isSilent(shortcut, event.target)) return;
-    // Over the board the page is out of sight: nothing shuffles it unseen.
+    // Behind a workspace the page is invisible, so nothing shuffles it.
     if (ui.work.peek() !== null && action.heard !== 'everywhere') return;
     if (isEnabled(action)) {
       // Some browsers press a focused button when the key is released.

@@ -1,6 +1,6 @@
 /**
- * The button that has the focus because the pointer pressed it: the eye is on the page by then, and the next Space is meant
- * for the page.
+ * Tracks the button that has the focus because of a click. The user looks at the page then, so the next Space is for
+ * the page.
  */
 export function trackPointed(window: Window): () => Element | null {
   let pressed: Element | null = null;
@@ -11,7 +11,7 @@ export function trackPointed(window: Window): () => Element | null {
     },
     { capture: true },
   );
-  // By keys the focus may come back to it, and then it is meant.
+  // After keyboard navigation, Space is for the focused button.
   window.addEventListener('keydown', ({ key }) => key === 'Tab' && (pressed = null), { capture: true });
   return () => (pressed !== null && pressed === window.document.activeElement ? pressed : null);
 }

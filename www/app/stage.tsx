@@ -21,7 +21,7 @@ import { SafeArea } from '../page/safe-area.tsx';
 import type { App } from '../ui/context.ts';
 import type { Store } from '../document/store.ts';
 
-/** The widest that the page is painted, in pixels: larger, it takes longer than anyone would wait, and hundreds of megabytes. */
+/** Maximum painted width of the page in pixels. A larger page takes too long, and hundreds of megabytes. */
 const SHARPEST = 2800;
 
 export function Stage() {

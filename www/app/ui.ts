@@ -64,7 +64,7 @@ export function createUi(window: Window) {
       narrates.value = on;
       keep(window, NARRATION_KEY, on ? 'on' : 'off');
     },
-    /** Whether the page has the window to itself. */
+    /** Whether the page fills the window. */
     preview: signal(false),
     /** Zoom factor of the page; 1 shows the whole page. */
     zoom: signal(1) as Signal<number>,
@@ -75,7 +75,7 @@ export function createUi(window: Window) {
     /** The selected tab of the export dialog, if the user opened it for a specific export. */
     exportWay: signal(null) as Signal<Way | null>,
     work,
-    /** Opens a workspace, or closes it where it is open. */
+    /** Opens a workspace, or closes the open one. */
     toggleWork(which: Work) {
       work.value = work.peek() === which ? null : which;
     },
@@ -87,7 +87,7 @@ export function createUi(window: Window) {
     printCheck: signal(null) as Signal<number | null>,
     /** Whether the settings of Shuffle for styles are shown. */
     styleShuffle: signal(false),
-    /** Whether the bar of tools shows all of them. */
+    /** Whether the toolbar shows all tools. */
     allTools: signal(false),
     /** Whether the boxes of detected subjects are shown. */
     subjects: signal(false),

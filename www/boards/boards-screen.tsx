@@ -1,5 +1,5 @@
 /**
- * The album as a board: the list of its shots, and the sheets that come of it. Loaded when it is first opened.
+ * The storyboard of the album: its shot list and its sheets. Loaded when it is first opened.
  */
 
 import { useEffect, useRef, useState } from 'preact/hooks';

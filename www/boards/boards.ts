@@ -35,7 +35,7 @@ const UNTOLD = { scene: '', action: '', dialogue: '', notes: '', more: {} };
 const FILM_BOARD = { style: 'storyboard', frames: 6, aspect: '16:9', beside: false } as const;
 const AMERICAN = /letter|legal|tabloid|^us-/;
 
-/** Whether a page is one of a comic, and no sheet of a board. */
+/** Whether a page is a comic page, not a storyboard sheet. */
 export function isComic({ layout }: PageDocument): boolean {
   return typeof layout === 'string' || layout.family !== 'board';
 }
@@ -112,7 +112,7 @@ export function createBoards({
 
   /**
    * Puts texts into cells, from one on to the right and down, as one step.
-   * @returns how many found no place: beyond the list, or no length
+   * @returns number of rejected cells: beyond the list, or with an invalid length
    */
   function put(from: { row: number; column: number }, texts: readonly (readonly string[])[]): number {
     const changed: Record<string, Shot> = {};
@@ -153,7 +153,7 @@ export function createBoards({
     change({ order: [] });
   }
 
-  /** @returns whether there is such a column now */
+  /** @returns whether the column exists now */
   function addColumn(name: string): boolean {
     const plain = name.trim().slice(0, MOST.label);
     const own = board.peek().columns;

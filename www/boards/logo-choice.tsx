@@ -1,4 +1,4 @@
-/** The logo in the heads of the sheets: chosen from a file, shown, and taken away again. */
+/** The logo in the headers of the sheets: choose a file, show it, and remove it. */
 
 import { useRef } from 'preact/hooks';
 import { ChosenFiles } from '../photos/chosen-files.tsx';

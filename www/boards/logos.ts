@@ -17,7 +17,7 @@ export function createLogos(engine: Pick<Engine, 'importPhoto' | 'forgetPhoto'>)
 
   /**
    * @param url as the board has it; another one has another id
-   * @throws a sentence where it cannot be read
+   * @throws a sentence if it cannot be read
    */
   return (url: string): Promise<BoardLogo> => {
     const at = held.findIndex((one) => one.url === url);

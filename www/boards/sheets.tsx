@@ -1,4 +1,4 @@
-/** The sheets of the board, as they will be printed. */
+/** The sheets of the storyboard in their printed form. */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { Priority } from '../engine/queue.ts';

@@ -26,7 +26,7 @@ export function ShotsTable() {
   const drag = useListDrag({ list: '.shots-scroll', item: 'tbody tr' }, boards.move);
   const gap = drag.carried?.gap ?? -1;
 
-  /** @returns whether there is such a cell */
+  /** @returns whether the cell exists */
   function focus(row: number, column: number): boolean {
     const cell = table.current?.querySelector<HTMLElement>(`[data-cell="${row} ${column}"]`);
     cell?.focus();

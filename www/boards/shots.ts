@@ -36,7 +36,7 @@ export const RATES: Readonly<Record<string, Rate>> = Object.freeze({
   '29.97 DF': { fps: 30, pace: 'drop' },
   '30': { fps: 30 },
 });
-/** At 29.97 DF two numbers are left out in each minute but every tenth. */
+/** At 29.97 DF, two frame numbers are skipped in each minute except every tenth. */
 const DROPPED = 2;
 const WHOLE = 10;
 export const PER_SHEET = [1, 2, 3, 4, 6, 8, 9, 12] as const;

@@ -10,7 +10,7 @@ export const photosOfPage = (page: PageDocument) => page.panels.map(({ photo }) 
 
 /**
  * A storyboard of one page, with a number of photos.
- * @param how `byName`: they stay in the order of their names
+ * @param how `byName`: sorted by name
  */
 export async function opened(count: number, { byName = false }: { byName?: boolean } = {}) {
   const app = fakeApp();

@@ -1,6 +1,6 @@
 /**
- * A storyboard of several pages: pages added, spread over, turned, moved, removed. Each is one step of the undo but
- * turning, which changes nothing; an undo turns to the page that it changes.
+ * A storyboard of several pages: pages added, spread over, turned, moved, removed. Each is one undo step, except going
+ * to another page, which changes nothing. An undo goes to the page that it changes.
  */
 
 import { computed } from '@preact/signals';
@@ -114,7 +114,7 @@ export function createBook({
     });
   }
 
-  /** Pages as they were: not by an undo, which would take back what was done since. */
+  /** Restores earlier pages. This is not an undo, which would also revert later edits. */
   function bringBack(sheets: readonly Sheet[], at: number) {
     const album = store.album.peek();
     // Another project may be open by now.
@@ -122,8 +122,8 @@ export function createBook({
   }
 
   /**
-   * The page that is edited stays the one that is edited.
-   * @param to its place when it was taken out
+   * The edited page does not change.
+   * @param to its index after removal
    */
   function move(from: number, to: number) {
     const sheets = sheetsOf(store.project.peek());

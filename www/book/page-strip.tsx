@@ -1,5 +1,5 @@
 /**
- * The pages of the book next to the one that is edited. On a small screen a single page has a button for more, and an offer to
+ * The pages of the book next to the edited page. On a small screen a single page has a button for more, and an offer to
  * make pages from all photos if many are not used.
  */
 

@@ -30,7 +30,7 @@ export function PageThumb({
   const { book, engine, ui } = useApp();
   const ref = useRef(null as HTMLButtonElement | null);
   const width = () => screenPixels(ref.current?.clientWidth ?? 64);
-  // The page on the screen comes first: its own small picture waits until it is there.
+  // The visible page comes first. Its thumbnail waits until it is drawn.
   const drawn = useRef(page);
   if (!current || ui.painted.value === page) drawn.current = page;
 

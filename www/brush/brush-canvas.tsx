@@ -88,7 +88,7 @@ function Ring({ retouching }: { retouching: Retouching }) {
 }
 
 function begin(event: PointerEvent, area: HTMLElement | null, retouching: Retouching) {
-  // A second finger ends nothing and paints nothing.
+  // A second finger is ignored.
   if (!area || event.button !== 0 || !event.isPrimary) return;
   // The text of the page would be selected, and the focus is set here.
   event.preventDefault();

@@ -115,7 +115,7 @@ it('each step is one of the document, and what was found is nobody’s', () => {
     [{ type: 'mask-photo', id: 'a', mask: grown, found: 'found' }],
     [{ type: 'mask-photo', id: 'a', mask: null, found: 'found' }],
   ]);
-  // A photo that was removed meanwhile is left alone.
+  // A photo that was removed meanwhile is skipped.
   keepSteps(store, 'b', retouching.steps());
   expect(change).toHaveBeenCalledTimes(2);
 });

@@ -29,7 +29,7 @@ export function createRetouching(hand: Hand) {
   const told = signal(hand.told());
   /** Counts the changes to draw; `fine` if no stroke is in progress. */
   const seen = signal({ count: 0, fine: true });
-  /** Why the last command did nothing. */
+  /** Reason why the last command had no effect. */
   const vain: Signal<'onlyOne' | 'noneHere' | 'softest' | null> = signal(null);
   /** The end of the stroke so far. */
   let last: Point | null = null;
@@ -57,7 +57,7 @@ export function createRetouching(hand: Hand) {
     move,
   };
 
-  /** Begins at a point. @returns whether a stroke begins, or else whether anything changed */
+  /** Starts a press at a point. @returns whether a stroke starts, or otherwise whether anything changed */
   function press(point: Point): boolean {
     at.value = point;
     if (tool.peek() === 'choose') return changed(hand.choose(point.x, point.y), 'noneHere');

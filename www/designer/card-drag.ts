@@ -17,7 +17,7 @@ export type CardDrag = ReturnType<typeof useCardDrag>;
 
 /** Tolerance for unsteady hands, in CSS pixels. */
 const SLACK = 5;
-/** Milliseconds that a finger stays on a block before it is lifted from the palette. */
+/** Milliseconds of a long press that lifts a block from the palette. */
 const HOLD = 300;
 /** Distance from an edge at which the lanes scroll, and maximum speed in CSS pixels per frame. */
 const EDGE = 56;
@@ -32,7 +32,7 @@ export function useCardDrag(onDrop: (source: Source, to: Place) => void) {
   const lifted = useRef(false);
 
   useEffect(() => {
-    // A listener that comes while the finger is down already is too late to keep it from scrolling.
+    // A listener that is added while the finger is down cannot prevent scrolling.
     const still = (event: TouchEvent) => {
       if (lifted.current && event.cancelable) event.preventDefault();
     };

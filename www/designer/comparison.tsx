@@ -1,6 +1,6 @@
 /**
- * A photo or the page in the style, over the same as it is: a divider that is dragged or moved by keys shows how much of
- * each.
+ * A photo or the page in the style, above the original. A draggable divider with keyboard support sets the visible
+ * parts.
  */
 
 import { useEffect, useRef } from 'preact/hooks';

@@ -43,7 +43,7 @@ describe('the designer', () => {
     const blocks = () => designer.draft.value?.background.map(({ block }) => block);
     designer.insert('posterize', { layer: 'background', at: 0 });
     designer.insert('saturation', { layer: 'background', at: 1 });
-    // Colour comes in there, as after Posterization: gray is made first.
+    // The block needs gray, so it is inserted after the conversion to gray.
     expect(designer.insert('pattern', { layer: 'background', at: 1 })).toEqual({ layer: 'background', at: 2 });
     expect(blocks()).toEqual(['posterize', 'to_gray', 'pattern', 'saturation']);
     // It is gray there already.

@@ -13,7 +13,7 @@ type Wish = { style: Style; width: number; height: number; full: number };
 
 /** Time in ms without changes until full-size images are drawn. */
 const REST = 140;
-/** Pictures on their way at once. */
+/** Maximum number of pending pictures. */
 const AHEAD = 2;
 /** The longer side of the pictures on the cards. */
 const CARD = 176;

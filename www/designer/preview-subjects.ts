@@ -18,7 +18,7 @@ export type Subject = {
   most: number;
   /** During an edit. */
   draw: (style: Style, size: Size, call?: Call) => Promise<Picture>;
-  /** The pictures of the cards; `whole`: they come with the picture of the preview. */
+  /** The pictures of the cards. `whole`: together with the picture of the preview. */
   drawCards: (
     style: Style,
     size: Size & { stages: number },
@@ -37,7 +37,7 @@ const LIVE_PAGE = 360;
 
 type Drawing = Pick<Engine, 'drawDesign' | 'stylePhoto' | 'renderPage' | 'composePixels'>;
 
-/** @param small one of several */
+/** @param small one of several previews */
 export function photoSubject(engine: Drawing, { id, name, meta }: Shown, small: boolean): Subject {
   return {
     // Also when its subject was found.

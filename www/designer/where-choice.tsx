@@ -5,7 +5,7 @@ import type { StylePart } from '../engine/types.ts';
 
 const PARTS: readonly StylePart[] = ['subject', 'background'];
 
-/** @param props `part`: none is all of the photo */
+/** @param props `part`: null for the whole photo */
 export function WhereChoice({
   label,
   part,

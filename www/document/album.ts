@@ -61,8 +61,8 @@ export function unreadMeta(id: string): PhotoMeta {
 }
 
 /**
- * A fingerprint that is far from all others, so that unread photos do not count as near-duplicates. FNV-1a differs in a few bits
- * between ids such as p1 and p2; the last steps, of MurmurHash3, spread them.
+ * A fingerprint that is far from all others, so that unread photos do not count as near-duplicates. FNV-1a differs in a
+ * few bits between ids such as p1 and p2. The last steps, from MurmurHash3, mix them.
  */
 function unlike(text: string) {
   const times = (value: bigint, factor: bigint) => (value * factor) & 0xffffffffffffffffn;

@@ -46,7 +46,7 @@ export function createPages(
     shuffled?: () => void;
   } = {},
 ) {
-  /** The page that a shuffle shows next, as long as all is as it was when it was planned. */
+  /** The prepared page for the next shuffle, valid while nothing changes. */
   let prepared: { project: Project; photos: readonly unknown[]; page: PageDocument | null } | null = null;
 
   return {
@@ -235,7 +235,7 @@ export function createPages(
 
   function planShuffled(page: PageDocument) {
     const { locks } = store.project.peek();
-    // A locked panel stays where it is.
+    // A locked panel does not move.
     const layout = locks.layout || page.panels.some((panel) => panel.locked);
     return plan({ keep: { ...locks, layout }, mode: 'shuffle' });
   }
@@ -292,7 +292,7 @@ export function createPages(
     if (sheets[at]?.pageId !== id) store.change({ type: 'show-page', page: broughtBack(page), pageId: id });
   }
 
-  /** A page that was shown before, as it can be shown now. */
+  /** Returns an earlier version of a page in its current form. */
   function broughtBack(page: PageDocument): PageDocument {
     const back = store.plans().broughtBack(draw(), page);
     return JSON.stringify(back) === JSON.stringify(page) ? page : settled(back);

@@ -53,7 +53,7 @@ test('panels are merged and split, each one step of the undo', async () => {
       .panels.map(({ photo }) => photo)
       .slice(2),
   ).toEqual(photos.slice(2));
-  // With nothing chosen the only merge is meant.
+  // Without a selection, the only merged group is split.
   selection.clear();
   merging.split();
   expect(page().merges).toEqual([]);
@@ -76,7 +76,7 @@ test('a merge needs panels that hang together below the overlays', () => {
   expect(whyNotMerge([0, 2], page(), facts)).toBe(strings.merging.apart);
   expect(whyNotMerge([0, 2, 1], page(), facts)).toBe('');
   expect(whyNotMerge([3, 4], page(), facts)).toBe(strings.merging.overlay);
-  // Panels that share an image already are taken along.
+  // Panels that already share an image are included.
   expect(whyNotMerge([0, 3], page([1, 2]), facts)).toBe(strings.merging.apart);
   expect(whyNotMerge([0, 1], page([1, 2]), facts)).toBe('');
   expect(grown([0, 1], page([1, 2]))).toEqual([0, 1, 2]);

@@ -13,6 +13,6 @@ export type { Order, PageDocument } from '../engine/types.ts';
 
 export const SHARED: readonly (keyof SharedLists)[] = ['mine', 'favourites', 'ownLayouts'];
 
-/** Steps through time, and lists that come from outside, are done to no single state. */
+/** Edits that apply to no single state: undo, redo, and lists from other tabs. */
 type Outside = Extract<Edit, { type: 'undo' | 'redo' | 'share' | 'join' }>;
 export type Action = Exclude<Edit, Outside>;

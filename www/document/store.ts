@@ -69,7 +69,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   /** The photos in the tray. Frames of a video arrive unordered, because frames of the first page come first. */
   const tray = computed(() => {
     const items = inFilmOrder(project.value.tray, album.value);
-    // An album that tells nothing new of their order leaves them the very same.
+    // If the order of the album has not changed, the items keep their object identity.
     if (items.length !== arranged.length || items.some((item, i) => item !== arranged[i])) arranged = items;
     return arranged;
   });

@@ -79,7 +79,7 @@ export function fakePlanner() {
   return planner;
 }
 
-/** Has the planner keep the photos in the order of their names, which chance decides otherwise. */
+/** Sorts the photos by name, because the default order is random. */
 export function orderByName({ store }: { store: Pick<Store, 'change'> }) {
   store.change({ type: 'choose-by', order: 'name', silent: true });
 }

@@ -3,7 +3,7 @@
  * specification, sections 18 to 26; WebP container specification.
  */
 
-/** Pictures that are read at most, and pixels of all of them together: some ten seconds of decoding. */
+/** Maximum number of pictures, and of pixels of all pictures together: about ten seconds of decoding. */
 const MOST_PICTURES = 3000;
 const MOST_PIXELS = 1.5e9;
 /** Maximum size of a file that is parsed. */

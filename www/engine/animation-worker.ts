@@ -26,7 +26,7 @@ async function read({ file, count, start, end, leading, times: told }: FileWish)
   const { Animation } = await decoders();
   postMessage({ about: { duration } });
   const times = told ?? sampleTimes({ first: 0, duration, count, start, end });
-  /** The picture of each time. A slow animation may show one at two of them, and gives it once. */
+  /** The picture of each time. A slow animation may show one frame at two of the times. It is returned once. */
   const shown = times.map((time) => {
     const later = ends.findIndex((till) => time < till);
     return later < 0 ? ends.length - 1 : later;

@@ -17,8 +17,8 @@ type Entry = { name: string; blob: Blob };
 /** How long work is followed and stopped. */
 export type Work = { signal?: AbortSignal; onProgress?: (done: number, total: number) => void };
 /**
- * A file in it. `packed`: it has to be unpacked, which takes memory. `read` rejects with `damaged-project` if the
- * checksum does not match, with `too-large-project` if the size exceeds `most` or a limit.
+ * A file in it. `packed`: compressed, so reading it takes memory. `read` rejects with `damaged-project` if the checksum
+ * does not match, with `too-large-project` if the size exceeds `most` or a limit.
  */
 type Found = { name: string; packed: boolean; read: (how?: { most?: number } & Watch) => Promise<Blob> };
 /** Fields of a file in the central directory; `end` is the offset of the directory. */

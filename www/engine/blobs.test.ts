@@ -3,7 +3,7 @@ import { blobOf, detach } from './blobs.ts';
 
 const bytes = () => Uint8Array.from([1, 2, 3]);
 
-/** @param bad how many of the first blobs cannot be read */
+/** @param bad number of unreadable blobs at the start */
 function browser(bad: number) {
   return vi.fn((parts: BlobPart[], options: BlobPropertyBag) => {
     const blob = new Blob(parts, options);

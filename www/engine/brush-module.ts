@@ -14,7 +14,7 @@ type Brushing = typeof import('../pkg-brush/inkpanel.js');
 export type Mending = 'Grow' | 'Shrink' | 'Feather' | 'Invert' | 'Everything' | 'Nothing' | 'Found' | 'NextFigure';
 export type Hand = ReturnType<typeof createHand>;
 
-/** The module; loaded once, and tried again where it did not come. Rejects with `brush-missing`. */
+/** Loads the module once, and tries again after an error. Rejects with `brush-missing`. */
 const { get: brushing } = onceMore(load);
 
 async function load(): Promise<Brushing> {

@@ -85,7 +85,7 @@ export type Editor = ReturnType<typeof createEditor>;
  */
 export type Wish = Partial<Omit<PlanRequest, 'current'>> &
   Pick<PlanRequest, 'keep'> & { current?: PageDocument; anew?: boolean };
-/** Why no page has shown a photo yet: its turn will come, it is a page of text, or it has too few pixels. */
+/** Reason why no page has shown a photo yet: it is not its turn, it is a page of text, or it has too few pixels. */
 export type Unseen = 'waits' | 'text' | 'small';
 /** A seed, and the user's preferences for random choices. */
 export type Draw = Pick<Request, 'seed' | 'taste'>;
@@ -207,7 +207,7 @@ function plansOf(editor: core.Editor, album: core.Album) {
     /** @returns all pages of the storyboard with other settings */
     onPaper: (draw: Draw, page: PageSettings): PageDocument[] =>
       JSON.parse(editor.on_paper(album, JSON.stringify({ ...draw, page }))),
-    /** @returns a page that was shown before, as it can be shown now */
+    /** @returns an earlier version of a page in its current form */
     broughtBack: (draw: Draw, current: PageDocument): PageDocument =>
       JSON.parse(editor.brought_back(album, JSON.stringify({ ...draw, current }))),
     /** @returns the photos distributed over new pages, which replace the present ones */
@@ -262,7 +262,7 @@ function readHistory(
   try {
     text = JSON.stringify({ version: record?.version, history: interned(record?.history) });
   } catch {
-    // Something that refers to itself, or a number without end.
+    // A cyclic structure, or a number that is not finite.
     throw failure('damaged-project', 'history: is not plain data');
   }
   const { version, history, dropped }: ReadHistory = JSON.parse(core.read_history(text));

@@ -59,7 +59,7 @@ export function createDetector(
 
   /**
    * Loads the models, for faces first. Errors are reported by the first detection.
-   * @param choosing whether the user still chooses photos, so that nothing urgent is waiting
+   * @param choosing whether the user still chooses photos, so that no urgent work is waiting
    */
   function prepare(choosing = false) {
     expected = true;

@@ -114,7 +114,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
     takeInHand: (id: string, masks: { own?: string; found?: string }) => takeInHand(photos.get(id).work, masks),
     forgetPhoto: photos.forget,
     warm: warming.warm,
-    /** While `on`, nothing is begun that the page on the screen does not wait for. */
+    /** While `on`, only work for the visible page starts. */
     hold: (on: boolean) => [pool, masking, aesthetics].forEach((workers) => workers?.hold(on)),
     hasPhoto: photos.has,
     photos,
@@ -216,7 +216,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
     }
   }
 
-  /** Decodes a photo, reduces and measures it, and keeps it under `id`. */
+  /** Decodes, reduces and measures a photo, and stores it under `id`. */
   async function importPhoto(id: string, file: Blob, call?: Call): Promise<Imported['meta']> {
     const name = nameOf(file, id);
     const job = { op: 'import' as const, args: { id, file }, photo: name, holds: [`${id}/work`, `${id}/small`] };

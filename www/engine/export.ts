@@ -31,7 +31,7 @@ type Parts = {
 /** Marks a panel without a photo. */
 const EMPTY = '';
 
-/** The page of a single panel; its patch has everything else. */
+/** The page of a single panel. Its patch contains everything. */
 const ALONE = {
   layout: 'grid-2',
   panels: [

@@ -66,7 +66,7 @@ serveJobs<Making>(async (op, args, tell) => {
   return { ...answer, memory: memory?.buffer.byteLength ?? 0 };
 });
 
-/** The next job tries again where it failed. */
+/** After an error, the next job tries again. */
 async function start() {
   try {
     const { memory } = await initFiles({ module_or_path: await moduleBytes(MODULE, ...MISSING) });
@@ -103,7 +103,7 @@ async function losslessPicture({ width, height, data }: Args<'losslessPicture'>,
   return { ok, transfer: [ok.buffer] };
 }
 
-/** @param encode gives the file of the page with all patches on it */
+/** @param encode returns the file of the page with all patches */
 function printed(
   document: string,
   size: { width: number; height: number },

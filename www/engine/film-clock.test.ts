@@ -6,7 +6,7 @@ test('a film starts with its first picture, whatever the time of that picture in
   const { inFilm, wishInFile } = createFilmClock(11.4);
   expect(inFilm(11.4)).toBe(0);
   expect(inFilm(12.36)).toBeCloseTo(0.96, 9);
-  // A picture that is decoded but not shown.
+  // A decoded picture that is not shown.
   expect(inFilm(11.3)).toBe(0);
   const { times, moments, start, end, count, leading } = wishInFile({
     count: 2,

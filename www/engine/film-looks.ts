@@ -49,7 +49,7 @@ export function createLooks(track: InputVideoTrack, looking: Looking, { from, to
     await at([...found]);
   }
 
-  /** @param tell how much is done, 0 to 1 */
+  /** @param tell progress, 0 to 1 */
   async function whole(tell: (part: number) => void) {
     await during(from, to, { every: 0, until: performance.now() + WHOLE, tell });
   }

@@ -10,7 +10,7 @@ import type { Frame, Wish } from './video.ts';
 
 export type FileWish = Wish & { file: Blob };
 
-/** Frames that may be on their way at once. */
+/** Maximum number of frames in transit. */
 const AHEAD = 2;
 
 let credit = AHEAD;

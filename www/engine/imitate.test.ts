@@ -39,7 +39,7 @@ function engine({ fails = () => false }: { fails?: () => boolean } = {}) {
       })) as any,
     photos: { handles: ([id]: string[]) => [{ key: keys[id] ?? id }], names: () => '' } as any,
   });
-  /** Ends jobs until nothing more comes. */
+  /** Returns jobs until the queue is empty. */
   async function work() {
     const done: typeof jobs = [];
     for (;;) {

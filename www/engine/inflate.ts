@@ -6,8 +6,8 @@ import { failure } from './protocol.ts';
 const PART = 4 * 2 ** 20;
 
 /**
- * Bytes that are unpacked at once. Browsers unpack all that they were given before anyone can count it, and a byte may be
- * a thousand.
+ * Bytes that are decompressed at once. Browsers unpack all that they were given before anyone can count it, and a byte
+ * may be a thousand.
  */
 const STEP = 8 * 2 ** 10;
 

@@ -113,7 +113,7 @@ export function expanded({ parts, past, present, future, shown }: TabledHistory)
   return { past: past.map(whole), present: whole(present), future: future.map(whole), shown: shown.map(withPage) };
 }
 
-/** Parts with which tables begin, as they are in states. */
+/** Initial content of tables, as in states. */
 export type Known = Partial<Omit<Tables, 'sheets'>> & { sheets?: readonly Sheet[] };
 
 /**
@@ -144,7 +144,7 @@ export function joinedWith(told: Tables, known: Known = {}) {
     isTabled(field) && typeof value === 'number' ? tables[field][value] : value;
 
   return {
-    // The order of the fields stays: some of it is compared as text.
+    // The order of the fields is preserved, because some of the output is compared as text.
     state: (fields: Partial<KeptState>): Partial<Project> =>
       Object.fromEntries(Object.entries(fields).map(([field, value]) => [field, part(field, value)])),
     withPage: (entry: KeptShown): Shown => paged(entry),

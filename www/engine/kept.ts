@@ -1,6 +1,6 @@
 /**
- * Files that are large, and that not everyone needs: the browser keeps them from their first use on, so that they are
- * there without a connection. Here and not in a service worker, which a first visit does not have yet.
+ * Large optional files. The browser stores them after their first use, so that they are available offline. Here and not
+ * in a service worker, which a first visit does not have yet.
  */
 
 import { fetchAsset } from './assets.ts';
@@ -10,9 +10,9 @@ import type { AssetReader } from './assets.ts';
 const STORE = 'inkpanel-nets';
 /** Milliseconds until a loaded file is cached, so that caching does not delay its use. */
 const LATER = 5_000;
-/** Milliseconds after its start in which a worker may still have to keep something. */
+/** Milliseconds after its start in which a worker may still store a file. */
 export const KEEPING = LATER + 3_000;
-/** A name that changes with the content, as the build gives it: any other may be of an older file. */
+/** A file name with a content hash from the build. Any other name may belong to an older file. */
 const HASHED = /-[\w-]{8}\.\w+$/;
 
 /** As `fetch`. */

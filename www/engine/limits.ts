@@ -19,7 +19,8 @@ export const ARCHIVE = Object.freeze({
    */
   entry: 128 * MB,
   /**
-   * Bytes that all files together may unpack to. Photos that another program packs hardly get smaller.
+   * Bytes that all files together may unpack to. Photos are already compressed, so other programs hardly reduce their
+   * size.
    * @param size of the archive
    */
   unpacked: (size: number) => Math.min(256 * MB + 4 * size, 4096 * MB),

@@ -27,7 +27,7 @@ export function createLru(budget: number) {
 
     /**
      * Forgets the oldest entries until the rest fit.
-     * @param needed entries that must stay, whatever they weigh
+     * @param needed entries that must not be evicted, whatever their size
      * @returns the evicted keys
      */
     evict(needed: (key: string) => boolean = () => false): string[] {

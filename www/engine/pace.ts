@@ -10,7 +10,7 @@ const FIRST = 4;
 /** Lower bound of the slowdown factor. */
 const LEAST = 1;
 const MOST = 20;
-/** In ms: of shorter work the clock and the messages are as much as the work. */
+/** Milliseconds of work that is too short to measure, because the clock and messages dominate. */
 const TOO_SHORT = 20;
 /**
  * Fixed allowance in ms for messaging and garbage collection. A worker that compiles its code may wait several seconds
@@ -25,14 +25,14 @@ export function createPace() {
 
   return {
     /**
-     * @param expected ms where it was measured
+     * @param expected milliseconds in the reference measurement
      * @returns ms to wait for it here
      */
     patience: (expected: number): number => REST + MARGIN * pace * expected,
 
     /**
      * @param expected ms
-     * @param ms that it took here
+     * @param ms measured milliseconds
      */
     took(expected: number, ms: number) {
       if (expected < TOO_SHORT) return;

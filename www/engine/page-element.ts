@@ -2,8 +2,8 @@
  * `<inkpanel-page src="storyboard.inkpanel" page="2">` shows a page of a saved project, or of a page PNG, on another
  * site. Importing this module defines it.
  *
- * Attributes: `src`; `page`, from 1; `alt`, the alternative text. Events: `load`, with `pages`, how many there are;
- * `error`, with the error. All elements of a document share one engine.
+ * Attributes: `src`; `page`, from 1; `alt`, the alternative text. Events: `load`, with the number of `pages`; `error`,
+ * with the error. All elements of a document share one engine.
  */
 
 import { createEngine } from './engine.ts';
@@ -14,7 +14,7 @@ import type { Engine } from './engine.ts';
 import type { SavedProject } from './saved-project.ts';
 import type { PageDocument } from './types.ts';
 
-/** Pixels of a drawn page's width: more no screen shows, fewer show on none. */
+/** Range of the width of a drawn page in pixels. */
 const WIDTHS = [320, 2400] as const;
 /** Milliseconds without a change of size until it is drawn again. */
 const SETTLED = 150;
@@ -100,7 +100,7 @@ export class InkpanelPage extends HTMLElement {
     try {
       await image.decode();
     } finally {
-      // The decoded image stays.
+      // The decoded image is retained.
       URL.revokeObjectURL(image.src);
     }
     if (signal.aborted) return;
@@ -121,7 +121,7 @@ export class InkpanelPage extends HTMLElement {
     this.#drawn = `${at} ${width}`;
     const { data, ...size } = await engine().compose(document, { width, signal });
     if (signal.aborted || this.#drawn !== `${at} ${width}`) return;
-    // The one that is there stays, so that nothing flickers.
+    // The existing canvas is reused, so that nothing flickers.
     const canvas = this.#root.querySelector('canvas') ?? this.ownerDocument.createElement('canvas');
     Object.assign(canvas, { width: size.width, height: size.height });
     canvas.getContext('2d')?.putImageData(new ImageData(data, size.width, size.height), 0, 0);

@@ -14,7 +14,7 @@ const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 /** Length and type before the data, CRC after it. */
 const [HEAD, FOOT] = [8, 4];
 const MOST_LENGTH = 2 ** 31 - 1;
-/** Bytes that are read at once: many chunks are small. */
+/** Bytes that are read at once, because many chunks are small. */
 const WINDOW = 2 ** 16;
 
 /** @returns by its content, whatever it is called */

@@ -40,7 +40,7 @@ describe('order', () => {
     expect(running()).toEqual(['a']);
     pool.spare(0);
     expect(running()).toEqual(['a', 'b']);
-    // One that is alone cannot be spared.
+    // A single worker is never spared.
     const single = fakeWorkers();
     const small = createPool<Named>({ size: 1, spawn: single.spawn });
     small.spare(1);

@@ -274,7 +274,8 @@ export function createPool<Ops extends Table = Operations>({
     worker.onerror = (event) => {
       event.preventDefault();
       if (!mine()) return;
-      // An idle worker is replaced when it is next needed: one that cannot even load would be replaced for ever.
+      // An idle worker is replaced when it is next needed. Otherwise, a worker that cannot load would be replaced
+      // forever.
       if (filled.entry) lose(filled);
       else filled.dead = true;
     };

@@ -9,7 +9,7 @@ export type ProjectEditor = ReturnType<typeof createProject>;
 /**
  * An empty project, or a saved one.
  * @param planner `await engine.ready`
- * @param history as `history()` gave it; throws `damaged-project` or `newer-project`
+ * @param history from `history()`; throws `damaged-project` or `newer-project`
  */
 export function createProject(planner: Planner, history?: History) {
   const editor = planner.createEditor();
@@ -18,7 +18,7 @@ export function createProject(planner: Planner, history?: History) {
   let photos: PhotoMeta[] = [];
 
   return {
-    /** The project as it is: its photos, pages, settings. */
+    /** The current project: its photos, pages, settings. */
     project: (): Project => now.present,
     /** The complete history as plain data for saving. */
     history: (): History => now,

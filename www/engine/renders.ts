@@ -36,7 +36,7 @@ export function createRenders({
   }
 
   /**
-   * A panel with its breakout, or one of them. The pixels are equal in both cases.
+   * A panel with its breakout, or only one of the two. The pixels are equal in both cases.
    * @param pictures of one panel
    * @param width of the page, in pixels
    */

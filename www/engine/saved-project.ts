@@ -7,7 +7,7 @@ import { photosOn, sheetsOf } from './sheets.ts';
 import type { Engine } from './engine.ts';
 import type { PageDocument } from './types.ts';
 
-/** `lost`: photos of its pages that the file has not, or that cannot be read; their panels stay empty. */
+/** `lost`: photos of its pages that are missing or unreadable. Their panels are empty. */
 export type SavedProject = { name: string; pages: PageDocument[]; lost: string[]; close: () => void };
 
 let opened = 0;

@@ -20,7 +20,7 @@ export function createStyleOperations({
   fetchPhotos: (photos: PhotoHandle[], tell: Tell) => Promise<void>;
   bitmap: (patch: Patch) => Promise<{ ok: BitmapPatch; transfer: Transferable[] }>;
 }) {
-  /** How long each block took when it ran last, by photo and size. */
+  /** Duration of each block in its last run, by photo and size. */
   const clocks: Map<string, Map<number, number>> = new Map();
   let sitting: { key: string; sitter: Sitter } | null = null;
 

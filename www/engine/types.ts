@@ -1,4 +1,4 @@
-/** What crosses to the core and back. Written out of the types of the core by `cargo xtask bless types`, not by hand. */
+/** Types of all data between the app and the core. Generated from the types of the core by `cargo xtask bless types`. */
 
 /** A state of a project. */
 export type Project = {
@@ -52,7 +52,7 @@ export type TrayItem = {
   use: boolean | null,
   /** The focus point that the user set. */
   focus?: Focus | null,
-  /** Whether the user wants it in a large panel. */
+  /** Whether the user starred it for a large panel. */
   starred?: boolean,
   /** The corrected subject mask. `None` uses the detected mask. */
   mask?: string,
@@ -221,7 +221,7 @@ export type AnimaticRequest = {
   list: ShotList,
   /** The image of each shot. */
   pictures: ReadonlyArray<AnimaticPicture>,
-  /** Width and height of the frames in pixels, 64 to 3840, made even as encoders want them. */
+  /** Width and height of the frames in pixels, 64 to 3840. Rounded to even numbers, as encoders require. */
   size: [number, number],
   /** Frames per second, 1 to 60. Default: the rate of the list. */
   fps: number,
@@ -300,7 +300,7 @@ export type AnimaticClip = {
 export type MotionRequest = {
   /** The pages in their order. */
   pages: ReadonlyArray<PageDocument>,
-  /** Width and height of the frames in pixels, 64 to 3840, made even as encoders want them. */
+  /** Width and height of the frames in pixels, 64 to 3840. Rounded to even numbers, as encoders require. */
   size: [number, number],
   /** Frames per second, 1 to 60. */
   fps: number,
@@ -324,7 +324,7 @@ export type Reading = {
   said: ReadonlyArray<Said>,
   /** Stops of the camera, in order. The first and the last stop show the whole page. */
   stops: ReadonlyArray<Stop>,
-  /** How many frames a word takes to appear. */
+  /** Number of frames in which a text item appears. */
   fade: number,
 };
 
@@ -506,7 +506,7 @@ export type DraftEdit = { "type": "add",
   at: number,
 }
 | { "type": "where",
-  /** Null for the whole image. */
+  /** `null` for the whole image. */
   part: StylePart | null,
   /** The layer, */
   layer: Layer,
@@ -516,7 +516,7 @@ export type DraftEdit = { "type": "add",
 | { "type": "layer-where",
   /** Which layer. */
   layer: Layer,
-  /** Null for the whole image. */
+  /** `null` for the whole image. */
   part: StylePart | null,
 }
 | { "type": "reset",
@@ -855,7 +855,7 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   tail?: Focus | null,
   /** Id of a font. */
   font?: string,
-  /** Colour of the letters. */
+  /** Text colour. */
   color?: string,
   /** Colour of the box. */
   fill?: string,
@@ -871,7 +871,7 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   book?: boolean,
   /** It is a page number, which follows the position of the page. */
   number?: boolean,
-  /** The photo that it belongs to: it goes wherever that is. Null names the one on its panel. */
+  /** The photo that it belongs to. The item follows this photo. Null names the one on its panel. */
   photo?: string | null,
   /** The subtitle that it was made of: none is added twice. */
   cue?: string | null,
@@ -884,9 +884,9 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   boxless?: boolean,
   /** Whether it is set in capitals; null is as its conventions have it. */
   capitals?: boolean | null,
-  /** Degrees that the letters of an effect lean to the right, -45 to 45. */
+  /** Slant of a sound effect in degrees to the right, -45 to 45. */
   slant?: number,
-  /** Half the width of the line around the letters of an effect, in ems, 0 to 0.4; null is as usual. */
+  /** Half the width of the outline of a sound effect, in ems, 0 to 0.4. Default if null. */
   outline?: number | null,
   /** Whether an effect is behind the subjects. */
   behind?: boolean,
@@ -900,7 +900,7 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   apart?: boolean,
   /** Name of the speaker, if known. */
   by?: string,
-  /** The language of its text: long words part by its rules. */
+  /** The language of its text, for hyphenation. */
   language?: string | null,
   /** Its lines are columns, read from the top down and from right to left. */
   vertical?: boolean,
@@ -962,29 +962,29 @@ export type Style = {
 /** One block of a layer with its values. */
 export type StyleStep = { block: string; bypass?: boolean; where?: StylePart } & Record<string, ParamValue>;
 
-/** What is asked for. The answer depends on nothing else. */
+/** A request for a page. The result depends on nothing else. */
 export type Request = {
-  /** Seed of every choice that is left to chance. */
+  /** Seed of all random choices. */
   seed: number,
   /** Photos in use, in order of time. */
   photos?: ReadonlyArray<PhotoMeta>,
   /** Size, gutters and colours of the page. */
   page?: PageSettings,
-  /** The page as it is; none when there is none yet. */
+  /** The current page; `None` if there is no page yet. */
   current?: PageDocument | null,
-  /** Parts of the page that stay. */
+  /** Parts of the current page to retain. */
   keep?: Keep,
-  /** A layout to take, by id or in full. */
+  /** The layout, by id or in full. Default: chosen automatically. */
   layout?: LayoutChoice | null,
-  /** A style to take, by id or in full. */
+  /** The style, by id or in full. Default: chosen automatically. */
   style?: StyleChoice | null,
-  /** How a style is drawn that is left to chance. */
+  /** Options of the random choice of a style. */
   styling?: StylingRequest,
-  /** A layout that a free page takes unless another is clearly better. */
+  /** The preferred layout if none is set. Another layout replaces it only if it is clearly better. */
   prefer?: LayoutChoice | null,
-  /** Wanted number of panels where the layout is free. */
+  /** Wanted number of panels if no layout is set. */
   panels?: number | null,
-  /** How photos that do not stay are chosen. */
+  /** How new photos are chosen. */
   mode?: Mode,
   /** Whether the photos stay in their order along the page. Default: whether all are dated, at different times. */
   ordered?: boolean | null,
@@ -994,24 +994,25 @@ export type Request = {
    */
   recent?: ReadonlyArray<ReadonlyArray<string>>,
   /**
-   * Whether a new layout gets panels that share one image: always, never, or, where nothing is said, by chance.
-   * Chance has no say in a layout or a number of panels that was asked for: each panel then has its own image.
+   * Whether panels of a new layout share images: `true` always, `false` never. By default the choice is
+   * random. If the request sets a layout or a number of panels, each panel has a separate image by
+   * default.
    */
   merge?: boolean | null,
   /** Exactly these groups of panels share one image each. */
   merges?: ReadonlyArray<ReadonlyArray<number>> | null,
   /**
-   * Whether a figure steps out of its panel, where the masks of the photos are there and one can: always, never, or, where nothing
-   * is said, by chance.
+   * Whether a subject breaks its panel border, if the photos have masks and one of them fits: `true`
+   * always, `false` never. By default the choice is random.
    */
   figures?: boolean | null,
-  /** What the person liked so far. */
+  /** The user's learned preferences. */
   taste?: Taste,
-  /** Families that chance keeps to. */
+  /** Families to choose from. */
   within?: Families,
-  /** What was shown just now and is not to come again at once, beside what the current page has. */
+  /** Recent results to avoid, besides the current page. */
   avoid?: Avoid,
-  /** How bold the draw is: 1 as usual, more to be surprised more, 0 for the best that was found. */
+  /** Randomness of the choice. Default: 1. Larger values give more surprising pages, and 0 takes the best candidate. */
   surprise?: number | null,
 };
 
@@ -1025,7 +1026,7 @@ export type Keep = {
   photos?: boolean,
 };
 
-/** How photos that do not stay are chosen. */
+/** How new photos are chosen. */
 export type Mode = "shuffle" | "photos";
 
 /** What is asked of a book. */
@@ -1046,8 +1047,9 @@ export type BookWish = {
 export type BookStyles = "one" | "chapters";
 
 /**
- * What a person liked so far, as the natural logarithm of what it does to the weights of families and styles. As JSON
- * `{families: {ID: NUMBER}, styles: {ID: NUMBER}}`, each of which may be missing; what is no number says nothing.
+ * The user's learned preferences, as natural logarithms of the factors for the weights of families and
+ * styles. As JSON: `{families: {ID: NUMBER}, styles: {ID: NUMBER}}`. Both fields are optional, and values
+ * that are not numbers are ignored.
  */
 export type Taste = {
   /** By family of layouts. */
@@ -1065,27 +1067,31 @@ export type Avoid = {
 };
 
 /**
- * Families that chance keeps to, any where a list is empty: of layouts, `FAMILIES`(crate::layout::FAMILIES), and of styles,
- * `FAMILIES`(crate::style::catalogue::FAMILIES). What is asked for by id is not held to them.
+ * Families for a random choice: of layouts, from `FAMILIES`(crate::layout::FAMILIES), and of styles, from
+ * `FAMILIES`(crate::style::catalogue::FAMILIES). An empty list allows all. An explicit layout or style may
+ * be in any family.
  */
 export type Families = {
-  /** Of layouts. */
+  /** Families of layouts. */
   layouts?: ReadonlyArray<string>,
-  /** Of styles. */
+  /** Families of styles. */
   styles?: ReadonlyArray<string>,
 };
 
-/** How a style is drawn. As JSON `{extra, invented, inventions, keepLines, keepColours}`, each of which may be missing. */
+/**
+ * Options of the random choice of a style. As JSON `{extra, invented, inventions, keepLines, keepColours}`;
+ * all fields are optional.
+ */
 export type StylingRequest = {
-  /** Styles in full that are drawn like the designed ones: a person's own and favourites. */
+  /** Complete custom and favourite styles. They are chosen like built-in ones. */
   extra?: ReadonlyArray<Style>,
-  /** Share of draws, 0 to 1, that invent a style. */
+  /** Probability of a generated style, 0 to 1. */
   invented?: number,
-  /** Invented styles that were tried and found good: only these are drawn where the list is there, however short it is. */
+  /** Generated styles that passed a test. If the list is present, even if it is empty, only its styles are used. */
   inventions?: ReadonlyArray<Style>,
-  /** The line layer and its ink stay. */
+  /** Retain the line layer and its ink. */
   keepLines?: boolean,
-  /** The colour layer stays. */
+  /** Retain the colour layer. */
   keepColours?: boolean,
 };
 
@@ -1328,7 +1334,7 @@ export type LayoutChange = { "type": "move-cut",
 export type LayoutsRequest = {
   /** The page that they are for. */
   page: PageSettings,
-  /** A person's own. */
+  /** Whether it is a custom layout. */
   own?: ReadonlyArray<Template>,
 };
 
@@ -1393,7 +1399,7 @@ export type Verdict = {
   group: number,
   /** Whether it is used. */
   kept: boolean,
-  /** The reason, in a few words. */
+  /** The reason in a few words. */
   why: string,
 };
 
@@ -1419,7 +1425,7 @@ export type Candidate = {
   paper: number,
   /** See `MeasuresEntry`. */
   laplacian: number,
-  /** The film that it is a frame of. */
+  /** The video that it is a frame of. */
   film?: string | null,
 };
 
@@ -1499,7 +1505,7 @@ export type SoundEvent = {
   end: number,
   /** Kind of the sound. */
   kind: SoundKind,
-  /** Loudness in whole dB below full scale, -42 to about 0: of the loudest frame, or the mean for music. */
+  /** Level in whole dB below full scale, -42 to about 0: of the loudest frame, or the mean for music. */
   loudness: number,
   /** Suggested sound effects, the best first. */
   words: [SoundWord, SoundWord, SoundWord],
@@ -1523,7 +1529,7 @@ export type Tables = { items: ReadonlyArray<TrayItem>, trays: ReadonlyArray<Read
 
 /** The difference after an edit, see `difference` in `src/document/kept.rs`. */
 export type Difference = {
-  /** As the one of that number was, but for these fields. */
+  /** New states: the state with this index, with these fields replaced. */
   states: ReadonlyArray<[of: number, fields: Partial<KeptState>]>, past: Runs, present: number, future: Runs, entries: ReadonlyArray<KeptShown>, shown: Runs, parts: Tables,
   /** An id for a new page, */
   pageId: number,
@@ -1703,18 +1709,18 @@ export type ParamValue = number | string | boolean;
 /** The lists that all projects have in common. They are a part of each project, so that undo reaches them. */
 export type SharedLists = Pick<Project, 'mine' | 'favourites' | 'ownLayouts'>;
 
-/** Numbers of things in a row. */
+/** Consecutive numbers. */
 export type Runs = ReadonlyArray<readonly [first: number, count: number]>;
 
-/** What of a state stands in tables, which it names by numbers. */
+/** Fields of a state that are stored in tables and referenced by number. */
 export type Tabled = 'tray' | 'settings' | 'page' | 'others' | 'draft' | 'board' | 'waiting' | 'mine' | 'favourites' | 'ownLayouts';
 
-/** A state whose parts stand in tables. */
+/** A state whose parts are stored in tables. */
 export type KeptState = Omit<Project, Tabled> & {
   [Field in Exclude<Tabled, 'board' | 'waiting'>]: number | Extract<Project[Field], null>;
 } & { board?: number | null; waiting?: number };
 
-/** A page of a storyboard, and one that was shown, whose page stands in a table. */
+/** A page of a storyboard, and a version of a page. Their pages are stored in a table. */
 export type KeptSheet = Omit<Sheet, 'page'> & { page: number };
 export type KeptShown = Omit<Shown, 'page'> & { page: number };
 

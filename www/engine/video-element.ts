@@ -92,7 +92,7 @@ async function pixelsOf(video: HTMLVideoElement): Promise<{
 
 /**
  * @param patience ms
- * @returns whether it came in time, and before an error
+ * @returns whether the event came within the time limit, and before an error
  */
 function happens(video: HTMLVideoElement, event: string, patience: number): Promise<boolean> {
   return new Promise((resolve) => {

@@ -70,7 +70,7 @@ beforeEach(() => {
   vi.stubGlobal('VideoDecoder', class {});
   vi.stubGlobal('postMessage', (message: any) => {
     messages.push(message);
-    // Each frame is dealt with at once.
+    // Each frame is processed before the next request.
     if (message.frame) send({ next: true });
   });
 });

@@ -109,7 +109,7 @@ async function byShots(track: InputVideoTrack, sender: Sender, wish: Spread, dur
 
 /**
  * @param chosen seconds and shots by turns
- * @param taken existing frames, which count; if there are too many, shots with a frame get no other one
+ * @param taken existing frames, which count. If there are too many, shots with a frame get no further one
  */
 function freshOf(chosen: Float64Array, taken: readonly number[], most: number): Place[] {
   const all = Array.from({ length: chosen.length / 2 }, (_, i) => ({ time: chosen[2 * i], shot: chosen[2 * i + 1] }));

@@ -6,7 +6,7 @@ import type { Studio } from '../pkg/inkpanel.js';
 import type { Operations } from './protocol.ts';
 import type { Tell } from './serving.ts';
 
-/** A size that is decoded completely, and one that is decoded at half size (`decode_reduced` in Rust). */
+/** A size that is decoded completely, and one that is decoded at reduced size (`decode_reduced` in Rust). */
 const SIZES = [
   [1500, 1000],
   [3200, 480],

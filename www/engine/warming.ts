@@ -7,7 +7,7 @@ import { Priority } from './queue.ts';
 import type { Run } from './pool.ts';
 import type { PageDocument } from './types.ts';
 
-/** Photos read one after the other; a worker is never busy for longer than with one of them. */
+/** Number of photos in sequence. A worker is never busy for longer than with one of them. */
 const ROUNDS = 24;
 
 /** @param run passes a job to the pool @param workers number of workers with separate code */

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { chunksOf, withDpi } from './webp.ts';
 
-/** A file of one chunk of three bytes, as a browser gives it. */
+/** A file of one chunk of three bytes, as encoded by a browser. */
 const PLAIN = Uint8Array.from(
   [...'RIFF', 16, 0, 0, 0, ...'WEBP', ...'VP8 ', 3, 0, 0, 0, 7, 8, 9, 0].map((part) =>
     typeof part === 'string' ? part.charCodeAt(0) : part,

@@ -17,7 +17,7 @@ const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
 
 type Args<Op extends keyof Wording> = Wording[Op]['args'];
 
-/** The next job tries again where it failed. */
+/** After an error, the next job tries again. */
 let started: Promise<Work<Wording>> | undefined;
 
 serveJobs<Wording>(async (op, args, tell) => {

@@ -12,9 +12,9 @@ const GOLDEN = 137.508;
 const WAYS = 4;
 
 /**
- * @param style as it was invented from the seed
+ * @param style generated from the seed
  * @param blocks determine whether the chain ends in gray
- * @returns the style itself where it keeps the colours of the photo
+ * @returns the same style if it preserves the colours of the photo
  */
 export function coloured(style: Style, seed: number, blocks: readonly Block[]): Style {
   const turn = Math.floor(seed / WAYS);
@@ -59,7 +59,7 @@ function turned(hue: number, turn: number, gray: boolean): StyleStep[] {
 
 /**
  * A bias of every pixel to a hue.
- * @param strength added to the channels of the hue, below zero taken from all others
+ * @param strength added to the channels of the hue; a negative value is subtracted from the others
  */
 function tint(hue: number, strength: number): StyleStep {
   const [red, green, blue] = [0, 240, 120].map((offset) => {

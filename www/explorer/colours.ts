@@ -3,7 +3,7 @@
  * Oklab, which is perceptually uniform.
  */
 
-/** Around the colour wheel; `mixed` has several, `gray` none. */
+/** In the order of the colour wheel. `mixed` is for several hues, `gray` for pictures without colour. */
 export const HUES = ['red', 'orange', 'yellow', 'green', 'cyan', 'blue', 'purple', 'pink', 'mixed', 'gray'] as const;
 export type Hue = (typeof HUES)[number];
 export const LIGHTNESSES = ['dark', 'middle', 'light'] as const;

@@ -11,7 +11,7 @@ const FACE = 'face';
 const [COLUMNS, ROWS, CELL] = [12, 9, 4];
 /** Minimum channel value of white paper, and maximum channel value of black. */
 const [WHITE, BLACK] = [240, 14];
-/** Roughness up to which a cell shows nothing. */
+/** Maximum roughness of a cell without content. */
 const SMOOTH = 6;
 /** The part of the detailed cells that may be white paper. */
 const BURNT = 0.3;
@@ -46,7 +46,7 @@ function detailedCells({ columns, rows, values }: EnergyMap): number[] {
   return all.slice(0, all.length / 2).map(({ i }) => i);
 }
 
-/** The cells whose middles are in a box, or the one that contains its middle. */
+/** Returns the cells with their centre in a box, or the cell that contains the centre of the box. */
 function cellsOf({ x, y, width, height }: Subject): number[] {
   const all = Array.from({ length: COLUMNS * ROWS }, (_, i) => i);
   const inside = all.filter((i) => {

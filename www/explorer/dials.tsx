@@ -1,7 +1,7 @@
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 
-/** How much children differ from their parents, and where chance begins. */
+/** Controls of the difference between children and parents, and of the random seed. */
 export function Dials() {
   const { explorer } = useApp();
   const surprise = explorer.surprise.value;

@@ -50,7 +50,7 @@ function View({
   const last = useRef(style.id);
   last.current = style.id;
 
-  // Before anything else happens: a key that follows at once is the view's.
+  // Set before the next event, so that an immediate key press goes to the view.
   useLayoutEffect(() => {
     const dialog = ref.current;
     dialog?.showModal();
@@ -151,7 +151,7 @@ function Tool({
   );
 }
 
-/** The thumbnail at once, then the picture in the size that it is seen in. */
+/** Shows the thumbnail at once, then the picture at display size. */
 function Picture({ fact: { id, name, meta }, item, go }: { fact: Shown; item: Item; go: (by: number) => void }) {
   const { engine, explorer, messages } = useApp();
   const canvas = useRef(null as HTMLCanvasElement | null);

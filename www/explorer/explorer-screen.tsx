@@ -109,7 +109,7 @@ function sized({ id, meta }: Shown): Photo {
   return { id, width: Math.round(meta.width * scale), height: Math.round(meta.height * scale) };
 }
 
-/** The same element is handed over as long as nothing in it changes, so that a wall of hundreds grows quickly. */
+/** The same element is reused while nothing in it changes, so that a wall of hundreds updates quickly. */
 function useItems(shown: readonly Item[], photo: Photo | null, point: Point) {
   const { explorer, ownStyles } = useApp();
   const made = useRef(new Map() as Map<string, VNode>);

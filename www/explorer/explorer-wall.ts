@@ -125,7 +125,7 @@ export function createWall(
     signatures.delete(id);
   }
 
-  /** @param points of an item; the most come first */
+  /** @param points score of an item; the highest comes first */
   function sort(points: (item: Item) => number) {
     items.value = [...items.peek()].sort((a, b) => points(b) - points(a));
   }

@@ -36,7 +36,7 @@ export const ROUND = 240;
 /** Number of children of two styles, and of variations of one style. `TRIES` limits the attempts. */
 export const LITTER = 12;
 const TRIES = 48;
-/** Styles sent to a worker at a time, and how many such parcels are on their way: no worker waits for the next. */
+/** Styles per message to a worker, and number of pending messages, so that no worker is idle. */
 const PARCEL = 6;
 const AHEAD = 4;
 
@@ -158,7 +158,7 @@ export function createExplorer({
     const from = first.peek() + made;
     const blocks = planner.blocks();
     made += count;
-    // Made as they are needed: a round that is stopped early costs no more.
+    // Generated on demand, so that cancelling early costs nothing.
     const make = (i: number) => {
       const at = (from + i) >>> 0;
       return coloured(planner.inventStyle(at), at, blocks);

@@ -45,7 +45,7 @@ export function Filters({ facts, chosen }: { facts: readonly Shown[]; chosen: st
   );
 }
 
-/** Colours to choose one from; the one that is chosen again lets all come back. */
+/** Colours to filter by. Selecting the same colour again removes the filter. */
 function Swatches<T extends string>({
   label,
   options,

@@ -5,7 +5,7 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import type { Wish } from './page-making.ts';
 
-/** While a slider is dragged nothing is measured. */
+/** While a slider is dragged, nothing is measured. */
 const REST_MS = 250;
 /** Size of the two or three gray plates of a page, relative to the page in colour. */
 const PLATES = 1.2;

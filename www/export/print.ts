@@ -65,7 +65,7 @@ export function pdfOptions({ marks, sheets, paper }: Print): PdfOptions {
   return { marks, imposition: IMPOSITIONS[sheets], paper: sheets === 'none' ? null : PAPERS[paper] };
 }
 
-/** @returns how many pages stay empty on the last sheets */
+/** @returns number of empty pages on the last sheets */
 export function blanks(sheets: Sheets, pages: number): number {
   const seats = { none: 1, spreads: 1, twoUp: 2, booklet: 4, zine: 8 }[sheets];
   return (seats - (pages % seats)) % seats;

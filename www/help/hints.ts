@@ -1,6 +1,6 @@
 /**
- * Three hints at first use, one at a time and each once ever: shuffle, move the picture of a panel, lock. A hint disappears after
- * its action, after shuffles without it, and with Escape.
+ * Three hints at first use, one at a time and each only once: shuffle, move the picture of a panel, lock. A hint
+ * disappears after its action, after shuffles without it, and with Escape.
  */
 
 import { computed, effect, signal } from '@preact/signals';
@@ -18,7 +18,7 @@ export type Hint = (typeof HINTS)[number];
 export type Hints = ReturnType<typeof createHints>;
 
 const KEY = 'inkpanel.hints';
-/** Who has shuffled so often may have seen something to keep. */
+/** Number of shuffles after which the user may have seen a part worth locking. */
 const ENOUGH = 2;
 
 /** @param parts `box`: storage of the hints that were shown; it may be unavailable */
@@ -50,7 +50,7 @@ export function createHints({
   let before = 0;
 
   const panel = computed(() => selection.panels.value[0] ?? pointed.value);
-  /** Whether nothing else has the attention. */
+  /** Whether no other element needs the user's attention. */
   const free = computed(
     () =>
       ui.work.value === null &&
@@ -93,7 +93,7 @@ export function createHints({
     current.value = next;
     remember(new Set([...seen.peek(), next]));
   });
-  // A project that is closed takes its hint along; the next one begins with none.
+  // Closing a project ends its hint, and the next project starts without one.
   effect(() => {
     if (store.page.value === null) current.value = null;
   });
@@ -103,7 +103,7 @@ export function createHints({
     try {
       box().setItem(KEY, [...now].join(' '));
     } catch {
-      // Storage may be refused; they then come once a visit.
+      // Storage may be blocked. Then the hints appear once per visit.
     }
   }
 

@@ -1,4 +1,4 @@
-/** The language of the page, each named in itself. The language is loaded once, so changing it reloads the page. */
+/** The language menu. Each language has its own name. The language is loaded once, so changing it reloads the page. */
 
 import { language, strings } from '../strings/strings.ts';
 import { LANGUAGES, rememberLanguage } from '../strings/language.ts';

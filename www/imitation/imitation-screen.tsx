@@ -144,7 +144,7 @@ function Result({ fact }: { fact: Shown }) {
   );
 }
 
-/** How far it is, or why nothing was found. */
+/** Progress, or the reason why nothing was found. */
 function Status({ fact }: { fact: Shown | null }) {
   const { imitation, actions } = useApp();
   const done = imitation.progress.value;

@@ -70,7 +70,7 @@ export function createImitation({
     clear,
   };
 
-  /** Shows the workspace, as it was left. */
+  /** Shows the workspace in its last state. */
   function open() {
     if (store.tray.peek().length === 0) messages.alert(strings.imitationNeedsPhotos);
     else ui.work.value = 'imitation';

@@ -53,7 +53,7 @@ function FilmSounds({ video }: { video: Video }) {
   );
 }
 
-/** @param all how many sounds there are */
+/** @param all total number of sounds */
 function counted({ near, far }: { near: readonly Proposal[]; far: number }, all: number) {
   const says = strings.filmSounds;
   if (all === 0) return says.silent;

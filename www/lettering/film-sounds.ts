@@ -76,7 +76,7 @@ export function createFilmSounds({
     heard.value = all;
   }
 
-  /** @returns those near frames on pages, in the order of time, and how many are near none */
+  /** @returns the sounds near frames on pages, in time order, and the number of other sounds */
   function proposals(video: Video, events: readonly SoundEvent[]): { near: Proposal[]; far: number } {
     const album = store.album.value;
     const shown = new Set(store.sheets.value.flatMap(({ panels }) => panels.map(({ photo }) => photo)));

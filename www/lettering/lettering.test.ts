@@ -117,7 +117,7 @@ describe('words', () => {
     expect(past() - steps).toBe(1);
     expect(lettering.words.value[0]).toMatchObject({ text: 'one', panel: 1, x: 0.25, craft: 2 });
     expect(lettering.lay(fresh)).toEqual({ shown: 0, waiting: 0 });
-    // One that waits is taken onto the page, and another step takes that back.
+    // An unplaced item is placed on the page, and undo reverts that.
     lettering.take(0);
     expect([lettering.words.value.length, lettering.waiting.value.length]).toEqual([2, 0]);
     pages.undo();

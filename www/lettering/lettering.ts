@@ -131,7 +131,7 @@ export function createLettering({
     return added > 0;
   }
 
-  /** @returns how many of them are on the page */
+  /** @returns number of added items on the page */
   async function addAll(fresh: Word[]): Promise<number> {
     if (!(await ready())) return 0;
     const page = store.page.peek();
@@ -222,7 +222,7 @@ export function createLettering({
     edit(index, { ...onPhoto(anchored(geometry, word, to, tip)), ...held, auto: false }, gesture);
   }
 
-  /** @param to in page widths; null takes the tail off */
+  /** @param to in page widths; null removes the tail */
   function point(index: number, to: [number, number] | null, gesture?: string) {
     const geometry = store.geometry.peek();
     const word = words.peek()[index];
@@ -287,7 +287,7 @@ function photoOn({ panels }: PageDocument, panel: number): string | null {
   return panels[panel]?.photo ?? null;
 }
 
-/** @returns as the core takes it */
+/** @returns the text, limited to the maximum of the core */
 function bounded(text: string): string {
   return [...wellFormed(text).normalize('NFC')].slice(0, MOST.letters).join('');
 }

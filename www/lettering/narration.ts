@@ -10,7 +10,7 @@ import type { PageDocument, Word } from '../engine/types.ts';
 export type Moment = { at: number | null; place: string };
 
 export type Narration = {
-  /** The title of the page. An empty title adds none. */
+  /** The title of the page. An empty title adds no title item. */
   title: string;
   /** By photo id. */
   moments: ReadonlyMap<string, Moment>;
@@ -61,7 +61,8 @@ function captionsOf(photos: readonly string[], { title, moments, language, day, 
   const steps: { panel: number; text: string; gap: number }[] = [];
   let last = null as Moment | null;
   const seen = new Set<string>();
-  // The day of one photo among undated photos, or among those of many years, would be taken for the day of the page.
+  // The date of one photo could be mistaken for the date of the page, if the other photos have no date or span many
+  // years.
   const showsTimes = isOneEvent([...new Set(photos)].map((photo) => moments.get(photo)?.at ?? null));
   for (const [panel, photo] of photos.entries()) {
     const moment = moments.get(photo);

@@ -1,6 +1,6 @@
 /**
- * The bar of the selected text item on a small screen: above or below the item, never over it. It is hidden while text is
- * edited, because the screen keyboard needs the room. A large screen has the contextual bar instead.
+ * The bar of the selected text item on a small screen: above or below the item, never over it. It is hidden while text
+ * is edited, because the on-screen keyboard needs the space. A large screen has the contextual bar instead.
  */
 
 import { useLayoutEffect, useRef } from 'preact/hooks';

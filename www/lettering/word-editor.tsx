@@ -32,7 +32,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
     area.style.fontSize = `${Math.max(LEAST, box.size * page.clientWidth)}px`;
     const fit = () => {
       const now = lettering.measured(index, area.value || word.text) ?? box;
-      // The balloon that is drawn stays below the field.
+      // The drawn balloon extends at least over the field.
       const size = [Math.max(box.width, now.width), Math.max(box.height, now.height)] as const;
       grow(area, page, size, PADS[word.kind]);
     };

@@ -14,7 +14,7 @@ const LARGE_STEP = 0.03;
 /** Pixels before a press counts as a drag. */
 const SLACK = 4;
 
-/** An effect is straight where it is nearer than this to a right angle, in degrees. */
+/** Rotations nearer than this to a right angle snap to it, in degrees. */
 const CLOSE = 4;
 const RIGHT = 90;
 

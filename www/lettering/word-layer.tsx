@@ -113,7 +113,7 @@ function Word({ index, box, height }: { index: number; box: WordBox; height: num
   );
 }
 
-/** @returns where a handle is, kept on the page */
+/** @returns the position of a handle, limited to the page */
 function spot([x, y]: readonly [number, number], height: number) {
   const percent = (part: number) => `${Math.min(100, Math.max(0, part * 100)).toFixed(3)}%`;
   return { left: percent(x), top: percent(y / height) };

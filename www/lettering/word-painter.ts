@@ -30,7 +30,7 @@ export function createWordPainter(
 ) {
   /** By key, oldest first. */
   const kept: Map<string, BitmapPatch> = new Map();
-  /** The last picture of each place, shown until the next comes. */
+  /** The last picture of each item, shown until the next one arrives. */
   let shown: (BitmapPatch | null)[] = [];
   const running: Set<number> = new Set();
   /** Text items that failed are not tried again. */

@@ -41,7 +41,7 @@ function contains({ x, y, width, height }: Bounds, [px, py]: Place) {
   return px >= x && px <= x + width && py >= y && py <= y + height;
 }
 
-/** @returns one that the core takes: of a narrow panel the page is many widths */
+/** @returns the part, limited to the range of the core. For a narrow panel, the page is many panel widths */
 function within(part: number): number {
   return Math.min(MOST.away, Math.max(-MOST.away, Math.round(part * 1e5) / 1e5));
 }

@@ -1,4 +1,7 @@
-/** Words in the side: added, listed, and the one that is chosen changed. Every drag on the page has its click or field here. */
+/**
+ * The `Text` tab: adding and listing text items, and editing the selected one. Every drag on the page has its click or
+ * field here.
+ */
 
 import { useRef } from 'preact/hooks';
 import { MOST } from '../document/limits.ts';

@@ -20,7 +20,7 @@ import type { Kind } from './kinds.ts';
 
 /** Seconds of a dissolve. */
 const DISSOLVE = 0.5;
-/** While a slider is dragged nothing is planned. */
+/** While a slider is dragged, nothing is planned. */
 const REST_MS = 150;
 
 /** `of`: the source; `children`: the format control, above the others. */

@@ -46,7 +46,7 @@ export function AnimaticPlayer({ planned }: { planned: Planned | null }) {
     const shown = sheet.getBoundingClientRect();
     const wide = Math.min(screenPixels(shown.width || 320), Math.round((MOST * width) / Math.max(width, height)));
     const high = Math.max(1, Math.round((wide * height) / width));
-    // A canvas of another size is empty: where only the plan is another, what it shows stays until the new picture is there.
+    // Resizing a canvas clears it. If only the plan changes, the old picture stays until the new one is ready.
     if (sheet.width !== wide || sheet.height !== high) [sheet.width, sheet.height] = [wide, high];
     const made = createReel(planned, sheet, {
       draw: (clip, signal) => animatics.preview(planned, clip, wide, { signal }),
@@ -136,7 +136,7 @@ export function AnimaticPlayer({ planned }: { planned: Planned | null }) {
   );
 }
 
-/** Pictures of clips as they are needed, on a canvas. */
+/** Draws the pictures of clips on a canvas, on demand. */
 function createReel(
   { plan, table }: Planned,
   canvas: HTMLCanvasElement,
@@ -198,7 +198,7 @@ function createReel(
     );
   }
 
-  /** The panels that move come when the clip is there; one that was forgotten meanwhile needs them no more. */
+  /** Animated panels arrive after the clip. If the clip was released meanwhile, they are dropped. */
   async function move(clip: number) {
     const forgotten = new AbortController();
     const signal = AbortSignal.any([stop.signal, forgotten.signal]);

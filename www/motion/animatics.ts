@@ -238,7 +238,7 @@ export function createAnimatics({
         worker.onmessage = ({ data }: MessageEvent<FromEncoder>) => {
           listen();
           if ('wants' in data) {
-            // Drawing a picture from its photo takes as long as it takes.
+            // Drawing a picture from its photo has no time limit.
             relax();
             draw(plan, data.wants, drawing).then((drawn) => {
               listen();

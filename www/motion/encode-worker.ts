@@ -70,7 +70,7 @@ async function eachFrame(
   if (!context) throw failure('animatic-encoder', 'The browser provides no canvas for the video.');
   const count = framesIn(table);
   for (let frame = 0; frame < count; frame += 1) {
-    // A picture stays on the canvas while nothing moves.
+    // The picture on the canvas is reused while nothing moves.
     if (frame === 0 || !same(table, frame - 1, frame)) {
       const shown = frameAt(table, frame);
       await have(clipsOf(shown));
@@ -157,7 +157,7 @@ async function speak(voice: AudioSampleSource, { channels, sampleRate }: Sound) 
   }
 }
 
-/** A GIF file: frames that are the same are one that stays. */
+/** Writes a GIF file. Identical frames become one longer frame. */
 async function gif(begin: Begin): Promise<ArrayBuffer> {
   const { rate, table, width, height } = begin;
   const encoder = GIFEncoder();

@@ -52,7 +52,7 @@ export function frameAt(table: Float32Array, frame: number): Frame {
   return { under: shown(at), over: over.clip < 0 ? null : { ...over, share }, words, panel, veil, beat };
 }
 
-/** @returns how many frames a table tells */
+/** @returns number of frames in a table */
 export function framesIn(table: Float32Array): number {
   return table.length / ANIMATIC.columns;
 }

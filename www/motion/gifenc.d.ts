@@ -8,7 +8,7 @@ declare module 'gifenc' {
   /** @returns for each pixel its place in the palette */
   export function applyPalette(rgba: Uint8ClampedArray, palette: Palette, format?: Format): Uint8Array;
   export function GIFEncoder(): {
-    /** @param options `delay` in milliseconds, rounded to hundredths of a second; `repeat` 0 is for ever */
+    /** @param options `delay` in milliseconds, rounded to hundredths of a second; `repeat` 0 means forever */
     writeFrame(
       index: Uint8Array,
       width: number,

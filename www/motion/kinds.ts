@@ -1,4 +1,4 @@
-/** The kinds of files that animatics become, and which of them this browser makes. */
+/** File types of animatics, and the file types that this browser can encode. */
 
 export type Kind = 'mp4' | 'webm' | 'gif';
 
@@ -17,7 +17,10 @@ export const GIF = { side: 640, fps: 12, mostSeconds: 60 } as const;
 
 /** Bits per second for each pixel of a frame. Lines and flat areas are clean from this value on. */
 const BITS_A_PIXEL = 3.6;
-/** Bytes that a GIF file takes for a pixel of a frame: .25 for flat areas to .7 for dots and grain, so that it is off by two thirds at most. */
+/**
+ * Bytes per pixel of a frame in a GIF file. Flat areas need .25, dots and grain .7, so the estimate is off by two
+ * thirds at most.
+ */
 const GIF_BYTES_A_PIXEL = 0.45;
 export const AUDIO_BITRATE = 160_000;
 

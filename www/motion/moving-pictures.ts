@@ -50,7 +50,7 @@ export function createMovingPictures({
     return pictures;
   };
 
-  /** Our own: of each picture but the first what changed. */
+  /** A custom encoder: every picture except the first contains only its changes. */
   function losslessEncoder(signal?: AbortSignal): Encoder {
     let before: Uint8ClampedArray<ArrayBuffer> | undefined;
     return (canvas, context) => {

@@ -71,7 +71,7 @@ export function createOffline({
       const { active } = await workers.ready;
       active?.postMessage({ op: 'settle', extras: !(navigator as Saving).connection?.saveData });
     } catch {
-      // Refused, as in some private windows, or there is no such file: the page works without.
+      // Storage is blocked, as in some private windows, or the file is missing. The app works without it.
     }
   }
 
@@ -83,7 +83,7 @@ export function createOffline({
   }
 
   function tell() {
-    // A page that no worker serves came from the host just now.
+    // A page without a service worker came from the host just now.
     if (workers.controller) messages.offer(strings.newVersion, { label: strings.reload, run: () => void reload() });
   }
 

@@ -36,7 +36,7 @@ test('whatever changes makes it another', async () => {
   pages.shuffle('all');
   expect(store.page.value).not.toBe(next);
   expect(store.page.value?.style).toBe(style);
-  // Not before the page itself is on the screen.
+  // Not before the page is visible.
   vi.runAllTimers();
   expect(ahead.page.value).toBeNull();
   painted.value = store.page.value;

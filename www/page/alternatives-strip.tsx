@@ -1,5 +1,5 @@
 /**
- * A strip of other pages that grows as it is scrolled.
+ * A strip of alternative pages that grows during scrolling.
  */
 
 import { useEffect, useMemo, useRef } from 'preact/hooks';
@@ -13,7 +13,7 @@ import { useSubjectsOf } from './subjects-of.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Point } from '../ui/pointing.ts';
 
-/** Pages made at a time: more than any strip shows at once. */
+/** Number of pages per batch: more than any strip shows at once. */
 const BATCH = 24;
 
 export function Alternatives() {

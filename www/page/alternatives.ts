@@ -13,7 +13,7 @@ export type Alternatives = ReturnType<typeof createAlternatives>;
 
 /** Seeds are tried this often for a page that is not in the stream yet; then there are no more. */
 const TRIES = 12;
-/** Milliseconds that pages are made at a stretch: a frame's time, so that nothing else on the page waits. */
+/** Maximum milliseconds of continuous planning: the duration of a frame, so that the app stays responsive. */
 const STRETCH = 12;
 
 export function createAlternatives({ store, pages }: { store: Store; pages: Pages }) {
@@ -21,7 +21,7 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
   const basis = computed(() => {
     const { project, photos, reading, planner } = store;
     const { page, locks, panels, settings, styling, sheet } = project.value;
-    // The first page comes first; nothing else is drawn while it waits for photos.
+    // The first page has priority. Nothing else is drawn while it waits for photos.
     if (!planner.value || !page || reading.value) return '';
     return JSON.stringify([
       photos.value.length > 0 && store.plans().freePhotos(),
@@ -109,7 +109,9 @@ function photosOf({ panels }: PageDocument): string[] {
   return ['', ...panels.flatMap(({ photo }) => photo ?? [])];
 }
 
-/** @returns layout and style of the page that comes before the next: two in a row that share one look like one */
+/**
+ * @returns layout and style of the page before the next one, because two successive pages with equal values look alike
+ */
 function before(items: readonly PageDocument[]): { layouts: string[]; styles: string[] } {
   const last = items.at(-1);
   const idOf = (plan: string | object | undefined) => (typeof plan === 'object' ? (plan as { id?: string }).id : plan);

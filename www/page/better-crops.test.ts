@@ -7,7 +7,7 @@ import type { PageDocument } from '../engine/types.ts';
 const whole = { x: 0, y: 0, width: 1, height: 1 };
 const upper = { x: 0, y: 0, width: 1, height: 0.5 };
 
-/** A page on the screen, and crops that a plan would give it now. */
+/** A page on the screen, and the crops that a new plan would have. */
 async function app() {
   const made = fakeApp();
   const painted = signal<PageDocument | null>(null);

@@ -11,11 +11,11 @@ import type { Bounds, PageDocument } from '../engine/types.ts';
 
 export type BetterCrops = ReturnType<typeof createBetterCrops>;
 
-/** Milliseconds on the screen after which a page no longer changes by itself. */
+/** Minimum time on the screen, in milliseconds, after which a page does not change automatically. */
 const LOOK = 1000;
-/** The same for the first page of a project before any change. Detection of a large album takes several seconds. */
+/** Like `LOOK`, for the first page of a project before any change. Detection of a large album takes several seconds. */
 const FIRST_LOOK = 10_000;
-/** Crops that overlap so much look alike. */
+/** Minimum overlap of two crops that look equal, 0 to 1. */
 const SAME = 0.9;
 
 export function createBetterCrops({
@@ -31,7 +31,7 @@ export function createBetterCrops({
 }) {
   /** The page that is offered instead of another. */
   const offer = signal<{ of: PageDocument; better: PageDocument } | null>(null);
-  /** When the page appeared on the screen. */
+  /** Time when the page became visible. */
   let seen: { version: string; at: number } | null = null;
 
   effect(() => {

@@ -24,7 +24,7 @@ export type Sheet = { document: PageDocument; geometry: Geometry; width: number;
 
 /** Maximum time in ms that a new layout waits for all of its panels. */
 const PATIENCE = 120;
-/** A page that will take longer than this, in ms, is first drawn at half the size. */
+/** Pages with a longer expected time, in ms, are first drawn at half size. */
 const COARSE_ABOVE = 100;
 
 export function createPainter(
@@ -68,7 +68,7 @@ export function createPainter(
     const slow = patches.expected(document, width) > COARSE_ABOVE;
     sheet.slots.forEach((slot, index) => request(sheet as Sheet, slot, index, slow));
     clearTimeout(timer);
-    // A page that was drawn ahead is there with this frame, not with the next but one.
+    // A page that was drawn in advance appears in this frame, not in the one after the next.
     if (visible && !near && complete(sheet)) paint();
     else if (!visible || (moving && sameLook(visible.document, document)) || complete(sheet)) paintSoon();
     else timer = setTimeout(paintSoon, PATIENCE);
@@ -125,7 +125,7 @@ export function createPainter(
     );
   }
 
-  /** Whether a picture came for a panel that has moved on meanwhile. */
+  /** Returns whether a picture arrived for a panel that changed meanwhile. */
   function stale({ signature }: Slot, index: number) {
     if (running.get(index) !== signature) return false;
     running.delete(index);

@@ -22,7 +22,7 @@ export type Patch = {
 /** `stop` cancels the job. `ahead`: low priority, because no view needs the picture yet. */
 type Flight = { promise: Promise<Patch>; stop: AbortController; ahead: boolean };
 
-/** Pictures kept, in bytes: a dozen pages on a large screen. */
+/** Maximum bytes of cached pictures: a dozen pages on a large screen. */
 const BUDGET = 96 * 2 ** 20;
 
 /** @param subjectOf the subject mask of a photo, if the style of the page uses it */
@@ -154,7 +154,7 @@ export function createPatches(
     pace.set(name, Math.max(now, (pace.get(name) ?? 0) * 0.8));
   }
 
-  /** @returns how long the page will likely take, in ms */
+  /** @returns the expected time of the page, in ms */
   function expected({ style, page }: PageDocument, width: number): number {
     return ((pace.get(JSON.stringify(style)) ?? 0) * width * width * page.height) / page.width;
   }

@@ -10,7 +10,7 @@ export function ShuffleButton() {
   return <ActionButton action={page.shuffle} class="shuffle" text />;
 }
 
-/** @param props `heart`: with the heart of the page, for screens that have it nowhere else */
+/** @param props `heart`: includes the heart of the page, for screens that show it nowhere else */
 export function ShuffleParts({ heart = false }: { heart?: boolean }) {
   const { page } = useApp().actions;
   const parts = [

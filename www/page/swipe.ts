@@ -22,7 +22,7 @@ export function useSwipe(
   return {
     onPointerDown: ({ pointerType, pointerId, clientX, clientY, isPrimary }: PointerEvent) => {
       from.current = pointerType === 'touch' && isPrimary ? { id: pointerId, x: clientX, y: clientY } : null;
-      // A second finger means something else.
+      // A second finger starts another gesture.
       if (!isPrimary) shift(0);
     },
     onPointerMove: ({ pointerId, clientX, clientY }: PointerEvent) => {

@@ -1,4 +1,4 @@
-/** The versions of the page that were shown so far: back, forth, all of them, and the heart. */
+/** The versions of the page: previous, next, all of them, and the heart. */
 
 import { position, versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';

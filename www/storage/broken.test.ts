@@ -10,7 +10,7 @@ vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 
 let browser: ReturnType<typeof fakeBrowser>;
 let base: Database;
-/** The open project as it was saved. */
+/** The id of the open project in storage. */
 let id: string;
 let before: ReturnType<typeof documentOf>;
 

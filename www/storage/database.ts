@@ -52,7 +52,7 @@ type OrphansRecord = { id: string; since: Map<string, number> };
 type AnyState = { id: string } & Partial<StateRecord & DrawnRecord & OrphansRecord>;
 type FactRecord = { id: string; fact: Fact };
 
-/** Bytes as the database has them where it takes no Blob: WebKit's, in a private window. */
+/** Photo bytes in a database that does not accept Blobs: WebKit in a private window. */
 type Bytes = { bytes: ArrayBuffer; name: string | null; type: string };
 
 /** Without `work` the photo must be decoded again; without `file` it could not be read when it was written. */
@@ -145,7 +145,7 @@ function blobOf(kept: unknown): unknown {
   return typeof name === 'string' ? new File([bytes], name, { type }) : new Blob([bytes], { type });
 }
 
-/** @returns whether the storage took no more */
+/** @returns whether the storage is full */
 export function isFull(error: unknown): boolean {
   return (error as { name?: string })?.name === 'QuotaExceededError';
 }

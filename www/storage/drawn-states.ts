@@ -37,8 +37,8 @@ export function createDrawnStates({ store }: { store: Pick<Store, 'project' | 'p
   return { note, know, of };
 
   /**
-   * Records that the current page was drawn. Photos that are still being read may turn out to be none: no way back
-   * leads to them.
+   * Records that the current page was drawn. Photos that are still being imported may be invalid, so no undo step leads
+   * to them.
    */
   function note() {
     const project = store.project.peek();

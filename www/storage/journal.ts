@@ -102,7 +102,7 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
 
   /**
    * @param id of a project
-   * @returns the photos that it had, and that were written nowhere
+   * @returns its photos that were not written
    */
   function names(id: string): string[] {
     try {
@@ -143,7 +143,7 @@ export function createJournal({ box, most = MOST }: { box: () => Box; most?: num
         if (!read(id)?.bases.some((base) => base?.stamp === stamp)) clear(id);
       }
     } catch {
-      // Then it stays.
+      // Without access to storage, the entries remain.
     }
   }
 }

@@ -28,7 +28,7 @@ export function createLastProject({ tab, browser }: { tab: () => Box; browser: (
     try {
       box().setItem(KEY, id);
     } catch {
-      // Without storage there is nothing to come back to.
+      // Without storage, there is nothing to restore.
     }
   }
 }

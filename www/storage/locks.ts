@@ -7,7 +7,7 @@ export function createLocks(manager: Pick<LockManager, 'request'> | undefined) {
   return { take, wait, during };
 
   /**
-   * @param patience how long to wait for it, in ms
+   * @param patience maximum milliseconds to wait for it
    * @returns null while another tab holds it
    */
   async function take(name: string, patience: number = 0): Promise<Release | null> {

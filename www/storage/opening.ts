@@ -239,7 +239,7 @@ export function createOpening({
 
   /**
    * Replaces the project by an empty one.
-   * @returns whether it came to that
+   * @returns whether a project was created
    */
   async function create(): Promise<boolean> {
     try {
@@ -324,7 +324,7 @@ export function createOpening({
 
   /** Handles an error of the views while drawing the project. */
   function failedToShow(error: unknown) {
-    // The one that is tried is taken back.
+    // The caller that tries this state reverts it.
     if (trying) return;
     const place = store.place.peek();
     breaks({ id: place.id, name: store.project.peek().name, back: drawnStates.of(place).length > 0 }, error);

@@ -21,7 +21,7 @@ export type PhotoRecords = ReturnType<typeof createPhotoRecords>;
 /** Bytes of each photo that are compared when it is read back. */
 const SAMPLE = 64;
 
-/** Files that are written together: many small ones cost little more than one, and none waits long for its turn to be safe. */
+/** Number of files that are written together. A group costs little more than one file, and no file waits long. */
 const TOGETHER = 40;
 const BYTES_TOGETHER = 24 * 2 ** 20;
 /** Photos whose copies are written together. */
@@ -66,7 +66,7 @@ export function createPhotoRecords({
 
   /**
    * @param keys that the database has not
-   * @returns how many of them it had
+   * @returns number of removed entries
    */
   function lose(keys: readonly string[]): number {
     return keys.filter((key) => kept.delete(key)).length;
@@ -289,7 +289,7 @@ function bareOf({ id, name, file }: Held): PhotoRecord {
   return { id, name, file, work: null, small: null };
 }
 
-/** @returns the first of them, as many as are written together */
+/** @returns the first files, up to the maximum per write */
 function batchOf(all: readonly Held[]): Held[] {
   let bytes = 0;
   const end = all.findIndex(({ file }, i) => {

@@ -86,7 +86,7 @@ export function createProjects({
   }
 
   /**
-   * Renames a project without opening it. A state that cannot be read keeps its own.
+   * Renames a project without opening it. An unreadable state retains its name.
    * @returns whether it has it
    */
   async function rename(id: string, wanted: string): Promise<boolean> {

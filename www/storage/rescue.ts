@@ -66,7 +66,7 @@ function listOf<Item>(value: readonly Item[] | undefined): readonly Item[] {
   return Array.isArray(value) ? value : [];
 }
 
-/** @returns as much of it as JSON can tell */
+/** @returns the value as JSON, as far as possible */
 function textOf(value: unknown): string {
   try {
     return JSON.stringify(

@@ -379,7 +379,7 @@ describe('hundreds of photos', () => {
   it('are in the state before the first of them is written; what comes through is there after a reload, and the rest is named', async () => {
     const browser = fakeBrowser();
     const before = await browser.tab();
-    // None is ever decoded, and of the files only some come through.
+    // No photo is decoded, and only some of the files are written.
     before.engine.importPhoto = () => new Promise(() => {});
     let through = 0;
     const { put } = IDBObjectStore.prototype;

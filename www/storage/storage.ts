@@ -279,7 +279,7 @@ export function createKeeping({
 
   function onTrouble(why: Status, error: Error & { code?: string }) {
     if (error.code === 'conflict') {
-      // Both versions stay.
+      // Both versions are retained.
       void opening.goOnAsCopy().then(() => {
         store.change({
           type: 'rename',

@@ -1,6 +1,6 @@
 /**
  * Throws away projects that were deleted a day ago, and photos that no project has needed for a day. If a project
- * cannot be read, its photos are unknown. Then all photos stay.
+ * cannot be read, its photos are unknown. Then all photos are retained.
  */
 
 import { drawnId, isProjectId } from './drawn-states.ts';

@@ -31,7 +31,7 @@ export function compose(locale: string, { words, names }: Translation) {
     ...naming(names),
     ...words,
     frameName: (name: string, seconds: number) => `${name}, ${numbers.clock(seconds)}`,
-    /** @returns `two people and a dog`; empty for nothing */
+    /** @returns `two people and a dog`; empty for an empty list */
     seen: (things: readonly Seen[]) => numbers.listed(things.map((thing) => words.thing(thing, counted))),
   };
 }

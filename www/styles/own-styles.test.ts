@@ -10,7 +10,7 @@ vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 const MINE = 'inkpanel.styles';
 const style = (id: string, more = {}) => ({ id, name: id.toUpperCase(), tags: [], background: [], ...more });
 
-/** @param full whether the storage takes nothing more */
+/** @param full whether the storage is full */
 function app(kept: Record<string, string> = {}, full: boolean = false) {
   const made = fakeApp();
   const planner = made.planner as any;

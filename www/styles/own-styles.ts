@@ -58,7 +58,7 @@ export function createOwnStyles({
     messages.note(strings.styleDeleted(gone.name));
   }
 
-  /** @returns a copy, kept */
+  /** @returns a stored copy */
   function duplicate(style: Style): Style {
     const copy = { ...style, id: freshId(), name: strings.copyOf(style.name) };
     put(copy);
@@ -136,13 +136,13 @@ export function createOwnStyles({
 
   /**
    * @param file its name, for the message
-   * @returns checked and kept
+   * @returns the validated and stored style
    */
   function take(json: string, file: string): Style {
     const planner = store.planner.peek();
     if (!planner) throw new Error(strings.starting);
     const style = planner.checkStyle(json, file);
-    // A designed style, or another one of that id, stays what it is.
+    // A built-in style, or another one with this id, does not change.
     const taken = [...planner.styles(), ...mine.peek()].find(({ id }) => id === style.id);
     const same = taken && JSON.stringify(taken) === JSON.stringify(style);
     const kept = taken && !same ? { ...style, id: freshId() } : style;

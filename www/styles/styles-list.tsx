@@ -112,7 +112,7 @@ export function StylesList() {
   );
 }
 
-/** All kinds that have styles; each style is in the first one that it belongs to. */
+/** All kinds with styles. Each style belongs to the first matching kind. */
 function kindsOf(from: {
   catalogue: readonly Style[];
   mine: readonly Style[];

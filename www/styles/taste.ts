@@ -9,7 +9,7 @@ import type { PageDocument } from '../engine/types.ts';
 
 type Box = Pick<Storage, 'getItem' | 'setItem'>;
 type Weights = Record<string, number>;
-/** Logarithms of how much more often something is drawn, by id. */
+/** Logarithms of the factors of random choices, by id. */
 type Liking = { families: Weights; styles: Weights };
 export type Taste = ReturnType<typeof createTaste>;
 
@@ -20,7 +20,7 @@ const [FAMILY, STYLE] = [0.2, 0.35];
 const DECAY = 0.97;
 /** Maximum preference: five times as often, so that there are still surprises. */
 const MOST = 1.6;
-/** Below this nothing is remembered. */
+/** Smaller values are dropped. */
 const LEAST = 0.02;
 /** Styles and families that are remembered. */
 const COUNT = 200;
@@ -103,7 +103,7 @@ function textOr(value: unknown): string | null {
   return typeof value === 'string' && value !== '' ? value : null;
 }
 
-/** @returns the weights with a bit more for one of them, and a bit less for all others */
+/** @returns the weights with an increase for one of them, and a decrease for all others */
 function more(weights: Weights, id: string | null, gain: number): Weights {
   if (id === null) return weights;
   const faded = Object.entries(weights).map(([other, weight]) => [other, weight * DECAY] as const);

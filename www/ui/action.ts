@@ -6,7 +6,7 @@
 import { Signal } from '@preact/signals';
 import type { ReadonlySignal } from '@preact/signals';
 
-/** Something that stays, or that follows from the state. */
+/** A constant value, or a value derived from the state. */
 export type Live<T> = T | ReadonlySignal<T>;
 
 export type Action = {

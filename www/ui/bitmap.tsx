@@ -1,5 +1,5 @@
 /**
- * A canvas that the engine draws when it becomes visible. The old image stays until the new one is ready, so nothing
+ * A canvas that the engine draws when it becomes visible. The old image is shown until the new one is ready, so nothing
  * flickers. The first image replaces a skeleton.
  */
 

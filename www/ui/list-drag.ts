@@ -22,7 +22,7 @@ const SPEED = 10;
 /** Maximum distance from the list for a drop, in CSS pixels. */
 const BESIDE = 60;
 
-/** @param onDrop `to`: its place once it was taken out */
+/** @param onDrop `to`: its index after removal */
 export function useListDrag({ list: listOf, item: itemOf }: Where, onDrop: (from: number, to: number) => void) {
   const [carried, setCarried] = useState(null as Carried | null);
   /** Whether the click that follows belongs to a drag. */

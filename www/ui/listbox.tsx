@@ -34,7 +34,7 @@ export function Listbox<T extends Option>({
   /** A second line below the name. */
   noteOf?: (option: T) => string;
   empty?: string;
-  /** Which option the pointer, the focus of the keyboard or a finger that stays is on; null when none is any more. */
+  /** The option under the pointer, the keyboard focus or a long press, or null. */
   onPoint?: Point;
   class?: string;
 }) {
@@ -129,7 +129,7 @@ function reveal(list: HTMLElement | null) {
   else if (inner.bottom > outer.bottom) list.scrollTop += inner.bottom - outer.bottom + 8;
 }
 
-/** @returns the option that the key leads to; undefined for a key that leads nowhere */
+/** @returns the option for the key; undefined for other keys */
 function target(key: string, options: HTMLElement[], at: number): number | undefined {
   const last = options.length - 1;
   switch (key) {

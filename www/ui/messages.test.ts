@@ -62,7 +62,7 @@ describe('files that cannot be read', () => {
     const messages = createMessages();
     const told = new Set();
     messages.list.subscribe((list) => list.forEach(({ text }) => told.add(text)));
-    // They come in any order, as several are read side by side.
+    // They arrive in any order, because several are read in parallel.
     for (const i of [3, 1, 2, 9, 8, 10, 7, 4, 5]) messages.fileFailed(`${i}.jpg`, `reason ${i}.`);
     vi.advanceTimersByTime(10_000);
     expect([...told]).toEqual(['3.jpg: reason 3.', '9 files could not be read.']);

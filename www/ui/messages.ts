@@ -11,7 +11,7 @@ import type { Signal } from '@preact/signals';
 
 /** An action of a message; it closes the message unless it `stays`. */
 export type Way = { label: string; run: () => void; stays?: boolean };
-/** `grave`: work or photos are lost if nothing is done. */
+/** `grave`: work or photos are lost unless the user acts. */
 type Kind = 'grave' | 'alert' | 'offer' | 'note';
 /** `more`: another way */
 export type Message = { id: number; kind: Kind; text: string; way?: Way; more?: Way };
@@ -20,7 +20,7 @@ type Failure = { name: string; why: string; text: string; way?: Way };
 export type Messages = ReturnType<typeof createMessages>;
 
 const NOTE_MS = 4_000;
-/** Time to find the button, and to press it. */
+/** Milliseconds to find and press the button. */
 const WAY_MS = 12_000;
 /** Maximum number of messages. Serious problems do not count. */
 const MOST = 24;
@@ -145,7 +145,7 @@ export function createMessages() {
     failures,
     unnamed,
     listed,
-    /** Work or photos are lost if nothing is done. */
+    /** Work or photos are lost unless the user acts. */
     grave: (text: string, way?: Way, more?: Way) => say('grave', text, way, more),
     alert: (text: string, way?: Way, more?: Way) => say('alert', text, way, more),
     note: (text: string, way?: Way, more?: Way) => say('note', text, way, more),

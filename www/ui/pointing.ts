@@ -6,7 +6,7 @@
 /** Receives the current choice, or null. */
 export type Point = (id: string | null, element?: Element) => void;
 
-/** Milliseconds that a finger stays, and how far it may move meanwhile, in CSS pixels. */
+/** Duration of a long press in milliseconds, and its maximum movement in CSS pixels. */
 const HOLD = 400;
 const SLACK = 10;
 

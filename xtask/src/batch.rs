@@ -81,7 +81,7 @@ fn make_albums(project: &Project, top: &Path) -> Result<Vec<PathBuf>> {
     (0..ALBUMS).map(album).collect()
 }
 
-/// Does some work for each item, by workers that take the next one when they are done.
+/// Processes each item with a pool of threads.
 fn shared<T: Sync, R: Send>(items: &[T], workers: usize, work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let (next, done) = (Mutex::new(items.iter()), Mutex::new(Vec::new()));
     // The lock is given back before the work begins.

@@ -1,5 +1,5 @@
-//! The benchmark: this project's blocks and the same operations by other libraries, in one browser session, and
-//! the real page. The measuring itself is JavaScript in `bench/`; here it gets what it needs.
+//! The benchmark: this project's blocks and the same operations by other libraries, in one browser session,
+//! and the real page. JavaScript in `bench/` does the measuring. This module prepares its input.
 
 use std::fs;
 use std::process::Command;

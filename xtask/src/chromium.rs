@@ -1,4 +1,4 @@
-//! A Chromium for the browser tests and the benchmarks: the one that is there, or Debian's.
+//! Finds a Chromium for the browser tests and the benchmarks: an installed one, or Debian's package.
 
 use std::env;
 use std::path::PathBuf;
@@ -59,7 +59,7 @@ pub fn shell() -> Result<PathBuf> {
     if let Some(found) = in_path(SHELLS) {
         return Ok(found);
     }
-    // Releases of Debian before the twelfth have no such package.
+    // Debian releases before version 12 lack this package.
     if let Err(error) = debian::install("chromium-headless-shell") {
         println!("tests run in the whole browser: {error:#}");
     }

@@ -24,7 +24,7 @@ const NARROW_TO_I16: &[u8] = &[0xfd, 0x85, 0x01];
 /// The lower half of each 32-bit lane of two vectors.
 const LOWER_HALVES: [u8; 16] = [0, 1, 4, 5, 8, 9, 12, 13, 16, 17, 20, 21, 24, 25, 28, 29];
 
-/// The module without needless clamps, and how many instructions they were.
+/// Returns the module without unnecessary clamps, and the number of removed instructions.
 pub fn remove(module: &[u8]) -> Result<(Vec<u8>, usize)> {
     let mut validator = Validator::new();
     let mut out = Module::new();
@@ -216,7 +216,7 @@ mod tests {
         I16x8NarrowI32x4U, I32x4MaxS, I32x4MinS, LocalGet, LocalTee, V128Const,
     };
 
-    /// A module with one function of two vectors, which gives one.
+    /// A module with one function of two vectors that returns one.
     fn module(body: &[Instruction<'_>]) -> Vec<u8> {
         let mut types = TypeSection::new();
         types.ty().function([ValType::V128; 2], [ValType::V128]);
@@ -322,7 +322,7 @@ mod tests {
         };
         let narrowed = [LocalGet(0), LocalGet(1), I16x8NarrowI32x4S];
         assert_becomes(&body(-32768, I8x16Shuffle(LOWER_HALVES)), &narrowed, 4);
-        // Tighter from below: the instruction is right, and the lower bound has to stay.
+        // The upper limit is tighter here. The instruction is correct, and the lower limit must stay.
         let kept = |i| [LocalGet(i), wide32(0), I32x4MaxS].to_vec();
         let after = [kept(0), kept(1), vec![I16x8NarrowI32x4S]].concat();
         assert_becomes(&body(0, I8x16Shuffle(LOWER_HALVES)), &after, 2);

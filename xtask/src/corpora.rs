@@ -1,4 +1,4 @@
-//! Files made to break decoders, obtained from package managers, and what became of them.
+//! Malformed files for testing decoders, downloaded by package managers, and the results.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -100,7 +100,7 @@ fn debian(target: &Path) -> Result<PathBuf> {
     Ok(images)
 }
 
-/// Lets cargo vendor the crate; nothing of it is built.
+/// Cargo vendors the crate without building it.
 fn libpng(project: &Project, target: &Path) -> Result<PathBuf> {
     let (name, version, sha256) = CRATE;
     let folder = target.join(name);

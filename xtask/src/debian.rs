@@ -1,4 +1,4 @@
-//! Packages of Debian, which the tests take where they may.
+//! Debian packages, which the tests install if they have permission.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +9,7 @@ use anyhow::Result;
 
 use crate::tools;
 
-/// Suites run side by side, and apt-get refuses to run twice.
+/// Suites run in parallel, but apt-get cannot run twice.
 static ALONE: Mutex<()> = Mutex::new(());
 
 /// Installs a package if this needs no interaction. Returns `false` if the system is not Debian or the user

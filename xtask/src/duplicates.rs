@@ -43,7 +43,7 @@ pub fn run(project: &Project) -> Result<()> {
     tools::run(cargo.arg(frames(project)?).args(photos))
 }
 
-/// Fetches the clips and takes frames out of them; gives the folder of these.
+/// Downloads the clips and extracts frames. Returns the folder of the frames.
 fn frames(project: &Project) -> Result<PathBuf> {
     let folder = project.target.join("films");
     let python = python::with(&folder, &PACKAGES)?;

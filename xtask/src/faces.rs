@@ -8,7 +8,7 @@ use crate::project::Project;
 use crate::test::CLI;
 use crate::tools;
 
-/// Photos of people; nothing of it is shipped or shown, so they are in the table only.
+/// Photos of people. They are used only in the table, and are never published.
 const PEOPLE: [&str; 2] =
     ["@vladmandic/face-api@1.7.15", "0d77fffeef362ef9c0939cf6c567f3a2e8e177f114fa257a3270cbd2e509b031"];
 

@@ -46,7 +46,7 @@ pub fn start(command: &mut Command) -> Result<(Child, BufReader<PipeReader>)> {
     Ok((child, BufReader::new(reader)))
 }
 
-/// Hands each line that comes to `take`, until there is no more.
+/// Passes each line to `take` until the input ends.
 ///
 /// # Errors
 /// When the pipe breaks.

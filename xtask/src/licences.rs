@@ -1,4 +1,4 @@
-//! The licences of all crates, and where they come from, by cargo-deny and `deny.toml`.
+//! Checks the licences and sources of all crates with cargo-deny and `deny.toml`.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -35,7 +35,7 @@ enum Task {
     },
     /// Build, then serve the site on this machine and print its address
     Serve {
-        /// First port to try; the next free one is taken
+        /// First port to try; the next free one is used
         #[arg(long, default_value_t = 4173)]
         port: u16,
     },
@@ -79,7 +79,7 @@ enum Task {
     Bench {
         /// Time only rows whose name has one of these words, and write nothing
         rows: Vec<String>,
-        /// Leave the other libraries out, and write nothing
+        /// Leave out the other libraries, and write nothing
         #[arg(long)]
         alone: bool,
     },
@@ -92,7 +92,8 @@ enum Task {
     },
     /// Count the faces found, missed and cut by panels into docs/reports/faces.md, and draw target/faces.jpg
     Faces,
-    /// Draw 48 automatic pages into target/pages, and count what two hundred of them cut and repeat into docs/reports/automatic-pages.md
+    /// Draw 48 automatic pages into target/pages, and write measurements of two hundred to
+    /// docs/reports/automatic-pages.md
     Pages {
         /// Folders of other photos; their table is printed
         folders: Vec<String>,

@@ -25,8 +25,8 @@ pub fn install_peers(project: &Project) -> Result<()> {
     install_in(project, "peers", &folder, clean_install(&folder))
 }
 
-/// Installs Ace, the EPUB checker, unless the version of its lock file is installed. The browser that it runs
-/// in is the one of the other tests: it downloads none.
+/// Installs Ace, the EPUB checker, unless the version of its lock file is installed. It uses the browser of
+/// the other tests and downloads none.
 pub fn install_ace(project: &Project) -> Result<()> {
     let folder = project.root.join("tests/ace");
     let mut install = clean_install(&folder);

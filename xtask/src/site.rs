@@ -97,7 +97,8 @@ pub fn start_serving(project: &Project, port: u16) -> Result<(Child, String)> {
     Ok((server, format!("http://127.0.0.1:{port}/")))
 }
 
-/// Builds the detector module and gives it to a site that was bundled without it. Returns false if the site has it.
+/// Builds the detector module and adds it to a site that was bundled without it. Returns false if the site
+/// has it.
 ///
 /// # Errors
 /// If it cannot be built; the page then stops waiting for it.
@@ -123,7 +124,7 @@ fn assets(project: &Project) -> PathBuf {
     project.www().join("dist/assets")
 }
 
-/// Gives the files that `serve.js` waits for their content, each at once.
+/// Fills the placeholder files that `serve.js` waits for, each in one step.
 fn fill_in(project: &Project, detectors: &wasm::Module) -> Result<()> {
     for (name, file) in LATER.iter().zip(["inkpanel.js", "inkpanel_bg.wasm"]) {
         let (part, whole) = (assets(project).join(format!("{name}.part")), assets(project).join(name));
@@ -151,7 +152,7 @@ fn bundle(project: &Project, nets: Nets) -> Result<()> {
     stamp.keep()
 }
 
-/// The first port from `first` on that nothing listens on.
+/// Returns the first free port from `first` on.
 pub fn free_port(first: u16) -> Result<u16> {
     (first..=first.saturating_add(99))
         .find(|port| TcpListener::bind(("127.0.0.1", *port)).is_ok())

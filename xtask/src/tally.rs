@@ -19,7 +19,7 @@ pub struct Tally {
     pub failures: Vec<String>,
     /// Names of the tests that failed and passed when tried again.
     pub flaky: Vec<String>,
-    /// Names of tests, and how many seconds each took.
+    /// Names of tests, and the duration of each in seconds.
     pub times: Vec<(String, f64)>,
 }
 
@@ -68,9 +68,9 @@ pub fn count(command: &mut Command) -> Result<(Tally, bool)> {
     Ok((tally, child.wait()?.success()))
 }
 
-/// The counts of one line: `test result: ok. 5 passed; 0 failed; …` of cargo, `Tests  1 failed | 4 passed (5)`
-/// of Vitest, or `5 passed (2.1s)`, `1 failed` and `1 flaky` (passed when tried again) of Playwright. Any other line counts
-/// nothing.
+/// The counts of one line: `test result: ok. 5 passed; 0 failed; …` of cargo, `Tests 1 failed | 4 passed (5)`
+/// of Vitest, or `5 passed (2.1s)`, `1 failed` and `1 flaky` (passed when tried again) of Playwright. Any
+/// other line is ignored.
 fn summary(line: &str) -> Tally {
     let words: Vec<&str> = line.split_whitespace().collect();
     let number = |word: &str| word.parse::<usize>().ok();
@@ -112,7 +112,7 @@ fn timed(line: &str) -> Option<(String, f64)> {
     Some((name.trim().to_owned(), seconds(time.strip_suffix(')')?)?))
 }
 
-/// Seconds of a time such as `350ms`, `1.2s` or `1.5m`.
+/// Parses the seconds of a time such as `350ms`, `1.2s` or `1.5m`.
 fn seconds(time: &str) -> Option<f64> {
     let unit = time.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
     let number: f64 = time.strip_suffix(unit)?.parse().ok()?;

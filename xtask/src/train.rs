@@ -1,4 +1,4 @@
-//! Fits a filter bank again from photos, as it was fitted when it was put into `pixels/src/style/banks/`.
+//! Fits a filter bank from photos again, with the settings of the bank in `pixels/src/style/banks/`.
 
 use anyhow::Result;
 

@@ -15,7 +15,7 @@ pub enum Task {
     Export {
         /// Where to; it is made if it is not there
         folder: PathBuf,
-        /// Only these, by their tags; one that is not there yet gives an empty file to begin with
+        /// Only these languages, by tag; a new language gets an empty file
         languages: Vec<String>,
     },
     /// Read a PO file into the folder of its language, and list what was not understood
@@ -28,7 +28,7 @@ pub enum Task {
 /// Exports or imports.
 ///
 /// # Errors
-/// When a file cannot be read or written, or something in it was not taken.
+/// When a file cannot be read or written, or a text was rejected.
 pub fn run(project: &Project, task: &Task) -> Result<()> {
     npm::install(project)?;
     // The core defines the names of filters and styles.

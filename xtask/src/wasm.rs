@@ -131,8 +131,8 @@ pub fn films(project: &Project) -> Module {
     Module { name: "films", package: "inkpanel-films", folder: project.www().join("pkg-films"), ..fast() }
 }
 
-/// The search for styles from a picture, which the page loads with the first such picture: as fast as the core, whose styles it
-/// tries by the hundred.
+/// The search for styles from a picture, loaded with the first such picture. Compiled for speed like the
+/// core, because it tries hundreds of styles.
 pub fn imitation(project: &Project) -> Module {
     let folder = project.www().join("pkg-imitation");
     Module { name: "imitation", package: "inkpanel-imitation", folder, ..fast() }
@@ -250,7 +250,7 @@ pub fn compile(project: &Project, modules: &[&Module], purpose: Purpose) -> Resu
     Ok(())
 }
 
-/// Makes a compiled module loadable, and small where it is published.
+/// Makes a compiled module loadable, and reduces its size for publication.
 pub fn finish(project: &Project, module: &Module, purpose: Purpose) -> Result<()> {
     let stamp = module.stamp(project, purpose)?;
     println!(

@@ -54,8 +54,8 @@ export function fitted(box, stage, room) {
 }
 
 /**
- * @param {{ x: number, y: number }} from where a finger came down
- * @param {{ x: number, y: number }} to where it was lifted
+ * @param {{ x: number, y: number }} from position of the finger when it touched the screen
+ * @param {{ x: number, y: number }} to position when it was lifted
  * @returns {-1 | 0 | 1} 1 for next, -1 for previous
  */
 export function swiped(from, to) {
@@ -68,7 +68,7 @@ export function swiped(from, to) {
  * The next place to read.
  * @param {Stop} from
  * @param {-1 | 1} by
- * @param {readonly number[]} panels how many each page has
+ * @param {readonly number[]} panels number of panels of each page
  * @param {View} view
  * @returns {Stop | null} null at the end
  */
@@ -77,13 +77,13 @@ export function stepped(from, by, panels, view) {
   if (view === 'panels' && panel >= 0 && panel < panels[from.page]) return { page: from.page, panel };
   const page = from.page + by;
   if (page < 0 || page >= panels.length) return null;
-  // Back through panels comes to the last one of the page before.
+  // Previous, from the first panel, goes to the last panel of the previous page.
   return { page, panel: view === 'panels' && by < 0 ? panels[page] - 1 : 0 };
 }
 
 /**
  * @param {string} hash `#page-2-panel-3`
- * @param {readonly number[]} panels how many each page has
+ * @param {readonly number[]} panels number of panels of each page
  * @returns {Stop | null}
  */
 export function placeOf(hash, panels) {

@@ -106,7 +106,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// All of them, by the endings of their files.
+    /// All kinds, by file extension.
     pub const ALL: [(&str, Self); 4] =
         [("csv", Self::Csv), ("edl", Self::Edl), ("otio", Self::Otio), ("xml", Self::Xml)];
 

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 pub const PROGRAMME: u64 = 3_600;
 /// Upper limit of times, in seconds.
 const LONGEST: f64 = 1e9;
-/// Frame numbers that are left out in a minute, of thirty, and minutes from one that leaves none out to the next.
+/// Skipped frame numbers per minute, at 30 frames per second, and the interval in minutes without skipping.
 const DROPPED: u64 = 2;
 const WHOLE: u64 = 10;
 /// Maximum frame rate of a timecode, in frames per counted second.

@@ -49,7 +49,7 @@ pub enum Styles {
     Chapters,
 }
 
-/// What is asked of a book.
+/// Options of a book.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "BookWish", optional_fields))]
@@ -303,7 +303,8 @@ impl Book {
     }
 }
 
-/// The photos in their order in time, as indices. Photos without a date follow. The given order stays if it is asked for.
+/// Returns the indices of the photos in time order. Photos without a date come last. On request, the given
+/// order is preserved.
 fn in_time(request: &Request) -> Vec<usize> {
     let mut order: Vec<usize> = (0..request.photos.len()).collect();
     if request.ordered != Some(true) {

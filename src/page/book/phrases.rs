@@ -61,7 +61,7 @@ impl Phrases {
         })
     }
 
-    /// A day of a trip, from 0; none beyond the tenth.
+    /// Returns the words for a day of a trip, from 0; `None` beyond the tenth.
     pub(super) fn nth_day(&self, day: i64) -> Option<&str> {
         usize::try_from(day).ok().and_then(|day| self.days.get(day)).map(String::as_str)
     }

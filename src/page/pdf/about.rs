@@ -26,7 +26,7 @@ impl About {
         Self { metadata, profile, structure, colored: options.plate.is_none() }
     }
 
-    /// Writes the catalog and all that it names but the pages.
+    /// Writes the catalog and its objects, except the pages.
     pub(super) fn write(&self, pdf: &mut Pdf, (catalog, tree): (Ref, Ref), info: Ref, options: &Options) {
         let mut root = pdf.catalog(catalog);
         root.pages(tree).metadata(self.metadata);

@@ -8,7 +8,7 @@ use pdf_writer::Content;
 pub(super) enum Colours {
     /// Unchanged. Grays use the gray colour space, so that presses print them without coloured inks.
     Own,
-    /// One ink, and the paper, on which nothing is printed.
+    /// One ink, and the paper, which is not printed.
     Plate { separation: Box<Separation>, ink: usize, paper: [u8; 3] },
 }
 

@@ -31,7 +31,7 @@ impl Imposition {
 /// A page on a sheet: its index from 0, and whether it is upside down.
 pub type Seat = (usize, bool);
 
-/// One side of a sheet: rows of seats, from the top left; a seat of a page beyond the last stays empty.
+/// One side of a sheet: rows of page positions, from the top left. A position beyond the last page is empty.
 pub type Side = Vec<Vec<Seat>>;
 
 /// The sides of all sheets for a number of pages, in printing order.

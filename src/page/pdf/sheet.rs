@@ -11,7 +11,7 @@ pub(super) const INCH: f64 = 72.0;
 const MILLIMETRE: f64 = INCH / 25.4;
 /// Longest side that readers of PDF files take, in units.
 const LONGEST: f64 = 14_400.0;
-/// From the cut to where a mark begins, at least, and how long it is.
+/// Minimum distance of a crop mark from the trim edge, and its length.
 pub(super) const MARK: (f64, f64) = (3.0 * MILLIMETRE, 5.0 * MILLIMETRE);
 /// Beyond the marks.
 const RIM: f64 = 1.0 * MILLIMETRE;
@@ -43,7 +43,7 @@ pub(super) struct Sheet {
     pub(super) grid: (usize, usize),
     /// Width and height of the paper.
     media: (f64, f64),
-    /// How much larger or smaller all is put on the paper.
+    /// Scale of the page on the paper.
     fit: f64,
     /// Points that a unit of this page is worth.
     pub(super) unit: f64,

@@ -220,7 +220,7 @@ pub(in crate::page) struct Row<'a> {
     pub(in crate::page) turned: bool,
     /// The characters with their pen positions.
     pub(in crate::page) letters: Vec<(char, f64)>,
-    /// The font of them all.
+    /// Their common font.
     pub(in crate::page) font: &'a Font,
     /// They are emphasised: they lean by [`LEAN`].
     pub(in crate::page) strong: bool,

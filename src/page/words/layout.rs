@@ -25,7 +25,7 @@ pub struct Laid {
     pub chain: Chain,
 }
 
-/// Balloons that are joined are drawn as one shape, by the first of them.
+/// Linked balloons are drawn as one shape, by the first of them.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub enum Chain {
     /// Not linked to other balloons.
@@ -123,7 +123,7 @@ impl Ground {
                 Kind::Balloon(_) => (ink, paper),
                 Kind::Effect => (accent, edge),
             };
-            // A colour that was chosen may not be read on one that was not: then the usual ones stay.
+            // A colour of the style is used only if it is readable with the custom colour.
             match word.chosen {
                 (false, false) => (word.color, word.fill) = (color, fill),
                 (true, false) if palette::contrast(word.color, fill) > 3.0 => word.fill = fill,
@@ -237,7 +237,7 @@ pub(super) fn joined<'w>(words: &(impl Iterator<Item = &'w Word> + Clone)) -> Ve
     words.clone().enumerate().map(of).collect()
 }
 
-/// Tells balloons that are joined of each other.
+/// Connects linked balloons with each other.
 fn join(all: &mut [Laid]) {
     let targets = joined(&all.iter().map(|laid| &laid.word));
     let mut first: Vec<usize> = (0..all.len()).collect();

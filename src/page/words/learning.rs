@@ -26,7 +26,7 @@ const DUST: f64 = 1.5;
 pub struct Drawing<'a> {
     /// Its width.
     pub width: usize,
-    /// How much of each pixel is covered, row by row.
+    /// Coverage of each pixel, row by row.
     pub ink: &'a [u8],
     /// Height of an em.
     pub em: f64,
@@ -105,7 +105,7 @@ const LEFT: usize = 3;
 /// The outlines of the area with at least half coverage, in pixels, outer ones clockwise on the screen.
 fn traced(width: usize, ink: &[u8]) -> Vec<Vec<Point>> {
     let height = ink.len() / width;
-    // There is nothing around the picture.
+    // The picture has an empty border.
     let at = |x: usize, y: usize| -> f64 {
         let inside = (1..=width).contains(&x) && (1..=height).contains(&y);
         if inside { f64::from(ink[(y - 1) * width + x - 1]) - 127.5 } else { -127.5 }

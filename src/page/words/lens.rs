@@ -31,7 +31,7 @@ pub(super) struct Lens<'a> {
     total: f64,
 }
 
-/// Letters that stay together; lengths in ems.
+/// Characters that stay together; lengths in ems.
 struct Piece {
     start: usize,
     end: usize,
@@ -221,7 +221,7 @@ impl<'a> Lens<'a> {
         Some(broken)
     }
 
-    /// All possible next lines after a row of states. `left`: how many lines come after.
+    /// All possible next lines after a row of states. `left`: number of following lines.
     fn next_row(&self, before: &[State], goal: &Goal, left: usize) -> Vec<State> {
         let mut row: Vec<State> = Vec::new();
         let count = self.pieces.len();
@@ -275,8 +275,8 @@ impl<'a> Lens<'a> {
         parted + if short { 2.0 * off * off } else { 10.0 * off * off }
     }
 
-    /// The smallest superellipse that keeps its distance from lines of some widths; `fixed` is half its width, where that
-    /// is chosen.
+    /// Returns the smallest superellipse with a minimum distance to lines of the given widths. `fixed` is
+    /// half its width, if the user chose it.
     fn around(&self, widths: &[f64], fixed: Option<f64>, most: (f64, f64)) -> Option<(f64, f64)> {
         let (pad_x, pad_y) = self.setter.manner.pad;
         let middle = (widths.len() as f64 - 1.0) / 2.0;

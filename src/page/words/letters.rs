@@ -492,7 +492,7 @@ mod tests {
             let font = letters.font(id).unwrap();
             assert_eq!(letters.missing(said, font), [], "{id}");
             assert_eq!(letters.missing("a漢b漢😀", font), ['漢', '😀']);
-            // Letters that come from another font are as high as its own.
+            // Capitals of a fallback font are as high as capitals of the main font.
             let height = |letter| {
                 let points = font.outline(letter, 0.01).into_iter().flatten();
                 points.map(|point| point.y).fold(f64::MIN, f64::max)

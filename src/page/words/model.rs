@@ -81,7 +81,7 @@ pub struct Word {
     pub fill: [u8; 3],
     /// Degrees that an effect is turned clockwise.
     pub angle: f64,
-    /// How far the line of an effect bends: 1 arches up by a third of a circle, -1 sags as much.
+    /// Arc of a sound effect: 1 bends up by a third of a circle, -1 bends down by the same angle.
     pub arc: f64,
     /// Whether the item is placed automatically, away from faces. Default: true without a position.
     pub auto: bool,
@@ -111,7 +111,7 @@ pub struct Word {
     pub apart: bool,
     /// Name of the speaker, if known. Balloons of different speakers are never linked automatically.
     pub by: Option<String>,
-    /// Language of the text, such as `en` or `pt-BR`, for hyphenation. None: they part nowhere.
+    /// Language of the text, such as `en` or `pt-BR`, for hyphenation. `None`: no hyphenation.
     pub language: Option<String>,
     /// Its lines are columns, read from the top down and from right to left.
     pub vertical: bool,
@@ -279,7 +279,7 @@ impl<'v> Field<'v> {
         }
     }
 
-    /// A short text, such as an id; nothing for an empty one.
+    /// Reads a short text, such as an id, or nothing if it is empty.
     fn name(&self, name: &str) -> Result<Option<String>> {
         let text = self.text(name, "")?;
         if text.chars().nth(LONGEST_ID).is_some() {
@@ -288,7 +288,7 @@ impl<'v> Field<'v> {
         Ok((!text.is_empty()).then(|| text.to_owned()))
     }
 
-    /// A coordinate; the middle where it is missing.
+    /// Reads a coordinate. Default: the middle.
     fn place(&self, name: &str) -> Result<f64> {
         Ok(self.number(name, -FARTHEST, FARTHEST)?.unwrap_or(0.5))
     }

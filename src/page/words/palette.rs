@@ -86,7 +86,7 @@ fn accent(blocks: &[&Value], runs: &impl Fn(&str) -> Option<usize>) -> [u8; 3] {
     }
 }
 
-/// The ink, darker where it could not be read.
+/// Returns the ink, or a darker colour if it is unreadable on the paper.
 fn readable(ink: [u8; 3], paper: [u8; 3]) -> [u8; 3] {
     let darker = (0..=10).map(|step| mixed(ink, [0; 3], f64::from(step) / 10.0));
     darker.into_iter().find(|ink| contrast(*ink, paper) >= CONTRAST).unwrap_or([0; 3])

@@ -46,7 +46,7 @@ struct Note {
 /// Notation of a text, separate from its characters.
 struct Notes {
     notes: Vec<Note>,
-    /// Backslashes that take the sense of a sign away.
+    /// Backslashes that escape a sign.
     escapes: Vec<usize>,
 }
 
@@ -75,7 +75,7 @@ fn is_phonetic(letter: char) -> bool {
 /// The readings of a text.
 fn notes(text: &[char]) -> Notes {
     let (mut notes, mut escapes) = (Vec::new(), Vec::new());
-    // Letters before this belong to something else.
+    // Characters before this index belong to another reading.
     let (mut free, mut bar) = (0, None);
     let mut at = 0;
     while at < text.len() {
@@ -134,7 +134,7 @@ pub(super) fn parts(text: &[char]) -> Vec<Part> {
         if let Some(bar) = bar {
             parts[bar] = Part::Sign;
         }
-        // Escape signs stay signs.
+        // Escape signs do not change.
         let set = |part: &mut Part, to: Part| *part = if *part == Part::Sign { Part::Sign } else { to };
         parts[base].iter_mut().for_each(|part| set(part, Part::Base(number)));
         parts[reading].iter_mut().for_each(|part| set(part, Part::Reading(number)));

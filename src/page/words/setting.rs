@@ -369,7 +369,7 @@ impl Setter<'_> {
             if b > high {
                 break;
             }
-            // How much of the half width there is at the height of a line.
+            // Relative half width of the shape at the height of a line.
             let share = |line: usize| {
                 let edge = (line as f64 - (count - 1) as f64 / 2.0).abs() * pitch + capitals / 2.0;
                 let inside = 1.0 - (edge / b).powf(FULLNESS);
@@ -468,8 +468,8 @@ impl Setter<'_> {
     }
 }
 
-/// Fills lines with tokens one after the other; `None` when they are not enough. With `cut` what is left over stays
-/// out. Gives the first token and the one after the last of each line.
+/// Fills lines with tokens one after the other; `None` when they are not enough. With `cut`, text that does
+/// not fit is removed. Gives the first token and the one after the last of each line.
 fn fill(
     tokens: &[Token],
     shares: &[f64],

@@ -18,7 +18,7 @@ pub(super) fn outline(
     (a, b): (f64, f64),
     tip: Option<Point>,
 ) -> Vec<Vec<Point>> {
-    // Inside of the body nothing would be seen of a tail.
+    // Inside of the body, the tail would be invisible.
     let beyond = |tip: &Point| ((tip.x - x) / a).hypot((tip.y - y) / b) > 1.12;
     let tip = tip.filter(beyond).map(|tip| Point::new(tip.x - x, tip.y - y));
     let mut shapes = match kind {
@@ -86,7 +86,7 @@ fn oval(a: f64, b: f64, tip: Option<Point>) -> Vec<Point> {
     points
 }
 
-/// Adds a quadratic curve but its start.
+/// Adds a quadratic curve without its start.
 pub(super) fn curve(points: &mut Vec<Point>, from: Point, control: Point, to: Point) {
     let off = (from.x - 2.0 * control.x + to.x).hypot(from.y - 2.0 * control.y + to.y);
     let count = (off / (4.0 * WITHIN)).sqrt().ceil().clamp(1.0, 60.0) as usize;
@@ -104,7 +104,7 @@ fn burst(a: f64, b: f64, tip: Option<Point>) -> Vec<Point> {
     // Lengths that look hand-drawn, equal for every balloon.
     const LENGTHS: [f64; 7] = [1.3, 1.2, 1.34, 1.22, 1.28, 1.18, 1.32];
     let count = ((a / b).sqrt() * 14.0).clamp(14.0, 28.0) as usize;
-    // The spikes stand so that one of them points at the speaker.
+    // One of the spikes points at the speaker.
     let start = tip.map_or(0.1, |tip| towards(a, b, tip));
     let angle = |half_steps: f64| start + half_steps * PI / count as f64;
     let mut points = Vec::with_capacity(2 * count);

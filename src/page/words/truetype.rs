@@ -68,7 +68,7 @@ fn corners(contours: &[Vec<(i16, i16, bool)>]) -> Corners {
     points.fold([x, y, x, y], |[l, b, r, t], &(x, y, _)| [l.min(x), b.min(y), r.max(x), t.max(y)])
 }
 
-/// A glyph; nothing for a space.
+/// Returns a glyph, or nothing for a space.
 fn glyf(contours: &[Vec<(i16, i16, bool)>], corners: Corners) -> Vec<u8> {
     if contours.is_empty() {
         return Vec::new();

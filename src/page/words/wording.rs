@@ -250,7 +250,7 @@ fn beside(marks: &mut [Mark], letters: &Letters) {
     for at in 1..marks.len() {
         let (before, here) = (ends(marks[at - 1].letter).1, ends(marks[at].letter).0);
         let spaced = before.is_whitespace() || here.is_whitespace();
-        // Letters and their reading stay in one line.
+        // Base characters and their reading stay on one line.
         let bound = marks[at].reading != 0 && marks[at].reading == marks[at - 1].reading;
         let own = vertical::is_ideographic(before) || vertical::is_ideographic(here);
         if bound {

@@ -46,7 +46,7 @@ detectingTest(
     await add(page, await photos(...MORE));
     await page.waitForFunction(() => document.body.dataset.drawn === 'true');
     const before = await picture(page);
-    // The first page no longer changes by itself after ten seconds on the screen.
+    // After ten seconds on the screen, the first page does not change automatically any more.
     await page.evaluate(() => {
       const now = performance.now.bind(performance);
       performance.now = () => now() + 11_000;

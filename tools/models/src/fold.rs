@@ -1,11 +1,11 @@
-//! Convolutions that take up the constants which follow them.
+//! Convolutions that absorb following constants.
 
 use anyhow::{Result, ensure};
 
 use super::net::{self, Constant, Tensor, Window};
 use super::onnx::Graph;
 
-/// A convolution that may still take up what follows it.
+/// A convolution that may still absorb following operators.
 #[derive(Clone, Debug)]
 pub(super) struct Open {
     pub(super) from: Tensor,
@@ -44,7 +44,7 @@ impl Open {
         Ok((channels, self.weights.values.len() / channels))
     }
 
-    /// Adds it to the graph as it is now.
+    /// Adds it to the graph in its current form.
     pub(super) fn write(&self, graph: &mut Graph) -> Result<Tensor> {
         net::convolution(graph, &self.from, &self.weights, self.bias.as_deref(), self.window)
     }

@@ -28,7 +28,7 @@ pub(super) enum Padding {
     Same,
     /// No padding.
     Valid,
-    /// The window's middle on every stride's first pixel: as much before as after.
+    /// Equal padding before and after: the window is centred on the first pixel of every stride.
     Around,
 }
 

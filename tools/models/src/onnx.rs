@@ -24,7 +24,7 @@ pub(super) enum Attribute<'a> {
     Text(&'a str),
 }
 
-/// A graph under construction. Every method that adds something gives the name of its result.
+/// A graph under construction. Every method that adds an operator returns the name of its result.
 #[derive(Default)]
 pub(super) struct Graph {
     nodes: Message,

@@ -1,4 +1,4 @@
-//! Packages of the npm registry and of the Python package index, obtained with npm and pip themselves.
+//! Packages of the npm registry and of the Python package index, downloaded by npm and pip.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -46,7 +46,7 @@ pub(super) fn convert(model: &Value, shards: &[u8], cut: &Cut) -> Result<Vec<u8>
     Ok(converter.graph.finish("objects"))
 }
 
-/// The names of a node's inputs, without the number of the output that is meant: all our nodes have one.
+/// Returns the names of a node's inputs without the output number, because all nodes here have one output.
 fn inputs(node: &Value) -> impl Iterator<Item = &str> {
     let names = node["input"].as_array().into_iter().flatten().filter_map(Value::as_str);
     names.map(|name| name.trim_start_matches('^').split(':').next().unwrap_or(name))
@@ -212,7 +212,7 @@ impl<'a> Converter<'a> {
                 let known: usize = shape.values.iter().filter(|s| **s > 0.0).map(|s| *s as usize).product();
                 let side = |s: &f32| if *s < 0.0 { count / known.max(1) } else { *s as usize };
                 let shape: Vec<usize> = shape.values.iter().map(side).collect();
-                // Boxes come as [1, n, 1, 4], which Squeeze would make [1, n, 4] at the end.
+                // Boxes have the shape [1, n, 1, 4]. Squeeze would change it to [1, n, 4] at the end.
                 let shape = if shape.len() == 4 && shape[2] == 1 {
                     vec![shape[0], shape[1], shape[3]]
                 } else {

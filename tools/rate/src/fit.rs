@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 
 use crate::pairs::Pair;
 
-/// Pairs below which nothing is fitted.
+/// Minimum number of pairs for a fit.
 const FEWEST: usize = 20;
 /// Parts of the cross-validation.
 const FOLDS: usize = 5;
@@ -17,7 +17,7 @@ const FOLDS: usize = 5;
 const STEPS: usize = 2000;
 /// Size of a step, in units of standardised differences.
 const RATE: f64 = 0.5;
-/// Weight of the squares of the weights, which keeps them finite where terms separate all pairs.
+/// Weight of the squared weights. It keeps them finite if terms separate all pairs.
 const RIDGE: f64 = 0.01;
 
 /// Prints the weights, and how often they agree with the ratings, also for pairs of albums that were left out

@@ -11,7 +11,7 @@ use serde_json::{Map, Value};
 const WIDTH: &str = "720";
 /// Photos of an album at most.
 const MOST_PHOTOS: usize = 60;
-/// Endings of files that are taken for photos.
+/// Extensions of files that count as photos.
 const ENDINGS: [&str; 5] = ["jpg", "jpeg", "png", "webp", "tif"];
 
 /// A drawn page.

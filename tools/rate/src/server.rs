@@ -1,4 +1,4 @@
-//! The local web page that shows two pages and takes a key for the better one.
+//! The local web page that shows two pages and waits for a key for the better one.
 
 use std::fs;
 use std::io::Read as _;

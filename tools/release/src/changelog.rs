@@ -72,7 +72,7 @@ pub(crate) fn written(day: Date) -> Result<String> {
     day.format(&Iso8601::DATE).context("a day that cannot be written")
 }
 
-/// The day in a heading such as `[1.2.0] - 2026-11-24`.
+/// Returns the date in a heading such as `[1.2.0] - 2026-11-24`.
 fn day(title: &str) -> Result<Date> {
     let told = title.rsplit_once(" - ").map_or("", |(_, day)| day.trim());
     match Date::parse(told, &Iso8601::DATE) {

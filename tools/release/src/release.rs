@@ -21,7 +21,7 @@ use crate::{changelog, compare, sbom};
 /// Maximum number of listed files that differ or are not committed.
 const LISTED: usize = 20;
 
-/// How much of a release is done.
+/// Scope of a release.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Extent {
     /// All of it.
@@ -36,7 +36,7 @@ pub(crate) enum Extent {
 /// Cargo.toml.
 ///
 /// # Errors
-/// When a check fails or something cannot be built. Then nothing is left of it.
+/// When a check fails or something cannot be built. Then nothing is left over.
 pub(crate) fn run(project: &Project, version: Option<&Version>, extent: Extent) -> Result<()> {
     clean(project)?;
     let current = versions::current(&project.root)?;
@@ -60,7 +60,7 @@ pub(crate) fn run(project: &Project, version: Option<&Version>, extent: Extent) 
     }
 
     let edits = Made::make(if extent == Extent::Release { edits } else { Vec::new() })?;
-    // On the same disk, so that it can take its name in one step.
+    // On the same disk, so that it can be renamed in one step.
     fs::create_dir_all(&project.target)?;
     let folder = tempfile::Builder::new().prefix(".release-").tempdir_in(&project.target)?;
     write(project, version, released.day, folder.path())?;
@@ -90,7 +90,7 @@ fn clean(project: &Project) -> Result<()> {
     Ok(())
 }
 
-/// Some lines, and how many more.
+/// Returns some lines, and the number of the others.
 fn listed(lines: &[impl AsRef<str>]) -> String {
     let mut shown: Vec<_> = lines.iter().take(LISTED).map(|line| format!("  {}", line.as_ref())).collect();
     if lines.len() > LISTED {

@@ -10,7 +10,7 @@ use toml_edit::{DocumentMut, Item};
 
 /// Prefix of the crates in a release. Crates of a lock file without a source belong to this repository.
 const CRATES: &str = "inkpanel";
-/// The tool is of the workspace and takes its version from there.
+/// The tool belongs to the workspace and inherits its version.
 const TOOL: &str = "xtask";
 
 /// A file with another content than it had.
@@ -117,7 +117,8 @@ pub(crate) fn edits(root: &Path, version: &Version) -> Result<Vec<Edit>> {
     Ok(edits)
 }
 
-/// Manifests of Rust, and where in them the version stands. The package for npm and the wheel take theirs from these.
+/// Manifests of Rust, and where in them the version stands. The npm package and the wheel inherit their
+/// versions from these.
 const MANIFESTS: &[(&str, &[&[&str]])] = &[
     (
         "Cargo.toml",
@@ -161,7 +162,7 @@ fn set(item: &mut Item, version: &str) -> Result<()> {
     Ok(())
 }
 
-/// The first line of `text` that begins with `line` with another version; the rest stays as it was written.
+/// Replaces the version in the first line of `text` that begins with `line`. Everything else is unchanged.
 fn in_json(text: &str, pointer: &str, line: &str, version: &str) -> Result<String> {
     let missing = || format!("the version at {pointer} is not where it should be");
     let start = format!("\n{line}");

@@ -149,7 +149,7 @@ export function boxAt(view: DataView, at: number, room: number): Box | null {
     : { type: typeAt(view, at + 4), start: at, inner: at + head, end: at + length };
 }
 
-/** @returns the boxes in sequence; null if there is anything else between them */
+/** @returns the boxes in sequence; null if there is other data between them */
 export function boxesIn(view: DataView, from: number, to: number): Box[] | null {
   const found: Box[] = [];
   for (let at = from; at < to; ) {
@@ -181,7 +181,7 @@ export function scrubBoxes(bytes: Uint8Array): boolean {
     let at = from;
     let clean = true;
     const inside = boxesIn(view, from, to);
-    // QuickTime ends a list of boxes with four bytes of nothing.
+    // QuickTime ends a list of boxes with four zero bytes.
     const found = inside ?? boxesIn(view, from, to - 4);
     if (!found) return false;
     if (!inside) bytes.fill(0, to - 4, to);
@@ -205,7 +205,7 @@ export function scrubBoxes(bytes: Uint8Array): boolean {
 }
 
 /**
- * Blanks the name and the vendor. The handler type stays.
+ * Blanks the name and the vendor. The handler type is preserved.
  * @param bytes are changed
  */
 export function blankHandler(bytes: Uint8Array, { inner, end }: Box) {

@@ -47,7 +47,7 @@ function blocksAt(bytes: Uint8Array, at: number): number[] | null {
 
 /**
  * @param at where an extension begins
- * @returns how many of its blocks the pixels need
+ * @returns number of its blocks that the pixels need
  */
 function blocksOf(bytes: Uint8Array, at: number): number {
   const [label, length] = [bytes[at + 1], bytes[at + 2]];

@@ -4,7 +4,7 @@ import { orientationOf, recordOf } from './exif.ts';
 
 const [APP0, APP1, APP2, APP14, SCAN, END] = [0xe0, 0xe1, 0xe2, 0xee, 0xda, 0xd9];
 const EXIF = 'Exif\0\0';
-/** Segments of programs that the pixels depend on: how each begins, and how long it may be. */
+/** Application segments that affect the pixels: their prefix, and their maximum length. */
 const NEEDED: Record<number, { begins: string; most: number }> = {
   // Without the small picture that may follow.
   [APP0]: { begins: 'JFIF\0', most: 14 },

@@ -152,7 +152,7 @@ function grown(bytes: Uint8Array, length: number): Uint8Array<ArrayBuffer> {
 
 const isNeeded = ({ tag }: Field) => NEEDED.has(tag);
 
-/** @returns the fields of it that stay */
+/** @returns its preserved fields */
 function tableOf(view: DataView, little: boolean, { fields }: Directory, next: number): Uint8Array<ArrayBuffer> {
   const kept = fields.filter(isNeeded);
   const table = new Uint8Array(2 + FIELD * kept.length + 4);

@@ -27,7 +27,7 @@ export function webpParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[
     if (!chunk) return null;
     const { type, length, next } = chunk;
     if (type === 'VP8X' && at === 12 && length === 10) flags = parts.length;
-    // The mark of JPEG before the record is one that some writers put here too.
+    // Some writers add the JPEG prefix to the record here as well.
     if (type === 'EXIF')
       orientation = orientationOf(bytes.subarray(at + 8 + (text(at + 8) === 'Exif' ? 6 : 0), at + 8 + length));
     const part = type === FRAME ? frame(view, at, file, length) : whole(file, at, length);

@@ -1,6 +1,6 @@
 /**
- * Files that another program shares with the page: the browser posts them, and as no server takes them they wait in a
- * cache for the page that is opened next. The page's half is `app/arrivals.ts`.
+ * Files that another program shares with the app. The browser posts them. No server receives them, so they wait in a
+ * cache until the app opens. The page's half is `app/arrivals.ts`.
  */
 
 /** Target of shared files, as in the manifest. */
@@ -22,7 +22,7 @@ export function createShares({
 }) {
   return { take, sweep };
 
-  /** @returns on to the page, which finds the files by the name in the address */
+  /** @returns a redirect to the app, which finds the files by the name in the address */
   async function take(request: Request): Promise<Response> {
     const id = `${now()}-${crypto.randomUUID().slice(0, 8)}`;
     const stored = await store(id, request).then(

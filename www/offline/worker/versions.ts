@@ -18,8 +18,8 @@ const AT_ONCE = 4;
 const HASHED = 'assets/';
 
 /**
- * @param world `scope`: the address of the site's folder; `windows`: how many pages are open; `updating`: another build is
- *   being installed or waits
+ * @param world `scope`: the address of the site's folder; `windows`: number of open pages; `updating`: whether another
+ * build is being installed or waits
  */
 export function createVersions({
   site,
@@ -45,7 +45,7 @@ export function createVersions({
 
   return { install, keepExtras, pathOf, has, answer, sweep };
 
-  /** Rejects where any file cannot be had, or is of another build; nothing is left of it then. */
+  /** Rejects if any file is missing or belongs to another build, and then removes the others. */
   async function install() {
     const cache = await caches.open(name);
     const rest = [...site.needed];

@@ -19,7 +19,7 @@ export type WorkerScope = {
   ) => void;
 };
 
-/** The files of one build, by their path in the site; `''` is the page itself. */
+/** The files of one build, by their path in the site. `''` is the page. */
 export type SiteFile = [path: string, integrity: string];
 /** `needed`: the app does not work without them; `extras`: optional; `onUse`: cached on first use */
 export type Site = {

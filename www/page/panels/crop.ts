@@ -24,7 +24,7 @@ export function panned(crop: Crop, byX: number, byY: number): Crop {
 }
 
 /**
- * @param factor above 1 comes closer
+ * @param factor values above 1 zoom in
  * @param at the fixed point, as fractions of the panel
  */
 export function zoomed(crop: Crop, factor: number, [u, v]: [number, number] = [0.5, 0.5]): Crop {

@@ -124,7 +124,7 @@ function CutHandle({ cut, index, count, height }: { cut: Cut; index: number; cou
 export const SLANT_KEYS: OwnKeys = { keys: ['Alt+ArrowUp', 'Alt+ArrowDown'], about: strings.keyAbout.slant };
 
 /**
- * @param cut as it was when it was taken
+ * @param cut its state at the start of the drag
  * @param by parts of its cell
  */
 export function shifted({ fraction, slant }: Cut, end: End, by: number): { fraction: number; slant: number } {

@@ -1,4 +1,7 @@
-/** A layout with one panel enlarged: the cuts next to it move, in small steps, while the other panels keep a fair size. */
+/**
+ * A layout with one enlarged panel: the dividers next to it move in small steps, while the other panels retain a
+ * reasonable size.
+ */
 
 import { grown } from './merging.ts';
 import type { Planner } from '../../engine/core.ts';
@@ -6,7 +9,7 @@ import type { LayoutChoice, PageDocument } from '../../engine/types.ts';
 
 /** The panel grows to this multiple of its area. */
 const GOAL = 1.7;
-/** Another panel keeps at least this part of its area. */
+/** Minimum area of another panel, relative to its area before. */
 const FAIR = 0.4;
 /** Distance that a cut moves at a time, in parts of its cell. */
 const STEP = 0.04;

@@ -90,7 +90,7 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
   }
 
   /**
-   * @param from the crop when it was taken hold of
+   * @param from the crop at the start of the drag
    * @param by parts of the image
    */
   function pan(panel: number, from: Crop, [x, y]: [number, number], gesture: string) {
@@ -145,7 +145,7 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
     placing.value = photo;
   }
 
-  /** @returns whether a photo was taken up for it */
+  /** @returns whether a photo was placed */
   function placeIn(panel: number): boolean {
     const photo = placing.peek();
     if (photo === null) return false;
@@ -225,7 +225,7 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
   }
 }
 
-/** @returns the panels that share its image, the first of them first */
+/** @returns the panels that share its image, starting with the first of the group */
 function groupOf(page: PageDocument, panel: number): number[] {
   return grown([panel], page);
 }

@@ -20,7 +20,7 @@ export function createMerging({ store, pages, selection }: { store: Store; pages
     return page && facts ? whyNotMerge(selection.panels.value, page, facts) : strings.merging.few;
   }
 
-  /** @returns why nothing can be split; empty when something can */
+  /** @returns the reason why nothing can be split; empty if something can */
   function cannotSplit(): string {
     const page = store.page.value;
     return page && splitting(selection.panels.value, page).length > 0 ? '' : strings.merging.none;
@@ -41,7 +41,7 @@ export function createMerging({ store, pages, selection }: { store: Store; pages
     const parted = splitting(selection.panels.peek(), page);
     if (parted.length === 0) return;
     const merges = page.merges.filter((group) => !parted.includes(group));
-    // The first panel of a group keeps the photo, the others get new ones.
+    // The first panel of a group retains the photo, the others get new ones.
     const open = parted.flatMap((group) => group.slice(1));
     const panels = page.panels.map((panel, i) =>
       open.includes(i) ? { ...panel, photo: null, crop: null, edited: false } : panel,
@@ -63,7 +63,7 @@ export function grown(panels: readonly number[], { merges }: PageDocument): numb
   return [...new Set([...panels, ...groups.flat()])].sort((a, b) => a - b);
 }
 
-/** @returns a reason, or nothing when they can be merged */
+/** @returns a reason, or an empty text if they can be merged */
 export function whyNotMerge(panels: readonly number[], page: PageDocument, { base, adjacent }: LayoutFacts): string {
   if (panels.length < 2) return strings.merging.few;
   if (panels.some((panel) => panel >= base)) return strings.merging.overlay;

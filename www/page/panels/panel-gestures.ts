@@ -148,7 +148,7 @@ export function within({ x, y }: Point, page: DOMRect, bounds: Bounds): [number,
   ];
 }
 
-/** @returns their middle, and how far apart they are */
+/** @returns the centre and the distance of the points */
 function middle(points: Point[]): [Point, number] {
   const [a, b = a] = points;
   return [{ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 }, Math.max(1, Math.hypot(a.x - b.x, a.y - b.y))];

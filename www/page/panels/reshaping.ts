@@ -71,7 +71,7 @@ export function createReshaping({ store, pages, seed }: { store: Store; pages: P
     }
   }
 
-  /** Panels become one, which shows the photo of the first of them, or of one that is locked. */
+  /** Joins panels to one. It shows the photo of the first panel, or of a locked one. */
   function joinPanels(panels: readonly number[]) {
     const page = store.page.peek();
     if (!page || cannotJoin(panels) !== '') return;
@@ -98,7 +98,7 @@ export function spliced(page: PageDocument, panel: number, by: 1 | -1): PageDocu
   return { ...page, panels, merges: otherMerges(page, [panel], (other) => (other > panel ? other + by : other)) };
 }
 
-/** The page with the first of those panels for all of them; merges that lose their sense are parted. */
+/** Returns the page with one panel in place of the joined ones. Groups that are no longer valid are split. */
 export function joined(page: PageDocument, group: readonly number[]): PageDocument {
   const [first] = group;
   const shown = group.filter((panel) => page.panels[panel].photo !== null);

@@ -1,6 +1,6 @@
 /**
- * A panel that shows a frame of a video can show an earlier or a later one: the frame takes the place of the other in
- * the tray and on the page. Presses that come while a frame is read add up.
+ * A panel with a video frame can show an earlier or later frame. The new frame replaces the old one in the tray and on
+ * the page. Key presses that arrive while a frame is read are added up.
  */
 
 import { signal } from '@preact/signals';

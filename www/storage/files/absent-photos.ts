@@ -25,7 +25,7 @@ export type AbsentPhotos = ReturnType<typeof createAbsentPhotos>;
 /** Milliseconds to wait for a better message than a list of missing photos, from the code that opened the project. */
 const MORE_TO_SAY = 300;
 
-/** @param app `missing`: photos that are on the page, but can be saved no more */
+/** @param app `missing`: photos on the page that cannot be saved any more */
 export function createAbsentPhotos({
   store,
   engine,
@@ -68,7 +68,7 @@ export function createAbsentPhotos({
   function follow(frames: readonly string[]) {
     clearTimeout(telling);
     const { id = 0, count = 0 } = told ?? {};
-    // Another project gets another message.
+    // Another project shows a new message.
     if (!frames.some((frame) => told?.frames.has(frame))) {
       messages.close(id);
       told = null;
@@ -146,7 +146,7 @@ export function createAbsentPhotos({
     for (const { frame, id, name, meta } of matches) {
       const { subjects, measured } = frame.absent as Absent;
       album.delete(frame.id);
-      // Its place in time is the one that it had among the others of its page.
+      // Its capture time is the time in its page's data.
       const taken = frame.meta?.taken ?? meta.taken;
       const known = {
         meta: { ...meta, taken, subjects: subjects ?? [] },

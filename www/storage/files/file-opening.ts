@@ -199,7 +199,7 @@ export function createFileOpening({
 }
 
 /**
- * @param work none is begun any more after one has failed
+ * @param work no further item starts after an error
  * @returns in the order of the list
  */
 async function inTurns<T, R>(list: readonly T[], atOnce: number, work: (item: T) => Promise<R>): Promise<R[]> {
@@ -227,7 +227,7 @@ function silence(stop: AbortController): { beat: () => void; over: Promise<never
   let relax = () => {};
   let since = -Infinity;
   const beat = () => {
-    // Pieces come in thousands; timers need not.
+    // There are thousands of pieces, so the timer is not restarted for each.
     if (performance.now() - since < SILENCE / 60) return;
     since = performance.now();
     relax();
@@ -264,7 +264,7 @@ async function placeFor(photo: FilePhoto, number: number, take: Take): Promise<F
 
 /**
  * @param fact of the empty frame
- * @returns it is framed as the photo was, and compared with none
+ * @returns whether it gets the same crop, without a comparison
  */
 function keepsPlace(
   fact: Omit<Fact, 'meta' | 'measures'> & { meta: NonNullable<Fact['meta']> },

@@ -65,7 +65,7 @@ function projectOf(
   );
 }
 
-/** Watches how many photos are read, and how many at the same time. */
+/** Counts the photos that are read, and how many at the same time. */
 function counted(wait: () => Promise<unknown> = () => Promise.resolve()) {
   const seen = { now: 0, most: 0, all: 0 };
   const { importPhoto } = tab.engine;

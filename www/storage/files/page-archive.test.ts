@@ -69,7 +69,7 @@ describe('a page', () => {
     );
     expect([other.store.project.value.at, other.store.project.value.name]).toEqual([1, 'Trip']);
     expect(other.store.history.value.shown.map(({ id }) => id)).toEqual([1, 2]);
-    // Nothing of how it came to be.
+    // Without the undo history.
     const present = JSON.parse(await textIn(await downloaded(tab, 'project'))).history.present;
     expect([present.sheet, present.pageId, present.others[0].sheet]).toEqual([1, 2, 0]);
   });

@@ -93,7 +93,7 @@ async function readProject(
   planner: Parameters<PageFile['read']>[0],
   watch: Watch = {},
 ) {
-  // An uncompressed project stays a slice of the file, at any size. A compressed one must be in memory.
+  // An uncompressed project is a slice of the file, at any size. A compressed one must be in memory.
   const archive = await readArchive(await found.read(found.packed ? { most: ARCHIVE.entry, ...watch } : watch));
   const text = await archive.get(TEXT_NAME)?.read({ most: TEXT.project, ...watch });
   if (!text) throw damaged(`${TEXT_NAME} is missing`);

@@ -30,7 +30,7 @@ const KEYWORD = 'inkpanel';
 /** The case of the letters means: ancillary, private, safe to copy. */
 const PHOTOS = 'ipPh';
 
-/** @param photos none: it does without */
+/** @param photos null: without photos */
 export async function withProject(
   png: Blob,
   json: string,
@@ -75,7 +75,7 @@ export function withPage(json: string, planner: Pick<Planner, 'readProject'>): F
 }
 
 /**
- * Each entry contains its checksum. A part that is broken costs the photos, not the page; one that is a trap costs all.
+ * Each entry contains its checksum. A damaged part loses only the photos. A malicious part rejects the whole file.
  */
 function photosIn(part: Blob) {
   return readArchive(part).catch((error) => {

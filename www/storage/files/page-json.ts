@@ -110,8 +110,8 @@ export function numbered(pages: readonly PageDocument[], at: number) {
 }
 
 /**
- * The pages of a project with the present one as it is drawn. If its resolution differs on the same paper, the other
- * pages are converted, so that they stay one storyboard.
+ * Returns the pages of a project, with the current page in its drawn form. If its resolution differs on the same paper,
+ * the other pages are converted, so that they stay one storyboard.
  */
 function pagesWith(project: Project, page: PageDocument): PageDocument[] {
   const sheets = sheetsOf(project).map((sheet) => sheet.page);

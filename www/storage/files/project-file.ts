@@ -127,7 +127,7 @@ export function videoKey(key: string) {
 /**
  * @param blobs the files of its photos by id, and of its videos
  * @param how `version` of the history; `work`: each file counts twice, because it is read twice
- * @returns `unclean`: files whose place and date could not be taken out
+ * @returns `unclean`: files whose place and date cannot be removed
  */
 export async function packedProject(
   {

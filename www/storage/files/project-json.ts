@@ -75,7 +75,7 @@ export function readProjectJson(text: string, planner: Pick<Planner, 'readProjec
   return { history: { ...history, past: [], future: [] }, photos, videos, dropped };
 }
 
-/** @returns nothing else of it */
+/** @returns only these fields */
 function likenessOf({ hash, fingerprint, width, height }: Likeness): Likeness {
   return { hash, fingerprint, width, height };
 }
@@ -88,7 +88,7 @@ export function takenBy({ rank }: FilePhoto, taken: string | null): string | nul
   return rank === null ? taken : String(rank).padStart(9, '0');
 }
 
-/** @returns the same with other names wherever a text is one of them */
+/** @returns the same data with new names in all texts that are old names */
 export function renamed<T>(value: T, names: ReadonlyMap<string, string>): T {
   const change = (part: unknown): unknown => {
     if (typeof part === 'string') return names.get(part) ?? part;

@@ -1,4 +1,4 @@
-/** Every kind of project opens as it was saved, from each kind of file that holds one. */
+/** Every kind of project opens with its saved content, from each kind of file that can contain it. */
 
 import { readFileSync } from 'node:fs';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';

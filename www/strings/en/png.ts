@@ -2,7 +2,7 @@
 
 const photos = (n: number) => (n === 1 ? '1 photo' : `${n} photos`);
 
-/** @returns some of them, and how many more */
+/** @returns some of the names, and the number of the others */
 export function some(names: readonly string[]): string {
   const rest = names.length - 3;
   return rest > 0 ? `${names.slice(0, 3).join(', ')} and ${rest} more` : names.join(', ');

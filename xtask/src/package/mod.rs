@@ -17,7 +17,7 @@ use crate::{chromium, letters, models, npm, tools, wasm};
 const NAME: &str = "inkpanel";
 /// The entry point without its extension: a module and its types.
 const ENTRY: &str = "engine/index";
-/// The library for reading videos is one module, under MPL 2.0. It stays a separate, unchanged file.
+/// The library for reading videos is one module, under MPL 2.0. It is a separate, unchanged file.
 const FILM_LIBRARY: (&str, &str) = ("mediabunny", "dist/bundles/mediabunny.min.mjs");
 /// The modules that import it.
 const FILM_READERS: [&str; 3] = ["video-worker.js", "film-looks.js", "sound-worker.js"];

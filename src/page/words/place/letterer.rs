@@ -44,7 +44,7 @@ const FORBIDDEN: f64 = 400.0;
 const NEAR: f64 = 60.0;
 /// Cost of covering a body.
 const BODY: f64 = 60.0;
-/// Cost of covering a thing: a detected one, and one that is the subject of its photo.
+/// Cost of covering an object: a detected one, and one that is the subject of its photo.
 const THING: (f64, f64) = (3.0, 12.0);
 /// Position of the mouth in a face box, as a share of its height.
 const MOUTH: f64 = 0.78;
@@ -508,7 +508,7 @@ impl Room<'_> {
             let mouth = Point::new(head.x + head.width / 2.0, head.y + MOUTH * head.height);
             let foot = edge(area, mouth);
             let way = foot.distance(mouth);
-            // Not into the face itself, however near the balloon is.
+            // The tail ends before the face, even if the balloon is near.
             let until = entry(foot, mouth, grown(head, 0.003)) - 1e-3;
             let along = REACH.min(until).max(0.0);
             let length = along * way;
@@ -559,7 +559,7 @@ impl Room<'_> {
                 } else if entry(foot, mouth, seen.bounds) < 1.0 && shared(seen.bounds, head) <= 0.0 {
                     cost += 30.0;
                 } else if center(seen.bounds).distance(tip) < 0.8 * center(head).distance(tip) {
-                    // The nearest face is the one that a reader takes for the speaker.
+                    // Readers expect the nearest face to be the speaker.
                     cost += 24.0;
                 }
             } else if seen.person && shared(self.seen[i].bounds, head) < 0.5 * head.width * head.height {
@@ -607,7 +607,7 @@ fn together(one: (&Word, &Place), other: (&Word, &Place), joined: bool, follow: 
     let same_face = first.speaker.is_some() && first.speaker == second.speaker;
     match (&said.by, &says.by) {
         (Some(name), Some(next)) if name != next && same_face => cost += TWO_IN_ONE,
-        // People take turns.
+        // Speakers usually alternate.
         (None, _) | (_, None) if follow && same_face => cost += 1.2,
         _ => {}
     }
@@ -624,7 +624,7 @@ fn staggered(a: Bounds, b: Bounds) -> f64 {
     weight * ((aside - across).max(0.0) / aside + (below - down).max(0.0) / below)
 }
 
-/// Whether a reader comes to `b` after `a`: it is below, or to the right at about the same height.
+/// Returns whether a reader sees `b` after `a`: it is below, or to the right at about the same height.
 fn reads_after(a: Bounds, b: Bounds) -> bool {
     let common = (a.y + a.height).min(b.y + b.height) - a.y.max(b.y);
     let beside = common > 0.25 * a.height.min(b.height);
