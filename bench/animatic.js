@@ -22,7 +22,7 @@ export async function animatic(browser, address, photos) {
     const dialog = page.getByRole('dialog');
     await dialog.getByRole('combobox', { name: 'Format' }).selectOption({ label: 'Animatic' });
     await dialog.getByRole('combobox', { name: 'File' }).selectOption(kind);
-    const save = dialog.getByRole('button', { name: 'Save the file' });
+    const save = dialog.getByRole('button', { name: 'Download' });
     await page.waitForFunction(() =>
       document.querySelector('.animatic canvas')?.getAttribute('aria-label')?.includes('of 0:'),
     );

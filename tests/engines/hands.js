@@ -377,12 +377,12 @@ export async function personIn({ driver, downloads }, address) {
 
     async openExport() {
       await press('Export');
-      await one('dialog', 'Export the page');
+      await one('dialog', 'Export');
     },
 
     /** Chooses a format in the export dialog. @param {string} way */
     async chooseFormat(way) {
-      for (const name of WAYS[way]) if (name) await click('radio', name, ['dialog', 'Export the page']);
+      for (const name of WAYS[way]) if (name) await click('radio', name, ['dialog', 'Export']);
     },
 
     /** Saves the page as a kind of file, at half of its size. @param {string} format */
@@ -390,7 +390,7 @@ export async function personIn({ driver, downloads }, address) {
       await this.openExport();
       await this.chooseFormat(format);
       await this.select('Quality', '0.5');
-      return saved(() => click('button', 'Save the file', ['dialog', 'Export the page']));
+      return saved(() => click('button', 'Download', ['dialog', 'Export']));
     },
 
     /** The project as a file. */

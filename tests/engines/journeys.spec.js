@@ -96,7 +96,7 @@ test('the page becomes files of every kind, and goes to the clipboard', async ({
   expect(project.bytes.subarray(0, 2).toString()).toBe('PK');
   await person.openExport();
   await person.select('Quality', '0.5');
-  await person.click('button', 'Copy to clipboard', ['dialog', 'Export the page']);
+  await person.click('button', 'Copy to clipboard', ['dialog', 'Export']);
   await expect
     .poll(() => person.inPage(() => document.querySelector('[role=status]')?.textContent))
     .toContain('copied to the clipboard');
@@ -155,7 +155,7 @@ test('shots and pages become films of a kind that the browser makes', async ({ p
     await expect
       .poll(() => person.inPage(() => document.querySelector('.animatic canvas')?.hasAttribute('data-shown') ?? false))
       .toBe(true);
-    const { name, bytes } = await person.saved(() => person.click('button', 'Save the file'));
+    const { name, bytes } = await person.saved(() => person.click('button', 'Download'));
     const heads = { mp4: 'ftyp', webm: '\x1a\x45\xdf\xa3', gif: 'GIF89a' };
     const kind = /** @type {keyof typeof heads} */ (name.slice(name.lastIndexOf('.') + 1));
     expect(bytes.subarray(0, 12).toString('latin1'), way).toContain(heads[kind]);

@@ -44,7 +44,7 @@ async function styled(page, name) {
 async function exported(page, cargo) {
   const dialog = await openExport(page);
   await dialog.getByRole('radio', { name: cargo }).check();
-  return (await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click())).bytes;
+  return (await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click())).bytes;
 }
 
 test('a page with a merge, words and settings of its own', async ({ page }) => {
@@ -64,7 +64,7 @@ test('a page with a merge, words and settings of its own', async ({ page }) => {
 test('a page with a style of its own, a drawn layout and a crop by hand', async ({ page }) => {
   await openBoard(page, SMALL.slice(0, 3));
   await sized(page, 400, 300);
-  await press(page, 'Surprise layout');
+  await press(page, 'New layout');
   await drop(page, [{ name: 'own.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(OWN)) }]);
   await page.getByRole('region', { name: 'Style designer' }).getByRole('button', { name: 'Use', exact: true }).click();
   await idle(page);

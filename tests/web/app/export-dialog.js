@@ -8,7 +8,7 @@ import { readFile } from 'node:fs/promises';
 /** @param {Page} page */
 export async function openExport(page) {
   await page.getByRole('button', { name: 'Export', exact: true }).click();
-  return page.getByRole('dialog', { name: 'Export the page' });
+  return page.getByRole('dialog', { name: 'Export' });
 }
 
 /** The kind and the format of each choice of the export dialog. */
@@ -71,5 +71,5 @@ export async function savedAs(page, format, { quality, half = true, project = fa
   if (half) await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
   if (project) await dialog.getByRole('radio', { name: 'With project data' }).check();
   if (quality !== undefined) await dialog.getByRole('slider', { name: 'Image quality' }).fill(String(quality));
-  return saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  return saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
 }

@@ -81,7 +81,7 @@ const SCREENS = {
   },
   'styles and how they are chosen': async (page) => {
     await drawer(page, 'Styles');
-    await (await reach(page, 'How Shuffle chooses styles')).click();
+    await (await reach(page, 'Shuffle settings')).click();
   },
   layouts: async (page) => {
     await drawer(page, 'Layouts');
@@ -101,7 +101,7 @@ const SCREENS = {
       await button(page, 'Page settings').click();
     }
     await page.getByRole('combobox', { name: 'Page size' }).selectOption('custom');
-    await unfold(page, 'Description of the page');
+    await unfold(page, 'Alt text');
   },
   designer: async (page) => {
     await work(page, 'Style designer');

@@ -129,7 +129,7 @@ test('keyboard: a video becomes a board and an animatic', async ({ page }) => {
   await page.keyboard.press('ArrowDown');
   await expect(dialog.getByRole('combobox', { name: 'Size' })).toHaveValue('720p');
   await expect(dialog.getByText(`${count} shots, 0:`)).toBeVisible();
-  const film = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).press('Enter'));
+  const film = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).press('Enter'));
   expect(film.name).toMatch(/\.mp4$/);
   const { streams } = await probed(film.path);
   expect(streams[0]).toMatchObject({ width: 1280, height: 720, nb_read_frames: String(12 * count) });
@@ -374,7 +374,7 @@ test('Export saves four formats of shot lists', async ({ page }) => {
   ]) {
     if (!(await dialog.isVisible())) await page.getByRole('button', { name: 'Export', exact: true }).click();
     await chooseFormat(dialog, name);
-    const { path } = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+    const { path } = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
     expect((await readFile(path, 'utf8')).startsWith(start), name).toBe(true);
   }
 });

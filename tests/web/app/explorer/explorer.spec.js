@@ -137,7 +137,7 @@ test('the wall is walked, favoured, bred and used by keyboard alone', async ({ p
 test('a shuffle keeps the layer that is locked, and mixes invented styles in', async ({ page }) => {
   await openBoard(page, FOUR);
   await tab(page, 'Styles');
-  await press(page, 'How Shuffle chooses styles');
+  await press(page, 'Shuffle settings');
   await page.getByRole('slider', { name: 'Generated styles' }).fill('1');
   const unlisted = page
     .getByRole('listbox', { name: 'Styles' })

@@ -60,7 +60,7 @@ for (const [kind, container, codec] of [
     await dialog.getByRole('combobox', { name: 'Transition' }).selectOption({ label: 'Dissolves' });
     await dialog.getByLabel('Soundtrack').setInputFiles(tone());
     await expect(dialog.getByText('tone.wav', { exact: true })).toBeVisible();
-    const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+    const file = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
     expect(file.name).toMatch(new RegExp(`\\.${kind}$`));
     const probe = await probed(file.path);
     expect(probe.complaints).toBe('');
@@ -81,10 +81,10 @@ test('an animatic of a board at 23.976 frames per second has this rate', { tag: 
   await page.getByRole('button', { name: 'Storyboard', exact: true }).click();
   await page.getByRole('combobox', { name: 'Frames per second' }).selectOption('23.976');
   await page.getByRole('button', { name: 'Animatic', exact: true }).click();
-  const dialog = page.getByRole('dialog', { name: 'Export the page' });
+  const dialog = page.getByRole('dialog', { name: 'Export' });
   await dialog.getByRole('slider', { name: 'Seconds per shot' }).fill('0.5');
   await expect(dialog.getByText('3 shots, 0:01 at 23.976 frames per second')).toBeVisible();
-  const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  const file = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
   const probe = await probed(file.path);
   expect(probe.complaints).toBe('');
   expect(stream(probe, 'video')).toMatchObject({ nb_read_frames: String(FRAMES), r_frame_rate: '24000/1001' });
@@ -96,7 +96,7 @@ test('an animatic is saved as GIF, with the same duration, smaller and without s
   await expect(dialog.getByText('3 shots, 0:01 at 12 frames per second')).toBeVisible();
   await expect(dialog.getByRole('button', { name: 'Soundtrack' })).toBeDisabled();
   await dialog.getByRole('checkbox', { name: 'Camera moves' }).uncheck();
-  const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  const file = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
   const probe = await probed(file.path);
   // Without camera moves, each shot is one frame.
   expect(stream(probe, 'video')).toMatchObject({ codec_name: 'gif', width: 640, height: 360, nb_read_frames: '3' });
@@ -141,9 +141,9 @@ test('an animatic opened from the board has its lengths, and its export can be c
   // A GIF file is limited to a minute.
   await dialog.getByRole('combobox', { name: 'File' }).selectOption('gif');
   await expect(dialog.getByText('a GIF file can be at most one minute long')).toBeVisible();
-  await expect(dialog.getByRole('button', { name: 'Save the file' })).toBeDisabled();
+  await expect(dialog.getByRole('button', { name: 'Download' })).toBeDisabled();
   await dialog.getByRole('combobox', { name: 'File' }).selectOption('mp4');
-  await dialog.getByRole('button', { name: 'Save the file' }).click();
+  await dialog.getByRole('button', { name: 'Download' }).click();
   await expect(page.getByRole('progressbar', { name: /^Creating the animatic/ })).toBeVisible();
   await page.getByRole('button', { name: 'Cancel' }).click();
   await expect(page.getByRole('progressbar', { name: /^Creating the animatic/ })).toHaveCount(0);
@@ -157,7 +157,7 @@ test('an unreadable sound file is reported', async ({ page }) => {
     mimeType: 'audio/mpeg',
     buffer: Buffer.from('no sound'),
   });
-  await dialog.getByRole('button', { name: 'Save the file' }).click();
+  await dialog.getByRole('button', { name: 'Download' }).click();
   await expect(page.getByRole('alert')).toContainText('the browser cannot read the sound');
 });
 
@@ -171,7 +171,7 @@ for (const [width, height] of [
     if (width < 1000) await chooseFormat(dialog, 'animatic');
     await expect(dialog.getByRole('button', { name: 'Play' })).toBeEnabled();
     await accessible(page);
-    const save = dialog.getByRole('button', { name: 'Save the file' });
+    const save = dialog.getByRole('button', { name: 'Download' });
     await save.scrollIntoViewIfNeeded();
     await save.click({ trial: true });
   });

@@ -78,7 +78,7 @@ test('the export dialog saves a square', async ({ page }) => {
   await expect(dialog.locator('canvas[data-drawn=true]')).toBeVisible();
   await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
   await expect(dialog.getByText('1200 × 1200 pixels')).toBeVisible();
-  const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  const file = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
   const png = PNG.sync.read(file.bytes);
   expect([png.width, png.height]).toEqual([1200, 1200]);
   expect(colours(png)).toBeGreaterThan(2);
@@ -117,7 +117,7 @@ test('the estimated file size is close to the size of the file', async ({ page }
     await expect(estimate).toHaveText(/^about [\d.]+ [kKM]B$/);
     const [, amount, unit] = /** @type {RegExpMatchArray} */ ((await estimate.innerText()).match(/([\d.]+) ([kKM])B/));
     const about = Number(amount) * (unit === 'M' ? 1e6 : 1e3);
-    const { bytes } = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+    const { bytes } = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
     expect(about / bytes.length, format).toBeGreaterThan(0.65);
     expect(about / bytes.length, format).toBeLessThan(1.5);
     await openExport(page);
@@ -143,7 +143,7 @@ test('the page is copied to the clipboard', async ({ page, context }) => {
 test('one panel is saved in its print size', async ({ page }) => {
   await openBoard(page);
   await panel(page, 1).click();
-  const { bytes, name } = await saved(page, async () => (await reach(page, 'Save this panel')).click());
+  const { bytes, name } = await saved(page, async () => (await reach(page, 'Save panel')).click());
   expect(name).toMatch(/ \d{4} - panel 1\.png$/);
   const box = /** @type {{ width: number, height: number }} */ (await panel(page, 1).boundingBox());
   const sheet = /** @type {{ width: number }} */ (await page.locator('.page-canvas').boundingBox());
@@ -237,7 +237,7 @@ plainTest('an export shows its progress and can be cancelled', async ({ page }) 
   });
   const dialog = await openExport(page);
   await chooseFormat(dialog, 'pdf');
-  await dialog.getByRole('button', { name: 'Save the file' }).click();
+  await dialog.getByRole('button', { name: 'Download' }).click();
   await expect(progress).toBeVisible();
   await page.getByRole('button', { name: 'Cancel' }).click();
   await expect(progress).toHaveCount(0);

@@ -101,7 +101,7 @@ test('a page is read panel by panel, its text items appear, and the video has th
   await accessible(page);
   await dialog.getByRole('combobox', { name: 'Size' }).selectOption('720p');
   await expect(dialog.getByText(/^1 page, /)).toBeVisible();
-  const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  const file = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
   await expect(page.getByText('The motion comic was saved.')).toBeVisible();
   const { complaints, streams } = await probed(file.path);
   expect(complaints).toBe('');
@@ -158,7 +158,7 @@ test('an HTML comic moves, can be stopped, and respects reduced motion', { tag: 
   await expect(dialog.getByRole('checkbox', { name: 'Animate panels with video frames' })).toBeChecked({
     timeout: 120_000,
   });
-  const file = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  const file = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
   const path = info.outputPath('comic.html');
   await writeFile(path, file.bytes);
   const reader = await page.context().newPage();

@@ -88,7 +88,7 @@ test('all pages are saved in one PDF file, and in one comic archive, which can b
   await dialog.getByRole('radio', { name: 'All 2 pages' }).check();
   await expect(dialog.getByRole('radio', { name: 'Square' })).toHaveCount(0);
   await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
-  const pdf = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  const pdf = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
   expect(pdf.name).toMatch(/\d{4}\.pdf$/);
   expect((await run('pdfinfo', [pdf.path])).stdout).toMatch(/Pages: +2\n/);
   expect((await run('pdfimages', ['-list', pdf.path])).stdout.match(/ jpeg /g)?.length).toBe(6);
@@ -101,7 +101,7 @@ test('all pages are saved in one PDF file, and in one comic archive, which can b
   await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
   await dialog.getByRole('radio', { name: 'With project data' }).check();
   await dialog.getByRole('combobox', { name: 'Embedded images' }).selectOption('jpeg');
-  const cbz = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  const cbz = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
   expect(cbz.name).toMatch(/\d{4}\.cbz$/);
   const names = new Set(cbz.bytes.toString('latin1').match(/page-\d\d\.jpg|ComicInfo\.xml|comic\.acbf/g));
   expect([...names]).toEqual(['page-01.jpg', 'page-02.jpg', 'ComicInfo.xml', 'comic.acbf']);

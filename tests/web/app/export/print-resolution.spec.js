@@ -17,7 +17,7 @@ const box = (dialog) => dialog.getByRole('checkbox', { name: 'Upscale low-resolu
 
 /** The page as Poppler draws it, saved from the dialog. @param {Page} page @param {Locator} dialog */
 async function savedPage(page, dialog) {
-  const { path } = await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click());
+  const { path } = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
   const { stdout } = await run('pdftoppm', ['-png', '-r', '300', path], { encoding: 'buffer', maxBuffer: 1 << 28 });
   return PNG.sync.read(stdout);
 }

@@ -51,7 +51,7 @@ async function ownPage(page) {
   await makePageSmall(page);
   await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('6');
-  await press(page, 'Surprise layout');
+  await press(page, 'New layout');
   await drop(page, [
     { name: 'dropped.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(STYLE)) },
   ]);
@@ -69,7 +69,7 @@ const download = async (/** @type {Page} */ page) => (await downloaded(page)).by
 async function exported(page, cargo) {
   const dialog = await openExport(page);
   await dialog.getByRole('radio', { name: cargo }).check();
-  return (await saved(page, () => dialog.getByRole('button', { name: 'Save the file' }).click())).bytes;
+  return (await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click())).bytes;
 }
 
 /** @param {Buffer} png @returns {string[]} the types of its chunks, without adjacent repetitions */

@@ -35,7 +35,7 @@ test('a file format loads only its own module, and can be saved after the loadin
     const dialog = await openExport(page);
     await chooseFormat(dialog, name);
     await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
-    return dialog.getByRole('button', { name: 'Save the file' });
+    return dialog.getByRole('button', { name: 'Download' });
   };
   const modules = /inkpanel_bg-[^/]*\.wasm$/;
   await page.route(modules, (route) => route.abort());

@@ -97,7 +97,7 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
       await expect(button(page, 'Lock')).toBeVisible();
       expect(await page.evaluate(covered)).toEqual([]);
       await page.keyboard.press('Escape');
-      await button(page, 'Spread album over pages').tap();
+      await button(page, 'Make pages from all photos').tap();
       await idle(page);
       await expect(button(page, 'Restore pages')).toBeVisible();
       expect(await page.evaluate(covered)).toEqual([]);
@@ -125,7 +125,7 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
 
       test('a message disappears when a workspace opens', async ({ page }) => {
         await openBoard(page, ALBUM);
-        await button(page, 'Spread album over pages').tap();
+        await button(page, 'Make pages from all photos').tap();
         await expect(button(page, 'Restore pages')).toBeVisible();
         await button(page, 'Projects').tap();
         await expect(page.getByRole('region', { name: 'Projects' })).toBeVisible();
@@ -189,7 +189,7 @@ for (const viewport of [TABLET, PORTRAIT, LANDSCAPE]) {
         const dialog = page.getByRole('dialog');
         await expect(dialog.locator('canvas[data-drawn=true]')).toBeVisible();
         expect(await isInside(dialog.locator('canvas'))).toBe(true);
-        expect(await isInside(dialog.getByRole('button', { name: 'Save the file' }))).toBe(true);
+        expect(await isInside(dialog.getByRole('button', { name: 'Download' }))).toBe(true);
       });
 
       test('the page has two thirds of the height, also next to an open drawer', async ({ page }) => {

@@ -127,7 +127,7 @@ test('a surprise layout is saved to a file and to My layouts, and loaded again',
   await tab(page, 'Layouts');
   await page.getByRole('combobox', { name: 'Panels' }).selectOption('4');
   const before = await picture(page);
-  await press(page, 'Surprise layout');
+  await press(page, 'New layout');
   expect(await picture(page)).not.toBe(before);
   const shown = await contents(page);
   expect(shown.photos.length).toBe(4);

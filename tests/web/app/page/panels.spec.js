@@ -111,7 +111,7 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
     await page.emulateMedia({ colorScheme });
     await openBoard(page);
     await tab(page, 'Layouts');
-    await press(page, 'Surprise layout');
+    await press(page, 'New layout');
     await (await reach(page, 'Edit layout')).click();
     await page.getByRole('group', { name: /^Panel 1 of/ }).click({ position: { x: 20, y: 20 } });
     await tab(page, 'Page');
