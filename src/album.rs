@@ -1,16 +1,18 @@
 //! Photo sources of the command line: files, folders as albums, and standard input.
 
-use crate::{Complaint, name};
+use crate::{Complaint, name, telling};
 use inkpanel::json::unmarked;
+use inkpanel::kinds::{self, Role};
+use serde_json::json;
 use std::cmp::Ordering;
+use std::collections::HashSet;
+use std::ffi::{OsStr, OsString};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 /// Name of standard input and standard output.
 pub(crate) const STANDARD: &str = "-";
-/// Endings of the pictures that a folder is searched for.
-const PICTURES: [&str; 9] = ["jpg", "jpeg", "png", "webp", "gif", "bmp", "tif", "tiff", "jpe"];
 /// Folders in folders that are looked into.
 const DEEPEST: usize = 8;
 /// Files that one run takes, more than an album has: a folder may be a whole disk.
@@ -53,7 +55,8 @@ pub(crate) fn text(path: &Path) -> Result<String, Complaint> {
     Ok(unmarked(&text).to_owned())
 }
 
-/// Lists the files: for a folder, its images and the images in its subfolders, in natural order.
+/// Lists the files: for a folder, its photos and the photos in its subfolders, in natural order. Other files of a folder are
+/// counted; videos and kinds that cannot be read are named.
 pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Complaint> {
     if given.iter().filter(|path| is_standard(path)).count() > 1 {
         return Err("standard input (-) can be read only once".into());
@@ -64,11 +67,13 @@ pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Complaint> {
             files.push(path.clone());
             continue;
         }
-        let before = files.len();
-        walk(path, 0, &mut files)?;
-        if files.len() == before {
+        let mut found = Found::default();
+        walk(path, 0, &mut found)?;
+        found.tell(path);
+        if found.photos.is_empty() {
             return Err(format!("{}: the folder contains no pictures", path.display()));
         }
+        files.append(&mut found.photos);
     }
     if files.len() > MOST_FILES {
         return Err(format!("more than {MOST_FILES} files"));
@@ -76,27 +81,99 @@ pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Complaint> {
     Ok(files)
 }
 
-fn walk(folder: &Path, depth: usize, files: &mut Vec<PathBuf>) -> Result<(), Complaint> {
-    let complain = |error: std::io::Error| format!("{}: {error}", folder.display());
-    let mut found: Vec<PathBuf> = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(complain)? {
-        found.push(entry.map_err(complain)?.path());
+/// The files of a folder.
+#[derive(Default)]
+struct Found {
+    photos: Vec<PathBuf>,
+    /// Files of systems and programs.
+    sidecars: usize,
+    /// Videos of Live Photos: the photo of the same name is taken.
+    live: usize,
+    /// Files of other kinds.
+    others: usize,
+    /// Entries that cannot be read, and files of kinds that a person may take for photos, each with the reason.
+    named: Vec<(PathBuf, String)>,
+}
+
+impl Found {
+    fn tell(&self, folder: &Path) {
+        for (path, why) in &self.named {
+            telling::note(Some(&path.display().to_string()), &format!("{why}; left out"));
+        }
+        if self.sidecars + self.live + self.others == 0 {
+            return;
+        }
+        let folder = folder.display().to_string();
+        let event = json!({ "event": "skipped", "folder": folder, "sidecars": self.sidecars, "live": self.live, "others": self.others });
+        let videos = |count: usize| format!("{count} {}", if count == 1 { "video" } else { "videos" });
+        let counted = |count: usize| format!("{count} {}", if count == 1 { "file" } else { "files" });
+        let of_systems = (self.sidecars > 0)
+            .then(|| format!("{} that systems and programs store next to photos", counted(self.sidecars)));
+        let others = (self.others > 0).then(|| format!("{} of other kinds", counted(self.others)));
+        let live =
+            (self.live > 0).then(|| format!("{} of Live Photos with the name of a photo", videos(self.live)));
+        let skipped: Vec<_> = of_systems.into_iter().chain(live).chain(others).collect();
+        telling::step(&event, Some(format!("{folder}: skipped {}", skipped.join(", "))));
     }
-    found.sort_by(|a, b| by_name(name(a), name(b)).then_with(|| a.cmp(b)));
-    for path in found.into_iter().filter(|path| !name(path).starts_with('.')) {
+}
+
+fn walk(folder: &Path, depth: usize, found: &mut Found) -> Result<(), Complaint> {
+    let complain = |error: std::io::Error| format!("{}: {error}", folder.display());
+    let mut paths: Vec<PathBuf> = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(complain)? {
+        paths.push(entry.map_err(complain)?.path());
+    }
+    paths.sort_by(|a, b| by_name(name(a), name(b)).then_with(|| a.cmp(b)));
+    let photos: HashSet<OsString> =
+        paths.iter().filter(|path| role(path) == Some(Role::Photo)).filter_map(|path| stem(path)).collect();
+    for path in paths {
         // Links could form a cycle.
-        if path.is_dir() && !path.is_symlink() && depth < DEEPEST {
-            walk(&path, depth + 1, files)?;
-        } else if path.is_file() && is_picture(&path) && files.len() <= MOST_FILES {
-            files.push(path);
+        if path.is_dir() && (path.is_symlink() || depth >= DEEPEST) {
+            let why = if depth >= DEEPEST { "the folder is too deep" } else { "the folder is a link" };
+            found.named.push((path, why.to_owned()));
+        } else if path.is_dir() {
+            if kinds::is_system(name(&path)) {
+                continue;
+            }
+            if let Err(why) = walk(&path, depth + 1, found) {
+                // The reason begins with the path.
+                let why = why.strip_prefix(&format!("{}: ", path.display())).unwrap_or(&why).to_owned();
+                found.named.push((path, why));
+            }
+        } else if found.photos.len() <= MOST_FILES {
+            let is_live =
+                role(&path) == Some(Role::Video) && stem(&path).is_some_and(|stem| photos.contains(&stem));
+            if is_live && path.is_file() { found.live += 1 } else { sort_in(path, found) }
         }
     }
     Ok(())
 }
 
-fn is_picture(path: &Path) -> bool {
-    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-    ending.is_some_and(|ending| PICTURES.contains(&ending.as_str()))
+fn role(path: &Path) -> Option<Role> {
+    kinds::by_name(&path.file_name()?.to_string_lossy()).map(|kind| kind.role)
+}
+
+/// The name of a file without its ending, in lower case: the video of a Live Photo has the name of the photo.
+fn stem(path: &Path) -> Option<OsString> {
+    path.file_stem().map(OsStr::to_ascii_lowercase)
+}
+
+fn sort_in(path: PathBuf, found: &mut Found) {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let kind = kinds::by_name(&name);
+    if kinds::is_sidecar(&name) {
+        found.sidecars += 1;
+    } else if !path.is_file() {
+        found.named.push((path, "it cannot be read; it may be a broken link".to_owned()));
+    } else if kind.is_some_and(|kind| kind.role == Role::Photo) {
+        found.photos.push(path);
+    } else if let Some(explained) = kinds::explained(&name, &[])
+        && matches!(explained.kind().role, Role::Video | Role::Archive | Role::Unsupported(_))
+    {
+        found.named.push((path, explained.to_string()));
+    } else {
+        found.others += 1;
+    }
 }
 
 /// Natural order of file names: `photo2` before `photo10`, ignoring case.
@@ -152,6 +229,16 @@ mod tests {
         }
         let found = files(&[folder.path().to_owned()]).unwrap();
         assert_eq!(found, ["2.jpg", "10.PNG", "b/c/x.webp"].map(at));
+        // A name that is no UTF-8 keeps its ending.
+        #[cfg(unix)]
+        {
+            use std::os::unix::ffi::OsStrExt;
+            let odd = at("odd");
+            std::fs::create_dir(&odd).unwrap();
+            let file = odd.join(std::ffi::OsStr::from_bytes(b"\x82\xa0.JFIF"));
+            std::fs::write(&file, "").unwrap();
+            assert_eq!(files(&[odd]).unwrap(), [file]);
+        }
         std::fs::create_dir(at("empty")).unwrap();
         assert!(files(&[at("empty")]).unwrap_err().contains("the folder contains no pictures"));
         assert!(files(&["-".into(), "-".into()]).unwrap_err().contains("only once"));

@@ -40,6 +40,7 @@
 //! |---|---|
 //! | `detect` | models that detect faces and objects |
 //! | `rare` | photos as WebP, TIFF and GIF, and with the colours of scanners and presses |
+//! | `heic` | photos of phones as HEIC |
 //! | `files` | saved projects |
 //! | `cli` | the command line `inkpanel`: `cargo install inkpanel --features cli` |
 //! | `internals` | the processing stages; their API changes between versions without notice |
@@ -53,6 +54,7 @@
 //! |---|---|
 //! | `raster` | pixels: planar u8 images, decoding, resampling (under everything) |
 //! | `simd` | row kernels on lanes (under `style`) |
+//! | `kinds` | the kinds of files, by their names and first bytes |
 //! | `select` | fingerprints, near-duplicate groups and their sharpest photo; shots of videos |
 //! | `hearing` | detection of music and of sounds that can become sound effects |
 //! | `detect` | faces, objects, aesthetic scores and subject masks (feature `detect`) |
@@ -94,6 +96,10 @@ pub mod hearing;
 mod json;
 #[cfg(feature = "internals")]
 pub mod json;
+#[cfg(not(feature = "internals"))]
+mod kinds;
+#[cfg(feature = "internals")]
+pub mod kinds;
 #[cfg(not(feature = "internals"))]
 mod layout;
 #[cfg(feature = "internals")]

@@ -30,6 +30,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use inkpanel::document::shots::FRAMES;
 use inkpanel::framing::{PhotoMeta, Subject};
+use inkpanel::kinds::clearer;
 use inkpanel::layout::{self, Template};
 use inkpanel::native::QUALITY;
 use inkpanel::page::import::{Imported, import};
@@ -863,8 +864,12 @@ fn import_all(files: &[PathBuf]) -> Vec<(PathBuf, Imported)> {
         .par_iter()
         .enumerate()
         .map(|(i, path)| {
-            let photo = album::read(path)
-                .and_then(|bytes| survived(|| import(&format!("photo-{i}"), &bytes, &limits)));
+            let photo = album::read(path).and_then(|bytes| {
+                survived(|| {
+                    import(&format!("photo-{i}"), &bytes, &limits)
+                        .map_err(|error| clearer(error, name(path), &bytes))
+                })
+            });
             let done = count.fetch_add(1, Ordering::Relaxed) + 1;
             let event = json!({ "event": "photo", "file": told(path), "done": done, "of": files.len() });
             telling::step(&event, None);
@@ -901,7 +906,10 @@ fn decode_file(path: &Path) -> Result<Image, Complaint> {
 fn decode_file_fit(path: &Path, longest: usize) -> Result<Image, Complaint> {
     let complain = |reason: String| format!("{}: {reason}", told(path));
     let bytes = album::read(path).map_err(complain)?;
-    let decoded = survived(|| decode_fit(&bytes, &Limits::default(), longest)).map_err(complain)?;
+    let decode = || {
+        decode_fit(&bytes, &Limits::default(), longest).map_err(|error| clearer(error, name(path), &bytes))
+    };
+    let decoded = survived(decode).map_err(complain)?;
     telling::damage(&told(path), decoded.damage);
     Ok(decoded.image)
 }

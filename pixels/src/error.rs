@@ -9,6 +9,9 @@ pub enum Error {
     /// The bytes are not an image of a format that we read.
     #[error("this is not an image that Inkpanel can read (JPEG, PNG, WebP, GIF, BMP or TIFF)")]
     UnknownFormat,
+    /// The bytes are of a kind that is no image, or of one that cannot be read; the text says what a user can do.
+    #[error("{0}")]
+    OtherKind(String),
     /// A colour profile of a scanner or press, in a build without the `rare` feature.
     #[error("this build cannot convert the colour profile of this photo")]
     RareColours,
@@ -162,7 +165,7 @@ impl Error {
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
-            Self::UnknownFormat => "unknown-format",
+            Self::UnknownFormat | Self::OtherKind(_) => "unknown-format",
             Self::RareColours => "rare-colours",
             Self::Damaged { .. } | Self::MostlyDamaged { .. } => "damaged",
             Self::Unsupported { .. } => "unsupported",

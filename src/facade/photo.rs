@@ -1,6 +1,7 @@
 //! Photos of the caller.
 
 use super::failure::{Failure, survived};
+use crate::kinds::clearer;
 use crate::page::import::{Imported, import, import_image};
 use crate::raster::Image;
 use crate::raster::decode::{Limits, decode};
@@ -76,7 +77,10 @@ impl Photo {
         let limits = Limits::default();
         self.told(|| match &self.source {
             Source::Pixels(image) => Ok(import_image(id, image, &limits)?),
-            source => Ok(import(id, &source.bytes()?, &limits)?),
+            source => {
+                let bytes = source.bytes()?;
+                Ok(import(id, &bytes, &limits).map_err(|error| clearer(error, &self.name, &bytes))?)
+            }
         })
     }
 
@@ -84,7 +88,11 @@ impl Photo {
     pub(super) fn full(&self) -> Result<Image, Failure> {
         self.told(|| match &self.source {
             Source::Pixels(image) => Ok(image.clone()),
-            source => Ok(decode(&source.bytes()?, &Limits::default())?.image),
+            source => {
+                let bytes = source.bytes()?;
+                let decoded = decode(&bytes, &Limits::default());
+                Ok(decoded.map_err(|error| clearer(error, &self.name, &bytes))?.image)
+            }
         })
     }
 

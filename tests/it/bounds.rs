@@ -3,6 +3,7 @@
 
 use inkpanel::document::history::History;
 use inkpanel::document::{kept, limits, script, spreading, subtitles};
+use inkpanel::kinds::{KINDS, Kind, Role, SIGNATURES, SYSTEM_FOLDERS, SYSTEM_NAMES};
 use inkpanel::layout::{DPI, MOST_PIXELS, PRESETS, PagePreset, SIDES};
 use inkpanel::output::animatic::{self, Animatic};
 use inkpanel::page::words::model::FARTHEST;
@@ -157,6 +158,47 @@ fn told(value: &Value, text: &str) -> String {
     }
 }
 
+/// Returns the generated module of file kinds.
+fn file_table() -> String {
+    let quoted = |text: &str| format!("'{}'", text.replace('\r', "\\r"));
+    let list = |name: &str, texts: &[&str]| {
+        let lines: String = texts.iter().map(|text| format!("  {},\n", quoted(text))).collect();
+        format!("export const {name}: readonly string[] = [\n{lines}];\n")
+    };
+    let kind = |Kind { name, media_type, endings, role }: &Kind| {
+        let role = match role {
+            Role::Unsupported(remedy) => format!("'{}',\n    remedy: '{}'", role.id(), remedy.id()),
+            role => format!("'{}'", role.id()),
+        };
+        format!(
+            "  {{\n    name: '{name}',\n    type: '{media_type}',\n    endings: '{}',\n    role: {role},\n  }},\n",
+            endings.join(" ")
+        )
+    };
+    let signature = |(at, start, ending): &(usize, &[u8], &str)| {
+        let bytes: Vec<_> = start.iter().map(u8::to_string).collect();
+        format!("  [{at}, [{}], '{ending}'],\n", bytes.join(", "))
+    };
+    [
+        "/** Kinds of files. `cargo xtask bless` generates this file from `src/kinds.rs`. */\n\n",
+        "export type Role =\n  | 'photo'\n  | 'video'\n  | 'subtitles'\n  | 'text'\n  | 'board'\n  | 'json'\n  | 'project'\n  | 'archive'\n  | 'sidecar'\n  | 'unsupported';\n",
+        "export type Remedy = 'jpeg' | 'unpack' | 'pages' | 'mp4' | 'srt' | 'fountain' | 'csv' | 'text';\n",
+        "/** `endings` of names, separated by spaces; `type`: media type, if any; `remedy` for files that cannot be read */\n",
+        "export type FileKind = { name: string; type: string; endings: string; role: Role; remedy?: Remedy };\n\n",
+        "export const FILE_KINDS: readonly FileKind[] = [\n",
+        &KINDS.iter().map(kind).collect::<String>(),
+        "];\n\n/** Names of files of systems and programs, in lower case. */\n",
+        &list("SYSTEM_NAMES", SYSTEM_NAMES),
+        "\n/** Folders of systems and programs. */\n",
+        &list("SYSTEM_FOLDERS", SYSTEM_FOLDERS),
+        "\n/** First bytes of kinds: a position, the bytes there, and an ending of the kind. */\n",
+        "export const SIGNATURES: readonly [at: number, bytes: readonly number[], ending: string][] = [\n",
+        &SIGNATURES.iter().map(signature).collect::<String>(),
+        "];\n",
+    ]
+    .concat()
+}
+
 /// `BLESS=1` updates a module, and the test fails once.
 fn check(file: &str, expected: &str) {
     let path = crate::root(file);
@@ -171,6 +213,30 @@ fn check(file: &str, expected: &str) {
 #[test]
 fn the_page_has_the_bounds_of_the_core() {
     check("www/engine/bounds.ts", &bounds());
+}
+
+#[test]
+fn the_page_has_the_kinds_of_files_of_the_core() {
+    check("www/engine/file-table.ts", &file_table());
+}
+
+#[test]
+fn the_system_hands_over_files_of_known_kinds() {
+    let text = std::fs::read_to_string(crate::root("www/public/manifest.webmanifest")).unwrap();
+    let manifest: Value = serde_json::from_str(&text).unwrap();
+    let handlers = manifest["file_handlers"].as_array().unwrap();
+    let accepted = handlers.iter().flat_map(|handler| handler["accept"].as_object().unwrap());
+    let photos = KINDS.iter().filter(|kind| kind.role == Role::Photo).count();
+    let mut seen = 0;
+    for (media_type, endings) in accepted {
+        let kind = KINDS.iter().find(|kind| kind.media_type == media_type).unwrap();
+        seen += usize::from(kind.role == Role::Photo);
+        for ending in endings.as_array().unwrap() {
+            let ending = ending.as_str().unwrap().trim_start_matches('.');
+            assert!(kind.endings.contains(&ending), "{media_type}: {ending}");
+        }
+    }
+    assert_eq!(seen, photos);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { createDroppedFiles } from './dropped-files.ts';
+import { zipOf } from '../engine/testing-archives.ts';
 import { noteFolders } from '../photos/folders.ts';
 import { save as saveFile } from '../ui/files.ts';
 import { fakeBrowser } from '../storage/testing.ts';
@@ -234,7 +235,10 @@ describe('files that systems and programs store next to photos', () => {
       ...tab.files('a.jpg'),
       noteFolders(new File(['bad'], 'b.jpg'), ['trip', '__MACOSX']),
     ]);
-    expect([tab.names(), texts(tab)]).toEqual([['a.jpg'], []]);
+    expect([tab.names(), texts(tab)]).toEqual([
+      ['a.jpg'],
+      ['8 files that systems and programs store next to photos were skipped.'],
+    ]);
   });
 
   it('are reported if nothing else comes', async () => {
@@ -244,16 +248,69 @@ describe('files that systems and programs store next to photos', () => {
   });
 });
 
+describe('a Live Photo', () => {
+  it('is one photo; its video is offered', async () => {
+    const tab = await fakeBrowser().tab();
+    const added = vi.spyOn((tab as any).reading, 'addFiles');
+    await dropsOn(tab).take(tab.files('IMG_1.HEIC', 'IMG_1.MOV', 'b.jpg'));
+    expect(tab.names()).toEqual(['b.jpg', 'IMG_1.HEIC']);
+    const offer = tab.messages.list.value.find(({ kind }) => kind === 'offer');
+    expect([offer?.text, offer?.way?.label]).toEqual([
+      '1 video of a Live Photo was not added. Its photo was.',
+      'Add the video',
+    ]);
+    offer?.way?.run();
+    expect((added.mock.lastCall?.[0] as File[]).map(({ name }) => name)).toEqual(['IMG_1.MOV']);
+  });
+});
+
+describe('files that are no photos', () => {
+  it('are named by their kind, with a way out', async () => {
+    const tab = await fakeBrowser().tab();
+    const rar = new File(['bad'], 'book.cbr');
+    await dropsOn(tab).take([
+      rar,
+      new File(['bad'], 'script.fdx'),
+      new File(['a,b'], 'list.csv'),
+      ...tab.files('a.jpg'),
+    ]);
+    await vi.waitFor(() => expect(tab.messages.failures.value).toHaveLength(3));
+    expect(tab.messages.failures.value.map(({ name, why }) => [name, why])).toEqual([
+      ['book.cbr', 'this kind of file (RAR) cannot be read. Unpack it and add its pictures, or pack them as ZIP.'],
+      ['list.csv', 'it is a screenplay or a table. Open the storyboard and choose “Import script or table”.'],
+      ['script.fdx', 'this kind of file (Final Draft) cannot be read. Export it as Fountain.'],
+    ]);
+    expect(tab.names()).toEqual(['a.jpg']);
+  });
+
+  it('are archives if they are ZIP files, whatever their name', async () => {
+    const tab = await fakeBrowser().tab();
+    const comic = new File([zipOf([{ name: '1.jpg', content: Buffer.from('pixels') }])], 'book.cbr');
+    await dropsOn(tab).take([comic]);
+    expect(tab.names()).toEqual(['1.jpg']);
+  });
+});
+
 describe('JSON files', () => {
   const json = (name: string, value: unknown) => new File([JSON.stringify(value)], name);
   const takeout = json('a.jpg.json', { title: 'a.jpg', photoTakenTime: { timestamp: '1' } });
   const layout = json('layout.json', { id: 'x', family: 'custom', tree: {} });
   const style = json('style.json', { id: 'x', background: [] });
 
+  it('of Google Takeout are skipped like other files next to photos', async () => {
+    const tab = await fakeBrowser().tab();
+    await dropsOn(tab).take([takeout, ...tab.files('a.jpg')]);
+    expect([tab.names(), texts(tab)]).toEqual([
+      ['a.jpg'],
+      ['1 file that a system or program stores next to photos was skipped.'],
+    ]);
+  });
+
   it('of other programs are skipped next to photos; layouts and styles are opened', async () => {
     const tab = await fakeBrowser().tab();
     const drops = dropsOn(tab);
-    await drops.take([takeout, layout, style, new File(['{'], 'broken.json'), ...tab.files('a.jpg')]);
+    const other = json('list.json', [1]);
+    await drops.take([other, layout, style, new File(['{'], 'broken.json'), ...tab.files('a.jpg')]);
     await vi.waitFor(() => expect(namesIn(drops.styles)).toEqual(['style.json']));
     // What is wrong with a file that is not JSON is said where layouts are read.
     expect(namesIn(drops.layouts)).toEqual(['layout.json', 'broken.json']);
@@ -263,7 +320,7 @@ describe('JSON files', () => {
   it('of other programs that come alone are said to be neither layouts nor styles', async () => {
     const tab = await fakeBrowser().tab();
     const drops = dropsOn(tab);
-    await drops.take([takeout, json('list.json', [1]), json('null.json', null)]);
+    await drops.take([json('album.json', { title: 'Lisbon' }), json('list.json', [1]), json('null.json', null)]);
     await vi.waitFor(() => expect(tab.messages.failures.value).toHaveLength(3));
     expect(new Set(tab.messages.failures.value.map(({ why }) => why))).toEqual(
       new Set(['it is not an Inkpanel layout or style.']),

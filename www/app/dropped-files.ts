@@ -11,7 +11,8 @@ import { strings } from '../strings/strings.ts';
 import { byName } from '../ui/by-name.ts';
 import { isArchiveFile } from '../storage/files/page-archive.ts';
 import { foldersOf } from '../photos/folders.ts';
-import { isSidecar } from '../photos/sidecars.ts';
+import { hasRole, isSidecar, kindByContent, kindByName } from '../engine/file-kinds.ts';
+import { splitLivePhotos } from '../photos/live-photos.ts';
 import { isNamedPng } from '../storage/files/page-files.ts';
 import { isProjectFile } from '../storage/files/project-file.ts';
 import { importing } from '../ui/importing.ts';
@@ -31,9 +32,9 @@ import type { Messages } from '../ui/messages.ts';
 /** Names of files in the message about a whole drop that failed. */
 const NAMED = 3;
 
-/** Names of subtitles, and of texts, which may be scripts. */
-const SPEECH = /\.(?:srt|vtt|txt)$/i;
-const isText = ({ name }: File) => /\.txt$/i.test(name);
+/** Subtitles, and texts, which may be scripts. */
+const isSpeech = ({ name }: File) => hasRole(name, 'subtitles', 'text');
+const isText = ({ name }: File) => hasRole(name, 'text');
 
 const namesOf = (files: readonly File[]) =>
   files
@@ -83,11 +84,15 @@ export function createDroppedFiles({
     const wanted = given.filter((file) => !isSidecar(file.name, foldersOf(file)));
     // A single sidecar file is reported like any other file that is not a photo.
     const files = wanted.length > 0 ? wanted : given;
-    const plans = files.filter(({ name }) => name.toLowerCase().endsWith('.json'));
+    if (files.length < given.length) messages.note(strings.filesSkipped(given.length - files.length));
+    const plans = files.filter(({ name }) => hasRole(name, 'json'));
     const projects = files.filter(isProjectFile);
-    const archives = files.filter((file) => !projects.includes(file) && isArchiveFile(file));
-    const pictures = files.filter((file) => ![plans, projects, archives].some((list) => list.includes(file)));
-    const beside = projects.length + archives.length > 0 || pictures.some(({ name }) => !SPEECH.test(name));
+    const packed = await zipped(files);
+    const archives = files.filter((file) => !projects.includes(file) && (isArchiveFile(file) || packed.includes(file)));
+    const boards = files.filter(({ name }) => hasRole(name, 'board'));
+    const pictures = files.filter((file) => ![plans, projects, archives, boards].some((list) => list.includes(file)));
+    for (const { name } of boards) messages.fileFailed(name, strings.boardFile);
+    const beside = projects.length + archives.length > 0 || pictures.some((file) => !isSpeech(file));
     const speech = speechAmong(files);
     void openPlans(plans, { ownLayouts, ownStyles, messages, beside });
     // What is dropped while another project is on its way is meant for that one.
@@ -110,6 +115,13 @@ export function createDroppedFiles({
         label: strings.putScript,
         run: () => void subtitling.open(scripts),
       });
+  }
+
+  /** @returns archives with the name of another kind: many `.cbr` files are ZIP files */
+  async function zipped(files: readonly File[]): Promise<File[]> {
+    const named = files.filter(({ name }) => kindByName(name)?.remedy === 'unpack');
+    const kinds = await Promise.all(named.map((file) => kindByContent(file).catch(() => undefined)));
+    return named.filter((_, i) => kinds[i]?.role === 'archive');
   }
 
   /** Opens files that were chosen as projects. */
@@ -199,7 +211,13 @@ export function createDroppedFiles({
   /** @param shown the project that they came with: whoever opened it may not expect them there */
   async function add(photos: readonly File[], shown: Opened | undefined, moments: Moments) {
     const count = store.tray.peek().length;
-    await reading.addFiles(photos, undefined, moments);
+    const { videos, others } = splitLivePhotos(photos);
+    await reading.addFiles(others, undefined, moments);
+    if (videos.length > 0)
+      messages.offer(strings.liveVideos(videos.length), {
+        label: strings.addLiveVideos(videos.length),
+        run: () => void reading.addFiles(videos),
+      });
     const added = store.tray.peek().length - count;
     if (shown && added > 0 && keeping.current.peek() === shown.id)
       messages.offer(strings.photosWithProject(added, shown.name));

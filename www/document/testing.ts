@@ -96,12 +96,15 @@ export function fakeApp(
   const pages = createPages(store, { seed: () => (seed += 1), ...hooks });
   const messages = createMessages();
   const imported = new Set();
-  const engine = {
+  const engine: any = {
     facesReady: () => true,
     ready: Promise.resolve(planner),
-    importPhoto: async (id: string, { name }: File) => {
+    files: new Map() as Map<string, File>,
+    importPhoto: async (id: string, file: File) => {
+      const { name } = file;
+      engine.files.set(id, file);
       await Promise.resolve();
-      if (odd[name] === 'bad') throw Object.assign(new Error('not a photo'), { code: 'unsupported-format' });
+      if (odd[name] === 'bad') throw Object.assign(new Error('not a photo'), { code: 'unknown-format' });
       imported.add(id);
       const damage =
         { damaged: { missing: 0.124, coarse: 0 }, coarse: { missing: 0, coarse: 0.001 } }[odd[name] as string] ?? null;

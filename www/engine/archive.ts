@@ -7,6 +7,7 @@
  * without the central directory.
  */
 
+import { archiveNames } from './archive-names.ts';
 import { crcOf } from './crc.ts';
 import { inflated, roomFor } from './inflate.ts';
 import { ARCHIVE } from './limits.ts';
@@ -125,9 +126,13 @@ export async function readArchive(file: Blob): Promise<Map<string, Found>> {
   /** Total unpacked size. */
   const room = roomFor(most);
   const found: Map<string, Found> = new Map();
-  for (const entry of told) {
-    const name = new TextDecoder().decode(entry.name);
-    if (found.has(name)) throw damaged(`${name} is in it twice`);
+  const names = archiveNames(told.map(({ name }) => name));
+  const seen = new Set() as Set<string>;
+  for (const [i, entry] of told.entries()) {
+    const name = names[i];
+    const key = String.fromCharCode(...entry.name);
+    if (seen.has(key)) throw damaged(`${name} is in it twice`);
+    seen.add(key);
     found.set(name, {
       name,
       packed: entry.method !== STORED,

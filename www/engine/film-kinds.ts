@@ -32,7 +32,7 @@ export type FilmKind = { container: string | null; codec: string | null };
 export function isFilmStart(bytes: Uint8Array): boolean {
   const text = latin(bytes.subarray(0, 16));
   // HEIF photos are such boxes, too.
-  if (/^....ftyp/s.test(text)) return !/^....ftyp(?:hei[cfsx]|mif1|msf1|avi[fs]|jxl |crx )/s.test(text);
+  if (/^....ftyp/s.test(text)) return !/^....ftyp(?:hei[cfmsx]|hev[cx]|mif1|msf1|avi[fs]|jxl |crx )/s.test(text);
   if (/^....(?:moov|mdat|wide)/s.test(text)) return true;
   if (bytes[0] === 0x1a && bytes[1] === 0x45 && bytes[2] === 0xdf && bytes[3] === 0xa3) return true;
   // Packets of a transport stream are 188 bytes long.

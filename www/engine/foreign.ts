@@ -1,11 +1,15 @@
 /**
- * Photos that the core has no decoder for: HEIC and AVIF, decoded by the browser. WebCodecs decodes the pixels. Reading
- * them back from a canvas is not reliable, because browsers that guard against fingerprinting alter them.
+ * Photos that the core has no decoder for: HEIC and AVIF. The browser decodes them with WebCodecs, if it can. Reading pixels
+ * back from a canvas is not reliable, because browsers that guard against fingerprinting alter them. HEIC photos that the
+ * browser cannot decode are decoded by a separate module, see docs/design/heic.md.
  */
 
 import { rgbaOf } from './frame-pixels.ts';
+import { moduleBytes } from './module-bytes.ts';
+import { onceMore } from './once-more.ts';
 import { failure } from './protocol.ts';
 
+const MODULE = new URL('../pkg-heic/inkpanel_bg.wasm', import.meta.url);
 /** Bytes before the pixels of a BMP file. */
 const HEADER = 54;
 const HEIF_BRANDS = ['heic', 'heix', 'heim', 'heis', 'hevc', 'hevx', 'mif1', 'msf1'];
@@ -25,11 +29,16 @@ export function foreignKind(bytes: Uint8Array): 'AVIF' | 'HEIC' | null {
 }
 
 /**
- * Converts the whole photo to a file that the core reads: a BMP file from the browser's decoded image, upright, in sRGB
- * and on white. So all limits apply to such photos as well.
+ * Converts the whole photo to a file that the core reads: a BMP file, upright, in sRGB and on white. So all limits apply to
+ * such photos as well.
  */
 export async function asBmp(kind: 'AVIF' | 'HEIC', bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
-  const frame = (await decoded(kind, bytes)) as VideoFrame & { rotation?: number; flip?: boolean };
+  if (kind === 'HEIC' && !(await mayDecodeHeic())) return heicAsBmp(bytes);
+  const frame = (await decoded(kind, bytes).catch((error) => {
+    if (kind === 'AVIF' || error.code !== 'no-decoder') throw error;
+    return null;
+  })) as (VideoFrame & { rotation?: number; flip?: boolean }) | null;
+  if (!frame) return heicAsBmp(bytes);
   const { rotation = 0, flip = false } = frame;
   return bmp({ ...(await rgbaOf(frame)), rotation, flip });
 }
@@ -86,6 +95,32 @@ function bmp({
   return file;
 }
 
+/** Safari decodes HEIC, and has no ImageDecoder. */
+async function mayDecodeHeic(): Promise<boolean> {
+  return typeof ImageDecoder === 'undefined' || ImageDecoder.isTypeSupported('image/heic');
+}
+
+/** @throws with the codes of the decoder, and `decoders-missing` */
+async function heicAsBmp(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
+  const photo = new (await heic()).Converted(bytes);
+  try {
+    return photo.take() as Uint8Array<ArrayBuffer>;
+  } finally {
+    photo.free();
+  }
+}
+
+const { get: heic } = onceMore(async () => {
+  const module = await moduleBytes(
+    MODULE,
+    'decoders-missing',
+    'The decoder of HEIC photos could not be loaded. Try again with a connection.',
+  );
+  const decoder = await import('../pkg-heic/inkpanel.js');
+  await decoder.default({ module_or_path: module });
+  return decoder;
+});
+
 async function decoded(kind: 'AVIF' | 'HEIC', data: Uint8Array<ArrayBuffer>): Promise<VideoFrame> {
   const type = `image/${kind.toLowerCase()}`;
   if (typeof ImageDecoder !== 'undefined' && (await ImageDecoder.isTypeSupported(type))) {
@@ -99,7 +134,6 @@ async function decoded(kind: 'AVIF' | 'HEIC', data: Uint8Array<ArrayBuffer>): Pr
     }
   }
   try {
-    // Safari decodes HEIC, but has no ImageDecoder.
     const bitmap = await createImageBitmap(new Blob([data], { type }), { premultiplyAlpha: 'none' });
     const frame = new VideoFrame(bitmap, { timestamp: 0 });
     bitmap.close();
@@ -107,7 +141,7 @@ async function decoded(kind: 'AVIF' | 'HEIC', data: Uint8Array<ArrayBuffer>): Pr
   } catch {
     throw failure(
       'no-decoder',
-      `This browser cannot read this ${kind} photo. Save it as JPEG, or open this page in a browser that shows ${kind}${kind === 'HEIC' ? ', like Safari' : ''}.`,
+      `This browser cannot read this ${kind} photo. Save it as JPEG, or open this page in a browser that shows ${kind}.`,
     );
   }
 }

@@ -8,7 +8,9 @@ import type { PageDocument, Style } from './types.ts';
 
 /** A million pixels of a photo, decoded, reduced and measured: JPEG 20, TIFF and WebP 60. */
 const PHOTO = 60;
-/** Assumed size of photos that the browser decodes, because their headers are not read: a large one. */
+/** A million pixels of a HEIC photo before that, without the browser's decoder: 50. */
+const HEIC = 100;
+/** Assumed size of photos that the core does not decode, because their headers are not read: a large one. */
 const FOREIGN_PIXELS = 25_000_000;
 /** A million pixels through a block: 5 to 50. */
 const BLOCK = 50;
@@ -33,10 +35,10 @@ const millions = (pixels: number) => pixels / 1e6;
 
 /**
  * @param bytes of its file
- * @param foreign format that the browser decodes
+ * @param foreign format that the core does not decode
  */
 export const photoMs = (bytes: Uint8Array, foreign: string | null) =>
-  CALL + PHOTO * millions(foreign ? FOREIGN_PIXELS : announcedPixels(bytes));
+  CALL + (PHOTO + (foreign === 'HEIC' ? HEIC : 0)) * millions(foreign ? FOREIGN_PIXELS : announcedPixels(bytes));
 
 /** A video frame, including its PNG file. */
 export const frameMs = (pixels: number) => CALL + (PHOTO + PNG) * millions(pixels);

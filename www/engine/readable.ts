@@ -2,7 +2,7 @@
 
 import { asBmp, foreignKind } from './foreign.ts';
 import { converted, rareKind } from './rare.ts';
-import { takenOf } from './taken.ts';
+import { taken_in_boxes } from '../pkg/inkpanel.js';
 import type { Damage } from './types.ts';
 
 /** Properties that a converted file no longer has; empty for an unconverted file. */
@@ -18,7 +18,10 @@ export async function reading<T>(
   read: (file: Uint8Array<ArrayBuffer>) => T,
 ): Promise<{ value: T; told: Told }> {
   const foreign = foreignKind(bytes);
-  if (foreign) return { value: read(await asBmp(foreign, bytes)), told: { format: foreign, taken: takenOf(bytes) } };
+  if (foreign) {
+    const told = { format: foreign, taken: taken_in_boxes(bytes) ?? null };
+    return { value: read(await asBmp(foreign, bytes)), told };
+  }
   if (!rareKind(bytes)) {
     try {
       return { value: read(bytes), told: {} };

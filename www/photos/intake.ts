@@ -4,7 +4,9 @@ import { batch } from '@preact/signals';
 import { CROWD, Priority } from '../engine/queue.ts';
 import { freshId } from '../document/fresh-id.ts';
 import { strings } from '../strings/strings.ts';
-import { reportFailure } from '../ui/importing.ts';
+import { otherKind } from '../engine/file-kinds.ts';
+import { codeOf, reportFailure } from '../ui/importing.ts';
+import { reasonOfKind } from '../ui/reason-of-kind.ts';
 import { looksLike } from './identity.ts';
 import { emptyFrames } from './placeholder.ts';
 import type { Messages } from '../ui/messages.ts';
@@ -19,6 +21,8 @@ export type Intake = ReturnType<typeof createIntake>;
 
 /** Interval in milliseconds for updates of many photos, so that dependent views are not updated for each photo. */
 const TOGETHER = 300;
+/** Codes of files that may not be photos. Raw photos begin like TIFF files. */
+const NO_PHOTO = ['unknown-format', 'unsupported', 'damaged'];
 
 /** @returns a unique prefix of photo ids for this session */
 export function freshPhotoPrefix(): string {
@@ -60,7 +64,7 @@ export function createIntake({
     let last = false;
     let read = await engine.importPhoto(id, file, { priority, signal }).then(
       (meta) => ({ meta }),
-      (error) => ({ error }),
+      async (error) => ({ error: await explained(file, error) }),
     );
     if ('error' in read && store.album.peek().get(id)?.meta) {
       failed(file, read.error);
@@ -165,6 +169,13 @@ export function createIntake({
 
   function failed(file: File, error: unknown) {
     reportFailure(messages, file.name, error);
+  }
+
+  /** @returns the error, or the kind of the file as the reason, if it is not a photo */
+  async function explained(file: File, error: unknown): Promise<unknown> {
+    const kind = NO_PHOTO.includes(codeOf(error)) ? await otherKind(file) : undefined;
+    const reason = kind ? reasonOfKind(kind) : '';
+    return reason === '' ? error : new Error(reason);
   }
 
   /**

@@ -1,5 +1,6 @@
 import { describe, expect, test, vi } from 'vitest';
 import { unreadMeta } from '../document/album.ts';
+import { foldersOf, noteFolders } from './folders.ts';
 import { fakeApp, orderByName } from '../document/testing.ts';
 
 vi.useFakeTimers();
@@ -21,6 +22,21 @@ describe('the first photos', () => {
     expect(first).toEqual(['p1.jpg', 'p2.jpg', 'p10.jpg']);
     expect(app.store.reading.value).toBe(null);
     expect(names(app)).toEqual(['p1.jpg', 'p2.jpg', 'p10.jpg']);
+  });
+
+  test('of folders keep the order of their folders', async () => {
+    const app = fakeApp();
+    orderByName(app);
+    const files = ['ch10/001.jpg', 'ch2/002.jpg', 'ch2/001.jpg', 'cover.jpg'].map((path) => {
+      const [name, folder] = path.split('/').reverse();
+      return noteFolders(new File(['x'], name), folder ? [folder] : []);
+    });
+    await app.reading.addFiles(files);
+    const places = app.store.tray.value.map(({ id }) => {
+      const file = app.engine.files.get(id);
+      return [...foldersOf(file), file.name].join('/');
+    });
+    expect(places).toEqual(['ch2/001.jpg', 'ch2/002.jpg', 'ch10/001.jpg', 'cover.jpg']);
   });
 
   test('are no near-duplicates of each other before they are read', () => {

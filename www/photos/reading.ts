@@ -7,9 +7,9 @@ import { batch } from '@preact/signals';
 import { mayMove, pictureEnds } from '../engine/animation-times.ts';
 import { filmsAmong } from '../engine/film-kinds.ts';
 import { strings } from '../strings/strings.ts';
-import { byName } from '../ui/by-name.ts';
 import { createAlbumNaming } from './album-naming.ts';
 import { createFirstPage } from './first-page.ts';
+import { inFolderOrder } from './folders.ts';
 import { FRAMES, createFrames } from './frames.ts';
 import { createIntake } from './intake.ts';
 import { MOST } from '../document/limits.ts';
@@ -131,7 +131,7 @@ export function createReading({
     // As one change: hundreds one by one would each be looked at by all that depends on the album.
     let room = MOST.photos - store.tray.peek().length;
     const sources = batch(() =>
-      byName(given).flatMap((file) => {
+      inFolderOrder(given).flatMap((file) => {
         const frames = framesOf(moving.get(file) ?? 0, films.has(file));
         if (Math.max(1, frames) > room) return [];
         room -= Math.max(1, frames);

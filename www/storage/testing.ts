@@ -138,7 +138,7 @@ export function fakeBrowser({
       forgetPhoto: photos.forget,
       importPhoto: async (id: string, file: File) => {
         const text = await file.text();
-        if (text.startsWith('bad')) throw Object.assign(new Error('not a photo'), { code: 'unsupported-format' });
+        if (text.startsWith('bad')) throw Object.assign(new Error('not a photo'), { code: 'unknown-format' });
         decoded.push(file.name);
         const handle = (tier: string) => ({
           key: `${id}/${tier}`,

@@ -47,8 +47,9 @@ const TOPICS: &[Topic] = &[
         tests: &[
             ("bounds", "the_page_has_the_bounds_of_the_core"),
             ("bounds", "the_page_begins_with_the_project_of_the_core"),
+            ("bounds", "the_page_has_the_kinds_of_files_of_the_core"),
         ],
-        stored: &["www/engine/bounds.ts", "www/document/empty.ts"],
+        stored: &["www/engine/bounds.ts", "www/document/empty.ts", "www/engine/file-table.ts"],
     },
     Topic {
         name: "shots",

@@ -20,13 +20,14 @@ pub const TARGET: &str = "wasm32-unknown-unknown";
 pub const FEATURES: &str = "internals,rare";
 
 /// Packages of all modules.
-pub const PACKAGES: [&str; 8] = [
+pub const PACKAGES: [&str; 9] = [
     "inkpanel-brush",
     "inkpanel-core",
     "inkpanel-decoders",
     "inkpanel-detectors",
     "inkpanel-exports",
     "inkpanel-films",
+    "inkpanel-heic",
     "inkpanel-imitation",
     "inkpanel-words",
 ];
@@ -75,6 +76,8 @@ enum Group {
     Core,
     /// The engine with rare image formats.
     Rare,
+    /// The pixel crate with the decoder of HEIC.
+    Heic,
     /// The neural networks.
     Detectors,
 }
@@ -126,6 +129,12 @@ pub fn decoders(project: &Project) -> Module {
     Module { name: "decoders", package: "inkpanel-decoders", group: Group::Rare, folder, ..small() }
 }
 
+/// The decoder of HEIC photos, loaded with the first of them.
+pub fn heic(project: &Project) -> Module {
+    let folder = project.www().join("pkg-heic");
+    Module { name: "heic", package: "inkpanel-heic", group: Group::Heic, folder, ..fast() }
+}
+
 /// The module that finds the shots of a video, loaded with the first video.
 pub fn films(project: &Project) -> Module {
     Module { name: "films", package: "inkpanel-films", folder: project.www().join("pkg-films"), ..fast() }
@@ -144,13 +153,14 @@ pub fn brush(project: &Project) -> Module {
 }
 
 /// All modules of the page.
-pub fn all(project: &Project) -> [Module; 8] {
+pub fn all(project: &Project) -> [Module; 9] {
     [
         core(project),
         decoders(project),
         words(project),
         exports(project),
         films(project),
+        heic(project),
         imitation(project),
         brush(project),
         detectors(project),
@@ -230,7 +240,7 @@ pub fn stale<'a>(project: &Project, modules: &'a [Module], purpose: Purpose) -> 
 /// Compiles modules of one profile.
 pub fn compile(project: &Project, modules: &[&Module], purpose: Purpose) -> Result<()> {
     install_target()?;
-    for group in [Group::Core, Group::Rare, Group::Detectors] {
+    for group in [Group::Core, Group::Rare, Group::Heic, Group::Detectors] {
         let group: Vec<_> = modules.iter().filter(|module| module.group == group).collect();
         let Some(first) = group.first() else { continue };
         let mut cargo = project.cargo();

@@ -31,6 +31,7 @@ use inkpanel::page::import::{Imported, import};
 use inkpanel::page::mask::PixelRect;
 use inkpanel::page::{Scene, catalogue, png};
 use inkpanel::raster::decode::{Limits, decode};
+use inkpanel::raster::heif;
 use inkpanel::raster::resize::{Region, resample_image};
 use inkpanel::raster::{Image, Matte, Plane};
 use inkpanel::style::context::scale_of;
@@ -45,6 +46,13 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen(start)]
 fn start() {
     console_error_panic_hook::set_once();
+}
+
+/// The capture time of a HEIC or AVIF file, which the browser decodes: `YYYY:MM:DD HH:MM:SS`, perhaps with a fraction of the second.
+#[wasm_bindgen]
+#[must_use]
+pub fn taken_in_boxes(bytes: &[u8]) -> Option<String> {
+    heif::taken(bytes)
 }
 
 /// Descriptors of all filter blocks, a JSON array.

@@ -5,3 +5,6 @@
 
 #[cfg(target_arch = "wasm32")]
 pub mod boundary;
+#[cfg(target_arch = "wasm32")]
+#[path = "../../converted.rs"]
+pub mod converted;

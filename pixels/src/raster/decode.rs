@@ -15,6 +15,7 @@ use ::image::codecs::webp::WebPDecoder;
 use ::image::{ImageDecoder, ImageError, ImageFormat, ImageResult};
 
 use super::exif::{self, Exif};
+use super::heif;
 use super::jpeg::{self, Markers};
 use super::orient::{swaps_sides, upright};
 use super::samples::{self, Alpha, Pixels};
@@ -102,9 +103,9 @@ pub struct Decoded {
     pub width: u32,
     /// Height of the whole photo in pixels, upright.
     pub height: u32,
-    /// Name of the format: JPEG, PNG, WebP, GIF, BMP or TIFF.
+    /// Name of the format: JPEG, PNG, WebP, GIF, BMP, TIFF or HEIC.
     pub format: &'static str,
-    /// When it was taken, `YYYY:MM:DD HH:MM:SS` of the camera's clock.
+    /// When it was taken, `YYYY:MM:DD HH:MM:SS` of the camera's clock, with a fraction of the second if there is one.
     pub taken: Option<String>,
     /// EXIF's 1..=8, already applied.
     pub orientation: u8,
@@ -126,8 +127,13 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded> {
 /// # Errors
 /// As [`decode`].
 pub fn decode_fit(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decoded> {
-    let (format, name) = known_format(bytes)?;
-    let (pixels, exif) = read(bytes, format, name, limits)?;
+    let (name, (pixels, exif)) = match heif::kind(bytes) {
+        Some(name) => (name, heif::read(name, bytes, limits)?),
+        None => {
+            let (format, name) = known_format(bytes)?;
+            (name, read(bytes, format, name, limits)?)
+        }
+    };
     let ((width, height), damage) = (pixels.size, pixels.damage);
     let image = pixels.image(resize::fit(width, height, longest))?;
     Ok(Decoded { damage, ..finished(image, (width, height), &exif, name)? })
@@ -139,8 +145,7 @@ pub fn decode_fit(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decod
 /// # Errors
 /// As [`decode`].
 pub fn decode_reduced(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decoded> {
-    let (format, name) = known_format(bytes)?;
-    if format == ImageFormat::Jpeg {
+    if let Ok((ImageFormat::Jpeg, name)) = known_format(bytes) {
         let markers = check_jpeg(bytes, name, limits)?;
         let size = markers.size.map(|(width, height)| (width as usize, height as usize));
         if let Some(size) =

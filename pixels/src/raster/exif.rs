@@ -11,8 +11,13 @@ const ORIENTATION: u16 = 0x0112;
 #[cfg(feature = "rare")]
 pub(super) const ICC_PROFILE: u16 = 0x8773;
 const EXIF_DIRECTORY: u16 = 0x8769;
-const DATE_TIME_ORIGINAL: u16 = 0x9003;
-const DATE_TIME_DIGITIZED: u16 = 0x9004;
+const DATE_TIME: u16 = 0x0132;
+/// When the photo was taken and when it was digitised, each with the tag of the fraction of the second.
+const DATES: [(u16, u16); 2] = [(0x9003, 0x9291), (0x9004, 0x9292)];
+/// The fraction of the second of [`DATE_TIME`].
+const SUB_SECOND: u16 = 0x9290;
+/// Digits of a fraction that are read.
+const MOST_DIGITS: usize = 9;
 
 /// Types of fields: whole numbers of one, two and four bytes, and signed ones.
 const BYTE: u16 = 1;
@@ -27,7 +32,7 @@ const SLONG: u16 = 9;
 pub(super) struct Exif {
     /// 1..=8; 1 is upright.
     pub(super) orientation: u8,
-    /// `YYYY:MM:DD HH:MM:SS`.
+    /// `YYYY:MM:DD HH:MM:SS`, with a fraction of the second if there is one: `2019:07:14 18:03:59.25`.
     pub(super) taken: Option<String>,
 }
 
@@ -55,10 +60,16 @@ fn parse(record: &[u8]) -> Option<Exif> {
     let tiff = Tiff::of(record)?;
     let main = tiff.directory()?;
     let orientation = tiff.find(main, ORIENTATION).and_then(|field| tiff.integer(field));
-    let taken = tiff.find(main, EXIF_DIRECTORY).and_then(|field| tiff.u32(field + 8)).and_then(|directory| {
-        let date = |tag| tiff.find(directory, tag).and_then(|field| tiff.date(field));
-        date(DATE_TIME_ORIGINAL).or_else(|| date(DATE_TIME_DIGITIZED))
-    });
+    let directory = tiff.find(main, EXIF_DIRECTORY).and_then(|field| tiff.u32(field + 8));
+    let text = |tag| directory.and_then(|directory| tiff.find(directory, tag));
+    let exact = |date: u32, fraction: u16| {
+        let date = tiff.date(date)?;
+        let digits = text(fraction).and_then(|field| tiff.digits(field)).unwrap_or_default();
+        Some(if digits.is_empty() { date } else { format!("{date}.{digits}") })
+    };
+    let taken = DATES.iter().find_map(|&(date, fraction)| exact(text(date)?, fraction));
+    // Some cameras and programs write only the date of the file.
+    let taken = taken.or_else(|| exact(tiff.find(main, DATE_TIME)?, SUB_SECOND));
     let orientation = orientation.filter(|value| (1..=8).contains(value)).unwrap_or(1) as u8;
     Some(Exif { orientation, taken })
 }
@@ -150,6 +161,16 @@ impl<'a> Tiff<'a> {
         self.record.get(self.u32(field + 8)? as usize..)?.get(..length)
     }
 
+    /// The digits of the fraction of a second, without zeros at their end. Up to four bytes are in the field itself.
+    fn digits(&self, field: u32) -> Option<String> {
+        let length = self.u32(field + 4)? as usize;
+        let at = if length <= 4 { field + 8 } else { self.u32(field + 8)? } as usize;
+        let text = self.record.get(at..)?.get(..length.min(MOST_DIGITS))?;
+        let digits = text.iter().take_while(|byte| byte.is_ascii_digit()).count();
+        let digits = std::str::from_utf8(&text[..digits]).ok()?;
+        Some(digits.trim_end_matches('0').to_owned())
+    }
+
     /// The text of a date field, if it is valid.
     fn date(&self, field: u32) -> Option<String> {
         let at = self.u32(field + 8)? as usize;
@@ -181,7 +202,7 @@ mod tests {
         out.extend([u32(1).to_vec(), u16(orientation).to_vec(), vec![0; 2]].concat());
         out.extend([u16(EXIF_DIRECTORY), u16(4)].concat());
         out.extend([u32(1), u32(38), u32(0)].concat());
-        out.extend([u16(1), u16(DATE_TIME_ORIGINAL), u16(2)].concat());
+        out.extend([u16(1), u16(DATES[0].0), u16(2)].concat());
         out.extend([u32(20), u32(56), u32(0)].concat());
         out.extend(date);
         out.push(0);

@@ -4,6 +4,8 @@
 pub mod animation;
 mod axis;
 pub mod balance;
+#[cfg(feature = "heic")]
+mod cicp;
 pub mod color;
 #[cfg(feature = "pages")]
 pub mod decode;
@@ -14,6 +16,8 @@ mod exif;
 #[cfg(feature = "rare")]
 mod gif;
 pub mod guided;
+#[cfg(feature = "pages")]
+pub mod heif;
 #[cfg(feature = "pages")]
 mod icc;
 pub mod image;

@@ -1,3 +1,4 @@
+import fc from 'fast-check';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { ARCHIVE } from '../../engine/limits.ts';
 import { foldersOf } from '../../photos/folders.ts';
@@ -5,6 +6,7 @@ import { save as saveFile } from '../../ui/files.ts';
 import { archiveOf } from '../../engine/archive.ts';
 import { fakeBrowser } from '../testing.ts';
 import { packedNothing, zipOf } from '../../engine/testing-archives.ts';
+import { readInside } from './page-archive.ts';
 import { bare, downloaded, dropped, textIn } from './testing-pages.ts';
 import type { Cargo } from './page-files.ts';
 import type { Tab } from './testing-pages.ts';
@@ -137,6 +139,48 @@ describe('an archive of others', () => {
     ]);
     expect(await pictures[0].text()).toBe('pixels');
     expect(pictures.map(foldersOf)).toEqual([['Lisbon', 'day 1'], ['Lisbon']]);
+  });
+
+  it('gives or names all that is in it', async () => {
+    const kinds = {
+      photo: ['jpg', 'JFIF', 'heic', 'mov'],
+      unsupported: ['cbr', 'psd'],
+      other: ['txt', 'AAE', 'jpg.json'],
+    };
+    const ending = fc.constantFrom(...Object.values(kinds).flat());
+    const folder = fc.constantFrom('', 'trip/', '__MACOSX/', 'a\\\\b/', '.hidden/');
+    const made = fc.record({ folder, stem: fc.stringMatching(/^[a-z._~ ]{1,6}$/), ending, bad: fc.boolean() });
+    const content = Buffer.from('pixels');
+    await fc.assert(
+      fc.asyncProperty(
+        fc.uniqueArray(made, { selector: (one) => one.folder + one.stem + one.ending, maxLength: 12 }),
+        async (all) => {
+          const files = all.map(({ folder, stem, ending, bad }) => ({
+            name: `${folder}${stem}.${ending}`,
+            content,
+            ...(bad ? { crc: 1 } : {}),
+          }));
+          const inside = await readInside(zip([{ name: 'trip/' }, ...files]), { step: () => {} } as any);
+          if (!('pictures' in inside)) throw new Error('no pictures');
+          const { pictures, damaged, unsupported, others, beyond } = inside;
+          expect(pictures.length + damaged.length + unsupported.length + others + beyond).toBe(files.length);
+          const wanted = all.filter(
+            ({ folder, stem, ending }) =>
+              kinds.photo.includes(ending) && !/^(?:\.|__)/.test(folder) && !stem.startsWith('.'),
+          );
+          expect(pictures.length + damaged.length).toBe(wanted.length);
+          expect(damaged.length).toBe(wanted.filter(({ bad }) => bad).length);
+        },
+      ),
+      { numRuns: 300 },
+    );
+  });
+
+  it('that is a RAR file is named as one', async () => {
+    await tab.keeping.pageFiles.unpacked(new File(['Rar!\x1a\x07\x01\x00'], 'book.cbz'));
+    expect(said()).toEqual([
+      ['book.cbz', 'this kind of file (RAR) cannot be read. Unpack it and add its pictures, or pack them as ZIP.'],
+    ]);
   });
 
   it('with a picture that is damaged gives the others, and names it', async () => {

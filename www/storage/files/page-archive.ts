@@ -4,13 +4,14 @@
  */
 
 import { ARCHIVE, TEXT } from '../../engine/limits.ts';
-import { isVideo } from '../../engine/video.ts';
 import { MOST } from '../../document/limits.ts';
 import { damaged } from '../../engine/protocol.ts';
 import { noteFolders } from '../../photos/folders.ts';
-import { isSidecar } from '../../photos/sidecars.ts';
+import { hasRole, isSidecar, kindByContent, kindByName } from '../../engine/file-kinds.ts';
 import { archiveOf, readArchive } from '../../engine/archive.ts';
 import { withPage } from './page-file.ts';
+import { reasonOfKind } from '../../ui/reason-of-kind.ts';
+import type { FileKind } from '../../engine/file-table.ts';
 import type { Watch } from '../../engine/inflate.ts';
 import type { Archive } from './file-opening.ts';
 import type { PageFile } from './page-file.ts';
@@ -21,29 +22,25 @@ const PROJECT = 'project.inkpanel';
 /** The text of a project file. */
 const TEXT_NAME = 'project.json';
 
-const TYPES: Record<string, string> = {
-  jpg: 'image/jpeg',
-  jpeg: 'image/jpeg',
-  png: 'image/png',
-  webp: 'image/webp',
-  gif: 'image/gif',
-  bmp: 'image/bmp',
-  tif: 'image/tiff',
-  tiff: 'image/tiff',
-  avif: 'image/avif',
-  heic: 'image/heic',
-  heif: 'image/heif',
-};
-
 /**
  * Content of an archive: pages with their project; a project file with another file name; or images, with the names of
- * damaged ones and the number of images above the limit.
+ * damaged ones, the number of images above the limit, the kinds of files that cannot be read, and the number of other
+ * files.
  */
-export type Inside = { page: PageFile } | { project: true } | { pictures: File[]; damaged: string[]; beyond: number };
+export type Inside =
+  | { page: PageFile }
+  | { project: true }
+  | {
+      pictures: File[];
+      damaged: string[];
+      beyond: number;
+      unsupported: { name: string; kind: FileKind }[];
+      others: number;
+    };
 
 /** @returns whether name or type mark it as an archive */
 export const isArchiveFile = ({ name, type }: File): boolean =>
-  /\.(zip|cbz)$/i.test(name) ||
+  hasRole(name, 'archive') ||
   ['application/zip', 'application/x-zip-compressed', 'application/vnd.comicbook+zip'].includes(type);
 
 /** @returns the project in an archive of pages */
@@ -64,18 +61,25 @@ export async function readInside(
   file: File,
   { step, ...watch }: Watch & { step: (done: number, total: number) => void },
 ): Promise<Inside> {
+  const kind = await kindByContent(file);
+  if (kind?.role === 'unsupported') throw new Error(reasonOfKind(kind));
   const archive = await readArchive(file);
   const project = archive.get(PROJECT);
   if (project) return { page: { file, read: (planner, watch) => readProject(project, planner, watch) } };
   if (archive.has(TEXT_NAME)) return { project: true };
-  const wanted = [...archive.values()].filter(({ name }) => isPicture(name));
+  const files = [...archive.values()].filter(({ name }) => !/[\\/]$/.test(name));
+  const wanted = files.filter(({ name }) => isPicture(name));
+  const unsupported = files.flatMap(({ name }) => {
+    const { own, folders } = placeOf(name);
+    const kind = isSidecar(own, folders) ? undefined : kindByName(own);
+    return kind?.role === 'unsupported' ? [{ name: own, kind }] : [];
+  });
   const pictures: File[] = [];
   const spoilt: string[] = [];
   for (const { name, read } of wanted.slice(0, MOST.photos)) {
     step(pictures.length + spoilt.length, wanted.length);
-    const folders = name.split('/');
-    const own = folders.pop() as string;
-    const type = TYPES[endingOf(own)] ?? '';
+    const { own, folders } = placeOf(name);
+    const type = kindByName(own)?.type ?? '';
     const bytes = await read(watch).catch((error) => {
       if (error.code !== 'damaged-project') throw error;
       spoilt.push(own);
@@ -85,7 +89,9 @@ export async function readInside(
     const picture = new File([bytes], own, { type, lastModified: file.lastModified });
     pictures.push(noteFolders(picture, [file.name.replace(/\.[^.]*$/, ''), ...folders]));
   }
-  return { pictures, damaged: spoilt, beyond: Math.max(0, wanted.length - MOST.photos) };
+  const beyond = Math.max(0, wanted.length - MOST.photos);
+  const others = files.length - wanted.length - unsupported.length;
+  return { pictures, damaged: spoilt, beyond, unsupported, others };
 }
 
 async function readProject(
@@ -102,12 +108,13 @@ async function readProject(
 
 /** Whether a path is of a photo or video, and not of a sidecar file. */
 function isPicture(path: string): boolean {
-  const folders = path.split('/');
-  const name = folders.pop() as string;
-  if (isSidecar(name, folders)) return false;
-  return endingOf(name) in TYPES || isVideo(Object.assign(new Blob(), { name }));
+  const { own, folders } = placeOf(path);
+  return !isSidecar(own, folders) && hasRole(own, 'photo', 'video');
 }
 
-function endingOf(name: string): string {
-  return /\.([^.]+)$/.exec(name.toLowerCase())?.[1] ?? '';
+/** @returns the name of a file in an archive, and its folders. Some programs for Windows write backslashes */
+function placeOf(path: string): { own: string; folders: string[] } {
+  const folders = path.split(/[\\/]/);
+  const own = folders.pop() as string;
+  return { own, folders };
 }

@@ -9,6 +9,7 @@ import { EMPTY_PROJECT } from '../../document/empty.ts';
 import { MOST } from '../../document/limits.ts';
 import { photosOn, sheetsOf } from '../../engine/sheets.ts';
 import { foundPhotos } from './found-photos.ts';
+import { reasonOfKind } from '../../ui/reason-of-kind.ts';
 import { isArchiveFile, projectEntry, readInside } from './page-archive.ts';
 import { pageFileOf, withProject } from './page-file.ts';
 import { numbered, pageJson } from './page-json.ts';
@@ -113,10 +114,13 @@ export function createPageFiles({
     if (!inside) return { pictures: [] };
     if ('page' in inside) return { page: inside.page, pictures: [] };
     if ('project' in inside) return { project: file, pictures: [] };
-    const { pictures, damaged, beyond } = inside;
+    const { pictures, damaged, beyond, unsupported, others } = inside;
     for (const name of damaged) messages.fileFailed(name, strings.damagedInArchive(file.name));
     if (beyond > 0) messages.alert(strings.tooManyPhotos(beyond, strings.decimal(MOST.photos)));
-    if (pictures.length + damaged.length === 0) messages.fileFailed(file.name, strings.noPicturesInside);
+    for (const { name, kind } of unsupported) messages.fileFailed(name, reasonOfKind(kind));
+    if (others > 0 && pictures.length > 0) messages.note(strings.filesSkipped(others));
+    if (pictures.length + damaged.length + unsupported.length === 0)
+      messages.fileFailed(file.name, strings.noPicturesInside);
     return { pictures };
   }
 

@@ -13,4 +13,26 @@ export const fileStrings = {
   damagedInArchive: (archive: string) => `it is damaged in ${archive}.`,
   noPicturesInside: 'it contains no images.',
   unknownJson: 'it is not an Inkpanel layout or style.',
+  filesSkipped: (n: number) =>
+    n === 1
+      ? '1 file that a system or program stores next to photos was skipped.'
+      : `${n} files that systems and programs store next to photos were skipped.`,
+  /** `remedy`: what the user can do */
+  unsupportedKind: (name: string, remedy: string) => `this kind of file (${name}) cannot be read. ${remedy}`,
+  remedies: {
+    jpeg: 'Save it as JPEG in a program that opens it.',
+    unpack: 'Unpack it and add its pictures, or pack them as ZIP.',
+    pages: 'Save its pages as PNG or JPEG.',
+    mp4: 'Convert it to MP4 with H.264 video.',
+    srt: 'Convert it to SRT or WebVTT.',
+    fountain: 'Export it as Fountain.',
+    csv: 'Save it as CSV.',
+    text: 'Save it as plain text.',
+  },
+  boardFile: 'it is a screenplay or a table. Open the storyboard and choose “Import script or table”.',
+  liveVideos: (n: number) =>
+    n === 1
+      ? '1 video of a Live Photo was not added. Its photo was.'
+      : `${n} videos of Live Photos were not added. Their photos were.`,
+  addLiveVideos: (n: number): string => (n === 1 ? 'Add the video' : 'Add the videos'),
 };

@@ -1,0 +1,10 @@
+/** Sentences about kinds of files that are not photos. */
+
+import { strings } from '../strings/strings.ts';
+import type { FileKind } from '../engine/file-table.ts';
+
+/** @returns what the user can do with a file of this kind; empty if its kind says nothing */
+export function reasonOfKind({ name, role, remedy }: FileKind): string {
+  if (role === 'board') return strings.boardFile;
+  return remedy ? strings.unsupportedKind(name, strings.remedies[remedy]) : '';
+}
