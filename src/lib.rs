@@ -41,6 +41,7 @@
 //! | `detect` | nets that find faces and objects |
 //! | `rare` | photos as WebP, TIFF and GIF, and with the colours of scanners and presses |
 //! | `files` | saved projects |
+//! | `texts` | text files in any encoding |
 //! | `cli` | the command line `inkpanel`: `cargo install inkpanel --features cli` |
 //! | `internals` | the stages themselves; they change from one version to the next without a word |
 //!
@@ -114,6 +115,11 @@ pub mod plan;
 mod select;
 #[cfg(feature = "internals")]
 pub mod select;
+
+#[cfg(all(feature = "texts", not(feature = "internals")))]
+mod texts;
+#[cfg(all(feature = "texts", feature = "internals"))]
+pub mod texts;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod facade;

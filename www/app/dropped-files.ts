@@ -32,7 +32,7 @@ import type { Messages } from '../ui/messages.ts';
 const NAMED = 3;
 
 /** Names of subtitles, and of texts, which may be scripts. */
-const SPEECH = /\.(?:srt|vtt|txt)$/i;
+const SPEECH = /\.(?:srt|vtt|ass|ssa|sbv|txt)$/i;
 const isText = ({ name }: File) => /\.txt$/i.test(name);
 
 const namesOf = (files: readonly File[]) =>

@@ -145,7 +145,7 @@ function Speech() {
       </div>
       <ChosenFiles
         input={file}
-        accept=".srt,.vtt,.txt,text/vtt,text/plain"
+        accept=".srt,.vtt,.ass,.ssa,.sbv,.txt,text/vtt,text/plain"
         label={strings.subtitlesFile}
         onFiles={subtitling.open}
       />

@@ -10,7 +10,7 @@ export function FileInput() {
   return (
     <ChosenFiles
       id={ID}
-      accept="image/*,video/*,.heic,.heif,.avif,.mkv,.srt,.vtt,.zip,.cbz"
+      accept="image/*,video/*,.heic,.heif,.avif,.mkv,.srt,.vtt,.ass,.ssa,.sbv,.zip,.cbz"
       label={strings.filesLabel}
       onFiles={intake}
     />

@@ -13,10 +13,11 @@ use crate::project::Project;
 
 /// The most that a module and its script may take, gzipped, in bytes. The exports module is not part of the
 /// first load. It makes PDF, JPEG, WebP, comics, storyboards, edit lists and plans of animatics.
-const BUDGETS: [(&str, &str, usize); 8] = [
+const BUDGETS: [(&str, &str, usize); 9] = [
     ("core", "pkg", 800_000),
     ("decoders", "pkg-decoders", 330_000),
     ("words", "pkg-words", 300_000),
+    ("texts", "pkg-texts", 300_000),
     ("exports", "pkg-exports", 345_000),
     ("films", "pkg-films", 40_000),
     ("imitation", "pkg-imitation", 460_000),

@@ -17,10 +17,10 @@ use crate::{clamps, lane, letters, npm, tools};
 pub const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Features of the library that the modules have in total.
-pub const FEATURES: &str = "internals,rare";
+pub const FEATURES: &str = "internals,rare,texts";
 
 /// Packages of all modules.
-pub const PACKAGES: [&str; 8] = [
+pub const PACKAGES: [&str; 9] = [
     "inkpanel-brush",
     "inkpanel-core",
     "inkpanel-decoders",
@@ -28,6 +28,7 @@ pub const PACKAGES: [&str; 8] = [
     "inkpanel-exports",
     "inkpanel-films",
     "inkpanel-imitation",
+    "inkpanel-texts",
     "inkpanel-words",
 ];
 
@@ -114,6 +115,11 @@ pub fn words(project: &Project) -> Module {
     Module { name: "words", package: "inkpanel-words", folder: project.www().join("pkg-words"), ..small() }
 }
 
+/// The decoder of text files and the reader of subtitles, loaded with the first of them.
+pub fn texts(project: &Project) -> Module {
+    Module { name: "texts", package: "inkpanel-texts", folder: project.www().join("pkg-texts"), ..small() }
+}
+
 /// The module for file types other than PNG, loaded with the first such export.
 pub fn exports(project: &Project) -> Module {
     let folder = project.www().join("pkg-exports");
@@ -144,11 +150,12 @@ pub fn brush(project: &Project) -> Module {
 }
 
 /// All modules of the page.
-pub fn all(project: &Project) -> [Module; 8] {
+pub fn all(project: &Project) -> [Module; 9] {
     [
         core(project),
         decoders(project),
         words(project),
+        texts(project),
         exports(project),
         films(project),
         imitation(project),

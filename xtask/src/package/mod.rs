@@ -22,10 +22,11 @@ const FILM_LIBRARY: (&str, &str) = ("mediabunny", "dist/bundles/mediabunny.min.m
 /// The modules that import it.
 const FILM_READERS: [&str; 3] = ["video-worker.js", "film-looks.js", "sound-worker.js"];
 /// The folders that are published.
-const FOLDERS: [&str; 13] = [
+const FOLDERS: [&str; 14] = [
     "engine",
     "pkg",
     "pkg-decoders",
+    "pkg-texts",
     "pkg-words",
     "pkg-exports",
     "pkg-films",
