@@ -105,6 +105,8 @@ pub const KINDS: &[Kind] = &[
     kind("3GPP", "video/3gpp", &["3gp", "3g2"], Role::Video),
     kind("SubRip", "application/x-subrip", &["srt"], Role::Subtitles),
     kind("WebVTT", "text/vtt", &["vtt"], Role::Subtitles),
+    kind("SubStation Alpha", "text/x-ssa", &["ass", "ssa"], Role::Subtitles),
+    kind("SBV", "", &["sbv"], Role::Subtitles),
     kind("plain text", "text/plain", &["txt"], Role::Text),
     kind("Fountain", "", &["fountain", "spmd"], Role::Board),
     kind("CSV", "text/csv", &["csv", "tsv"], Role::Board),

@@ -42,6 +42,7 @@
 //! | `rare` | photos as WebP, TIFF and GIF, and with the colours of scanners and presses |
 //! | `heic` | photos of phones as HEIC |
 //! | `files` | saved projects |
+//! | `texts` | text files in any encoding |
 //! | `cli` | the command line `inkpanel`: `cargo install inkpanel --features cli` |
 //! | `internals` | the processing stages; their API changes between versions without notice |
 //!
@@ -120,6 +121,11 @@ pub mod plan;
 mod select;
 #[cfg(feature = "internals")]
 pub mod select;
+
+#[cfg(all(feature = "texts", not(feature = "internals")))]
+mod texts;
+#[cfg(all(feature = "texts", feature = "internals"))]
+pub mod texts;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod facade;

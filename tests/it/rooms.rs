@@ -11,13 +11,14 @@ const TOPS: [&str; 2] = ["pixels/src", "src"];
 
 /// The modules from the lowest to the highest. Containers and their row kernels are one layer, because they
 /// depend on each other.
-const ROOMS: [&[&str]; 17] = [
+const ROOMS: [&[&str]; 18] = [
     &["error"],
     &["order"],
     &["raster", "simd"],
     &["style"],
     &["kinds"],
     &["json"],
+    &["texts"],
     &["select"],
     &["hearing"],
     &["detect"],

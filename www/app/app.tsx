@@ -12,6 +12,7 @@ import { Broken } from '../storage/broken.tsx';
 import { PagesWall } from '../book/pages-wall.tsx';
 import { Projects } from '../storage/projects-dialog.tsx';
 import { Guard } from './guard.tsx';
+import { EncodingDialog } from '../ui/encoding-dialog.tsx';
 import { HelpDialog } from '../help/help-dialog.tsx';
 import { Start } from './start.tsx';
 import { Toasts } from './toasts.tsx';
@@ -73,6 +74,7 @@ function Everything() {
       {!empty && ui.work.value === 'boards' && <LazyBoards />}
       {projects && <Projects />}
       <Toasts />
+      <EncodingDialog />
       {dialog === 'help' && <HelpDialog />}
       {typeof dialog === 'object' && dialog !== null && <LazyBrush key={dialog.brush} id={dialog.brush} />}
       {dialog === 'export' && store.page.value && <ExportDialog />}

@@ -2,7 +2,9 @@
 
 import { readText } from '../engine/text-file.ts';
 import { strings } from '../strings/strings.ts';
+import { importText } from '../ui/encodings.ts';
 import { importing } from '../ui/importing.ts';
+import type { DecodedText } from '../engine/text-file.ts';
 import type { Store } from '../document/store.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Boards } from './boards.ts';
@@ -15,21 +17,22 @@ const MAX_NAME = 60;
 
 type App = {
   boards: Pick<Boards, 'board' | 'rows' | 'change' | 'describe'>;
-  store: Pick<Store, 'album'>;
+  store: Pick<Store, 'album' | 'change' | 'project'>;
   messages: Pick<Messages, 'alert' | 'note' | 'fileFailed'>;
 };
 
 /** Fills the shots from a file, and reports filled and lost fields. */
 export async function importShots(file: File, app: App) {
-  await importing(app.messages, file.name, () => take(file, app));
+  await importing(app.messages, file.name, () => importText(file, app, (encoding) => take(file, app, encoding)));
 }
 
-async function take(file: File, { boards, store, messages }: App) {
+async function take(file: File, { boards, store, messages }: App, encoding: string): Promise<DecodedText> {
   const { MAX_BYTES, fromFountain, fromTable, isFountain } = await import('./imports.ts').catch(() => {
     throw new Error(strings.boards.missing);
   });
   if (file.size > MAX_BYTES) throw new Error(strings.boards.tooLarge(file.name));
-  const { text, guessed } = await readText(file);
+  const decoded = await readText(file, encoding);
+  const { text } = decoded;
   const rows = boards.rows.peek();
   const names = new Map([...store.album.peek().values()].map(({ id, name }) => [id, name]));
   const isScript = /\.(fountain|spmd)$/i.test(file.name) || (/\.txt$/i.test(file.name) && isFountain(text));
@@ -48,7 +51,7 @@ async function take(file: File, { boards, store, messages }: App) {
   const done = count > 0 ? strings.boards.taken(count, file.name) : strings.boards.nothingIn(file.name);
   if (count > 0 && losses.length === 0) messages.note(done);
   else messages.alert([done, ...losses].join(' '));
-  if (guessed) messages.alert(strings.fileFailed(file.name, strings.subtitlesGuessed));
+  return decoded;
 }
 
 /** Returns a sentence for each kind of loss. */

@@ -1,56 +1,64 @@
-/** The text of files that users choose: the one decoder for tables, scripts, subtitles, layouts and styles. */
+/**
+ * The text of files that users choose: tables, scripts, subtitles, layouts and styles. The browser decodes UTF-8; everything
+ * else is decoded by the core (`src/texts.rs`).
+ */
 
 import { failure } from './protocol.ts';
-
-/** `guessed`: the bytes are not valid Unicode and were read as Windows-1252. */
-export type DecodedText = { text: string; guessed: boolean };
-
-/** The characters of Windows-1252 from 0x80 to 0x9f, which some versions of Node.js decode as control characters. */
-const HIGH = '€\x81‚ƒ„…†‡ˆ‰Š‹Œ\x8dŽ\x8f\x90‘’“”•–—˜™š›œ\x9džŸ';
+import { textModule } from './text-module.ts';
 
 /**
- * Decodes UTF-8, UTF-16 with or without a byte order mark, or else Windows-1252. The byte order mark is removed.
+ * `encoding`: its name; `guessed`: whether it was guessed from the bytes; `lost`: number of places that are invalid in it,
+ * which the text has as U+FFFD.
+ */
+export type DecodedText = { text: string; encoding: string; guessed: boolean; lost: number };
+
+/** Characters of UTF-16, of ISO-2022-JP and of binary files. */
+const NOT_PLAIN = /[\0\x1b]/;
+
+/**
+ * Decodes UTF-8, UTF-16 and UTF-32 with and without a byte order mark, or else a guessed encoding. The byte order mark is
+ * removed.
+ * @param encoding its name, if the user chose one
  * @returns null for bytes that are not text
  */
-export function decodeText(bytes: Uint8Array): DecodedText | null {
-  const [first, second] = bytes;
-  if (first === 0xff && second === 0xfe) return unicode(bytes, 'utf-16le');
-  if (first === 0xfe && second === 0xff) return unicode(bytes, 'utf-16be');
-  const utf8 = unicode(bytes, 'utf-8');
-  if (utf8) return utf8;
-  const zero = bytes.indexOf(0);
-  // Every file in UTF-16 has line ends or spaces, whose high byte is 0: it comes second in little endian.
-  if (zero >= 0) return unicode(bytes, zero % 2 === 1 ? 'utf-16le' : 'utf-16be', hasControls);
-  const western = new TextDecoder('windows-1252').decode(bytes);
-  const text = western.replace(/[\x80-\x9f]/g, (character) => HIGH[character.charCodeAt(0) - 0x80]);
-  return hasControls(text) ? null : { text, guessed: true };
+export async function decodeText(bytes: Uint8Array, encoding = ''): Promise<DecodedText | null> {
+  const plain = encoding === '' ? utf8(bytes) : null;
+  if (plain !== null) return { text: plain, encoding: 'UTF-8', guessed: false, lost: 0 };
+  const { decode } = await textModule();
+  const read = decode(bytes, userLanguage(), encoding);
+  if (!read) return null;
+  const decoded = { text: read.text, encoding: read.encoding, guessed: read.guessed, lost: read.lost };
+  read.free();
+  return decoded;
 }
 
-function unicode(bytes: Uint8Array, encoding: string, refused = hasZeros): DecodedText | null {
+/** Decodes the names in an archive together, because they have one encoding. */
+export async function decodeNames(names: readonly Uint8Array[]): Promise<string[]> {
+  const plain = names.map(utf8);
+  if (plain.every((name) => name !== null)) return plain;
+  const bytes = Uint8Array.from(names.flatMap((name) => [...name]));
+  let end = 0;
+  const ends = names.map((name) => (end += name.length));
+  return (await textModule()).names(bytes, Uint32Array.from(ends), userLanguage());
+}
+
+/** Reads a text file. Throws `not-text` for bytes that are not text, or the error of the browser for an unreadable file. */
+export async function readText(file: Blob, encoding = ''): Promise<DecodedText> {
+  const decoded = await decodeText(new Uint8Array(await file.arrayBuffer()), encoding);
+  if (!decoded) throw failure('not-text', 'The file is not text.');
+  return decoded;
+}
+
+function utf8(bytes: Uint8Array): string | null {
   try {
-    const text = new TextDecoder(encoding, { fatal: true }).decode(bytes);
-    return refused(text) ? null : { text, guessed: false };
+    const text = new TextDecoder('utf-8', { fatal: true }).decode(bytes);
+    return NOT_PLAIN.test(text) ? null : text;
   } catch {
     return null;
   }
 }
 
-function hasZeros(text: string): boolean {
-  return text.includes('\0');
-}
-
-/** Whether a text has control characters of binary files; line ends, tabs, page breaks and the end mark of DOS are allowed. */
-function hasControls(text: string): boolean {
-  for (let i = 0; i < text.length; i += 1) {
-    const code = text.charCodeAt(i);
-    if (code === 0x7f || (code < 0x20 && code !== 0x1a && (code < 0x09 || code > 0x0d))) return true;
-  }
-  return false;
-}
-
-/** Reads a text file. Throws `not-text` for bytes that are not text, or the error of the browser for an unreadable file. */
-export async function readText(file: Blob): Promise<DecodedText> {
-  const decoded = decodeText(new Uint8Array(await file.arrayBuffer()));
-  if (!decoded) throw failure('not-text', 'The file is not text.');
-  return decoded;
+/** The language of the user, which decides between encodings that fit equally well. */
+function userLanguage(): string {
+  return globalThis.navigator?.language ?? '';
 }

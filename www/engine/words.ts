@@ -16,32 +16,6 @@ import type { Call } from './engine.ts';
 import { buffersOf } from './protocol.ts';
 import type { BitmapPatch, PixelPatch, Wording } from './protocol.ts';
 
-/** A text item from speech, with the index of its frame or of its panel; `joins` continues the item before. */
-export type Spoken = Word & { frame?: number; place?: number; joins?: boolean };
-/** Speech laid over panels: text without a `place` is unplaced, and `unplaced` counts all of it, even what is not listed. */
-type LaidSpeech = { words: Spoken[]; unplaced: number };
-/** Options for speech, and for sounds: sound effects, or dropped. */
-export type Taking = { kind: 'caption' | 'balloon'; sounds: boolean };
-/** An error in a subtitle file; lines count from 1. */
-export type SubtitleFlaw =
-  | { kind: 'large' | 'binary' | 'header' | 'empty' }
-  | { kind: 'order'; line: number }
-  | { kind: 'stray' | 'time'; line: number; text: string };
-/**
- * Text items for frames with subtitles close to them. Counts: subtitles that were read, found no frame, were left out,
- * cut or skipped. `flaws`: the first errors. `guessed`: the encoding was assumed to be Windows-1252.
- */
-export type ReadSubtitles =
-  | (LaidSpeech & {
-      cues: number;
-      homeless: number;
-      left: number;
-      cut: number;
-      skipped: number;
-      flaws: SubtitleFlaw[];
-      guessed: boolean;
-    })
-  | { flaw: SubtitleFlaw };
 /** Properties of a photo for text placement. */
 export type KnownPhoto = Pick<PhotoMeta, 'subjects' | 'mask'>;
 export type Lettering = Awaited<ReturnType<ReturnType<typeof createWords>['lettering']>>;
@@ -132,7 +106,7 @@ export function layPixels(page: PixelPatch, patch: PixelPatch) {
 }
 
 async function open() {
-  const [{ default: init, Lettering, subtitles, script }, bytes, table] = await Promise.all([
+  const [{ default: init, Lettering }, bytes, table] = await Promise.all([
     import('../pkg-words/inkpanel.js'),
     moduleBytes(MODULE, ...WORDS_MISSING),
     loadLetters(WORDS_MISSING),
@@ -158,24 +132,6 @@ async function open() {
     foreign: (text: string): boolean => letters.foreign(text),
     /** @returns the characters of a text without a glyph in a font, each once */
     missing: (text: string, font: string): string => letters.missing(text, font),
-    /**
-     * @param bytes of a file, WebVTT or SubRip
-     * @param frames their times in seconds, and whether a page shows them; without frames, text items are placed on
-     *   `panels` in order
-     */
-    subtitles: (
-      bytes: Uint8Array,
-      vtt: boolean,
-      frames: readonly { time: number; shown: boolean }[],
-      panels: number,
-      { kind, sounds }: Taking,
-    ): ReadSubtitles => {
-      const places = Float64Array.from(frames.flatMap(({ time, shown }) => [time, Number(shown)]));
-      return JSON.parse(subtitles(bytes, vtt, places, panels, kind, sounds));
-    },
-    /** @returns a script placed on panels in order, and its number of lines; null if the file is not text */
-    script: (bytes: Uint8Array, panels: number, { kind, sounds }: Taking): (LaidSpeech & { lines: number }) | null =>
-      JSON.parse(script(bytes, panels, kind, sounds)),
   };
 }
 

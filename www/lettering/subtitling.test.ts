@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import { expect, test, vi } from 'vitest';
 import { createSubtitling, speechAmong } from './subtitling.ts';
-import type { ReadSubtitles, Spoken } from '../engine/words.ts';
+import type { ReadSubtitles, Spoken } from '../engine/speech.ts';
 
 const NONE = { unplaced: 0, cues: 1, homeless: 0, left: 0, cut: 0, skipped: 0, flaws: [], guessed: false };
 

@@ -6,8 +6,11 @@
  */
 
 import { signal } from '@preact/signals';
+import { hasRole } from '../engine/file-kinds.ts';
 import { readText } from '../engine/text-file.ts';
+import { textModule } from '../engine/text-module.ts';
 import { strings } from '../strings/strings.ts';
+import { importText } from '../ui/encodings.ts';
 import { importing, reasonOf } from '../ui/importing.ts';
 import { MOST } from '../document/limits.ts';
 import { isUsed } from '../document/album.ts';
@@ -15,7 +18,9 @@ import { sheetsOf } from '../engine/sheets.ts';
 import { readingOrder } from '../page/reading-order.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
-import type { Spoken, SubtitleFlaw } from '../engine/words.ts';
+import type { Speech, SubtitleFlaw } from '../engine/speech.ts';
+import type { DecodedText } from '../engine/text-file.ts';
+import type { Texts } from '../engine/text-module.ts';
 import type { AddedWord, Lettering } from './lettering.ts';
 import type { Signal } from '@preact/signals';
 
@@ -33,7 +38,7 @@ const BEGINNING = 64 << 10;
 /** @returns the files that say something: subtitles, and texts in which somebody speaks; any other text is none */
 export async function speechAmong(files: readonly File[]): Promise<File[]> {
   const spoken = await Promise.all(
-    files.map(async (file) => /\.(srt|vtt)$/i.test(file.name) || (/\.txt$/i.test(file.name) && (await isScript(file)))),
+    files.map(async (file) => hasRole(file.name, 'subtitles') || (hasRole(file.name, 'text') && (await isScript(file)))),
   );
   return files.filter((_, index) => spoken[index]);
 }
@@ -48,10 +53,12 @@ export function createSubtitling({
   store,
   lettering,
   messages,
+  texts = textModule,
 }: {
   store: Store;
   lettering: Pick<Lettering, 'lay' | 'ready'>;
   messages: Pick<Messages, 'alert' | 'note' | 'fileFailed'>;
+  texts?: () => Promise<Pick<Texts, 'script' | 'subtitles'>>;
 }) {
   /** What speech becomes. */
   const kind: Signal<'caption' | 'balloon'> = signal('balloon');
@@ -63,16 +70,18 @@ export function createSubtitling({
   return { kind, sounds, draft, open, put };
 
   async function open(files: readonly File[]) {
-    for (const file of files) await importing(messages, file.name, () => take(file));
+    for (const file of files)
+      await importing(messages, file.name, () =>
+        importText(file, { store, messages }, (encoding) => take(file, encoding)),
+      );
   }
 
-  async function take(file: File) {
+  async function take(file: File, encoding: string): Promise<DecodedText> {
     if (file.size > MOST.subtitles) throw new Error(strings.subtitleErrors.large);
-    const { text, guessed } = await readText(file);
-    const bytes = new TextEncoder().encode(text);
-    if (/\.txt$/i.test(file.name)) await lay(bytes);
-    else await subtitle(file.name, bytes);
-    if (guessed) messages.alert(strings.fileFailed(file.name, strings.subtitlesGuessed));
+    const decoded = await readText(file, encoding);
+    if (/\.txt$/i.test(file.name)) await lay(decoded.text);
+    else await subtitle(file.name, decoded.text);
+    return decoded;
   }
 
   /**
@@ -81,40 +90,38 @@ export function createSubtitling({
    */
   async function put(script: string): Promise<boolean> {
     try {
-      return await lay(new TextEncoder().encode(script));
+      return await lay(script);
     } catch (error) {
       messages.alert(strings.scriptFailed(reasonOf(error)));
       return false;
     }
   }
 
-  async function lay(bytes: Uint8Array): Promise<boolean> {
-    const letters = await lettering.ready();
-    if (!letters) return false;
+  async function lay(text: string): Promise<boolean> {
+    if (!(await lettering.ready())) return false;
     const panels = panelsInOrder();
     if (panels.length === 0) throw new Error(strings.scriptNoPage);
-    const told = letters.script(bytes, panels.length, { kind: kind.peek(), sounds: sounds.peek() });
-    if (!told) throw new Error(strings.subtitleErrors.binary);
+    const { script } = await texts();
+    const told = script(text, panels.length, { kind: kind.peek(), sounds: sounds.peek() });
     if (told.words.length === 0) throw new Error(strings.scriptEmpty);
     spread(told, panels);
     return true;
   }
 
-  async function subtitle(name: string, bytes: Uint8Array) {
-    const letters = await lettering.ready();
-    if (!letters) return;
+  async function subtitle(name: string, text: string) {
+    if (!(await lettering.ready())) return;
     const frames = framesOf(name);
     const panels = panelsInOrder();
     if (frames.length === 0 && panels.length === 0) throw new Error(strings.subtitlesNoFrames);
     const taking = { kind: kind.peek(), sounds: sounds.peek() };
-    const told = letters.subtitles(bytes, /\.vtt$/i.test(name), frames, panels.length, taking);
+    const { subtitles } = await texts();
+    const told = subtitles(text, /\.vtt$/i.test(name), frames, panels.length, taking);
     if ('flaw' in told) throw new Error(sentence(told.flaw));
     const { words, cues, homeless, left, cut, skipped, flaws, unplaced } = told;
     const tell = (what: string) => messages.alert(strings.fileFailed(name, what));
     if (left > 0) tell(strings.subtitlesLeft(left, cues));
     if (cut > 0) tell(strings.subtitlesCut(cut));
     if (skipped > 0) tell(strings.subtitlesSkipped(skipped, flaws.map(sentence)));
-    if (told.guessed) messages.note(strings.fileFailed(name, strings.subtitlesGuessed));
     if (words.length === 0) throw new Error(strings.subtitlesNoMatch);
     if (frames.length === 0) {
       spread({ words, unplaced }, panels);
@@ -126,7 +133,7 @@ export function createSubtitling({
   }
 
   /** Lays speech over panels, and reports how much of it did not fit. */
-  function spread({ words, unplaced }: { words: readonly Spoken[]; unplaced: number }, panels: readonly Place[]) {
+  function spread({ words, unplaced }: Speech, panels: readonly Place[]) {
     const { shown, waiting } = lettering.lay(words.map((word) => onPanel(word, panels)));
     const total = words.filter(({ place }) => place !== undefined).length + unplaced;
     const left = total - shown - waiting;
@@ -166,12 +173,12 @@ export function createSubtitling({
 }
 
 /** Returns a word on its panel, or an unplaced word. */
-function onPanel({ frame: _, place, ...word }: Spoken, panels: readonly Place[]): AddedWord {
+function onPanel({ frame: _, place, ...word }: Speech['words'][number], panels: readonly Place[]): AddedWord {
   return place === undefined ? word : { ...word, ...panels[place] };
 }
 
 /** A film is known by its name: its key is another each time that a project is opened. */
-function onFrame({ frame: _, place: __, ...word }: Spoken, { id, name }: Frame): AddedWord {
+function onFrame({ frame: _, place: __, ...word }: Speech['words'][number], { id, name }: Frame): AddedWord {
   return { ...word, photo: id, panel: 0, cue: `${name} ${word.cue}` };
 }
 

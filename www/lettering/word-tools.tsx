@@ -5,6 +5,7 @@
 
 import { useRef } from 'preact/hooks';
 import { MOST } from '../document/limits.ts';
+import { endingsOf } from '../engine/file-kinds.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ChosenFiles } from '../photos/chosen-files.tsx';
@@ -148,7 +149,7 @@ function Speech() {
       </div>
       <ChosenFiles
         input={file}
-        accept=".srt,.vtt,.txt,text/vtt,text/plain"
+        accept={`${endingsOf('subtitles', 'text')},text/vtt,text/plain`}
         label={strings.subtitlesFile}
         onFiles={subtitling.open}
       />

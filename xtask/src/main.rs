@@ -28,7 +28,7 @@ struct Arguments {
 enum Task {
     /// Build the wasm core and the site into www/dist
     Build,
-    /// Build one wasm module into its folder of www: core, decoders, words, exports, films, heic, imitation, brush or detectors
+    /// Build one wasm module into its folder of www: core, decoders, words, texts, exports, films, heic, imitation, brush or detectors
     Module {
         /// Which one
         name: String,

@@ -47,7 +47,7 @@ pub fn build_module(project: &Project, name: &str) -> Result<()> {
     match modules.iter().find(|module| module.name == name) {
         Some(module) => wasm::build(project, module, Purpose::Publish),
         None => bail!(
-            "there is no module {name}: it is one of core, decoders, words, exports, films, heic, imitation, brush, detectors"
+            "there is no module {name}: it is one of core, decoders, words, texts, exports, films, heic, imitation, brush, detectors"
         ),
     }
 }

@@ -17,7 +17,7 @@ use crate::{clamps, lane, letters, npm, tools};
 pub const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Features of the library that the modules have in total.
-pub const FEATURES: &str = "internals,rare";
+pub const FEATURES: &str = "internals,rare,texts";
 
 /// Packages of all modules.
 pub const PACKAGES: [&str; 9] = [
@@ -29,6 +29,7 @@ pub const PACKAGES: [&str; 9] = [
     "inkpanel-films",
     "inkpanel-heic",
     "inkpanel-imitation",
+    "inkpanel-texts",
     "inkpanel-words",
 ];
 
@@ -117,6 +118,11 @@ pub fn words(project: &Project) -> Module {
     Module { name: "words", package: "inkpanel-words", folder: project.www().join("pkg-words"), ..small() }
 }
 
+/// The decoder of text files and the reader of subtitles, loaded with the first of them.
+pub fn texts(project: &Project) -> Module {
+    Module { name: "texts", package: "inkpanel-texts", folder: project.www().join("pkg-texts"), ..small() }
+}
+
 /// The module for file types other than PNG, loaded with the first such export.
 pub fn exports(project: &Project) -> Module {
     let folder = project.www().join("pkg-exports");
@@ -158,6 +164,7 @@ pub fn all(project: &Project) -> [Module; 9] {
         core(project),
         decoders(project),
         words(project),
+        texts(project),
         exports(project),
         films(project),
         heic(project),

@@ -8,9 +8,6 @@
 #![allow(clippy::missing_errors_doc)]
 
 use crate::letters::Lettering;
-use inkpanel::document::script;
-use inkpanel::document::speech::Taking;
-use inkpanel::document::subtitles::{self, Frame};
 use inkpanel::error::{Error, Result};
 use inkpanel::framing::Subject;
 use inkpanel::page::mask::PixelRect;
@@ -88,27 +85,6 @@ struct Told {
 impl Told {
     fn known(&self) -> Known<'_> {
         Known { subjects: &self.subjects, mask: self.mask.as_ref() }
-    }
-}
-
-/// Matches a subtitle file with frames, or places it on `panels` in order; see `document::subtitles::told`.
-/// `frames` has two numbers per frame: its time in seconds, and 1 if a page shows it. `sounds` become
-/// effects, or are left out.
-#[wasm_bindgen]
-#[must_use]
-pub fn subtitles(bytes: &[u8], vtt: bool, frames: &[f64], panels: usize, kind: &str, sounds: bool) -> String {
-    let (frames, _) = frames.as_chunks::<2>();
-    let frames: Vec<Frame> = frames.iter().map(|&[time, shown]| Frame { time, shown: shown > 0.0 }).collect();
-    subtitles::told(bytes, vtt, &frames, panels, Taking { kind, sounds })
-}
-
-/// Places a script on `panels` in order; see `document::script::told`. Null if the file is not text.
-#[wasm_bindgen]
-#[must_use]
-pub fn script(bytes: &[u8], panels: usize, kind: &str, sounds: bool) -> String {
-    match subtitles::decoded(bytes) {
-        Some((text, _)) => script::told(&text, panels, Taking { kind, sounds }),
-        None => "null".to_owned(),
     }
 }
 

@@ -106,7 +106,7 @@ impl Face<'_> {
         stream.finish();
         let mut map = UnicodeCmap::<u16>::new(Name(b"Inkpanel"), IDENTITY);
         for (at, &letter) in self.letters.iter().enumerate() {
-            map.pair_with_multiple(at as u16 + 1, self.words.text_of(letter).chars());
+            map.pair_with_multiple(at as u16 + 1, self.words.seen_text_of(letter).chars());
         }
         pdf.cmap(unicode, &packed(&map.finish())).filter(Filter::FlateDecode);
     }

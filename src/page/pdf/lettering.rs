@@ -124,7 +124,7 @@ impl Lettering<'_> {
             let level = laid.word.kind != Kind::Effect;
             if !level {
                 let says: String =
-                    row.letters.iter().map(|&(letter, _)| self.letters.text_of(letter)).collect();
+                    row.letters.iter().map(|&(letter, _)| self.letters.seen_text_of(letter)).collect();
                 let mut mark = content.begin_marked_content_with_properties(Name(b"Span"));
                 mark.properties().actual_text(TextStr(&says));
             }

@@ -1,5 +1,6 @@
 //! A text item as pixels: a patch of straight-alpha RGBA above the panels.
 
+use super::bidi::Seen;
 use super::balloons::neck;
 use super::layout::{Body, Chain, Ground, Laid, lay_all};
 use super::letters::{Font, Letters};
@@ -251,8 +252,9 @@ pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -
     // Readings are a part of the first line's height.
     let lift = if setting.readings.is_empty() { 0.0 } else { ruby::THICKER.0 * size };
     let mut rows = Vec::with_capacity(setting.lines.len());
-    for (i, (run, length)) in setting.lines.iter().enumerate() {
-        let run = &letters.ordered(run);
+    let texts: Vec<&[char]> = setting.lines.iter().map(|(run, _)| run.as_slice()).collect();
+    let lines = letters.ordered(&texts).into_iter().zip(&setting.lines);
+    for (i, (run, (_, length))) in lines.enumerate() {
         let marks = setting.strong.get(i).map_or(&[][..], Vec::as_slice);
         let under = setting.under.get(i).map_or(&[][..], Vec::as_slice);
         let (mut pen, first) = if laid.word.plain {
@@ -261,10 +263,11 @@ pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -
             (-length * width / 2.0, (font.capitals * size - last * setting.pitch * width) / 2.0)
         };
         let baseline = first + lift / 2.0 + i as f64 * setting.pitch * width;
-        let mut spans = Vec::with_capacity(if under.is_empty() { 0 } else { run.len() });
+        // By their places in the text, as are emphasis and readings.
+        let mut spans = vec![(0.0, 0.0); if under.is_empty() { 0 } else { run.len() }];
         let mut at = 0;
         while at < run.len() {
-            let strong = |at: usize| marks.get(at).copied().unwrap_or(false);
+            let strong = |at: usize| marks.get(run[at].at).copied().unwrap_or(false);
             let alike = (at..run.len()).take_while(|&i| strong(i) == strong(at)).count();
             let font = if strong(at) { bold } else { font };
             let mut row = Row {
@@ -278,11 +281,13 @@ pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -
             };
             for i in at..at + alike {
                 let start = pen;
-                let apart = under.get(i).map_or(0.0, |under| under.apart * size);
-                row.letters.push((run[i], pen + apart / 2.0));
-                pen += letters.advance(font, run[i], run.get(i + 1).copied()) * size + apart;
-                if !under.is_empty() {
-                    spans.push((start, pen));
+                let Seen { at, letter } = run[i];
+                let apart = under.get(at).map_or(0.0, |under| under.apart * size);
+                row.letters.push((letter, pen + apart / 2.0));
+                let next = run.get(i + 1).map(|seen| seen.letter);
+                pen += letters.advance(font, letter, next) * size + apart;
+                if let Some(span) = spans.get_mut(at) {
+                    *span = (start, pen);
                 }
             }
             rows.push(row);
@@ -321,7 +326,7 @@ fn read<'s>(setting: &'s Setting, line: usize, spans: &[(f64, f64)]) -> Vec<(&'s
         let (Some(&first), Some(&last)) = (run.first(), run.last()) else { continue };
         let number = usize::from(under[first].reading);
         if let Some(reading) = number.checked_sub(1).and_then(|number| setting.readings.get(number)) {
-            all.push((reading.as_slice(), (spans[first].0, spans[last].1)));
+            all.push((reading.as_slice(), (spans[first].0.min(spans[last].0), spans[first].1.max(spans[last].1))));
         }
     }
     all

@@ -8,6 +8,7 @@
 //!
 //! No wasm module contains this code.
 
+use super::bidi;
 use super::learning::number;
 use super::letters::{Contour, Letters};
 use super::vertical;
@@ -143,10 +144,11 @@ fn guarded<T>(work: impl FnOnce() -> Option<T>) -> Option<T> {
     catch_unwind(AssertUnwindSafe(work)).ok().flatten()
 }
 
-/// Parts of a text that the fonts lack. Joining scripts are separate from others.
+/// Parts of a text that the fonts lack. Words of joining scripts are separate from their digits and signs, whose places on
+/// a line are not those of letters, and from other text.
 fn stretches(letters: &Letters, word: &str) -> Vec<String> {
     let Some(font) = letters.font(OWN) else { return Vec::new() };
-    let mut out: Vec<(bool, String)> = Vec::new();
+    let mut out: Vec<((bool, bool), String)> = Vec::new();
     let mut open = false;
     for letter in word.chars() {
         // A character without width belongs to the character before it.
@@ -162,7 +164,7 @@ fn stretches(letters: &Letters, word: &str) -> Vec<String> {
             open = false;
             continue;
         }
-        let joined = is_joined(letter);
+        let joined = (is_joined(letter), bidi::is_of_words(letter));
         match out.last_mut() {
             Some((other, stretch)) if open && *other == joined && stretch.chars().count() < LONGEST => {
                 stretch.push(letter);
@@ -251,7 +253,11 @@ fn shaped<'t>(face: &Face<'_>, text: &'t str) -> Vec<(&'t str, Option<Outline>)>
     let mut buffer = UnicodeBuffer::new();
     buffer.push_str(text);
     buffer.guess_segment_properties();
-    let leftward = buffer.direction() == Direction::RightToLeft;
+    // Digits of Arabic are read from left to right.
+    let leftward = text.chars().any(bidi::is_leftward);
+    if !leftward && buffer.direction() == Direction::RightToLeft {
+        buffer.set_direction(Direction::LeftToRight);
+    }
     let glyphs = rustybuzz::shape(face, &[], buffer);
     if text.chars().any(is_joined) {
         let all = 0..glyphs.len();

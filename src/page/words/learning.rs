@@ -215,36 +215,6 @@ fn thinned(line: &[Point]) -> Vec<Point> {
     line.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
 }
 
-/// Visual order of the characters of a line, from left to right. Right-to-left text reverses the line; runs
-/// of other text keep their order.
-pub(super) fn ordered(line: &[char], leftward: impl Fn(char) -> bool) -> Vec<char> {
-    if !line.iter().any(|&letter| leftward(letter)) {
-        return line.to_vec();
-    }
-    let mut runs: Vec<(bool, Vec<char>)> = Vec::new();
-    for &letter in line {
-        let turned = leftward(letter);
-        match runs.last_mut() {
-            // A space belongs to the run before it until the next run is known.
-            Some((way, run)) if letter == ' ' || *way == turned => run.push(letter),
-            _ => runs.push((turned, vec![letter])),
-        }
-    }
-    let mut out = Vec::with_capacity(line.len());
-    for (turned, mut run) in runs.into_iter().rev() {
-        let mut ending = Vec::new();
-        while run.last() == Some(&' ') {
-            ending.extend(run.pop());
-        }
-        out.append(&mut ending);
-        if turned {
-            run.reverse();
-        }
-        out.append(&mut run);
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::letters::Letters;
@@ -296,16 +266,10 @@ mod tests {
             let top = points.iter().map(|point| point.y).fold(f64::MIN, f64::max);
             assert!((top - 0.8).abs() < 0.01, "{top}");
         }
-        assert_eq!(letters.ordered(&cleaned), [cleaned[2], 'b', cleaned[1], 'a']);
-    }
-
-    #[test]
-    fn lines_that_are_read_leftward_are_turned_around() {
-        let leftward = |letter: char| letter.is_uppercase();
-        let line =
-            |text: &str| ordered(&text.chars().collect::<Vec<_>>(), leftward).into_iter().collect::<String>();
-        assert_eq!(line("abc def"), "abc def");
-        assert_eq!(line("A B C"), "C B A");
-        assert_eq!(line("A B one two C"), "C one two B A");
+        // The first strong letter gives the direction.
+        let seen = |line: &[char]| -> Vec<char> {
+            letters.ordered(&[line])[0].iter().map(|seen| seen.letter).collect()
+        };
+        assert_eq!(seen(&cleaned), cleaned);
     }
 }

@@ -1,5 +1,6 @@
 //! The glyph table: outlines, advances and kerning of the fonts, as `fonts/pack.rs` writes them.
 
+use super::bidi::{self, Seen};
 use super::learning::{self, Drawing, Learnt};
 use crate::error::{Error, Result};
 use crate::layout::Point;
@@ -199,14 +200,26 @@ impl Letters {
         runs.filter(|(_, run)| text.starts_with(run)).max_by_key(|(_, run)| run.len())
     }
 
-    /// The characters of a line in visual order, if a part of it is right-to-left.
-    #[must_use]
-    pub fn ordered(&self, line: &[char]) -> Vec<char> {
-        learning::ordered(line, |letter| {
-            learning::number(letter)
-                .and_then(|number| self.learnt.get(number))
-                .is_some_and(|learnt| learnt.leftward)
+    /// The lines of a text item from left to right, by UAX #9.
+    pub(in crate::page) fn ordered(&self, lines: &[&[char]]) -> Vec<Vec<Seen>> {
+        bidi::ordered(lines, |letter| {
+            let Some(learnt) = self.known(letter) else { return letter };
+            let strong = || learnt.run.chars().find(|&letter| bidi::is_leftward(letter));
+            let first = || learnt.run.chars().next();
+            learnt.leftward.then(strong).flatten().or_else(first).unwrap_or(letter)
         })
+    }
+
+    /// The text of a character from left to right, as PDF files have it.
+    pub(in crate::page) fn seen_text_of(&self, letter: char) -> String {
+        match self.known(letter) {
+            Some(learnt) if learnt.leftward => bidi::seen(&learnt.run),
+            _ => self.text_of(letter),
+        }
+    }
+
+    fn known(&self, letter: char) -> Option<&Learnt> {
+        self.learnt.get(learning::number(letter)?)
     }
 
     /// Characters of a text that a font lacks, without duplicates. Each is drawn as a question mark in a

@@ -28,6 +28,7 @@
 //! ellipsis.
 
 mod balloons;
+mod bidi;
 pub mod draw;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod given;

@@ -64,7 +64,13 @@ export const speechStrings = {
   subtitlesThere: 'Alle ihre Untertitel sind schon da.',
   subtitlesSkipped: (n: number, why: readonly string[]) =>
     `${n === 1 ? 'Ein Untertitel wurde' : `${n} Untertitel wurden`} übersprungen: ${why.join(' ')}`,
-  subtitlesGuessed: 'Sie ist nicht in UTF-8 und wurde deshalb als westeuropäischer Text (Windows-1252) gelesen.',
+  textGuessed: (encoding: string) => `Sie ist nicht in UTF-8, deshalb wurde ihr Text als ${encoding} gelesen.`,
+  textLost: (n: number) => (n === 1 ? '1 Zeichen konnte nicht gelesen werden.' : `${n} Zeichen konnten nicht gelesen werden.`),
+  changeEncoding: 'Kodierung ändern',
+  encodingOf: (name: string) => `Kodierung von ${name}`,
+  encoding: 'Kodierung',
+  encodingPreview: 'Vorschau',
+  readAgain: 'Erneut lesen',
   wordsWaiting: (n: number) => (n === 1 ? '1 nicht platzierter Text' : `${n} nicht platzierte Texte`),
   wordsWaitingWhy:
     'Ein Text kommt zurück, wenn eine Seite sein Foto wieder zeigt. Ein Text ohne Foto bleibt hier, bis du ihn auf eine Seite setzt.',

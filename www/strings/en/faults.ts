@@ -15,6 +15,7 @@ export const faultStrings = {
     'film-cut': 'the file is incomplete (its index is missing). Copy it again from the source.',
     'film-empty': 'the video has no frames.',
     'films-missing': 'the video reader could not be loaded. Check your connection and try again.',
+    'texts-missing': 'the reader of text files could not be loaded. Check your connection and try again.',
     'worker-lost': 'Inkpanel crashed twice while reading it, so it was skipped.',
     'unreadable-file': 'the file was moved, changed or deleted since you chose it.',
     'not-text': 'it is not a text file, or its encoding is unknown. Save it as UTF-8.',

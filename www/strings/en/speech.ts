@@ -57,7 +57,13 @@ export const speechStrings = {
   subtitlesThere: 'all of its subtitles are on the pages.',
   subtitlesSkipped: (n: number, why: readonly string[]) =>
     `${n === 1 ? 'a subtitle was skipped' : `${n} subtitles were skipped`}: ${why.join(' ')}`,
-  subtitlesGuessed: 'it is not UTF-8, so it was read as Western European text (Windows-1252).',
+  textGuessed: (encoding: string) => `it is not UTF-8, so its text was read as ${encoding}.`,
+  textLost: (n: number) => (n === 1 ? '1 character could not be read.' : `${n} characters could not be read.`),
+  changeEncoding: 'Change encoding',
+  encodingOf: (name: string) => `Encoding of ${name}`,
+  encoding: 'Encoding',
+  encodingPreview: 'Preview',
+  readAgain: 'Read again',
   wordsWaiting: (n: number) => (n === 1 ? '1 unplaced text' : `${n} unplaced texts`),
   wordsWaitingWhy:
     'Text returns when a page shows its photo again. Text without a photo stays here until you put it on a page.',

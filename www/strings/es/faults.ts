@@ -13,6 +13,7 @@ export const faultStrings = {
     'film-cut': 'el archivo está incompleto (falta su índice). Cópialo otra vez desde el original.',
     'film-empty': 'el vídeo no tiene fotogramas.',
     'films-missing': 'no se pudo cargar el lector de vídeo. Comprueba la conexión e inténtalo de nuevo.',
+    'texts-missing': 'no se pudo cargar el lector de archivos de texto. Comprueba la conexión e inténtalo de nuevo.',
     'worker-lost': 'Inkpanel falló dos veces al leerlo, así que se omitió.',
     'unreadable-file': 'el archivo se movió, cambió o borró después de elegirlo.',
     'not-text': 'no es un archivo de texto, o su codificación es desconocida. Guárdalo como UTF-8.',

@@ -61,7 +61,13 @@ export const speechStrings = {
   subtitlesThere: 'todos sus subtítulos están ya puestos.',
   subtitlesSkipped: (n: number, why: readonly string[]) =>
     `${n === 1 ? 'se omitió un subtítulo' : `se omitieron ${n} subtítulos`}: ${why.join(' ')}`,
-  subtitlesGuessed: 'no está en UTF-8, así que se leyó como texto de Europa occidental (Windows-1252).',
+  textGuessed: (encoding: string) => `no está en UTF-8, así que su texto se leyó como ${encoding}.`,
+  textLost: (n: number) => (n === 1 ? 'No se pudo leer 1 carácter.' : `No se pudieron leer ${n} caracteres.`),
+  changeEncoding: 'Cambiar codificación',
+  encodingOf: (name: string) => `Codificación de ${name}`,
+  encoding: 'Codificación',
+  encodingPreview: 'Vista previa',
+  readAgain: 'Leer de nuevo',
   wordsWaiting: (n: number) => (n === 1 ? '1 texto sin colocar' : `${n} textos sin colocar`),
   wordsWaitingWhy:
     'Un texto vuelve cuando una página muestra otra vez su foto. Un texto sin foto se queda aquí hasta que lo pongas en una página.',

@@ -14,6 +14,7 @@ export const faultStrings = {
     'film-cut': 'le fichier est incomplet (son index manque). Copiez-le de nouveau depuis la source.',
     'film-empty': 'la vidéo n’a aucune image.',
     'films-missing': 'le lecteur de vidéos n’a pas pu être chargé. Vérifiez la connexion et réessayez.',
+    'texts-missing': 'le lecteur de fichiers texte n’a pas pu être chargé. Vérifiez la connexion et réessayez.',
     'worker-lost': 'Inkpanel a planté deux fois en le lisant, il a donc été ignoré.',
     'unreadable-file': 'le fichier a été déplacé, modifié ou supprimé depuis que vous l’avez choisi.',
     'not-text': 'ce n’est pas un fichier texte, ou son encodage est inconnu. Enregistrez-le en UTF-8.',

@@ -61,7 +61,13 @@ export const speechStrings = {
   subtitlesThere: 'tous ses sous-titres sont déjà là.',
   subtitlesSkipped: (n: number, why: readonly string[]) =>
     `${n < 2 ? 'un sous-titre a été ignoré' : `${n} sous-titres ont été ignorés`} : ${why.join(' ')}`,
-  subtitlesGuessed: 'il n’est pas en UTF-8, il a donc été lu comme texte d’Europe occidentale (Windows-1252).',
+  textGuessed: (encoding: string) => `il n’est pas en UTF-8, son texte a donc été lu comme ${encoding}.`,
+  textLost: (n: number) => (n === 1 ? '1 caractère n’a pas pu être lu.' : `${n} caractères n’ont pas pu être lus.`),
+  changeEncoding: 'Changer l’encodage',
+  encodingOf: (name: string) => `Encodage de ${name}`,
+  encoding: 'Encodage',
+  encodingPreview: 'Aperçu',
+  readAgain: 'Relire',
   wordsWaiting: (n: number) => (n < 2 ? `${n} texte non placé` : `${n} textes non placés`),
   wordsWaitingWhy:
     'Un texte revient quand une page montre à nouveau sa photo. Un texte sans photo reste ici jusqu’à ce que vous le placiez sur une page.',

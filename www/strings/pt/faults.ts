@@ -13,6 +13,7 @@ export const faultStrings = {
     'film-cut': 'o arquivo está incompleto (falta o índice). Copie-o de novo da origem.',
     'film-empty': 'o vídeo não tem imagens.',
     'films-missing': 'não foi possível carregar o leitor de vídeo. Verifique a conexão e tente de novo.',
+    'texts-missing': 'não foi possível carregar o leitor de arquivos de texto. Verifique a conexão e tente de novo.',
     'worker-lost': 'o Inkpanel falhou duas vezes ao lê-lo, por isso ele foi pulado.',
     'unreadable-file': 'o arquivo foi movido, alterado ou apagado depois que você o escolheu.',
     'not-text': 'não é um arquivo de texto, ou a codificação é desconhecida. Salve-o como UTF-8.',

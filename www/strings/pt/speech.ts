@@ -61,7 +61,13 @@ export const speechStrings = {
   subtitlesThere: 'todas as suas legendas já estão lá.',
   subtitlesSkipped: (n: number, why: readonly string[]) =>
     `${n === 1 ? 'uma legenda foi pulada' : `${n} legendas foram puladas`}: ${why.join(' ')}`,
-  subtitlesGuessed: 'não está em UTF-8, por isso foi lido como texto da Europa Ocidental (Windows-1252).',
+  textGuessed: (encoding: string) => `não está em UTF-8, por isso o seu texto foi lido como ${encoding}.`,
+  textLost: (n: number) => (n === 1 ? '1 caractere não pôde ser lido.' : `${n} caracteres não puderam ser lidos.`),
+  changeEncoding: 'Alterar codificação',
+  encodingOf: (name: string) => `Codificação de ${name}`,
+  encoding: 'Codificação',
+  encodingPreview: 'Prévia',
+  readAgain: 'Ler novamente',
   wordsWaiting: (n: number) => (n === 1 ? '1 texto não posicionado' : `${n} textos não posicionados`),
   wordsWaitingWhy:
     'Um texto volta quando uma página mostra de novo a sua foto. Um texto sem foto fica aqui até você colocá-lo em uma página.',

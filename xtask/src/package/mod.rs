@@ -22,11 +22,12 @@ const FILM_LIBRARY: (&str, &str) = ("mediabunny", "dist/bundles/mediabunny.min.m
 /// The modules that import it.
 const FILM_READERS: [&str; 3] = ["video-worker.js", "film-looks.js", "sound-worker.js"];
 /// The folders that are published.
-const FOLDERS: [&str; 14] = [
+const FOLDERS: [&str; 15] = [
     "engine",
     "pkg",
     "pkg-decoders",
     "pkg-heic",
+    "pkg-texts",
     "pkg-words",
     "pkg-exports",
     "pkg-films",
