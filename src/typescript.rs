@@ -31,6 +31,7 @@ use crate::output::motion::{self, Reading, Said, Stop};
 use crate::output::shots::timecode::{Pace, StartTimecode};
 use crate::output::shots::{Film, ListedShot, ShotList};
 use crate::output::{self, Comic, ComicPage, PictureKind, Piece};
+use crate::page::book;
 use crate::page::catalogue::{BlockEntry, ChoiceRequest, MeasuresEntry, ParamEntry, ParamKind, VerdictEntry};
 use crate::page::document::{LayoutChoice, PanelContent, StyleChoice};
 use crate::page::import::{ImportEntry, PixelSize};
@@ -38,7 +39,6 @@ use crate::page::layouts::{
     GenerateRequest, Geometry, LayoutChange, LayoutEntry, LayoutFacts, LayoutsRequest,
 };
 use crate::page::pdf::{Imposition, Options};
-use crate::page::book;
 use crate::page::request::{Avoid, Families, Keep, Mode, Request, Taste};
 use crate::page::words::layout::WordBox;
 use crate::page::{Document, catalogue, layouts, request, shuffle};

@@ -6,7 +6,13 @@ import type { PageDocument } from '../engine/types.ts';
 import type { Parts } from '../ui/context.ts';
 import type { Action } from '../ui/action.ts';
 
-export function createBookActions({ store, book, bookMaking, messages, ui }: Pick<Parts, 'store' | 'book' | 'bookMaking' | 'messages' | 'ui'>) {
+export function createBookActions({
+  store,
+  book,
+  bookMaking,
+  messages,
+  ui,
+}: Pick<Parts, 'store' | 'book' | 'bookMaking' | 'messages' | 'ui'>) {
   const { at, several } = book;
   const last = computed(() => at.value === store.project.value.others.length);
   const whyNotAdd = computed(book.cannotAdd);

@@ -123,7 +123,12 @@ function Making() {
   return (
     <div class="book-making" aria-busy="true">
       <span>{label}</span>
-      <progress class="progress" aria-label={label} value={of === 0 ? undefined : done} max={of === 0 ? undefined : of} />
+      <progress
+        class="progress"
+        aria-label={label}
+        value={of === 0 ? undefined : done}
+        max={of === 0 ? undefined : of}
+      />
       <button type="button" class="button" onClick={bookMaking.cancel}>
         {strings.cancel}
       </button>

@@ -185,7 +185,11 @@ export function createLettering({
     const page = store.page.peek();
     if (!page || !words.peek()[index]) return;
     // Shuffle does not replace edited text.
-    const changed = words.peek().map((word, i) => (i === index ? { ...word, ...news, made: undefined, book: undefined, number: undefined } : word));
+    const changed = words
+      .peek()
+      .map((word, i) =>
+        i === index ? { ...word, ...news, made: undefined, book: undefined, number: undefined } : word,
+      );
     // What a person puts somewhere goes there alone; else those that hang together find their places together.
     const free = news.auto === false ? [index] : chainOf(changed, index);
     store.change({ type: 'change-page', page: settled({ ...page, words: changed }, free), gesture });

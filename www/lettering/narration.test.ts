@@ -69,3 +69,10 @@ test('text of an earlier shuffle is replaced, and text of a person keeps the pag
   const empty = pageOf(['a']);
   expect(plain(empty)).toBe(empty);
 });
+
+test('the text of a book stays, and nothing is added to it', () => {
+  const title: Word = { kind: 'caption', text: 'Second day.', panel: 0, made: true, book: true };
+  const page = { ...pageOf(['a']), words: [title] };
+  expect(narrated(page, narration({})).words).toEqual([title]);
+  expect(plain(page)).toBe(page);
+});
