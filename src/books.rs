@@ -96,7 +96,8 @@ pub(crate) fn make(made: &Book) -> Result<(), Complaint> {
         return Err("say which photos, or which folder".into());
     }
     let style = chosen.style.as_deref().map(style_value).transpose()?;
-    let page = chosen.paper.settings()?;
+    let mut page = chosen.paper.settings()?;
+    page.rtl |= is_rtl(how.printing.language());
     let fonts = how.printing.fonts()?;
     let mut photos = import_all(&album::files(given)?);
     let looked = !chosen.no_detect && add_subjects(&mut photos, chosen.models.as_deref());
@@ -183,6 +184,12 @@ fn told(title: &str, pages: &[BookPage], photos: &[(PathBuf, Imported)]) -> Resu
     };
     let pages = pages.iter().map(page).collect::<Result<Vec<_>, _>>()?;
     Ok(json!({ "title": title, "pages": pages }))
+}
+
+/// Whether a language is written from right to left.
+fn is_rtl(language: &str) -> bool {
+    let code = language.split('-').next().unwrap_or_default().to_lowercase();
+    ["ar", "dv", "fa", "he", "ps", "sd", "ug", "ur", "yi"].contains(&code.as_str())
 }
 
 /// The name of the only folder, if it says something.

@@ -32,6 +32,9 @@ pub(crate) struct Paper {
     /// Radius of the panel corners, as a fraction of the page width.
     #[arg(long, value_name = "PART")]
     corner_radius: Option<f64>,
+    /// Read pages from right to left: layouts are mirrored.
+    #[arg(long)]
+    rtl: bool,
     /// Paper colour, as #rrggbb.
     #[arg(long, value_name = "COLOUR")]
     paper: Option<String>,
@@ -54,6 +57,7 @@ impl Paper {
             corner_radius: self.corner_radius.unwrap_or(usual.corner_radius),
             paper: self.paper.clone().unwrap_or(usual.paper),
             border_color: self.border_color.clone().unwrap_or(usual.border_color),
+            rtl: self.rtl,
             ..usual
         };
         page.validate().map_err(|error| error.to_string())?;

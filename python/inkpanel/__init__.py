@@ -5,6 +5,7 @@
     drawn = inkpanel.stylize(array, "comic")  # uint8 (height, width, 3) in and out
     page = inkpanel.render(["a.jpg", "b.jpg", "c.jpg"], style="noir", seed=7)
     open("page.png", "wb").write(page.png())
+    inkpanel.book("photos", "book.pdf")  # a cover, chapters by day, captions, page numbers and an end page
 
 The same arguments give the same pixels, also on the command line. Long functions release the interpreter's lock and use all
 cores. The environment variable `RAYON_NUM_THREADS` limits the number of threads; set it before the first call. Invalid input
@@ -21,10 +22,12 @@ from pathlib import Path as _Path
 from ._inkpanel import Error, Page, __version__, blocks, layouts, styles
 from . import _inkpanel
 
-__all__ = ["Error", "Page", "__version__", "blocks", "layouts", "pdf", "render", "styles", "stylize"]
+__all__ = ["Error", "Page", "__version__", "blocks", "book", "layouts", "pdf", "render", "styles", "stylize"]
 
 # The models in the wheel.
 _MODELS = _Path(__file__).parent / "models"
+# Endings of the pictures of a folder.
+_PICTURES = {".jpg", ".jpeg", ".jpe", ".png", ".webp", ".gif", ".bmp", ".tif", ".tiff"}
 
 
 def stylize(array, style, *, seed=None):
@@ -71,6 +74,7 @@ def render(
     keep_all=False,
     as_given=False,
     skip_broken=False,
+    _book=None,
 ):
     """Makes one comic page of photos, or several.
 
@@ -134,9 +138,85 @@ def render(
         "keep_all": keep_all,
         "as_given": as_given,
         "skip_broken": skip_broken,
+        "book": _book,
     }
     made = _inkpanel.render(list(photos), _json.dumps(settings, default=_plain))
-    return made[0] if pages is None else made
+    return made[0] if pages is None and _book is None else made
+
+
+def book(
+    photos,
+    output=None,
+    *,
+    title=None,
+    language="en",
+    styles="one",
+    pages=None,
+    style=None,
+    seed=1,
+    page_size=None,
+    width=None,
+    dpi=None,
+    detect=True,
+    models=None,
+    fonts=(),
+    star=(),
+    alike=None,
+    keep_all=False,
+    as_given=False,
+    skip_broken=False,
+):
+    """Makes a book: a cover, chapters by day with captions, page numbers and an end page.
+
+    photos: a folder, whose pictures and those of its folders are taken, or photos as `render` takes them.
+    output: a file name that ends in .pdf. The book is written there.
+    title: the title on the cover; the name of the folder, or the places or days of the photos where nothing is told.
+    language: of the captions, a tag such as "pt-BR"; English, German, Spanish, French, Japanese and Portuguese are there.
+    styles: "one" for one style, or "chapters" for another style for each day.
+    pages: the number of pages with cover and end page, from 3 to 1000; as many as the photos need where nothing is told.
+
+    The other arguments are those of `render`. Names of folders within the folder are places.
+
+    Returns the list of pages.
+
+    Raises `Error` as `render` does, and with the code `invalid-argument` for an output that is no PDF file.
+    """
+    if output is not None and _Path(output).suffix.lower() != ".pdf":
+        raise Error(f"output: must end in .pdf, not {_os.fspath(output)}")
+    if isinstance(photos, (str, _os.PathLike)) and _Path(photos).is_dir():
+        folder = _Path(photos)
+        title = folder.resolve().name if title is None else title
+        photos = _pictures(folder)
+    made = render(
+        photos,
+        style=style,
+        seed=seed,
+        page_size=page_size,
+        width=width,
+        dpi=dpi,
+        detect=detect,
+        models=models,
+        fonts=fonts,
+        star=star,
+        alike=alike,
+        keep_all=keep_all,
+        as_given=as_given,
+        skip_broken=skip_broken,
+        _book={"title": title or "", "language": language, "styles": styles, "pages": pages},
+    )
+    if output is not None:
+        _Path(output).write_bytes(pdf(made, title=title or "", language=language))
+    return made
+
+
+def _pictures(folder):
+    """The pictures of a folder and of its folders, by name."""
+    found = (file for file in sorted(folder.rglob("*")) if file.suffix.lower() in _PICTURES)
+    return [
+        file
+        for file in found
+        if file.is_file() and not any(part.startswith(".") for part in file.relative_to(folder).parts)
+    ]
 
 
 def pdf(pages, *, title="", language="en"):

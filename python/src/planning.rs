@@ -33,9 +33,10 @@ fn planned(photos: Vec<Photo>, settings: Settings) -> Done<Vec<Page>> {
     for place in settings.star {
         album.star(place)?;
     }
-    let pages = match settings.pages {
-        Some(most) => album.pages(&settings.options, most)?,
-        None => vec![album.page(&settings.options)?],
+    let pages = match (&settings.book, settings.pages) {
+        (Some(book), _) => album.book(&settings.options, book)?,
+        (None, Some(most)) => album.pages(&settings.options, most)?,
+        (None, None) => vec![album.page(&settings.options)?],
     };
     Ok(pages.into_iter().map(Page::new).collect())
 }

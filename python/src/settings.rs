@@ -1,7 +1,7 @@
 //! Options of pages, from the JSON of the arguments of `inkpanel.render`.
 
 use crate::failure::{Done, Failure};
-use inkpanel::{PageOptions, Style};
+use inkpanel::{BookOptions, PageOptions, Style};
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
@@ -18,6 +18,8 @@ pub(crate) struct Settings {
     pub(crate) models: Option<String>,
     /// Whether photos that cannot be read are left out, rather than an error.
     pub(crate) skip_broken: bool,
+    /// Options of a book. `None`: pages without captions.
+    pub(crate) book: Option<BookOptions>,
 }
 
 impl Settings {
@@ -32,6 +34,7 @@ impl Settings {
             fonts: told.take("fonts")?.unwrap_or_default(),
             models: told.take("models")?,
             skip_broken: told.flag("skip_broken")?,
+            book: told.book()?,
         };
         match told.0.keys().next() {
             Some(unknown) => Err(Failure::argument(unknown, "is not an argument of render")),
@@ -63,6 +66,22 @@ impl Told {
 
     fn flag(&mut self, name: &str) -> Done<bool> {
         Ok(self.take(name)?.unwrap_or(false))
+    }
+
+    fn book(&mut self) -> Done<Option<BookOptions>> {
+        let Some(book) = self.take::<Map<String, Value>>("book")? else { return Ok(None) };
+        let mut book = Told(book);
+        let mut options = BookOptions::new()
+            .title(&book.take::<String>("title")?.unwrap_or_default())
+            .language(&book.take::<String>("language")?.unwrap_or_default());
+        if let Some(pages) = book.take("pages")? {
+            options = options.pages(pages);
+        }
+        match book.take::<String>("styles")?.as_deref() {
+            None | Some("one") => Ok(Some(options)),
+            Some("chapters") => Ok(Some(options.style_by_chapter(true))),
+            Some(_) => Err(Failure::argument("styles", "must be \"one\" or \"chapters\"")),
+        }
     }
 
     fn options(&mut self) -> Done<PageOptions> {

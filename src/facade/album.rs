@@ -5,17 +5,23 @@ use super::failure::Failure;
 use super::failure::survived;
 #[cfg(feature = "detect")]
 use super::nets::Nets;
-use super::options::PageOptions;
+use super::options::{BookOptions, PageOptions};
 use super::page::{Book, Page};
 use super::photo::Photo;
-use crate::framing::Subject;
+use crate::document::limits::MOST_SHEETS;
+use crate::framing::{PhotoMeta, Subject};
+use crate::page::book::{Styles, Wish, naming};
 use crate::page::import::Imported;
 use crate::page::request::Request;
 use crate::page::storyboard;
 use crate::page::words::given::{GivenFonts, missing};
 use crate::page::words::place;
+use crate::page::{self, Document};
+use crate::plan::Shelf;
 use rayon::prelude::*;
 use std::collections::HashMap;
+use std::ffi::OsStr;
+use std::path::Path;
 use std::sync::Arc;
 
 /// Photos that were read and measured. It can make any number of pages.
@@ -126,20 +132,84 @@ impl Album {
         self.planned(options, Some(most))
     }
 
-    fn planned(&self, options: &PageOptions, most: Option<usize>) -> Result<Vec<Page>, Failure> {
-        PageOptions::check(most)?;
+    /// Makes a book: a cover, chapters by day with captions, page numbers and an end page. Names of the folders of photos are
+    /// places. The number of panels, the layout and the text items of `options` do not apply.
+    ///
+    /// # Errors
+    /// As [`Self::pages`].
+    pub fn book(&self, options: &PageOptions, book: &BookOptions) -> Result<Vec<Page>, Failure> {
+        PageOptions::check(book.pages)?;
+        let (used, notes) = self.chosen(options);
+        let folder = |place: usize| {
+            let folder = Path::new(self.photos[place].name()).parent().and_then(Path::file_name);
+            folder.and_then(OsStr::to_str).unwrap_or_default()
+        };
+        let ids: Vec<(String, &str)> =
+            self.read.iter().map(|(place, _)| (id(*place), folder(*place))).collect();
+        let wish = Wish {
+            title: book.title.clone(),
+            language: book.language.clone(),
+            places: naming::places(ids.iter().map(|(id, folder)| (id.as_str(), *folder))),
+            pages: book.pages,
+            styles: if book.by_chapter { Styles::Chapters } else { Styles::One },
+        };
+        let ordered = options.choice.as_given.then_some(true);
+        let shelf = Shelf::new(used.len());
+        let request = Request {
+            photos: used,
+            ordered,
+            panels: None,
+            layout: None,
+            figures: Some(false),
+            ..options.request()
+        };
+        let mut made = page::book::Book::new(request, wish, &shelf, MOST_SHEETS)?;
+        while made.step()? {}
+        let mut documents: Vec<_> = made.pages().into_iter().map(|page| page.planned.document).collect();
+        let subjects = self.subjects();
+        for document in &mut documents {
+            let of = |id: &str| subjects.get(id).map_or(&[][..], Vec::as_slice).into();
+            let letters = self.fonts.letters(&document.words)?;
+            place::settle(document, of, &letters)?;
+        }
+        Ok(self.bound(documents, subjects, notes))
+    }
+
+    /// The photos of pages, and the notes about photos that are left out.
+    fn chosen(&self, options: &PageOptions) -> (Vec<PhotoMeta>, Vec<String>) {
         let names: Vec<&str> = self.read.iter().map(|(place, _)| self.photos[*place].name()).collect();
         let imported: Vec<&Imported> = self.read.iter().map(|(_, imported)| imported).collect();
         let (used, verdicts) = storyboard::chosen(&names, &imported, options.choice);
         let mut notes = self.notes.clone();
         let left = names.iter().zip(&verdicts).filter(|(_, verdict)| !verdict.kept);
         notes.extend(left.map(|(name, verdict)| format!("{name}: left out: {}", verdict.why)));
+        (used, notes)
+    }
+
+    /// Detected subjects by photo id.
+    fn subjects(&self) -> HashMap<String, Vec<Subject>> {
+        self.read.iter().map(|(place, photo)| (id(*place), photo.meta.subjects.clone())).collect()
+    }
+
+    fn bound(
+        &self,
+        documents: Vec<Document>,
+        subjects: HashMap<String, Vec<Subject>>,
+        notes: Vec<String>,
+    ) -> Vec<Page> {
+        let fonts = self.fonts.clone();
+        let book = Arc::new(Book { photos: self.photos.clone(), subjects, fonts, notes });
+        documents.into_iter().map(|document| Page::new(book.clone(), document)).collect()
+    }
+
+    fn planned(&self, options: &PageOptions, most: Option<usize>) -> Result<Vec<Page>, Failure> {
+        PageOptions::check(most)?;
+        let (used, mut notes) = self.chosen(options);
         let ordered = options.choice.as_given.then_some(true);
         let request = Request { photos: used, ordered, ..options.request() };
         let pages = storyboard::pages(&request, most)?;
         let mut documents: Vec<_> = pages.into_iter().map(|page| page.document).collect();
-        let subjects: HashMap<String, Vec<Subject>> =
-            self.read.iter().map(|(place, photo)| (id(*place), photo.meta.subjects.clone())).collect();
+        let subjects = self.subjects();
         if let (Some(first), false) = (documents.first_mut(), options.words.is_empty()) {
             let of = |id: &str| subjects.get(id).map_or(&[][..], Vec::as_slice).into();
             let letters = self.fonts.letters(&options.words)?;
@@ -150,8 +220,6 @@ impl Album {
                 notes.push(format!("no font has these characters, so they appear as question marks: {told}"));
             }
         }
-        let fonts = self.fonts.clone();
-        let book = Arc::new(Book { photos: self.photos.clone(), subjects, fonts, notes });
-        Ok(documents.into_iter().map(|document| Page::new(book.clone(), document)).collect())
+        Ok(self.bound(documents, subjects, notes))
     }
 }

@@ -17,7 +17,7 @@ pub use failure::Failure;
 pub use failure::survived;
 #[cfg(feature = "detect")]
 pub use nets::Nets;
-pub use options::{PageOptions, layouts};
+pub use options::{BookOptions, PageOptions, layouts};
 pub use page::{Page, pdf};
 pub use photo::Photo;
 pub use pixels::Pixels;

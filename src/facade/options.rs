@@ -31,6 +31,52 @@ pub struct PageOptions {
     pub(super) words: Vec<Value>,
 }
 
+/// Options of a book, besides those of its pages. Default: a title from the places or days of the photos, English captions, one
+/// style, as many pages as the photos need.
+#[derive(Debug, Clone, Default)]
+pub struct BookOptions {
+    pub(super) title: String,
+    pub(super) language: String,
+    pub(super) pages: Option<usize>,
+    pub(super) by_chapter: bool,
+}
+
+impl BookOptions {
+    /// As [`Self::default`].
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Title on the cover.
+    #[must_use]
+    pub fn title(mut self, title: &str) -> Self {
+        title.clone_into(&mut self.title);
+        self
+    }
+
+    /// Language of the captions, such as `en` or `pt-BR`.
+    #[must_use]
+    pub fn language(mut self, language: &str) -> Self {
+        language.clone_into(&mut self.language);
+        self
+    }
+
+    /// Number of pages with cover and end page, from 3 to 1000.
+    #[must_use]
+    pub fn pages(mut self, pages: usize) -> Self {
+        self.pages = Some(pages);
+        self
+    }
+
+    /// Whether each day has its own style.
+    #[must_use]
+    pub fn style_by_chapter(mut self, on: bool) -> Self {
+        self.by_chapter = on;
+        self
+    }
+}
+
 impl Default for PageOptions {
     fn default() -> Self {
         Self {

@@ -11,9 +11,9 @@ const IN_ROW: f64 = 0.15;
 /// Returns the panels in reading order, as numbers in paint order.
 ///
 /// Base panels keep the order of the template. An overlay comes before the first panel that is below it or to
-/// its right, and after the panel below it.
+/// its right, and after the panel below it. `rtl`: the page is read from right to left.
 #[must_use]
-pub fn reading_order(panels: &[ResolvedPanel]) -> Vec<usize> {
+pub fn reading_order(panels: &[ResolvedPanel], rtl: bool) -> Vec<usize> {
     let (overlays, mut order): (Vec<usize>, Vec<usize>) =
         (0..panels.len()).partition(|&panel| panels[panel].overlay);
     for overlay in overlays {
@@ -23,18 +23,19 @@ pub fn reading_order(panels: &[ResolvedPanel]) -> Vec<usize> {
                 && shared(inset, panels[other].bounds) >= GROUND * inset.width * inset.height
         };
         let ground = order.iter().rposition(is_ground).map_or(0, |at| at + 1);
-        let next = order[ground..].iter().position(|&other| is_before(inset, panels[other].bounds));
+        let next = order[ground..].iter().position(|&other| is_before(inset, panels[other].bounds, rtl));
         order.insert(next.map_or(order.len(), |at| ground + at), overlay);
     }
     order
 }
 
 /// Whether the eye meets an overlay before another panel.
-fn is_before(inset: Bounds, other: Bounds) -> bool {
+fn is_before(inset: Bounds, other: Bounds, rtl: bool) -> bool {
     let (x, y) = (inset.x + inset.width / 2.0, inset.y + inset.height / 2.0);
     let within = IN_ROW * inset.height;
     if y > other.y + within && y < other.y + other.height - within {
-        x < other.x + other.width / 2.0 - 1e-6
+        let ahead = other.x + other.width / 2.0 - x;
+        (if rtl { -ahead } else { ahead }) > 1e-6
     } else {
         y < other.y + other.height / 2.0
     }
@@ -50,11 +51,23 @@ fn shared(a: Bounds, b: Bounds) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::layout::resolve::ResolvedShape;
     use crate::layout::{PageSettings, find, resolve};
+
+    /// Signed area, which tells the direction of the corners.
+    fn area(panel: &ResolvedPanel) -> f64 {
+        match &panel.shape {
+            ResolvedShape::Polygon(corners) => {
+                let pairs = corners.iter().zip(corners.iter().cycle().skip(1));
+                pairs.map(|(a, b)| a.x * b.y - b.x * a.y).sum()
+            }
+            ResolvedShape::Circle { radius, .. } => *radius,
+        }
+    }
 
     fn order(layout: &str) -> Vec<usize> {
         let settings = PageSettings::default();
-        reading_order(&resolve(find(layout).unwrap(), settings.aspect(), &settings))
+        reading_order(&resolve(find(layout).unwrap(), settings.aspect(), &settings), false)
     }
 
     #[test]
@@ -70,11 +83,28 @@ mod tests {
     }
 
     #[test]
+    fn every_layout_is_mirrored_and_read_in_the_same_order() {
+        let settings = PageSettings::default();
+        let rtl = PageSettings { rtl: true, ..settings.clone() };
+        for template in crate::layout::catalogue() {
+            let panels = resolve(template, settings.aspect(), &settings);
+            let other = resolve(template, settings.aspect(), &rtl);
+            for (panel, other) in panels.iter().zip(&other) {
+                let (a, b) = (panel.bounds, other.bounds);
+                let far = [a.x + a.width + b.x - 1.0, a.y - b.y, a.width - b.width, a.height - b.height];
+                assert!(far.iter().all(|far| far.abs() < 1e-9), "{}", template.id());
+                assert!((area(panel) - area(other)).abs() < 1e-9, "{}", template.id());
+            }
+            assert_eq!(reading_order(&panels, false), reading_order(&other, true), "{}", template.id());
+        }
+    }
+
+    #[test]
     fn base_panels_keep_their_order_in_every_layout() {
         let settings = PageSettings::default();
         for template in crate::layout::catalogue() {
             let panels = resolve(template, settings.aspect(), &settings);
-            let order = reading_order(&panels);
+            let order = reading_order(&panels, false);
             let base: Vec<usize> = order.iter().copied().filter(|&panel| !panels[panel].overlay).collect();
             assert!(base.is_sorted(), "{}: {order:?}", template.id());
             assert_eq!(order.len(), panels.len(), "{}", template.id());

@@ -54,6 +54,8 @@ impl ResolvedPanel {
 /// edge moves inward by half a gutter. So the outer edges are exactly on the margin, gutters are even, and
 /// the columns of a grid stay equal. If gutters and margins are too large for the template, they are reduced
 /// equally until every panel keeps half of its thickness.
+///
+/// If the page is read from right to left, the panels are mirrored. Their order stays, so the first one is on the right.
 #[must_use]
 pub fn resolve(template: &Template, page_aspect: f64, settings: &PageSettings) -> Vec<ResolvedPanel> {
     let page = Page::new(page_aspect, settings);
@@ -64,9 +66,23 @@ pub fn resolve(template: &Template, page_aspect: f64, settings: &PageSettings) -
             Shape::Circle { center, radius } => page.circle(*center, *radius, template.aspect(), gutter),
         };
         let halo = panel.halo * gutter;
+        let (shape, bounds) = if settings.rtl { mirrored(&shape, bounds) } else { (shape, bounds) };
         ResolvedPanel { shape, bounds, weight: panel.weight, overlay: panel.overlay, halo }
     });
     panels.collect()
+}
+
+/// A panel of a page that is read from right to left.
+fn mirrored(shape: &ResolvedShape, bounds: Bounds) -> (ResolvedShape, Bounds) {
+    let mirror = |p: &Point| Point::new(1.0 - p.x, p.y);
+    let shape = match shape {
+        // The other direction keeps the corners clockwise.
+        ResolvedShape::Polygon(corners) => ResolvedShape::Polygon(corners.iter().rev().map(mirror).collect()),
+        ResolvedShape::Circle { center, radius } => {
+            ResolvedShape::Circle { center: mirror(center), radius: *radius }
+        }
+    };
+    (shape, Bounds { x: 1.0 - bounds.x - bounds.width, ..bounds })
 }
 
 /// The measures of a page, all in page widths.

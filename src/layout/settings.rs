@@ -42,6 +42,10 @@ pub struct PageSettings {
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>", optional))]
     pub for_screens: bool,
+    /// Whether the page is read from right to left: its layout is mirrored.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>", optional))]
+    pub rtl: bool,
     /// Bleed in page widths, 0 to 0.1. For print files only; it is never saved.
     #[serde(skip_serializing_if = "is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<f64>", optional))]
@@ -72,6 +76,7 @@ impl Default for PageSettings {
             paper: "#ffffff".into(),
             border_color: "#111111".into(),
             for_screens: false,
+            rtl: false,
             bleed: 0.0,
             enlarge: false,
         }
@@ -215,6 +220,7 @@ impl PageSettings {
             }
         }
         page.for_screens = fields.flag("forScreens")?;
+        page.rtl = fields.flag("rtl")?;
         page.enlarge = fields.flag("enlarge")?;
         fields.done()?;
         Ok(page)

@@ -40,10 +40,11 @@ fn info(comic: &Comic, pages: &[ToldPage]) -> String {
     let mut out = format!(
         "{XML}<ComicInfo xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
          xmlns:xsd=\"http://www.w3.org/2001/XMLSchema\">\n  <Title>{}</Title>\n  <PageCount>{}</PageCount>\n  \
-         <LanguageISO>{}</LanguageISO>\n  <Manga>No</Manga>\n  <Pages>\n",
+         <LanguageISO>{}</LanguageISO>\n  <Manga>{}</Manga>\n  <Pages>\n",
         escaped(&comic.title),
         pages.len(),
         escaped(&comic.language),
+        if comic.is_rtl() { "YesAndRightToLeft" } else { "No" },
     );
     for (number, page) in pages.iter().enumerate() {
         let kind = if number == 0 { "FrontCover" } else { "Story" };

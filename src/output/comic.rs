@@ -24,6 +24,14 @@ pub struct Comic {
     pub pages: Vec<ComicPage>,
 }
 
+impl Comic {
+    /// Whether the comic is read from right to left.
+    #[must_use]
+    pub fn is_rtl(&self) -> bool {
+        self.pages.first().is_some_and(|page| page.document.page.rtl)
+    }
+}
+
 /// A page of a comic.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]

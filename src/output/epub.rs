@@ -219,7 +219,8 @@ impl Book<'_> {
             let alone = if page.width > page.height { " properties=\"rendition:spread-none\"" } else { "" };
             let _ = writeln!(spine, "<itemref idref=\"{name}\"{alone}/>");
         }
-        let _ = write!(out, "</manifest>\n<spine>\n{spine}</spine>\n</package>\n");
+        let direction = if comic.is_rtl() { " page-progression-direction=\"rtl\"" } else { "" };
+        let _ = write!(out, "</manifest>\n<spine{direction}>\n{spine}</spine>\n</package>\n");
         out
     }
 }

@@ -78,8 +78,9 @@ pub fn write(comic: &Comic, letters: &Letters) -> Result<Vec<Piece>> {
 
 fn head(comic: &Comic) -> String {
     let (language, title) = (escaped(&comic.language), escaped(&comic.title));
+    let rtl = if comic.is_rtl() { " data-rtl=\"true\"" } else { "" };
     format!(
-        "<!doctype html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\">\n\
+        "<!doctype html>\n<html lang=\"{language}\"{rtl}>\n<head>\n<meta charset=\"utf-8\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; \
          style-src 'sha256-{STYLE_HASH}'; script-src 'sha256-{SCRIPT_HASH}'; base-uri 'none'; form-action 'none'\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1, viewport-fit=cover\">\n\

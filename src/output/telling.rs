@@ -139,19 +139,23 @@ pub(super) fn told(
     }
     let laid = lay_all(document, letters)?;
     let mut order: Vec<usize> = (0..laid.len()).collect();
-    order.sort_by(|&a, &b| place(&laid[a]).total_cmp(&place(&laid[b])));
+    order.sort_by(|&a, &b| place(&laid[a], ground.rtl).total_cmp(&place(&laid[b], ground.rtl)));
     for word in order {
         let Some(at) = panel_of(&laid[word], &ground) else { continue };
         panels[at].words.extend(told_word(word, &laid[word], scale));
     }
     let mut panels: Vec<Option<ToldPanel>> = panels.into_iter().map(Some).collect();
-    let panels = reading_order(&ground.panels).into_iter().filter_map(|panel| panels[panel].take()).collect();
+    let panels = reading_order(&ground.panels, ground.rtl)
+        .into_iter()
+        .filter_map(|panel| panels[panel].take())
+        .collect();
     Ok(ToldPage { width, height, panels })
 }
 
-/// Reading position of a text item.
-fn place(laid: &Laid) -> f64 {
-    laid.middle.y + SLANT * laid.middle.x
+/// Reading position of a text item. `rtl`: the page is read from right to left.
+fn place(laid: &Laid, rtl: bool) -> f64 {
+    let across = if rtl { 1.0 - laid.middle.x } else { laid.middle.x };
+    laid.middle.y + SLANT * across
 }
 
 /// The panel of a text item: its own, or the panel under it, or the closest one.

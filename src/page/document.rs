@@ -218,7 +218,10 @@ impl Document {
     pub fn reading_order(&self) -> Vec<usize> {
         let resolved =
             self.template().map(|template| layout::resolve(&template, self.page.aspect(), &self.page));
-        resolved.map_or_else(|_| (0..self.panels.len()).collect(), |panels| layout::reading_order(&panels))
+        resolved.map_or_else(
+            |_| (0..self.panels.len()).collect(),
+            |panels| layout::reading_order(&panels, self.page.rtl),
+        )
     }
 
     /// The style of the page.

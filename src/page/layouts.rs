@@ -115,7 +115,7 @@ pub fn geometry(json: &str) -> Result<String> {
     let Of { layout, page } = parse(json)?;
     page.validate()?;
     let panels = resolve(&*template_of(&layout)?, page.aspect(), &page);
-    let order = reading_order(&panels);
+    let order = reading_order(&panels, page.rtl);
     let panels = panels.iter().map(ResolvedPanel::placed).collect();
     text_of(&Geometry { width: 1.0, height: 1.0 / page.aspect(), panels, order })
 }

@@ -29,13 +29,15 @@ const USUAL: usize = 4;
 const MIN_USUAL: usize = 5;
 /// Number of photos per page of a book without full pages.
 const TIGHT: usize = 5;
+/// Number of photos between a full page and the border of its chapter, unless there are none.
+const FEW: usize = 3;
 /// Minimum fit of a photo that fills a page.
 const FULL_FIT: f64 = 0.45;
 /// Cost of a page, so that there are not more than needed.
 const PAGE: f64 = 0.8;
 /// Cost of a page by its number of photos, from 1, and of a page behind a full page.
-const SIZES: [f64; MOST_OF_A_PAGE] = [2.2, 0.9, 0.4, 0.12, 0.0, 0.0, 0.3, 0.9, 1.5];
-const QUIET: [f64; MOST_OF_A_PAGE] = [1.6, 0.15, 0.0, 0.2, 0.5, 0.8, 1.2, 1.8, 2.4];
+const SIZES: [f64; MOST_OF_A_PAGE] = [3.0, 0.9, 0.4, 0.12, 0.0, 0.0, 0.4, 1.3, 2.6];
+const QUIET: [f64; MOST_OF_A_PAGE] = [3.0, 0.15, 0.0, 0.2, 0.5, 0.8, 1.2, 1.8, 2.4];
 /// Cost of two pages of one size in a row.
 const SAME: f64 = 0.12;
 /// Cost of a change of day, place or scene within a page.
@@ -127,12 +129,16 @@ pub fn outline(album: &Photos, wanted: &Wanted) -> Outline {
     let inner = kept(album, &chapters, most.saturating_sub(2).max(1) * MOST_OF_A_PAGE);
     let Some(cover) = best(&inner, rate) else { return Outline { leaves: Vec::new(), chapters } };
     let mut leaves = vec![Leaf { role: Role::Cover, chapter: chapters[cover], photos: vec![cover] }];
-    let end = (most > 2).then(|| closing(&inner, &chapters, album, rate)).flatten();
+    let end = (most > 2).then(|| closing(&inner, &chapters, (album, cover), rate)).flatten();
     let inner: Vec<usize> = inner.into_iter().filter(|photo| Some(*photo) != end).collect();
     let pages = wanted.pages.map(|pages| pages.saturating_sub(1 + usize::from(end.is_some())).max(1));
     // A book of few pages has no room for full pages.
     let tight = pages.is_some_and(|pages| inner.len() > pages * TIGHT);
-    let full = if tight { vec![false; inner.len()] } else { full_pages(&inner, cover, &|i| fits[i], album) };
+    let full = if tight {
+        vec![false; inner.len()]
+    } else {
+        full_pages(&inner, &chapters, cover, &|i| fits[i], album)
+    };
     let spine = Spine::new(&inner, &full, &chapters, album, wanted);
     let mut from = 0;
     for size in spine.sizes(pages, most.saturating_sub(1 + usize::from(end.is_some())).max(1)) {
@@ -203,18 +209,18 @@ fn kept(album: &Photos, chapters: &[usize], most: usize) -> Vec<usize> {
     kept
 }
 
-/// The photo of the end page: the best of the last three, if its chapter has other photos.
+/// The photo of the end page: the best of the last four without the photo of the cover, if its chapter has other photos.
 fn closing(
     photos: &[usize],
     chapters: &[usize],
-    album: &Photos,
+    (album, cover): (&Photos, usize),
     rate: impl Fn(usize) -> f64,
 ) -> Option<usize> {
     if photos.len() < MIN_END {
         return None;
     }
     let chapter = chapters[*photos.last()?];
-    let last: Vec<usize> = photos.iter().rev().take(3).copied().collect();
+    let last: Vec<usize> = photos.iter().rev().take(4).copied().filter(|i| *i != cover).collect();
     let shared = photos.iter().filter(|&&i| chapters[i] == chapter).count() > 1;
     let own: Vec<usize> = if shared {
         last.into_iter().filter(|&i| chapters[i] == chapter && album.kind(i) != Kind::Document).collect()
@@ -225,7 +231,13 @@ fn closing(
 }
 
 /// Whether each photo fills a page.
-fn full_pages(photos: &[usize], cover: usize, fit: &dyn Fn(usize) -> f64, album: &Photos) -> Vec<bool> {
+fn full_pages(
+    photos: &[usize],
+    chapters: &[usize],
+    cover: usize,
+    fit: &dyn Fn(usize) -> f64,
+    album: &Photos,
+) -> Vec<bool> {
     let mut full = vec![false; photos.len()];
     if photos.len() < MIN_FULL {
         return full;
@@ -245,8 +257,14 @@ fn full_pages(photos: &[usize], cover: usize, fit: &dyn Fn(usize) -> f64, album:
     });
     let mut chosen: Vec<usize> = Vec::new();
     for at in some {
-        // The first page of the book shows where the story begins.
-        if at > 1 && chosen.iter().all(|other| other.abs_diff(at) >= FULL_APART) {
+        // The first page of the book shows where the story begins, and no few photos of a chapter are cut off.
+        let alone = (1..FEW).any(|few| {
+            let changes = |from: usize, to: usize| chapters[photos[from]] != chapters[photos[to]];
+            at >= few + 1 && changes(at - few - 1, at - few) && !changes(at - few, at)
+                || at + few + 1 < photos.len() && changes(at + few, at + few + 1) && !changes(at, at + few)
+        });
+        let late = at + FEW >= photos.len();
+        if at > 1 && !alone && !late && chosen.iter().all(|other| other.abs_diff(at) >= FULL_APART) {
             chosen.push(at);
         }
         if chosen.len() == photos.len() / FULL_EACH + usize::from(photos.len() < FULL_EACH) {

@@ -12,6 +12,7 @@ mod behind;
 mod block_properties;
 mod blocks;
 mod boards;
+mod books;
 mod bounds;
 mod breaking;
 mod catalogue;

@@ -150,7 +150,6 @@ const bookMaking = createBookMaking({
   store,
   book,
   pages,
-  messages,
   album: reading,
   searched: () => !ui.detects || (subjects.searched.peek() && subjects.settled.peek()),
   ready: lettering.ready,

@@ -6,7 +6,6 @@ import { language, strings } from '../strings/strings.ts';
 import type { Signal } from '@preact/signals';
 import type { BookStyles } from '../engine/types.ts';
 import type { Book } from './book.ts';
-import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 
@@ -25,7 +24,6 @@ export function createBookMaking({
   store,
   book,
   pages,
-  messages,
   album,
   searched,
   ready,
@@ -37,7 +35,6 @@ export function createBookMaking({
   store: Store;
   book: Pick<Book, 'cannotSpread' | 'replace'>;
   pages: Pick<Pages, 'book'>;
-  messages: Pick<Messages, 'note'>;
   album: { title: () => string; moments: () => ReadonlyMap<string, { place: string }> };
   searched: () => boolean;
   ready: () => Promise<unknown>;

@@ -815,6 +815,8 @@ export type PageSettings = {
   borderColor: string,
   /** Whether text has the larger size for screens. */
   forScreens?: boolean,
+  /** Whether the page is read from right to left: its layout is mirrored. */
+  rtl?: boolean,
   /** Bleed in page widths, 0 to 0.1. For print files only; it is never saved. */
   bleed?: number,
   /**

@@ -76,3 +76,10 @@ test('undated photos, and photos of many years, leave a page without days', () =
   const years = { a: { at: at('2019-06-01T09:00') }, b: { at: at('2026-06-01T10:00') } };
   expect(told(narrated(pageOf(['a', 'b']), narration(years, '')))).toEqual([]);
 });
+
+test('the text of a book stays, and nothing is added to it', () => {
+  const title: Word = { kind: 'caption', text: 'Second day.', panel: 0, made: true, book: true };
+  const page = { ...pageOf(['a']), words: [title] };
+  expect(narrated(page, narration({})).words).toEqual([title]);
+  expect(plain(page)).toBe(page);
+});

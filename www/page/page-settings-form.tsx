@@ -86,6 +86,14 @@ export function PageSettingsForm() {
           {settings.forScreens ? strings.forScreensHelp : strings.forPrintHelp}
         </p>
       </fieldset>
+      <label class="choice">
+        <input
+          type="checkbox"
+          checked={settings.rtl ?? false}
+          onChange={(event) => pages.changeSettings({ rtl: event.currentTarget.checked })}
+        />
+        {strings.rightToLeft}
+      </label>
       {LENGTHS.map(({ name, most, step }) => (
         <label class="field length" key={name}>
           <span>{strings[name]}</span>

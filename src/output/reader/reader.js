@@ -14,7 +14,7 @@
 const SWIPE = 40;
 /** A finger or a mouse that moves so little has not moved. */
 const STILL = 10;
-/** A tap in this part of the width, from the left, goes back. */
+/** The part of the width, from the side where reading begins, where a tap goes back. */
 const BACK = 0.3;
 /** Minimum magnification of a pinch zoom at which one finger pans the picture. */
 const ENLARGED = 1.05;
@@ -23,6 +23,8 @@ const ENLARGED = 1.05;
  * @type {Record<string, 1 | -1 | undefined>}
  */
 const KEYS = { ArrowRight: 1, ArrowDown: 1, PageDown: 1, ArrowLeft: -1, ArrowUp: -1, PageUp: -1 };
+/** 1 if the comic is read from left to right, otherwise -1. */
+const onwards = document.documentElement.dataset.rtl ? -1 : 1;
 /** Screens that are too small for reading a whole page. */
 const SMALL = '(max-width: 700px), (max-height: 500px)';
 
@@ -208,7 +210,9 @@ function start(document) {
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || view === 'text') return;
     const onButton = event.target instanceof HTMLButtonElement;
-    const by = KEYS[event.key];
+    const on = KEYS[event.key];
+    const turned = onwards < 0 && /^Arrow(Left|Right)$/.test(event.key);
+    const by = on && turned ? (on > 0 ? -1 : 1) : on;
     if (by) step(by);
     else if (event.key === ' ' && !onButton) step(event.shiftKey ? -1 : 1);
     else if (event.key === 'Enter' && !onButton && view === 'pages') look('panels');
@@ -232,7 +236,9 @@ function start(document) {
   });
   main.addEventListener('pointerup', ({ pointerId, pointerType, clientX, clientY }) => {
     if (!down || down.id !== pointerId || view === 'text') return;
-    const by = pointerType === 'mouse' || enlarged() ? 0 : swiped(down, { x: clientX, y: clientY });
+    const up = { x: clientX, y: clientY };
+    const [from, to] = onwards > 0 ? [down, up] : [up, down];
+    const by = pointerType === 'mouse' || enlarged() ? 0 : swiped(from, to);
     moved = Math.hypot(clientX - down.x, clientY - down.y) > STILL;
     down = null;
     if (by !== 0) step(by);
@@ -246,7 +252,8 @@ function start(document) {
       return;
     }
     const { left, width } = main.getBoundingClientRect();
-    step(event.clientX - left < width * BACK ? -1 : 1);
+    const part = (event.clientX - left) / width;
+    step((onwards > 0 ? part : 1 - part) < BACK ? -1 : 1);
   });
   window.addEventListener('hashchange', () => {
     const stop = placeOf(document.location.hash, counts);

@@ -203,7 +203,8 @@ impl Book {
         let shown = self.made.iter().take(at).flatten().rev().take(RECENT);
         let next = self.made.iter().skip(at + 1).take(RECENT).flatten();
         let near = shown.chain(next).filter_map(|page| page.document.layout.as_str()).map(str::to_owned);
-        let dated = photos.iter().all(|photo| photo.taken.is_some());
+        // Photos may be anywhere on a page that tells one moment only.
+        let several = self.captions[at].iter().any(|(photo, ..)| *photo != leaf.photos[0]);
         let given = self.request.style.clone().filter(|_| chapter == 0);
         let request = Request {
             seed: self.request.seed.wrapping_add(at as u32),
@@ -211,7 +212,7 @@ impl Book {
             layout: layout.map(Value::from),
             style: self.styles.get(&chapter).cloned().or(given),
             merge: Some(false),
-            ordered: self.request.ordered.or(dated.then_some(true)),
+            ordered: self.request.ordered.or(Some(several)),
             avoid: Avoid { layouts: near.collect(), styles: self.known_styles() },
             photos,
             ..self.request.clone()
@@ -235,7 +236,8 @@ impl Book {
         let told = self.captions[at].iter();
         let mut words: Vec<Value> = told
             .filter_map(|(photo, text, begins)| {
-                narration::caption(page, &self.request.photos[*photo].id, (text, *begins), language)
+                let own = (*photo != leaf.photos[0]).then(|| self.request.photos[*photo].id.as_str());
+                narration::caption(page, own, (text, *begins), language)
             })
             .collect();
         match leaf.role {

@@ -14,12 +14,13 @@ const MOST_CAPTIONS: usize = 2;
 const PAUSE: i64 = 3 * 3600;
 /// Maximum span in days for counting days. Captions of longer albums show dates.
 const COUNTED: i64 = 10;
-/// Height of an em in page widths: of page numbers, and of captions that begin a chapter.
+/// Height of an em in page widths: of page numbers, of captions that begin a chapter, and of others.
 const NUMBER: f64 = 0.017;
-const HEADING: f64 = 0.026;
+const HEADING: f64 = 0.03;
+const CAPTION: f64 = 0.021;
 /// Maximum height of an em of a title, and of the text below it, in page widths.
 const TITLE: f64 = 0.15;
-const SUBTITLE: f64 = 0.036;
+const SUBTITLE: f64 = 0.042;
 /// Width of titles in page widths, width of a capital letter in ems, and height of a line in ems.
 const WIDTH: f64 = 0.88;
 const LETTER: f64 = 0.5;
@@ -118,22 +119,22 @@ impl<'a> Told<'a> {
     }
 }
 
-/// A caption on the panel that shows a photo.
+/// A caption on the panel that shows a photo, or on the first panel without one.
 pub(super) fn caption(
     page: &Document,
-    photo: &str,
+    photo: Option<&str>,
     (text, begins): (&str, bool),
     language: &str,
 ) -> Option<Value> {
-    let panel = page.panels.iter().position(|panel| panel.photo.as_deref() == Some(photo))?;
-    let mut word = json!({
+    let panel = match photo {
+        Some(photo) => page.panels.iter().position(|panel| panel.photo.as_deref() == Some(photo))?,
+        None => *page.reading_order().first()?,
+    };
+    let photo = page.panels.get(panel)?.photo.as_deref()?;
+    Some(json!({
         "kind": "caption", "text": text, "panel": panel, "photo": photo, "auto": true, "craft": 2,
-        "made": true, "book": true, "language": language,
-    });
-    if begins {
-        word["size"] = json!(HEADING);
-    }
-    Some(word)
+        "made": true, "book": true, "language": language, "size": if begins { HEADING } else { CAPTION },
+    }))
 }
 
 /// The number of a page, from 1, at its lower edge.

@@ -27,7 +27,13 @@ impl About {
     }
 
     /// Writes the catalog and its objects, except the pages.
-    pub(super) fn write(&self, pdf: &mut Pdf, (catalog, tree): (Ref, Ref), info: Ref, options: &Options) {
+    pub(super) fn write(
+        &self,
+        pdf: &mut Pdf,
+        (catalog, tree): (Ref, Ref),
+        info: Ref,
+        (options, rtl): (&Options, bool),
+    ) {
         let mut root = pdf.catalog(catalog);
         root.pages(tree).metadata(self.metadata);
         root.pair(pdf_writer::Name(b"StructTreeRoot"), self.structure);
@@ -35,7 +41,12 @@ impl About {
         if !options.language.is_empty() {
             root.lang(TextStr(&options.language));
         }
-        root.viewer_preferences().display_doc_title(true);
+        let mut preferences = root.viewer_preferences();
+        preferences.display_doc_title(true);
+        if rtl {
+            preferences.direction(pdf_writer::types::Direction::R2L);
+        }
+        preferences.finish();
         if self.colored {
             let mut intents = root.output_intents();
             let mut intent = intents.push();

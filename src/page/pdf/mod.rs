@@ -66,7 +66,8 @@ pub fn write(leaves: &[Leaf], options: &Options, letters: &Letters) -> Result<Ve
     let mut pdf = Pdf::with_settings(pdf_writer::Settings { pretty: false });
     let (catalog, tree, info) = (next(), next(), next());
     let about = About::new(options, &mut next);
-    about.write(&mut pdf, (catalog, tree), info, options);
+    let rtl = leaves.first().is_some_and(|leaf| leaf.document.page.rtl);
+    about.write(&mut pdf, (catalog, tree), info, (options, rtl));
     let sides = impose::sides(options.imposition, leaves.len());
     let ids: Vec<Ref> = sides.iter().map(|_| next()).collect();
     pdf.pages(tree).kids(ids.iter().copied()).count(ids.len() as i32);

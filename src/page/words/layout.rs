@@ -78,6 +78,8 @@ pub struct Ground {
     pub palette: Palette,
     /// Its text is read on screens.
     pub screens: bool,
+    /// Whether the page is read from right to left.
+    pub rtl: bool,
 }
 
 include!(concat!(env!("OUT_DIR"), "/palettes.rs"));
@@ -102,7 +104,13 @@ impl Ground {
         let aspect = document.page.aspect();
         let panels = resolve(&*document.template()?, aspect, &document.page);
         let palette = palette_of(&document.style);
-        Ok(Self { panels, height: 1.0 / aspect, palette, screens: document.page.for_screens })
+        Ok(Self {
+            panels,
+            height: 1.0 / aspect,
+            palette,
+            screens: document.page.for_screens,
+            rtl: document.page.rtl,
+        })
     }
 
     /// The bounds for relative positions: the item's panel, the last panel if the page has fewer, or the

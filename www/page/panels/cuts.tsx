@@ -19,12 +19,14 @@ const LARGE_STEP = 0.05;
 
 export function Cuts() {
   const { store } = useApp();
-  const cuts = store.layoutFacts.value?.cuts ?? [];
+  const found = store.layoutFacts.value?.cuts ?? [];
+  const rtl = store.page.value?.page.rtl ?? false;
+  const cuts = rtl ? found.map((cut) => ({ ...cut, ...mirrored(cut), ...mirroredEnds(cut) })) : found;
   const height = store.geometry.value?.height ?? 1;
   return (
     <div class="cuts" role="group" aria-label={strings.cuts}>
       {cuts.map((cut, i) => (
-        <CutHandle key={i} cut={cut} index={i} count={cuts.length} height={height} />
+        <CutHandle key={i} cut={cut} index={i} count={cuts.length} height={height} rtl={rtl} />
       ))}
       {cuts.length === 0 && <p class="cuts-none">{strings.noCuts}</p>}
     </div>
@@ -33,9 +35,36 @@ export function Cuts() {
 
 let gestures = 0;
 
-/** @param props `height` of the page, in its widths */
-function CutHandle({ cut, index, count, height }: { cut: Cut; index: number; count: number; height: number }) {
+type Slant = Pick<Cut, 'fraction' | 'slant'>;
+
+/** A cut of a mirrored page, or back. */
+function mirrored<S extends Slant & Pick<Cut, 'axis'>>({ axis, fraction, slant }: S): Slant {
+  return { fraction: axis === 'columns' ? 1 - fraction : fraction, slant: -slant };
+}
+
+function mirroredEnds({ axis, from, to }: Cut): Pick<Cut, 'from' | 'to'> {
+  const ends = [from, to].map(([x, y]): [number, number] => [1 - x, y]);
+  const [first, last] = axis === 'rows' ? ends.reverse() : ends;
+  return { from: first, to: last };
+}
+
+/** @param props `height` of the page, in its widths; `rtl`: the page is mirrored */
+function CutHandle({
+  cut,
+  index,
+  count,
+  height,
+  rtl,
+}: {
+  cut: Cut;
+  index: number;
+  count: number;
+  height: number;
+  rtl: boolean;
+}) {
   const { reshaping } = useApp();
+  const move = (to: Slant, gesture: string) =>
+    reshaping.moveCut(index, rtl ? mirrored({ axis: cut.axis, ...to }) : to, gesture);
   const grip = useRef(null as Grip | null);
   const keys = useRef('');
   const ref = useRef(null as HTMLDivElement | null);
@@ -55,7 +84,7 @@ function CutHandle({ cut, index, count, height }: { cut: Cut; index: number; cou
     if (!held || held.id !== event.pointerId || !page) return;
     event.stopPropagation();
     const moved = held.cut.axis === 'rows' ? event.clientY - held.y : event.clientX - held.x;
-    reshaping.moveCut(index, shifted(held.cut, held.end, moved / page.clientWidth / held.cut.length), held.name);
+    move(shifted(held.cut, held.end, moved / page.clientWidth / held.cut.length), held.name);
   }
 
   function release() {
@@ -70,11 +99,7 @@ function CutHandle({ cut, index, count, height }: { cut: Cut; index: number; cou
     const step = way * (event.shiftKey ? LARGE_STEP : STEP);
     if (keys.current === '') keys.current = `cut-keys-${(gestures += 1)}`;
     const { fraction, slant } = cut;
-    reshaping.moveCut(
-      index,
-      event.altKey ? { fraction, slant: slant + 2 * step } : { fraction: fraction + step, slant },
-      keys.current,
-    );
+    move(event.altKey ? { fraction, slant: slant + 2 * step } : { fraction: fraction + step, slant }, keys.current);
   }
 
   const [[x1, y1], [x2, y2]] = [cut.from, cut.to];

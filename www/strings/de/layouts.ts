@@ -157,6 +157,7 @@ export const layouts: Record<string, string> = {
   'slanted-lead-6': 'Schräger Aufmacher und zwei Zeilen',
   'slanted-lightning-6': 'Blitz',
   'slanted-side-5': 'Schräger Aufmacher neben einem Paar',
+  'splash-bleed': 'Ganze Seite bis zum Rand',
   'splash-strip-above': 'Ganze Seite, Strip darüber',
   'splash-strip-below': 'Ganze Seite, Strip darunter',
   'splash-strips': 'Ganze Seite zwischen Strips',

@@ -32,6 +32,7 @@ export const pageStrings = {
   },
 
   textUse: 'Textgröße',
+  rightToLeft: 'Von rechts nach links lesen',
   forScreens: 'Für Bildschirme',
   forPrint: 'Für den Druck',
   forScreensHelp: 'Der Text ist groß genug für Telefone und Laptops.',

@@ -34,6 +34,7 @@ export const pageStrings = {
   },
 
   textUse: 'Text size',
+  rightToLeft: 'Read from right to left',
   forScreens: 'For screens',
   forPrint: 'For print',
   forScreensHelp: 'Text is large enough for phones and laptops.',

@@ -157,6 +157,7 @@ export const layouts: Record<string, string> = {
   'slanted-lead-6': 'Grande inclinada y dos filas',
   'slanted-lightning-6': 'Relámpago',
   'slanted-side-5': 'Grande inclinada junto a un par',
+  'splash-bleed': 'Página entera hasta el borde',
   'splash-strip-above': 'Página entera con tira encima',
   'splash-strip-below': 'Página entera con tira debajo',
   'splash-strips': 'Página entera entre tiras',

@@ -32,6 +32,7 @@ export const pageStrings = {
   },
 
   textUse: 'Tamaño del texto',
+  rightToLeft: 'Leer de derecha a izquierda',
   forScreens: 'Para pantallas',
   forPrint: 'Para imprimir',
   forScreensHelp: 'El texto es lo bastante grande para teléfonos y portátiles.',

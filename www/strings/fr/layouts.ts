@@ -157,6 +157,7 @@ export const layouts: Record<string, string> = {
   'slanted-lead-6': 'Grande inclinée et deux rangées',
   'slanted-lightning-6': 'Éclair',
   'slanted-side-5': 'Grande inclinée à côté d’une paire',
+  'splash-bleed': 'Pleine page jusqu’au bord',
   'splash-strip-above': 'Pleine page, strip au-dessus',
   'splash-strip-below': 'Pleine page, strip au-dessous',
   'splash-strips': 'Pleine page entre strips',

@@ -32,6 +32,7 @@ export const pageStrings = {
   },
 
   textUse: 'Taille du texte',
+  rightToLeft: 'Lire de droite à gauche',
   forScreens: 'Pour les écrans',
   forPrint: 'Pour l’impression',
   forScreensHelp: 'Le texte est assez grand pour les téléphones et les ordinateurs.',

@@ -157,6 +157,7 @@ export const layouts: Record<string, string> = {
   'slanted-lead-6': '斜めの大ゴマと2段',
   'slanted-lightning-6': '稲妻',
   'slanted-side-5': '対の横の斜め大ゴマ',
+  'splash-bleed': '全面（裁ち切り）',
   'splash-strip-above': '全面と上のストリップ',
   'splash-strip-below': '全面と下のストリップ',
   'splash-strips': 'ストリップの間の全面',

@@ -32,6 +32,7 @@ export const pageStrings = {
   },
 
   textUse: '文字の大きさ',
+  rightToLeft: '右から左へ読む',
   forScreens: '画面用',
   forPrint: '印刷用',
   forScreensHelp: 'スマートフォンやノートパソコンで読める大きさです。',

@@ -157,6 +157,7 @@ export const layouts: Record<string, string> = {
   'slanted-lead-6': 'Destaque inclinado e duas linhas',
   'slanted-lightning-6': 'Relâmpago',
   'slanted-side-5': 'Destaque inclinado ao lado de um par',
+  'splash-bleed': 'Página inteira até à margem',
   'splash-strip-above': 'Página inteira, tira em cima',
   'splash-strip-below': 'Página inteira, tira embaixo',
   'splash-strips': 'Página inteira entre tiras',

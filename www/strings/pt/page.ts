@@ -32,6 +32,7 @@ export const pageStrings = {
   },
 
   textUse: 'Tamanho do texto',
+  rightToLeft: 'Ler da direita para a esquerda',
   forScreens: 'Para telas',
   forPrint: 'Para impressão',
   forScreensHelp: 'O texto é grande o bastante para celulares e notebooks.',

@@ -255,7 +255,8 @@ impl Room<'_> {
                     let pairs = before.iter().enumerate().map(|(other, placed)| {
                         let joined = joins[index] == Some(group[other]) || joins[group[other]] == Some(index);
                         let pair = (&words[group[other]], &words[index]);
-                        together((pair.0, placed), (pair.1, place), joined, other + 1 == rank)
+                        let rtl = self.page.ground.rtl;
+                        together((pair.0, placed), (pair.1, place), (joined, rtl), other + 1 == rank)
                     });
                     next.push((cost + place.cost + pairs.sum::<f64>(), set, at));
                 }
@@ -289,7 +290,7 @@ impl Room<'_> {
             for place in &mut places {
                 let (one, two) = ((&words[*other], &stands), (&words[index], &*place));
                 let (first, second) = if *other < index { (one, two) } else { (two, one) };
-                place.cost += together(first, second, true, false);
+                place.cost += together(first, second, (true, self.page.ground.rtl), false);
             }
         }
         places.sort_by(|a: &Place, b| a.cost.total_cmp(&b.cost));
@@ -455,6 +456,8 @@ impl Room<'_> {
         let frame = self.frame;
         let part = |at: f64, start: f64, room: f64| if room > 1e-9 { (at - start) / room } else { 0.5 };
         let right = part(area.x, frame.x, frame.width - area.width);
+        // Text begins where the eye does.
+        let right = if self.page.ground.rtl && kind != Kind::Effect { 1.0 - right } else { right };
         let low = part(area.y, frame.y, frame.height - area.height);
         match kind {
             Kind::Caption => {
@@ -575,8 +578,8 @@ impl Room<'_> {
 }
 
 /// Cost of two items of a panel together. The first precedes the second in the text, directly if they
-/// `follow`.
-fn together(one: (&Word, &Place), other: (&Word, &Place), joined: bool, follow: bool) -> f64 {
+/// `follow`. `rtl`: the page is read from right to left.
+fn together(one: (&Word, &Place), other: (&Word, &Place), (joined, rtl): (bool, bool), follow: bool) -> f64 {
     let ((said, first), (says, second)) = (one, other);
     let (a, b) = (first.area, second.area);
     let mut cost = 0.0;
@@ -598,7 +601,7 @@ fn together(one: (&Word, &Place), other: (&Word, &Place), joined: bool, follow: 
         cost += FORBIDDEN;
     }
     let sound = said.kind == Kind::Effect || says.kind == Kind::Effect;
-    if !sound && !reads_after(a, b) {
+    if !sound && !reads_after(turned(a, rtl), turned(b, rtl)) {
         cost += FORBIDDEN;
     }
     if joined {
@@ -622,6 +625,11 @@ fn staggered(a: Bounds, b: Bounds) -> f64 {
     let across = (to.x - from.x).abs() / f64::midpoint(a.width, b.width).max(1e-9);
     let down = (to.y - from.y) / f64::midpoint(a.height, b.height).max(1e-9);
     weight * ((aside - across).max(0.0) / aside + (below - down).max(0.0) / below)
+}
+
+/// The mirror image of an area if the page is read from right to left.
+fn turned(area: Bounds, rtl: bool) -> Bounds {
+    if rtl { Bounds { x: -area.x - area.width, ..area } } else { area }
 }
 
 /// Returns whether a reader sees `b` after `a`: it is below, or to the right at about the same height.

@@ -1,0 +1,49 @@
+// @ts-check
+/** A book of all photos in one click, its text, and its undo. */
+
+import { photosOfPages, strip, thumb, thumbs } from '../page-strip.js';
+import {
+  SAMPLES,
+  accessible,
+  contents,
+  expect,
+  idle,
+  openBoard,
+  picture,
+  press,
+  sharedBoardTest as test,
+} from '../support.js';
+
+test('one click makes a book with each photo, and Undo restores the page', async ({ page }) => {
+  await openBoard(page, SAMPLES);
+  const before = await picture(page);
+  await expect(strip(page).getByRole('button', { name: 'Make a book', exact: true })).toBeVisible();
+  await accessible(page);
+  await press(page, 'Make a book');
+  await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
+  await idle(page);
+  const count = await thumbs(page).count();
+  expect(count).toBeGreaterThan(3);
+  await accessible(page);
+  const [cover, ...pages] = await photosOfPages(page);
+  expect(cover).toHaveLength(1);
+  const used = await page.getByRole('region', { name: 'Photos' }).getByRole('checkbox', { checked: true }).count();
+  expect(new Set(pages.flat()).size).toBe(used);
+  await press(page, 'Undo');
+  await expect(thumbs(page)).toHaveCount(0);
+  expect(await picture(page)).toBe(before);
+});
+
+test('a shuffle keeps the photos of a page, and the page numbers follow a move', async ({ page }) => {
+  await openBoard(page, SAMPLES);
+  await press(page, 'Make a book');
+  await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
+  await thumb(page, 2).click();
+  await idle(page);
+  const { photos } = await contents(page);
+  await press(page, 'Shuffle');
+  expect([...(await contents(page)).photos].sort()).toEqual([...photos].sort());
+  await press(page, 'Move page later');
+  await expect(thumb(page, 3)).toHaveAttribute('aria-current', 'true');
+  await expect(page.getByRole('button', { name: '3', exact: true })).toBeVisible();
+});

@@ -1,0 +1,81 @@
+import { expect, test } from 'vitest';
+import { createBookMaking } from './book-making.ts';
+import { opened } from './book-testing.ts';
+
+async function making(count: number, { searched = () => true }: { searched?: () => boolean } = {}) {
+  const app = await opened(count);
+  const waits: number[] = [];
+  const bookMaking = createBookMaking({
+    store: app.store,
+    book: app.book,
+    pages: app.pages,
+    album: { title: () => 'Trip', moments: () => new Map() },
+    searched,
+    ready: () => Promise.resolve(),
+    wait: (ms) => {
+      waits.push(ms);
+      return Promise.resolve();
+    },
+  });
+  return { ...app, bookMaking, waits };
+}
+
+test('a book has every photo once behind its cover, and is one undo step', async () => {
+  const { bookMaking, store, shown, ids, pages, messages } = await making(14);
+  const before = store.page.peek();
+  await bookMaking.make('one');
+  const [cover, ...others] = shown();
+  expect(cover).toHaveLength(1);
+  expect(others.flat().sort()).toEqual([...ids()].sort());
+  expect(messages.list.peek().map(({ text }) => text)).toContain(`Your book has ${shown().length} pages.`);
+  const texts = store.sheets.peek().flatMap(({ words = [] }) => words.map(({ text }) => text));
+  expect(texts).toContain('Trip');
+  expect(texts).toContain('The end');
+  expect(texts).toContain('2');
+  expect(bookMaking.progress.peek()).toBeNull();
+  pages.undo();
+  expect(store.sheets.peek()).toEqual([before]);
+});
+
+test('page numbers follow a move, and a shuffle keeps the text of a book', async () => {
+  const { bookMaking, store, book, pages } = await making(14);
+  await bookMaking.make('one');
+  const numbers = () => store.sheets.peek().map(({ words = [] }) => words.find(({ number }) => number)?.text ?? '');
+  const before = numbers();
+  book.move(1, 2);
+  expect(numbers()).toEqual(before);
+  book.go(0);
+  const title = () => store.page.peek()?.words?.map(({ text }) => text);
+  expect(title()?.[0]).toBe('Trip');
+  pages.shuffle('all');
+  expect(title()?.[0]).toBe('Trip');
+});
+
+test('a book waits for faces, and Cancel leaves the pages as they are', async () => {
+  let searched = false;
+  const { bookMaking, store, waits } = await making(14, { searched: () => searched });
+  const before = store.sheets.peek();
+  const made = bookMaking.make('one');
+  expect(bookMaking.progress.peek()).toEqual({ done: 0, of: 0 });
+  bookMaking.cancel();
+  await made;
+  expect(store.sheets.peek()).toEqual(before);
+  searched = false;
+  await bookMaking.make('one');
+  expect(waits.length).toBeGreaterThan(100);
+  expect(store.sheets.peek().length).toBeGreaterThan(3);
+});
+
+test('a book replaces the text of the book before, and keeps the text of the user', async () => {
+  const { bookMaking, store } = await making(14);
+  await bookMaking.make('one');
+  const page = store.page.peek();
+  if (!page) throw new Error('There is no page.');
+  const photo = page.panels[0].photo ?? '';
+  const own = { kind: 'balloon', text: 'Mine', panel: 0, photo } as const;
+  store.change({ type: 'change-page', page: { ...page, words: [...(page.words ?? []), own] } });
+  await bookMaking.make('one');
+  const texts = store.sheets.peek().flatMap(({ words = [] }) => words.map(({ text }) => text));
+  expect(texts.filter((text) => text === 'Trip')).toHaveLength(1);
+  expect(texts).toContain('Mine');
+});
