@@ -1,5 +1,6 @@
-//! Readers of the formats of subtitles. Real files break their formats in many ways, so the readers follow one rule:
-//! a line with times begins a subtitle, and every line of text belongs to a subtitle or to a reported error.
+//! Readers of subtitle formats. Real files violate their formats in many ways, so the readers follow one
+//! rule. A line with times begins a subtitle, and every line of text belongs to a subtitle or to a reported
+//! error.
 
 use super::markup::{self, Dialect};
 use super::{Flaw, Result, is_space, lines, trimmed};
@@ -11,11 +12,11 @@ pub(super) struct RawCue {
     pub(super) start: f64,
     /// Seconds, no less than the start.
     pub(super) end: f64,
-    /// Lines without markup, none of them empty.
+    /// Lines without markup. Empty lines are left out.
     pub(super) lines: Vec<String>,
     /// Name of the speaker, if the format has a field for it.
     pub(super) speaker: Option<String>,
-    /// Whether words of the text have times of their own.
+    /// Whether single words of the text have times.
     pub(super) stamped: bool,
 }
 
@@ -39,7 +40,9 @@ pub(super) fn read(text: &str, vtt: bool) -> Result<Read> {
         blocks(&lines, Kind::Vtt)
     } else if lines.iter().any(|line| dialogue(line).is_some()) {
         substation(&lines)
-    } else if !lines.iter().any(|line| arrow(line).is_some()) && lines.iter().any(|line| comma(line).is_some()) {
+    } else if !lines.iter().any(|line| arrow(line).is_some())
+        && lines.iter().any(|line| comma(line).is_some())
+    {
         blocks(&lines, Kind::YouTube)
     } else {
         blocks(&lines, Kind::Srt)
@@ -58,9 +61,13 @@ enum Kind {
 
 /// The subtitle that the lines belong to.
 enum Open {
-    /// There was none yet, or an empty line ended it.
+    /// No subtitle has started, or an empty line ended it.
     Nothing,
-    Cue { start: f64, end: f64, text: Vec<usize> },
+    Cue {
+        start: f64,
+        end: f64,
+        text: Vec<usize>,
+    },
     /// A block with a reported error, whose lines are skipped.
     Flawed,
 }
@@ -73,7 +80,10 @@ fn blocks(lines: &[&str], kind: Kind) -> Read {
     let mut at = 0;
     if kind == Kind::Vtt {
         // Lines after the header belong to it, up to an empty line or a time.
-        at = 1 + lines[1..].iter().take_while(|line| !is_end(line, kind) && head(line, kind).is_none()).count();
+        at = 1 + lines[1..]
+            .iter()
+            .take_while(|line| !is_end(line, kind) && head(line, kind).is_none())
+            .count();
     }
     let first = at;
     let close = |open: &mut Open, cues: &mut Vec<RawCue>| {
@@ -100,7 +110,9 @@ fn blocks(lines: &[&str], kind: Kind) -> Read {
         let own = number(line);
         let named = lines.get(below).is_some_and(|next| is_head(next, own.is_some() || begins, kind))
             && match own {
-                Some(own) => begins || (numbered && (kind == Kind::Srt || Some(own) == count.map(|last| last + 1))),
+                Some(own) => {
+                    begins || (numbered && (kind == Kind::Srt || Some(own) == count.map(|last| last + 1)))
+                }
                 None => begins && (kind == Kind::Vtt || matches!(open, Open::Nothing)),
             };
         if named {
@@ -191,7 +203,8 @@ fn arrow(line: &str) -> Option<(&str, &str)> {
 /// The two times of a line that consists of them.
 fn comma(line: &str) -> Option<(&str, &str)> {
     let (before, after) = line.split_once(',')?;
-    let is_time = |text: &str| text.contains('.') && clock(text).is_some_and(|(_, rest)| trimmed(rest).is_empty());
+    let is_time =
+        |text: &str| text.contains('.') && clock(text).is_some_and(|(_, rest)| trimmed(rest).is_empty());
     (is_time(before) && is_time(after)).then_some((before, after))
 }
 
@@ -257,7 +270,9 @@ fn clock(text: &str) -> Option<(f64, &str)> {
 /// The number of a subtitle in its own line.
 fn number(line: &str) -> Option<u64> {
     let line = trimmed(line).trim_start_matches('#').trim_end_matches(['.', ':', ')']);
-    (!line.is_empty() && line.bytes().all(|digit| digit.is_ascii_digit())).then(|| line.parse().ok()).flatten()
+    (!line.is_empty() && line.bytes().all(|digit| digit.is_ascii_digit()))
+        .then(|| line.parse().ok())
+        .flatten()
 }
 
 fn is_remark(line: &str) -> bool {
@@ -303,7 +318,7 @@ fn substation(lines: &[&str]) -> Read {
         let (lines, _) = markup::plain(text, Dialect::SubStation);
         let speaker = value("name").or_else(|| value("actor")).map(trimmed).filter(|name| !name.is_empty());
         let fresh = RawCue { start, end, lines, speaker: speaker.map(str::to_owned), stamped: false };
-        // Outline, shadow and letters of one text are often lines of their own.
+        // Outline, shadow and glyphs of one text are often separate lines.
         if !cues.contains(&fresh) {
             cues.push(fresh);
         }
