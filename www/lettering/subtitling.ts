@@ -38,7 +38,9 @@ const BEGINNING = 64 << 10;
 /** @returns the files with speech: subtitles, and texts with speakers */
 export async function speechAmong(files: readonly File[]): Promise<File[]> {
   const spoken = await Promise.all(
-    files.map(async (file) => hasRole(file.name, 'subtitles') || (hasRole(file.name, 'text') && (await isScript(file)))),
+    files.map(
+      async (file) => hasRole(file.name, 'subtitles') || (hasRole(file.name, 'text') && (await isScript(file))),
+    ),
   );
   return files.filter((_, index) => spoken[index]);
 }
