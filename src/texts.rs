@@ -1,5 +1,5 @@
-//! Decodes the text files of users: Unicode with and without a byte order mark, or else a guessed encoding.
-//! Subtitles, scripts, tables, settings and names in archives are read by this decoder only.
+//! Decodes text files of users: Unicode with and without a byte order mark, or a guessed encoding. Only this
+//! decoder reads subtitles, scripts, tables, settings and names in archives.
 
 use chardetng::{EncodingDetector, Iso2022JpDetection, Utf8Detection};
 use encoding_rs::{Encoding, IBM866, ISO_2022_JP, UTF_8, UTF_16BE, UTF_16LE};

@@ -168,18 +168,18 @@ def book(
 ):
     """Makes a book: a cover, chapters by day with captions, page numbers and an end page.
 
-    photos: a folder, whose pictures and those of its folders are taken, or photos as `render` takes them.
-    output: a file name that ends in .pdf. The book is written there.
-    title: the title on the cover; the name of the folder, or the places or days of the photos where nothing is told.
-    language: of the captions, a tag such as "pt-BR"; English, German, Spanish, French, Japanese and Portuguese are there.
+    photos: folder with pictures, also in subfolders, or photos as in `render`. Names of subfolders are places.
+    output: file name of the book, which must end in .pdf.
+    title: title on the cover. Default: the name of the folder, or the places or days of the photos.
+    language: language of the captions, a tag such as "pt-BR". English, German, Spanish, French, Japanese and Portuguese are supported.
     styles: "one" for one style, or "chapters" for another style for each day.
-    pages: the number of pages with cover and end page, from 3 to 1000; as many as the photos need where nothing is told.
+    pages: number of pages with cover and end page, from 3 to 1000. Default: as many as the photos need.
 
-    The other arguments are those of `render`. Names of folders within the folder are places.
+    The other arguments have the same meaning as in `render`.
 
     Returns the list of pages.
 
-    Raises `Error` as `render` does, and with the code `invalid-argument` for an output that is no PDF file.
+    Raises `Error` as `render` does, and with the code `invalid-argument` if `output` is not the name of a PDF file.
     """
     if output is not None and _Path(output).suffix.lower() != ".pdf":
         raise Error(f"output: must end in .pdf, not {_os.fspath(output)}")

@@ -31,8 +31,8 @@ pub struct PageOptions {
     pub(super) words: Vec<Value>,
 }
 
-/// Options of a book, besides those of its pages. Default: a title from the places or days of the photos, English captions, one
-/// style, as many pages as the photos need.
+/// Options of a book, in addition to the options of its pages. Default: a title from the places or days of
+/// the photos, English captions, one style, as many pages as the photos need.
 #[derive(Debug, Clone, Default)]
 pub struct BookOptions {
     pub(super) title: String,

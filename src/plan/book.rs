@@ -29,7 +29,7 @@ const USUAL: usize = 4;
 const MIN_USUAL: usize = 5;
 /// Number of photos per page of a book without full pages.
 const TIGHT: usize = 5;
-/// Number of photos between a full page and the border of its chapter, unless there are none.
+/// Minimum number of photos between a full page and the border of its chapter, or 0 photos.
 const FEW: usize = 3;
 /// Minimum fit of a photo that fills a page.
 const FULL_FIT: f64 = 0.45;

@@ -1,4 +1,4 @@
-//! Folders as people have them: everything in them is read, counted or named.
+//! Typical folders of users: every entry in them is read, counted or reported.
 
 use serde_json::Value;
 use std::fs;

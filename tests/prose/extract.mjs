@@ -254,6 +254,8 @@ function hashed(/** @type {string} */ text) {
   let block = [];
   /** @type {Line[] | null} */
   let long = null;
+  /** Indentation of the last triple-quoted string. */
+  let indent = 0;
   const end = () => {
     blocks.push(...markdown(block, 'comment'));
     block = [];
@@ -263,7 +265,10 @@ function hashed(/** @type {string} */ text) {
     if (long !== null || quotes > 0) {
       end();
       const said = long === null ? whole.slice(whole.indexOf('"""') + 3) : whole;
-      long = [...(long ?? []), { line, text: said.replace('"""', '').replace(/^ {4}/, '') }];
+      if (long === null) indent = /^ */.exec(whole)?.[0].length ?? 0;
+      const text = said.replace('"""', '').replace(new RegExp(`^ {${indent}}`), '');
+      // The description of each argument is a block.
+      long = [...(long ?? []), { line, text: text.replace(/^(\w+(?:, \w+)*: )/, '- $1') }];
       if (quotes === 2 || (quotes === 1 && said !== whole.slice(whole.indexOf('"""') + 3))) {
         blocks.push(...markdown(long, 'comment'));
         long = null;

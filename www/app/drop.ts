@@ -13,7 +13,7 @@ type Unread = (name: string, error: unknown) => void;
 /** Whether files are being dragged over the window. */
 export const dragging = signal(false);
 
-/** Whether what is dragged would be taken for its style: Alt is held, or it is over the zone for that. */
+/** Whether the style of the dragged picture would be used: Alt is held, or the picture is over the zone for that. */
 export const forStyle = signal(false);
 
 /** Names, as `data-drop`, elements on which a picture is dropped for its style. */
@@ -51,7 +51,7 @@ export function acceptFiles(
   });
 }
 
-/** @param expect is told when files are dragged in, or a dialog opens to choose some: seconds before they come */
+/** @param expect called when files are dragged in, or a dialog opens to choose some, seconds before they arrive */
 export function expectFiles(window: Window, expect: () => void) {
   window.addEventListener('dragenter', (event) => carries(event) && expect());
   window.addEventListener('click', ({ target }) => isFileInput(target) && expect(), { capture: true });

@@ -312,7 +312,7 @@ describe('JSON files', () => {
     const other = json('list.json', [1]);
     await drops.take([other, layout, style, new File(['{'], 'broken.json'), ...tab.files('a.jpg')]);
     await vi.waitFor(() => expect(namesIn(drops.styles)).toEqual(['style.json']));
-    // What is wrong with a file that is not JSON is said where layouts are read.
+    // The layout reader reports errors of a file that is not JSON.
     expect(namesIn(drops.layouts)).toEqual(['layout.json', 'broken.json']);
     expect([tab.names(), texts(tab)]).toEqual([['a.jpg'], []]);
   });

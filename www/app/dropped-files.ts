@@ -1,9 +1,9 @@
 /**
- * Files of any kind that were dropped, pasted, chosen or sent by the system. Each project among them becomes a project of
- * its own, one after the other; the last by name stays on the page, and the others are told, with a way to open them.
- * Photos go where a frame waits for them in any of these projects, and what is left joins the one on the page, as it
- * does where no project came along. Files that systems and programs store next to photos are skipped. A text that comes with
- * photos is only offered as a script.
+ * Handles files of any kind that are dropped, pasted, chosen or sent by the system. Each project among them is imported
+ * separately, one after the other. The last one by name stays open, and a message lists the others with a way to open
+ * them. Photos go to the frames in these projects that miss them. The other photos join the open project, also without
+ * a project among the files. Sidecar files of systems and programs are skipped. A text that comes with photos is only
+ * offered as a script.
  */
 
 import { computed, signal } from '@preact/signals';
@@ -65,7 +65,7 @@ export function createDroppedFiles({
   ownStyles: Pick<OwnStyles, 'open'>;
   showProjects: () => void;
 }) {
-  /** Projects of one drop are not mixed with those of the next, and photos wait for those before them. */
+  /** Projects of one drop are not mixed with projects of the next one, and photos wait for earlier photos. */
   let before: Promise<unknown> = Promise.resolve();
 
   /** How many times files are being taken in. */
@@ -95,7 +95,7 @@ export function createDroppedFiles({
     const beside = projects.length + archives.length > 0 || pictures.some((file) => !isSpeech(file));
     const speech = speechAmong(files);
     void openPlans(plans, { ownLayouts, ownStyles, messages, beside });
-    // What is dropped while another project is on its way is meant for that one.
+    // Files that are dropped while another project opens belong to that project.
     const turn = Promise.all([speech, before, keeping.turned()]).then(([spoken]) =>
       openAll(
         projects,
@@ -190,7 +190,7 @@ export function createDroppedFiles({
 
   /**
    * @param each when one is on the page
-   * @returns those that could be opened
+   * @returns the projects that could be opened
    */
   async function oneByOne(
     projects: readonly ProjectFile[],
@@ -199,7 +199,7 @@ export function createDroppedFiles({
     const opened: Opened[] = [];
     const stops = keeping.files.stops();
     for (const { open } of projects) {
-      // Whoever stops one wants none of those that follow.
+      // If the user stops one, the following ones are not opened.
       if (keeping.files.stops() > stops) break;
       if (!(await open())) continue;
       await each();
@@ -208,7 +208,7 @@ export function createDroppedFiles({
     return opened;
   }
 
-  /** @param shown the project that they came with: whoever opened it may not expect them there */
+  /** @param shown the project that they came with; the user who opened it may not expect them there */
   async function add(photos: readonly File[], shown: Opened | undefined, moments: Moments) {
     const count = store.tray.peek().length;
     const { videos, others } = splitLivePhotos(photos);

@@ -79,9 +79,9 @@ describe('numbers of shots', () => {
 
   test('that the board counts anyway are not fixed', () => {
     expect(numbers('Shot\n1\n2\n3', none)).toEqual([none, ['1', '2', '3']]);
-    // As they are saved, next to a number of its own.
+    // As they are saved, next to a fixed number.
     expect(numbers('Shot\n1\n4A\n2', [undefined, '4A', undefined])[0]).toEqual([undefined, '4A', undefined]);
-    // A number that was fixed to what is counted stays fixed.
+    // A number that the user fixed at its automatic value stays fixed.
     expect(numbers('Shot\n1\n2', ['1', undefined, undefined])[0]).toEqual(['1', '2', undefined]);
   });
 

@@ -15,8 +15,8 @@ import { lengthOf, USUAL_SECONDS, withColumn, withField } from './shots.ts';
 export { isFountain } from './fountain.ts';
 
 /**
- * The result of an import: shots by the ids of their photos, and new columns. The rest could not be used: `lost` lines found no
- * shot, `cells` were left out or shortened, `beyond` are columns for which the board has no room.
+ * The result of an import: shots by the ids of their photos, and new columns. Unused data: `lost` lines match no shot,
+ * `cells` were left out or shortened, `beyond` are columns beyond the maximum of the board.
  */
 export type Imported = {
   shots: Record<string, Shot>;
@@ -146,7 +146,7 @@ function columnsOf(head: readonly string[], headings: readonly (readonly string[
 
 /**
  * Returns the shot of each line, or undefined for a line that no shot is left for.
- * @param picture the column with the names of photos, -1 if there is none
+ * @param picture the column with the names of photos, or -1
  */
 function homesOf(
   lines: readonly Line[],
@@ -169,7 +169,7 @@ function homesOf(
 
 /**
  * Puts the cells of a line into a shot.
- * @param how `failed` hears of each cell that could not be used as it is
+ * @param how `failed` is called for each cell that was changed or left out
  * @returns the shot, and the number in the line, if there is one
  */
 function filled(

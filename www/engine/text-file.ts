@@ -16,7 +16,7 @@ export type DecodedText = { text: string; encoding: string; guessed: boolean; lo
 const NOT_PLAIN = /[\0\x1b]/;
 
 /**
- * Decodes UTF-8, UTF-16 and UTF-32 with and without a byte order mark, or else a guessed encoding. The byte order mark is
+ * Decodes UTF-8, UTF-16 and UTF-32 with and without a byte order mark, or a guessed encoding. The byte order mark is
  * removed.
  * @param encoding its name, if the user chose one
  * @returns null for bytes that are not text

@@ -360,7 +360,7 @@ export type BoardLabels = {
   dialogue: string,
   /** Before the notes. */
   notes: string,
-  /** Which sheet it is of how many. */
+  /** Number of the sheet, and total number of sheets. */
   page: string,
 };
 
@@ -558,7 +558,7 @@ export type LayerFacts = {
 
 /** Missing input of a block. */
 export type Misfit = { lacks: Lack,
-  /** The block that gives it. */
+  /** The block that provides it. */
   remedy: string,
 };
 
@@ -875,7 +875,7 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   number?: boolean,
   /** The photo that it belongs to. The item follows this photo. Null names the one on its panel. */
   photo?: string | null,
-  /** The subtitle that it was made of: none is added twice. */
+  /** The subtitle of origin, so that it is not added twice. */
   cue?: string | null,
   /**
    * Lettering rules: 2 for the rules of letterers, for all new items. Items without it are from old pages
@@ -906,7 +906,7 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
   language?: string | null,
   /** Its lines are columns, read from the top down and from right to left. */
   vertical?: boolean,
-  /** Width and height in page widths that it keeps to, found when it was placed. */
+  /** Width and height in page widths, fixed when it was placed. */
   room?: readonly [width: number, height: number] | null,
 };
 
@@ -955,7 +955,7 @@ export type Style = {
   where?: LayerParts,
   /** Colour of the lines. */
   ink?: string,
-  /** Whether it takes care of faces, as a style does that does not say otherwise. */
+  /** Whether faces are protected. Default: true. */
   faces?: boolean,
   /** Score from 0 to 1 of a generated style. */
   score?: number,
@@ -1018,7 +1018,7 @@ export type Request = {
   surprise?: number | null,
 };
 
-/** Parts of the current page that stay. */
+/** Retained parts of the current page. */
 export type Keep = {
   /** The layout. */
   layout?: boolean,
@@ -1031,7 +1031,7 @@ export type Keep = {
 /** How new photos are chosen. */
 export type Mode = "shuffle" | "photos";
 
-/** What is asked of a book. */
+/** Options of a book. */
 export type BookWish = {
   /** The title. Default: the places or the days of the photos. */
   title?: string,
@@ -1039,7 +1039,7 @@ export type BookWish = {
   language?: string,
   /** The places of photos by id. */
   places?: { [key in string]: string },
-  /** Number of pages with cover and end page, from [`MIN_PAGES`]. Default: as many as the photos need. */
+  /** Number of pages with cover and end page, from `MIN_PAGES`. Default: as many as the photos need. */
   pages?: number,
   /** How styles are chosen. */
   styles?: BookStyles,
@@ -1188,7 +1188,7 @@ export type BlockParam = {
 /** Type of a parameter. */
 export type ParamKind = "number" | "integer" | "boolean" | "choice" | "texture" | "colour";
 
-/** Which images a block takes or gives. */
+/** Input and output channels of a block. */
 export type Channels = "luma" | "color" | "any";
 
 /** A part of a picture. */
@@ -1222,13 +1222,13 @@ export type Layout = {
 export type LayoutPanel = {
   /** Its outline. */
   shape: Outline,
-  /** How much it draws the eye. */
+  /** Visual prominence of the panel. */
   weight: number,
   /** Whether the panel is an overlay. */
   overlay: boolean,
 };
 
-/** The outline of a panel: one of both. */
+/** The outline of a panel: a polygon or a circle. */
 export type Outline = {
   /** Corners; the first is joined to the last. */
   polygon?: ReadonlyArray<Point>,
@@ -1364,7 +1364,7 @@ export type Geometry = {
   order: ReadonlyArray<number>,
 };
 
-/** A panel on the page, in page widths; its outline is one of both. */
+/** A panel on the page, in page widths. Its outline is a polygon or a circle. */
 export type PlacedPanel = {
   /** Corners; the first is joined to the last. */
   polygon?: ReadonlyArray<Point>,
@@ -1495,7 +1495,7 @@ export type Detection = {
 export type FirstLook = {
   /** The faces. */
   boxes: ReadonlyArray<Detection>,
-  /** Whether a closer look may find more. */
+  /** Whether a second pass over parts of the photo may find more. */
   closer: boolean,
 };
 
@@ -1541,7 +1541,7 @@ export type Difference = {
 
 /** The storyboard after photos went out of use. */
 export type RepairedSheets = {
-  /** In order; a page that stays as it was is left out. */
+  /** In order. Unchanged pages are left out. */
   sheets: ReadonlyArray<Omit<Sheet, 'page'> & Partial<Pick<Sheet, 'page'>>>,
   /** Which is edited. */
   at: number,

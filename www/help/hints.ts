@@ -18,7 +18,7 @@ export type Hint = (typeof HINTS)[number];
 export type Hints = ReturnType<typeof createHints>;
 
 const KEY = 'inkpanel.hints';
-/** Number of shuffles after which the user may have seen a part worth locking. */
+/** Minimum number of shuffles before the hint for locking. */
 const ENOUGH = 2;
 
 /** @param parts `box`: storage of the hints that were shown; it may be unavailable */

@@ -5,7 +5,7 @@ import type { ReadSubtitles, Spoken } from '../engine/speech.ts';
 
 const NONE = { unplaced: 0, cues: 1, homeless: 0, left: 0, cut: 0, skipped: 0, flaws: [], guessed: false };
 
-/** @param told what is read of a file, by its text */
+/** @param told content of a file, by its text */
 function app(told: (text: string) => ReadSubtitles, { film = true } = {}) {
   const [alert, note, fileFailed] = [vi.fn(), vi.fn(), vi.fn()];
   const lay = vi.fn((words: readonly unknown[]) => ({ shown: words.length, waiting: 0 }));
@@ -62,7 +62,7 @@ test('words go to frames in use, shown or not, and what was left out is told wit
     [expect.anything(), false, frames, 4, taking],
     [expect.anything(), true, frames, 4, taking],
   ]);
-  // The panel is that of the photo, wherever it is.
+  // The panel is the panel of the photo, on any page.
   const laid = { kind: 'balloon', text: 'x', auto: true, photo: 'g', panel: 0, cue: 'film.mp4 9.000/0' };
   expect(lay.mock.calls).toEqual([[[laid]], [[laid]]]);
   expect(alert.mock.calls).toEqual([

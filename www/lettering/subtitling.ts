@@ -1,8 +1,8 @@
 /**
- * Speech onto pages: subtitles go to the frames of their film, on whatever page these are, and wait with those that no page
- * shows; scripts, and subtitles without a film, are spread over the panels of all pages in order, each with as much as it
- * holds. The rest is unplaced text. Each is one step of the undo.
- * Files that come with a video wait until its frames are read.
+ * Imports speech. Subtitles belong to the frames of their video, on any page. If no page shows a frame, its subtitles
+ * are unplaced. Scripts, and subtitles without a video, are distributed over the panels of all pages in order, up to
+ * the capacity of each panel. The rest is unplaced text. Each import is one undo step. Files that come with a video
+ * wait until its frames are read.
  */
 
 import { signal } from '@preact/signals';
@@ -35,10 +35,12 @@ const SPEAKER = /^[ \t]*[\p{L}\p{N}][^:：\n]{0,60}[:：][ \t]*\S/mu;
 /** Characters at the start of a text in which such a line is looked for. */
 const BEGINNING = 64 << 10;
 
-/** @returns the files that say something: subtitles, and texts in which somebody speaks; any other text is none */
+/** @returns the files with speech: subtitles, and texts with speakers */
 export async function speechAmong(files: readonly File[]): Promise<File[]> {
   const spoken = await Promise.all(
-    files.map(async (file) => hasRole(file.name, 'subtitles') || (hasRole(file.name, 'text') && (await isScript(file)))),
+    files.map(
+      async (file) => hasRole(file.name, 'subtitles') || (hasRole(file.name, 'text') && (await isScript(file))),
+    ),
   );
   return files.filter((_, index) => spoken[index]);
 }
@@ -60,7 +62,7 @@ export function createSubtitling({
   messages: Pick<Messages, 'alert' | 'note' | 'fileFailed'>;
   texts?: () => Promise<Pick<Texts, 'script' | 'subtitles'>>;
 }) {
-  /** What speech becomes. */
+  /** The kind of text item for speech. */
   const kind: Signal<'caption' | 'balloon'> = signal('balloon');
   /** Sounds become effects. */
   const sounds = signal(false);
@@ -143,7 +145,7 @@ export function createSubtitling({
   }
 
   /**
-   * The frames in use of the video that the subtitles are of: that of the same name, else of any.
+   * Returns the used frames of the subtitles' video: the video with the same name, or any video.
    * @param name of the file of subtitles
    */
   function framesOf(name: string): Frame[] {

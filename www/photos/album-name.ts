@@ -84,7 +84,7 @@ function dayTaken({ taken }: Origin, now: number): number | null {
   return year ? real(Date.UTC(Number(year), Number(month) - 1, Number(day)), now) : null;
 }
 
-/** The day of a moment, where the person is. */
+/** Returns the day of a moment in the user's time zone. */
 function dayOf(time: number | null, now: number): number | null {
   if (time === null) return null;
   const at = new Date(time);

@@ -163,7 +163,7 @@ export function createIntake({
         measures: null,
       };
     }
-    // A photo that is read again keeps what was found in it.
+    // A photo that is read again retains its detection results.
     return before ? { meta: { ...meta, subjects: before.subjects } } : { meta, measures: meta.measures };
   }
 

@@ -13,9 +13,11 @@ const PEAK: f64 = 10_000.0;
 /// Signal of white in HLG (ITU-R BT.2408).
 const HLG_WHITE: f64 = 0.75;
 
-/// Returns an ICC profile for primaries and a transfer function; `None` if both are those of sRGB, or unknown.
+/// Returns an ICC profile for primaries and a transfer function; `None` if both belong to sRGB, or are
+/// unknown.
 ///
-/// HDR signals keep everything up to white. The transfer functions of BT.709 count as that of sRGB, as in viewers of photos.
+/// HDR signals are clipped at white. The transfer functions of BT.709 count as the sRGB function, as in photo
+/// viewers.
 pub(super) fn profile(primaries: u16, transfer: u16) -> Option<Vec<u8>> {
     let matrix = match primaries {
         9 => BT2020,

@@ -1,4 +1,4 @@
-//! The two things that matter of a photo's EXIF record: which side is up, and when it was taken.
+//! Reads orientation and capture time from the EXIF record of a photo.
 //!
 //! This is a separate reader, because the record is a small TIFF file. A full EXIF crate is larger in wasm
 //! than all other code here. Wrong records are as good as none: no photo fails for them. Source: CIPA DC-008

@@ -1,5 +1,6 @@
-//! Readers of the formats of subtitles. Real files break their formats in many ways, so the readers follow one rule:
-//! a line with times begins a subtitle, and every line of text belongs to a subtitle or to a reported error.
+//! Readers of subtitle formats. Real files violate their formats in many ways, so the readers follow one
+//! rule. A line with times begins a subtitle, and every line of text belongs to a subtitle or to a reported
+//! error.
 
 use super::markup::{self, Dialect};
 use super::{Flaw, Result, is_space, lines, trimmed};
@@ -11,11 +12,11 @@ pub(super) struct RawCue {
     pub(super) start: f64,
     /// Seconds, no less than the start.
     pub(super) end: f64,
-    /// Lines without markup, none of them empty.
+    /// Lines without markup. Empty lines are left out.
     pub(super) lines: Vec<String>,
     /// Name of the speaker, if the format has a field for it.
     pub(super) speaker: Option<String>,
-    /// Whether words of the text have times of their own.
+    /// Whether single words of the text have times.
     pub(super) stamped: bool,
 }
 
@@ -60,7 +61,7 @@ enum Kind {
 
 /// The subtitle that the lines belong to.
 enum Open {
-    /// There was none yet, or an empty line ended it.
+    /// No subtitle has started, or an empty line ended it.
     Nothing,
     Cue {
         start: f64,
@@ -317,7 +318,7 @@ fn substation(lines: &[&str]) -> Read {
         let (lines, _) = markup::plain(text, Dialect::SubStation);
         let speaker = value("name").or_else(|| value("actor")).map(trimmed).filter(|name| !name.is_empty());
         let fresh = RawCue { start, end, lines, speaker: speaker.map(str::to_owned), stamped: false };
-        // Outline, shadow and letters of one text are often lines of their own.
+        // Outline, shadow and glyphs of one text are often separate lines.
         if !cues.contains(&fresh) {
             cues.push(fresh);
         }

@@ -139,9 +139,9 @@ fn draws(inside: &str) -> Option<bool> {
 /// Ruby in the notation of the lettering, `漢字《かんじ》`.
 #[derive(Default)]
 struct Ruby {
-    /// Where the base text begins.
+    /// Start of the base text.
     base: Option<usize>,
-    /// Where its reading begins.
+    /// Start of its reading.
     reading: Option<usize>,
 }
 

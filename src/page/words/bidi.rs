@@ -1,5 +1,5 @@
-//! The order of letters on a line, by the Unicode Bidirectional Algorithm (UAX #9). Levels are computed for a whole text
-//! item, whose first strong letter gives the direction, and each line is reordered by itself.
+//! Order of characters on a line, by the Unicode Bidirectional Algorithm (UAX #9). Levels are computed for a
+//! whole text item, whose first strong character sets the direction. Each line is reordered separately.
 
 use unicode_bidi::{BidiClass, BidiInfo, Level, bidi_class};
 use unicode_bidi_mirroring::get_mirrored;

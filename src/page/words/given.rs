@@ -144,8 +144,8 @@ fn guarded<T>(work: impl FnOnce() -> Option<T>) -> Option<T> {
     catch_unwind(AssertUnwindSafe(work)).ok().flatten()
 }
 
-/// Parts of a text that the fonts lack. Words of joining scripts are separate from their digits and signs, whose places on
-/// a line are not those of letters, and from other text.
+/// Returns the parts of a text that the fonts lack. In joining scripts, words are separate from digits, signs
+/// and other text, because digits and signs have other positions on a line.
 fn stretches(letters: &Letters, word: &str) -> Vec<String> {
     let Some(font) = letters.font(OWN) else { return Vec::new() };
     let mut out: Vec<((bool, bool), String)> = Vec::new();
