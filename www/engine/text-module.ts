@@ -13,9 +13,15 @@ export const { get: textModule } = onceMore(open);
 
 async function open() {
   const bytes = await moduleBytes(MODULE, 'texts-missing', 'The reader of text files could not be loaded.');
-  const { default: init, decode, encodings, middles, names, script, subtitles } = await import(
-    '../pkg-texts/inkpanel.js'
-  );
+  const {
+    default: init,
+    decode,
+    encodings,
+    middles,
+    names,
+    script,
+    subtitles,
+  } = await import('../pkg-texts/inkpanel.js');
   await init({ module_or_path: bytes });
   return {
     decode,

@@ -14,7 +14,8 @@ export const faultStrings = {
     'film-cut': 'Die Datei ist unvollständig (ihr Index fehlt). Kopiere sie noch einmal von der Quelle.',
     'film-empty': 'Das Video enthält keine Bilder.',
     'films-missing': 'Der Videoleser konnte nicht geladen werden. Prüfe die Verbindung und versuche es noch einmal.',
-    'texts-missing': 'Der Leser für Textdateien konnte nicht geladen werden. Prüfe die Verbindung und versuche es noch einmal.',
+    'texts-missing':
+      'Der Leser für Textdateien konnte nicht geladen werden. Prüfe die Verbindung und versuche es noch einmal.',
     'worker-lost': 'Inkpanel ist beim Lesen zweimal abgestürzt, daher wurde die Datei ausgelassen.',
     'unreadable-file': 'Die Datei wurde verschoben, geändert oder gelöscht, nachdem du sie gewählt hast.',
     'not-text': 'Das ist keine Textdatei, oder ihre Kodierung ist unbekannt. Speichere sie als UTF-8.',

@@ -65,7 +65,8 @@ export const speechStrings = {
   subtitlesSkipped: (n: number, why: readonly string[]) =>
     `${n === 1 ? 'Ein Untertitel wurde' : `${n} Untertitel wurden`} übersprungen: ${why.join(' ')}`,
   textGuessed: (encoding: string) => `Sie ist nicht in UTF-8, deshalb wurde ihr Text als ${encoding} gelesen.`,
-  textLost: (n: number) => (n === 1 ? '1 Zeichen konnte nicht gelesen werden.' : `${n} Zeichen konnten nicht gelesen werden.`),
+  textLost: (n: number) =>
+    n === 1 ? '1 Zeichen konnte nicht gelesen werden.' : `${n} Zeichen konnten nicht gelesen werden.`,
   changeEncoding: 'Kodierung ändern',
   encodingOf: (name: string) => `Kodierung von ${name}`,
   encoding: 'Kodierung',
