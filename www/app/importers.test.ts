@@ -5,7 +5,7 @@
 
 import fc from 'fast-check';
 import { readFileSync, readdirSync } from 'node:fs';
-import { afterAll, beforeAll, describe, expect, test, vi } from 'vitest';
+import { afterAll, describe, expect, test, vi } from 'vitest';
 import { importShots } from '../boards/board-import.ts';
 import { createBoards } from '../boards/boards.ts';
 import { logoOf } from '../boards/logo-file.ts';
@@ -13,6 +13,7 @@ import { textureOf } from '../designer/texture-file.ts';
 import { fakeApp } from '../document/testing.ts';
 import { failure } from '../engine/protocol.ts';
 import { zipOf } from '../engine/testing-archives.ts';
+import { readAssetsFromFiles } from '../engine/testing-assets.ts';
 import { core } from '../engine/testing-core.ts';
 import { createImitation } from '../imitation/imitation.ts';
 import { createOwnLayouts } from '../layouts/own-layouts.ts';
@@ -20,7 +21,6 @@ import { momentsOf } from '../lettering/cue-times.ts';
 import { createFilmSounds } from '../lettering/film-sounds.ts';
 import { createSubtitling } from '../lettering/subtitling.ts';
 import { soundOf } from '../motion/sound.ts';
-import { initSync as initWords, script, subtitles } from '../pkg-words/inkpanel.js';
 import { downloaded } from '../storage/files/testing-pages.ts';
 import { allDie, fakeBrowser } from '../storage/testing.ts';
 import { createOwnStyles } from '../styles/own-styles.ts';
@@ -33,6 +33,8 @@ import { createDroppedFiles } from './dropped-files.ts';
 vi.mock('../ui/files.ts', () => ({ save: vi.fn() }));
 
 const SEED = 40;
+readAssetsFromFiles();
+
 /** Number of files per format. Slow formats get fewer files. */
 const MANY = { numRuns: 150, seed: SEED };
 const FEW = { numRuns: 30, seed: SEED };
@@ -177,36 +179,25 @@ describe('speech', () => {
     'PAGE 1, PANEL 1\nCaption: Lisbon.\nAnna (whispers): Where\nare we?\n\nSFX: Bam\n',
   ].map(bytesOf);
 
-  beforeAll(() => {
-    initWords({ module: readFileSync(new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url)) });
-  });
-
   test('subtitles, scripts and the times in them', async () => {
     const { messages, said } = counted();
     const app = fakeApp();
     await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
-    const letters = {
-      subtitles: (
-        bytes: Uint8Array,
-        vtt: boolean,
-        _: unknown,
-        panels: number,
-        taking: { kind: string; sounds: boolean },
-      ) => JSON.parse(subtitles(bytes, vtt, new Float64Array(), panels, taking.kind, taking.sounds)),
-      script: (bytes: Uint8Array, panels: number, taking: { kind: string; sounds: boolean }) =>
-        JSON.parse(script(bytes, panels, taking.kind, taking.sounds)),
-    };
     const lettering = {
       lay: (words: readonly unknown[]) => ({ shown: words.length, waiting: 0 }),
-      ready: async () => letters,
+      ready: async () => ({}),
     };
     const { open } = createSubtitling({ store: app.store, lettering: lettering as any, messages });
     const film = new File(['x'], 'a.mp4', { type: 'video/mp4' });
-    await survives({ files: SPEECH, names: ['a.srt', 'a.vtt', 'a.txt'], runs: MANY }, { said }, async (file) => {
-      for (const moments of (await momentsOf([film], [file])).values())
-        expect(moments.every(Number.isFinite)).toBe(true);
-      await open([file]);
-    });
+    await survives(
+      { files: SPEECH, names: ['a.srt', 'a.vtt', 'a.ass', 'a.sbv', 'a.txt'], runs: MANY },
+      { said },
+      async (file) => {
+        for (const moments of (await momentsOf([film], [file])).values())
+          expect(moments.every(Number.isFinite)).toBe(true);
+        await open([file]);
+      },
+    );
   });
 });
 

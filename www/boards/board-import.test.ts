@@ -3,9 +3,12 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, expect, test, vi } from 'vitest';
 import { fakeApp, orderByName } from '../document/testing.ts';
+import { readAssetsFromFiles } from '../engine/testing-assets.ts';
 import { initSync, shotFile } from '../pkg-exports/inkpanel.js';
 import { importShots } from './board-import.ts';
 import { createBoards } from './boards.ts';
+
+readAssetsFromFiles();
 
 beforeAll(() => {
   initSync({ module: readFileSync(new URL('../pkg-exports/inkpanel_bg.wasm', import.meta.url)) });
@@ -74,7 +77,9 @@ test('files in Windows-1252 are read, and the guess is reported', async () => {
   const table = await board('a.jpg');
   await table.take('liste.csv', latin('Scene;Shot;Action\r\n1;1A;Öffnet die Tür leise\r\n'));
   expect(table.shots()).toEqual([{ scene: '1', number: '1A', action: 'Öffnet die Tür leise' }]);
-  expect(table.messages.alert.mock.calls).toEqual([[expect.stringMatching(/^liste\.csv: .*Windows-1252/)]]);
+  expect(table.messages.alert.mock.calls).toEqual([
+    [expect.stringMatching(/^liste\.csv: .*Windows-1252/), expect.objectContaining({ label: 'Change encoding' })],
+  ]);
   const script = await board('a.jpg');
   await script.take('buch.fountain', latin('INT. KÜCHE - TAG\n\nSie geht.\n\nMÜLLER\nGrüß Gott!\n'));
   expect(script.shots()).toEqual([{ scene: 'INT. KÜCHE - TAG', action: 'Sie geht.', dialogue: 'MÜLLER: Grüß Gott!' }]);

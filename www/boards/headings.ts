@@ -10,10 +10,55 @@ const SAVED: readonly (readonly string[])[] = [
   ['Cena', 'Plano', 'Imagem', 'Filme', 'Código de tempo', 'Duração', 'Quadros', 'Ação', 'Diálogo', 'Notas'],
 ];
 
-/** Alternative names: the headings of the app's table, because users copy it to spreadsheets. */
-const SHOWN: readonly (readonly string[])[] = [
-  ['', '', '', '', '', 'Length'],
-  ['', '', '', '', '', 'Länge'],
+/** Names in the table of the app, which is copied to spreadsheets, and names that other programs use. */
+const SHOWN: readonly (readonly (readonly string[])[])[] = [
+  [
+    [
+      'Scene No',
+      'Scene Number',
+      'Sc',
+      'Szene Nr',
+      'Szenennummer',
+      'Escena Nº',
+      'Séquence',
+      'N° de scène',
+      'シーン番号',
+      'Nº da cena',
+    ],
+    [
+      'Shot No',
+      'Shot Number',
+      'Einstellung Nr',
+      'Einstellungsnummer',
+      'Toma',
+      'N° de plan',
+      'ショット',
+      'カット番号',
+      'Nº do plano',
+    ],
+    [],
+    [],
+    [],
+    ['Length', 'Dur', 'Länge', '尺'],
+    [],
+    ['Description', 'Shot Description', 'Beschreibung', 'Descripción', 'Descrição', '説明'],
+    ['Dialog', 'Lines', 'Dialoge', 'Diálogos', 'Dialogues', 'セリフ'],
+    [
+      'Note',
+      'Comment',
+      'Comments',
+      'Remarks',
+      'Anmerkungen',
+      'Bemerkungen',
+      'Observaciones',
+      'Comentarios',
+      'Remarques',
+      '備考',
+      'Observações',
+      'Comentários',
+    ],
+  ],
 ];
 
-export const HEADINGS: readonly (readonly string[])[] = [...SAVED, ...SHOWN];
+/** Lists of names by place. A place may have several names in a list. */
+export const HEADINGS: readonly (readonly (string | readonly string[])[])[] = [...SAVED, ...SHOWN];

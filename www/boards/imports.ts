@@ -29,7 +29,7 @@ export type Imported = {
 /** Maximum size of a file in bytes. */
 export const MAX_BYTES = 5_000_000;
 /** Begins a cell that a spreadsheet would take for a formula, see `src/output/shots/csv.rs`. */
-const GUARDED = /^'(?=[=+\-@\t\r])/;
+const GUARDED = /^'(?='*[=+\-@\t\r])/;
 /** The line with which Excel names the delimiter. */
 const DELIMITER = /^"?sep=(.)"?[,;\t]*(?:\r\n|\r|\n|$)/i;
 
@@ -55,14 +55,66 @@ export function cells(text: string, delimiter: string): string[][] {
   return data.map((line) => line.map((cell) => cell.replace(GUARDED, '')));
 }
 
+/** A table as text with tabs, quoted as spreadsheets do, so that it can be pasted and imported again. */
+export function tabbed(table: readonly (readonly string[])[]): string {
+  const cell = (text: string) => {
+    const told = GUARDED.test(text) ? `'${text}` : text;
+    return /["\t\r\n]/.test(told) ? `"${told.replaceAll('"', '""')}"` : told;
+  };
+  return table.map((line) => line.map(cell).join('\t')).join('\n');
+}
+
+type Headings = readonly (readonly (string | readonly string[])[])[];
+/** The lines of a table: those above its headings, the headings, and the lines of shots. */
+type Table = { titles: Line[]; head: Line | undefined; lines: Line[] };
+
+/** Lines among which the headings are looked for, and the delimiters that are tried. */
+const MAX_TITLES = 20;
+const DELIMITERS = [',', ';', '\t', '|'] as const;
+
 /** Rows that are not empty, with their numbers in a spreadsheet. */
-function rowsOf(text: string): Line[] {
+function tableOf(text: string, headings: Headings): Table {
   const [named = '', mark] = DELIMITER.exec(text) ?? [];
   const table = text.slice(named.length);
-  const delimiter = mark ?? Papa.parse(table, { preview: 1, skipEmptyLines: 'greedy' }).meta.delimiter;
-  return cells(table, delimiter)
-    .map((line, i) => ({ row: i + 1, cells: line }))
-    .filter((line) => line.cells.some((cell) => cell.trim() !== ''));
+  const tables = (mark === undefined ? DELIMITERS : [mark]).map((delimiter) => {
+    const lines = cells(table, delimiter)
+      .map((line, i) => ({ row: i + 1, cells: line }))
+      .filter((line) => line.cells.some((cell) => cell.trim() !== ''));
+    const counts = lines.slice(0, MAX_TITLES).map((line) => knownIn(line, headings));
+    const most = Math.max(0, ...counts);
+    const at = counts.indexOf(most);
+    // A single known word below the first line may be a cell, unless the lines above have only one cell, as titles do.
+    const isHead = at > 0 && (most > 1 || lines.slice(0, at).every(isTitle)) && !isTitle(lines[at]);
+    return { delimiter, lines, most: isHead || at === 0 ? most : 0, at: isHead ? at : 0 };
+  });
+  const best = tables.reduce((a, b) => (b.most > a.most ? b : a));
+  const usual = Papa.parse(table, { preview: MAX_TITLES, skipEmptyLines: 'greedy' }).meta.delimiter;
+  const { lines, at } = best.most > 0 ? best : (tables.find(({ delimiter }) => delimiter === usual) ?? best);
+  return { titles: lines.slice(0, at), head: lines[at], lines: lines.slice(at + 1) };
+}
+
+function isTitle({ cells }: Line): boolean {
+  return cells.filter((cell) => cell.trim() !== '').length <= 1;
+}
+
+/** The number of standard columns that a line names. */
+function knownIn({ cells }: Line, headings: Headings): number {
+  const places = cells.map((cell) => headings.map((list) => placeIn(list, cell)).find((place) => place >= 0));
+  return new Set(places.filter((place) => place !== undefined)).size;
+}
+
+/** The place of a heading in a list of names, or -1. */
+function placeIn(list: Headings[number], heading: string): number {
+  const plain = plainHeading(heading);
+  return plain === '' ? -1 : list.findIndex((names) => [names].flat().some((name) => plainHeading(name) === plain));
+}
+
+function plainHeading(heading: string): string {
+  return heading
+    .normalize('NFKC')
+    .toLowerCase()
+    .replace(/[\s.:#*_]+/g, ' ')
+    .trim();
 }
 
 /** The standard columns that are fields of a shot, by their places among the headings. */
@@ -95,12 +147,12 @@ export function fromTable(
   }: {
     rows: readonly ShotRow[];
     board: Board;
-    headings: readonly (readonly string[])[];
+    headings: Headings;
     names: ReadonlyMap<string, string>;
   },
 ): Imported {
-  const [head, ...lines] = rowsOf(text);
-  const columns = columnsOf(head?.cells ?? [], headings);
+  const { titles, head, lines } = tableOf(text, headings);
+  const columns = columnsOf(head?.cells ?? [], headings, board.columns);
   const custom = columns.flatMap(({ place }) => (typeof place === 'string' && place !== '' ? place : []));
   const fresh = custom.filter((name) => !board.columns.includes(name));
   const room = Math.max(0, MOST.columns - board.columns.length);
@@ -113,31 +165,43 @@ export function fromTable(
   const homes = homesOf(lines, picture, { rows, names });
   const shots: Record<string, Shot> = {};
   const numbers = new Map<string, { number: string; saved: boolean }>();
-  const lost: string[] = [];
   const cells: string[] = [];
+  const lost = titles.map(told);
   lines.forEach((line, i) => {
     const home = homes[i];
     if (!home) {
-      lost.push(`${line.row}: ${line.cells.join(' ').trim()}`);
+      lost.push(told(line));
       return;
     }
-    const { shot, number } = filled(home.shot, line, used, { board, failed: (cell) => cells.push(cell) });
+    const { shot, number } = filled(home, line, used, { board, failed: (cell) => cells.push(cell) });
     shots[home.id] = shot;
     if (number !== undefined) numbers.set(home.id, { number, saved: Boolean(line.cells[picture]?.trim()) });
   });
   return { shots: withNumbers(shots, numbers, rows), columns: fresh.slice(0, room), lost, cells, beyond };
 }
 
-/** Names the columns of a table. A heading that occurs again gets a number, so that no column overwrites another. */
-function columnsOf(head: readonly string[], headings: readonly (readonly string[])[]): Column[] {
+function told({ row, cells }: Line): string {
+  return `${row}: ${cells.join(' ').trim()}`;
+}
+
+/**
+ * Names the columns of a table, in the language with the most of its headings. A heading that occurs again gets a number, so
+ * that no column overwrites another.
+ * @param own the custom columns of the board
+ */
+function columnsOf(head: readonly string[], headings: Headings, own: readonly string[]): Column[] {
+  const line = { row: 1, cells: [...head] };
+  const sorted = headings.toSorted((a, b) => knownIn(line, [b]) - knownIn(line, [a]));
+  const isSaved = head.some((cell) => headings.some((list) => placeIn(list, cell) === PICTURE));
   const taken = new Set<number | string>();
   return head.map((cell) => {
     const heading = fitted(cell, MOST.label).text;
-    const plain = heading.toLowerCase();
-    const known = headings
-      .map((list) => list.findIndex((name) => name.toLowerCase() === plain))
-      .find((place) => place >= 0);
-    let place = heading === '' ? '' : (known ?? heading);
+    const place0 = placeIn(sorted[0] ?? [], heading);
+    const isOwn = own.includes(heading) && !taken.has(heading) && (place0 < 0 || taken.has(place0));
+    const found = sorted.map((list) => placeIn(list, heading)).find((place) => place >= 0);
+    // Only lists of the app have columns that describe the picture.
+    const known = found !== undefined && FIXED.includes(found) && !isSaved ? undefined : found;
+    let place = heading === '' ? '' : isOwn ? heading : (known ?? heading);
     for (let n = 2; place !== '' && taken.has(place); n += 1) place = `${fitted(heading, MOST.label - 6).text} ${n}`;
     taken.add(place);
     return { place, heading };
@@ -173,7 +237,7 @@ function homesOf(
  * @returns the shot, and the number in the line, if there is one
  */
 function filled(
-  before: Shot,
+  { shot: before, said }: ShotRow,
   { row, cells }: Line,
   columns: readonly (Column & { off: boolean })[],
   { board, failed }: { board: Board; failed: (cell: string) => void },
@@ -193,6 +257,8 @@ function filled(
       failed(`${row}, ${heading && `${heading}: `}${text}`);
     if (place === NUMBER) number = text;
     else if (typeof length === 'number') lengths.push(length);
+    // The dialogue of the pages is in the list of a shot without a dialogue.
+    else if (field === 'dialogue' && before.dialogue === undefined && text === said.trim()) return;
     else if (field !== undefined) shot = withField(shot, field, text);
     else if (typeof place === 'string' && place !== '') shot = withColumn(shot, place, text);
   });

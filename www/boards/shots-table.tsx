@@ -34,9 +34,10 @@ export function ShotsTable() {
   }
 
   async function copy() {
-    const lines = rows.map((row) => columns.map((column) => tabless(boards.textOf(row, column))).join('\t'));
+    const lines = rows.map((row) => columns.map((column) => boards.textOf(row, column)));
     try {
-      await navigator.clipboard.writeText([columns.map(headingOf).join('\t'), ...lines].join('\n'));
+      const { tabbed } = await import('./imports.ts');
+      await navigator.clipboard.writeText(tabbed([columns.map(headingOf), ...lines]));
       messages.note(strings.boards.copied);
     } catch (error) {
       messages.alert(strings.exportFailed((error as Error).message));
@@ -103,10 +104,6 @@ export function ShotsTable() {
 
 function headingOf({ kind, id }: Column): string {
   return kind === 'own' ? id : strings.boards.columns[id as 'scene'];
-}
-
-function tabless(text: string): string {
-  return text.replace(/\s+/g, ' ');
 }
 
 function Heading({ column }: { column: Column }) {

@@ -1,5 +1,8 @@
 import { expect, test } from 'vitest';
+import { readAssetsFromFiles } from '../engine/testing-assets.ts';
 import { momentsOf } from './cue-times.ts';
+
+readAssetsFromFiles();
 
 const film = new File([''], 'Trip.mp4', { type: 'video/mp4' });
 const other = new File([''], 'a.webm', { type: 'video/webm' });

@@ -33,7 +33,7 @@ export async function momentsOf(
 async function middlesOf(file: File, texts: () => Promise<Pick<Texts, 'middles'>>): Promise<number[]> {
   try {
     const { text } = await readText(file);
-    return [...(await texts()).middles(text, /\.vtt$/i.test(file.name))];
+    return [...(await texts()).middles(text, false)];
   } catch {
     return [];
   }

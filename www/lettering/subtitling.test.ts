@@ -1,37 +1,47 @@
 import { signal } from '@preact/signals';
 import { expect, test, vi } from 'vitest';
 import { createSubtitling, speechAmong } from './subtitling.ts';
+import { readAssetsFromFiles } from '../engine/testing-assets.ts';
+import { choosing } from '../ui/encodings.ts';
 import type { ReadSubtitles, Spoken } from '../engine/speech.ts';
 
-const NONE = { unplaced: 0, cues: 1, homeless: 0, left: 0, cut: 0, skipped: 0, flaws: [], guessed: false };
+readAssetsFromFiles();
+
+const NONE = { unplaced: 0, cues: 1, homeless: 0, left: 0, cut: 0, skipped: 0, flaws: [] };
 
 /** @param told content of a file, by its text */
 function app(told: (text: string) => ReadSubtitles, { film = true } = {}) {
   const [alert, note, fileFailed] = [vi.fn(), vi.fn(), vi.fn()];
-  const lay = vi.fn((words: readonly unknown[]) => ({ shown: words.length, waiting: 0 }));
+  const change = vi.fn();
+  const lay = vi.fn((words: readonly unknown[]) => {
+    store.project.value = { ...store.project.value };
+    return { shown: words.length, waiting: 0 };
+  });
   const frame = (id: string, time: number) => [id, { id, name: 'film.mp4', video: 'v', time }] as const;
   const page = { panels: [{ photo: 'f' }, { photo: 'f' }, { photo: 'x' }], merges: [[0, 1]] };
   const project = { page, pageId: 1, sheet: 4, others: [{ page, pageId: 2, sheet: 5 }], at: 1 };
-  const decoded = (bytes: Uint8Array) => new TextDecoder().decode(bytes);
-  const subtitles = vi.fn((bytes: Uint8Array) => told(decoded(bytes)));
-  const script = vi.fn((bytes: Uint8Array) => {
-    const words: Spoken[] = decoded(bytes) ? [{ kind: 'balloon', text: decoded(bytes), auto: true, place: 3 }] : [];
+  const subtitles = vi.fn((text: string) => told(text));
+  const script = vi.fn((text: string) => {
+    const words: Spoken[] = text ? [{ kind: 'balloon', text, auto: true, place: 3 }] : [];
     return { words, unplaced: 0, lines: words.length };
   });
+  const store = {
+    videos: signal(new Map(film ? [['v', { key: 'v', name: 'film.mp4' }]] : [])),
+    album: signal(new Map(film ? [frame('f', 1.5), frame('g', 9), frame('h', 12)] : [])),
+    verdicts: signal(new Map()),
+    tray: signal([{ id: 'f' }, { id: 'g' }, { id: 'h', use: false }, { id: 'x' }]),
+    sheets: signal([page]),
+    project: signal(project),
+    planner: signal(null),
+    change,
+  };
   const subtitling = createSubtitling({
-    store: {
-      videos: signal(new Map(film ? [['v', { key: 'v', name: 'film.mp4' }]] : [])),
-      album: signal(new Map(film ? [frame('f', 1.5), frame('g', 9), frame('h', 12)] : [])),
-      verdicts: signal(new Map()),
-      tray: signal([{ id: 'f' }, { id: 'g' }, { id: 'h', use: false }, { id: 'x' }]),
-      sheets: signal([page]),
-      project: signal(project),
-      planner: signal(null),
-    },
-    lettering: { lay, ready: async () => ({ subtitles, script }) },
+    store,
+    lettering: { lay, ready: async () => ({}) },
+    texts: async () => ({ subtitles, script }),
     messages: { alert, note, fileFailed },
   } as any);
-  return { ...subtitling, subtitles, script, alert, note, lay, fileFailed };
+  return { ...subtitling, subtitles, script, alert, note, lay, fileFailed, change, store };
 }
 
 test('subtitles are told by their names, and a text is a script where somebody speaks in it', async () => {
@@ -127,8 +137,8 @@ test('text that no panel has room for is unplaced, and its number is reported', 
 
 test('what is wrong is said, with its line; single subtitles that are wrong are named', async () => {
   const words: Spoken[] = [{ kind: 'balloon', text: 'x', frame: 0, auto: true }];
-  const { open, fileFailed, alert, note } = app((text) => {
-    if (text === 'some') return { ...NONE, words, skipped: 1, flaws: [{ kind: 'order', line: 7 }], guessed: true };
+  const { open, fileFailed, alert } = app((text) => {
+    if (text === 'some') return { ...NONE, words, skipped: 1, flaws: [{ kind: 'order', line: 7 }] };
     return { flaw: text === 'time' ? { kind: 'time', line: 2, text: 'soon' } : { kind: 'header' } };
   });
   await open([new File(['time'], 'a.srt'), new File(['?'], 'b.vtt'), new File(['some'], 'c.srt')]);
@@ -137,7 +147,6 @@ test('what is wrong is said, with its line; single subtitles that are wrong are 
     ['b.vtt', expect.stringMatching(/WEBVTT/)],
   ]);
   expect(alert).toHaveBeenCalledWith(expect.stringMatching(/^c\.srt: a subtitle was skipped: line 7/));
-  expect(note.mock.calls[0][0]).toMatch(/Windows-1252/);
 });
 
 test('a file that is too large is refused before it is read', async () => {
@@ -156,8 +165,8 @@ test('subtitles in Windows-1252 are decoded like every other text file, and the 
     new File([Uint8Array.of(0x43, 0x61, 0x66, 0xe9)], 'a.srt'),
     new File([Uint8Array.of(1, 2, 0xff)], 'b.srt'),
   ]);
-  expect(subtitles.mock.calls.map(([bytes]) => new TextDecoder().decode(bytes))).toEqual(['Café']);
-  expect(alert).toHaveBeenCalledWith(expect.stringMatching(/^a\.srt: .*Windows-1252/));
+  expect(subtitles.mock.calls.map(([text]) => text)).toEqual(['Café']);
+  expect(alert).toHaveBeenCalledWith(expect.stringMatching(/^a\.srt: .*Windows-1252/), expect.anything());
   expect(fileFailed).toHaveBeenCalledWith('b.srt', expect.stringMatching(/not a text file/), expect.anything());
 });
 
@@ -166,4 +175,22 @@ test('a text that cannot be read is no script, and does not stop the other files
     slice: () => ({ arrayBuffer: () => Promise.reject(Error()) }),
   });
   expect(await speechAmong([gone, new File(['ANNA: Hello'], 'script.txt')])).toHaveLength(1);
+});
+
+test('a guessed encoding can be changed: the import is undone and repeated', async () => {
+  const words: Spoken[] = [{ kind: 'balloon', text: 'x', frame: 0, auto: true }];
+  const { open, subtitles, alert, change } = app(() => ({ ...NONE, words }));
+  const cyrillic = Uint8Array.from(Buffer.from('cff0e8e2e5f22c20ece8f02120cae0ea20e4e5ebe03f', 'hex'));
+  await open([new File([cyrillic], 'a.srt')]);
+  const [text, way] = alert.mock.calls[0];
+  expect(text).toMatch(/^a\.srt: .*Windows-1251/);
+  way.run();
+  expect(choosing.value).toMatchObject({ encoding: 'windows-1251' });
+  choosing.value?.again('KOI8-R');
+  await vi.waitFor(() => expect(subtitles).toHaveBeenCalledTimes(2));
+  expect(change.mock.calls).toEqual([[{ type: 'undo' }]]);
+  expect(subtitles.mock.calls.map(([said]) => said)).toEqual([
+    'Привет, мир! Как дела?',
+    expect.stringMatching(/^оПХБЕР/),
+  ]);
 });

@@ -5,7 +5,7 @@ import { decodeText } from '../engine/text-file.ts';
 import { textModule } from '../engine/text-module.ts';
 import { language, strings } from '../strings/strings.ts';
 import { Dialog } from './dialog.tsx';
-import { choosing } from './encodings.ts';
+import { choosing, encodingName } from './encodings.ts';
 import type { EncodingChoice } from './encodings.ts';
 
 /** Bytes of the file that the preview reads, a multiple of all character sizes. */
@@ -52,7 +52,9 @@ function Choice({ choice: { file, encoding, again } }: { choice: EncodingChoice 
           const [name, ...languages] = entry.split(' ');
           return (
             <option key={name} value={name}>
-              {languages.length > 0 ? `${name} (${languages.map(languageName).join(', ')})` : name}
+              {languages.length > 0
+                ? `${encodingName(name)} (${strings.listed(languages.map(languageName))})`
+                : encodingName(name)}
             </option>
           );
         })}

@@ -10,6 +10,11 @@ import type { Messages } from './messages.ts';
 /** `again` reads the file in another encoding. */
 export type EncodingChoice = { file: File; encoding: string; again: (encoding: string) => void };
 
+/** The name of an encoding in texts. */
+export function encodingName(encoding: string): string {
+  return encoding.replace(/^windows/, 'Windows');
+}
+
 /** The file whose encoding is being chosen. */
 export const choosing: Signal<EncodingChoice | null> = signal(null);
 
@@ -34,7 +39,7 @@ export async function importText(
     void importText(file, { store, messages }, take, other).catch((error: Error) => messages.alert(error.message));
   };
   const says = [
-    strings.textGuessed(decoded.encoding),
+    strings.textGuessed(encodingName(decoded.encoding)),
     ...(decoded.lost > 0 ? [strings.textLost(decoded.lost)] : []),
   ].join(' ');
   messages.alert(strings.fileFailed(file.name, says), {

@@ -39,7 +39,9 @@ fn row(out: &mut String, cells: impl Iterator<Item = String>) {
         if i > 0 {
             out.push(',');
         }
-        let guarded = if cell.starts_with(FORMULA) { format!("'{cell}") } else { cell };
+        // The import removes one apostrophe.
+        let is_formula = cell.trim_start_matches('\'').starts_with(FORMULA);
+        let guarded = if is_formula { format!("'{cell}") } else { cell };
         if guarded.contains(['"', ',', '\r', '\n']) {
             out.push('"');
             out.push_str(&guarded.replace('"', "\"\""));
