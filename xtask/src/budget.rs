@@ -5,7 +5,7 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, ensure};
 use flate2::{Compression, write::GzEncoder};
 
 use crate::letters;
@@ -29,25 +29,28 @@ const BUDGETS: [(&str, &str, usize); 9] = [
 /// Maximum size of the packed glyphs, which the modules `words` and `exports` both download.
 const LETTERS: usize = 130_000;
 
-/// Fails if a module or the glyphs exceed their budget.
+/// Prints all sizes.
+///
+/// # Errors
+/// If modules or the glyphs exceed their budgets. The error names all of them.
 pub fn check(project: &Project) -> Result<()> {
+    let mut over = Vec::new();
     for (name, folder, budget) in BUDGETS {
         let folder = project.www().join(folder);
         let size = gzipped(&folder.join("inkpanel_bg.wasm"))? + gzipped(&folder.join("inkpanel.js"))?;
         println!("{name}, module and its script: {size} bytes gzipped, {budget} allowed");
-        hold(name, size, budget)?;
+        over.extend(excess(name, size, budget));
     }
     let letters = letters::folder(project).join("letters.bin");
     let size = fs::metadata(&letters).with_context(|| format!("cannot read {}", letters.display()))?.len();
     println!("letters: {size} bytes, {LETTERS} allowed");
-    hold("letters", usize::try_from(size)?, LETTERS)
+    over.extend(excess("letters", usize::try_from(size)?, LETTERS));
+    ensure!(over.is_empty(), "above the budget: {}", over.join(", "));
+    Ok(())
 }
 
-fn hold(name: &str, size: usize, budget: usize) -> Result<()> {
-    if size > budget {
-        bail!("{name}: {} bytes above the budget", size - budget);
-    }
-    Ok(())
+fn excess(name: &str, size: usize, budget: usize) -> Option<String> {
+    (size > budget).then(|| format!("{name} by {} bytes", size - budget))
 }
 
 fn gzipped(file: &Path) -> Result<usize> {
