@@ -91,7 +91,7 @@ struct Found {
     live: usize,
     /// Files of other kinds.
     others: usize,
-    /// Entries that cannot be read, and files of kinds that a person may take for photos, each with the reason.
+    /// Entries that cannot be read, and files of kinds that a user may take for photos, each with the reason.
     named: Vec<(PathBuf, String)>,
 }
 
@@ -229,7 +229,7 @@ mod tests {
         }
         let found = files(&[folder.path().to_owned()]).unwrap();
         assert_eq!(found, ["2.jpg", "10.PNG", "b/c/x.webp"].map(at));
-        // A name that is no UTF-8 keeps its ending.
+        // A name that is not UTF-8 keeps its ending.
         #[cfg(unix)]
         {
             use std::os::unix::ffi::OsStrExt;

@@ -4,7 +4,7 @@
 use crate::error::Error;
 use std::fmt::{self, Display, Formatter};
 
-/// What Inkpanel does with a kind of file.
+/// The use of a kind of file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Role {
     /// A photo of an album.
@@ -29,7 +29,7 @@ pub enum Role {
     Unsupported(Remedy),
 }
 
-/// What a user can do with a file that cannot be read.
+/// The solution for a file that cannot be read.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Remedy {
     /// Save the picture as JPEG.
@@ -59,7 +59,7 @@ pub struct Kind {
     pub media_type: &'static str,
     /// Endings of file names in lower case, without the dot.
     pub endings: &'static [&'static str],
-    /// What Inkpanel does with it.
+    /// Its use.
     pub role: Role,
 }
 
@@ -229,8 +229,8 @@ pub fn is_system(name: &str) -> bool {
         || SYSTEM_NAMES.contains(&name.to_lowercase().as_str())
 }
 
-/// Whether a file contains no photo and is stored next to photos: a file of a system, edits of a photo, or the data of a photo by
-/// Google Takeout, such as `photo.jpg.json`.
+/// Whether a file is stored next to photos and contains no photo: a file of a system, or edits of a photo. The data of a photo by
+/// Google Takeout, such as `photo.jpg.json`, is such a file, too.
 #[must_use]
 pub fn is_sidecar(name: &str) -> bool {
     is_system(name) || by_name(name).is_some_and(|kind| kind.role == Role::Sidecar) || is_takeout(name)
@@ -243,11 +243,11 @@ fn is_takeout(name: &str) -> bool {
     lower.strip_suffix(".json").is_some_and(|stem| stem.split('.').skip(1).any(pictured))
 }
 
-/// A file that is no photo, and what a user can do with it.
+/// The kind of a file that is not a photo. Its text has the solution.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Explained(&'static Kind);
 
-/// Explains why a file is no photo. The content counts more than the name: an archive may have a wrong name.
+/// Explains why a file is not a photo. The content counts more than the name: an archive may have a wrong name.
 ///
 /// Returns `None` for photos and for unknown kinds.
 #[must_use]
@@ -289,7 +289,7 @@ impl Display for Explained {
             Role::Board | Role::Json | Role::Text => {
                 write!(out, "this is a {name} file, not a photo; the app reads it")
             }
-            Role::Photo | Role::Sidecar => write!(out, "this {name} file is no photo"),
+            Role::Photo | Role::Sidecar => write!(out, "this {name} file is not a photo"),
         }
     }
 }

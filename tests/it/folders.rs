@@ -1,4 +1,4 @@
-//! Folders as people have them: everything in them is read, counted or named.
+//! Folders of photos: every file in a folder is read, counted or named.
 
 use serde_json::Value;
 use std::fs;

@@ -36,7 +36,7 @@ struct Date {
 struct Record {
     is_little: bool,
     orientation: Option<(u8, usize)>,
-    /// Dates by `DateTimeOriginal`, `DateTimeDigitized` and `DateTime`, each of which may be missing.
+    /// Dates by `DateTimeOriginal`, `DateTimeDigitized` and `DateTime`. Each may be missing.
     dates: [Option<Date>; 3],
     /// Bytes between the parts of the record.
     gap: usize,

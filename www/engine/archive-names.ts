@@ -6,7 +6,7 @@
 /** Upper half of code page 437, from 0x80. */
 const CP437 =
   'ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜ¢£¥₧ƒáíóúñÑªº¿⌐¬½¼¡«»░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒╓╫╪┘┌█▄▌▐▀αßΓπΣσµτΦΘΩδ∞φε∩≡±≥≤⌠⌡÷≈°∙·√ⁿ²■\u00a0';
-/** Japanese letters, without those of half width, which bytes of other encodings give as well. */
+/** Japanese letters of full width. Bytes of other encodings give letters of half width as well. */
 const JAPANESE = /[\u3040-\u30ff\u4e00-\u9fff]/;
 
 /**

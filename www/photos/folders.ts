@@ -14,7 +14,7 @@ export function foldersOf(file: File): readonly string[] {
   return known.get(file) ?? (file.webkitRelativePath ?? '').split('/').slice(0, -1);
 }
 
-/** @returns files in natural order, each folder as a whole in the place of its name */
+/** @returns files in natural order, with the files of a folder at the position of its name */
 export function inFolderOrder(files: readonly File[]): File[] {
   const { compare } = new Intl.Collator('en', { numeric: true, sensitivity: 'base' });
   const placed = files.map((file) => ({ file, path: [...foldersOf(file), file.name] }));

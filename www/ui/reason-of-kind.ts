@@ -3,7 +3,7 @@
 import { strings } from '../strings/strings.ts';
 import type { FileKind } from '../engine/file-table.ts';
 
-/** @returns what the user can do with a file of this kind; empty if its kind says nothing */
+/** @returns why a file of this kind cannot be read, with the solution; empty for other kinds */
 export function reasonOfKind({ name, role, remedy }: FileKind): string {
   if (role === 'board') return strings.boardFile;
   return remedy ? strings.unsupportedKind(name, strings.remedies[remedy]) : '';

@@ -13,9 +13,9 @@ const PEAK: f64 = 10_000.0;
 /// Signal of white in HLG (ITU-R BT.2408).
 const HLG_WHITE: f64 = 0.75;
 
-/// Returns an ICC profile for primaries and a transfer function; `None` if both are those of sRGB, or unknown.
+/// Returns an ICC profile for primaries and a transfer function; `None` for sRGB and for unknown codes.
 ///
-/// HDR signals keep everything up to white. The transfer functions of BT.709 count as that of sRGB, as in viewers of photos.
+/// HDR signals keep everything up to white. A transfer function of BT.709 counts as sRGB, as in viewers of photos.
 pub(super) fn profile(primaries: u16, transfer: u16) -> Option<Vec<u8>> {
     let matrix = match primaries {
         9 => BT2020,

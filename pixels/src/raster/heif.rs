@@ -170,7 +170,7 @@ mod hevc {
     use crate::error::{Error, Result};
     use heic_decoder::{ColorInfo, HeifError, decode as decode_heic, probe};
 
-    /// Bytes of a pixel while it is decoded: planes of 32 bits, of which tiles are copies, and RGB.
+    /// Bytes of a pixel during decoding: planes of 32 bits, copies of tiles, and RGB.
     const BYTES_PER_PIXEL: u64 = 16;
 
     pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Pixels> {

@@ -18,7 +18,7 @@ export const fileStrings = {
     n === 1
       ? '1 Datei, die Systeme oder Programme neben Fotos ablegen, wurde übersprungen.'
       : `${n} Dateien, die Systeme oder Programme neben Fotos ablegen, wurden übersprungen.`,
-  /** `remedy`: what the user can do */
+  /** `remedy`: a request to the user */
   unsupportedKind: (name: string, remedy: string) =>
     `Diese Art von Datei (${name}) kann nicht gelesen werden. ${remedy}`,
   remedies: {

@@ -17,7 +17,7 @@ export const fileStrings = {
     n === 1
       ? '1 file that a system or program stores next to photos was skipped.'
       : `${n} files that systems and programs store next to photos were skipped.`,
-  /** `remedy`: what the user can do */
+  /** `remedy`: a request to the user */
   unsupportedKind: (name: string, remedy: string) => `this kind of file (${name}) cannot be read. ${remedy}`,
   remedies: {
     jpeg: 'Save it as JPEG in a program that opens it.',

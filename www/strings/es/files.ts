@@ -18,7 +18,7 @@ export const fileStrings = {
     n === 1
       ? 'Se omitió 1 archivo que un sistema o programa guarda junto a las fotos.'
       : `Se omitieron ${n} archivos que sistemas y programas guardan junto a las fotos.`,
-  /** `remedy`: what the user can do */
+  /** `remedy`: a request to the user */
   unsupportedKind: (name: string, remedy: string) => `este tipo de archivo (${name}) no se puede leer. ${remedy}`,
   remedies: {
     jpeg: 'Guárdalo como JPEG con un programa que lo abra.',

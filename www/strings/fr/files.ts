@@ -17,7 +17,7 @@ export const fileStrings = {
     n === 1
       ? '1 fichier qu’un système ou un programme range à côté des photos a été ignoré.'
       : `${n} fichiers que des systèmes et des programmes rangent à côté des photos ont été ignorés.`,
-  /** `remedy`: what the user can do */
+  /** `remedy`: a request to the user */
   unsupportedKind: (name: string, remedy: string) => `ce type de fichier (${name}) ne peut pas être lu. ${remedy}`,
   remedies: {
     jpeg: 'Enregistrez-le en JPEG avec un programme qui l’ouvre.',

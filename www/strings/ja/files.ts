@@ -14,7 +14,7 @@ export const fileStrings = {
   noPicturesInside: '中に画像がありません。',
   unknownJson: 'Inkpanelのレイアウトでもスタイルでもありません。',
   filesSkipped: (n: number) => `システムやプログラムが写真のそばに置くファイルを${n}個とばしました。`,
-  /** `remedy`: what the user can do */
+  /** `remedy`: a request to the user */
   unsupportedKind: (name: string, remedy: string) => `この種類のファイル（${name}）は読み込めません。${remedy}`,
   remedies: {
     jpeg: '開けるプログラムでJPEGとして保存してください。',

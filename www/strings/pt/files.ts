@@ -18,7 +18,7 @@ export const fileStrings = {
     n === 1
       ? '1 arquivo que um sistema ou programa guarda ao lado das fotos foi ignorado.'
       : `${n} arquivos que sistemas e programas guardam ao lado das fotos foram ignorados.`,
-  /** `remedy`: what the user can do */
+  /** `remedy`: a request to the user */
   unsupportedKind: (name: string, remedy: string) => `este tipo de arquivo (${name}) não pode ser lido. ${remedy}`,
   remedies: {
     jpeg: 'Salve-o como JPEG em um programa que o abra.',
