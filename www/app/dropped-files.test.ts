@@ -260,7 +260,8 @@ describe('a Live Photo', () => {
       'Add the video',
     ]);
     offer?.way?.run();
-    expect((added.mock.lastCall?.[0] as File[]).map(({ name }) => name)).toEqual(['IMG_1.MOV']);
+    const [last] = added.mock.lastCall as unknown as [File[]];
+    expect(last.map(({ name }) => name)).toEqual(['IMG_1.MOV']);
   });
 });
 

@@ -6,6 +6,7 @@
 
 use inkpanel::raster::animation;
 use inkpanel::raster::decode::Limits;
+pub(crate) use inkpanel::raster::decode::decode;
 use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 

@@ -1,5 +1,6 @@
 //! wasm bindings of the decoder. [`super::converted`] has its only class.
 
+pub(crate) use inkpanel_pixels::raster::decode::decode_heic as decode;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]

@@ -139,6 +139,18 @@ pub fn decode_fit(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decod
     Ok(Decoded { damage, ..finished(image, (width, height), &exif, name)? })
 }
 
+/// Decodes a HEIC file like [`decode`]. Callers of this function alone contain no other decoder.
+///
+/// # Errors
+/// As [`decode`].
+#[cfg(feature = "heic")]
+pub fn decode_heic(bytes: &[u8], limits: &Limits) -> Result<Decoded> {
+    let Some(name @ "HEIC") = heif::kind(bytes) else { return Err(Error::UnknownFormat) };
+    let (pixels, exif) = heif::read(name, bytes, limits)?;
+    let size = pixels.size;
+    finished(pixels.image(size)?, size, &exif, name)
+}
+
 /// Like [`decode`], but decodes a JPEG file at reduced size if it is at least twice as large as `longest`.
 /// This takes two thirds of the time and at most a quarter of the memory. Samples differ by a few steps.
 ///

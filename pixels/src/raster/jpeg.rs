@@ -113,6 +113,9 @@ pub(super) fn readable(
     if markers.complete && sound::is_sound(bytes) {
         return Ok((markers.without_records(bytes), None));
     }
+    if let Some(end) = video_start(bytes) {
+        return readable(&bytes[..end], &Markers::of(&bytes[..end]), name, limits);
+    }
     let size = markers.size.map_or((0, 0), |(width, height)| (width as usize, height as usize));
     // Two bytes for each coefficient, and the file.
     let room = check_memory(size, 3 * u64::from(markers.components), limits);
@@ -127,6 +130,29 @@ pub(super) fn readable(
         None if markers.complete => Ok((markers.without_records(bytes), None)),
         None => Err(Error::damaged(name, "it is truncated")),
     }
+}
+
+/// Position of the video of a motion photo: a box `ftyp` of ISO/IEC 14496-12 with the name of a brand. Some phones write the video
+/// directly after the coded data, without an end marker. Bytes of the video must not count as coded data.
+fn video_start(bytes: &[u8]) -> Option<usize> {
+    let starts = |&at: &usize| {
+        let Some(&[a, b, c, d, ..]) = bytes[at..].first_chunk::<12>() else { return false };
+        let length = u32::from_be_bytes([a, b, c, d]);
+        (16..=256).contains(&length)
+            && length.is_multiple_of(4)
+            && bytes[at + 8..at + 12].iter().all(|byte| (b' '..=b'~').contains(byte))
+    };
+    let mut scan = 2;
+    loop {
+        let (marker, after) = next_marker(bytes, scan)?;
+        let length = bytes.get(after..).and_then(<[u8]>::first_chunk).map(|&two| u16::from_be_bytes(two))?;
+        scan = after + usize::from(length);
+        if marker == START_OF_SCAN {
+            break;
+        }
+    }
+    let kinds = bytes.get(scan..)?.windows(4).enumerate().skip(4).filter(|(_, four)| four == b"ftyp");
+    kinds.map(|(at, _)| scan + at - 4).find(starts)
 }
 
 fn explained(error: DecodeErrors, format: &'static str) -> Error {

@@ -23,9 +23,8 @@ const PROJECT = 'project.inkpanel';
 const TEXT_NAME = 'project.json';
 
 /**
- * Content of an archive: pages with their project, a project file with another file name, or images. Images have the
- * names of damaged ones, the number of images above the limit, the kinds of unreadable files, and the number of other
- * files.
+ * Content of an archive: pages with their project, a project file with another file name, or images. `damaged` are the
+ * names of damaged images, `beyond` is the number of images above the limit, and `others` is the number of all other files.
  */
 export type Inside =
   | { page: PageFile }

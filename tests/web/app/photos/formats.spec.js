@@ -45,12 +45,14 @@ async function place(page, name) {
 const STILLS = ['gif.gif', 'webp-lossy.webp', 'webp-lossless.webp'];
 const ANIMATIONS = ['kept.gif', 'lossless.webp'];
 
-test('photos in AVIF, GIF and WebP are put into panels, and the page is saved from an AVIF photo', async ({ page }) => {
+test('photos in AVIF, HEIC, GIF and WebP are put into panels, and the page is saved from an AVIF photo', async ({
+  page,
+}) => {
   await openStart(page);
-  const files = [file('foreign/plain.avif'), ...STILLS.map((name) => file(`files/${name}`))];
+  const files = [file('heic/grid.heic'), file('foreign/plain.avif'), ...STILLS.map((name) => file(`files/${name}`))];
   await add(page, await Promise.all(files));
   await idle(page);
-  for (const name of [...STILLS, 'plain.avif']) {
+  for (const name of [...STILLS, 'grid.heic', 'plain.avif']) {
     await expect(boxes(page, new RegExp(`^Use ${name}$`))).toHaveCount(1);
     await place(page, new RegExp(`^Choose ${name}$`));
     expect((await contents(page)).photos[0]).toBe(name);
