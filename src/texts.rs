@@ -136,7 +136,8 @@ fn is_control(byte: u8) -> bool {
 
 /// The encoding of bytes with zeros, by their places: every file has line ends, spaces or digits.
 fn wide(bytes: &[u8]) -> Option<&'static str> {
-    let zeros = |from: usize, every: usize| bytes.iter().skip(from).step_by(every).filter(|byte| **byte == 0).count();
+    let zeros =
+        |from: usize, every: usize| bytes.iter().skip(from).step_by(every).filter(|byte| **byte == 0).count();
     let quarter = bytes.len() / 4;
     if bytes.len().is_multiple_of(4) && zeros(3, 4) == quarter && zeros(2, 4) > 0 {
         return Some("UTF-32LE");
@@ -224,11 +225,13 @@ mod tests {
     #[test]
     fn unicode_is_read_with_and_without_its_mark() {
         for encoding in ["UTF-8", "UTF-16LE", "UTF-16BE", "UTF-32LE", "UTF-32BE"] {
-            for said in ["Schöne Grüße", "Привет, мир", "一二三「漢字」", "😀 \u{2028}"] {
+            for said in ["Schöne Grüße", "Привет, мир", "一二三「漢字」", "😀 \u{2028}"]
+            {
                 let text = format!("{SRT}{said}\r\n");
                 for mark in ["", "\u{feff}"] {
                     let read = decode(&encoded(&format!("{mark}{text}"), encoding), "en").unwrap();
-                    let expected = Text { text: text.clone(), encoding: read.encoding, guessed: false, lost: 0 };
+                    let expected =
+                        Text { text: text.clone(), encoding: read.encoding, guessed: false, lost: 0 };
                     assert_eq!(read, expected, "{encoding}");
                     assert_eq!(read.encoding, encoding);
                 }
@@ -244,7 +247,10 @@ mod tests {
             ("windows-1251", "Привет, мир! Как дела? Всё хорошо, спасибо."),
             ("KOI8-U", "Привет, мир! Как дела? Сегодня хорошая погода, пойдём гулять."),
             ("windows-1253", "Καλημέρα, τι κάνεις σήμερα; Όλα είναι καλά."),
-            ("windows-1254", "Günaydın, bugün nasılsın? Çok iyiyim, teşekkür ederim. Şimdi İstanbul'a gidiyoruz."),
+            (
+                "windows-1254",
+                "Günaydın, bugün nasılsın? Çok iyiyim, teşekkür ederim. Şimdi İstanbul'a gidiyoruz.",
+            ),
             ("windows-1255", "שלום, מה שלומך היום? הכול בסדר, תודה."),
             ("windows-1256", "مرحبا، كيف حالك اليوم؟ كل شيء على ما يرام."),
             ("Shift_JIS", "こんにちは。今日はいい天気ですね。海へ行きましょう。"),

@@ -317,7 +317,11 @@ mod tests {
         let cases = [
             (String::new(), false, Flaw::Empty),
             ("1\n00:00:01,000 > 00:00:02,000\nHi".into(), false, Flaw::Stray(1, "1".into())),
-            ("1\n00:00:01,0a0 --> 00:00:02\nHi".into(), false, Flaw::Time(2, "00:00:01,0a0 --> 00:00:02".into())),
+            (
+                "1\n00:00:01,0a0 --> 00:00:02\nHi".into(),
+                false,
+                Flaw::Time(2, "00:00:01,0a0 --> 00:00:02".into()),
+            ),
             (
                 "1\n00:99:01,000 --> 00:00:02,000\nHi".into(),
                 false,
@@ -342,10 +346,16 @@ mod tests {
     #[test]
     fn a_subtitle_that_is_malformed_costs_itself_alone() {
         let time = "00:00:01,000 --> 00:00:02,000";
-        let text = format!("no time here\nnone\n\n1\n{time}\nHi\n\n2\nno time\n\n3\nsoon --> later\nx\n\n4\n{time}\nBye\n\n5\n");
+        let text = format!(
+            "no time here\nnone\n\n1\n{time}\nHi\n\n2\nno time\n\n3\nsoon --> later\nx\n\n4\n{time}\nBye\n\n5\n"
+        );
         let read = Subtitles::parse(&text, false).unwrap();
         assert_eq!(read.cues.iter().map(said).collect::<Vec<_>>(), ["Hi", "Bye"]);
-        let flaws = [Flaw::Stray(1, "no time here".into()), Flaw::Stray(8, "2".into()), Flaw::Time(12, "soon --> later".into())];
+        let flaws = [
+            Flaw::Stray(1, "no time here".into()),
+            Flaw::Stray(8, "2".into()),
+            Flaw::Time(12, "soon --> later".into()),
+        ];
         assert_eq!((read.skipped, &read.flaws[..]), (4, &flaws[..]));
         let many = format!("{}{time}\nHi", "x\ny\n\n".repeat(9));
         let read = Subtitles::parse(&many, false).unwrap();
@@ -366,15 +376,22 @@ mod tests {
             // A number is the text; there is no text.
             (format!("1\n{one}\n5\n\n2\n{two}\nBye"), vec!["5", "Bye"]),
             (format!("1\n{one}\n\n2\n{two}\nBye"), vec!["Bye"]),
-            (format!("1\r\r\n{one}\r\r\nHi\r\r\nthere\r\r\n\r\r\n2\r\r\n{two}\r\r\nBye"), vec!["Hi there", "Bye"]),
+            (
+                format!("1\r\r\n{one}\r\r\nHi\r\r\nthere\r\r\n\r\r\n2\r\r\n{two}\r\r\nBye"),
+                vec!["Hi there", "Bye"],
+            ),
             // An arrow in the text.
             (format!("1\n{one}\nGo\nA --> B\n\n2\n{two}\n1 -> 2"), vec!["Go A --> B", "1 -> 2"]),
         ];
         for (text, said) in cases {
             assert_eq!(read(&text), said, "{text:?}");
         }
-        let vtt = format!("WEBVTT\n{}\nHi\n \nthere\nBen\n{}\nBye", one.replace(',', "."), two.replace(',', "."));
-        assert_eq!(cues(&vtt, true).into_iter().map(|cue| cue.2).collect::<Vec<_>>(), ["Hi there Ben", "Bye"]);
+        let vtt =
+            format!("WEBVTT\n{}\nHi\n \nthere\nBen\n{}\nBye", one.replace(',', "."), two.replace(',', "."));
+        assert_eq!(
+            cues(&vtt, true).into_iter().map(|cue| cue.2).collect::<Vec<_>>(),
+            ["Hi there Ben", "Bye"]
+        );
     }
 
     #[test]
@@ -394,7 +411,12 @@ mod tests {
         for (line, start, end) in cases {
             assert_eq!(cues(&format!("1\n{line}\nHi"), false), [(start, end, "Hi".into())], "{line}");
         }
-        for line in ["00:00:01,000 --> soon", "-00:00:01,000 --> 00:00:02,000", "00:61:01,000 --> 01:62:02,000", "1:2:3:4:5 --> 2:2:3:4:5"] {
+        for line in [
+            "00:00:01,000 --> soon",
+            "-00:00:01,000 --> 00:00:02,000",
+            "00:61:01,000 --> 01:62:02,000",
+            "1:2:3:4:5 --> 2:2:3:4:5",
+        ] {
             let flaw = Flaw::Time(2, line.into());
             assert_eq!(Subtitles::parse(&format!("1\n{line}\nHi"), false), Err(flaw), "{line}");
         }
@@ -405,7 +427,10 @@ mod tests {
         let ass = "[Script Info]\nTitle: x\n\n[Events]\nFormat: Layer, Start, End, Style, Name, MarginL, MarginR, MarginV, Effect, Text\nComment: 0,0:00:00.00,0:00:01.00,,,0,0,0,,no\nDialogue: 1,0:00:01.50,0:00:02.00,Default,Anna,0,0,0,,{\\i1}Hello, you{\\i0}\\Nthere\\hnow\nDialogue: 0,0:00:01.50,0:00:02.00,Default,Anna,0,0,0,,Hello, you\\Nthere now\nDialogue: 0,0:00:03.00,0:00:04.00,Sign,,0,0,0,,{\\p1}m 0 0 l 1 1{\\p0}\nDialogue: 0,soon,0:00:04.00,Sign,,0,0,0,,Bye";
         let read = Subtitles::parse(ass, false).unwrap();
         let speaker = read.cues[0].said[0].speaker.as_deref();
-        assert_eq!((read.cues.len(), said(&read.cues[0]).as_str(), speaker), (1, "Hello, you there now", Some("Anna")));
+        assert_eq!(
+            (read.cues.len(), said(&read.cues[0]).as_str(), speaker),
+            (1, "Hello, you there now", Some("Anna"))
+        );
         assert_eq!((read.cues[0].start, read.cues[0].end, read.skipped), (1.5, 2.0, 1));
         let ssa = "[Events]\nFormat: Marked, Start, End, Style, Name, MarginL, MarginR, MarginV, Effect, Text\nDialogue: Marked=0,0:00:01.50,0:00:02.00,Default,,0,0,0,,Hi";
         assert_eq!(cues(ssa, false), [(1.5, 2.0, "Hi".into())]);
@@ -419,7 +444,11 @@ mod tests {
         let texts = |text: &str, vtt| cues(text, vtt).into_iter().map(|cue| cue.2).collect::<Vec<_>>();
         let vtt = "WEBVTT\nKind: captions\n\n00:00:00.000 --> 00:00:02.000 align:start position:0%\n \nhello<00:00:00.400><c> there</c>\n\n00:00:02.000 --> 00:00:02.010\nhello there\n \n\n00:00:02.010 --> 00:00:04.000\nhello there\ngeneral<00:00:02.400><c> kenobi</c>\n\n00:00:04.000 --> 00:00:04.010\ngeneral kenobi\n \n\n00:00:04.010 --> 00:00:06.000\ngeneral kenobi\nyou are<00:00:05.000><c> bold</c>\n";
         assert_eq!(texts(vtt, true), ["hello there", "general kenobi", "you are bold"]);
-        let roll: String = ["a\nb", "b\nc", "c\nd", "d\ne"].iter().enumerate().map(|(i, text)| format!("00:00:0{i},000 --> 00:00:0{},000\n{text}\n\n", i + 1)).collect();
+        let roll: String = ["a\nb", "b\nc", "c\nd", "d\ne"]
+            .iter()
+            .enumerate()
+            .map(|(i, text)| format!("00:00:0{i},000 --> 00:00:0{},000\n{text}\n\n", i + 1))
+            .collect();
         assert_eq!(texts(&roll, false), ["a b", "c", "d", "e"]);
         // An answer may be the same word.
         let no = "00:00:01,000 --> 00:00:02,000\nNo.\n\n00:00:02,000 --> 00:00:03,000\nNo.";
@@ -454,7 +483,10 @@ mod tests {
             ("Hello<br>there<BR/>friend<br />!", "Hello there friend !"),
             ("Up\\Nand down\\hnow", "Up and down now"),
             ("a&amp;b &lt;i&gt; &nbsp;c&lrm; &x; &amp", "a&b <i> c &x; &amp"),
-            ("Don&#39;t say &quot;never&quot; &amp; go &eacute;t&eacute; 5&deg; &#x2014; &hellip; &#146;", "Don't say \"never\" & go été 5° — … ’"),
+            (
+                "Don&#39;t say &quot;never&quot; &amp; go &eacute;t&eacute; 5&deg; &#x2014; &hellip; &#146;",
+                "Don't say \"never\" & go été 5° — … ’",
+            ),
             ("&amp;lt;", "&lt;"),
             ("<ruby>漢字<rt>かんじ</rt></ruby>を読む", "漢字《かんじ》を読む"),
             ("大<ruby>漢<rp>(</rp><rt>かん</rt><rp>)</rp>字<rt>じ</rt></ruby>", "大｜漢《かん》字《じ》"),
@@ -562,6 +594,97 @@ mod tests {
             let _: Result<_> = Subtitles::parse(&wall(part), false);
         }
         assert!(begin.elapsed().as_secs() < 20);
+    }
+
+    /// A generated subtitle: its times, how they are written, the decoration of its lines, and the empty lines around them.
+    #[derive(Debug, Clone)]
+    struct Written {
+        times: usize,
+        lines: Vec<usize>,
+        gaps: [bool; 2],
+        apart: usize,
+    }
+
+    fn written() -> impl Strategy<Value = Written> {
+        let lines = prop::collection::vec(0_usize..10, 1..4);
+        (0_usize..9, lines, any::<[bool; 2]>(), 0_usize..3)
+            .prop_map(|(times, lines, gaps, apart)| Written { times, lines, gaps, apart })
+    }
+
+    /// The file of the subtitles, and the words of those with valid times.
+    fn file(all: &[Written], vtt: bool, numbered: bool, end: &str) -> (String, Vec<String>, usize) {
+        let mut lines: Vec<String> = if vtt { vec!["WEBVTT".into(), String::new()] } else { Vec::new() };
+        let (mut words, mut bad) = (Vec::new(), 0);
+        for (i, Written { times, lines: decorations, gaps, apart }) in all.iter().enumerate() {
+            let (from, to) = (2 * i, 2 * i + 1);
+            let time = match times {
+                0 => format!("{from}.5 --> {to}.75"),
+                1 => format!("00:{:02}:{:02}:000 --> 00:{:02}:{:02}:500", from / 60, from % 60, to / 60, to % 60),
+                2 => format!("{:02}:{:02} --> {:02}:{:02}", from / 60, from % 60, to / 60, to % 60),
+                3 => format!("{}:00:01,000 --> {}:00:02,000 X1:5", 100 + from, 100 + from),
+                4 => "soon --> later".to_owned(),
+                5 => "00:00:09,000 --> 00:00:01,000".to_owned(),
+                _ => format!("00:{:02}:{:02}.5 --> 00:{:02}:{:02}.25", from / 60, from % 60, to / 60, to % 60),
+            };
+            let is_bad = matches!(times, 4 | 5);
+            bad += usize::from(is_bad);
+            // Without an empty line before it, a line without times is text.
+            if is_bad && lines.last().is_some_and(|line| !line.is_empty()) {
+                lines.push(String::new());
+            }
+            if numbered {
+                lines.push((i + 1).to_string());
+            }
+            lines.push(time);
+            for (j, decoration) in decorations.iter().enumerate() {
+                let word = format!("w{i}x{j}");
+                if gaps[usize::from(j > 0)] && !vtt && !is_bad {
+                    lines.push(String::new());
+                }
+                lines.push(match decoration {
+                    0 => format!("<i>{word}</i>"),
+                    1 => format!("{{\\an8}}{word} &amp; <3"),
+                    2 => format!("a<br/>{word}"),
+                    3 => format!("<v Anna>{word}</v>"),
+                    4 => format!("- {word}"),
+                    5 => format!("{word}\\N{j}"),
+                    6 => format!("<ruby>{word}<rt>x</rt></ruby>"),
+                    7 => format!("<00:00:00.500><c>{word}</c>"),
+                    8 => format!("  {word}\t"),
+                    _ => format!("&lt;{word}&gt; -> 5 > 4"),
+                });
+                if !is_bad {
+                    words.push(word);
+                }
+            }
+            let most = if is_bad || vtt { (*apart).max(1) } else { *apart };
+            lines.extend(std::iter::repeat_n(String::new(), most));
+        }
+        (lines.join(end), words, bad)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(400))]
+
+        #[test]
+        fn every_line_of_text_is_read_or_reported(
+            all in prop::collection::vec(written(), 1..9),
+            vtt: bool,
+            numbered: bool,
+            end in prop::sample::select(vec!["\n", "\r\n", "\r", "\r\r\n"]),
+        ) {
+            let (text, words, bad) = file(&all, vtt, numbered, end);
+            match Subtitles::parse(&text, vtt) {
+                Ok(read) => {
+                    let said = read.cues.iter().map(self::said).collect::<Vec<_>>().join(" ");
+                    for word in &words {
+                        prop_assert_eq!(said.matches(word.as_str()).count(), 1, "{} in {:?}", word, said);
+                    }
+                    prop_assert!(read.skipped >= bad, "{} of {bad}", read.skipped);
+                }
+                Err(_) => prop_assert!(words.is_empty() && bad > 0),
+            }
+        }
     }
 
     proptest! {

@@ -39,7 +39,9 @@ pub(super) fn read(text: &str, vtt: bool) -> Result<Read> {
         blocks(&lines, Kind::Vtt)
     } else if lines.iter().any(|line| dialogue(line).is_some()) {
         substation(&lines)
-    } else if !lines.iter().any(|line| arrow(line).is_some()) && lines.iter().any(|line| comma(line).is_some()) {
+    } else if !lines.iter().any(|line| arrow(line).is_some())
+        && lines.iter().any(|line| comma(line).is_some())
+    {
         blocks(&lines, Kind::YouTube)
     } else {
         blocks(&lines, Kind::Srt)
@@ -60,7 +62,11 @@ enum Kind {
 enum Open {
     /// There was none yet, or an empty line ended it.
     Nothing,
-    Cue { start: f64, end: f64, text: Vec<usize> },
+    Cue {
+        start: f64,
+        end: f64,
+        text: Vec<usize>,
+    },
     /// A block with a reported error, whose lines are skipped.
     Flawed,
 }
@@ -73,7 +79,10 @@ fn blocks(lines: &[&str], kind: Kind) -> Read {
     let mut at = 0;
     if kind == Kind::Vtt {
         // Lines after the header belong to it, up to an empty line or a time.
-        at = 1 + lines[1..].iter().take_while(|line| !is_end(line, kind) && head(line, kind).is_none()).count();
+        at = 1 + lines[1..]
+            .iter()
+            .take_while(|line| !is_end(line, kind) && head(line, kind).is_none())
+            .count();
     }
     let first = at;
     let close = |open: &mut Open, cues: &mut Vec<RawCue>| {
@@ -100,7 +109,9 @@ fn blocks(lines: &[&str], kind: Kind) -> Read {
         let own = number(line);
         let named = lines.get(below).is_some_and(|next| is_head(next, own.is_some() || begins, kind))
             && match own {
-                Some(own) => begins || (numbered && (kind == Kind::Srt || Some(own) == count.map(|last| last + 1))),
+                Some(own) => {
+                    begins || (numbered && (kind == Kind::Srt || Some(own) == count.map(|last| last + 1)))
+                }
                 None => begins && (kind == Kind::Vtt || matches!(open, Open::Nothing)),
             };
         if named {
@@ -191,7 +202,8 @@ fn arrow(line: &str) -> Option<(&str, &str)> {
 /// The two times of a line that consists of them.
 fn comma(line: &str) -> Option<(&str, &str)> {
     let (before, after) = line.split_once(',')?;
-    let is_time = |text: &str| text.contains('.') && clock(text).is_some_and(|(_, rest)| trimmed(rest).is_empty());
+    let is_time =
+        |text: &str| text.contains('.') && clock(text).is_some_and(|(_, rest)| trimmed(rest).is_empty());
     (is_time(before) && is_time(after)).then_some((before, after))
 }
 
@@ -257,7 +269,9 @@ fn clock(text: &str) -> Option<(f64, &str)> {
 /// The number of a subtitle in its own line.
 fn number(line: &str) -> Option<u64> {
     let line = trimmed(line).trim_start_matches('#').trim_end_matches(['.', ':', ')']);
-    (!line.is_empty() && line.bytes().all(|digit| digit.is_ascii_digit())).then(|| line.parse().ok()).flatten()
+    (!line.is_empty() && line.bytes().all(|digit| digit.is_ascii_digit()))
+        .then(|| line.parse().ok())
+        .flatten()
 }
 
 fn is_remark(line: &str) -> bool {

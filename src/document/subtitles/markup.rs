@@ -15,8 +15,8 @@ pub(super) enum Dialect {
 
 /// Names of tags in subtitles. Other text in angle brackets is text.
 const TAGS: [&str; 28] = [
-    "b", "i", "u", "s", "c", "v", "p", "em", "rt", "rp", "rb", "tt", "br", "div", "sub", "sup", "big", "del", "ins",
-    "bdo", "lang", "font", "ruby", "span", "small", "strong", "strike", "center",
+    "b", "i", "u", "s", "c", "v", "p", "em", "rt", "rp", "rb", "tt", "br", "div", "sub", "sup", "big", "del",
+    "ins", "bdo", "lang", "font", "ruby", "span", "small", "strong", "strike", "center",
 ];
 
 /// A tag, or a time in the text.
@@ -88,15 +88,16 @@ pub(super) fn plain(text: &str, dialect: Dialect) -> (Vec<String>, bool) {
     }
     ruby.tag("/ruby", &mut out);
     let out: String = html_escape::decode_html_entities(&out).chars().map(from_windows).collect();
-    let bare = |line: &str| line.split(is_space).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ");
+    let bare =
+        |line: &str| line.split(is_space).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ");
     let lines = lines(&out).into_iter().map(|line| bare(&line.replace(['\u{200e}', '\u{200f}'], "")));
     (lines.filter(|line| !line.is_empty()).collect(), stamped)
 }
 
 /// The characters of Windows-1252 from 0x80. As HTML has it, references to control characters mean these.
 const WINDOWS: [char; 32] = [
-    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}',
-    '\u{90}', '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
+    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}',
+    '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
 ];
 
 fn from_windows(letter: char) -> char {
@@ -111,7 +112,8 @@ fn tag(text: &str) -> Option<Tag<'_>> {
     let end = text.find(['<', '>']).filter(|&end| text[end..].starts_with('>'))?;
     let (inside, rest) = (&text[..end], &text[end + 1..]);
     if inside.starts_with(|letter: char| letter.is_ascii_digit()) {
-        let is_time = inside.contains(':') && !inside.contains(|letter: char| !matches!(letter, '0'..='9' | ':' | '.'));
+        let is_time =
+            inside.contains(':') && !inside.contains(|letter: char| !matches!(letter, '0'..='9' | ':' | '.'));
         return is_time.then(|| Tag { name: String::new(), rest });
     }
     let (slash, bare) = inside.strip_prefix('/').map_or(("", inside), |bare| ("/", bare));
@@ -122,7 +124,8 @@ fn tag(text: &str) -> Option<Tag<'_>> {
     let told = more.trim();
     let is_known = TAGS.contains(&name.as_str());
     let is_bare = told.is_empty() || told == "/" || told.starts_with('.');
-    let has_values = more.starts_with(is_space) && (told.contains('=') || ["v", "lang"].contains(&name.as_str()));
+    let has_values =
+        more.starts_with(is_space) && (told.contains('=') || ["v", "lang"].contains(&name.as_str()));
     (is_known && (is_bare || has_values)).then(|| Tag { name: format!("{slash}{name}"), rest })
 }
 

@@ -26,7 +26,8 @@ pub(super) fn is_of_words(letter: char) -> bool {
 
 /// The lines of a text item from left to right. `sign` gives the character that decides the direction of a letter.
 pub(super) fn ordered(lines: &[&[char]], sign: impl Fn(char) -> char) -> Vec<Vec<Seen>> {
-    let unturned = |line: &&[char]| line.iter().enumerate().map(|(at, &letter)| Seen { at, letter }).collect();
+    let unturned =
+        |line: &&[char]| line.iter().enumerate().map(|(at, &letter)| Seen { at, letter }).collect();
     let signs: Vec<Vec<char>> =
         lines.iter().map(|line| line.iter().map(|&letter| sign(letter)).collect()).collect();
     if !signs.iter().flatten().any(|&letter| is_leftward(letter)) {
@@ -56,7 +57,8 @@ pub(in crate::page) fn seen(text: &str) -> String {
 
 /// The level of each letter of a line, by its bytes in the text.
 fn levels(info: &BidiInfo<'_>, line: std::ops::Range<usize>) -> Vec<Level> {
-    let Some(paragraph) = info.paragraphs.iter().find(|paragraph| paragraph.range.contains(&line.start)) else {
+    let Some(paragraph) = info.paragraphs.iter().find(|paragraph| paragraph.range.contains(&line.start))
+    else {
         return vec![Level::ltr(); info.text[line].chars().count()];
     };
     let levels = info.reordered_levels(paragraph, line.clone());
@@ -91,7 +93,8 @@ mod tests {
 
     #[test]
     fn the_first_strong_letter_of_all_lines_gives_the_direction() {
-        let lines: Vec<Vec<char>> = ["12!", "שלום", "abc."].iter().map(|line| line.chars().collect()).collect();
+        let lines: Vec<Vec<char>> =
+            ["12!", "שלום", "abc."].iter().map(|line| line.chars().collect()).collect();
         let lines: Vec<&[char]> = lines.iter().map(Vec::as_slice).collect();
         let seen = ordered(&lines, |letter| letter);
         let text = |at: usize| seen[at].iter().map(|seen| seen.letter).collect::<String>();

@@ -1,7 +1,7 @@
 //! A text item as pixels: a patch of straight-alpha RGBA above the panels.
 
-use super::bidi::Seen;
 use super::balloons::neck;
+use super::bidi::Seen;
 use super::layout::{Body, Chain, Ground, Laid, lay_all};
 use super::letters::{Font, Letters};
 use super::model::{Craft, Kind, Shape, Word};
@@ -325,7 +325,10 @@ fn read<'s>(setting: &'s Setting, line: usize, spans: &[(f64, f64)]) -> Vec<(&'s
         let (Some(&first), Some(&last)) = (run.first(), run.last()) else { continue };
         let number = usize::from(under[first].reading);
         if let Some(reading) = number.checked_sub(1).and_then(|number| setting.readings.get(number)) {
-            all.push((reading.as_slice(), (spans[first].0.min(spans[last].0), spans[first].1.max(spans[last].1))));
+            all.push((
+                reading.as_slice(),
+                (spans[first].0.min(spans[last].0), spans[first].1.max(spans[last].1)),
+            ));
         }
     }
     all
