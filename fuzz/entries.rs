@@ -8,7 +8,9 @@ use inkpanel::document::file::ProjectFile;
 use inkpanel::document::kept;
 use inkpanel::document::project::Project;
 use inkpanel::document::saved::Saved;
+use inkpanel::document::script;
 use inkpanel::document::sheets::photos_on;
+use inkpanel::document::subtitles::Subtitles;
 use inkpanel::layout::{self, PageSettings, Template};
 use inkpanel::page::document::Document;
 use inkpanel::page::import::import;
@@ -17,6 +19,7 @@ use inkpanel::page::{Scene, catalogue, shuffle};
 use inkpanel::raster::decode::{Limits, decode_reduced};
 use inkpanel::raster::{Image, Plane};
 use inkpanel::style::{Context, Style, stylize};
+use inkpanel::texts;
 use serde_json::Value;
 use std::collections::HashSet;
 
@@ -34,6 +37,7 @@ pub const ENTRIES: &[(&str, Entry)] = &[
     ("edits", edits),
     ("plan", plan),
     ("choice", choice),
+    ("texts", texts),
 ];
 
 /// Small limits, so that runs are fast and large requests are rejected.
@@ -167,6 +171,17 @@ pub fn choice(bytes: &[u8]) {
     if let Some(json) = text(bytes) {
         let _ = catalogue::choose(json);
     }
+}
+
+/// A text file in any encoding, as subtitles and as a script.
+pub fn texts(bytes: &[u8]) {
+    let Some(read) = texts::decode(bytes, "en") else { return };
+    for vtt in [false, true] {
+        if let Ok(subtitles) = Subtitles::parse(&read.text, vtt) {
+            assert!(!subtitles.cues.is_empty() && subtitles.cues.is_sorted_by(|a, b| a.start <= b.start));
+        }
+    }
+    script::read(&read.text);
 }
 
 fn text(bytes: &[u8]) -> Option<&str> {

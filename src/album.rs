@@ -1,8 +1,8 @@
 //! Photo sources of the command line: files, folders as albums, and standard input.
 
-use crate::{Complaint, name, telling};
-use inkpanel::json::unmarked;
+use crate::{Complaint, name, own_pages, telling};
 use inkpanel::kinds::{self, Role};
+use inkpanel::texts;
 use serde_json::json;
 use std::cmp::Ordering;
 use std::collections::HashSet;
@@ -48,11 +48,12 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
     INPUT.get_or_init(input).clone()
 }
 
-/// Reads a file of JSON or TOML, or standard input. A byte order mark, which editors on Windows write, is removed.
+/// Reads a file of JSON or TOML, or standard input: UTF-8 or UTF-16, with or without the byte order mark that editors on
+/// Windows write.
 pub(crate) fn text(path: &Path) -> Result<String, Complaint> {
-    let text =
-        String::from_utf8(read(path)?).map_err(|_| "is not JSON or TOML: it is not UTF-8 text".to_owned())?;
-    Ok(unmarked(&text).to_owned())
+    let bytes = read(path)?;
+    let text = texts::unicode(&bytes).map_err(|reason| format!("is not JSON or TOML: {reason}"))?;
+    Ok(text.into_owned())
 }
 
 /// Lists the files: for a folder, its photos and the photos in its subfolders, in natural order. Other files of a folder are
@@ -70,6 +71,7 @@ pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Complaint> {
         let mut found = Found::default();
         walk(path, 0, &mut found)?;
         found.tell(path);
+        leave_own_pages(&mut found.photos);
         if found.photos.is_empty() {
             return Err(format!("{}: the folder contains no pictures", path.display()));
         }
@@ -79,6 +81,22 @@ pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Complaint> {
         return Err(format!("more than {MOST_FILES} files"));
     }
     Ok(files)
+}
+
+/// Leaves out the pages that an earlier run wrote into a folder, unless the folder has nothing else.
+fn leave_own_pages(files: &mut Vec<PathBuf>) {
+    let (pages, photos): (Vec<PathBuf>, Vec<PathBuf>) =
+        files.drain(..).partition(|path| own_pages::is_page(path));
+    if photos.is_empty() {
+        files.extend(pages);
+        return;
+    }
+    files.extend(photos);
+    for page in pages {
+        let why = "left out: a page that Inkpanel wrote";
+        let event = json!({ "event": "left-out", "file": page.display().to_string(), "message": why });
+        telling::step(&event, Some(format!("{}: {why}", page.display())));
+    }
 }
 
 /// The files of a folder.

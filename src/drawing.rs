@@ -3,7 +3,7 @@
 use crate::album::{self, is_standard};
 use crate::destination::{Output, write};
 use crate::segments::Masks;
-use crate::{Complaint, reading, telling};
+use crate::{Complaint, own_pages, reading, telling};
 use inkpanel::Error;
 use inkpanel::framing::Subject;
 use inkpanel::layout::{self, PagePreset, PaperSize};
@@ -131,6 +131,10 @@ fn prepared(document: &Document, means: &Means<'_>) -> Result<(Document, native:
 /// Renders a document from its photos, decoded at their full size, as the kind of picture that `output` names.
 pub(crate) fn draw(document: &Document, means: &Means<'_>, output: &Path) -> Result<Vec<u8>, Complaint> {
     let kind = Kind::of(output)?;
+    Ok(own_pages::marked(drawn(document, means, kind)?, kind))
+}
+
+fn drawn(document: &Document, means: &Means<'_>, kind: Kind) -> Result<Vec<u8>, Complaint> {
     let (document, photos) = &prepared(document, means)?;
     let sheet = native::sheet(document, photos, means.fonts).map_err(|error| error.to_string())?;
     encoded(kind, (sheet.width(), sheet.height()), sheet.rgb(), (document.page.dpi, means.quality))
@@ -157,7 +161,7 @@ pub(crate) fn encoded(
 
 /// Renders a document as JPEG.
 pub(crate) fn jpeg_of(document: &Document, means: &Means<'_>) -> Result<Vec<u8>, Complaint> {
-    draw(document, means, Path::new("page.jpg"))
+    drawn(document, means, Kind::Jpeg)
 }
 
 /// Options of output files, mostly for print.

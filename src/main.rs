@@ -17,6 +17,7 @@ mod drawing;
 mod films;
 mod imitator;
 mod inventor;
+mod own_pages;
 mod paper;
 mod plans;
 mod projects;
@@ -539,7 +540,8 @@ fn plan_page(
 ) -> Result<(), Complaint> {
     let layout = render.layout.as_deref().map(layout_value).transpose()?;
     let style = render.album.style.as_deref().map(style_value).transpose()?;
-    let page = render.album.paper.settings()?;
+    let is_pdf = output.is_some_and(|output| matches!(Kind::of(&output.named), Ok(Kind::Pdf)));
+    let page = render.album.paper.settings(is_pdf)?;
     let fonts = how.printing.fonts()?;
     let mut photos = import_all(files);
     let looked = !render.album.no_detect && add_subjects(&mut photos, render.album.models.as_deref());

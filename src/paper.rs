@@ -44,12 +44,17 @@ pub(crate) struct Paper {
 }
 
 impl Paper {
-    /// The settings of a page.
+    /// The settings of a page. In a file `with_paper` the page has the exact size of the paper, so its width in pixels is
+    /// that of the nearest resolution.
     ///
     /// # Errors
     /// A sentence for invalid settings.
-    pub(crate) fn settings(&self) -> Result<PageSettings, Complaint> {
-        let usual = PageSettings::sized(self.page_size, self.dpi, self.width);
+    pub(crate) fn settings(&self, with_paper: bool) -> Result<PageSettings, Complaint> {
+        let mut usual = PageSettings::sized(self.page_size, self.dpi, self.width);
+        let has_paper = !matches!(self.page_size, Some(PaperSize::Pixels(..)));
+        if with_paper && has_paper && self.width.is_some() && self.dpi.is_none() {
+            usual = PageSettings::sized(self.page_size, Some(usual.dpi), None);
+        }
         let page = PageSettings {
             gutter: self.gutter.unwrap_or(usual.gutter),
             margin: self.margin.unwrap_or(usual.margin),
@@ -70,10 +75,26 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_pdf_has_the_size_of_the_paper_at_any_width() {
+        let points = |size: &str, width: u32| {
+            let page_size = Some(PaperSize::parse(size).unwrap());
+            let page = Paper { page_size, width: Some(width), ..Paper::default() }.settings(true).unwrap();
+            [page.width, page.height].map(|side| f64::from(side) * 72.0 / f64::from(page.dpi))
+        };
+        for width in [64, 300, 400, 420, 600, 777, 2480] {
+            for (size, across, down) in [("a4", 595.3, 841.9), ("letter", 612.0, 792.0), ("a5", 419.5, 595.3)]
+            {
+                let [x, y] = points(size, width);
+                assert!((x - across).abs() <= 1.0 && (y - down).abs() <= 1.0, "{size} {width}: {x} x {y}");
+            }
+        }
+    }
+
+    #[test]
     fn what_no_page_can_be_is_refused() {
         let huge = Paper { page_size: Some(PaperSize::parse("13000x13000").unwrap()), ..Paper::default() };
-        assert!(huge.settings().unwrap_err().contains("million pixels"));
+        assert!(huge.settings(false).unwrap_err().contains("million pixels"));
         let wide = Paper { gutter: Some(0.5), ..Paper::default() };
-        assert!(wide.settings().unwrap_err().contains("page.gutter"));
+        assert!(wide.settings(false).unwrap_err().contains("page.gutter"));
     }
 }

@@ -596,6 +596,97 @@ mod tests {
         assert!(begin.elapsed().as_secs() < 20);
     }
 
+    /// A generated subtitle: its times, how they are written, the decoration of its lines, and the empty lines around them.
+    #[derive(Debug, Clone)]
+    struct Written {
+        times: usize,
+        lines: Vec<usize>,
+        gaps: [bool; 2],
+        apart: usize,
+    }
+
+    fn written() -> impl Strategy<Value = Written> {
+        let lines = prop::collection::vec(0_usize..10, 1..4);
+        (0_usize..9, lines, any::<[bool; 2]>(), 0_usize..3)
+            .prop_map(|(times, lines, gaps, apart)| Written { times, lines, gaps, apart })
+    }
+
+    /// The file of the subtitles, and the words of those with valid times.
+    fn file(all: &[Written], vtt: bool, numbered: bool, end: &str) -> (String, Vec<String>, usize) {
+        let mut lines: Vec<String> = if vtt { vec!["WEBVTT".into(), String::new()] } else { Vec::new() };
+        let (mut words, mut bad) = (Vec::new(), 0);
+        for (i, Written { times, lines: decorations, gaps, apart }) in all.iter().enumerate() {
+            let (from, to) = (2 * i, 2 * i + 1);
+            let time = match times {
+                0 => format!("{from}.5 --> {to}.75"),
+                1 => format!("00:{:02}:{:02}:000 --> 00:{:02}:{:02}:500", from / 60, from % 60, to / 60, to % 60),
+                2 => format!("{:02}:{:02} --> {:02}:{:02}", from / 60, from % 60, to / 60, to % 60),
+                3 => format!("{}:00:01,000 --> {}:00:02,000 X1:5", 100 + from, 100 + from),
+                4 => "soon --> later".to_owned(),
+                5 => "00:00:09,000 --> 00:00:01,000".to_owned(),
+                _ => format!("00:{:02}:{:02}.5 --> 00:{:02}:{:02}.25", from / 60, from % 60, to / 60, to % 60),
+            };
+            let is_bad = matches!(times, 4 | 5);
+            bad += usize::from(is_bad);
+            // Without an empty line before it, a line without times is text.
+            if is_bad && lines.last().is_some_and(|line| !line.is_empty()) {
+                lines.push(String::new());
+            }
+            if numbered {
+                lines.push((i + 1).to_string());
+            }
+            lines.push(time);
+            for (j, decoration) in decorations.iter().enumerate() {
+                let word = format!("w{i}x{j}");
+                if gaps[usize::from(j > 0)] && !vtt && !is_bad {
+                    lines.push(String::new());
+                }
+                lines.push(match decoration {
+                    0 => format!("<i>{word}</i>"),
+                    1 => format!("{{\\an8}}{word} &amp; <3"),
+                    2 => format!("a<br/>{word}"),
+                    3 => format!("<v Anna>{word}</v>"),
+                    4 => format!("- {word}"),
+                    5 => format!("{word}\\N{j}"),
+                    6 => format!("<ruby>{word}<rt>x</rt></ruby>"),
+                    7 => format!("<00:00:00.500><c>{word}</c>"),
+                    8 => format!("  {word}\t"),
+                    _ => format!("&lt;{word}&gt; -> 5 > 4"),
+                });
+                if !is_bad {
+                    words.push(word);
+                }
+            }
+            let most = if is_bad || vtt { (*apart).max(1) } else { *apart };
+            lines.extend(std::iter::repeat_n(String::new(), most));
+        }
+        (lines.join(end), words, bad)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(400))]
+
+        #[test]
+        fn every_line_of_text_is_read_or_reported(
+            all in prop::collection::vec(written(), 1..9),
+            vtt: bool,
+            numbered: bool,
+            end in prop::sample::select(vec!["\n", "\r\n", "\r", "\r\r\n"]),
+        ) {
+            let (text, words, bad) = file(&all, vtt, numbered, end);
+            match Subtitles::parse(&text, vtt) {
+                Ok(read) => {
+                    let said = read.cues.iter().map(self::said).collect::<Vec<_>>().join(" ");
+                    for word in &words {
+                        prop_assert_eq!(said.matches(word.as_str()).count(), 1, "{} in {:?}", word, said);
+                    }
+                    prop_assert!(read.skipped >= bad, "{} of {bad}", read.skipped);
+                }
+                Err(_) => prop_assert!(words.is_empty() && bad > 0),
+            }
+        }
+    }
+
     proptest! {
         #[test]
         fn any_text_gives_bounded_subtitles_in_order_or_a_sentence(

@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { MOST } from '../engine/bounds.ts';
 import { translations } from '../strings/testing.ts';
 import { HEADINGS } from './headings.ts';
-import { cells, fromFountain, fromTable } from './imports.ts';
+import { cells, fromFountain, fromTable, tabbed } from './imports.ts';
 import { NO_BOARD, numbered } from './shots.ts';
 
 const rows = (count: number) =>
@@ -195,4 +195,156 @@ test('of a duration and a number of frames the edited one counts, and a default 
 
 test('cells that were guarded as formulas are as they were', () => {
   expect(cells('\ufeffa,\'=1+1\r\n\'b,"x\ny"\r\n', ',')).toEqual([['a', '=1+1'], ["'b", 'x\ny'], ['']]);
+});
+
+/** Cells as people type them, trimmed. */
+const CELL = fc
+  .array(fc.constantFrom('a', 'Ä', '"', "'", '=', '+', '-', ',', ';', '\t', '\n', ' ', '漢', '@'), { maxLength: 8 })
+  .map((letters) => letters.join('').trim());
+
+describe('tables', () => {
+  test('may have title lines above their headings, which are reported', () => {
+    const told = table('Shot list;;\nFilm: Night;;\n\nSzene;Handlung;Optik\n1;Sie geht.;35\n');
+    expect(told.shots.p0).toEqual({ notes: 'kept', scene: '1', action: 'Sie geht.', more: { Optik: '35' } });
+    expect(told.lost).toEqual(['1: Shot list', '2: Film: Night']);
+  });
+
+  test('of other programs have other headings', () => {
+    const told = table('SCENE #,Shot No.,DESCRIPTION,Dur.,Comments\n7,A,She waits.,2:12,soft\n');
+    expect([told.shots.p0, told.columns]).toEqual([
+      { scene: '7', number: 'A', action: 'She waits.', frames: 62, notes: 'soft' },
+      [],
+    ]);
+  });
+
+  test('without pictures have no columns that describe pictures, and lose none', () => {
+    expect(table('Action,Film\nA,night.mp4\n').shots.p0).toEqual({
+      notes: 'kept',
+      action: 'A',
+      more: { Film: 'night.mp4' },
+    });
+  });
+
+  test('keep the custom columns of the board, whatever they are called', () => {
+    const columns = ['Plan', 'Description', 'Notes', 'Lens'];
+    const board = { ...NO_BOARD, columns };
+    const more = { Plan: 'a', Description: 'b', Notes: 'c', Lens: 'd' };
+    const told = fromTable(
+      'Scene,Shot,Picture,Film,Time code,Duration,Frames,Action,Dialogue,Notes,Plan,Description,Notes,Lens\n1,1,p,,,,,A,,N,a,b,c,d\n',
+      { rows: numbered([{ id: 'p', shot: {} }]), board, headings: HEADINGS, names: new Map([['p', 'p']]) },
+    );
+    expect([told.shots.p, told.columns]).toEqual([{ scene: '1', action: 'A', notes: 'N', more }, []]);
+  });
+
+  test('list the dialogue of pages, which stays that of the pages', () => {
+    const [row] = numbered([{ id: 'p', shot: {}, said: 'Anna: Hello' }]);
+    const told = fromTable('Dialogue,Notes\nAnna: Hello,N\n', {
+      rows: [row],
+      board: NO_BOARD,
+      headings: HEADINGS,
+      names: new Map(),
+    });
+    expect(told.shots.p).toEqual({ notes: 'N' });
+  });
+
+  test('that are copied are imported again unchanged', () => {
+    fc.assert(
+      fc.property(
+        fc.array(fc.tuple(CELL, CELL, CELL), { minLength: 1, maxLength: 6 }),
+        fc.constantFrom(...Object.values(translations)),
+        (lines, { words }) => {
+          const { scene, action, notes } = words.boards.columns;
+          const shots = lines.map(([a, b, c]) => ({ scene: a, action: b, notes: c }));
+          const told = fromTable(tabbed([[scene, action, notes], ...lines]), {
+            rows: numbered(shots.map((shot, i) => ({ id: `p${i}`, shot }))),
+            board: NO_BOARD,
+            headings: HEADINGS,
+            names: new Map(),
+          });
+          const kept = shots.map((shot) => Object.fromEntries(Object.entries(shot).filter(([, text]) => text !== '')));
+          const read = shots.map((_, i) => told.shots[`p${i}`] ?? {});
+          // A line without text is no line.
+          if (kept.every((shot) => Object.keys(shot).length > 0)) expect(read).toEqual(kept);
+          expect([told.lost, told.cells]).toEqual([[], []]);
+        },
+      ),
+      { numRuns: 400 },
+    );
+  });
+
+  test('of any shape are read or reported as a whole', () => {
+    const known = HEADINGS.flat(2).filter((name) => name !== '');
+    const heading = fc.oneof(fc.constantFrom(...known), fc.constantFrom('Lens', 'Crane', '', 'Notes', 'Plan'));
+    fc.assert(
+      fc.property(
+        fc.array(heading, { minLength: 1, maxLength: 9 }),
+        fc.array(fc.array(fc.constantFrom('', 'x', '"', ';', ', ', '\n'), { maxLength: 10 }), { maxLength: 6 }),
+        fc.array(fc.constantFrom('Shot list', 'Film: Night'), { maxLength: 2 }),
+        fc.constantFrom(',', ';', '\t'),
+        fc.constantFrom('\n', '\r\n'),
+        (head, lines, titles, delimiter, end) => {
+          // Each cell has a word of its own.
+          let count = 0;
+          const cell = (part: string) => (part === '' ? '' : `w${(count += 1)}_${part}`);
+          const body = lines.map((line) => line.map(cell));
+          const quoted = (text: string) => `"${text.replaceAll('"', '""')}"`;
+          const text = [...titles.map((title) => [title]), head, ...body]
+            .map((line) => line.map(quoted).join(delimiter))
+            .join(end);
+          const told = table(text, 4);
+          const all = JSON.stringify([told.shots, told.lost, told.cells, told.beyond, told.columns]);
+          // Only the names of photos, and the lengths and films of saved lists, describe what the board has.
+          const places = head.map((name) =>
+            HEADINGS.map((list) => list.findIndex((names) => [names].flat().includes(name))),
+          );
+          const isDescribed = places.map((list) => list.some((place) => place >= 2 && place <= 4));
+          for (const line of body)
+            line.forEach((word, i) => {
+              if (word !== '' && !isDescribed[i]) expect(all, word).toContain(word.split('_')[0]);
+            });
+        },
+      ),
+      { numRuns: 400 },
+    );
+  });
+});
+
+describe('screenplays', () => {
+  test('are put on shots or reported as a whole', () => {
+    const BLOCKS: readonly ((word: string) => string)[] = [
+      (word) => `INT. ${word} - DAY`,
+      (word) => `.${word}`,
+      (word) => `She _${word}_ waits.`,
+      (word) => `!${word.toUpperCase()}`,
+      (word) => `ANNA\n${word}`,
+      (word) => `@anna (V.O.) ^\n(quiet)\n${word}`,
+      (word) => `ANNA\n~${word}`,
+      (word) => `~${word}`,
+      (word) => `> ${word} <`,
+      (word) => `${word} 2*3*4=24 [[hidden]] /* hidden */`,
+      (word) => `ANNA\n${word}\n  \nmore`,
+      (word) => `INT. HOUSE\n= ${word}`,
+    ];
+    fc.assert(
+      fc.property(
+        fc.array(fc.nat(BLOCKS.length - 1), { minLength: 1, maxLength: 12 }),
+        fc.constantFrom('\n\n', '\r\n\r\n', '\n\n\n'),
+        fc.nat(6),
+        (kinds, gap, count) => {
+          const words = kinds.map((_, i) => `w${i}_x`);
+          const told = fromFountain(kinds.map((kind, i) => BLOCKS[kind](words[i])).join(gap), rows(count));
+          const all = JSON.stringify([told.shots, told.lost, told.cells]).toLowerCase();
+          const hasShot = kinds.map((kind) => kind !== 0 && kind !== 1 && kind !== 11);
+          words.forEach((word, i) => {
+            if (count === 6 && kinds.length <= 6 && hasShot[i]) expect(all, word).toContain(word);
+          });
+          expect(all).not.toContain('hidden');
+          // With too few shots, the paragraphs that are left are reported.
+          const full = fromFountain(kinds.map((kind, i) => BLOCKS[kind](words[i])).join(gap), rows(30));
+          expect(Object.keys(told.shots).length + told.lost.length).toBe(Object.keys(full.shots).length);
+        },
+      ),
+      { numRuns: 400 },
+    );
+  });
 });

@@ -120,11 +120,13 @@ impl Lettering<'_> {
         for row in rows(laid, width, self.letters) {
             let Some(face) = self.fonts.face(row.font.id()) else { continue };
             content.set_font(Name(face.name().as_bytes()), 1.0);
-            // Search functions split text on arched lines, so its text is stored separately.
-            let level = laid.word.kind != Kind::Effect;
+            // Search functions split text on arched lines, so its text is stored separately. They do not turn that text
+            // around, so text from right to left is not.
+            let leftward = row.letters.iter().any(|&(letter, _)| self.letters.is_leftward(letter));
+            let level = laid.word.kind != Kind::Effect || leftward;
             if !level {
                 let says: String =
-                    row.letters.iter().map(|&(letter, _)| self.letters.seen_text_of(letter)).collect();
+                    row.letters.iter().map(|&(letter, _)| self.letters.text_of(letter)).collect();
                 let mut mark = content.begin_marked_content_with_properties(Name(b"Span"));
                 mark.properties().actual_text(TextStr(&says));
             }

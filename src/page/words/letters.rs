@@ -218,6 +218,11 @@ impl Letters {
         }
     }
 
+    /// Whether a character is read from right to left.
+    pub(in crate::page) fn is_leftward(&self, letter: char) -> bool {
+        self.text_of(letter).chars().any(bidi::is_leftward)
+    }
+
     fn known(&self, letter: char) -> Option<&Learnt> {
         self.learnt.get(learning::number(letter)?)
     }
