@@ -23,8 +23,7 @@ use std::path::{Path, PathBuf};
 pub(crate) const HELP: &str = "\
 Examples:
   inkpanel book photos/ -o book.pdf
-  inkpanel book photos/ --title Lisbon --styles chapters -o book.epub
-  inkpanel book photos/ --pages 12 --style noir -o page-%02d.png
+  inkpanel book photos/ --styles chapters -o book.epub
 
 Exit codes:
   0  success; skipped files are listed on standard error
@@ -83,7 +82,7 @@ pub(crate) fn make(made: &Book) -> Result<(), Complaint> {
         }
         if how.skip_existing && output.exists() {
             let event = json!({ "event": "skipped", "file": output.path.display().to_string() });
-            telling::step(&event, Some(format!("{}: is there already", output.path.display())));
+            telling::step(&event, Some(format!("{}: exists", output.path.display())));
             return Ok(());
         }
         if matches!(Kind::of(&output.named), Ok(Kind::Shots(_))) {
@@ -171,7 +170,7 @@ fn planned(
     Ok((pages, title))
 }
 
-/// The plan as JSON: that of `render`, with the title of the book, and the purpose and the chapter of each page.
+/// The plan as JSON, in the format of `render --json`. Adds the title of the book, and the purpose and the chapter of pages.
 fn told(title: &str, pages: &[BookPage], photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {
     let page = |page: &BookPage| {
         let mut told = plans::told_page(&page.planned, photos)?;

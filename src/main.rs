@@ -590,9 +590,7 @@ fn plan_page(
     done(&written)
 }
 
-/// Draws and writes the pages of an album, and the plan if it is to be saved. `several`: into one file or numbered files.
-///
-/// Returns the files.
+/// Draws and writes the pages of an album. `several`: into one file or numbered files. Returns the files.
 fn write_album(
     album: &projects::Album<'_>,
     fonts: &GivenFonts,

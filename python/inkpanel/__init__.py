@@ -168,21 +168,26 @@ def book(
 ):
     """Makes a book: a cover, chapters by day with captions, page numbers and an end page.
 
-    photos: a folder, whose pictures and those of its folders are taken, or photos as `render` takes them.
-    output: a file name that ends in .pdf. The book is written there.
-    title: the title on the cover; the name of the folder, or the places or days of the photos where nothing is told.
-    language: of the captions, a tag such as "pt-BR"; English, German, Spanish, French, Japanese and Portuguese are there.
-    styles: "one" for one style, or "chapters" for another style for each day.
-    pages: the number of pages with cover and end page, from 3 to 1000; as many as the photos need where nothing is told.
+    `photos` is a folder, or a list of photos. Names of folders within the folder are places.
 
-    The other arguments are those of `render`. Names of folders within the folder are places.
+    `output` is the name of a PDF file, to which the book is written.
+
+    `title` is on the cover. Default: the name of the folder, or the places or days of the photos.
+
+    `language` is the language of the captions: "en", "de", "es", "fr", "ja" or "pt".
+
+    `styles` is "one" for one style, or "chapters" for another style for each day.
+
+    `pages` is the number of pages with cover and end page, from 3 to 1000. Default: as many as the photos need.
+
+    `render` explains the other arguments.
 
     Returns the list of pages.
 
-    Raises `Error` as `render` does, and with the code `invalid-argument` for an output that is no PDF file.
+    Raises the errors of `render`, and `ValueError` for an output that is not a PDF file.
     """
     if output is not None and _Path(output).suffix.lower() != ".pdf":
-        raise Error(f"output: must end in .pdf, not {_os.fspath(output)}")
+        raise ValueError(f"output: must end in .pdf, not {_os.fspath(output)}")
     if isinstance(photos, (str, _os.PathLike)) and _Path(photos).is_dir():
         folder = _Path(photos)
         title = folder.resolve().name if title is None else title

@@ -1030,7 +1030,7 @@ export type Keep = {
 /** How photos that do not stay are chosen. */
 export type Mode = "shuffle" | "photos";
 
-/** What is asked of a book. */
+/** Options of a book. */
 export type BookWish = {
   /** The title. Default: the places or the days of the photos. */
   title?: string,

@@ -49,7 +49,7 @@ pub enum Styles {
     Chapters,
 }
 
-/// What is asked of a book.
+/// Options of a book.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "BookWish", optional_fields))]
@@ -305,7 +305,7 @@ impl Book {
     }
 }
 
-/// The photos in their order in time, as indices. Photos without a date follow. The given order stays if it is asked for.
+/// The photos in their order in time, as indices. Photos without a date follow. The given order stays if the request is ordered.
 fn in_time(request: &Request) -> Vec<usize> {
     let mut order: Vec<usize> = (0..request.photos.len()).collect();
     if request.ordered != Some(true) {

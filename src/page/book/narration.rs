@@ -12,7 +12,7 @@ use std::collections::HashMap;
 const MOST_CAPTIONS: usize = 2;
 /// A shorter pause in seconds gets no caption.
 const PAUSE: i64 = 3 * 3600;
-/// Maximum span in days whose days are counted. Days of longer albums are told by date.
+/// Maximum span in days whose days are counted. Captions of longer albums have dates.
 const COUNTED: i64 = 10;
 /// Height of an em in page widths: of page numbers, of captions that begin a chapter, and of others.
 const NUMBER: f64 = 0.017;
@@ -239,7 +239,7 @@ mod tests {
             told(&taken, &["Lisbon", "Lisbon", "Sintra"], &[0, 0, 1], "Portugal"),
             ["0 First day. Lisbon.", "2 Second day. Sintra.",]
         );
-        // A place that is unknown, or in the title, is not told.
+        // No caption has an unknown place, or the place of the title.
         assert_eq!(told(&taken, &["", "", ""], &[0, 0, 1], ""), ["0 First day.", "2 Second day."]);
         assert_eq!(
             told(&taken, &["Rome", "Rome", "Rome"], &[0, 0, 1], "Rome 2026"),

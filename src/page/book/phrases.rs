@@ -61,7 +61,7 @@ impl Phrases {
         })
     }
 
-    /// A day of a trip, from 0; none beyond the tenth.
+    /// A day of a trip, from 0. `None` beyond the tenth day.
     pub(super) fn nth_day(&self, day: i64) -> Option<&str> {
         usize::try_from(day).ok().and_then(|day| self.days.get(day)).map(String::as_str)
     }
