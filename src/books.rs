@@ -23,8 +23,7 @@ use std::path::{Path, PathBuf};
 pub(crate) const HELP: &str = "\
 Examples:
   inkpanel book photos/ -o book.pdf
-  inkpanel book photos/ --title Lisbon --styles chapters -o book.epub
-  inkpanel book photos/ --pages 12 --style noir -o page-%02d.png
+  inkpanel book photos/ --styles chapters -o book.epub
 
 Exit codes:
   0  Success. Skipped files are listed on standard error.
@@ -96,7 +95,7 @@ pub(crate) fn make(made: &Book) -> Result<(), Complaint> {
         return Err("say which photos, or which folder".into());
     }
     let style = chosen.style.as_deref().map(style_value).transpose()?;
-    let mut page = chosen.paper.settings()?;
+    let mut page = chosen.paper.settings(false)?;
     page.rtl |= is_rtl(how.printing.language());
     let fonts = how.printing.fonts()?;
     let mut photos = import_all(&album::files(given)?);

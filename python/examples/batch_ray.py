@@ -25,11 +25,12 @@ class Draw:
     """A worker: draws the pages of albums, one after the other, on one core. It is created once for many
     batches, so the models are read once."""
 
-    def __init__(self, settings, ending, pages, parquet, leave_out, retries):
+    def __init__(self, settings, ending, pages, parquet, leave_out, retries, book):
         import inkpanel
 
         self.inkpanel, self.settings, self.ending = inkpanel, settings, ending
         self.pages, self.parquet, self.leave_out, self.retries = Path(pages), parquet, leave_out, retries
+        self.book = book
 
     def __call__(self, batch):
         folders, pages = [Path(str(folder)) for folder in batch["folder"]], {}
@@ -75,6 +76,10 @@ class Draw:
     def page(self, folder, photos):
         # Each album has a separate seed, the same in every run.
         seed = zlib.crc32(folder.name.encode()) ^ self.settings["seed"]
+        if self.book:
+            settings = {key: value for key, value in self.settings.items() if key != "layout"}
+            pages = self.inkpanel.book(photos, title=folder.name, **{**settings, "seed": seed})
+            return self.inkpanel.pdf(pages, title=folder.name)
         page = self.inkpanel.render(photos, **{**self.settings, "seed": seed})
         return page.pdf(title=folder.name) if self.ending == ".pdf" else page.png()
 
@@ -136,6 +141,7 @@ def arguments():
     parser.add_argument("--batch", type=int, default=4, help="albums that a worker is given at once")
     parser.add_argument("--retries", type=int, default=2, help="of what failed by disk, network or a worker that died")
     parser.add_argument("--format", choices=["pdf", "png"], default="pdf")
+    parser.add_argument("--book", action="store_true", help="make a book of each album (PDF only)")
     parser.add_argument("--parquet", action="store_true", help="pages as rows of Parquet files, a file for each batch")
     parser.add_argument("--leave-out", action="store_true", help="make pages without the photos that cannot be read")
     parser.add_argument("--report", type=Path, help="where figures of the run go, as JSON")
@@ -143,7 +149,10 @@ def arguments():
     parser.add_argument("--dpi", type=int, default=150)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--no-detect", action="store_true")
-    return parser.parse_args()
+    given = parser.parse_args()
+    if given.book and given.format != "pdf":
+        parser.error("--book: a book is a PDF file")
+    return given
 
 
 def joined(workers):
@@ -176,7 +185,7 @@ def drawn(folders, given, batch, waiting):
     done = table.map_batches(
         Draw,
         fn_constructor_args=(
-            settings, f".{given.format}", str(given.pages), given.parquet, given.leave_out, given.retries
+            settings, f".{given.format}", str(given.pages), given.parquet, given.leave_out, given.retries, given.book
         ),  # fmt: skip
         batch_size=batch,
         num_cpus=1,

@@ -179,10 +179,10 @@ def book(
 
     Returns the list of pages.
 
-    Raises `Error` as `render` does, and with the code `invalid-argument` if `output` is not the name of a PDF file.
+    Raises the errors of `render`, and `ValueError` if `output` is not the name of a PDF file.
     """
     if output is not None and _Path(output).suffix.lower() != ".pdf":
-        raise Error(f"output: must end in .pdf, not {_os.fspath(output)}")
+        raise ValueError(f"output: must end in .pdf, not {_os.fspath(output)}")
     if isinstance(photos, (str, _os.PathLike)) and _Path(photos).is_dir():
         folder = _Path(photos)
         title = folder.resolve().name if title is None else title

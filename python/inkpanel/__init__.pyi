@@ -34,6 +34,28 @@ class Page:
     def pdf(self, *, title: str = "", language: str = "en") -> bytes: ...
 
 def stylize(array: _Pixels, style: str | _Json, *, seed: int | None = None) -> _Pixels: ...
+def book(
+    photos: _Photo | Iterable[_Photo],
+    output: str | os.PathLike[str] | None = None,
+    *,
+    title: str | None = None,
+    language: str = "en",
+    styles: str = "one",
+    pages: int | None = None,
+    style: str | _Json | None = None,
+    seed: int = 1,
+    page_size: str | tuple[int, int] | None = None,
+    width: int | None = None,
+    dpi: int | None = None,
+    detect: bool = True,
+    models: str | os.PathLike[str] | None = None,
+    fonts: Iterable[str | os.PathLike[str]] = (),
+    star: Iterable[int] = (),
+    alike: int | None = None,
+    keep_all: bool = False,
+    as_given: bool = False,
+    skip_broken: bool = False,
+) -> list[Page]: ...
 @overload
 def render(
     photos: _Photo | Iterable[_Photo],

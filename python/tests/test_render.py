@@ -255,3 +255,20 @@ def test_faces_are_found_by_the_nets_of_the_wheel(samples):
         page = inkpanel.render(photo, layout="cinema-3", width=200, detect=detect, seed=1)
         crops[detect] = [panel["crop"] for panel in page.plan["panels"]]
     assert crops[True] != crops[False]
+
+
+def test_a_folder_becomes_a_book(tmp_path, samples):
+    for place, files in (("Lisbon", samples[:4]), ("Sintra", samples[4:8])):
+        folder = tmp_path / "Iberia" / place
+        folder.mkdir(parents=True)
+        for file in files:
+            (folder / file.name).write_bytes(file.read_bytes())
+    output = tmp_path / "book.pdf"
+    pages = inkpanel.book(tmp_path / "Iberia", output, width=200, style="noir", detect=False, keep_all=True)
+    texts = [word["text"] for page in pages for word in page.plan["words"]]
+    assert {"Iberia", "Lisbon.", "Sintra.", "The end", "2"} <= set(texts)
+    assert output.read_bytes().startswith(b"%PDF")
+    shown = {panel["photo"] for page in pages[1:] for panel in page.plan["panels"]}
+    assert len(shown) == 8
+    with pytest.raises(ValueError, match="PDF|pdf"):
+        inkpanel.book(tmp_path / "Iberia", "book.png")

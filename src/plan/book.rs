@@ -132,16 +132,24 @@ pub fn outline(album: &Photos, wanted: &Wanted) -> Outline {
     let end = (most > 2).then(|| closing(&inner, &chapters, (album, cover), rate)).flatten();
     let inner: Vec<usize> = inner.into_iter().filter(|photo| Some(*photo) != end).collect();
     let pages = wanted.pages.map(|pages| pages.saturating_sub(1 + usize::from(end.is_some())).max(1));
-    // A book of few pages has no room for full pages.
+    // A book of few pages has no room for full pages, unless they are starred.
+    let room = most.saturating_sub(1 + usize::from(end.is_some())).max(1);
     let tight = pages.is_some_and(|pages| inner.len() > pages * TIGHT);
-    let full = if tight {
-        vec![false; inner.len()]
-    } else {
-        full_pages(&inner, &chapters, cover, &|i| fits[i], album)
+    let strongest =
+        if tight { Vec::new() } else { full_pages(&inner, &chapters, cover, &|i| fits[i], album) };
+    let starred = strongest.iter().filter(|&&at| photos[inner[at]].starred).count();
+    let mut count = strongest.len();
+    let full = loop {
+        let full: Vec<bool> = (0..inner.len()).map(|at| strongest[..count].contains(&at)).collect();
+        let free = Spine::new(&inner, &full, &chapters, album, wanted).solved(PAGE).len();
+        if count <= starred || pages.is_some() || free <= room {
+            break full;
+        }
+        count -= 1;
     };
     let spine = Spine::new(&inner, &full, &chapters, album, wanted);
     let mut from = 0;
-    for size in spine.sizes(pages, most.saturating_sub(1 + usize::from(end.is_some())).max(1)) {
+    for size in spine.sizes(pages, room) {
         let own = &inner[from..from + size];
         let role = if size == 1 && full[from] { Role::Full } else { Role::Page };
         leaves.push(Leaf { role, chapter: chapters[own[0]], photos: own.to_vec() });
@@ -230,17 +238,16 @@ fn closing(
     best(&own, rate)
 }
 
-/// Whether each photo fills a page.
+/// The photos that fill a page, as places in `photos`, starred ones first, then the strongest.
 fn full_pages(
     photos: &[usize],
     chapters: &[usize],
     cover: usize,
     fit: &dyn Fn(usize) -> f64,
     album: &Photos,
-) -> Vec<bool> {
-    let mut full = vec![false; photos.len()];
+) -> Vec<usize> {
     if photos.len() < MIN_FULL {
-        return full;
+        return Vec::new();
     }
     let starred = photos.iter().any(|&i| album.all[i].starred);
     let may = |&at: &usize| {
@@ -271,10 +278,7 @@ fn full_pages(
             break;
         }
     }
-    for at in chosen {
-        full[at] = true;
-    }
-    full
+    chosen
 }
 
 /// The photos of all pages in a row, with the cost of each place that is not cut.
@@ -481,7 +485,7 @@ mod tests {
     #[test]
     fn the_cover_has_the_strongest_photo_and_a_quiet_page_follows_a_full_one() {
         let mut photos = trip();
-        for (at, height) in [(18, 0.3), (21, 0.24)] {
+        for (at, height) in [(18, 0.3), (25, 0.24)] {
             photos[at].find([Subject {
                 x: 0.4,
                 y: 0.2,
@@ -491,9 +495,9 @@ mod tests {
                 score: 0.95,
             }]);
         }
-        photos[21].starred = true;
+        photos[25].starred = true;
         let outline = made(&photos, None, false);
-        assert_eq!(outline.leaves[0].photos, [21]);
+        assert_eq!(outline.leaves[0].photos, [25]);
         let full = outline.leaves.iter().position(|leaf| leaf.role == Role::Full).unwrap();
         assert!(outline.leaves[full + 1].photos.len() <= 4, "{outline:?}");
     }

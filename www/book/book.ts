@@ -12,6 +12,9 @@ import type { Pages } from '../document/pages.ts';
 import type { Sheet } from '../engine/sheets.ts';
 import type { Store } from '../document/store.ts';
 
+/** Minimum number of photos on no page for an offer to make more pages. */
+export const MANY_LEFT = 4;
+
 export type Book = ReturnType<typeof createBook>;
 
 export function createBook({

@@ -10,12 +10,11 @@ import { IconButton } from '../ui/button.tsx';
 import { useListDrag } from '../ui/list-drag.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
+import { BookProgress } from './book-progress.tsx';
+import { MANY_LEFT } from './book.ts';
 import { PageThumb } from './page-thumb.tsx';
 import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
-
-/** Minimum number of unplaced photos for an offer. */
-const MANY = 4;
 
 export function PageStrip() {
   const { store, book } = useApp();
@@ -24,14 +23,14 @@ export function PageStrip() {
 }
 
 function Alone() {
-  const { store, book } = useApp();
-  const offers = store.reading.value === null && book.left.value.length >= MANY;
+  const { store, book, ui } = useApp();
+  const offers = store.reading.value === null && book.left.value.length >= MANY_LEFT;
   return (
     <section class="book" aria-label={strings.book.name} data-several="false">
       <AddPage />
       {offers && <MakeBook />}
       {offers && <SpreadAlbum />}
-      <Making />
+      {!ui.wide.value && <BookProgress />}
     </section>
   );
 }
@@ -70,7 +69,7 @@ function Several() {
         />
       )}
       {(wide || open) && <Tools />}
-      <Making />
+      {!wide && <BookProgress />}
       <span class="visually-hidden" aria-live="polite">
         {strings.book.page(at + 1, sheets.length)}
       </span>
@@ -111,29 +110,6 @@ function AddPage() {
 function MakeBook() {
   const { make } = useApp().actions.book;
   return <ActionButton action={make} class="book-text book-make" text />;
-}
-
-/** Progress of a book that is being made. */
-function Making() {
-  const { bookMaking } = useApp();
-  const progress = bookMaking.progress.value;
-  if (progress === null) return null;
-  const { done, of } = progress;
-  const label = of === 0 ? strings.book.looking : strings.book.making(done, of);
-  return (
-    <div class="book-making" aria-busy="true">
-      <span>{label}</span>
-      <progress
-        class="progress"
-        aria-label={label}
-        value={of === 0 ? undefined : done}
-        max={of === 0 ? undefined : of}
-      />
-      <button type="button" class="button" onClick={bookMaking.cancel}>
-        {strings.cancel}
-      </button>
-    </div>
-  );
 }
 
 function SpreadAlbum() {

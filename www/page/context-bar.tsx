@@ -9,6 +9,8 @@ import { useApp } from '../ui/context.ts';
 import { isEnabled, now } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { Icon } from '../ui/icon.tsx';
+import { BookProgress } from '../book/book-progress.tsx';
+import { MANY_LEFT } from '../book/book.ts';
 import type { Action } from '../ui/action.ts';
 import type { App } from '../ui/context.ts';
 
@@ -60,6 +62,7 @@ export function ContextBar({ bare = false }: { bare?: boolean }) {
         </>
       )}
       <ModeHint />
+      <BookProgress />
     </div>
   );
 }
@@ -79,7 +82,17 @@ function ModeHint() {
 }
 
 /** Returns null on a small screen for a text item, which has its own bar there, and without a selection. */
-function toolsFor({ store, selection, reshaping, framing, scrubbing, lettering, actions, ui }: App): Tools | null {
+function toolsFor({
+  store,
+  book: pages,
+  selection,
+  reshaping,
+  framing,
+  scrubbing,
+  lettering,
+  actions,
+  ui,
+}: App): Tools | null {
   const { panels, layouts, book, styles, page, photos, window } = actions;
   const facts = store.layoutFacts.value;
   const chosen = selection.panels.value;
@@ -138,12 +151,23 @@ function toolsFor({ store, selection, reshaping, framing, scrubbing, lettering, 
   }
   if (!wide) return null;
   const isFirst = versions(store.history.value).length < 2;
-  const offers = isEnabled(page.acceptCrops) ? [page.acceptCrops] : [];
+  // A book is offered as long as many photos are on no page.
+  const isAlbum = !pages.several.value && pages.left.value.length >= MANY_LEFT && isEnabled(book.make);
+  const offers = [...(isEnabled(page.acceptCrops) ? [page.acceptCrops] : []), ...(isAlbum ? [book.make] : [])];
   return {
     title: strings.sideTab.page,
     tools: [
       ...offers,
-      ...[book.add, layouts.edit, book.spread, styles.edit, styles.shuffleSettings, panels.select],
+      ...[
+        book.add,
+        layouts.edit,
+        ...(isAlbum ? [] : [book.make]),
+        book.makeChapters,
+        book.spread,
+        styles.edit,
+        styles.shuffleSettings,
+        panels.select,
+      ],
       ...[photos.subjects, window.enlargePage, window.shrinkPage, window.preview],
     ],
     shown: offers.length + (isFirst ? 0 : SHOWN.page),

@@ -1,7 +1,7 @@
 // @ts-check
 /** A book of all photos in one click, its text, and its undo. */
 
-import { photosOfPages, strip, thumb, thumbs } from '../page-strip.js';
+import { photosOfPages, thumb, thumbs } from '../page-strip.js';
 import {
   SAMPLES,
   accessible,
@@ -17,7 +17,7 @@ import {
 test('one click makes a book with each photo, and Undo restores the page', async ({ page }) => {
   await openBoard(page, SAMPLES);
   const before = await picture(page);
-  await expect(strip(page).getByRole('button', { name: 'Make a book', exact: true })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Make a book', exact: true })).toBeVisible();
   await accessible(page);
   await press(page, 'Make a book');
   await expect(thumb(page, 1)).toHaveAttribute('aria-current', 'true');
