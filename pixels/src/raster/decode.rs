@@ -127,12 +127,11 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded> {
 /// # Errors
 /// As [`decode`].
 pub fn decode_fit(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decoded> {
-    let (name, (pixels, exif)) = match heif::kind(bytes) {
-        Some(name) => (name, heif::read(name, bytes, limits)?),
-        None => {
-            let (format, name) = known_format(bytes)?;
-            (name, read(bytes, format, name, limits)?)
-        }
+    let (name, (pixels, exif)) = if let Some(name) = heif::kind(bytes) {
+        (name, heif::read(name, bytes, limits)?)
+    } else {
+        let (format, name) = known_format(bytes)?;
+        (name, read(bytes, format, name, limits)?)
     };
     let ((width, height), damage) = (pixels.size, pixels.damage);
     let image = pixels.image(resize::fit(width, height, longest))?;

@@ -83,8 +83,8 @@ fn boxes(bytes: &[u8]) -> impl Iterator<Item = ([u8; 4], &[u8])> {
     })
 }
 
-fn find<'b>(bytes: &'b [u8], kind: &[u8; 4]) -> Option<&'b [u8]> {
-    boxes(bytes).find(|(found, _)| found == kind).map(|(_, content)| content)
+fn find(bytes: &[u8], kind: [u8; 4]) -> Option<&[u8]> {
+    boxes(bytes).find(|(found, _)| *found == kind).map(|(_, content)| content)
 }
 
 /// Numbers of 0 to 8 bytes, one after the other.
@@ -101,8 +101,8 @@ impl Numbers<'_> {
 /// The EXIF record of a file, a TIFF file.
 fn record(bytes: &[u8]) -> Option<Vec<u8>> {
     // The version and the flags come first.
-    let meta = find(bytes, b"meta")?.get(4..)?;
-    let item = exif_item(find(meta, b"iinf")?)?;
+    let meta = find(bytes, *b"meta")?.get(4..)?;
+    let item = exif_item(find(meta, *b"iinf")?)?;
     let data = item_data(bytes, meta, item)?;
     let (&skipped, after) = data.split_first_chunk::<4>()?;
     after.get(u32::from_be_bytes(skipped) as usize..).map(<[u8]>::to_vec)
@@ -126,7 +126,7 @@ fn exif_item(list: &[u8]) -> Option<u64> {
 
 /// The bytes of an item, which may be in several places.
 fn item_data(file: &[u8], meta: &[u8], wanted: u64) -> Option<Vec<u8>> {
-    let mut numbers = Numbers(find(meta, b"iloc")?);
+    let mut numbers = Numbers(find(meta, *b"iloc")?);
     let version = numbers.next(1)?;
     numbers.next(3)?;
     let (sizes, more) = (numbers.next(1)? as usize, numbers.next(1)? as usize);
@@ -142,7 +142,7 @@ fn item_data(file: &[u8], meta: &[u8], wanted: u64) -> Option<Vec<u8>> {
         let extents = numbers.next(2)?;
         let from = match method {
             0 => Some(file),
-            1 => find(meta, b"idat"),
+            1 => find(meta, *b"idat"),
             _ => None,
         };
         let mut data = Vec::new();
@@ -182,8 +182,7 @@ mod hevc {
         }
         let mut image = decode_heic(bytes).map_err(explained)?;
         let size = (image.width, image.height);
-        let profile =
-            image.metadata.icc_profile.take().or_else(|| image.color_info.as_ref().and_then(profile_of));
+        let profile = image.metadata.icc_profile.take().or_else(|| image.color_info.and_then(profile_of));
         let (samples, channels, alpha) = if image.alpha.is_some() {
             let rgba = image.to_rgba8().map_err(explained)?;
             let alpha = if rgba.premultiplied { Alpha::Multiplied } else { Alpha::Straight };
@@ -196,7 +195,7 @@ mod hevc {
     }
 
     /// An ICC profile for the primaries and the transfer function of a file without one; `None` for sRGB.
-    fn profile_of(color: &ColorInfo) -> Option<Vec<u8>> {
+    fn profile_of(color: ColorInfo) -> Option<Vec<u8>> {
         cicp::profile(color.color_primaries, color.transfer_characteristics)
     }
 
