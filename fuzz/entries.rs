@@ -181,7 +181,7 @@ pub fn texts(bytes: &[u8]) {
             assert!(!subtitles.cues.is_empty() && subtitles.cues.is_sorted_by(|a, b| a.start <= b.start));
         }
     }
-    script::read(&read.text);
+    let _ = script::read(&read.text);
 }
 
 fn text(bytes: &[u8]) -> Option<&str> {

@@ -95,7 +95,8 @@ pub(crate) fn make(made: &Book) -> Result<(), Complaint> {
         return Err("say which photos, or which folder".into());
     }
     let style = chosen.style.as_deref().map(style_value).transpose()?;
-    let mut page = chosen.paper.settings(false)?;
+    let is_pdf = output.as_ref().is_some_and(|output| matches!(Kind::of(&output.named), Ok(Kind::Pdf)));
+    let mut page = chosen.paper.settings(is_pdf)?;
     page.rtl |= is_rtl(how.printing.language());
     let fonts = how.printing.fonts()?;
     let mut photos = import_all(&album::files(given)?);

@@ -607,8 +607,12 @@ mod tests {
 
     fn written() -> impl Strategy<Value = Written> {
         let lines = prop::collection::vec(0_usize..10, 1..4);
-        (0_usize..9, lines, any::<[bool; 2]>(), 0_usize..3)
-            .prop_map(|(times, lines, gaps, apart)| Written { times, lines, gaps, apart })
+        (0_usize..9, lines, any::<[bool; 2]>(), 0_usize..3).prop_map(|(times, lines, gaps, apart)| Written {
+            times,
+            lines,
+            gaps,
+            apart,
+        })
     }
 
     /// The file of the subtitles, and the words of those with valid times.
@@ -619,12 +623,20 @@ mod tests {
             let (from, to) = (2 * i, 2 * i + 1);
             let time = match times {
                 0 => format!("{from}.5 --> {to}.75"),
-                1 => format!("00:{:02}:{:02}:000 --> 00:{:02}:{:02}:500", from / 60, from % 60, to / 60, to % 60),
+                1 => format!(
+                    "00:{:02}:{:02}:000 --> 00:{:02}:{:02}:500",
+                    from / 60,
+                    from % 60,
+                    to / 60,
+                    to % 60
+                ),
                 2 => format!("{:02}:{:02} --> {:02}:{:02}", from / 60, from % 60, to / 60, to % 60),
                 3 => format!("{}:00:01,000 --> {}:00:02,000 X1:5", 100 + from, 100 + from),
                 4 => "soon --> later".to_owned(),
                 5 => "00:00:09,000 --> 00:00:01,000".to_owned(),
-                _ => format!("00:{:02}:{:02}.5 --> 00:{:02}:{:02}.25", from / 60, from % 60, to / 60, to % 60),
+                _ => {
+                    format!("00:{:02}:{:02}.5 --> 00:{:02}:{:02}.25", from / 60, from % 60, to / 60, to % 60)
+                }
             };
             let is_bad = matches!(times, 4 | 5);
             bad += usize::from(is_bad);

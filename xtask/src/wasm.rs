@@ -20,7 +20,7 @@ pub const TARGET: &str = "wasm32-unknown-unknown";
 pub const FEATURES: &str = "internals,rare,texts";
 
 /// Packages of all modules.
-pub const PACKAGES: [&str; 9] = [
+pub const PACKAGES: [&str; 10] = [
     "inkpanel-brush",
     "inkpanel-core",
     "inkpanel-decoders",
@@ -159,7 +159,7 @@ pub fn brush(project: &Project) -> Module {
 }
 
 /// All modules of the page.
-pub fn all(project: &Project) -> [Module; 9] {
+pub fn all(project: &Project) -> [Module; 10] {
     [
         core(project),
         decoders(project),
