@@ -10,7 +10,7 @@ export const MOST = Object.freeze({
   sheets: 1_000,
   /** Words of a page. */
   words: 200,
-  /** Maximum characters of a text item. */
+  /** Characters of a word. */
   letters: 10_000,
   /** Maximum number of custom styles, of favourites, and of custom layouts. */
   styles: 1_000,
@@ -20,7 +20,7 @@ export const MOST = Object.freeze({
   texture: 262_144,
   /** Characters of a name. */
   name: 1_000,
-  /** Maximum distance of a text item, in widths and heights of its panel. */
+  /** A place of a word, in widths and heights of its panel to either side. */
   away: 10,
   /** Bytes of the text of a project. */
   text: 33_554_432,

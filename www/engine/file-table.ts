@@ -143,6 +143,18 @@ export const FILE_KINDS: readonly FileKind[] = [
     role: 'subtitles',
   },
   {
+    name: 'SubStation Alpha',
+    type: 'text/x-ssa',
+    endings: 'ass ssa',
+    role: 'subtitles',
+  },
+  {
+    name: 'SBV',
+    type: '',
+    endings: 'sbv',
+    role: 'subtitles',
+  },
+  {
     name: 'plain text',
     type: 'text/plain',
     endings: 'txt',
