@@ -44,8 +44,8 @@ pub(crate) struct Paper {
 }
 
 impl Paper {
-    /// The settings of a page. In a file `with_paper` the page has the exact size of the paper, so its width in pixels is
-    /// that of the nearest resolution.
+    /// Returns the settings of a page. In a file `with_paper`, the page has the exact size of the paper. Its
+    /// width in pixels then follows from the nearest resolution.
     ///
     /// # Errors
     /// A sentence for invalid settings.

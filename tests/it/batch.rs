@@ -243,7 +243,7 @@ fn what_is_not_as_it_was_asked_for_is_told_and_strict_stops_there() {
         "missing.jpg: ",
         "bee",
         "left out",
-        "panels, not 50",
+        "panels instead of 50",
         "photos repeat: 4 photos",
         "nobody.jpg: --star",
     ] {
