@@ -44,8 +44,8 @@ pub(crate) struct Paper {
 }
 
 impl Paper {
-    /// The settings of a page. In a file `with_paper` the page has the exact size of the paper, so its width in pixels is
-    /// that of the nearest resolution.
+    /// The settings of a page. In a file `with_paper` the page has the exact size of the paper, so the width in pixels is
+    /// rounded to the nearest resolution.
     ///
     /// # Errors
     /// A sentence for invalid settings.

@@ -197,7 +197,7 @@ test('cells that were guarded as formulas are as they were', () => {
   expect(cells('\ufeffa,\'=1+1\r\n\'b,"x\ny"\r\n', ',')).toEqual([['a', '=1+1'], ["'b", 'x\ny'], ['']]);
 });
 
-/** Cells as people type them, trimmed. */
+/** Typed cells without spaces around them. */
 const CELL = fc
   .array(fc.constantFrom('a', 'Ä', '"', "'", '=', '+', '-', ',', ';', '\t', '\n', ' ', '漢', '@'), { maxLength: 8 })
   .map((letters) => letters.join('').trim());
@@ -263,7 +263,7 @@ describe('tables', () => {
           });
           const kept = shots.map((shot) => Object.fromEntries(Object.entries(shot).filter(([, text]) => text !== '')));
           const read = shots.map((_, i) => told.shots[`p${i}`] ?? {});
-          // A line without text is no line.
+          // Empty lines are skipped.
           if (kept.every((shot) => Object.keys(shot).length > 0)) expect(read).toEqual(kept);
           expect([told.lost, told.cells]).toEqual([[], []]);
         },
@@ -283,7 +283,7 @@ describe('tables', () => {
         fc.constantFrom(',', ';', '\t'),
         fc.constantFrom('\n', '\r\n'),
         (head, lines, titles, delimiter, end) => {
-          // Each cell has a word of its own.
+          // Each cell has a different word.
           let count = 0;
           const cell = (part: string) => (part === '' ? '' : `w${(count += 1)}_${part}`);
           const body = lines.map((line) => line.map(cell));
