@@ -2,7 +2,7 @@
 //! decoder reads subtitles, scripts, tables, settings and names in archives.
 
 use chardetng::{EncodingDetector, Iso2022JpDetection, Utf8Detection};
-use encoding_rs::{Encoding, IBM866, ISO_2022_JP, UTF_8, UTF_16BE, UTF_16LE};
+use encoding_rs::{Encoding, IBM866, ISO_2022_JP, SHIFT_JIS, UTF_8, UTF_16BE, UTF_16LE};
 use std::borrow::Cow;
 
 /// Names of the encodings that a user can choose from, by the languages that they are for.
@@ -112,6 +112,9 @@ pub fn names(names: &[&[u8]], language: &str) -> Vec<String> {
         return names.into_iter().map(str::to_owned).collect();
     }
     let all = names.join(&b'\n');
+    if is_japanese(&all) {
+        return names.iter().map(|name| SHIFT_JIS.decode_without_bom_handling(name).0.into_owned()).collect();
+    }
     let guessed = guess(&all, language);
     // Western names come from DOS more often than from Windows. The letters of DOS are signs in Windows.
     let is_dos = |byte: &&u8| matches!(byte, 0x80..=0xa5 | 0xe1);
@@ -121,6 +124,15 @@ pub fn names(names: &[&[u8]], language: &str) -> Vec<String> {
     let encoding = if western && count(&is_dos) > count(&is_windows) { CP437 } else { guessed.name() };
     let decoded = |name: &&[u8]| decode_as(name, encoding).map(|text| text.text);
     names.iter().map(|name| decoded(name).unwrap_or_default()).collect()
+}
+
+/// Whether short text is Shift-JIS: all of it is valid, and some of it is hiragana. Half-width kana are not a sign, because
+/// bytes of many encodings give them.
+fn is_japanese(bytes: &[u8]) -> bool {
+    let (text, lost) = SHIFT_JIS.decode_without_bom_handling(bytes);
+    let is_hiragana = |letter: char| ('\u{3041}'..='\u{3096}').contains(&letter);
+    let is_half = |letter: char| ('\u{ff61}'..='\u{ff9f}').contains(&letter);
+    !lost && text.contains(is_hiragana) && !text.contains(is_half)
 }
 
 /// The text, unless it has characters of binary files or much of it is invalid.
@@ -311,6 +323,9 @@ mod tests {
         ] {
             assert_eq!(read(&list, encoding), list, "{encoding}");
         }
+        assert_eq!(read(&["あ.jpg", "い.jpg"], "Shift_JIS"), ["あ.jpg", "い.jpg"]);
+        let dos: [&[u8]; 3] = [b"\x8a.jpg", b"\x81.jpg", b"\xe1.jpg"];
+        assert_eq!(names(&dos, "en"), ["è.jpg", "ü.jpg", "ß.jpg"]);
         let dos: [&[u8]; 2] = [b"K\x94ln/Stra\xe1e.jpg", b"K\x94ln/caf\x82.jpg"];
         assert_eq!(names(&dos, "en"), ["Köln/Straße.jpg", "Köln/café.jpg"]);
     }

@@ -267,17 +267,18 @@ fn what_is_not_as_it_was_asked_for_is_told_and_strict_stops_there() {
 #[test]
 fn the_width_changes_the_dots_and_not_the_paper() {
     let folder = album();
-    let done = inkpanel(
-        folder.path(),
-        &["render", "--no-detect", "--style", "noir", "--width", "620", "-o", "page.pdf", "album/bee.jpg"],
-    );
-    assert!(done.status.success(), "{}", text(&done.stderr));
-    let pdf = String::from_utf8_lossy(&fs::read(folder.path().join("page.pdf")).unwrap()).into_owned();
-    let at = pdf.find("/MediaBox[0 0 ").unwrap();
-    let sides: Vec<f64> =
-        pdf[at + 14..].split(']').next().unwrap().split(' ').map(|n| n.parse().unwrap()).collect();
-    // A4 in points.
-    assert!((sides[0] - 595.28).abs() < 2.0 && (sides[1] - 841.89).abs() < 2.0, "{sides:?}");
+    for width in ["64", "300", "400", "620"] {
+        let page =
+            ["render", "--no-detect", "--style", "noir", "--width", width, "-o", "page.pdf", "album/bee.jpg"];
+        let done = inkpanel(folder.path(), &page);
+        assert!(done.status.success(), "{}", text(&done.stderr));
+        let pdf = String::from_utf8_lossy(&fs::read(folder.path().join("page.pdf")).unwrap()).into_owned();
+        let at = pdf.find("/MediaBox[0 0 ").unwrap();
+        let sides: Vec<f64> =
+            pdf[at + 14..].split(']').next().unwrap().split(' ').map(|n| n.parse().unwrap()).collect();
+        // A4 in points.
+        assert!((sides[0] - 595.28).abs() < 1.0 && (sides[1] - 841.89).abs() < 1.0, "{width}: {sides:?}");
+    }
     let wrong = inkpanel(folder.path(), &["render", "-o", "page.png", "album", "--page-size", "a7b"]);
     assert_eq!(wrong.status.code(), Some(2));
     assert!(text(&wrong.stderr).contains("a4-landscape"), "{}", text(&wrong.stderr));
@@ -599,6 +600,50 @@ fn a_byte_order_mark_is_no_part_of_a_file() {
         (drawn, fs::read(path.join("again.png")).unwrap(), score.stdout)
     };
     assert!(pages("\u{feff}") == pages(""));
+}
+
+#[test]
+fn settings_may_be_utf_16_as_power_shell_writes_them() {
+    let folder = album();
+    let wide = |text: &str| -> Vec<u8> { text.encode_utf16().flat_map(u16::to_le_bytes).collect() };
+    let words = wide("\u{feff}[{ \"kind\": \"caption\", \"text\": \"Später\" }]");
+    fs::write(folder.path().join("words.json"), words).unwrap();
+    fs::write(folder.path().join("page.json"), wide("{ \"seed\": 5, \"words\": \"words.json\" }")).unwrap();
+    let done = render(folder.path(), &["--config", "page.json", "-o", "page.png", "album"]);
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    fs::write(folder.path().join("words.json"), b"[\"\xe9\"]").unwrap();
+    let wrong = render(folder.path(), &["--words", "words.json", "-o", "page.png", "album"]);
+    assert_eq!(wrong.status.code(), Some(1));
+    assert!(text(&wrong.stderr).contains("words.json: is not JSON or TOML"), "{}", text(&wrong.stderr));
+}
+
+#[test]
+fn pages_of_earlier_runs_are_left_out_of_a_folder() {
+    let folder = album();
+    let photos = |more: &[&str]| -> Vec<String> {
+        let done = render(folder.path(), &[&["--keep-all", "--json"], more].concat());
+        assert!(done.status.success(), "{}", text(&done.stderr));
+        let plan: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+        let panels = plan["pages"][0]["panels"].as_array().unwrap();
+        let mut names: Vec<String> =
+            panels.iter().map(|panel| panel["photo"].as_str().unwrap().to_owned()).collect();
+        names.sort();
+        names.dedup();
+        names
+    };
+    let before = photos(&["album"]);
+    for page in ["album/page.png", "album/day/page.jpg", "album/page.webp"] {
+        assert_eq!(photos(&["-o", page, "album"]), before, "{page}");
+        assert!(folder.path().join(page).is_file());
+    }
+    let done = render(folder.path(), &["--strict", "--keep-all", "-o", "again.png", "album"]);
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    assert!(text(&done.stderr).contains("page.png: left out: a page that Inkpanel wrote"));
+    // A page that is named is a photo, and so are the pages of a folder without photos.
+    assert_eq!(photos(&["album/page.png"]), ["album/page.png"]);
+    fs::create_dir(folder.path().join("pages")).unwrap();
+    fs::rename(folder.path().join("again.png"), folder.path().join("pages/again.png")).unwrap();
+    assert_eq!(photos(&["pages"]), ["pages/again.png"]);
 }
 
 #[test]

@@ -68,8 +68,9 @@ type Headings = readonly (readonly (string | readonly string[])[])[];
 /** The lines of a table: those above its headings, the headings, and the lines of shots. */
 type Table = { titles: Line[]; head: Line | undefined; lines: Line[] };
 
-/** Lines among which the headings are looked for, and the delimiters that are tried. */
+/** Maximum number of lines above the headings. */
 const MAX_TITLES = 20;
+/** Delimiters to try. */
 const DELIMITERS = [',', ';', '\t', '|'] as const;
 
 /** Rows that are not empty, with their numbers in a spreadsheet. */

@@ -126,7 +126,7 @@ export async function readArchive(file: Blob): Promise<Map<string, Found>> {
   /** Total unpacked size. */
   const room = roomFor(most);
   const found: Map<string, Found> = new Map();
-  const names = archiveNames(told.map(({ name }) => name));
+  const names = await archiveNames(told.map(({ name }) => name));
   const seen = new Set() as Set<string>;
   for (const [i, entry] of told.entries()) {
     const name = names[i];

@@ -13,7 +13,7 @@ import { textModule } from './text-module.ts';
 export type DecodedText = { text: string; encoding: string; guessed: boolean; lost: number };
 
 /** Characters of UTF-16, of ISO-2022-JP and of binary files. */
-const NOT_PLAIN = /[\0\x1b]/;
+const SPECIAL = ['\0', '\u001b'] as const;
 
 /**
  * Decodes UTF-8, UTF-16 and UTF-32 with and without a byte order mark, or a guessed encoding. The byte order mark is
@@ -52,7 +52,7 @@ export async function readText(file: Blob, encoding = ''): Promise<DecodedText> 
 function utf8(bytes: Uint8Array): string | null {
   try {
     const text = new TextDecoder('utf-8', { fatal: true }).decode(bytes);
-    return NOT_PLAIN.test(text) ? null : text;
+    return SPECIAL.some((character) => text.includes(character)) ? null : text;
   } catch {
     return null;
   }

@@ -59,9 +59,14 @@ function Choice({ choice: { file, encoding, again } }: { choice: EncodingChoice 
           );
         })}
       </select>
-      <pre class="encoding-preview" dir="auto" aria-label={strings.encodingPreview}>
-        {preview}
-      </pre>
+      <textarea
+        class="encoding-preview"
+        dir="auto"
+        rows={PREVIEW_LINES}
+        readOnly
+        aria-label={strings.encodingPreview}
+        value={preview}
+      />
       <button
         type="button"
         class="button strong"

@@ -576,4 +576,19 @@ mod tests {
             assert_eq!(Letters::parse(&whole[..length]).err().unwrap().code(), "damaged", "{length}");
         }
     }
+
+    #[test]
+    fn words_from_right_to_left_have_their_places_and_their_text_in_files() {
+        let mut letters = Letters::bundled().unwrap();
+        let contour = Contour { start: Point::new(0.0, 0.0), segments: vec![(None, Point::new(1.0, 1.0))] };
+        for run in ["שלום", "עולם"] {
+            assert!(letters.learn_outline(run, true, 1.0, std::slice::from_ref(&contour)));
+        }
+        let line = letters.cleaned("שלום (עולם)! 12");
+        let seen = letters.ordered(&[&line]);
+        let text: String = seen[0].iter().map(|seen| letters.seen_text_of(seen.letter)).collect();
+        assert_eq!(text, "12 !(םלוע) םולש");
+        assert!(letters.is_leftward(line[0]) && !letters.is_leftward('1'));
+        assert_eq!(letters.text_of(line[0]), "שלום");
+    }
 }

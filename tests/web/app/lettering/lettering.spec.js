@@ -274,6 +274,27 @@ test('subtitles of a whole film are spread over the panels of photos, and the re
   await expect(word(page, /^Balloon: Line/)).toHaveCount(0);
 });
 
+test('a guessed encoding is reported until the message is closed, and can be changed', async ({ page }) => {
+  await openBoard(page, SIX.slice(0, 2));
+  // `'Привет, мир! Как дела?'.encode('cp1251')` in Python.
+  const said = Buffer.from('cff0e8e2e5f22c20ece8f02120cae0ea20e4e5ebe03f', 'hex');
+  const buffer = Buffer.concat([Buffer.from('1\r\n00:00:01,000 --> 00:00:02,000\r\n'), said]);
+  await drop(page, [{ name: 'film.srt', mimeType: 'text/plain', buffer }]);
+  await expect(word(page, 'Balloon: Привет, мир! Как дела?')).toBeVisible();
+  await expect(page.getByRole('alert').filter({ hasText: 'film.srt' })).toContainText('Windows-1251');
+  await page.getByRole('button', { name: 'Change encoding' }).click();
+  const dialog = page.getByRole('dialog', { name: 'Encoding of film.srt' });
+  const preview = dialog.getByRole('textbox', { name: 'Preview' });
+  await expect(preview).toHaveValue(/Привет, мир!/);
+  await accessible(page);
+  await dialog.getByRole('combobox', { name: 'Encoding' }).selectOption('IBM866');
+  await expect(preview).toHaveValue(/╧ЁштхЄ/);
+  await dialog.getByRole('button', { name: 'Read again' }).click();
+  await expect(word(page, /^Balloon: ╧ЁштхЄ/)).toBeVisible();
+  await expect(word(page, /^Balloon/)).toHaveCount(1);
+  await expect(page.getByRole('alert').filter({ hasText: 'film.srt' })).toContainText('IBM866');
+});
+
 test('subtitles of a video become balloons on its frames, and a malformed file is reported with the line', async ({
   page,
 }) => {
