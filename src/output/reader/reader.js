@@ -23,8 +23,6 @@ const ENLARGED = 1.05;
  * @type {Record<string, 1 | -1 | undefined>}
  */
 const KEYS = { ArrowRight: 1, ArrowDown: 1, PageDown: 1, ArrowLeft: -1, ArrowUp: -1, PageUp: -1 };
-/** 1 if the comic is read from left to right, otherwise -1. */
-const onwards = document.documentElement.dataset.rtl ? -1 : 1;
 /** Screens that are too small for reading a whole page. */
 const SMALL = '(max-width: 700px), (max-height: 500px)';
 
@@ -97,6 +95,8 @@ export function placeOf(hash, panels) {
 /** @param {Document} document that holds a comic */
 function start(document) {
   const root = document.documentElement;
+  /** 1 if the comic is read from left to right, otherwise -1. */
+  const onwards = root.dataset.rtl ? -1 : 1;
   const main = /** @type {HTMLElement} */ (document.getElementById('comic'));
   const pages = [...main.querySelectorAll('.page')].map((page) => ({
     page,
