@@ -19,7 +19,7 @@ const TYPES = { '.js': 'text/javascript', '.wasm': 'application/wasm' };
 export async function openCore(page) {
   await page.route(`${ORIGIN}/**`, async (route) => {
     const { pathname } = new URL(route.request().url());
-    if (!/^\/(pkg|pkg-decoders|pkg-detector|models|engine)\//.test(pathname))
+    if (!/^\/(pkg|pkg-decoders|pkg-detector|pkg-heic|models|engine)\//.test(pathname))
       return route.fulfill({ contentType: 'text/html', body: '<!doctype html>' });
     const body = readFileSync(WWW + pathname);
     if (!pathname.endsWith('.ts')) return route.fulfill({ contentType: TYPES[extname(pathname)], body });
