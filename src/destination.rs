@@ -138,7 +138,7 @@ mod tests {
         assert_eq!(kind("-", Some("jpg")), Ok(Kind::Jpeg));
         assert_eq!(kind("a.out", Some("webp")), Ok(Kind::Webp));
         for name in ["a.tiff", "a", "a.svg"] {
-            assert!(kind(name, None).unwrap_err().contains("a name that ends in .png"), "{name}");
+            assert!(kind(name, None).unwrap_err().contains("must end in .png"), "{name}");
         }
     }
 }

@@ -10,7 +10,7 @@ import { IconButton } from '../ui/button.tsx';
 import { useListDrag } from '../ui/list-drag.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
-import { BookProgress } from './book-progress.tsx';
+import { BookProgress } from '../page/book-progress.tsx';
 import { MANY_LEFT } from './book.ts';
 import { PageThumb } from './page-thumb.tsx';
 import { isEnabled } from '../ui/action.ts';

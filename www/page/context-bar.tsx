@@ -9,7 +9,7 @@ import { useApp } from '../ui/context.ts';
 import { isEnabled, now } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { Icon } from '../ui/icon.tsx';
-import { BookProgress } from '../book/book-progress.tsx';
+import { BookProgress } from './book-progress.tsx';
 import { MANY_LEFT } from '../book/book.ts';
 import type { Action } from '../ui/action.ts';
 import type { App } from '../ui/context.ts';

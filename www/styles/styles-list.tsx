@@ -58,6 +58,7 @@ export function StylesList() {
   return (
     <>
       <div class="style-search">
+        <ActionButton action={actions.imitation.open} class="button small" text />
         <input
           type="search"
           class="search"
@@ -68,7 +69,6 @@ export function StylesList() {
             sought.value = currentTarget.value;
           }}
         />
-        <ActionButton action={actions.imitation.open} class="button small" text />
         <div class="chips" role="group" aria-label={strings.styleFamilies}>
           {[{ id: '', name: strings.anyStyles }, ...kinds].map(({ id, name }) => (
             <button

@@ -158,7 +158,7 @@ test('a balloon is also moved by a click and by a field, and has four shapes', a
   await write(page, 'balloon', 'CLICK');
   const canvas = await box(page.locator('.page-canvas'));
   const spot = { x: canvas.x + canvas.width * 0.7, y: canvas.y + canvas.height * 0.8 };
-  await page.getByRole('button', { name: 'Move to…' }).click();
+  await press(page, 'Move to…');
   await page.mouse.click(spot.x, spot.y);
   await idle(page);
   const moved = await box(word(page, /^Balloon: CLICK/));

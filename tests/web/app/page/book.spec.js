@@ -45,5 +45,5 @@ test('a shuffle keeps the photos of a page, and the page numbers follow a move',
   expect([...(await contents(page)).photos].sort()).toEqual([...photos].sort());
   await press(page, 'Move page later');
   await expect(thumb(page, 3)).toHaveAttribute('aria-current', 'true');
-  await expect(page.getByRole('button', { name: '3', exact: true })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Caption: 3', exact: true })).toBeVisible();
 });
