@@ -62,9 +62,10 @@ fn numbered(sheets: &[Arc<Sheet>]) -> Vec<Arc<Sheet>> {
             return sheet.clone();
         }
         let mut page = sheet.page.as_ref().clone();
-        match renumber(&mut page, i + 1) {
-            true => Arc::new(Sheet { page: Arc::new(page), ..sheet.as_ref().clone() }),
-            false => sheet.clone(),
+        if renumber(&mut page, i + 1) {
+            Arc::new(Sheet { page: Arc::new(page), ..sheet.as_ref().clone() })
+        } else {
+            sheet.clone()
         }
     };
     sheets.iter().enumerate().map(number).collect()

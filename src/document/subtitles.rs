@@ -109,7 +109,7 @@ pub struct Frame {
 
 impl Subtitles {
     /// Reads the text of a file. Its kind is determined by its content: `SubRip`, `WebVTT`, Advanced `SubStation`, or
-    /// the subtitles of YouTube. `vtt` requires the header of `WebVTT`.
+    /// the subtitles of `YouTube`. `vtt` requires the header of `WebVTT`.
     ///
     /// # Errors
     /// Returns the error in the text.
@@ -444,12 +444,12 @@ mod tests {
         let texts = |text: &str, vtt| cues(text, vtt).into_iter().map(|cue| cue.2).collect::<Vec<_>>();
         let vtt = "WEBVTT\nKind: captions\n\n00:00:00.000 --> 00:00:02.000 align:start position:0%\n \nhello<00:00:00.400><c> there</c>\n\n00:00:02.000 --> 00:00:02.010\nhello there\n \n\n00:00:02.010 --> 00:00:04.000\nhello there\ngeneral<00:00:02.400><c> kenobi</c>\n\n00:00:04.000 --> 00:00:04.010\ngeneral kenobi\n \n\n00:00:04.010 --> 00:00:06.000\ngeneral kenobi\nyou are<00:00:05.000><c> bold</c>\n";
         assert_eq!(texts(vtt, true), ["hello there", "general kenobi", "you are bold"]);
-        let roll: String = ["a\nb", "b\nc", "c\nd", "d\ne"]
+        let roll: Vec<String> = ["a\nb", "b\nc", "c\nd", "d\ne"]
             .iter()
             .enumerate()
             .map(|(i, text)| format!("00:00:0{i},000 --> 00:00:0{},000\n{text}\n\n", i + 1))
             .collect();
-        assert_eq!(texts(&roll, false), ["a b", "c", "d", "e"]);
+        assert_eq!(texts(&roll.concat(), false), ["a b", "c", "d", "e"]);
         // An answer may be the same word.
         let no = "00:00:01,000 --> 00:00:02,000\nNo.\n\n00:00:02,000 --> 00:00:03,000\nNo.";
         assert_eq!(texts(no, false), ["No.", "No."]);

@@ -267,7 +267,7 @@ fn full_pages(
         // The first page of the book shows where the story begins, and no few photos of a chapter are cut off.
         let alone = (1..FEW).any(|few| {
             let changes = |from: usize, to: usize| chapters[photos[from]] != chapters[photos[to]];
-            at >= few + 1 && changes(at - few - 1, at - few) && !changes(at - few, at)
+            at > few && changes(at - few - 1, at - few) && !changes(at - few, at)
                 || at + few + 1 < photos.len() && changes(at + few, at + few + 1) && !changes(at, at + few)
         });
         let late = at + FEW >= photos.len();

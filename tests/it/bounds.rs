@@ -162,8 +162,8 @@ fn told(value: &Value, text: &str) -> String {
 fn file_table() -> String {
     let quoted = |text: &str| format!("'{}'", text.replace('\r', "\\r"));
     let list = |name: &str, texts: &[&str]| {
-        let lines: String = texts.iter().map(|text| format!("  {},\n", quoted(text))).collect();
-        format!("export const {name}: readonly string[] = [\n{lines}];\n")
+        let lines: Vec<String> = texts.iter().map(|text| format!("  {},\n", quoted(text))).collect();
+        format!("export const {name}: readonly string[] = [\n{}];\n", lines.concat())
     };
     let kind = |Kind { name, media_type, endings, role }: &Kind| {
         let role = match role {

@@ -97,9 +97,9 @@ impl Record {
             let (kind, count, value) = text(date.text());
             let field = (date.tags.0, kind, count, value);
             if date.tags.0 == 0x0132 {
-                main.push(field)
+                main.push(field);
             } else {
-                inner.push(field)
+                inner.push(field);
             }
             if !date.fraction.is_empty() {
                 let (kind, count, value) = text(date.fraction.clone());

@@ -422,7 +422,7 @@ fn what_has_no_end_is_refused_at_once() {
         );
         assert!(error.to_string().trim_start_matches("project.json.").starts_with(start), "{what}: {error}");
         // A limit for a search that never ends, not a measurement.
-        assert!(begin.elapsed() < Duration::from_secs(60), "{what}: {:?}", begin.elapsed());
+        assert!(begin.elapsed() < Duration::from_mins(1), "{what}: {:?}", begin.elapsed());
     }
     assert!(ProjectFile::parse(&" ".repeat(33 << 20)).is_err());
 }

@@ -13,7 +13,7 @@ import type { Sheet } from '../engine/sheets.ts';
 import type { Store } from '../document/store.ts';
 
 /** Minimum number of photos on no page for an offer to make more pages. */
-export const MANY_LEFT = 4;
+const MANY_LEFT = 4;
 
 export type Book = ReturnType<typeof createBook>;
 
@@ -45,6 +45,8 @@ export function createBook({
 
   return {
     left,
+    /** Whether enough photos are on no page for an offer to make more pages. */
+    areManyLeft: computed(() => left.value.length >= MANY_LEFT),
     oneStyle,
     at,
     several,

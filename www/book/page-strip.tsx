@@ -11,7 +11,6 @@ import { useListDrag } from '../ui/list-drag.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { BookProgress } from '../page/book-progress.tsx';
-import { MANY_LEFT } from './book.ts';
 import { PageThumb } from './page-thumb.tsx';
 import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
@@ -24,7 +23,7 @@ export function PageStrip() {
 
 function Alone() {
   const { store, book, ui } = useApp();
-  const offers = store.reading.value === null && book.left.value.length >= MANY_LEFT;
+  const offers = store.reading.value === null && book.areManyLeft.value;
   return (
     <section class="book" aria-label={strings.book.name} data-several="false">
       <AddPage />

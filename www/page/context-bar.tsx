@@ -10,7 +10,6 @@ import { isEnabled, now } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { BookProgress } from './book-progress.tsx';
-import { MANY_LEFT } from '../book/book.ts';
 import type { Action } from '../ui/action.ts';
 import type { App } from '../ui/context.ts';
 
@@ -152,7 +151,7 @@ function toolsFor({
   if (!wide) return null;
   const isFirst = versions(store.history.value).length < 2;
   // A book is offered as long as many photos are on no page.
-  const isAlbum = !pages.several.value && pages.left.value.length >= MANY_LEFT && isEnabled(book.make);
+  const isAlbum = !pages.several.value && pages.areManyLeft.value && isEnabled(book.make);
   const offers = [...(isEnabled(page.acceptCrops) ? [page.acceptCrops] : []), ...(isAlbum ? [book.make] : [])];
   return {
     title: strings.sideTab.page,

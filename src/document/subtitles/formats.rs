@@ -132,7 +132,7 @@ fn blocks(lines: &[&str], kind: Kind) -> Read {
         // The next number without times: the times are missing or damaged.
         let follows = begins && own.is_some() && own == count.map(|last| last + 1);
         match &mut open {
-            Open::Cue { text, .. } if !follows && !(begins && is_clock(line)) => text.push(at),
+            Open::Cue { text, .. } if !(follows || begins && is_clock(line)) => text.push(at),
             Open::Cue { .. } if is_clock(line) => {
                 close(&mut open, &mut cues);
                 flaws.push(Flaw::Time(at + 1, shortened(line)));

@@ -81,7 +81,7 @@ pub(super) fn plain(text: &str, dialect: Dialect) -> (Vec<String>, bool) {
             }
             _ => {}
         }
-        if !skips && !(drawing && dialect == Dialect::SubStation) {
+        if !(skips || drawing && dialect == Dialect::SubStation) {
             out.extend(kept);
         }
         rest = next;

@@ -301,6 +301,6 @@ mod tests {
         clean(&project).unwrap();
         fs::write(folder.path().join("new.txt"), "").unwrap();
         let told = clean(&project).unwrap_err().to_string();
-        assert!(told.ends_with("put them away:\n  ?? new.txt"), "{told}");
+        assert!(told.ends_with("remove them:\n  ?? new.txt"), "{told}");
     }
 }
