@@ -62,7 +62,10 @@ impl<'a> Told<'a> {
 
     /// The title, and the line below it, which may be empty. `given`: the title that the user chose.
     pub(super) fn title(&self, given: &str, phrases: &Phrases) -> (String, String) {
-        let dates = self.days().map(|(from, to)| phrases.dates(from, to)).unwrap_or_default();
+        // The days of a few dated photos are not the days of the book.
+        let most_dated = 3 * self.moments.iter().flatten().count() >= 2 * self.moments.len();
+        let days = self.days().filter(|_| most_dated);
+        let dates = days.map(|(from, to)| phrases.dates(from, to)).unwrap_or_default();
         let places = phrases.places(&self.different_places());
         let title =
             [given.trim(), &places, &dates, &phrases.untitled].into_iter().find(|text| !text.is_empty());
@@ -273,6 +276,8 @@ mod tests {
         assert_eq!(title("", &[]), (days, String::new()));
         let nothing = Told { moments: vec![None], places: vec![""] };
         assert_eq!(nothing.title("", &Phrases::of("de").unwrap()).0, "Unsere Fotos");
+        let few = Told { moments: vec![Moment::parse("2026:06:09 10:00:00"), None], places: vec!["", ""] };
+        assert_eq!(few.title("", &Phrases::of("de").unwrap()).0, "Unsere Fotos");
     }
 
     #[test]
