@@ -26,8 +26,6 @@ __all__ = ["Error", "Page", "__version__", "blocks", "book", "layouts", "pdf", "
 
 # The models in the wheel.
 _MODELS = _Path(__file__).parent / "models"
-# Endings of the pictures of a folder.
-_PICTURES = {".jpg", ".jpeg", ".jpe", ".png", ".webp", ".gif", ".bmp", ".tif", ".tiff"}
 
 
 def stylize(array, style, *, seed=None):
@@ -211,7 +209,7 @@ def book(
 
 def _pictures(folder):
     """The pictures of a folder and of its folders, by name."""
-    found = (file for file in sorted(folder.rglob("*")) if file.suffix.lower() in _PICTURES)
+    found = (file for file in sorted(folder.rglob("*")) if _inkpanel.is_photo(file.name))
     return [
         file
         for file in found

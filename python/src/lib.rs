@@ -23,8 +23,15 @@ mod _inkpanel {
     #[pymodule_export]
     use super::styling::stylize;
     use super::{failure, json_to_python};
+    use inkpanel::kinds::{self, Role};
     use inkpanel::page::catalogue;
     use pyo3::prelude::*;
+
+    /// Whether a file name is of a photo, by the table of file kinds.
+    #[pyfunction]
+    fn is_photo(name: &str) -> bool {
+        !kinds::is_sidecar(name) && kinds::by_name(name).is_some_and(|kind| kind.role == Role::Photo)
+    }
 
     /// All filter blocks with their parameters.
     #[pyfunction]
