@@ -81,7 +81,7 @@ export function createSubtitling({
   async function take(file: File, encoding: string): Promise<DecodedText> {
     if (file.size > MOST.subtitles) throw new Error(strings.subtitleErrors.large);
     const decoded = await readText(file, encoding);
-    if (/\.txt$/i.test(file.name)) await lay(decoded.text);
+    if (hasRole(file.name, 'text')) await lay(decoded.text);
     else await subtitle(file.name, decoded.text);
     return decoded;
   }

@@ -6,10 +6,10 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import type { Word, WordBox } from '../engine/types.ts';
 import { strings } from '../strings/strings.ts';
+import { ActionButton } from '../ui/action-button.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { capitals, USUAL_OUTLINE } from './word-fields.tsx';
-import { LEAST_SIZE, MOST_SIZE } from './word-units.ts';
 import type { Place } from './word-places.ts';
 import { knobOf } from './word-places.ts';
 
@@ -17,8 +17,6 @@ import { knobOf } from './word-places.ts';
 const AIR = 18;
 /** Half of a handle, which the bar never covers. */
 const HANDLE = 12;
-/** Factor of the text size per press. */
-const GROWTH = 1.12;
 /** Values of the switches of a sound effect. */
 const ARC = 0.6;
 const SLANT = 15;
@@ -30,7 +28,7 @@ const IN_COLUMNS = /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}\p{Scri
 const SHAPES = ['oval', 'thought', 'shout', 'whisper', 'radio'] as const;
 
 export function WordBar({ index, box }: { index: number; box: WordBox }) {
-  const { lettering, store, ui } = useApp();
+  const { lettering, store, ui, actions } = useApp();
   const bar = useRef(null as HTMLDivElement | null);
   const gesture = useRef(lettering.step());
   const word = lettering.words.value[index];
@@ -58,7 +56,6 @@ export function WordBar({ index, box }: { index: number; box: WordBox }) {
     rest();
   };
   const stop = (event: Event) => event.stopPropagation();
-  const grow = (by: number) => set({ size: Math.min(MOST_SIZE, Math.max(LEAST_SIZE, box.size * by)) });
   const { font } = box;
   const bold = font === 'comic-neue-bold';
 
@@ -77,13 +74,7 @@ export function WordBar({ index, box }: { index: number; box: WordBox }) {
         if (event.key !== 'Escape' && event.key !== 'Tab') event.stopPropagation();
       }}
     >
-      <IconButton
-        icon="text"
-        label={strings.barWrite}
-        onClick={() => {
-          lettering.editing.value = index;
-        }}
-      />
+      <ActionButton action={actions.text.edit} />
       {word.kind === 'balloon' &&
         SHAPES.map((shape) => (
           <IconButton
@@ -98,8 +89,8 @@ export function WordBar({ index, box }: { index: number; box: WordBox }) {
         <IconButton icon="focus" label={strings.barTail} onClick={() => (lettering.mode.value = 'tail')} />
       )}
       <span class="word-bar-line" />
-      <IconButton icon="smaller" label={strings.barSmaller} onClick={() => grow(1 / GROWTH)} />
-      <IconButton icon="larger" label={strings.barLarger} onClick={() => grow(GROWTH)} />
+      <ActionButton action={actions.text.smaller} />
+      <ActionButton action={actions.text.larger} />
       {font !== 'bangers' && (
         <IconButton
           icon="bold"
@@ -136,7 +127,7 @@ export function WordBar({ index, box }: { index: number; box: WordBox }) {
           onChange={rest}
         />
       ))}
-      <IconButton icon="bin" label={strings.barDelete} onClick={() => lettering.remove(index)} />
+      <ActionButton action={actions.text.remove} />
     </div>
   );
 }
