@@ -9,7 +9,7 @@ pub enum Error {
     /// The bytes are not an image of a format that we read.
     #[error("this is not an image that Inkpanel can read (JPEG, PNG, WebP, GIF, BMP or TIFF)")]
     UnknownFormat,
-    /// The file is not an image, or an image of an unsupported kind. The text says what the user can do.
+    /// The file is not an image, or an image of an unsupported kind. The text contains advice for the user.
     #[error("{0}")]
     OtherKind(String),
     /// A colour profile of a scanner or press, in a build without the `rare` feature.

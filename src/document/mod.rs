@@ -80,7 +80,7 @@ fn leave_out(dropped: &mut Dropped, wrong: &Wrong) {
     }
 }
 
-/// Returns the version of saved data after migration. There are no older versions so far.
+/// Returns the version of saved data after migration. Only the current version exists so far.
 fn version(fields: &mut Fields) -> Read<()> {
     let version = fields.count("version", 1, u64::MAX)?;
     if version > VERSION {

@@ -373,7 +373,7 @@ mod tests {
             (format!("{one}\nHow many?\n42\n{two}\nBye"), vec!["How many? 42", "Bye"]),
             // Empty lines before, in and after the text.
             (format!("1\n{one}\n\nHi\n\nthere\n\n2\n{two}\n \nBye"), vec!["Hi there", "Bye"]),
-            // A number is the text; there is no text.
+            // The text is a number; the text is missing.
             (format!("1\n{one}\n5\n\n2\n{two}\nBye"), vec!["5", "Bye"]),
             (format!("1\n{one}\n\n2\n{two}\nBye"), vec!["Bye"]),
             (

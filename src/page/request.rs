@@ -23,7 +23,7 @@ pub struct Request {
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub page: PageSettings,
-    /// The current page; `None` if there is no page yet.
+    /// The current page; `None` before the first page.
     #[serde(default)]
     pub current: Option<Document>,
     /// Parts of the current page to retain.

@@ -108,8 +108,8 @@ impl Score {
 /// Minimum score gap at which another layout replaces the preferred one.
 const SLACK: f64 = 0.4;
 
-/// The plan of a page. `heat` is 1 for a usual draw and more for a bolder one, 0 for the best; `None` when
-/// there are no candidates or no photos. `wanted`: index of the preferred layout, which another one replaces
+/// The plan of a page. `heat` is 1 for a usual draw and more for a bolder one, 0 for the best. Returns `None`
+/// without candidates or photos. `wanted`: index of the preferred layout, which another one replaces
 /// only if it is clearly better.
 #[must_use]
 pub fn compose(

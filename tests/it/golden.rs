@@ -13,7 +13,7 @@ use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use png::{BitDepth, ColorType, Compression, Encoder};
 
-/// Maximum difference of a channel in grey levels. On one machine, there is no difference: builds with and
+/// Maximum difference of a channel in grey levels. On one machine, all builds agree: builds with and
 /// without optimisation, for SSE2 and for AVX2 with fused multiply-add, give identical bytes. But powers,
 /// logarithms and sines come from the platform, which may round their last bit differently.
 const STEPS: u8 = 1;

@@ -1,6 +1,6 @@
 /**
  * Keeps the keyboard focus. If the focused element is removed or disabled, the focus moves to a neighbour, or back to
- * where it came from. Without this, browsers move the focus to the body, and the next Tab starts at the top.
+ * its previous place. Without this, browsers move the focus to the body, and the next Tab starts at the top.
  */
 
 const USABLE = 'button, input, select, textarea, a[href], summary, [tabindex]:not([tabindex="-1"])';

@@ -972,7 +972,7 @@ export type Request = {
   photos?: ReadonlyArray<PhotoMeta>,
   /** Size, gutters and colours of the page. */
   page?: PageSettings,
-  /** The current page; `None` if there is no page yet. */
+  /** The current page; `None` before the first page. */
   current?: PageDocument | null,
   /** Parts of the current page to retain. */
   keep?: Keep,

@@ -11,7 +11,7 @@ import type { Bounds, PageDocument } from '../engine/types.ts';
 
 export type BetterCrops = ReturnType<typeof createBetterCrops>;
 
-/** Minimum time on the screen, in milliseconds, after which a page does not change automatically. */
+/** Minimum time on the screen, in milliseconds. Older pages do not change automatically. */
 const LOOK = 1000;
 /** Like `LOOK`, for the first page of a project before any change. Detection of a large album takes several seconds. */
 const FIRST_LOOK = 10_000;

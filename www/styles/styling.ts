@@ -25,7 +25,7 @@ export function createStyling({
 
   /** A wish for a page whose style is drawn like that. */
   function asked(wish: Wish): Wish {
-    // If the style is retained or fixed, there is no random choice, so the other styles need not be passed to the core.
+    // A retained or fixed style is not chosen at random, so the core does not need the other styles.
     if (wish.keep.style || wish.style !== undefined) return wish;
     const { invented, keepLines, keepColours } = store.project.peek().styling;
     const mine = ownStyles.mine.peek();

@@ -138,7 +138,7 @@ pub fn decode_fit(bytes: &[u8], limits: &Limits, longest: usize) -> Result<Decod
     Ok(Decoded { damage, ..finished(image, (width, height), &exif, name)? })
 }
 
-/// Decodes a HEIC file like [`decode`]. Callers of this function alone contain no other decoder.
+/// Decodes a HEIC file like [`decode`]. A module that calls only this function contains no other decoder.
 ///
 /// # Errors
 /// As [`decode`].

@@ -164,8 +164,8 @@ pub struct Across<'a> {
     pub shares: &'a [[i16; 2]],
 }
 
-/// Moves every sample of a row away from its base by `amount` (-1..=3.9) times its distance, or toward it
-/// where that is negative. The base is between eight corners. `down` has the weights of the upper and the
+/// Moves every sample of a row away from its base by `amount` (-1..=3.9) times its distance. A negative
+/// `amount` moves samples toward the base. The base is between eight corners. `down` has the weights of the upper and the
 /// lower row.
 pub fn exaggerate(
     row: &mut [u8],

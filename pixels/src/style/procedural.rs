@@ -96,7 +96,7 @@ pub fn invent(seed: u32) -> Style {
         }
     }
     if gray {
-        // Any position except the end, where it could only undo changes of the colours.
+        // Any position except the last. At the end, the block could only undo changes of the colours.
         let to = random.rand_range(0..chain.len() as u64 - 1) as usize;
         let step = chain.remove(0);
         chain.insert(to, step);

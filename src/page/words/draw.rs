@@ -117,7 +117,7 @@ pub(in crate::page) struct Lines {
     pub(in crate::page) text: Vec<Vec<Point>>,
     /// Outlines of bold glyphs, with half the width of the stroke that makes them bold.
     pub(in crate::page) heavy: (Vec<Vec<Point>>, f64),
-    /// An outline around the glyphs separates them from the background, because there is no body.
+    /// An outline separates the glyphs from the background, because the item has no body.
     pub(in crate::page) ringed: bool,
     /// Half the width of the outline of the body, or of the glyphs.
     pub(in crate::page) half: f64,

@@ -29,7 +29,7 @@ export const WAYS: Record<string, [number, number]> = {
 
 /**
  * The nearest panel in a direction; sideways distance counts double.
- * @returns `from` if there is no neighbour in this direction
+ * @returns `from` without a neighbour in this direction
  */
 export function neighbour(panels: readonly PanelShape[], from: number, [wayX, wayY]: [number, number]): number {
   const centre = ({ bounds }: PanelShape) => [bounds.x + bounds.width / 2, bounds.y + bounds.height / 2];

@@ -15,7 +15,7 @@ const STEP: u8 = 36;
 pub struct Lines {
     /// Share of the picture's pixels that belong to one, 0 to 1.
     pub density: f32,
-    /// Mean width, in pixels of a 1920 x 1080 picture; 0 if there are no lines.
+    /// Mean width, in pixels of a 1920 x 1080 picture; 0 without lines.
     pub width: f32,
 }
 
