@@ -4,6 +4,7 @@
 
 import { computed, signal } from '@preact/signals';
 import { mediaSignal } from '../ui/media.ts';
+import { remember, remembered, rememberedSwitch } from '../ui/remembered.ts';
 import { createTheme } from '../ui/theme.ts';
 import type { Way } from '../export/formats.ts';
 import type { PageDocument } from '../engine/types.ts';
@@ -28,6 +29,7 @@ export type OpenDialog = 'help' | 'export' | { brush: string };
 export type Work = 'designer' | 'explorer' | 'imitation' | 'projects' | 'pages' | 'boards';
 
 export function createUi(window: Window) {
+  const box = () => window.localStorage;
   const wide = mediaSignal(window, '(min-width: 1000px)');
   /** Whether there is space for labels in addition to numbers. */
   const roomy = mediaSignal(window, '(min-width: 1340px)');
@@ -35,35 +37,29 @@ export function createUi(window: Window) {
   const work: Signal<Work | null> = signal(null);
 
   /** Whether single letters are shortcuts. Speech input and tremor can trigger them unintentionally. */
-  const letterKeys = signal(remembered(window, LETTERS_KEY) !== 'off');
+  const letterKeys = rememberedSwitch(box, LETTERS_KEY, true);
   /** Whether the window has space for suggestions below the page. */
   const tall = mediaSignal(window, '(min-height: 1000px)');
-  const choice = signal(remembered(window, IDEAS_KEY));
+  const choice = signal(remembered(box, IDEAS_KEY));
   /** Whether the strip of suggestions is unfolded. */
   const ideas = computed(() => (choice.value === null ? tall.value : choice.value === 'on'));
 
   /** Whether new pages get a title and captions. */
-  const narrates = signal(remembered(window, NARRATION_KEY) !== 'off');
+  const narration = rememberedSwitch(box, NARRATION_KEY, true);
 
   return {
     ...createTheme(window),
     wide,
     roomy,
-    letterKeys,
-    useLetterKeys(on: boolean) {
-      letterKeys.value = on;
-      keep(window, LETTERS_KEY, on ? 'on' : 'off');
-    },
+    letterKeys: letterKeys.on,
+    useLetterKeys: letterKeys.turn,
     ideas,
     toggleIdeas() {
       choice.value = ideas.peek() ? 'off' : 'on';
-      keep(window, IDEAS_KEY, choice.value);
+      remember(box, IDEAS_KEY, choice.value);
     },
-    narrates,
-    narrate(on: boolean) {
-      narrates.value = on;
-      keep(window, NARRATION_KEY, on ? 'on' : 'off');
-    },
+    narrates: narration.on,
+    narrate: narration.turn,
     /** Whether the page fills the window. */
     preview: signal(false),
     /** Zoom factor of the page; 1 shows the whole page. */
@@ -80,7 +76,7 @@ export function createUi(window: Window) {
       work.value = work.peek() === which ? null : which;
     },
     /** Whether faces and objects are detected. `inkpanel.detect` = `off` in the storage turns detection off. */
-    detects: remembered(window, DETECT_KEY) !== 'off',
+    detects: remembered(box, DETECT_KEY) !== 'off',
     /** Whether the page shows its safe area. */
     safeArea: signal(false),
     /** Width on paper in inches for which coarse panels are marked; null marks none. */
@@ -101,20 +97,4 @@ export function createUi(window: Window) {
     /** The error that the views threw. */
     failed: signal(null) as Signal<unknown>,
   };
-}
-
-function remembered(window: Window, key: string) {
-  try {
-    return window.localStorage.getItem(key);
-  } catch {
-    return null;
-  }
-}
-
-function keep(window: Window, key: string, value: string) {
-  try {
-    window.localStorage.setItem(key, value);
-  } catch {
-    // Storage may be refused; the choice then lasts as long as the page.
-  }
 }

@@ -18,6 +18,7 @@ import { enlarged, hasPlates, NO_PRINT } from './print.ts';
 import { LazyAnimatic } from '../motion/lazy-animatic.tsx';
 import { LivingChoice } from '../motion/living-choice.tsx';
 import { PrintCheck } from './print-check.tsx';
+import { CleanChoice } from '../storage/clean-choice.tsx';
 import { PrintOptions } from './print-options.tsx';
 import type { PageDocument } from '../engine/types.ts';
 import type { Choice } from './export-choice.ts';
@@ -110,12 +111,16 @@ export function ExportDialog() {
           <div class="export-choices">
             <FormatChoice choice={choice} choose={choose} />
             {way === 'project' ? (
-              <div class="export-actions">
-                <button type="button" class="button strong wide" onClick={saveProject}>
-                  <Icon name="download" />
-                  {strings.save}
-                </button>
-              </div>
+              <>
+                <CleanChoice />
+                <p class="quiet">{strings.removeMetadataHelp}</p>
+                <div class="export-actions">
+                  <button type="button" class="button strong wide" onClick={saveProject}>
+                    <Icon name="download" />
+                    {strings.save}
+                  </button>
+                </div>
+              </>
             ) : isList(format) ? (
               <ExportActions wish={wish} page={null} close={close} />
             ) : (

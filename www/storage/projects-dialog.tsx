@@ -10,6 +10,7 @@ import { Icon } from '../ui/icon.tsx';
 import { InstallButton } from '../offline/install.tsx';
 import { Workspace } from '../ui/workspace.tsx';
 import { Broken } from './broken.tsx';
+import { CleanChoice } from './clean-choice.tsx';
 import { Elsewhere } from './elsewhere.tsx';
 import { LONGEST_NAME, ProjectName, SaveState } from './project-bar.tsx';
 import type { ProjectRecord } from './database.ts';
@@ -37,6 +38,7 @@ export function Projects() {
         <Icon name="save" />
         {strings.saveProject}
       </button>
+      {!empty && <CleanChoice />}
       <InstallButton />
       <ChosenFiles
         input={input}

@@ -5,15 +5,11 @@
 
 import { inBlobs } from './database.ts';
 import { archiveOf } from '../engine/archive.ts';
-import { strippedOf } from '../photos/identity.ts';
 import { projectFileName, packedProject, videoKey } from './files/project-file.ts';
 import { nameOf } from './restoring.ts';
 import type { Database } from './database.ts';
 
-export async function rescued(
-  database: Database,
-  id: string,
-): Promise<{ file: Blob; name: string; unclean: string[] }> {
+export async function rescued(database: Database, id: string): Promise<{ file: Blob; name: string }> {
   const [project, state, name] = await Promise.all([
     database.get('projects', id),
     database.get('states', id),
@@ -38,26 +34,24 @@ export async function rescued(
       return file ? [{ ...video, file }] : [];
     });
     const blobs = new Map([...files, ...films.map(({ key, file }) => [videoKey(key), file] as const)]);
-    return {
-      ...(await packedProject({ history: state.history, facts, videos: films }, blobs, { version: state.version })),
-      name: projectFileName(name),
-    };
+    const { file } = await packedProject({ history: state.history, facts, videos: films }, blobs, {
+      version: state.version,
+    });
+    return { file, name: projectFileName(name) };
   } catch {
     // Not even its parts are what they should be.
     const entries = [{ name: 'project.json', blob: new Blob([textOf({ format: 'inkpanel', project, state })]) }];
     for (const [i, record] of records.entries()) {
-      const { blob } = await strippedOf(record?.file as Blob);
       entries.push({
         name: `photos/${String(i + 1).padStart(3, '0')}-${String(record?.name)
           .replaceAll(/[^\p{L}\p{N}._-]+/gu, '-')
           .slice(-60)}`,
-        blob,
+        blob: record?.file as Blob,
       });
     }
     return {
       file: new Blob([await archiveOf(entries)], { type: 'application/zip' }),
       name: projectFileName(name),
-      unclean: [],
     };
   }
 }

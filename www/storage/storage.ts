@@ -105,7 +105,7 @@ export function createKeeping({
   const projects = createProjects({ store, opening, saving, locks, messages, database });
   const fileOpening = createFileOpening({ engine, messages, opening });
   const files = {
-    ...createProjectFiles({ store, engine, messages, saving, fileOpening }),
+    ...createProjectFiles({ store, engine, messages, saving, fileOpening, box: () => window.localStorage }),
     progress: fileOpening.progress,
     cancel: fileOpening.cancel,
     stops: fileOpening.stops,
@@ -187,9 +187,9 @@ export function createKeeping({
     if (!project) return;
     if (project.id === store.place.peek().id) return files.save();
     try {
-      const { file, name, unclean } = await rescued(await database(), project.id);
+      const { file, name } = await rescued(await database(), project.id);
       saveFile(file, name);
-      messages.note(strings.projectSaved(unclean));
+      messages.note(strings.projectSaved(null));
     } catch (error) {
       messages.alert(strings.projectNotSaved((error as Error).message));
     }

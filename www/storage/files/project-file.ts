@@ -1,6 +1,6 @@
 /**
- * A project as one file: a ZIP archive of `project.json` and the files of its photos and videos, with unchanged pixels
- * but without metadata.
+ * A project as one file: a ZIP archive of `project.json` and the files of its photos and videos, byte for byte. For files
+ * that are passed on, the user can remove metadata; pixels stay the same.
  */
 
 import { signal } from '@preact/signals';
@@ -10,6 +10,7 @@ import { createEditing } from '../../document/editing.ts';
 import { sheetsOf } from '../../engine/sheets.ts';
 import { fileNameOf } from '../../ui/file-name.ts';
 import { save as saveFile } from '../../ui/files.ts';
+import { rememberedSwitch } from '../../ui/remembered.ts';
 import { archiveOf, readArchive } from '../../engine/archive.ts';
 import { strippedOf } from '../../photos/identity.ts';
 import { projectJson, readProjectJson } from './project-json.ts';
@@ -27,6 +28,7 @@ import type { FilePhoto, FileProject } from './project-json.ts';
 import type { Signal } from '@preact/signals';
 
 export const EXTENSION = '.inkpanel';
+const CLEAN_KEY = 'inkpanel.clean';
 
 export function isProjectFile({ name }: { name: string }) {
   return name.toLowerCase().endsWith(EXTENSION);
@@ -38,18 +40,22 @@ export function createProjectFiles({
   messages,
   saving: saves,
   fileOpening,
+  box,
 }: {
   store: Store;
   engine: Pick<Engine, 'photos'>;
   messages: Pick<Messages, 'alert' | 'note'>;
   saving: Pick<Saving, 'filed'>;
   fileOpening: FileOpening;
+  box: () => Pick<Storage, 'getItem' | 'setItem'>;
 }) {
+  /** Whether location and camera data are removed. */
+  const clean = rememberedSwitch(box, CLEAN_KEY, false);
   /** The files that are in it by now, while it is made. */
   const saving: Signal<{ done: number; total: number } | null> = signal(null);
   let stop: AbortController | null = null;
 
-  return { save, open, saving, cancelSaving: () => stop?.abort() };
+  return { save, open, saving, clean, cancelSaving: () => stop?.abort() };
 
   /** Saves the project as a file for the user. */
   async function save() {
@@ -84,7 +90,7 @@ export function createProjectFiles({
     const blobs: Map<string, Blob> = new Map();
     for (const { id } of read) blobs.set(id, engine.photos.get(id).file);
     for (const { key, file } of videos) blobs.set(videoKey(key), file);
-    return packedProject({ history, facts: read, videos }, blobs, { work });
+    return packedProject({ history, facts: read, videos }, blobs, { clean: clean.on.peek(), work });
   }
 
   /** Opens a project file as another project. */
@@ -126,8 +132,8 @@ export function videoKey(key: string) {
 
 /**
  * @param blobs the files of its photos by id, and of its videos
- * @param how `version` of the history; `work`: each file counts twice, because it is read twice
- * @returns `unclean`: files whose place and date cannot be removed
+ * @param how `version` of the history; `clean`: without metadata; `work`: each file counts twice, because it is read twice
+ * @returns `unclean`: files whose place and date cannot be removed; null if the files are unchanged
  */
 export async function packedProject(
   {
@@ -136,8 +142,8 @@ export async function packedProject(
     videos,
   }: Pick<Snapshot, 'history' | 'facts'> & { videos: readonly (Omit<Video, 'file'> & { file: Blob })[] },
   blobs: ReadonlyMap<string, Blob>,
-  { version, work = {} }: { version?: number; work?: Work } = {},
-): Promise<{ file: Blob; name: string; unclean: string[] }> {
+  { version, clean = false, work = {} }: { version?: number; clean?: boolean; work?: Work } = {},
+): Promise<{ file: Blob; name: string; unclean: string[] | null }> {
   const { json, paths } = projectJson(
     history,
     facts.map((fact) => ({ ...fact, type: blobs.get(fact.id)?.type ?? '' })),
@@ -149,8 +155,9 @@ export async function packedProject(
   for (const [id, name] of paths) {
     work.signal?.throwIfAborted();
     work.onProgress?.(entries.length / 2, paths.size);
-    const { blob, clean } = await strippedOf(blobs.get(id) as Blob);
-    if (!clean)
+    const original = blobs.get(id) as Blob;
+    const { blob, clean: cleaned } = clean ? await strippedOf(original) : { blob: original, clean: true };
+    if (!cleaned)
       unclean.push(
         facts.find((fact) => fact.id === id)?.name ?? videos.find(({ key }) => videoKey(key) === id)?.name ?? name,
       );
@@ -160,7 +167,11 @@ export async function packedProject(
     signal: work.signal,
     onProgress: (done, total) => work.onProgress?.((paths.size * (1 + done / total)) / 2, paths.size),
   });
-  return { file: new Blob([file], { type: 'application/zip' }), name: projectFileName(history.present.name), unclean };
+  return {
+    file: new Blob([file], { type: 'application/zip' }),
+    name: projectFileName(history.present.name),
+    unclean: clean ? unclean : null,
+  };
 }
 
 /** @param name of a project */

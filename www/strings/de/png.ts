@@ -33,8 +33,14 @@ export const pngStrings = {
   useAsPhoto: 'Als Foto verwenden',
   backTo: (name: string) => `Zurück zu ${name}`,
 
-  projectSaved: (unclean: readonly string[]) =>
-    unclean.length === 0
-      ? 'Das Projekt wurde als Datei gespeichert, mit deinen Fotos in voller Größe, aber ohne Ort, Datum und Kamera.'
-      : `Das Projekt wurde als Datei gespeichert, mit deinen Fotos in voller Größe. ${some(unclean)} ${unclean.length === 1 ? 'verrät' : 'verraten'} vielleicht noch, wo und wann: Aus Dateien dieser Art kann Inkpanel das nicht entfernen.`,
+  removeMetadata: 'Orts- und Kameradaten entfernen',
+  removeMetadataHelp:
+    'Für Dateien, die du weitergibst. Auch das Datum wird entfernt. Neue Bücher können die Fotos dann nicht nach Tagen ordnen.',
+  /** @param unclean: files that kept their metadata; null if no metadata was removed */
+  projectSaved: (unclean: readonly string[] | null) =>
+    unclean === null
+      ? 'Das Projekt wurde als Datei gespeichert, mit deinen Originalfotos. Ort, Datum und Kameradaten sind enthalten.'
+      : unclean.length === 0
+        ? 'Das Projekt wurde als Datei gespeichert, mit deinen Fotos in voller Größe, aber ohne Ort, Datum und Kamera.'
+        : `Das Projekt wurde als Datei gespeichert, mit deinen Fotos in voller Größe. ${some(unclean)} ${unclean.length === 1 ? 'verrät' : 'verraten'} vielleicht noch, wo und wann: Aus Dateien dieser Art kann Inkpanel das nicht entfernen.`,
 };

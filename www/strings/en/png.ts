@@ -35,8 +35,13 @@ export const pngStrings = {
   useAsPhoto: 'Use as a photo',
   backTo: (name: string) => `Back to ${name}`,
 
-  projectSaved: (unclean: readonly string[]) =>
-    unclean.length === 0
-      ? 'The project was saved as a file, with your photos at full size, but without their place, date and camera.'
-      : `The project was saved as a file, with your photos at full size. ${some(unclean)} may still contain place and date, because Inkpanel cannot clean this file format.`,
+  removeMetadata: 'Remove location and camera data',
+  removeMetadataHelp: 'For files that you pass on. Dates are removed too, so new books cannot sort the photos by day.',
+  /** @param unclean: files that kept their metadata; null if no metadata was removed */
+  projectSaved: (unclean: readonly string[] | null) =>
+    unclean === null
+      ? 'The project was saved as a file, with your original photos. Their place, date and camera data are included.'
+      : unclean.length === 0
+        ? 'The project was saved as a file, with your photos at full size, but without their place, date and camera.'
+        : `The project was saved as a file, with your photos at full size. ${some(unclean)} may still contain place and date, because Inkpanel cannot clean this file format.`,
 };

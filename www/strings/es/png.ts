@@ -33,8 +33,14 @@ export const pngStrings = {
   useAsPhoto: 'Usar como foto',
   backTo: (name: string) => `Volver a ${name}`,
 
-  projectSaved: (unclean: readonly string[]) =>
-    unclean.length === 0
-      ? 'El proyecto se ha guardado como archivo, con tus fotos a tamaño completo, pero sin su lugar, fecha ni cámara.'
-      : `El proyecto se ha guardado como archivo, con tus fotos a tamaño completo. ${some(unclean)} quizá digan aún dónde y cuándo: Inkpanel no puede quitarlo de archivos de ese tipo.`,
+  removeMetadata: 'Quitar la ubicación y los datos de la cámara',
+  removeMetadataHelp:
+    'Para archivos que compartes. También se quitan las fechas, así que un libro nuevo no puede ordenar las fotos por días.',
+  /** @param unclean: files that kept their metadata; null if no metadata was removed */
+  projectSaved: (unclean: readonly string[] | null) =>
+    unclean === null
+      ? 'El proyecto se ha guardado como archivo, con tus fotos originales. Incluye su lugar, su fecha y los datos de la cámara.'
+      : unclean.length === 0
+        ? 'El proyecto se ha guardado como archivo, con tus fotos a tamaño completo, pero sin su lugar, fecha ni cámara.'
+        : `El proyecto se ha guardado como archivo, con tus fotos a tamaño completo. ${some(unclean)} quizá digan aún dónde y cuándo: Inkpanel no puede quitarlo de archivos de ese tipo.`,
 };

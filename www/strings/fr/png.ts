@@ -36,8 +36,14 @@ export const pngStrings = {
   useAsPhoto: 'Utiliser comme photo',
   backTo: (name: string) => `Revenir à ${name}`,
 
-  projectSaved: (unclean: readonly string[]) =>
-    unclean.length === 0
-      ? 'Le projet a été enregistré dans un fichier, avec vos photos en taille réelle, mais sans leur lieu, leur date ni leur appareil.'
-      : `Le projet a été enregistré dans un fichier, avec vos photos en taille réelle. ${some(unclean)} ${unclean.length === 1 ? 'dit' : 'disent'} peut-être encore où et quand : Inkpanel ne peut pas l’ôter des fichiers de ce type.`,
+  removeMetadata: 'Supprimer le lieu et les données d’appareil',
+  removeMetadataHelp:
+    'Pour les fichiers que vous transmettez. Les dates sont aussi supprimées : un nouveau livre ne peut plus classer les photos par jour.',
+  /** @param unclean: files that kept their metadata; null if no metadata was removed */
+  projectSaved: (unclean: readonly string[] | null) =>
+    unclean === null
+      ? 'Le projet a été enregistré dans un fichier, avec vos photos d’origine. Leur lieu, leur date et leurs données d’appareil y figurent.'
+      : unclean.length === 0
+        ? 'Le projet a été enregistré dans un fichier, avec vos photos en taille réelle, mais sans leur lieu, leur date ni leur appareil.'
+        : `Le projet a été enregistré dans un fichier, avec vos photos en taille réelle. ${some(unclean)} ${unclean.length === 1 ? 'dit' : 'disent'} peut-être encore où et quand : Inkpanel ne peut pas l’ôter des fichiers de ce type.`,
 };

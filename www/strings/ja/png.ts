@@ -30,8 +30,13 @@ export const pngStrings = {
   useAsPhoto: '写真として使う',
   backTo: (name: string) => `${name}に戻る`,
 
-  projectSaved: (unclean: readonly string[]) =>
-    unclean.length === 0
-      ? 'プロジェクトをファイルに保存しました。写真は原寸で入り、場所、日時、カメラの情報は入りません。'
-      : `プロジェクトをファイルに保存しました。写真は原寸で入ります。${some(unclean)}には場所や日時が残っているかもしれません。この種類のファイルからは取り除けません。`,
+  removeMetadata: '位置情報とカメラの情報を取り除く',
+  removeMetadataHelp: '人に渡すファイル向けです。日時も取り除かれるため、新しい本で写真を日ごとに並べられません。',
+  /** @param unclean: files that kept their metadata; null if no metadata was removed */
+  projectSaved: (unclean: readonly string[] | null) =>
+    unclean === null
+      ? 'プロジェクトをファイルに保存しました。元の写真がそのまま入り、場所、日時、カメラの情報も含まれます。'
+      : unclean.length === 0
+        ? 'プロジェクトをファイルに保存しました。写真は原寸で入り、場所、日時、カメラの情報は入りません。'
+        : `プロジェクトをファイルに保存しました。写真は原寸で入ります。${some(unclean)}には場所や日時が残っているかもしれません。この種類のファイルからは取り除けません。`,
 };

@@ -33,8 +33,14 @@ export const pngStrings = {
   useAsPhoto: 'Usar como foto',
   backTo: (name: string) => `Voltar a ${name}`,
 
-  projectSaved: (unclean: readonly string[]) =>
-    unclean.length === 0
-      ? 'O projeto foi salvo como arquivo, com suas fotos em tamanho total, mas sem lugar, data nem câmera.'
-      : `O projeto foi salvo como arquivo, com suas fotos em tamanho total. ${some(unclean)} talvez ainda ${unclean.length === 1 ? 'diga' : 'digam'} onde e quando: o Inkpanel não consegue tirar isso de arquivos desse tipo.`,
+  removeMetadata: 'Remover localização e dados da câmera',
+  removeMetadataHelp:
+    'Para arquivos que você passa adiante. As datas também são removidas, e um livro novo não pode ordenar as fotos por dia.',
+  /** @param unclean: files that kept their metadata; null if no metadata was removed */
+  projectSaved: (unclean: readonly string[] | null) =>
+    unclean === null
+      ? 'O projeto foi salvo como arquivo, com suas fotos originais. Ele inclui o lugar, a data e os dados da câmera.'
+      : unclean.length === 0
+        ? 'O projeto foi salvo como arquivo, com suas fotos em tamanho total, mas sem lugar, data nem câmera.'
+        : `O projeto foi salvo como arquivo, com suas fotos em tamanho total. ${some(unclean)} talvez ainda ${unclean.length === 1 ? 'diga' : 'digam'} onde e quando: o Inkpanel não consegue tirar isso de arquivos desse tipo.`,
 };

@@ -234,17 +234,30 @@ test('a PNG file without project data contains only the picture', async ({ page 
   await expect(page.getByRole('status').getByText('page.png was opened as a separate project')).toBeVisible();
 });
 
-test('a project file contains the photos without their place, date and camera', async ({ page }) => {
-  await openBoard(page, ['three photos with metadata'], await withMetadata(...SIX.slice(0, 3)));
+test('a project file contains the original photos, or photos without location and camera data', async ({ page }) => {
+  const originals = await withMetadata(...SIX.slice(0, 3));
+  await openBoard(page, ['three photos with metadata'], originals);
   const before = await picture(page);
   await page.getByLabel('Project name').fill('Back home');
   await page.getByRole('button', { name: 'Projects' }).click();
-  const project = (await saved(page, () => page.getByRole('button', { name: 'Save project' }).click())).bytes;
+  const save = async () => (await saved(page, () => page.getByRole('button', { name: 'Save project' }).click())).bytes;
+  const whole = await save();
+  for (const { name, buffer } of originals) expect(whole.includes(buffer), name).toBe(true);
+  await expect(page.getByRole('status').getByText('with your original photos')).toBeVisible();
+
+  const clean = page.getByLabel('Remove location and camera data');
+  await clean.check();
+  const project = await save();
   for (const secret of SECRETS) expect(project.includes(Buffer.from(secret, 'latin1')), secret).toBe(false);
   await expect(page.getByRole('status').getByText('without their place, date and camera')).toBeVisible();
-  await page.getByRole('button', { name: 'New project' }).click();
-  await drop(page, [{ name: 'back.inkpanel', mimeType: 'application/zip', buffer: project }]);
-  await expect(page.getByLabel('Project name')).toHaveValue('Back home');
-  await idle(page);
-  expect(await picture(page)).toBe(before);
+
+  for (const [i, buffer] of [whole, project].entries()) {
+    await page.getByRole('button', { name: 'New project' }).click();
+    await drop(page, [{ name: `back-${i}.inkpanel`, mimeType: 'application/zip', buffer }]);
+    await expect(page.getByLabel('Project name')).toHaveValue('Back home');
+    await idle(page);
+    expect(await picture(page)).toBe(before);
+    await page.getByRole('button', { name: 'Projects' }).click();
+    await expect(clean).toBeChecked();
+  }
 });
