@@ -1,5 +1,5 @@
 import { readFileSync, readdirSync } from 'node:fs';
-import { describe, expect, test } from 'vitest';
+import { describe, expect, test, vi } from 'vitest';
 import { endsOf, pictureEnds } from './animation-times.ts';
 
 const DATA = new URL('../../tests/oracles/data/', import.meta.url);
@@ -24,6 +24,21 @@ describe('the times of an animation', () => {
     const gif = new File([file('animations/kept.gif')], 'a.gif');
     expect(await pictureEnds(new File([file('animations/kept.gif')], 'a.jpg', { type: 'image/jpeg' }))).toEqual([]);
     expect(await pictureEnds(gif)).toHaveLength(6);
+  });
+
+  test('need only the head of a still WebP picture', async () => {
+    const whole = async (name: string) => {
+      const picture = new File([file(name)], 'a.webp');
+      const read = vi.spyOn(picture, 'arrayBuffer');
+      await pictureEnds(picture);
+      return read.mock.calls.length > 0;
+    };
+    const stills = readdirSync(new URL('files/', DATA)).filter(
+      (name) => /\.webp$/.test(name) && !name.includes('animated'),
+    );
+    expect(stills.length).toBeGreaterThan(2);
+    for (const name of stills) expect(await whole(`files/${name}`), name).toBe(false);
+    expect(await whole('animations/clear.webp')).toBe(true);
   });
 
   test('stand for what browsers do with a delay of nothing', () => {

@@ -8,6 +8,8 @@ const MOST_PICTURES = 3000;
 const MOST_PIXELS = 1.5e9;
 /** Maximum size of a file that is parsed. */
 const MOST_BYTES = 256 * 2 ** 20;
+/** Bytes up to the flags of a WebP file. */
+const WEBP_HEAD = 21;
 /** Delay in seconds that browsers use for delays of 10 ms or less. */
 const SHORTEST = 0.1;
 
@@ -16,15 +18,27 @@ export function mayMove(file: Blob & { name?: string }): boolean {
   return /^image\/(gif|webp)$/.test(file.type) || /\.(gif|webp)$/i.test(file.name ?? '');
 }
 
-/** @returns the ends in seconds, rising; empty for still images and other files */
+/** @returns the ends in seconds, rising; empty for still images and other files. Only files with animations are read whole. */
 export async function pictureEnds(file: Blob & { name?: string }): Promise<number[]> {
   if (!mayMove(file) || file.size > MOST_BYTES) return [];
   try {
+    if (isStillWebp(new Uint8Array(await file.slice(0, WEBP_HEAD).arrayBuffer()))) return [];
     return endsOf(new Uint8Array(await file.arrayBuffer()));
   } catch {
     // A file that cannot be read is reported when it is decoded.
     return [];
   }
+}
+
+/**
+ * Whether the head of a file is that of a WebP file without animation. Only the extended format (`VP8X`) has animations, and a
+ * flag for them.
+ * @param head the first bytes of a file
+ */
+function isStillWebp(head: Uint8Array): boolean {
+  const text = (from: number, to: number) => String.fromCharCode(...head.subarray(from, to));
+  if (text(0, 4) !== 'RIFF' || text(8, 12) !== 'WEBP' || head.length < WEBP_HEAD) return false;
+  return text(12, 16) !== 'VP8X' || (head[20] & 2) === 0;
 }
 
 /** @param bytes of a file */

@@ -119,13 +119,9 @@ export function createReading({
     } catch {
       return;
     }
-    const moving = new Map(
-      given.some(mayMove)
-        ? await Promise.all(
-            given.filter(mayMove).map(async (file) => [file, (await pictureEnds(file)).length] as const),
-          )
-        : [],
-    );
+    const moving: Map<File, number> = new Map();
+    // One after the other, so that the memory holds at most one of them.
+    for (const file of given.filter(mayMove)) moving.set(file, (await pictureEnds(file)).length);
     const films = await filmsAmong(given);
     const first = store.tray.peek().length === 0;
     // As one change: hundreds one by one would each be looked at by all that depends on the album.
