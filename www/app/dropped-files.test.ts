@@ -365,7 +365,7 @@ it('a drop that fails as a whole is reported with the names of its files', async
   tab.keeping.absentPhotos.fill = () => Promise.reject(new TypeError('broken'));
   const drops = dropsOn(tab);
   await drops.take(tab.files('a.jpg', 'b.jpg'));
-  expect(texts(tab)).toEqual(['a.jpg, b.jpg: reading it failed with an internal error: broken']);
+  expect(texts(tab)).toEqual(['a.jpg, b.jpg: an internal error occurred: broken']);
   expect(drops.busy.value).toBe(false);
 });
 

@@ -68,12 +68,13 @@ import { keepFocus } from './focus-keeper.ts';
 import { openFiles } from '../photos/file-input.tsx';
 import { createActions } from './actions.ts';
 import { enlarged } from '../page/panels/enlarging.ts';
+import { explain } from '../ui/explain.ts';
 import type { Parts } from '../ui/context.ts';
 
 const engine = createEngine({ sparing: isHandheld(window) });
 const ui = createUi(window);
 const messages = createMessages();
-const store = createStore({ onRefused: ({ message }) => void messages.alert(strings.notDone(message)) });
+const store = createStore({ onRefused: (error) => void messages.alert(strings.notDone(explain(error))) });
 const pages = createPages(store, {
   asked: (wish) => taste.asked(styling.asked(wish)),
   narrated: (page, at) => narrating.narrated(page, at),
@@ -209,7 +210,7 @@ engine.ready.then(
   },
   (error) => {
     keeping.running.value = false;
-    messages.grave(strings.coreFailed(error.message));
+    messages.grave(strings.coreFailed(explain(error)));
   },
 );
 

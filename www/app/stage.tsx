@@ -18,6 +18,7 @@ import { drawsParts, useSubjectsOf } from '../page/subjects-of.ts';
 import { styleOfPage } from '../styles/style-actions.ts';
 import { CoarseHide, CoarseMarks } from '../export/print-check.tsx';
 import { SafeArea } from '../page/safe-area.tsx';
+import { explain } from '../ui/explain.ts';
 import type { App } from '../ui/context.ts';
 import type { Store } from '../document/store.ts';
 
@@ -55,7 +56,7 @@ export function Stage() {
         // A sketch is not visible yet.
         ui.painted.value = store.sketch.peek() ? null : document;
       },
-      onError: ({ message, code }) => messages.alert(strings.panelFailed(strings.reasons[code ?? ''] ?? message)),
+      onError: (error) => messages.alert(strings.panelFailed(explain(error))),
     });
     painter.current = made;
     return () => {

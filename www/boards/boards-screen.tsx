@@ -15,6 +15,7 @@ import { BoardSettings } from './board-settings.tsx';
 import { Sheets } from './sheets.tsx';
 import { ShotsTable } from './shots-table.tsx';
 import './boards.css';
+import { explain } from '../ui/explain.ts';
 import type { ListKind } from '../engine/protocol.ts';
 
 /** Export formats of a storyboard, in the order of the list. */
@@ -53,7 +54,7 @@ function Tools() {
       const pages = isList(format) ? [] : await boards.sheets();
       await download.saveAs({ pages, format, inside: 'png', quality: USUAL_QUALITY, print: NO_PRINT });
     } catch (error) {
-      messages.alert(strings.exportFailed((error as Error).message));
+      messages.alert(strings.exportFailed(explain(error)));
     }
   }
 

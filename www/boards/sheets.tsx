@@ -7,6 +7,7 @@ import { subjectsOf } from '../page/subjects-of.ts';
 import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
+import { explain } from '../ui/explain.ts';
 
 /** Milliseconds without typing before the sheets are laid out again. */
 const REST_MS = 200;
@@ -29,7 +30,7 @@ export function Sheets() {
         const made = await boards.sheets();
         if (!gone) setSheets((before) => made.map((sheet, i) => (same(before[i], sheet) ? before[i] : sheet)));
       } catch (error) {
-        if (!gone) messages.alert(strings.boards.noSheets((error as Error).message));
+        if (!gone) messages.alert(strings.boards.noSheets(explain(error)));
       }
       if (!gone) setBusy(false);
     }, REST_MS);

@@ -16,6 +16,7 @@ import type { Column } from './boards.ts';
 import { Frame } from './frame.tsx';
 import type { Rate, ShotRow } from './shots.ts';
 import { lengthText, USUAL_SECONDS } from './shots.ts';
+import { explain } from '../ui/explain.ts';
 
 export function ShotsTable() {
   const { boards, messages } = useApp();
@@ -40,7 +41,7 @@ export function ShotsTable() {
       await navigator.clipboard.writeText(tabbed([columns.map(headingOf), ...lines]));
       messages.note(strings.boards.copied);
     } catch (error) {
-      messages.alert(strings.exportFailed((error as Error).message));
+      messages.alert(strings.exportFailed(explain(error)));
     }
   }
 

@@ -6,6 +6,7 @@
 import { computed, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { MOST, wellFormed } from '../document/limits.ts';
+import { explain } from '../ui/explain.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Ui } from '../app/ui.ts';
 import type { Pages } from '../document/pages.ts';
@@ -191,7 +192,7 @@ export function createDesigner({
     try {
       return planner.checkStyle(JSON.stringify(planner.draftFacts(now).style), now.name.trim() || now.id);
     } catch (error) {
-      messages.alert((error as Error).message);
+      messages.alert(explain(error));
       return null;
     }
   }

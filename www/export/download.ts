@@ -10,6 +10,7 @@ import { fileName, panelName } from './export-name.ts';
 import { FORMATS, isArchive, isFilm, isList } from './formats.ts';
 import { createMaking } from './page-making.ts';
 import { sized } from '../page/paper.ts';
+import { explain } from '../ui/explain.ts';
 import type { Animatics, AnimaticWish } from '../motion/animatics.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
@@ -169,7 +170,7 @@ export function createDownload({
       messages.note(strings.copied);
     } catch (error) {
       // The error of the picture itself is already reported.
-      if (await png) messages.alert(strings.copyFailed((error as Error).message));
+      if (await png) messages.alert(strings.copyFailed(explain(error)));
     }
   }
 

@@ -5,7 +5,7 @@
 
 import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { codeOf, reasonOf } from '../ui/importing.ts';
+import { codeOf, explain } from '../ui/explain.ts';
 import type { Signal } from '@preact/signals';
 import type { Ui } from '../app/ui.ts';
 import type { Store } from '../document/store.ts';
@@ -133,7 +133,7 @@ export function createImitation({
     } catch (error) {
       const code = codeOf(error);
       if (!ends.aborted && code !== 'cancelled') {
-        fault.value = reasonOf(error, strings.imitationReasons);
+        fault.value = explain(error, { reasons: strings.imitationReasons });
         doubted.value = code === 'plain-photo';
       }
     }

@@ -7,7 +7,7 @@
 import { signal } from '@preact/signals';
 import { MOST_SOUND } from '../engine/sounds.ts';
 import { strings } from '../strings/strings.ts';
-import { codeOf, reasonOf } from '../ui/importing.ts';
+import { codeOf, explain } from '../ui/explain.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Video } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
@@ -137,6 +137,6 @@ function sentence(error: unknown): string {
     case 'sound-undecodable':
       return says.undecodable;
     default:
-      return says.failed(reasonOf(error));
+      return says.failed(explain(error));
   }
 }

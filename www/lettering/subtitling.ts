@@ -11,7 +11,8 @@ import { readText } from '../engine/text-file.ts';
 import { textModule } from '../engine/text-module.ts';
 import { strings } from '../strings/strings.ts';
 import { importText } from '../ui/encodings.ts';
-import { importing, reasonOf } from '../ui/importing.ts';
+import { explain } from '../ui/explain.ts';
+import { importing } from '../ui/importing.ts';
 import { MOST } from '../document/limits.ts';
 import { isUsed } from '../document/album.ts';
 import { sheetsOf } from '../engine/sheets.ts';
@@ -94,7 +95,7 @@ export function createSubtitling({
     try {
       return await lay(script);
     } catch (error) {
-      messages.alert(strings.scriptFailed(reasonOf(error)));
+      messages.alert(strings.scriptFailed(explain(error)));
       return false;
     }
   }

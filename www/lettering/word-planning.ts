@@ -7,6 +7,7 @@ import { computed, effect, signal, untracked } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { MOST } from '../document/limits.ts';
 import { sheetsOf } from '../engine/sheets.ts';
+import { explain } from '../ui/explain.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument, Word } from '../engine/types.ts';
@@ -79,7 +80,7 @@ export function createWordPlanning({
       letters.value = await load();
       return letters.peek();
     } catch (error) {
-      messages.alert(strings.wordsFailed((error as Error).message));
+      messages.alert(strings.wordsFailed(explain(error)));
       return null;
     } finally {
       loading.value = false;

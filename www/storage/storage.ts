@@ -37,6 +37,7 @@ import { createProjects } from './projects.ts';
 import { rescued } from './rescue.ts';
 import { createSaving } from './saving.ts';
 import { sweep } from './sweeping.ts';
+import { explain } from '../ui/explain.ts';
 import type { Messages, Way } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
@@ -191,7 +192,7 @@ export function createKeeping({
       saveFile(file, name);
       messages.note(strings.projectSaved(null));
     } catch (error) {
-      messages.alert(strings.projectNotSaved((error as Error).message));
+      messages.alert(strings.projectNotSaved(explain(error)));
     }
   }
 
@@ -291,7 +292,7 @@ export function createKeeping({
       return;
     }
     if (told.why === why) return;
-    const message = messages.grave(strings.notSaved(why, error.message), {
+    const message = messages.grave(strings.notSaved(why, explain(error)), {
       label: strings.saveToFile,
       run: () => void files.save(),
     });

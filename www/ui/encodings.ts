@@ -2,6 +2,7 @@
 
 import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
+import { explain } from './explain.ts';
 import type { Signal } from '@preact/signals';
 import type { DecodedText } from '../engine/text-file.ts';
 import type { Store } from '../document/store.ts';
@@ -36,7 +37,7 @@ export async function importText(
   const again = (other: string) => {
     // After another edit, the import is no longer the last step.
     if (store.project.peek() === after && after !== before) store.change({ type: 'undo' });
-    void importText(file, { store, messages }, take, other).catch((error: Error) => messages.alert(error.message));
+    void importText(file, { store, messages }, take, other).catch((error) => messages.alert(explain(error)));
   };
   const says = [
     strings.textGuessed(encodingName(decoded.encoding)),

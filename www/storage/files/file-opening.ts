@@ -9,7 +9,8 @@ import { patience } from '../../engine/patience.ts';
 import { cancelled as stopped, failure } from '../../engine/protocol.ts';
 import { Priority } from '../../engine/queue.ts';
 import { strings } from '../../strings/strings.ts';
-import { codeOf, reasonOf, reportFailure } from '../../ui/importing.ts';
+import { codeOf, explain } from '../../ui/explain.ts';
+import { reportFailure } from '../../ui/importing.ts';
 import { freshPlace } from '../../document/place.ts';
 import { takenBy } from './project-json.ts';
 import { UNLIKE, placeholderOf } from '../../photos/placeholder.ts';
@@ -187,7 +188,7 @@ export function createFileOpening({
         return { ...known, measures: measured ? meta.measures : null, looked: subjects !== null };
       } catch (error) {
         if (watch.signal.aborted || ['cancelled', 'too-large-project'].includes(codeOf(error))) throw error;
-        failed.push({ name: fact.name, why: reasonOf(error) });
+        failed.push({ name: fact.name, why: explain(error) });
         return [];
       } finally {
         const now = progress.peek();

@@ -16,6 +16,7 @@ import { strippedOf } from '../../photos/identity.ts';
 import { projectJson, readProjectJson } from './project-json.ts';
 import { factsOf, photosOf } from '../snapshot.ts';
 import { damaged } from '../../engine/protocol.ts';
+import { explain } from '../../ui/explain.ts';
 import type { Messages } from '../../ui/messages.ts';
 import type { Fact, Video } from '../../document/album.ts';
 import type { Planner, Store } from '../../document/store.ts';
@@ -75,7 +76,7 @@ export function createProjectFiles({
       saves.filed();
       messages.note(strings.projectSaved(unclean));
     } catch (error) {
-      if (!cancelled.aborted) messages.alert(strings.projectNotSaved((error as Error).message));
+      if (!cancelled.aborted) messages.alert(strings.projectNotSaved(explain(error)));
     } finally {
       stop = null;
       saving.value = null;

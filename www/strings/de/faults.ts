@@ -1,7 +1,7 @@
 export const faultStrings = {
   fileFailed: (name: string, why: string) => `${name}: ${why}`,
   filesFailed: (n: number) => `${n} Dateien konnten nicht gelesen werden.`,
-  importBroken: (why: string) => `Beim Lesen trat ein interner Fehler auf: ${why}`,
+  internalError: (what: string) => `es trat ein interner Fehler auf: ${what}`,
   showList: 'Liste zeigen',
   moreFiles: (n: number) => `und ${n} weitere`,
   /** The core's own sentences are English, so all its codes are here. */

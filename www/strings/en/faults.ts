@@ -3,7 +3,7 @@
 export const faultStrings = {
   fileFailed: (name: string, why: string) => `${name}: ${why}`,
   filesFailed: (n: number) => `${n} files could not be read.`,
-  importBroken: (why: string) => `reading it failed with an internal error: ${why}`,
+  internalError: (what: string) => `an internal error occurred: ${what}`,
   showList: 'Show the list',
   moreFiles: (n: number) => `and ${n} more`,
   /** Reasons by error code. They replace the message of the core. */

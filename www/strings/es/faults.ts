@@ -1,7 +1,7 @@
 export const faultStrings = {
   fileFailed: (name: string, why: string) => `${name}: ${why}`,
   filesFailed: (n: number) => `No se han podido leer ${n} archivos.`,
-  importBroken: (why: string) => `un error interno impidió leerlo: ${why}`,
+  internalError: (what: string) => `se produjo un error interno: ${what}`,
   showList: 'Ver la lista',
   moreFiles: (n: number) => `y ${n} más`,
   /** The core's own sentences are English, so all its codes are here. */

@@ -1,7 +1,7 @@
 export const faultStrings = {
   fileFailed: (name: string, why: string) => `${name} : ${why}`,
   filesFailed: (n: number) => `${n} fichiers n’ont pas pu être lus.`,
-  importBroken: (why: string) => `une erreur interne a empêché sa lecture : ${why}`,
+  internalError: (what: string) => `une erreur interne s’est produite : ${what}`,
   showList: 'Voir la liste',
   moreFiles: (n: number) => (n < 2 ? `et ${n} autre` : `et ${n} autres`),
   /** The core's own sentences are English, so all its codes are here. */

@@ -38,7 +38,7 @@ export const pngStrings = {
 
   removeMetadata: 'Supprimer le lieu et les données d’appareil',
   removeMetadataHelp:
-    'Pour les fichiers que vous transmettez. Les dates sont aussi supprimées : un nouveau livre ne peut plus classer les photos par jour.',
+    'Pour les fichiers que vous transmettez. Les dates sont aussi supprimées : un nouveau livre ne peut plus classer les photos par jour.',
   /** @param unclean: files that kept their metadata; null if no metadata was removed */
   projectSaved: (unclean: readonly string[] | null) =>
     unclean === null

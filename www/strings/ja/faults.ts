@@ -1,7 +1,7 @@
 export const faultStrings = {
   fileFailed: (name: string, why: string) => `${name}：${why}`,
   filesFailed: (n: number) => `${n}個のファイルを読み込めませんでした。`,
-  importBroken: (why: string) => `内部エラーのため読み込めませんでした：${why}`,
+  internalError: (what: string) => `内部エラーが発生しました：${what}`,
   showList: '一覧を見る',
   moreFiles: (n: number) => `ほか${n}個`,
   /** The core's own sentences are English, so all its codes are here. */

@@ -1,7 +1,7 @@
 export const faultStrings = {
   fileFailed: (name: string, why: string) => `${name}: ${why}`,
   filesFailed: (n: number) => `Não foi possível ler ${n} arquivos.`,
-  importBroken: (why: string) => `um erro interno impediu a leitura: ${why}`,
+  internalError: (what: string) => `ocorreu um erro interno: ${what}`,
   showList: 'Ver a lista',
   moreFiles: (n: number) => `e mais ${n}`,
   /** The core's own sentences are English, so all its codes are here. */
