@@ -107,6 +107,7 @@ pub(crate) fn make(made: &Book) -> Result<(), Complaint> {
         photos: used_photos(chosen, &photos),
         page,
         style,
+        duplicate_threshold: chosen.duplicate_threshold,
         ordered: chosen.as_given.then_some(true),
         figures: Some(false),
         within: Families { layouts: Vec::new(), styles: chosen.style_family.clone() },

@@ -1,7 +1,7 @@
 //! Settings of `render` and `book` in a file. Each setting has the name of an option. The command line takes precedence.
 
 use crate::{Complaint, album};
-use clap::{Command, CommandFactory};
+use clap::{Arg, Command, CommandFactory};
 use serde_json::{Map, Value};
 use std::any::TypeId;
 use std::ffi::OsString;
@@ -82,12 +82,12 @@ fn options(
             files.extend(texts(&value, &key)?.into_iter().map(|file| located(&file, folder)));
             continue;
         }
-        let known = command.get_arguments().find(|argument| argument.get_long() == Some(name.as_str()));
+        let known = command.get_arguments().find(|argument| names(argument).contains(&name.as_str()));
         let known = known.filter(|_| name != "config").ok_or_else(|| format!("unknown setting \"{key}\""))?;
-        let option = format!("--{name}");
-        if is_said(said, &option, known.get_short()) {
+        if is_said(said, known) {
             continue;
         }
+        let option = format!("--{name}");
         if !known.get_action().takes_values() {
             match value {
                 Value::Bool(true) => options.push(option.into()),
@@ -111,12 +111,17 @@ fn options(
     Ok((options, files))
 }
 
-/// Whether an option is among the arguments, in full or in short.
-fn is_said(arguments: &[OsString], option: &str, short: Option<char>) -> bool {
+/// The name of an option, and its earlier names.
+fn names(option: &Arg) -> Vec<&str> {
+    option.get_long().into_iter().chain(option.get_all_aliases().unwrap_or_default()).collect()
+}
+
+/// Whether an option is among the arguments, by one of its names or in short.
+fn is_said(arguments: &[OsString], option: &Arg) -> bool {
     arguments.iter().filter_map(|argument| argument.to_str()).take_while(|text| *text != "--").any(|text| {
         let whole = text.split_once('=').map_or(text, |(option, _)| option);
-        whole == option
-            || short.is_some_and(|short| {
+        whole.strip_prefix("--").is_some_and(|name| names(option).contains(&name))
+            || option.get_short().is_some_and(|short| {
                 text.strip_prefix('-').is_some_and(|rest| !rest.starts_with('-') && rest.starts_with(short))
             })
     })
@@ -190,6 +195,11 @@ mod tests {
             made(settings, &["--style", "comic", "--", "--seed"]).unwrap(),
             ["--output=album/x.png", "--seed=7"]
         );
+        // Also by an earlier name of the option.
+        let settings = json!({ "duplicate_threshold": 8 });
+        assert_eq!(made(settings.clone(), &["--alike", "4"]).unwrap(), [""; 0]);
+        assert_eq!(made(settings, &[]).unwrap(), ["--duplicate-threshold=8"]);
+        assert_eq!(made(json!({ "alike": 8 }), &[]).unwrap(), ["--alike=8"]);
     }
 
     #[test]

@@ -42,7 +42,7 @@ use inkpanel::page::{Document, catalogue};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::raster::resize::Region;
-use inkpanel::select::{self, Measures};
+use inkpanel::select::{self, DUPLICATE_THRESHOLD, Measures};
 use inkpanel::style::faces::FaceBox;
 use inkpanel::style::part::subject_in;
 use inkpanel::style::{Context, Style, stylize};
@@ -138,9 +138,10 @@ enum Command {
         /// Print JSON.
         #[arg(long)]
         json: bool,
-        /// Maximum distance of two fingerprints, in bits, at which photos count as near-duplicates.
-        #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(0..=64))]
-        threshold: u32,
+        /// Maximum fingerprint distance of near-duplicates.
+        #[arg(long, alias = "threshold", value_name = "BITS", default_value_t = DUPLICATE_THRESHOLD)]
+        #[arg(value_parser = clap::value_parser!(u32).range(0..=64))]
+        duplicate_threshold: u32,
     },
     /// Detect faces and objects.
     Detect {
@@ -343,9 +344,10 @@ struct Chosen {
     /// Random seed. [default: 1]
     #[arg(long)]
     seed: Option<u32>,
-    /// Maximum fingerprint distance of near-duplicates. Only the best of them is used. [default: 10]
-    #[arg(long, value_name = "BITS", value_parser = clap::value_parser!(u32).range(0..=64))]
-    alike: Option<u32>,
+    // Not `default_value_t`, because options of a plan that equal their defaults count as not given.
+    #[arg(long, alias = "alike", value_name = "BITS", help = format!("Maximum fingerprint distance of near-duplicates, of which only the best is used [default: {DUPLICATE_THRESHOLD}]"))]
+    #[arg(value_parser = clap::value_parser!(u32).range(0..=64))]
+    duplicate_threshold: Option<u32>,
     /// Use all photos, including near-duplicates and blurred ones.
     #[arg(long)]
     keep_all: bool,
@@ -403,7 +405,7 @@ fn main() -> ExitCode {
         Command::Stylize { style, input, output, format, no_detect } => {
             stylize_photo(&style, (&input, !no_detect), &output, format.as_deref())
         }
-        Command::Select { files, json, threshold } => select_photos(&files, json, threshold),
+        Command::Select { files, json, duplicate_threshold } => select_photos(&files, json, duplicate_threshold),
         Command::Detect { files, json, models } => detect_photos(&files, json, models.as_deref()),
         Command::Segment { files, output, json, models } => {
             segments::segment(&files, &output, models.as_deref(), json)
@@ -557,6 +559,7 @@ fn plan_page(
         layout,
         style,
         panels: render.panels,
+        duplicate_threshold: render.album.duplicate_threshold,
         merge: Some(render.merge),
         figures: Some(render.figures),
         ordered: render.album.as_given.then_some(true),
@@ -675,7 +678,11 @@ fn used_photos(render: &Chosen, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMeta
     const FEW: usize = 10;
     let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
     let imported: Vec<&Imported> = photos.iter().map(|(_, photo)| photo).collect();
-    let choice = Choice { alike: render.alike, keep_all: render.keep_all, as_given: render.as_given };
+    let choice = Choice {
+        duplicate_threshold: render.duplicate_threshold,
+        keep_all: render.keep_all,
+        as_given: render.as_given,
+    };
     let (used, verdicts) = storyboard::chosen(&names, &imported, choice);
     let left: Vec<(&str, &str)> = names
         .iter()
@@ -753,14 +760,14 @@ fn faces_in(photo: &Image) -> Result<Vec<FaceBox>, Complaint> {
     Ok(Subject::protected(&found).map(face).collect())
 }
 
-fn select_photos(files: &[PathBuf], as_json: bool, threshold: u32) -> Result<(), Complaint> {
+fn select_photos(files: &[PathBuf], as_json: bool, duplicate_threshold: u32) -> Result<(), Complaint> {
     let photos = import_all(&album::files(files)?);
     if photos.is_empty() {
         return Err(Error::NoPhotos.to_string());
     }
     let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
     let measures: Vec<Measures> = photos.iter().map(|(_, photo)| photo.measures.clone()).collect();
-    let settings = select::Settings { threshold, ..select::Settings::default() };
+    let settings = select::Settings { duplicate_threshold, ..select::Settings::default() };
     let verdicts = select::choose(&names, &measures, &settings);
     let rows: Vec<Value> = photos
         .iter()

@@ -234,8 +234,8 @@ impl PageOptions {
 
     /// Maximum fingerprint distance, in bits of 64, at which two photos count as duplicates. Default: 10.
     #[must_use]
-    pub fn alike(mut self, bits: u32) -> Self {
-        self.choice.alike = Some(bits);
+    pub fn duplicate_threshold(mut self, bits: u32) -> Self {
+        self.choice.duplicate_threshold = Some(bits);
         self
     }
 
@@ -276,6 +276,7 @@ impl PageOptions {
             layout: self.layout.clone(),
             style: self.style.as_ref().map(Style::to_value),
             panels: self.panels,
+            duplicate_threshold: self.choice.duplicate_threshold,
             merge: Some(self.merge),
             ..Request::default()
         }

@@ -257,7 +257,7 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
             alike -= if a == b {
                 again(&seen[i]).min(again(&seen[j]))
             } else {
-                0.8 * f64::from(u8::from(photos.alike(a, b)))
+                0.8 * f64::from(u8::from(photos.are_duplicates(a, b)))
             };
         }
     }

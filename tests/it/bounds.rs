@@ -49,7 +49,7 @@ fn bounds() -> String {
 fn ranges() -> String {
     let [least_side, most_side] = SIDES;
     let [least_dpi, most_dpi] = DPI;
-    let [strict, loose] = select::THRESHOLDS;
+    let (standard, [min, max]) = (select::DUPLICATE_THRESHOLD, select::DUPLICATE_THRESHOLD_RANGE);
     let grouped = |value: u32| grouped(value as usize);
     [
         "/** Limits of a page: pixels per side, total pixels, DPI. */".to_owned(),
@@ -57,9 +57,8 @@ fn ranges() -> String {
         format!("  leastSide: {},\n  mostSide: {},", grouped(least_side), grouped(most_side)),
         format!("  mostPixels: {},", self::grouped(MOST_PIXELS as usize)),
         format!("  leastDpi: {},\n  mostDpi: {},\n}});\n", grouped(least_dpi), grouped(most_dpi)),
-        "/** Minimum and maximum setting of the fingerprint distance of near-duplicates, in bits. */"
-            .to_owned(),
-        format!("export const ALIKE = Object.freeze({{ strict: {strict}, loose: {loose} }});\n"),
+        "/** Maximum fingerprint distance of near-duplicates, in bits: default, and range in the app. */".to_owned(),
+        format!("export const DUPLICATE_THRESHOLD = Object.freeze({{ default: {standard}, min: {min}, max: {max} }});\n"),
         "/** Maximum number of panels of a first page, and default number of later pages. */".to_owned(),
         format!("export const USUAL_PANELS = {};\n", spreading::USUAL),
     ]

@@ -101,7 +101,7 @@ pub fn check_layout(json: &str, file: &str) -> std::result::Result<String, JsVal
     Template::parse(file, json).map(|template| template.to_json()).map_err(thrown)
 }
 
-/// Which photos of `{photos: [{id, name, measures...}], threshold}` are worth a panel: `[{id, group, kept, why}]`.
+/// Which photos of `{photos: [{id, name, measures...}], duplicateThreshold}` are worth a panel: `[{id, group, kept, why}]`.
 #[wasm_bindgen]
 pub fn choose_photos(json: &str) -> std::result::Result<String, JsValue> {
     catalogue::choose(json).map_err(thrown)
