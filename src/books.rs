@@ -3,7 +3,7 @@
 use crate::destination::Output;
 use crate::drawing::Kind;
 use crate::{
-    Chosen, Complaint, How, NO_OUTPUT, add_subjects, album, check_strict, done, drawing, import_all, name,
+    Chosen, CliError, How, NO_OUTPUT, add_subjects, album, check_strict, done, drawing, import_all, name,
     plans, print, projects, star, style_value, telling, used_photos, write_album,
 };
 use clap::ValueEnum;
@@ -69,11 +69,8 @@ pub(crate) struct Book {
 ///
 /// # Errors
 /// A sentence for bad input.
-pub(crate) fn make(made: &Book) -> Result<(), Complaint> {
+pub(crate) fn make(made: &Book) -> Result<(), CliError> {
     let Book { chosen, how, files: given, .. } = made;
-    if how.progress == "json" {
-        telling::as_json();
-    }
     let output = made.output.as_deref().map(|path| Output::new(path, how.format.as_deref())).transpose()?;
     if let Some(output) = &output {
         how.printing.check(Kind::of(&output.named)?)?;
@@ -86,7 +83,7 @@ pub(crate) fn make(made: &Book) -> Result<(), Complaint> {
             return Ok(());
         }
         if matches!(Kind::of(&output.named), Ok(Kind::Shots(_))) {
-            return Err(format!("{}: a shot list needs a saved project", output.path.display()));
+            return Err(format!("{}: a shot list needs a saved project", output.path.display()).into());
         }
     } else if !chosen.json && how.save_document.is_none() {
         return Err(NO_OUTPUT.into());
@@ -151,12 +148,11 @@ fn planned(
     wish: Wish,
     photos: &[(PathBuf, Imported)],
     fonts: &GivenFonts,
-) -> Result<(Vec<BookPage>, String), Complaint> {
-    let complain = |error: inkpanel::Error| error.to_string();
+) -> Result<(Vec<BookPage>, String), CliError> {
     let shelf = Shelf::new(request.photos.len());
-    let mut book = book::Book::new(request, wish, &shelf, MOST_SHEETS).map_err(complain)?;
+    let mut book = book::Book::new(request, wish, &shelf, MOST_SHEETS)?;
     let (title, of) = (book.title().to_owned(), book.len());
-    while book.step().map_err(complain)? {
+    while book.step()? {
         telling::step(&json!({ "event": "planned", "done": book.done(), "of": of }), None);
     }
     let known = |id: &str| {
@@ -166,22 +162,22 @@ fn planned(
     let mut pages = book.pages();
     for page in &mut pages {
         let document = &mut page.planned.document;
-        let letters = fonts.letters(&document.words).map_err(complain)?;
-        place::settle(document, known, &letters).map_err(complain)?;
+        let letters = fonts.letters(&document.words)?;
+        place::settle(document, known, &letters)?;
     }
     Ok((pages, title))
 }
 
 /// Returns the plan as JSON, as `render` does, with the title of the book, and the purpose and chapter of
 /// each page.
-fn told(title: &str, pages: &[BookPage], photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {
+fn told(title: &str, pages: &[BookPage], photos: &[(PathBuf, Imported)]) -> Result<Value, CliError> {
     let page = |page: &BookPage| {
         let mut told = plans::told_page(&page.planned, photos)?;
         told["role"] = json!(page.role.name());
         told["chapter"] = json!(page.chapter + 1);
         let texts = page.planned.document.words.iter().filter(|word| word["number"] != json!(true));
         told["texts"] = texts.map(|word| word["text"].clone()).collect();
-        Ok::<_, Complaint>(told)
+        Ok::<_, CliError>(told)
     };
     let pages = pages.iter().map(page).collect::<Result<Vec<_>, _>>()?;
     Ok(json!({ "title": title, "pages": pages }))

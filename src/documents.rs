@@ -2,7 +2,7 @@
 
 use crate::destination::{Output, write};
 use crate::segments::Masks;
-use crate::{Complaint, How, check_strict, decode_file, done, drawing, name, plans, reading};
+use crate::{CliError, How, check_strict, decode_file, done, drawing, name, plans, reading};
 use inkpanel::document::sheets::photos_on;
 use inkpanel::page::Document;
 use serde_json::Value;
@@ -24,7 +24,7 @@ pub(crate) fn save(
     paths: &HashMap<&str, &Path>,
     several: bool,
     file: &Path,
-) -> Result<(), Complaint> {
+) -> Result<(), CliError> {
     let named = |id: &str| -> String {
         let Some(path) = paths.get(id) else { return id.to_owned() };
         let alone = paths.values().filter(|other| name(other) == name(path)).count() == 1;
@@ -49,14 +49,15 @@ pub(crate) fn save(
 ///
 /// # Errors
 /// A sentence, if the file is not a page, or a photo is neither in `files` nor next to the file.
-pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -> Result<(), Complaint> {
-    let complain = |reason: String| format!("{}: {reason}", file.display());
+pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -> Result<(), CliError> {
+    let complain = |error: CliError| error.at(file.display());
     let pages = read(file).map_err(complain)?;
     let shown: Vec<&Document> = pages.iter().collect();
     let mut paths: HashMap<String, PathBuf> = HashMap::new();
     for photo in photos_on(&shown) {
         let path = found(photo, file, files).ok_or_else(|| {
-            complain(format!("the photo {photo} is neither in its folder nor among the given photos"))
+            let why = format!("the photo {photo} is neither in its folder nor among the given photos");
+            complain(CliError::new("missing-photo", why))
         })?;
         paths.insert(photo.to_owned(), path);
     }
@@ -87,23 +88,20 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
     done(&plans::draw_all(&pages, &means, output, (how.skip_existing, &|_, file| Ok(file), printed))?)
 }
 
-fn read(file: &Path) -> Result<Vec<Document>, Complaint> {
+fn read(file: &Path) -> Result<Vec<Document>, CliError> {
     let text = crate::album::text(file)?;
     if text.len() as u64 > MOST {
-        return Err(format!("is larger than {} MB", MOST >> 20));
+        return Err(CliError::new("too-large", format!("is larger than {} MB", MOST >> 20)));
     }
-    let value: Value = serde_json::from_str(&text).map_err(|error| format!("not valid JSON: {error}"))?;
+    let value: Value = serde_json::from_str(&text).map_err(CliError::not_json)?;
     let values = match value {
         Value::Array(values) => values,
         value => vec![value],
     };
     if values.is_empty() || values.len() > MOST_PAGES {
-        return Err(format!("must have from 1 to {MOST_PAGES} pages"));
+        return Err(CliError::new("invalid-document", format!("must have from 1 to {MOST_PAGES} pages")));
     }
-    values
-        .iter()
-        .map(|value| Document::parse(&value.to_string()).map_err(|error| error.to_string()))
-        .collect()
+    values.iter().map(|value| Ok(Document::parse(&value.to_string())?)).collect()
 }
 
 /// Returns the file of a photo: a given file with this name, or a file in a folder next to the page.

@@ -8,7 +8,7 @@ use inkpanel::style::{Context, Style, aesthetic, procedural, stylize};
 use rayon::prelude::*;
 use serde_json::Value;
 
-use crate::{Complaint, decode_file_fit, detectors, telling};
+use crate::{CliError, decode_file_fit, detectors, telling};
 
 /// Long side of the picture that is scored.
 const SIDE: usize = 256;
@@ -21,7 +21,7 @@ pub(crate) fn invent(
     count: u32,
     photo: Option<&Path>,
     models: Option<&Path>,
-) -> Result<Value, Complaint> {
+) -> Result<Value, CliError> {
     let photo = photo.map(|path| decode_file_fit(path, SIDE)).transpose()?;
     let net = photo.as_ref().and_then(|_| judge(models));
     let styles = (0..count).into_par_iter().map(|i| {

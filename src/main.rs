@@ -9,6 +9,7 @@ mod album;
 mod animating;
 mod boards;
 mod books;
+mod cli_error;
 mod config;
 mod destination;
 mod detectors;
@@ -46,16 +47,17 @@ use inkpanel::select::{self, DUPLICATE_THRESHOLD, Measures};
 use inkpanel::style::faces::FaceBox;
 use inkpanel::style::part::subject_in;
 use inkpanel::style::{Context, Style, stylize};
-use inkpanel::{Error, style};
+use inkpanel::{Error, style, survived};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::collections::HashMap;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use album::told;
+use cli_error::CliError;
 use destination::{Output, print_lines};
 use drawing::Kind;
 use paper::Paper;
@@ -288,6 +290,7 @@ struct How {
     skip_existing: bool,
     /// Format of the progress on standard error: text, or one JSON object per line.
     #[arg(long, value_name = "FORM", value_parser = ["text", "json"], default_value = "text")]
+    #[allow(dead_code, reason = "`wants_json` reads it, also if other arguments are wrong")]
     progress: String,
     /// Project data to store in a PNG: none, the pages, or the pages and the original photos.
     #[arg(long, value_name = "WHAT", value_parser = ["none", "project", "photos"], default_value = "none")]
@@ -375,21 +378,33 @@ fn layout_families() -> PossibleValuesParser {
     layout::FAMILIES.into_iter().filter(has_layouts).collect::<Vec<_>>().into()
 }
 
-/// A sentence about what went wrong, for people.
-type Complaint = String;
+/// Exit code for wrong usage.
+const USAGE: u8 = 2;
 
 fn main() -> ExitCode {
-    let (arguments, listed) = match config::expanded::<Cli>(std::env::args_os().collect()) {
+    let arguments: Vec<OsString> = std::env::args_os().collect();
+    if wants_json(&arguments) {
+        telling::as_json();
+    }
+    let (arguments, listed) = match config::expanded::<Cli>(arguments) {
         Ok(expanded) => expanded,
-        Err(complaint) => {
-            telling::failure(&complaint);
-            return ExitCode::from(2);
-        }
+        Err(error) => return failed(&error, USAGE),
     };
-    let done = match Cli::parse_from(arguments).command {
+    if wants_json(&arguments) {
+        telling::as_json();
+    }
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(error) => return wrong_usage(&error),
+    };
+    let done = match cli.command {
         Command::Render(mut render) => {
             if render.files.is_empty() {
                 render.files = listed;
+            }
+            if render.files.is_empty() && render.document.is_none() {
+                let why = "no photos and no saved project given";
+                return wrong_usage(&Cli::command().error(ErrorKind::MissingRequiredArgument, why));
             }
             render_page(&render)
         }
@@ -405,7 +420,9 @@ fn main() -> ExitCode {
         Command::Stylize { style, input, output, format, no_detect } => {
             stylize_photo(&style, (&input, !no_detect), &output, format.as_deref())
         }
-        Command::Select { files, json, duplicate_threshold } => select_photos(&files, json, duplicate_threshold),
+        Command::Select { files, json, duplicate_threshold } => {
+            select_photos(&files, json, duplicate_threshold)
+        }
         Command::Detect { files, json, models } => detect_photos(&files, json, models.as_deref()),
         Command::Segment { files, output, json, models } => {
             segments::segment(&files, &output, models.as_deref(), json)
@@ -425,29 +442,41 @@ fn main() -> ExitCode {
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
-        Err(complaint) => {
-            telling::failure(&complaint);
-            ExitCode::from(1)
-        }
+        Err(error) => failed(&error, 1),
     }
 }
 
-fn render_page(render: &Render) -> Result<(), Complaint> {
-    let Render { planned, how, page, board, document, output, files } = render;
-    if how.progress == "json" {
-        telling::as_json();
+/// Reports an error.
+fn failed(error: &CliError, code: u8) -> ExitCode {
+    telling::failure(error);
+    ExitCode::from(code)
+}
+
+/// Reports an error of the argument parser, or prints the requested help.
+fn wrong_usage(error: &clap::Error) -> ExitCode {
+    if !(telling::is_json() && error.use_stderr()) {
+        error.exit();
     }
+    let text = error.render().to_string();
+    let message = text.lines().next().unwrap_or_default();
+    failed(&message.strip_prefix("error: ").unwrap_or(message).into(), USAGE)
+}
+
+/// Whether the arguments ask for progress as JSON. Errors of the arguments follow the format as well.
+fn wants_json(arguments: &[OsString]) -> bool {
+    let options = || arguments.iter().take_while(|argument| *argument != "--");
+    options().any(|argument| argument == "--progress=json")
+        || options().zip(options().skip(1)).any(|(option, form)| option == "--progress" && form == "json")
+}
+
+fn render_page(render: &Render) -> Result<(), CliError> {
+    let Render { planned, how, page, board, document, output, files } = render;
     let output = output.as_deref().map(|path| Output::new(path, how.format.as_deref())).transpose()?;
     if let Some(output) = &output {
         how.printing.check(Kind::of(&output.named)?)?;
     }
     if planned.album.json && output.as_ref().is_some_and(|output| album::is_standard(&output.path)) {
         return Err("--json and the page cannot both go to standard output".into());
-    }
-    if files.is_empty() && document.is_none() {
-        Cli::command()
-            .error(ErrorKind::MissingRequiredArgument, "no photos and no saved project given")
-            .exit();
     }
     if let Some(output) = output.as_ref().filter(|output| how.skip_existing && is_made(output, planned)) {
         let event = json!({ "event": "skipped", "file": output.path.display().to_string() });
@@ -468,12 +497,12 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
         return done(&reopening::draw(saved?, file, (*page, *board), (output, how))?);
     }
     if let Some(project) = files.iter().find(|file| reopening::is_project(file)) {
-        return Err(format!("{}: a project cannot be combined with other files", project.display()));
+        return Err(format!("{}: a project cannot be combined with other files", project.display()).into());
     }
     if let Some(output) =
         output.as_ref().filter(|output| matches!(Kind::of(&output.named), Ok(Kind::Shots(_))))
     {
-        return Err(format!("{}: a shot list needs a saved project", output.path.display()));
+        return Err(format!("{}: a shot list needs a saved project", output.path.display()).into());
     }
     if board.is_some() {
         return Err("--board needs a saved project".into());
@@ -507,31 +536,29 @@ fn output_name(output: Option<&Output>) -> &Path {
 const NO_OUTPUT: &str = "--output is missing: name the output file";
 
 /// Rejects options for planning if the input is a saved page.
-fn planned_already(planned: &Planned, file: &Path) -> Result<(), Complaint> {
+fn planned_already(planned: &Planned, file: &Path) -> Result<(), CliError> {
     if *planned == Planned::default() {
         return Ok(());
     }
-    Err(format!("{}: a saved page takes only --output, --page and the print options", told(file)))
+    Err(format!("{}: a saved page takes only --output, --page and the print options", told(file)).into())
 }
 
 /// Reports the end of the run.
 #[allow(clippy::unnecessary_wraps, reason = "callers return it as their result")]
-fn done(files: &[PathBuf]) -> Result<(), Complaint> {
+fn done(files: &[PathBuf]) -> Result<(), CliError> {
     let files: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
     telling::step(&json!({ "event": "done", "files": files }), None);
     Ok(())
 }
 
 /// With `--strict`, a warning is an error.
-fn check_strict(how: &How) -> Result<(), Complaint> {
+fn check_strict(how: &How) -> Result<(), CliError> {
     let notes = telling::notes();
     if !how.strict || notes == 0 {
         return Ok(());
     }
-    Err(match notes {
-        1 => "--strict: 1 warning, so nothing is written".into(),
-        many => format!("--strict: {many} warnings, so nothing is written"),
-    })
+    let warnings = if notes == 1 { "1 warning".to_owned() } else { format!("{notes} warnings") };
+    Err(CliError::new("warnings", format!("--strict: {warnings}, so nothing is written")))
 }
 
 fn plan_page(
@@ -539,7 +566,7 @@ fn plan_page(
     how: &How,
     output: Option<&Output>,
     (files, album_name): (&[PathBuf], &str),
-) -> Result<(), Complaint> {
+) -> Result<(), CliError> {
     let layout = render.layout.as_deref().map(layout_value).transpose()?;
     let style = render.album.style.as_deref().map(style_value).transpose()?;
     let is_pdf = output.is_some_and(|output| matches!(Kind::of(&output.named), Ok(Kind::Pdf)));
@@ -566,8 +593,7 @@ fn plan_page(
         within: Families { layouts: render.layout_family.clone(), styles: render.album.style_family.clone() },
         ..Request::default()
     };
-    let mut pages = storyboard::pages(&request, render.pages.map(|pages| pages as usize))
-        .map_err(|error| error.to_string())?;
+    let mut pages = storyboard::pages(&request, render.pages.map(|pages| pages as usize))?;
     if let (Some(file), Some(first)) = (&render.words, pages.first_mut()) {
         drawing::add_words(&mut first.document, file, &photos, &fonts)?;
     }
@@ -600,7 +626,7 @@ fn write_album(
     fonts: &GivenFonts,
     output: Option<&Output>,
     (how, several, chosen): (&How, bool, &Chosen),
-) -> Result<Vec<PathBuf>, Complaint> {
+) -> Result<Vec<PathBuf>, CliError> {
     let photos = album.photos;
     let paths: HashMap<&str, &Path> =
         photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path.as_path())).collect();
@@ -628,7 +654,7 @@ fn write_pages(
     means: &drawing::Means<'_>,
     output: &Output,
     (how, several): (&How, bool),
-) -> Result<Vec<PathBuf>, Complaint> {
+) -> Result<Vec<PathBuf>, CliError> {
     let kind = Kind::of(&output.named)?;
     if kind == Kind::Project {
         output.write(&album.packed()?)?;
@@ -712,11 +738,11 @@ fn stylize_photo(
     (input, detects): (&Path, bool),
     output: &Path,
     format: Option<&str>,
-) -> Result<(), Complaint> {
+) -> Result<(), CliError> {
     let output = Output::new(output, format)?;
     let kind = Kind::of(&output.named)?;
     if matches!(kind, Kind::Pdf | Kind::Project | Kind::Comic(_) | Kind::Shots(_)) {
-        return Err(format!("{}: stylize writes .png, .jpg or .webp", output.path.display()));
+        return Err(format!("{}: stylize writes .png, .jpg or .webp", output.path.display()).into());
     }
     let style = read_style(style)?;
     let image = decode_file(input)?;
@@ -733,13 +759,13 @@ fn stylize_photo(
             (&image, context.scale()),
         ));
     }
-    let drawn = stylize(&image, &style, &mut context).map_err(|error| error.to_string())?;
+    let drawn = stylize(&image, &style, &mut context)?;
     let size = (drawn.width(), drawn.height());
     output.write(&drawing::encoded(kind, size, &drawn.to_rgb(), (96, QUALITY))?)
 }
 
 /// The faces of a photo in its pixels, or its animals if it has no faces. None without the models, which is printed.
-fn faces_in(photo: &Image) -> Result<Vec<FaceBox>, Complaint> {
+fn faces_in(photo: &Image) -> Result<Vec<FaceBox>, CliError> {
     let detectors = match detectors::load(None) {
         Ok(detectors) => detectors,
         Err(complaint) => {
@@ -747,7 +773,7 @@ fn faces_in(photo: &Image) -> Result<Vec<FaceBox>, Complaint> {
             return Ok(Vec::new());
         }
     };
-    let found = detectors.detect(photo).map_err(|error| error.to_string())?;
+    let found = detectors.detect(photo)?;
     let mut found: Vec<Subject> = found.into_iter().map(Into::into).collect();
     found.sort_by(|a, b| b.height.total_cmp(&a.height));
     let (across, down) = (photo.width() as f64, photo.height() as f64);
@@ -760,10 +786,10 @@ fn faces_in(photo: &Image) -> Result<Vec<FaceBox>, Complaint> {
     Ok(Subject::protected(&found).map(face).collect())
 }
 
-fn select_photos(files: &[PathBuf], as_json: bool, duplicate_threshold: u32) -> Result<(), Complaint> {
+fn select_photos(files: &[PathBuf], as_json: bool, duplicate_threshold: u32) -> Result<(), CliError> {
     let photos = import_all(&album::files(files)?);
     if photos.is_empty() {
-        return Err(Error::NoPhotos.to_string());
+        return Err(Error::NoPhotos.into());
     }
     let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
     let measures: Vec<Measures> = photos.iter().map(|(_, photo)| photo.measures.clone()).collect();
@@ -792,11 +818,11 @@ fn select_photos(files: &[PathBuf], as_json: bool, duplicate_threshold: u32) -> 
     }))
 }
 
-fn detect_photos(files: &[PathBuf], as_json: bool, models: Option<&Path>) -> Result<(), Complaint> {
+fn detect_photos(files: &[PathBuf], as_json: bool, models: Option<&Path>) -> Result<(), CliError> {
     let detectors = detectors::load(models)?;
     let photos = import_all(&album::files(files)?);
     if photos.is_empty() {
-        return Err(Error::NoPhotos.to_string());
+        return Err(Error::NoPhotos.into());
     }
     let found = detectors::run(&detectors, &photos);
     let rows = photos.iter().zip(&found).map(|((path, photo), found)| {
@@ -831,7 +857,7 @@ fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) -> bo
     true
 }
 
-fn shots_of(film: &Path, frames: Option<u32>, as_json: bool) -> Result<(), Complaint> {
+fn shots_of(film: &Path, frames: Option<u32>, as_json: bool) -> Result<(), CliError> {
     let shots = films::shots(film, frames.map(|frames| frames as usize))?;
     if as_json {
         return print(&shots);
@@ -845,19 +871,19 @@ fn shots_of(film: &Path, frames: Option<u32>, as_json: bool) -> Result<(), Compl
 }
 
 /// Prints JSON.
-fn print(value: &Value) -> Result<(), Complaint> {
+fn print(value: &Value) -> Result<(), CliError> {
     list(value, true)
 }
 
 /// Prints a catalogue.
-fn list(catalogue: &impl serde::Serialize, as_json: bool) -> Result<(), Complaint> {
+fn list(catalogue: &impl serde::Serialize, as_json: bool) -> Result<(), CliError> {
     // Converted to text first: a JSON value stores the numbers of layouts as f64, which prints other digits
     // than the app uses.
-    let text = serde_json::to_string(catalogue).map_err(|error| error.to_string())?;
+    let text = serde_json::to_string(catalogue).map_err(CliError::fault)?;
     if as_json {
         return print_lines([text]);
     }
-    let catalogue: Value = serde_json::from_str(&text).map_err(|error| error.to_string())?;
+    let catalogue: Value = serde_json::from_str(&text).map_err(CliError::fault)?;
     print_lines(catalogue.as_array().into_iter().flatten().map(|item| {
         let field = |key: &str| item[key].as_str().unwrap_or_default();
         let label = if field("name").is_empty() { field("label") } else { field("name") };
@@ -869,14 +895,14 @@ fn list(catalogue: &impl serde::Serialize, as_json: bool) -> Result<(), Complain
 fn import_all(files: &[PathBuf]) -> Vec<(PathBuf, Imported)> {
     let limits = Limits::default();
     let count = AtomicUsize::new(0);
-    let read: Vec<Result<Imported, Complaint>> = files
+    let read: Vec<Result<Imported, CliError>> = files
         .par_iter()
         .enumerate()
         .map(|(i, path)| {
             let photo = album::read(path).and_then(|bytes| {
                 survived(|| {
-                    import(&format!("photo-{i}"), &bytes, &limits)
-                        .map_err(|error| clearer(error, name(path), &bytes))
+                    Ok(import(&format!("photo-{i}"), &bytes, &limits)
+                        .map_err(|error| clearer(error, name(path), &bytes))?)
                 })
             });
             let done = count.fetch_add(1, Ordering::Relaxed) + 1;
@@ -898,50 +924,41 @@ fn import_all(files: &[PathBuf]) -> Vec<(PathBuf, Imported)> {
     photos
 }
 
-/// Runs `work` on one file. If it panics, because of a bug here or in a decoder, the panic becomes the error
-/// of this file. The panic message is already on standard error.
-fn survived<T>(work: impl FnOnce() -> inkpanel::Result<T>) -> Result<T, Complaint> {
-    // Nothing reads the state that a panic may leave incomplete.
-    match catch_unwind(AssertUnwindSafe(work)) {
-        Ok(done) => done.map_err(|error| error.to_string()),
-        Err(_) => Err("internal error while reading this file; please report it".to_owned()),
-    }
-}
-
-fn decode_file(path: &Path) -> Result<Image, Complaint> {
+fn decode_file(path: &Path) -> Result<Image, CliError> {
     decode_file_fit(path, usize::MAX)
 }
 
-fn decode_file_fit(path: &Path, longest: usize) -> Result<Image, Complaint> {
-    let complain = |reason: String| format!("{}: {reason}", told(path));
+fn decode_file_fit(path: &Path, longest: usize) -> Result<Image, CliError> {
+    let complain = |error: CliError| error.at(told(path));
     let bytes = album::read(path).map_err(complain)?;
     let decode = || {
-        decode_fit(&bytes, &Limits::default(), longest).map_err(|error| clearer(error, name(path), &bytes))
+        let decoded = decode_fit(&bytes, &Limits::default(), longest);
+        Ok(decoded.map_err(|error| clearer(error, name(path), &bytes))?)
     };
     let decoded = survived(decode).map_err(complain)?;
     telling::damage(&told(path), decoded.damage);
     Ok(decoded.image)
 }
 
-fn read_style(id_or_file: &str) -> Result<Style, Complaint> {
+fn read_style(id_or_file: &str) -> Result<Style, CliError> {
     if !Path::new(id_or_file).is_file() {
-        return style::catalogue::find(id_or_file).cloned().map_err(|error| error.to_string());
+        return Ok(style::catalogue::find(id_or_file)?.clone());
     }
-    let json = album::text(Path::new(id_or_file)).map_err(|error| format!("{id_or_file}: {error}"))?;
-    Style::parse(id_or_file, &json).map_err(|error| error.to_string())
+    let json = album::text(Path::new(id_or_file)).map_err(|error| error.at(id_or_file))?;
+    Ok(Style::parse(id_or_file, &json)?)
 }
 
-fn style_value(id_or_file: &str) -> Result<Value, Complaint> {
+fn style_value(id_or_file: &str) -> Result<Value, CliError> {
     read_style(id_or_file).map(|style| style.to_value())
 }
 
-fn layout_value(id_or_file: &str) -> Result<Value, Complaint> {
+fn layout_value(id_or_file: &str) -> Result<Value, CliError> {
     if !Path::new(id_or_file).is_file() {
         return Ok(Value::String(id_or_file.to_owned()));
     }
-    let json = album::text(Path::new(id_or_file)).map_err(|error| format!("{id_or_file}: {error}"))?;
-    Template::parse(id_or_file, &json).map_err(|error| error.to_string())?;
-    serde_json::from_str(&json).map_err(|error| format!("{id_or_file}: {error}"))
+    let json = album::text(Path::new(id_or_file)).map_err(|error| error.at(id_or_file))?;
+    Template::parse(id_or_file, &json)?;
+    serde_json::from_str(&json).map_err(|error| CliError::not_json(error).at(id_or_file))
 }
 
 fn name(path: &Path) -> &str {
@@ -957,10 +974,11 @@ mod tests {
         let files = [0, 1, 2];
         let read: Vec<_> = files
             .par_iter()
-            .map(|&file| survived(|| if file == 1 { panic!("a fault") } else { Ok(file) }))
+            .map(|&file| survived::<_, CliError>(|| if file == 1 { panic!("a fault") } else { Ok(file) }))
             .collect();
         assert_eq!((read[0].as_ref(), read[2].as_ref()), (Ok(&0), Ok(&2)));
-        assert!(read[1].as_ref().unwrap_err().contains("please report it"));
-        assert_eq!(survived::<()>(|| Err(Error::NoPhotos)), Err(Error::NoPhotos.to_string()));
+        let error = read[1].as_ref().unwrap_err();
+        assert_eq!(error.code(), "fault");
+        assert!(error.to_string().contains("please report it"));
     }
 }

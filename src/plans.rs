@@ -2,7 +2,7 @@
 
 use crate::album::{self, is_standard};
 use crate::destination::{Output, print_lines};
-use crate::{Complaint, drawing, import_all, name, telling};
+use crate::{CliError, drawing, import_all, name, telling};
 use inkpanel::framing::{Crop, PhotoMeta};
 use inkpanel::layout::{self, Bounds, PageSettings, Point, ResolvedPanel, ResolvedShape, polygon};
 use inkpanel::page::import::Imported;
@@ -23,21 +23,21 @@ const MOST_PANELS: usize = 200;
 const MOST_PAGES: usize = 1000;
 
 /// Returns the plan as JSON, in the format of `docs/reference/formats.md`.
-pub(crate) fn told(pages: &[Planned], photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {
+pub(crate) fn told(pages: &[Planned], photos: &[(PathBuf, Imported)]) -> Result<Value, CliError> {
     let pages = pages.iter().map(|page| told_page(page, photos)).collect::<Result<Vec<_>, _>>()?;
     Ok(json!({ "pages": pages }))
 }
 
-pub(crate) fn told_page(page: &Planned, photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {
+pub(crate) fn told_page(page: &Planned, photos: &[(PathBuf, Imported)]) -> Result<Value, CliError> {
     let document = &page.document;
-    let template = document.template().map_err(|error| error.to_string())?;
+    let template = document.template()?;
     let aspect = document.page.aspect();
     let resolved = layout::resolve(&template, aspect, &document.page);
     let file = |id: &String| {
         let found = photos.iter().find(|(_, photo)| &photo.meta.id == id);
         found.map(|(path, _)| path.display().to_string())
     };
-    let breaks = breaking::breaks(document).map_err(|error| error.to_string())?;
+    let breaks = breaking::breaks(document)?;
     let panels: Vec<Value> = resolved
         .iter()
         .zip(&document.panels)
@@ -117,14 +117,14 @@ pub(crate) fn score(
     as_json: bool,
     detects: bool,
     models: Option<&Path>,
-) -> Result<(), Complaint> {
-    let complain = |reason: String| format!("{}: {reason}", file.display());
+) -> Result<(), CliError> {
+    let complain = |error: CliError| error.at(file.display());
+    let invalid = |reason: String| complain(CliError::new("invalid-document", reason));
     let text = album::text(file).map_err(complain)?;
-    let plan: Value =
-        serde_json::from_str(&text).map_err(|error| complain(format!("not valid JSON: {error}")))?;
-    let pages = plan["pages"].as_array().ok_or_else(|| complain("has no list of \"pages\"".into()))?;
+    let plan: Value = serde_json::from_str(&text).map_err(|error| complain(CliError::not_json(error)))?;
+    let pages = plan["pages"].as_array().ok_or_else(|| invalid("has no list of \"pages\"".into()))?;
     if pages.len() > MOST_PAGES {
-        return Err(complain(format!("has more than {MOST_PAGES} pages")));
+        return Err(invalid(format!("has more than {MOST_PAGES} pages")));
     }
     let mut files: Vec<PathBuf> = Vec::new();
     for panel in pages.iter().filter_map(|page| page["panels"].as_array()).flatten() {
@@ -138,7 +138,7 @@ pub(crate) fn score(
     let metas: Vec<PhotoMeta> = photos.iter().map(|(_, photo)| photo.meta.clone()).collect();
     let (mut told, mut lines) = (Vec::new(), Vec::new());
     for (number, page) in pages.iter().enumerate() {
-        let at = |reason: String| complain(format!("page {}: {reason}", number + 1));
+        let at = |reason: String| invalid(format!("page {}: {reason}", number + 1));
         let known =
             |photo: &str| photos.iter().position(|(path, _)| *path == located(Path::new(photo), file));
         let score = judged(page, &metas, &known).map_err(at)?;
@@ -235,7 +235,7 @@ fn resolved(panel: &Value, height: f64) -> Option<ResolvedPanel> {
 }
 
 /// Makes of the file of a page, by its number from 0, what is written.
-pub(crate) type Finish<'f> = &'f dyn Fn(usize, Vec<u8>) -> Result<Vec<u8>, Complaint>;
+pub(crate) type Finish<'f> = &'f dyn Fn(usize, Vec<u8>) -> Result<Vec<u8>, CliError>;
 
 /// Draws pages into one file, or into one file per page if its name has a number placeholder, as in
 /// `page-%02d.png`. `skips` skips existing files; `finish` can change the bytes of a page.
@@ -246,7 +246,7 @@ pub(crate) fn draw_all(
     means: &drawing::Means<'_>,
     output: &Output,
     (skips, finish, printed): (bool, Finish<'_>, drawing::Printed<'_>),
-) -> Result<Vec<PathBuf>, Complaint> {
+) -> Result<Vec<PathBuf>, CliError> {
     let kind = drawing::Kind::of(&output.named)?;
     if kind == drawing::Kind::Project {
         return Err("a project needs photos; --document pages cannot become a project".into());

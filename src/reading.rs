@@ -2,7 +2,7 @@
 
 use crate::destination::Output;
 use crate::drawing::{Means, Subjects};
-use crate::{Complaint, drawing, telling};
+use crate::{CliError, drawing, telling};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use inkpanel::output::describing::described;
@@ -47,7 +47,7 @@ pub(crate) struct Telling<'t> {
 }
 
 /// Checks the language tag of a comic: letters and digits in parts of up to eight characters, as in BCP 47.
-pub(crate) fn language(tag: &str) -> Result<String, Complaint> {
+pub(crate) fn language(tag: &str) -> Result<String, String> {
     let part = |part: &str| (1..=8).contains(&part.len()) && part.chars().all(|c| c.is_ascii_alphanumeric());
     let first = tag.split('-').next().unwrap_or_default();
     if first.len() < 2 || first.chars().any(|c| c.is_ascii_digit()) || !tag.split('-').all(part) {
@@ -65,10 +65,10 @@ pub(crate) fn write(
     subjects: &Subjects<'_>,
     means: &Means<'_>,
     output: &Output,
-) -> Result<Vec<PathBuf>, Complaint> {
+) -> Result<Vec<PathBuf>, CliError> {
     let mut picture = |page: &Document| drawing::jpeg_of(page, means);
     let words = pages.iter().flat_map(|page| &page.words);
-    let letters = means.fonts.letters(words).map_err(|error| error.to_string())?;
+    let letters = means.fonts.letters(words)?;
     output.write(&made(kind, told_of, pages, (subjects, &letters), &mut picture)?)?;
     Ok(vec![output.path.clone()])
 }
@@ -79,8 +79,8 @@ fn made<D: Borrow<Document>>(
     told_of: Telling<'_>,
     pages: &[D],
     (subjects, letters): (&Subjects<'_>, &Letters),
-    picture: &mut dyn FnMut(&Document) -> Result<Vec<u8>, Complaint>,
-) -> Result<Vec<u8>, Complaint> {
+    picture: &mut dyn FnMut(&Document) -> Result<Vec<u8>, CliError>,
+) -> Result<Vec<u8>, CliError> {
     // Descriptions of panels exist only in English. In other languages, the text is just the word for photo.
     let english = told_of.language.split('-').next().is_some_and(|code| code.eq_ignore_ascii_case("en"));
     let page = |document: &D| {
@@ -94,12 +94,11 @@ fn made<D: Borrow<Document>>(
         picture: PictureKind::Jpeg,
         pages: pages.iter().map(page).collect(),
     };
-    let text = |error: inkpanel::Error| error.to_string();
     // Report errors before anything is drawn.
     let told = match kind {
-        Kind::Html => Told::Pieces(html::write(&comic, letters).map_err(text)?),
-        Kind::Epub => Told::Files(epub::write(&comic, letters).map_err(text)?),
-        Kind::Cbz => Told::Files(cbz::write(&comic, letters).map_err(text)?),
+        Kind::Html => Told::Pieces(html::write(&comic, letters)?),
+        Kind::Epub => Told::Files(epub::write(&comic, letters)?),
+        Kind::Cbz => Told::Files(cbz::write(&comic, letters)?),
     };
     let mut pictures = Vec::new();
     for (i, page) in pages.iter().enumerate() {
@@ -111,7 +110,9 @@ fn made<D: Borrow<Document>>(
     }
     match told {
         Told::Pieces(pieces) => Ok(joined(&pieces, &pictures)),
-        Told::Files(files) => packed(&files, &pictures).map_err(|error| error.to_string()),
+        Told::Files(files) => {
+            packed(&files, &pictures).map_err(|error| CliError::new("encode", error.to_string()))
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use crate::album::{self, told};
 use crate::destination::Output;
 use crate::drawing::{self, Kind};
 use crate::segments::Masks;
-use crate::{Complaint, How, boards, check_strict, plans, reading, survived, telling};
+use crate::{CliError, How, boards, check_strict, plans, reading, telling};
 use inkpanel::document::file::FilePhoto;
 use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
@@ -12,6 +12,7 @@ use inkpanel::framing::Subject;
 use inkpanel::page::Document;
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
+use inkpanel::survived;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
@@ -21,17 +22,17 @@ const EXTENSION: &str = "inkpanel";
 /// Reads a project file, or a PNG with its project.
 ///
 /// Returns `None` if the file is neither. Then it is a photo.
-pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
+pub(crate) fn open(input: &Path) -> Option<Result<Saved, CliError>> {
     let named = is_project(input);
-    let complain = |reason: String| Err(format!("{}: {reason}", told(input)));
+    let complain = |error: CliError| Err(error.at(told(input)));
     let bytes = match album::read(input) {
         Ok(bytes) => bytes,
         // Unreadable photos are reported where photos are read.
         Err(error) => return named.then(|| complain(error)),
     };
-    match survived(|| Saved::read(bytes)) {
+    match survived(|| Ok(Saved::read(bytes)?)) {
         Ok(Some(saved)) => Some(Ok(saved)),
-        Ok(None) => named.then(|| complain("not an Inkpanel project".into())),
+        Ok(None) => named.then(|| complain(CliError::new("unknown-format", "not an Inkpanel project"))),
         Err(reason) => Some(complain(reason)),
     }
 }
@@ -45,8 +46,8 @@ pub(crate) fn draw(
     input: &Path,
     (number, board): (Option<u32>, Option<u32>),
     (output, how): (&Output, &How),
-) -> Result<Vec<PathBuf>, Complaint> {
-    drawn(saved, (number, board), (output, how)).map_err(|reason| format!("{}: {reason}", told(input)))
+) -> Result<Vec<PathBuf>, CliError> {
+    drawn(saved, (number, board), (output, how)).map_err(|error| error.at(told(input)))
 }
 
 /// Returns whether a file name is the name of a project.
@@ -58,7 +59,7 @@ fn drawn(
     mut saved: Saved,
     (number, board): (Option<u32>, Option<u32>),
     (output, how): (&Output, &How),
-) -> Result<Vec<PathBuf>, Complaint> {
+) -> Result<Vec<PathBuf>, CliError> {
     let (kind, printing) = (Kind::of(&output.named)?, &how.printing);
     if let Kind::Shots(kind) = kind {
         output.write(saved.project().shot_list().written(kind).as_bytes())?;
@@ -118,7 +119,7 @@ fn drawn(
 }
 
 /// The pages to draw: the one with this number. By default the present one, or all pages if `all` is set.
-fn wanted(saved: &Saved, number: Option<u32>, all: bool) -> Result<Vec<Document>, Complaint> {
+fn wanted(saved: &Saved, number: Option<u32>, all: bool) -> Result<Vec<Document>, CliError> {
     let (pages, present) = saved.pages();
     if all && number.is_none() && !pages.is_empty() {
         return Ok(pages.iter().map(|page| Document::clone(page)).collect());
@@ -158,11 +159,11 @@ pub(crate) fn photo(
     saved: &Saved,
     files: &HashMap<String, Vec<u8>>,
     id: &str,
-) -> Result<Option<Image>, Complaint> {
+) -> Result<Option<Image>, CliError> {
     let Some(bytes) = files.get(id) else { return Ok(None) };
     let name = saved.photo(id).map_or(id, |photo| &photo.name);
-    let decoded = survived(|| decode(bytes, &Limits::default()))
-        .map_err(|reason| format!("the photo {name}: {reason}"))?;
+    let decoded = survived(|| Ok(decode(bytes, &Limits::default())?))
+        .map_err(|error: CliError| error.at(format_args!("the photo {name}")))?;
     telling::damage(name, decoded.damage);
     Ok(Some(decoded.image))
 }
@@ -175,21 +176,22 @@ pub(crate) fn files(
     saved: &mut Saved,
     pages: &[Document],
     is_photo: &dyn Fn(&str) -> bool,
-) -> Result<HashMap<String, Vec<u8>>, Complaint> {
+) -> Result<HashMap<String, Vec<u8>>, CliError> {
     let pages: Vec<&Document> = pages.iter().collect();
     let mut shown: Vec<&str> = photos_on(&pages).into_iter().filter(|id| is_photo(id)).collect();
     shown.sort_unstable();
     let mut files = HashMap::new();
     for id in &shown {
-        if let Some(file) = saved.photo_file(id).map_err(|error| error.to_string())? {
+        if let Some(file) = saved.photo_file(id)? {
             files.insert((*id).to_owned(), file);
         }
     }
     match (shown.len() - files.len(), shown.len()) {
         (0, _) => Ok(files),
-        (1, 1) => Err("its photo is not in it; save it again with the photo".into()),
+        (1, 1) => Err(CliError::new("missing-photo", "its photo is not in it; save it again with the photo")),
         (missing, all) => {
-            Err(format!("{missing} of its {all} photos are not in it; save it again with the photos"))
+            let why = format!("{missing} of its {all} photos are not in it; save it again with the photos");
+            Err(CliError::new("missing-photo", why))
         }
     }
 }

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use crate::destination::print_lines;
-use crate::{Complaint, album, detectors, telling};
+use crate::{CliError, album, detectors, telling};
 
 /// Writes a mask for each photo into `folder`, and creates the folder if necessary.
 pub(crate) fn segment(
@@ -23,15 +23,15 @@ pub(crate) fn segment(
     folder: &Path,
     models: Option<&Path>,
     as_json: bool,
-) -> Result<(), Complaint> {
+) -> Result<(), CliError> {
     let net = detectors::load_segmenter(models)?;
     let photos = crate::import_all(&album::files(files)?);
     if photos.is_empty() {
-        return Err(inkpanel::Error::NoPhotos.to_string());
+        return Err(inkpanel::Error::NoPhotos.into());
     }
-    std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    std::fs::create_dir_all(folder).map_err(|error| CliError::writing(folder, &error))?;
     let masks = names(&photos, folder);
-    let made: Vec<Result<Value, Complaint>> =
+    let made: Vec<Result<Value, CliError>> =
         photos.par_iter().zip(&masks).map(|((path, photo), mask)| cut_out(&net, path, photo, mask)).collect();
     let mut rows = Vec::new();
     for ((path, _), made) in photos.iter().zip(made) {
@@ -41,7 +41,7 @@ pub(crate) fn segment(
         }
     }
     if rows.is_empty() {
-        return Err("no mask could be made".into());
+        return Err(CliError::new("detector", "no mask could be made"));
     }
     if as_json {
         return crate::print(&Value::Array(rows));
@@ -54,7 +54,7 @@ pub(crate) fn segment(
 }
 
 /// Adds the subject mask of each photo. A failure is reported, and the photo gets no mask.
-pub(crate) fn add_masks(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) -> Result<(), Complaint> {
+pub(crate) fn add_masks(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) -> Result<(), CliError> {
     let net = detectors::load_segmenter(models)?;
     photos.par_iter_mut().for_each(|(path, photo)| match net.look(&photo.work) {
         Ok(mask) => photo.meta.mask = Some(mask),
@@ -134,13 +134,13 @@ fn names(photos: &[(PathBuf, Imported)], folder: &Path) -> Vec<PathBuf> {
 }
 
 /// Makes one mask, and reports it.
-fn cut_out(net: &Segmenter, path: &Path, photo: &Imported, file: &Path) -> Result<Value, Complaint> {
-    let matte = net.look(&photo.work).map_err(|error| error.to_string())?;
+fn cut_out(net: &Segmenter, path: &Path, photo: &Imported, file: &Path) -> Result<Value, CliError> {
+    let matte = net.look(&photo.work)?;
     let facts = matte.facts();
     let (width, height) = (photo.meta.width, photo.meta.height);
     let plane = full_mask(&matte, &photo.work, (width as usize, height as usize));
-    let png = png::encode_gray(&plane).map_err(|error| error.to_string())?;
-    std::fs::write(file, png).map_err(|error| format!("{}: {error}", file.display()))?;
+    let png = png::encode_gray(&plane)?;
+    std::fs::write(file, png).map_err(|error| CliError::writing(file, &error))?;
     let digits = |share: f64| (share * 1e4).round() / 1e4;
     let pixels = |share: f64, side: u32| (share * f64::from(side) * 10.0).round() / 10.0;
     let [x, y, w, h] = facts.bounds;

@@ -216,7 +216,9 @@ impl Worths {
         let mut chosen = solved(&values);
         for _ in 0..self.fresh.len() - self.open.len() {
             let pairs = (0..chosen.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
-            let twins = |&(a, b): &(usize, usize)| photos.are_duplicates(self.fresh[chosen[a]], self.fresh[chosen[b]]);
+            let twins = |&(a, b): &(usize, usize)| {
+                photos.are_duplicates(self.fresh[chosen[a]], self.fresh[chosen[b]])
+            };
             let Some((a, b)) = pairs.rev().find(twins) else { break };
             let weaker = if values[a][chosen[a]] < values[b][chosen[b]] { a } else { b };
             let column = chosen[weaker];

@@ -194,7 +194,8 @@ pub fn worth_showing(photos: &[PhotoMeta], duplicate_threshold: u32) -> usize {
     let mut shown: Vec<&PhotoMeta> = Vec::new();
     for photo in photos {
         // A photo that was never measured is like no other.
-        let known = photo.fingerprint != 0 && shown.iter().any(|other| are_duplicates(other, photo, duplicate_threshold));
+        let known = photo.fingerprint != 0
+            && shown.iter().any(|other| are_duplicates(other, photo, duplicate_threshold));
         if !known && !is_document(photo) {
             shown.push(photo);
         }
