@@ -7,6 +7,7 @@ use inkpanel::page::import::Imported;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
+use crate::photos::Photos;
 use crate::{CliError, telling};
 
 /// Reads the models from `folder`, or from the default folder.
@@ -58,11 +59,11 @@ fn find() -> Option<PathBuf> {
     beside.into_iter().chain(above).chain([built]).find(|folder| folder.join("faces.onnx").is_file())
 }
 
-/// Subjects of each photo. A failure is reported and counts as no result.
-pub(crate) fn run(detectors: &Detectors, photos: &[(PathBuf, Imported)]) -> Vec<Vec<Detection>> {
-    let found = photos.par_iter().map(|(path, photo)| {
+/// Boxes of each photo. A failure is reported and counts as no result.
+pub(crate) fn run(detectors: &Detectors, photos: &Photos) -> Vec<Vec<Detection>> {
+    let found = photos.album.imported().par_iter().map(|(place, photo)| {
         detectors.detect(&photo.work).unwrap_or_else(|error| {
-            telling::note(Some(&path.display().to_string()), &error.to_string());
+            telling::note(Some(&photos.file(*place).display().to_string()), &error.to_string());
             Vec::new()
         })
     });

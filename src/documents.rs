@@ -5,6 +5,7 @@ use crate::segments::Masks;
 use crate::{CliError, How, check_strict, decode_file, done, drawing, name, plans, reading};
 use inkpanel::document::sheets::photos_on;
 use inkpanel::page::Document;
+use inkpanel::with_names;
 use serde_json::Value;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -30,17 +31,7 @@ pub(crate) fn save(
         let alone = paths.values().filter(|other| name(other) == name(path)).count() == 1;
         if alone { name(path).to_owned() } else { path.display().to_string() }
     };
-    let texts: Vec<String> = pages
-        .iter()
-        .map(|page| {
-            let mut page = page.clone();
-            for panel in &mut page.panels {
-                panel.photo = panel.photo.as_deref().map(named);
-            }
-            page.order = page.order.iter().map(|id| named(id)).collect();
-            page.to_json()
-        })
-        .collect();
+    let texts: Vec<String> = pages.iter().map(|page| with_names(page, &named).to_json()).collect();
     let text = if several { format!("[{}]", texts.join(",\n")) } else { texts.concat() };
     write(file, format!("{text}\n").as_bytes())
 }
@@ -73,7 +64,6 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
         }
     }
     check_strict(how)?;
-    let printed: drawing::Printed<'_> = (&how.printing, &|_| &[]);
     if let drawing::Kind::Comic(kind) = drawing::Kind::of(&output.named)? {
         let title = output.named.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
         let told = reading::Telling { title: &title, language: how.printing.language() };
@@ -85,7 +75,12 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
         output.write(&drawing::draw(page, &means, &output.named)?)?;
         return done(std::slice::from_ref(&output.path));
     }
-    done(&plans::draw_all(&pages, &means, output, (how.skip_existing, &|_, file| Ok(file), printed))?)
+    let files = plans::Files {
+        skips: how.skip_existing,
+        finish: &|_, file| Ok(file),
+        printed: (&how.printing, &|_| &[]),
+    };
+    done(&plans::draw_all(&pages, &means, output, &files)?)
 }
 
 fn read(file: &Path) -> Result<Vec<Document>, CliError> {

@@ -2,13 +2,13 @@
 
 use crate::album::{self, is_standard};
 use crate::destination::{Output, write};
+use crate::photos::Photos;
 use crate::segments::Masks;
 use crate::{CliError, own_pages, reading, telling};
 use inkpanel::framing::Subject;
 use inkpanel::layout::{self, PagePreset, PaperSize};
 use inkpanel::native::{self, QUALITY, alts};
 use inkpanel::output::shots;
-use inkpanel::page::import::Imported;
 use inkpanel::page::pdf::{self, Imposition, Options};
 use inkpanel::page::plates::{self, Separation};
 use inkpanel::page::words::given::{self, GivenFonts};
@@ -24,17 +24,14 @@ use std::path::{Path, PathBuf};
 pub(crate) fn add_words(
     document: &mut Document,
     file: &Path,
-    photos: &[(PathBuf, Imported)],
+    photos: &Photos,
     fonts: &GivenFonts,
 ) -> Result<(), CliError> {
     let complain = |error: CliError| error.at(file.display());
     let json = album::text(file).map_err(complain)?;
     let words: Vec<Value> = serde_json::from_str(&json)
         .map_err(|error| complain(CliError::new("invalid-document", error.to_string())))?;
-    let known = |id: &str| {
-        let photo = photos.iter().find(|(_, photo)| photo.meta.id == id);
-        photo.map(|(_, photo)| Known::from(&photo.meta)).unwrap_or_default()
-    };
+    let known = |id: &str| photos.find(id).map(|(_, photo)| Known::from(&photo.meta)).unwrap_or_default();
     let letters = fonts.letters(&words).map_err(|error| complain(error.into()))?;
     place::add(document, words, known, &letters).map_err(|error| complain(error.into()))
 }
@@ -98,12 +95,12 @@ impl Kind {
 }
 
 /// Decodes a photo at full size by its id. Returns nothing for a missing photo.
-pub(crate) type Photos<'p> = dyn Fn(&str) -> Result<Option<Image>, CliError> + Sync + 'p;
+pub(crate) type FullPhotos<'p> = dyn Fn(&str) -> Result<Option<Image>, CliError> + Sync + 'p;
 
 /// Resources to draw pages.
 #[derive(Clone, Copy)]
 pub(crate) struct Means<'p> {
-    pub(crate) photos: &'p Photos<'p>,
+    pub(crate) photos: &'p FullPhotos<'p>,
     pub(crate) fonts: &'p GivenFonts,
     pub(crate) masks: &'p Masks,
     /// JPEG quality, from 1 to 100.
@@ -276,7 +273,7 @@ impl Printing {
     /// Resources to draw pages.
     pub(crate) fn means<'m>(
         &self,
-        photos: &'m Photos<'m>,
+        photos: &'m FullPhotos<'m>,
         fonts: &'m GivenFonts,
         masks: &'m Masks,
     ) -> Means<'m> {

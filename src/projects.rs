@@ -1,9 +1,9 @@
 //! Projects made on the command line: files that the page opens, and PNG files of pages that carry their project.
 
+use crate::photos::Photos;
 use crate::{CliError, album, name};
 use inkpanel::document::file::ProjectFile;
 use inkpanel::page::Document;
-use inkpanel::page::import::Imported;
 use serde_json::{Value, json};
 use std::collections::HashMap;
 use std::io::{Cursor, Write};
@@ -25,9 +25,9 @@ pub(crate) struct Album<'a> {
     /// Its pages, whose photos have the ids of those below.
     pub(crate) pages: &'a [Document],
     /// All that was read.
-    pub(crate) photos: &'a [(PathBuf, Imported)],
+    pub(crate) photos: &'a Photos,
     /// Ids of photos that pages may show.
-    pub(crate) used: Vec<&'a str>,
+    pub(crate) used: &'a [String],
     /// Whether detection ran.
     pub(crate) looked: bool,
 }
@@ -81,7 +81,7 @@ impl Album<'_> {
             .iter()
             .map(|(_, photo)| {
                 let id = photo.meta.id.as_str();
-                let mut item = json!({ "id": id, "use": self.used.contains(&id) });
+                let mut item = json!({ "id": id, "use": self.used.iter().any(|used| used == id) });
                 if photo.meta.starred {
                     item["starred"] = true.into();
                 }
@@ -155,7 +155,7 @@ impl Album<'_> {
         if let Some(text) = text {
             put("project.json", text.as_bytes())?;
         }
-        for (path, photo) in self.photos {
+        for (path, photo) in self.photos.iter() {
             let bytes = album::read(path).map_err(|error| error.at(album::told(path)))?;
             put(&places[photo.meta.id.as_str()], &bytes)?;
         }

@@ -4,7 +4,7 @@ use crate::album::{self, told};
 use crate::destination::Output;
 use crate::drawing::{self, Kind};
 use crate::segments::Masks;
-use crate::{CliError, How, boards, check_strict, plans, reading, telling};
+use crate::{CliError, Render, boards, check_strict, plans, reading, telling};
 use inkpanel::document::file::FilePhoto;
 use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
@@ -44,10 +44,10 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, CliError>> {
 pub(crate) fn draw(
     saved: Saved,
     input: &Path,
-    (number, board): (Option<u32>, Option<u32>),
-    (output, how): (&Output, &How),
+    render: &Render,
+    output: &Output,
 ) -> Result<Vec<PathBuf>, CliError> {
-    drawn(saved, (number, board), (output, how)).map_err(|error| error.at(told(input)))
+    drawn(saved, render, output).map_err(|error| error.at(told(input)))
 }
 
 /// Returns whether a file name is the name of a project.
@@ -55,11 +55,8 @@ pub(crate) fn is_project(file: &Path) -> bool {
     file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(EXTENSION))
 }
 
-fn drawn(
-    mut saved: Saved,
-    (number, board): (Option<u32>, Option<u32>),
-    (output, how): (&Output, &How),
-) -> Result<Vec<PathBuf>, CliError> {
+fn drawn(mut saved: Saved, render: &Render, output: &Output) -> Result<Vec<PathBuf>, CliError> {
+    let &Render { page: number, board, ref how, .. } = render;
     let (kind, printing) = (Kind::of(&output.named)?, &how.printing);
     if let Kind::Shots(kind) = kind {
         output.write(saved.project().shot_list().written(kind).as_bytes())?;
@@ -109,7 +106,11 @@ fn drawn(
             &wanted,
             &means,
             output,
-            (how.skip_existing, &|_, file| Ok(file), (printing, &found)),
+            &plans::Files {
+                skips: how.skip_existing,
+                finish: &|_, file| Ok(file),
+                printed: (printing, &found),
+            },
         ),
         _ => {
             output.write(&drawing::draw(&wanted[0], &means, &output.named)?)?;

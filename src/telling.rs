@@ -43,6 +43,11 @@ pub(crate) fn damage(file: &str, damage: Option<Damage>) {
     }
 }
 
+/// The damage of this file was reported.
+pub(crate) fn damage_is_known(file: &str) {
+    DAMAGED.lock().unwrap_or_else(PoisonError::into_inner).insert(file.to_owned());
+}
+
 /// How many notes there were.
 pub(crate) fn notes() -> usize {
     NOTES.load(Ordering::Relaxed)
