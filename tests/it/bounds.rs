@@ -7,6 +7,7 @@ use inkpanel::kinds::{KINDS, Kind, Role, SIGNATURES, SYSTEM_FOLDERS, SYSTEM_NAME
 use inkpanel::layout::{DPI, MOST_PIXELS, PRESETS, PagePreset, SIDES};
 use inkpanel::output::animatic::{self, Animatic};
 use inkpanel::page::words::model::FARTHEST;
+use inkpanel::raster::heif;
 use inkpanel::select;
 use serde_json::Value;
 
@@ -193,9 +194,17 @@ fn file_table() -> String {
         "\n/** First bytes of kinds: a position, the bytes there, and an ending of the kind. */\n",
         "export const SIGNATURES: readonly [at: number, bytes: readonly number[], ending: string][] = [\n",
         &SIGNATURES.iter().map(signature).collect::<String>(),
-        "];\n",
+        "];\n\n/** Brands of HEIC and AVIF files. */\n",
+        &format!("export const HEIC_BRANDS = {};\n", brands(&heif::HEIC)),
+        &format!("export const AVIF_BRANDS = {};\n", brands(&heif::AVIF)),
     ]
     .concat()
+}
+
+fn brands(brands: &[&[u8; 4]]) -> String {
+    let quoted: Vec<_> =
+        brands.iter().map(|brand| format!("'{}'", String::from_utf8_lossy(&brand[..]))).collect();
+    format!("[{}]", quoted.join(", "))
 }
 
 /// `BLESS=1` updates a module, and the test fails once.
