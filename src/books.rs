@@ -1,7 +1,7 @@
 //! Books of the command line: an album with a cover, chapters, captions, page numbers and an end page.
 
 use crate::destination::Output;
-use crate::drawing::Kind;
+use crate::format::Format;
 use crate::photos::Photos;
 use crate::{
     Chosen, CliError, How, NO_OUTPUT, Writing, album, check_strict, done, drawing, name, plans, print,
@@ -69,7 +69,7 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
     let Book { chosen, how, files: given, .. } = made;
     let output = made.output.as_deref().map(|path| Output::new(path, how.format.as_deref())).transpose()?;
     if let Some(output) = &output {
-        how.printing.check(Kind::of(&output.named)?)?;
+        how.printing.check(Format::of(&output.named)?)?;
         if chosen.json && album::is_standard(&output.path) {
             return Err("--json and the book cannot both go to standard output".into());
         }
@@ -78,7 +78,7 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
             telling::step(&event, Some(format!("{}: exists already, skipped", output.path.display())));
             return Ok(());
         }
-        if matches!(Kind::of(&output.named), Ok(Kind::Shots(_))) {
+        if matches!(Format::of(&output.named), Ok(Format::Shots(_))) {
             return Err(format!("{}: a shot list needs a saved project", output.path.display()).into());
         }
     } else if !chosen.json && how.save_document.is_none() {
@@ -87,7 +87,7 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
     if given.is_empty() {
         return Err("say which photos, or which folder".into());
     }
-    let is_pdf = output.as_ref().is_some_and(|output| matches!(Kind::of(&output.named), Ok(Kind::Pdf)));
+    let is_pdf = output.as_ref().is_some_and(|output| matches!(Format::of(&output.named), Ok(Format::Pdf)));
     let mut page = chosen.paper.settings(is_pdf)?;
     page.rtl |= is_rtl(how.printing.language());
     let options = chosen.options(page)?;

@@ -3,7 +3,7 @@
 
 use crate::CliError;
 use crate::album::is_standard;
-use crate::drawing::Kind;
+use crate::format::Format;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -28,7 +28,7 @@ impl Output {
             None if is_standard(path) => PathBuf::from("page.png"),
             None => path.to_owned(),
         };
-        Kind::of(&named)?;
+        Format::of(&named)?;
         // The title of a PDF file is its name.
         let named = match format {
             Some(format) if !is_standard(path) => path.with_extension(format),
@@ -133,12 +133,12 @@ mod tests {
     #[test]
     fn the_kind_is_told_by_the_name_or_by_word() {
         let kind = |path: &str, format: Option<&str>| {
-            Output::new(Path::new(path), format).map(|output| Kind::of(&output.named).unwrap())
+            Output::new(Path::new(path), format).map(|output| Format::of(&output.named).unwrap())
         };
-        assert_eq!(kind("a.PNG", None), Ok(Kind::Png));
-        assert_eq!(kind("-", None), Ok(Kind::Png));
-        assert_eq!(kind("-", Some("jpg")), Ok(Kind::Jpeg));
-        assert_eq!(kind("a.out", Some("webp")), Ok(Kind::Webp));
+        assert_eq!(kind("a.PNG", None), Ok(Format::Png));
+        assert_eq!(kind("-", None), Ok(Format::Png));
+        assert_eq!(kind("-", Some("jpg")), Ok(Format::Jpeg));
+        assert_eq!(kind("a.out", Some("webp")), Ok(Format::Webp));
         for name in ["a.tiff", "a", "a.svg"] {
             assert!(kind(name, None).unwrap_err().to_string().contains("must end in .png"), "{name}");
         }

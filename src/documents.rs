@@ -1,6 +1,7 @@
 //! Pages as plain data on the command line: written with the names of their photos, and drawn again.
 
 use crate::destination::{Output, write};
+use crate::format::Format;
 use crate::segments::Masks;
 use crate::{CliError, How, check_strict, decode_file, done, drawing, name, plans, reading};
 use inkpanel::document::sheets::photos_on;
@@ -64,13 +65,13 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
         }
     }
     check_strict(how)?;
-    if let drawing::Kind::Comic(kind) = drawing::Kind::of(&output.named)? {
+    if let Format::Comic(kind) = Format::of(&output.named)? {
         let title = output.named.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
         let told = reading::Telling { title: &title, language: how.printing.language() };
         return done(&reading::write((kind, told), &pages, &|_| &[], &means, output)?);
     }
     if let [page] = &pages[..]
-        && drawing::Kind::of(&output.named)? != drawing::Kind::Pdf
+        && Format::of(&output.named)? != Format::Pdf
     {
         output.write(&drawing::draw(page, &means, &output.named)?)?;
         return done(std::slice::from_ref(&output.path));

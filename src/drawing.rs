@@ -2,13 +2,13 @@
 
 use crate::album::{self, is_standard};
 use crate::destination::{Output, write};
+use crate::format::Format;
 use crate::photos::Photos;
 use crate::segments::Masks;
 use crate::{CliError, own_pages, reading, telling};
 use inkpanel::framing::Subject;
 use inkpanel::layout::{self, PagePreset, PaperSize};
 use inkpanel::native::{self, QUALITY, alts};
-use inkpanel::output::shots;
 use inkpanel::page::pdf::{self, Imposition, Options};
 use inkpanel::page::plates::{self, Separation};
 use inkpanel::page::words::given::{self, GivenFonts};
@@ -56,44 +56,6 @@ pub(crate) fn tell_missing(pages: &[Document], fonts: &GivenFonts) -> Result<(),
 /// Returns the subjects of a photo by id.
 pub(crate) type Subjects<'a> = dyn Fn(&str) -> &'a [Subject] + 'a;
 
-/// A kind of file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
-    Png,
-    Jpeg,
-    Webp,
-    Pdf,
-    /// A project, which the page opens.
-    Project,
-    Comic(reading::Kind),
-    /// The shots of a project as a list.
-    Shots(shots::Kind),
-}
-
-impl Kind {
-    /// File type of a file name extension.
-    pub(crate) fn of(output: &Path) -> Result<Self, CliError> {
-        if let Some(kind) = reading::Kind::of(output) {
-            return Ok(Self::Comic(kind));
-        }
-        let ending = output.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        if let Some(kind) = ending.as_deref().and_then(shots::Kind::of) {
-            return Ok(Self::Shots(kind));
-        }
-        match ending.as_deref() {
-            Some("png") => Ok(Self::Png),
-            Some("jpg" | "jpeg") => Ok(Self::Jpeg),
-            Some("webp") => Ok(Self::Webp),
-            Some("pdf") => Ok(Self::Pdf),
-            Some("inkpanel") => Ok(Self::Project),
-            _ => Err(CliError::from(
-                "the name of the page must end in .png, .jpg, .webp, .pdf, .html, .epub, .cbz or .inkpanel",
-            )
-            .at(output.display())),
-        }
-    }
-}
-
 /// Decodes a photo at full size by its id. Returns nothing for a missing photo.
 pub(crate) type FullPhotos<'p> = dyn Fn(&str) -> Result<Option<Image>, CliError> + Sync + 'p;
 
@@ -127,29 +89,29 @@ fn prepared(document: &Document, means: &Means<'_>) -> Result<(Document, native:
 
 /// Renders a document from its photos, decoded at their full size, as the kind of picture that `output` names.
 pub(crate) fn draw(document: &Document, means: &Means<'_>, output: &Path) -> Result<Vec<u8>, CliError> {
-    let kind = Kind::of(output)?;
-    Ok(own_pages::marked(drawn(document, means, kind)?, kind))
+    let format = Format::of(output)?;
+    Ok(own_pages::marked(drawn(document, means, format)?, format))
 }
 
-fn drawn(document: &Document, means: &Means<'_>, kind: Kind) -> Result<Vec<u8>, CliError> {
+fn drawn(document: &Document, means: &Means<'_>, format: Format) -> Result<Vec<u8>, CliError> {
     let (document, photos) = &prepared(document, means)?;
     let sheet = native::sheet(document, photos, means.fonts)?;
-    encoded(kind, (sheet.width(), sheet.height()), sheet.rgb(), (document.page.dpi, means.quality))
+    encoded(format, (sheet.width(), sheet.height()), sheet.rgb(), (document.page.dpi, means.quality))
 }
 
 /// Pixels as a file of a kind that holds a single picture.
 pub(crate) fn encoded(
-    kind: Kind,
+    format: Format,
     (width, height): (usize, usize),
     rgb: &[u8],
     (dpi, quality): (u32, u8),
 ) -> Result<Vec<u8>, CliError> {
-    let file = match kind {
-        Kind::Png => png::encode_rgb(width, height, rgb, dpi),
-        Kind::Jpeg => jpeg::encode_rgb(width, height, rgb, dpi, quality),
-        Kind::Webp => webp::encode_rgb(width, height, rgb),
-        Kind::Pdf => return Err("stylize writes .png, .jpg or .webp".into()),
-        Kind::Project | Kind::Comic(_) | Kind::Shots(_) => {
+    let file = match format {
+        Format::Png => png::encode_rgb(width, height, rgb, dpi),
+        Format::Jpeg => jpeg::encode_rgb(width, height, rgb, dpi, quality),
+        Format::Webp => webp::encode_rgb(width, height, rgb),
+        Format::Pdf => return Err("stylize writes .png, .jpg or .webp".into()),
+        Format::Project | Format::Comic(_) | Format::Shots(_) => {
             return Err("this format is only available in `render`".into());
         }
     };
@@ -158,7 +120,7 @@ pub(crate) fn encoded(
 
 /// Renders a document as JPEG.
 pub(crate) fn jpeg_of(document: &Document, means: &Means<'_>) -> Result<Vec<u8>, CliError> {
-    drawn(document, means, Kind::Jpeg)
+    drawn(document, means, Format::Jpeg)
 }
 
 /// Options of output files, mostly for print.
@@ -245,7 +207,7 @@ pub(crate) fn fonts(files: &[PathBuf]) -> Result<GivenFonts, CliError> {
 
 impl Printing {
     /// Rejects PDF options for other file types.
-    pub(crate) fn check(&self, kind: Kind) -> Result<(), CliError> {
+    pub(crate) fn check(&self, format: Format) -> Result<(), CliError> {
         let told = [
             ("--bleed", self.bleed.is_some()),
             ("--marks", self.marks),
@@ -254,8 +216,10 @@ impl Printing {
             ("--plates", self.plates),
         ];
         match told.iter().find(|(_, told)| *told) {
-            Some((flag, _)) if kind != Kind::Pdf => Err(format!("{flag} needs an output file .pdf").into()),
-            _ if self.quality.is_some() && matches!(kind, Kind::Png | Kind::Webp | Kind::Project) => {
+            Some((flag, _)) if format != Format::Pdf => {
+                Err(format!("{flag} needs an output file .pdf").into())
+            }
+            _ if self.quality.is_some() && matches!(format, Format::Png | Format::Webp | Format::Project) => {
                 Err("--quality needs an output file .jpg, .pdf, .html, .epub or .cbz".into())
             }
             _ => Ok(()),

@@ -16,6 +16,7 @@ mod detectors;
 mod documents;
 mod drawing;
 mod films;
+mod format;
 mod imitator;
 mod inventor;
 mod own_pages;
@@ -55,7 +56,7 @@ use std::process::ExitCode;
 use album::told;
 use cli_error::CliError;
 use destination::{Output, print_lines};
-use drawing::Kind;
+use format::Format;
 use paper::Paper;
 use photos::Photos;
 
@@ -511,7 +512,7 @@ fn render_page(render: &Render) -> Result<(), CliError> {
     let Render { planned, how, page, board, document, output, files } = render;
     let output = output.as_deref().map(|path| Output::new(path, how.format.as_deref())).transpose()?;
     if let Some(output) = &output {
-        how.printing.check(Kind::of(&output.named)?)?;
+        how.printing.check(Format::of(&output.named)?)?;
     }
     if planned.album.json && output.as_ref().is_some_and(|output| album::is_standard(&output.path)) {
         return Err("--json and the page cannot both go to standard output".into());
@@ -538,7 +539,7 @@ fn render_page(render: &Render) -> Result<(), CliError> {
         return Err(format!("{}: a project cannot be combined with other files", project.display()).into());
     }
     if let Some(output) =
-        output.as_ref().filter(|output| matches!(Kind::of(&output.named), Ok(Kind::Shots(_))))
+        output.as_ref().filter(|output| matches!(Format::of(&output.named), Ok(Format::Shots(_))))
     {
         return Err(format!("{}: a shot list needs a saved project", output.path.display()).into());
     }
@@ -554,7 +555,7 @@ fn render_page(render: &Render) -> Result<(), CliError> {
 
 /// Returns whether all output files exist already. Then no photo is read.
 fn is_made(output: &Output, planned: &Planned) -> bool {
-    let one = matches!(Kind::of(&output.named), Ok(Kind::Pdf | Kind::Comic(_) | Kind::Project));
+    let one = matches!(Format::of(&output.named), Ok(Format::Pdf | Format::Comic(_) | Format::Project));
     match planned.pages {
         Some(pages) if !one => plans::all_exist(output, pages as usize),
         _ => output.exists(),
@@ -612,7 +613,7 @@ fn plan_page(
     output: Option<&Output>,
     input: &Input<'_>,
 ) -> Result<(), CliError> {
-    let is_pdf = output.is_some_and(|output| matches!(Kind::of(&output.named), Ok(Kind::Pdf)));
+    let is_pdf = output.is_some_and(|output| matches!(Format::of(&output.named), Ok(Format::Pdf)));
     let mut options = render.album.options(render.album.paper.settings(is_pdf)?)?;
     options = options.merge(render.merge).figures(render.figures).layout_families(&render.layout_family);
     if let Some(layout) = &render.layout {
@@ -701,12 +702,12 @@ fn write_pages(
     writing: &Writing<'_>,
 ) -> Result<Vec<PathBuf>, CliError> {
     let Writing { how, several, .. } = *writing;
-    let kind = Kind::of(&output.named)?;
-    if kind == Kind::Project {
+    let kind = Format::of(&output.named)?;
+    if kind == Format::Project {
         output.write(&album.packed()?)?;
         return Ok(vec![output.path.clone()]);
     }
-    if how.embed != "none" && kind != Kind::Png {
+    if how.embed != "none" && kind != Format::Png {
         return Err("--embed: only a PNG carries its project".into());
     }
     let finish = |page: usize, file: Vec<u8>| match how.embed.as_str() {
@@ -717,11 +718,11 @@ fn write_pages(
         let photo = album.photos.find(id);
         photo.map_or(&[][..], |(_, photo)| &photo.meta.subjects)
     };
-    if let Kind::Comic(comic) = kind {
+    if let Format::Comic(comic) = kind {
         let told = reading::Telling { title: &album.name, language: how.printing.language() };
         return reading::write((comic, told), album.pages, &subjects, means, output);
     }
-    if several || kind == Kind::Pdf {
+    if several || kind == Format::Pdf {
         let files =
             plans::Files { skips: how.skip_existing, finish: &finish, printed: (&how.printing, &subjects) };
         return plans::draw_all(album.pages, means, output, &files);
@@ -735,8 +736,8 @@ fn write_pages(
 fn stylize_photo(asked: &StylizeArgs) -> Result<(), CliError> {
     let detects = !asked.no_detect;
     let output = Output::new(&asked.output, asked.format.as_deref())?;
-    let kind = Kind::of(&output.named)?;
-    if matches!(kind, Kind::Pdf | Kind::Project | Kind::Comic(_) | Kind::Shots(_)) {
+    let kind = Format::of(&output.named)?;
+    if matches!(kind, Format::Pdf | Format::Project | Format::Comic(_) | Format::Shots(_)) {
         return Err(format!("{}: stylize writes .png, .jpg or .webp", output.path.display()).into());
     }
     let style = read_style(&asked.style)?;

@@ -2,6 +2,7 @@
 
 use crate::album::{self, is_standard};
 use crate::destination::{Output, print_lines};
+use crate::format::Format;
 use crate::photos::Photos;
 use crate::{CliError, ScoreArgs, drawing, name, telling};
 use inkpanel::framing::{Crop, PhotoMeta};
@@ -247,11 +248,11 @@ pub(crate) fn draw_all(
     output: &Output,
     how: &Files<'_>,
 ) -> Result<Vec<PathBuf>, CliError> {
-    let kind = drawing::Kind::of(&output.named)?;
-    if kind == drawing::Kind::Project {
+    let kind = Format::of(&output.named)?;
+    if kind == Format::Project {
         return Err("a project needs photos; --document pages cannot become a project".into());
     }
-    if kind == drawing::Kind::Pdf {
+    if kind == Format::Pdf {
         return drawing::write_book(documents, means, output, how.printed);
     }
     if is_standard(&output.path) {

@@ -2,6 +2,7 @@
 
 use crate::destination::Output;
 use crate::drawing::{Means, Subjects};
+use crate::format::ComicFormat;
 use crate::{CliError, drawing, telling};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
@@ -12,30 +13,9 @@ use inkpanel::page::words::Letters;
 use serde_json::json;
 use std::borrow::Borrow;
 use std::io::{Cursor, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
-
-/// A kind of comic.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
-    Html,
-    Epub,
-    Cbz,
-}
-
-impl Kind {
-    /// File type of an extension; `None` for other files.
-    pub(crate) fn of(output: &Path) -> Option<Self> {
-        let ending = output.extension()?.to_string_lossy().to_lowercase();
-        match ending.as_str() {
-            "html" | "htm" => Some(Self::Html),
-            "epub" => Some(Self::Epub),
-            "cbz" => Some(Self::Cbz),
-            _ => None,
-        }
-    }
-}
 
 /// Metadata of a comic.
 #[derive(Clone, Copy)]
@@ -60,7 +40,7 @@ pub(crate) fn language(tag: &str) -> Result<String, String> {
 ///
 /// Returns the file.
 pub(crate) fn write(
-    (kind, told_of): (Kind, Telling<'_>),
+    (kind, told_of): (ComicFormat, Telling<'_>),
     pages: &[Document],
     subjects: &Subjects<'_>,
     means: &Means<'_>,
@@ -75,7 +55,7 @@ pub(crate) fn write(
 
 /// Makes a comic of pages. `subjects` returns the subjects of a photo id; `picture` draws a page as JPEG.
 fn made<D: Borrow<Document>>(
-    kind: Kind,
+    kind: ComicFormat,
     told_of: Telling<'_>,
     pages: &[D],
     (subjects, letters): (&Subjects<'_>, &Letters),
@@ -96,9 +76,9 @@ fn made<D: Borrow<Document>>(
     };
     // Report errors before anything is drawn.
     let told = match kind {
-        Kind::Html => Told::Pieces(html::write(&comic, letters)?),
-        Kind::Epub => Told::Files(epub::write(&comic, letters)?),
-        Kind::Cbz => Told::Files(cbz::write(&comic, letters)?),
+        ComicFormat::Html => Told::Pieces(html::write(&comic, letters)?),
+        ComicFormat::Epub => Told::Files(epub::write(&comic, letters)?),
+        ComicFormat::Cbz => Told::Files(cbz::write(&comic, letters)?),
     };
     let mut pictures = Vec::new();
     for (i, page) in pages.iter().enumerate() {

@@ -2,7 +2,8 @@
 
 use crate::album::{self, told};
 use crate::destination::Output;
-use crate::drawing::{self, Kind};
+use crate::drawing;
+use crate::format::Format;
 use crate::segments::Masks;
 use crate::{CliError, Render, boards, check_strict, plans, reading, telling};
 use inkpanel::document::file::FilePhoto;
@@ -57,8 +58,8 @@ pub(crate) fn is_project(file: &Path) -> bool {
 
 fn drawn(mut saved: Saved, render: &Render, output: &Output) -> Result<Vec<PathBuf>, CliError> {
     let &Render { page: number, board, ref how, .. } = render;
-    let (kind, printing) = (Kind::of(&output.named)?, &how.printing);
-    if let Kind::Shots(kind) = kind {
+    let (kind, printing) = (Format::of(&output.named)?, &how.printing);
+    if let Format::Shots(kind) = kind {
         output.write(saved.project().shot_list().written(kind).as_bytes())?;
         return Ok(vec![output.path.clone()]);
     }
@@ -68,11 +69,11 @@ fn drawn(mut saved: Saved, render: &Render, output: &Output) -> Result<Vec<PathB
     let each = number.is_none() && plans::has_number(&output.named);
     let logo = board.map_or(Ok(None), |_| boards::logo(&saved))?;
     let wanted = match board {
-        Some(_) if matches!(kind, Kind::Comic(_)) => {
+        Some(_) if matches!(kind, Format::Comic(_)) => {
             return Err("--board needs an output file .pdf or .png".into());
         }
         Some(frames) => boards::sheets(&mut saved, frames, (&stem, &known), logo.as_ref())?,
-        None => wanted(&saved, number, each || printing.binds() || matches!(kind, Kind::Comic(_)))?,
+        None => wanted(&saved, number, each || printing.binds() || matches!(kind, Format::Comic(_)))?,
     };
     let drawn_logo = |id: &str| logo.as_ref().filter(|_| id == boards::LOGO);
     let files = files(&mut saved, &wanted, &|id| drawn_logo(id).is_none())?;
@@ -95,13 +96,13 @@ fn drawn(mut saved: Saved, render: &Render, output: &Output) -> Result<Vec<PathB
     }
     check_strict(how)?;
     match kind {
-        Kind::Comic(comic) => {
+        Format::Comic(comic) => {
             let named = saved.project().history.present.name.trim();
             let title = if named.is_empty() { &*stem } else { named };
             let told = reading::Telling { title, language: printing.language() };
             reading::write((comic, told), &wanted, &found, &means, output)
         }
-        Kind::Pdf => drawing::write_book(&wanted, &means, output, (printing, &found)),
+        Format::Pdf => drawing::write_book(&wanted, &means, output, (printing, &found)),
         _ if each || wanted.len() > 1 => plans::draw_all(
             &wanted,
             &means,

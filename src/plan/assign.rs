@@ -4,9 +4,8 @@
 use oorandom::Rand64;
 
 use super::best_first;
-use super::composer::LEADS;
 use super::prepared::{Kind, Prepared, Shelf, are_duplicates};
-use super::slots::{Assignment, Slot, touch};
+use super::slots::{Assignment, LEADS, Slot, touch};
 use super::turns::Turns;
 use super::utility::{Look, placed};
 use crate::framing::{PhotoMeta, Subject, frame};
