@@ -4,9 +4,9 @@
 #![allow(clippy::missing_errors_doc)]
 
 use super::boundary::decode;
+use inkpanel_pixels::error::Result;
 use inkpanel_pixels::raster::Image;
 use inkpanel_pixels::raster::decode::{Damage, Decoded, Limits};
-use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 /// Bytes before the pixels of a BMP file.
@@ -25,8 +25,8 @@ pub struct Converted {
 impl Converted {
     /// Decodes a file: upright, in sRGB, laid on white. Throws `unknown-format`, `unsupported`, `damaged` and `too-large`.
     #[wasm_bindgen(constructor)]
-    pub fn new(bytes: &[u8]) -> std::result::Result<Converted, JsValue> {
-        let photo = decode(bytes, &Limits::default()).map_err(thrown)?;
+    pub fn new(bytes: &[u8]) -> Result<Converted> {
+        let photo = decode(bytes, &Limits::default())?;
         let Decoded { image, format, taken, damage, .. } = photo;
         Ok(Self { format, taken, damage, file: bmp(&image) })
     }

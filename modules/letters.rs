@@ -3,9 +3,9 @@
 //!
 //! Errors are like in the `words` module.
 
+use inkpanel::error::Result;
 use inkpanel::page::words::Letters;
 use inkpanel::page::words::learning::Drawing;
-use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]
@@ -26,8 +26,8 @@ impl Lettering {
     /// # Errors
     /// `damaged` if the table is not complete and valid.
     #[wasm_bindgen(constructor)]
-    pub fn new(table: &[u8]) -> std::result::Result<Lettering, JsValue> {
-        Letters::parse(table).map(|letters| Self { letters }).map_err(thrown)
+    pub fn new(table: &[u8]) -> Result<Lettering> {
+        Letters::parse(table).map(|letters| Self { letters })
     }
 
     /// Adds a run of text to all fonts as one glyph; see `page::words::learning`. Returns whether it is one

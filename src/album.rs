@@ -1,6 +1,6 @@
 //! Photo sources of the command line: files, folders as albums, and standard input.
 
-use crate::{Complaint, name, own_pages, telling};
+use crate::{CliError, name, own_pages, telling};
 use inkpanel::kinds::{self, Role};
 use inkpanel::texts;
 use serde_json::json;
@@ -31,17 +31,17 @@ pub(crate) fn told(path: &Path) -> String {
 }
 
 /// Reads a file, or standard input, which is read once and kept.
-pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
-    static INPUT: OnceLock<Result<Vec<u8>, Complaint>> = OnceLock::new();
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, CliError> {
+    static INPUT: OnceLock<Result<Vec<u8>, CliError>> = OnceLock::new();
     if !is_standard(path) {
-        return std::fs::read(path).map_err(|error| error.to_string());
+        return std::fs::read(path).map_err(|error| CliError::reading(&error));
     }
     let input = || {
         let mut bytes = Vec::new();
         let mut input = std::io::stdin().lock().take(MOST_INPUT + 1);
-        input.read_to_end(&mut bytes).map_err(|error| error.to_string())?;
+        input.read_to_end(&mut bytes).map_err(|error| CliError::reading(&error))?;
         if bytes.len() as u64 > MOST_INPUT {
-            return Err(format!("is larger than {} MB", MOST_INPUT >> 20));
+            return Err(CliError::new("too-large", format!("is larger than {} MB", MOST_INPUT >> 20)));
         }
         Ok(bytes)
     };
@@ -50,7 +50,7 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
 
 /// Reads a file of JSON or TOML, or standard input: UTF-8 or UTF-16, with or without the byte order mark that editors on
 /// Windows write.
-pub(crate) fn text(path: &Path) -> Result<String, Complaint> {
+pub(crate) fn text(path: &Path) -> Result<String, CliError> {
     let bytes = read(path)?;
     let text = texts::unicode(&bytes).map_err(|reason| format!("is not JSON or TOML: {reason}"))?;
     Ok(text.into_owned())
@@ -58,7 +58,7 @@ pub(crate) fn text(path: &Path) -> Result<String, Complaint> {
 
 /// Lists the files: for a folder, its photos and the photos in its subfolders, in natural order. Other files of a folder are
 /// counted; videos and kinds that cannot be read are named.
-pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Complaint> {
+pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
     if given.iter().filter(|path| is_standard(path)).count() > 1 {
         return Err("standard input (-) can be read only once".into());
     }
@@ -69,16 +69,16 @@ pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Complaint> {
             continue;
         }
         let mut found = Found::default();
-        walk(path, 0, &mut found)?;
+        walk(path, 0, &mut found).map_err(|error| error.at(path.display()))?;
         found.tell(path);
         leave_own_pages(&mut found.photos);
         if found.photos.is_empty() {
-            return Err(format!("{}: the folder contains no pictures", path.display()));
+            return Err(CliError::new("no-photos", "the folder contains no pictures").at(path.display()));
         }
         files.append(&mut found.photos);
     }
     if files.len() > MOST_FILES {
-        return Err(format!("more than {MOST_FILES} files"));
+        return Err(CliError::new("too-large", format!("more than {MOST_FILES} files")));
     }
     Ok(files)
 }
@@ -135,8 +135,8 @@ impl Found {
     }
 }
 
-fn walk(folder: &Path, depth: usize, found: &mut Found) -> Result<(), Complaint> {
-    let complain = |error: std::io::Error| format!("{}: {error}", folder.display());
+fn walk(folder: &Path, depth: usize, found: &mut Found) -> Result<(), CliError> {
+    let complain = |error| CliError::reading(&error);
     let mut paths: Vec<PathBuf> = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(complain)? {
         paths.push(entry.map_err(complain)?.path());
@@ -154,9 +154,7 @@ fn walk(folder: &Path, depth: usize, found: &mut Found) -> Result<(), Complaint>
                 continue;
             }
             if let Err(why) = walk(&path, depth + 1, found) {
-                // The reason begins with the path.
-                let why = why.strip_prefix(&format!("{}: ", path.display())).unwrap_or(&why).to_owned();
-                found.named.push((path, why));
+                found.named.push((path, why.to_string()));
             }
         } else if found.photos.len() <= MOST_FILES {
             let is_live =
@@ -258,7 +256,7 @@ mod tests {
             assert_eq!(files(&[odd]).unwrap(), [file]);
         }
         std::fs::create_dir(at("empty")).unwrap();
-        assert!(files(&[at("empty")]).unwrap_err().contains("the folder contains no pictures"));
-        assert!(files(&["-".into(), "-".into()]).unwrap_err().contains("only once"));
+        assert!(files(&[at("empty")]).unwrap_err().to_string().contains("the folder contains no pictures"));
+        assert!(files(&["-".into(), "-".into()]).unwrap_err().to_string().contains("only once"));
     }
 }

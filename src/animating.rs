@@ -8,7 +8,7 @@ mod reel;
 mod shots;
 
 use crate::destination::print_lines;
-use crate::{Complaint, album, drawing, reopening, telling};
+use crate::{CliError, album, drawing, reopening, telling};
 use drawn::Drawn;
 use inkpanel::document::saved::Saved;
 use inkpanel::output::animatic::{Animatic, SIDES, SIZES};
@@ -66,16 +66,17 @@ pub(crate) struct Animate {
 ///
 /// # Errors
 /// A sentence. Frames written before remain.
-pub(crate) fn animate(asked: &Animate) -> Result<(), Complaint> {
+pub(crate) fn animate(asked: &Animate) -> Result<(), CliError> {
     if asked.json {
         telling::as_json();
     }
     if asked.pages {
         pages::check(asked)?;
     }
-    let saved = reopening::open(&asked.project)
-        .ok_or_else(|| format!("{}: not an Inkpanel project", album::told(&asked.project)))??;
-    let complain = |reason: String| format!("{}: {reason}", album::told(&asked.project));
+    let saved = reopening::open(&asked.project).ok_or_else(|| {
+        CliError::new("unknown-format", "not an Inkpanel project").at(album::told(&asked.project))
+    })??;
+    let complain = |error: CliError| error.at(album::told(&asked.project));
     let fonts = drawing::fonts(&asked.font)?;
     if asked.pages {
         let pages = Pages::of(saved, asked, fonts).map_err(complain)?;
@@ -93,11 +94,11 @@ pub(crate) fn animate(asked: &Animate) -> Result<(), Complaint> {
 /// Writes the frames of a plan, and reports the result.
 fn film(
     plan: &Animatic,
-    (steps, draw): (&[Step], &(dyn Fn(usize) -> Result<Drawn, Complaint> + Sync)),
+    (steps, draw): (&[Step], &(dyn Fn(usize) -> Result<Drawn, CliError> + Sync)),
     told: (&str, Value),
     asked: &Animate,
-) -> Result<(), Complaint> {
-    std::fs::create_dir_all(&asked.output).map_err(|error| format!("{}: {error}", asked.output.display()))?;
+) -> Result<(), CliError> {
+    std::fs::create_dir_all(&asked.output).map_err(|error| CliError::writing(&asked.output, &error))?;
     Reel { plan, draw, folder: &asked.output, skips: asked.skip_existing }.write(steps)?;
     let beyond = frame_file(&asked.output, plan.frames);
     if beyond.exists() {
@@ -108,7 +109,7 @@ fn film(
 }
 
 /// Prints the result as JSON, or the ffmpeg command for a video.
-fn tell(plan: &Animatic, (of, told): (&str, Value), asked: &Animate) -> Result<(), Complaint> {
+fn tell(plan: &Animatic, (of, told): (&str, Value), asked: &Animate) -> Result<(), CliError> {
     let pattern = asked.output.join("frame-%05d.png").display().to_string();
     if !asked.json {
         let rate = (plan.rate * 1000.0).round() / 1000.0;
@@ -135,7 +136,7 @@ fn tell_still(count: usize, called: (&str, &str)) {
     }
 }
 
-fn size(text: &str) -> Result<[u32; 2], Complaint> {
+fn size(text: &str) -> Result<[u32; 2], String> {
     if let Some((_, size)) = SIZES.iter().find(|(name, _)| *name == text) {
         return Ok(*size);
     }
@@ -155,7 +156,7 @@ fn size(text: &str) -> Result<[u32; 2], Complaint> {
     }
 }
 
-fn seconds<const MOST: u32>(text: &str) -> Result<f64, Complaint> {
+fn seconds<const MOST: u32>(text: &str) -> Result<f64, String> {
     let told = text.trim_end_matches('s').parse::<f64>().ok();
     told.filter(|told| (0.0..=f64::from(MOST)).contains(told))
         .ok_or_else(|| format!("it is a number of seconds from 0 to {MOST}"))

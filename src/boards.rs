@@ -1,6 +1,6 @@
 //! Boards of saved projects on the command line: their shots as lists, and as sheets of frames.
 
-use crate::{Complaint, survived, telling};
+use crate::{CliError, telling};
 use inkpanel::document::saved::Saved;
 use inkpanel::document::shots::{ASPECTS, logo_file};
 use inkpanel::framing::Subject;
@@ -10,6 +10,7 @@ use inkpanel::page::fill::framed_json;
 use inkpanel::page::import::import;
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
+use inkpanel::survived;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -24,10 +25,10 @@ pub(crate) const LOGO: &str = "board/logo";
 ///
 /// # Errors
 /// A sentence for one that cannot be read.
-pub(crate) fn logo(saved: &Saved) -> Result<Option<Image>, Complaint> {
+pub(crate) fn logo(saved: &Saved) -> Result<Option<Image>, CliError> {
     let Some(file) = logo_file(&saved.project().history.present.board.logo) else { return Ok(None) };
-    let decoded = survived(|| decode(&file, &Limits::default()))
-        .map_err(|reason| format!("the logo of the board: {reason}"))?;
+    let decoded = survived(|| Ok(decode(&file, &Limits::default())?))
+        .map_err(|error: CliError| error.at("the logo of the board"))?;
     telling::damage("the logo of the board", decoded.damage);
     Ok(Some(decoded.image))
 }
@@ -42,7 +43,7 @@ pub(crate) fn sheets(
     frames: u32,
     (title, found): (&str, &HashMap<String, Vec<Subject>>),
     logo: Option<&Image>,
-) -> Result<Vec<Document>, Complaint> {
+) -> Result<Vec<Document>, CliError> {
     let project = saved.project().clone();
     let present = &project.history.present;
     let board = &present.board;
@@ -68,7 +69,7 @@ pub(crate) fn sheets(
         style,
         ..Request::default()
     };
-    request.sheets().map_err(|error| error.to_string())
+    Ok(request.sheets()?)
 }
 
 /// The photo of a shot.
@@ -85,16 +86,18 @@ pub(crate) struct ShotPhoto {
 ///
 /// # Errors
 /// A sentence for a photo that is not in the project, and for a project without shots.
-pub(crate) fn shown(saved: &mut Saved) -> Result<Vec<ShotPhoto>, Complaint> {
+pub(crate) fn shown(saved: &mut Saved) -> Result<Vec<ShotPhoto>, CliError> {
     let ids: Vec<String> = saved.project().shots().into_iter().map(str::to_owned).collect();
     if ids.is_empty() {
         return Err("the project has no shots".into());
     }
     let photo = |id: String| {
-        let file = saved.photo_file(&id).map_err(|error| error.to_string())?;
+        let file = saved.photo_file(&id)?;
         let name = saved.photo(&id).map_or(id.as_str(), |photo| &photo.name).to_owned();
-        let file =
-            file.ok_or_else(|| format!("the photo {name} is not in it; save it again with the photos"))?;
+        let file = file.ok_or_else(|| {
+            let why = format!("the photo {name} is not in it; save it again with the photos");
+            CliError::new("missing-photo", why)
+        })?;
         Ok(ShotPhoto { id, name, file })
     };
     ids.into_iter().map(photo).collect()
@@ -108,14 +111,14 @@ pub(crate) fn framed(
     photos: &[ShotPhoto],
     aspect: f64,
     found: &HashMap<String, Vec<Subject>>,
-) -> Result<Vec<PictureOf>, Complaint> {
+) -> Result<Vec<PictureOf>, CliError> {
     let picture = |ShotPhoto { id, name, file }: &ShotPhoto| {
-        let complain = |reason: String| format!("the photo {name}: {reason}");
-        let mut meta = survived(|| import(id, file, &Limits::default())).map_err(complain)?.meta;
+        let complain = |error: CliError| error.at(format_args!("the photo {name}"));
+        let mut meta = survived(|| Ok(import(id, file, &Limits::default())?)).map_err(complain)?.meta;
         meta.find(found.get(id).cloned().unwrap_or_default());
         let framed: Value = serde_json::from_str(&framed_json([&meta].into_iter(), aspect))
-            .map_err(|error| complain(error.to_string()))?;
-        serde_json::from_value(framed[0].clone()).map_err(|error| complain(error.to_string()))
+            .map_err(|error| complain(CliError::fault(error)))?;
+        serde_json::from_value(framed[0].clone()).map_err(|error| complain(CliError::fault(error)))
     };
     photos.par_iter().map(picture).collect()
 }

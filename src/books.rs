@@ -1,21 +1,17 @@
 //! Books of the command line: an album with a cover, chapters, captions, page numbers and an end page.
 
 use crate::destination::Output;
-use crate::drawing::Kind;
+use crate::format::Format;
+use crate::photos::Photos;
 use crate::{
-    Chosen, Complaint, How, NO_OUTPUT, add_subjects, album, check_strict, done, drawing, import_all, name,
-    plans, print, projects, star, style_value, telling, used_photos, write_album,
+    Chosen, CliError, How, NO_OUTPUT, Writing, album, check_strict, done, drawing, name, plans, print,
+    projects, telling, write_album,
 };
 use clap::ValueEnum;
 use inkpanel::document::limits::MOST_SHEETS;
-use inkpanel::framing::PhotoMeta;
 use inkpanel::page::Document;
-use inkpanel::page::book::{self, BookPage, Wish, naming};
-use inkpanel::page::import::Imported;
-use inkpanel::page::request::{Families, Request};
-use inkpanel::page::words::given::GivenFonts;
-use inkpanel::page::words::place::{self, Known};
-use inkpanel::plan::Shelf;
+use inkpanel::page::book::{self, BookPage, naming};
+use inkpanel::{BookOptions, BookPlan};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -69,14 +65,11 @@ pub(crate) struct Book {
 ///
 /// # Errors
 /// A sentence for bad input.
-pub(crate) fn make(made: &Book) -> Result<(), Complaint> {
+pub(crate) fn make(made: &Book) -> Result<(), CliError> {
     let Book { chosen, how, files: given, .. } = made;
-    if how.progress == "json" {
-        telling::as_json();
-    }
     let output = made.output.as_deref().map(|path| Output::new(path, how.format.as_deref())).transpose()?;
     if let Some(output) = &output {
-        how.printing.check(Kind::of(&output.named)?)?;
+        how.printing.check(Format::of(&output.named)?)?;
         if chosen.json && album::is_standard(&output.path) {
             return Err("--json and the book cannot both go to standard output".into());
         }
@@ -85,8 +78,8 @@ pub(crate) fn make(made: &Book) -> Result<(), Complaint> {
             telling::step(&event, Some(format!("{}: exists already, skipped", output.path.display())));
             return Ok(());
         }
-        if matches!(Kind::of(&output.named), Ok(Kind::Shots(_))) {
-            return Err(format!("{}: a shot list needs a saved project", output.path.display()));
+        if matches!(Format::of(&output.named), Ok(Format::Shots(_))) {
+            return Err(format!("{}: a shot list needs a saved project", output.path.display()).into());
         }
     } else if !chosen.json && how.save_document.is_none() {
         return Err(NO_OUTPUT.into());
@@ -94,93 +87,52 @@ pub(crate) fn make(made: &Book) -> Result<(), Complaint> {
     if given.is_empty() {
         return Err("say which photos, or which folder".into());
     }
-    let style = chosen.style.as_deref().map(style_value).transpose()?;
-    let is_pdf = output.as_ref().is_some_and(|output| matches!(Kind::of(&output.named), Ok(Kind::Pdf)));
+    let is_pdf = output.as_ref().is_some_and(|output| matches!(Format::of(&output.named), Ok(Format::Pdf)));
     let mut page = chosen.paper.settings(is_pdf)?;
     page.rtl |= is_rtl(how.printing.language());
+    let options = chosen.options(page)?;
     let fonts = how.printing.fonts()?;
-    let mut photos = import_all(&album::files(given)?);
-    let looked = !chosen.no_detect && add_subjects(&mut photos, chosen.models.as_deref());
-    star(&mut photos, &chosen.star);
-    let request = Request {
-        seed: chosen.seed.unwrap_or(1),
-        photos: used_photos(chosen, &photos),
-        page,
-        style,
-        ordered: chosen.as_given.then_some(true),
-        figures: Some(false),
-        within: Families { layouts: Vec::new(), styles: chosen.style_family.clone() },
-        ..Request::default()
+    let mut photos = Photos::read(album::files(given)?)?;
+    photos.album.set_fonts(fonts.clone());
+    let looked = photos.prepare(chosen);
+    let used = photos.choose(&options);
+    let ids: Vec<String> = used.iter().map(|photo| photo.id.clone()).collect();
+    let mut book = BookOptions::new()
+        .title(&made.title.clone().unwrap_or_else(|| title(given)))
+        .language(how.printing.language())
+        .style_by_chapter(made.styles == Styles::Chapters)
+        .places(places(given, &photos));
+    if let Some(pages) = made.pages {
+        book = book.pages(pages as usize);
+    }
+    let progress = &mut |done: usize, of: usize| {
+        telling::step(&json!({ "event": "planned", "done": done, "of": of }), None);
     };
-    let wish = Wish {
-        title: made.title.clone().unwrap_or_else(|| title(given)),
-        language: how.printing.language().to_owned(),
-        places: places(given, &photos),
-        pages: made.pages.map(|pages| pages as usize),
-        styles: match made.styles {
-            Styles::One => book::Styles::One,
-            Styles::Chapters => book::Styles::Chapters,
-        },
-    };
-    let used: Vec<String> = request.photos.iter().map(|photo| photo.id.clone()).collect();
-    let (pages, title) = planned(request, wish, &photos, &fonts)?;
+    let BookPlan { title, pages } = photos.album.plan_book(&options, &book, used, progress)?;
     if let Some(wanted) = made.pages.filter(|wanted| *wanted as usize != pages.len()) {
         telling::note(None, &format!("there are {} pages, not {wanted}", pages.len()));
     }
     let drawn: Vec<Document> = pages.iter().map(|page| page.planned.document.clone()).collect();
     drawing::tell_missing(&drawn, &fonts)?;
     check_strict(how)?;
-    let album = projects::Album {
-        name: title,
-        pages: &drawn,
-        photos: &photos,
-        used: used.iter().map(String::as_str).collect(),
-        looked,
-    };
-    let written = write_album(&album, &fonts, output.as_ref(), (how, true, chosen))?;
+    let album = projects::Album { name: title, pages: &drawn, photos: &photos, used: &ids, looked };
+    let written = write_album(&album, &fonts, output.as_ref(), &Writing { how, several: true, chosen })?;
     if chosen.json {
         print(&told(&album.name, &pages, &photos)?)?;
     }
     done(&written)
 }
 
-/// The pages of a book with their text in its place, and the title.
-fn planned(
-    request: Request,
-    wish: Wish,
-    photos: &[(PathBuf, Imported)],
-    fonts: &GivenFonts,
-) -> Result<(Vec<BookPage>, String), Complaint> {
-    let complain = |error: inkpanel::Error| error.to_string();
-    let shelf = Shelf::new(request.photos.len());
-    let mut book = book::Book::new(request, wish, &shelf, MOST_SHEETS).map_err(complain)?;
-    let (title, of) = (book.title().to_owned(), book.len());
-    while book.step().map_err(complain)? {
-        telling::step(&json!({ "event": "planned", "done": book.done(), "of": of }), None);
-    }
-    let known = |id: &str| {
-        let photo = photos.iter().find(|(_, photo)| photo.meta.id == id);
-        photo.map(|(_, photo)| Known::from(&photo.meta)).unwrap_or_default()
-    };
-    let mut pages = book.pages();
-    for page in &mut pages {
-        let document = &mut page.planned.document;
-        let letters = fonts.letters(&document.words).map_err(complain)?;
-        place::settle(document, known, &letters).map_err(complain)?;
-    }
-    Ok((pages, title))
-}
-
 /// Returns the plan as JSON, as `render` does, with the title of the book, and the purpose and chapter of
 /// each page.
-fn told(title: &str, pages: &[BookPage], photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {
+fn told(title: &str, pages: &[BookPage], photos: &Photos) -> Result<Value, CliError> {
     let page = |page: &BookPage| {
         let mut told = plans::told_page(&page.planned, photos)?;
         told["role"] = json!(page.role.name());
         told["chapter"] = json!(page.chapter + 1);
         let texts = page.planned.document.words.iter().filter(|word| word["number"] != json!(true));
         told["texts"] = texts.map(|word| word["text"].clone()).collect();
-        Ok::<_, Complaint>(told)
+        Ok::<_, CliError>(told)
     };
     let pages = pages.iter().map(page).collect::<Result<Vec<_>, _>>()?;
     Ok(json!({ "title": title, "pages": pages }))
@@ -200,12 +152,14 @@ fn title(given: &[PathBuf]) -> String {
 }
 
 /// Places by the folders of photos, which lie within the folders that were given.
-fn places(given: &[PathBuf], photos: &[(PathBuf, Imported)]) -> std::collections::HashMap<String, String> {
+fn places(given: &[PathBuf], photos: &Photos) -> std::collections::HashMap<String, String> {
     let inside = |path: &Path| {
         let parent = path.parent()?;
         (!given.iter().any(|folder| folder == parent)).then(|| name(parent).to_owned())
     };
-    let folders: Vec<(&PhotoMeta, String)> =
-        photos.iter().map(|(path, photo)| (&photo.meta, inside(path).unwrap_or_default())).collect();
-    naming::places(folders.iter().map(|(photo, folder)| (photo.id.as_str(), folder.as_str())))
+    let folders: Vec<(&str, String)> = photos
+        .iter()
+        .map(|(path, photo)| (photo.meta.id.as_str(), inside(path).unwrap_or_default()))
+        .collect();
+    naming::places(folders.iter().map(|(photo, folder)| (*photo, folder.as_str())))
 }

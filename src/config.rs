@@ -1,7 +1,7 @@
 //! Settings of `render` and `book` in a file. Each setting has the name of an option. The command line takes precedence.
 
-use crate::{Complaint, album};
-use clap::{Command, CommandFactory};
+use crate::{CliError, album};
+use clap::{Arg, Command, CommandFactory};
 use serde_json::{Map, Value};
 use std::any::TypeId;
 use std::ffi::OsString;
@@ -18,9 +18,9 @@ const PERHAPS_FILES: [&str; 2] = ["layout", "style"];
 /// A sentence with the name of the file and of the setting.
 pub(crate) fn expanded<C: CommandFactory>(
     arguments: Vec<OsString>,
-) -> Result<(Vec<OsString>, Vec<PathBuf>), Complaint> {
+) -> Result<(Vec<OsString>, Vec<PathBuf>), CliError> {
     let Some(file) = named(&arguments) else { return Ok((arguments, Vec::new())) };
-    let complain = |reason: String| format!("{}: {reason}", file.display());
+    let complain = |error: CliError| error.at(file.display());
     let settings = read(&file).map_err(complain)?;
     let command = C::command();
     let name = arguments[1].to_str().unwrap_or_default();
@@ -49,10 +49,10 @@ fn named(arguments: &[OsString]) -> Option<PathBuf> {
 }
 
 /// Reads JSON from a file with this extension, otherwise TOML.
-fn read(file: &Path) -> Result<Map<String, Value>, Complaint> {
-    let about = std::fs::metadata(file).map_err(|error| error.to_string())?;
+fn read(file: &Path) -> Result<Map<String, Value>, CliError> {
+    let about = std::fs::metadata(file).map_err(|error| CliError::reading(&error))?;
     if about.len() > MOST {
-        return Err(format!("is larger than {MOST} bytes"));
+        return Err(CliError::new("too-large", format!("is larger than {MOST} bytes")));
     }
     let text = album::text(file)?;
     let is_json = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
@@ -74,7 +74,7 @@ fn options(
     command: &Command,
     folder: &Path,
     said: &[OsString],
-) -> Result<(Vec<OsString>, Vec<PathBuf>), Complaint> {
+) -> Result<(Vec<OsString>, Vec<PathBuf>), CliError> {
     let (mut options, mut files) = (Vec::new(), Vec::new());
     for (key, value) in settings {
         let name = key.replace('_', "-");
@@ -82,17 +82,17 @@ fn options(
             files.extend(texts(&value, &key)?.into_iter().map(|file| located(&file, folder)));
             continue;
         }
-        let known = command.get_arguments().find(|argument| argument.get_long() == Some(name.as_str()));
+        let known = command.get_arguments().find(|argument| names(argument).contains(&name.as_str()));
         let known = known.filter(|_| name != "config").ok_or_else(|| format!("unknown setting \"{key}\""))?;
-        let option = format!("--{name}");
-        if is_said(said, &option, known.get_short()) {
+        if is_said(said, known) {
             continue;
         }
+        let option = format!("--{name}");
         if !known.get_action().takes_values() {
             match value {
                 Value::Bool(true) => options.push(option.into()),
                 Value::Bool(false) => {}
-                _ => return Err(format!("{key}: must be true or false")),
+                _ => return Err(format!("{key}: must be true or false").into()),
             }
             continue;
         }
@@ -111,12 +111,17 @@ fn options(
     Ok((options, files))
 }
 
-/// Whether an option is among the arguments, in full or in short.
-fn is_said(arguments: &[OsString], option: &str, short: Option<char>) -> bool {
+/// The name of an option, and its earlier names.
+fn names(option: &Arg) -> Vec<&str> {
+    option.get_long().into_iter().chain(option.get_all_aliases().unwrap_or_default()).collect()
+}
+
+/// Whether an option is among the arguments, by one of its names or in short.
+fn is_said(arguments: &[OsString], option: &Arg) -> bool {
     arguments.iter().filter_map(|argument| argument.to_str()).take_while(|text| *text != "--").any(|text| {
         let whole = text.split_once('=').map_or(text, |(option, _)| option);
-        whole == option
-            || short.is_some_and(|short| {
+        whole.strip_prefix("--").is_some_and(|name| names(option).contains(&name))
+            || option.get_short().is_some_and(|short| {
                 text.strip_prefix('-').is_some_and(|rest| !rest.starts_with('-') && rest.starts_with(short))
             })
     })
@@ -127,11 +132,11 @@ fn located(file: &str, folder: &Path) -> PathBuf {
 }
 
 /// A text or a number, or several.
-fn texts(value: &Value, key: &str) -> Result<Vec<String>, Complaint> {
+fn texts(value: &Value, key: &str) -> Result<Vec<String>, CliError> {
     let one = |value: &Value| match value {
         Value::String(text) => Ok(text.clone()),
         Value::Number(number) => Ok(number.to_string()),
-        _ => Err(format!("{key}: must be a text or a number")),
+        _ => Err(format!("{key}: must be a text or a number").into()),
     };
     match value {
         Value::Array(values) => values.iter().map(one).collect(),
@@ -144,7 +149,7 @@ mod tests {
     use super::*;
     use serde_json::json;
 
-    fn made(settings: Value, said: &[&str]) -> Result<Vec<String>, Complaint> {
+    fn made(settings: Value, said: &[&str]) -> Result<Vec<String>, CliError> {
         let command = crate::Cli::command();
         let render = command.find_subcommand("render").unwrap();
         let Value::Object(settings) = settings else { panic!("a table") };
@@ -190,13 +195,24 @@ mod tests {
             made(settings, &["--style", "comic", "--", "--seed"]).unwrap(),
             ["--output=album/x.png", "--seed=7"]
         );
+        // Also by an earlier name of the option.
+        let settings = json!({ "duplicate_threshold": 8 });
+        assert_eq!(made(settings.clone(), &["--alike", "4"]).unwrap(), [""; 0]);
+        assert_eq!(made(settings, &[]).unwrap(), ["--duplicate-threshold=8"]);
+        assert_eq!(made(json!({ "alike": 8 }), &[]).unwrap(), ["--alike=8"]);
     }
 
     #[test]
     fn what_is_no_setting_is_named() {
-        assert_eq!(made(json!({ "sede": 7 }), &[]).unwrap_err(), "unknown setting \"sede\"");
-        assert_eq!(made(json!({ "config": "x" }), &[]).unwrap_err(), "unknown setting \"config\"");
-        assert_eq!(made(json!({ "merge": 1 }), &[]).unwrap_err(), "merge: must be true or false");
-        assert_eq!(made(json!({ "seed": {} }), &[]).unwrap_err(), "seed: must be a text or a number");
+        assert_eq!(made(json!({ "sede": 7 }), &[]).unwrap_err().to_string(), "unknown setting \"sede\"");
+        assert_eq!(
+            made(json!({ "config": "x" }), &[]).unwrap_err().to_string(),
+            "unknown setting \"config\""
+        );
+        assert_eq!(made(json!({ "merge": 1 }), &[]).unwrap_err().to_string(), "merge: must be true or false");
+        assert_eq!(
+            made(json!({ "seed": {} }), &[]).unwrap_err().to_string(),
+            "seed: must be a text or a number"
+        );
     }
 }

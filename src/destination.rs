@@ -1,9 +1,9 @@
 //! Output of the command line: files, which are written atomically, and standard output. Printing macros
 //! panic when their pipe is closed, so the command line prints by the functions here and in `telling`.
 
-use crate::Complaint;
+use crate::CliError;
 use crate::album::is_standard;
-use crate::drawing::Kind;
+use crate::format::Format;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -22,13 +22,13 @@ impl Output {
     ///
     /// # Errors
     /// A sentence if the format is unknown.
-    pub(crate) fn new(path: &Path, format: Option<&str>) -> Result<Self, Complaint> {
+    pub(crate) fn new(path: &Path, format: Option<&str>) -> Result<Self, CliError> {
         let named = match format {
             Some(format) => Path::new("page").with_extension(format),
             None if is_standard(path) => PathBuf::from("page.png"),
             None => path.to_owned(),
         };
-        Kind::of(&named)?;
+        Format::of(&named)?;
         // The title of a PDF file is its name.
         let named = match format {
             Some(format) if !is_standard(path) => path.with_extension(format),
@@ -43,7 +43,7 @@ impl Output {
             && fs::metadata(&self.path).is_ok_and(|file| file.is_file() && file.len() > 0)
     }
 
-    pub(crate) fn write(&self, bytes: &[u8]) -> Result<(), Complaint> {
+    pub(crate) fn write(&self, bytes: &[u8]) -> Result<(), CliError> {
         write(&self.path, bytes)
     }
 }
@@ -53,20 +53,20 @@ impl Output {
 ///
 /// # Errors
 /// A sentence with the name. A failed write changes nothing.
-pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
     if is_standard(path) {
         return print(bytes);
     }
-    let complain = |error: std::io::Error| format!("{}: {error}", path.display());
+    let complain = |error| CliError::writing(path, &error);
     // Links stay links. Pipes and other special files cannot be replaced.
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    if fs::metadata(&path).is_ok_and(|there| !there.is_file()) {
-        return fs::write(&path, bytes).map_err(complain);
+    let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    if fs::metadata(&place).is_ok_and(|there| !there.is_file()) {
+        return fs::write(&place, bytes).map_err(complain);
     }
-    let fresh = fresh_beside(&path);
+    let fresh = fresh_beside(&place);
     let written =
         File::create(&fresh).and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()));
-    let placed = written.and_then(|()| fs::rename(&fresh, &path));
+    let placed = written.and_then(|()| fs::rename(&fresh, &place));
     if placed.is_err() {
         let _ = fs::remove_file(&fresh);
     }
@@ -77,10 +77,12 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Complaint> {
 ///
 /// # Errors
 /// A sentence for any other failure.
-pub(crate) fn print(bytes: &[u8]) -> Result<(), Complaint> {
+pub(crate) fn print(bytes: &[u8]) -> Result<(), CliError> {
     let mut out = std::io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(format!("standard output: {error}")),
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(CliError::writing(Path::new("standard output"), &error))
+        }
         _ => Ok(()),
     }
 }
@@ -89,7 +91,7 @@ pub(crate) fn print(bytes: &[u8]) -> Result<(), Complaint> {
 ///
 /// # Errors
 /// The errors of [`print`].
-pub(crate) fn print_lines(lines: impl IntoIterator<Item = String>) -> Result<(), Complaint> {
+pub(crate) fn print_lines(lines: impl IntoIterator<Item = String>) -> Result<(), CliError> {
     let text: String = lines.into_iter().map(|line| line + "\n").collect();
     print(text.as_bytes())
 }
@@ -115,7 +117,7 @@ mod tests {
         }
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
         let nowhere = folder.path().join("missing/page.png");
-        assert!(write(&nowhere, b"x").unwrap_err().contains("page.png"));
+        assert!(write(&nowhere, b"x").unwrap_err().to_string().contains("page.png"));
     }
 
     #[test]
@@ -131,14 +133,14 @@ mod tests {
     #[test]
     fn the_kind_is_told_by_the_name_or_by_word() {
         let kind = |path: &str, format: Option<&str>| {
-            Output::new(Path::new(path), format).map(|output| Kind::of(&output.named).unwrap())
+            Output::new(Path::new(path), format).map(|output| Format::of(&output.named).unwrap())
         };
-        assert_eq!(kind("a.PNG", None), Ok(Kind::Png));
-        assert_eq!(kind("-", None), Ok(Kind::Png));
-        assert_eq!(kind("-", Some("jpg")), Ok(Kind::Jpeg));
-        assert_eq!(kind("a.out", Some("webp")), Ok(Kind::Webp));
+        assert_eq!(kind("a.PNG", None), Ok(Format::Png));
+        assert_eq!(kind("-", None), Ok(Format::Png));
+        assert_eq!(kind("-", Some("jpg")), Ok(Format::Jpeg));
+        assert_eq!(kind("a.out", Some("webp")), Ok(Format::Webp));
         for name in ["a.tiff", "a", "a.svg"] {
-            assert!(kind(name, None).unwrap_err().contains("must end in .png"), "{name}");
+            assert!(kind(name, None).unwrap_err().to_string().contains("must end in .png"), "{name}");
         }
     }
 }

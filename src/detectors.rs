@@ -7,41 +7,46 @@ use inkpanel::page::import::Imported;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
-use crate::{Complaint, telling};
+use crate::photos::Photos;
+use crate::{CliError, telling};
 
 /// Reads the models from `folder`, or from the default folder.
-pub(crate) fn load(folder: Option<&Path>) -> Result<Detectors, Complaint> {
-    let folder = folder.map(Path::to_path_buf).or_else(find).ok_or_else(|| {
-        "the detectors' models are missing: make them with `cargo xtask models`, or name their folder \
-         with --models"
-            .to_owned()
-    })?;
+pub(crate) fn load(folder: Option<&Path>) -> Result<Detectors, CliError> {
+    let folder = folder
+        .map(Path::to_path_buf)
+        .or_else(find)
+        .ok_or_else(|| missing("the detectors' models are", "them", "their"))?;
     let read = |name: &str| {
         let file = folder.join(name);
-        std::fs::read(&file).map_err(|error| format!("{}: {error}", file.display()))
+        std::fs::read(&file).map_err(|error| CliError::new("no-models", error.to_string()).at(file.display()))
     };
     let (faces, objects) = (read("faces.onnx")?, read("objects.onnx")?);
-    Detectors::new(&faces, &objects).map_err(|error| format!("{}: {error}", folder.display()))
+    Detectors::new(&faces, &objects).map_err(|error| CliError::from(error).at(folder.display()))
 }
 
 /// Reads the model that rates pictures, from `folder` or the default folder.
-pub(crate) fn load_aesthetics(folder: Option<&Path>) -> Result<Aesthetics, Complaint> {
-    let file = folder.map(Path::to_path_buf).or_else(find).map(|folder| folder.join("aesthetics.onnx"));
-    let onnx = file.and_then(|file| std::fs::read(file).ok()).ok_or_else(|| {
-        "aesthetics.onnx is missing: make it with `cargo xtask models`, or name its folder with --models"
-            .to_owned()
-    })?;
-    Aesthetics::new(&onnx).map_err(|error| format!("aesthetics.onnx: {error}"))
+pub(crate) fn load_aesthetics(folder: Option<&Path>) -> Result<Aesthetics, CliError> {
+    let name = "aesthetics.onnx";
+    Aesthetics::new(&model(folder, name)?).map_err(|error| CliError::from(error).at(name))
 }
 
 /// Reads the model that finds the subject of a photo, from `folder` or the default folder.
-pub(crate) fn load_segmenter(folder: Option<&Path>) -> Result<Segmenter, Complaint> {
-    let file = folder.map(Path::to_path_buf).or_else(find).map(|folder| folder.join("subject.onnx"));
-    let onnx = file.and_then(|file| std::fs::read(file).ok()).ok_or_else(|| {
-        "subject.onnx is missing: make it with `cargo xtask models`, or name its folder with --models"
-            .to_owned()
-    })?;
-    Segmenter::new(&onnx).map_err(|error| format!("subject.onnx: {error}"))
+pub(crate) fn load_segmenter(folder: Option<&Path>) -> Result<Segmenter, CliError> {
+    let name = "subject.onnx";
+    Segmenter::new(&model(folder, name)?).map_err(|error| CliError::from(error).at(name))
+}
+
+/// Reads a model from `folder` or the default folder.
+fn model(folder: Option<&Path>, name: &str) -> Result<Vec<u8>, CliError> {
+    let file = folder.map(Path::to_path_buf).or_else(find).map(|folder| folder.join(name));
+    let missing = || missing(&format!("{name} is"), "it", "its");
+    file.and_then(|file| std::fs::read(file).ok()).ok_or_else(missing)
+}
+
+/// The error of missing models, which are `it` and have `its` folder.
+fn missing(models: &str, it: &str, its: &str) -> CliError {
+    let advice = format!("make {it} with `cargo xtask models`, or name {its} folder with --models");
+    CliError::new("no-models", format!("{models} missing: {advice}"))
 }
 
 /// Searches `models` next to the program, `www/models` in the working folder, then `www/models` in the
@@ -54,11 +59,11 @@ fn find() -> Option<PathBuf> {
     beside.into_iter().chain(above).chain([built]).find(|folder| folder.join("faces.onnx").is_file())
 }
 
-/// Subjects of each photo. A failure is reported and counts as no result.
-pub(crate) fn run(detectors: &Detectors, photos: &[(PathBuf, Imported)]) -> Vec<Vec<Detection>> {
-    let found = photos.par_iter().map(|(path, photo)| {
+/// Boxes of each photo. A failure is reported and counts as no result.
+pub(crate) fn run(detectors: &Detectors, photos: &Photos) -> Vec<Vec<Detection>> {
+    let found = photos.album.imported().par_iter().map(|(place, photo)| {
         detectors.detect(&photo.work).unwrap_or_else(|error| {
-            telling::note(Some(&path.display().to_string()), &error.to_string());
+            telling::note(Some(&photos.file(*place).display().to_string()), &error.to_string());
             Vec::new()
         })
     });

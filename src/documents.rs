@@ -1,10 +1,12 @@
 //! Pages as plain data on the command line: written with the names of their photos, and drawn again.
 
 use crate::destination::{Output, write};
+use crate::format::Format;
 use crate::segments::Masks;
-use crate::{Complaint, How, check_strict, decode_file, done, drawing, name, plans, reading};
+use crate::{CliError, How, check_strict, decode_file, done, drawing, name, plans, reading};
 use inkpanel::document::sheets::photos_on;
 use inkpanel::page::Document;
+use inkpanel::with_names;
 use serde_json::Value;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -24,23 +26,13 @@ pub(crate) fn save(
     paths: &HashMap<&str, &Path>,
     several: bool,
     file: &Path,
-) -> Result<(), Complaint> {
+) -> Result<(), CliError> {
     let named = |id: &str| -> String {
         let Some(path) = paths.get(id) else { return id.to_owned() };
         let alone = paths.values().filter(|other| name(other) == name(path)).count() == 1;
         if alone { name(path).to_owned() } else { path.display().to_string() }
     };
-    let texts: Vec<String> = pages
-        .iter()
-        .map(|page| {
-            let mut page = page.clone();
-            for panel in &mut page.panels {
-                panel.photo = panel.photo.as_deref().map(named);
-            }
-            page.order = page.order.iter().map(|id| named(id)).collect();
-            page.to_json()
-        })
-        .collect();
+    let texts: Vec<String> = pages.iter().map(|page| with_names(page, &named).to_json()).collect();
     let text = if several { format!("[{}]", texts.join(",\n")) } else { texts.concat() };
     write(file, format!("{text}\n").as_bytes())
 }
@@ -49,14 +41,15 @@ pub(crate) fn save(
 ///
 /// # Errors
 /// A sentence, if the file is not a page, or a photo is neither in `files` nor next to the file.
-pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -> Result<(), Complaint> {
-    let complain = |reason: String| format!("{}: {reason}", file.display());
+pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -> Result<(), CliError> {
+    let complain = |error: CliError| error.at(file.display());
     let pages = read(file).map_err(complain)?;
     let shown: Vec<&Document> = pages.iter().collect();
     let mut paths: HashMap<String, PathBuf> = HashMap::new();
     for photo in photos_on(&shown) {
         let path = found(photo, file, files).ok_or_else(|| {
-            complain(format!("the photo {photo} is neither in its folder nor among the given photos"))
+            let why = format!("the photo {photo} is neither in its folder nor among the given photos");
+            complain(CliError::new("missing-photo", why))
         })?;
         paths.insert(photo.to_owned(), path);
     }
@@ -72,38 +65,39 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
         }
     }
     check_strict(how)?;
-    let printed: drawing::Printed<'_> = (&how.printing, &|_| &[]);
-    if let drawing::Kind::Comic(kind) = drawing::Kind::of(&output.named)? {
+    if let Format::Comic(kind) = Format::of(&output.named)? {
         let title = output.named.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
         let told = reading::Telling { title: &title, language: how.printing.language() };
         return done(&reading::write((kind, told), &pages, &|_| &[], &means, output)?);
     }
     if let [page] = &pages[..]
-        && drawing::Kind::of(&output.named)? != drawing::Kind::Pdf
+        && Format::of(&output.named)? != Format::Pdf
     {
         output.write(&drawing::draw(page, &means, &output.named)?)?;
         return done(std::slice::from_ref(&output.path));
     }
-    done(&plans::draw_all(&pages, &means, output, (how.skip_existing, &|_, file| Ok(file), printed))?)
+    let files = plans::Files {
+        skips: how.skip_existing,
+        finish: &|_, file| Ok(file),
+        printed: (&how.printing, &|_| &[]),
+    };
+    done(&plans::draw_all(&pages, &means, output, &files)?)
 }
 
-fn read(file: &Path) -> Result<Vec<Document>, Complaint> {
+fn read(file: &Path) -> Result<Vec<Document>, CliError> {
     let text = crate::album::text(file)?;
     if text.len() as u64 > MOST {
-        return Err(format!("is larger than {} MB", MOST >> 20));
+        return Err(CliError::new("too-large", format!("is larger than {} MB", MOST >> 20)));
     }
-    let value: Value = serde_json::from_str(&text).map_err(|error| format!("not valid JSON: {error}"))?;
+    let value: Value = serde_json::from_str(&text).map_err(CliError::not_json)?;
     let values = match value {
         Value::Array(values) => values,
         value => vec![value],
     };
     if values.is_empty() || values.len() > MOST_PAGES {
-        return Err(format!("must have from 1 to {MOST_PAGES} pages"));
+        return Err(CliError::new("invalid-document", format!("must have from 1 to {MOST_PAGES} pages")));
     }
-    values
-        .iter()
-        .map(|value| Document::parse(&value.to_string()).map_err(|error| error.to_string()))
-        .collect()
+    values.iter().map(|value| Ok(Document::parse(&value.to_string())?)).collect()
 }
 
 /// Returns the file of a photo: a given file with this name, or a file in a folder next to the page.

@@ -2,14 +2,13 @@
 
 use crate::album::{self, is_standard};
 use crate::destination::{Output, write};
+use crate::format::Format;
+use crate::photos::Photos;
 use crate::segments::Masks;
-use crate::{Complaint, own_pages, reading, telling};
-use inkpanel::Error;
+use crate::{CliError, own_pages, reading, telling};
 use inkpanel::framing::Subject;
 use inkpanel::layout::{self, PagePreset, PaperSize};
 use inkpanel::native::{self, QUALITY, alts};
-use inkpanel::output::shots;
-use inkpanel::page::import::Imported;
 use inkpanel::page::pdf::{self, Imposition, Options};
 use inkpanel::page::plates::{self, Separation};
 use inkpanel::page::words::given::{self, GivenFonts};
@@ -25,24 +24,22 @@ use std::path::{Path, PathBuf};
 pub(crate) fn add_words(
     document: &mut Document,
     file: &Path,
-    photos: &[(PathBuf, Imported)],
+    photos: &Photos,
     fonts: &GivenFonts,
-) -> Result<(), Complaint> {
-    let complain = |reason: String| format!("{}: {reason}", file.display());
+) -> Result<(), CliError> {
+    let complain = |error: CliError| error.at(file.display());
     let json = album::text(file).map_err(complain)?;
-    let words: Vec<Value> = serde_json::from_str(&json).map_err(|error| complain(error.to_string()))?;
-    let known = |id: &str| {
-        let photo = photos.iter().find(|(_, photo)| photo.meta.id == id);
-        photo.map(|(_, photo)| Known::from(&photo.meta)).unwrap_or_default()
-    };
-    let letters = fonts.letters(&words).map_err(|error| complain(error.to_string()))?;
-    place::add(document, words, known, &letters).map_err(|error| complain(error.to_string()))
+    let words: Vec<Value> = serde_json::from_str(&json)
+        .map_err(|error| complain(CliError::new("invalid-document", error.to_string())))?;
+    let known = |id: &str| photos.find(id).map(|(_, photo)| Known::from(&photo.meta)).unwrap_or_default();
+    let letters = fonts.letters(&words).map_err(|error| complain(error.into()))?;
+    place::add(document, words, known, &letters).map_err(|error| complain(error.into()))
 }
 
 /// Warns about characters without a glyph.
-pub(crate) fn tell_missing(pages: &[Document], fonts: &GivenFonts) -> Result<(), Complaint> {
+pub(crate) fn tell_missing(pages: &[Document], fonts: &GivenFonts) -> Result<(), CliError> {
     let words = || pages.iter().flat_map(|page| &page.words);
-    let letters = fonts.letters(words()).map_err(|error| error.to_string())?;
+    let letters = fonts.letters(words())?;
     let missing = given::missing(&letters, words());
     if !missing.is_empty() {
         telling::note(
@@ -59,51 +56,13 @@ pub(crate) fn tell_missing(pages: &[Document], fonts: &GivenFonts) -> Result<(),
 /// Returns the subjects of a photo by id.
 pub(crate) type Subjects<'a> = dyn Fn(&str) -> &'a [Subject] + 'a;
 
-/// A kind of file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
-    Png,
-    Jpeg,
-    Webp,
-    Pdf,
-    /// A project, which the page opens.
-    Project,
-    Comic(reading::Kind),
-    /// The shots of a project as a list.
-    Shots(shots::Kind),
-}
-
-impl Kind {
-    /// File type of a file name extension.
-    pub(crate) fn of(output: &Path) -> Result<Self, Complaint> {
-        if let Some(kind) = reading::Kind::of(output) {
-            return Ok(Self::Comic(kind));
-        }
-        let ending = output.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        if let Some(kind) = ending.as_deref().and_then(shots::Kind::of) {
-            return Ok(Self::Shots(kind));
-        }
-        match ending.as_deref() {
-            Some("png") => Ok(Self::Png),
-            Some("jpg" | "jpeg") => Ok(Self::Jpeg),
-            Some("webp") => Ok(Self::Webp),
-            Some("pdf") => Ok(Self::Pdf),
-            Some("inkpanel") => Ok(Self::Project),
-            _ => Err(format!(
-                "{}: the name of the page must end in .png, .jpg, .webp, .pdf, .html, .epub, .cbz or .inkpanel",
-                output.display()
-            )),
-        }
-    }
-}
-
 /// Decodes a photo at full size by its id. Returns nothing for a missing photo.
-pub(crate) type Photos<'p> = dyn Fn(&str) -> Result<Option<Image>, Complaint> + Sync + 'p;
+pub(crate) type FullPhotos<'p> = dyn Fn(&str) -> Result<Option<Image>, CliError> + Sync + 'p;
 
 /// Resources to draw pages.
 #[derive(Clone, Copy)]
 pub(crate) struct Means<'p> {
-    pub(crate) photos: &'p Photos<'p>,
+    pub(crate) photos: &'p FullPhotos<'p>,
     pub(crate) fonts: &'p GivenFonts,
     pub(crate) masks: &'p Masks,
     /// JPEG quality, from 1 to 100.
@@ -113,14 +72,14 @@ pub(crate) struct Means<'p> {
 }
 
 /// Returns a page in its final form, with its photos. Upscaled photos are reported.
-fn prepared(document: &Document, means: &Means<'_>) -> Result<(Document, native::Photos), Complaint> {
+fn prepared(document: &Document, means: &Means<'_>) -> Result<(Document, native::Photos), CliError> {
     let photos = decoded(document, means)?;
     let mut page = document.clone();
     if means.enlarges {
         page.page.enlarge = true;
         let size =
             |id: &str| photos.get(id).map(|photo| (photo.image.width() as u32, photo.image.height() as u32));
-        for (panel, dpi) in native::coarse(&page, &size).map_err(|error| error.to_string())? {
+        for (panel, dpi) in native::coarse(&page, &size)? {
             let event = json!({ "event": "enlarged", "panel": panel + 1, "dpi": dpi });
             telling::step(&event, Some(format!("panel {}: enlarged from {dpi} dpi", panel + 1)));
         }
@@ -129,39 +88,39 @@ fn prepared(document: &Document, means: &Means<'_>) -> Result<(Document, native:
 }
 
 /// Renders a document from its photos, decoded at their full size, as the kind of picture that `output` names.
-pub(crate) fn draw(document: &Document, means: &Means<'_>, output: &Path) -> Result<Vec<u8>, Complaint> {
-    let kind = Kind::of(output)?;
-    Ok(own_pages::marked(drawn(document, means, kind)?, kind))
+pub(crate) fn draw(document: &Document, means: &Means<'_>, output: &Path) -> Result<Vec<u8>, CliError> {
+    let format = Format::of(output)?;
+    Ok(own_pages::marked(drawn(document, means, format)?, format))
 }
 
-fn drawn(document: &Document, means: &Means<'_>, kind: Kind) -> Result<Vec<u8>, Complaint> {
+fn drawn(document: &Document, means: &Means<'_>, format: Format) -> Result<Vec<u8>, CliError> {
     let (document, photos) = &prepared(document, means)?;
-    let sheet = native::sheet(document, photos, means.fonts).map_err(|error| error.to_string())?;
-    encoded(kind, (sheet.width(), sheet.height()), sheet.rgb(), (document.page.dpi, means.quality))
+    let sheet = native::sheet(document, photos, means.fonts)?;
+    encoded(format, (sheet.width(), sheet.height()), sheet.rgb(), (document.page.dpi, means.quality))
 }
 
 /// Pixels as a file of a kind that holds a single picture.
 pub(crate) fn encoded(
-    kind: Kind,
+    format: Format,
     (width, height): (usize, usize),
     rgb: &[u8],
     (dpi, quality): (u32, u8),
-) -> Result<Vec<u8>, Complaint> {
-    let file = match kind {
-        Kind::Png => png::encode_rgb(width, height, rgb, dpi),
-        Kind::Jpeg => jpeg::encode_rgb(width, height, rgb, dpi, quality),
-        Kind::Webp => webp::encode_rgb(width, height, rgb),
-        Kind::Pdf => return Err("stylize writes .png, .jpg or .webp".into()),
-        Kind::Project | Kind::Comic(_) | Kind::Shots(_) => {
+) -> Result<Vec<u8>, CliError> {
+    let file = match format {
+        Format::Png => png::encode_rgb(width, height, rgb, dpi),
+        Format::Jpeg => jpeg::encode_rgb(width, height, rgb, dpi, quality),
+        Format::Webp => webp::encode_rgb(width, height, rgb),
+        Format::Pdf => return Err("stylize writes .png, .jpg or .webp".into()),
+        Format::Project | Format::Comic(_) | Format::Shots(_) => {
             return Err("this format is only available in `render`".into());
         }
     };
-    file.map_err(|error| error.to_string())
+    Ok(file?)
 }
 
 /// Renders a document as JPEG.
-pub(crate) fn jpeg_of(document: &Document, means: &Means<'_>) -> Result<Vec<u8>, Complaint> {
-    drawn(document, means, Kind::Jpeg)
+pub(crate) fn jpeg_of(document: &Document, means: &Means<'_>) -> Result<Vec<u8>, CliError> {
+    drawn(document, means, Format::Jpeg)
 }
 
 /// Options of output files, mostly for print.
@@ -202,13 +161,13 @@ const A4: [f64; 2] = [210.0, 297.0];
 /// Widest bleed in millimetres; a tenth of the page's width is the most in any case.
 const MOST_BLEED: f64 = 25.0;
 
-fn millimetres(text: &str) -> Result<f64, Complaint> {
+fn millimetres(text: &str) -> Result<f64, String> {
     let told = text.trim_end_matches("mm").trim().parse::<f64>().ok();
     told.filter(|told| (0.0..=MOST_BLEED).contains(told))
         .ok_or_else(|| format!("must be a number of millimetres from 0 to {MOST_BLEED}"))
 }
 
-fn imposition(name: &str) -> Result<Imposition, Complaint> {
+fn imposition(name: &str) -> Result<Imposition, String> {
     let found = Imposition::ALL.iter().find(|(known, _)| *known == name);
     found.map(|(_, how)| *how).ok_or_else(|| {
         let names: Vec<&str> = Imposition::ALL.iter().map(|(known, _)| *known).collect();
@@ -216,7 +175,7 @@ fn imposition(name: &str) -> Result<Imposition, Complaint> {
     })
 }
 
-fn sheet(text: &str) -> Result<[f64; 2], Complaint> {
+fn sheet(text: &str) -> Result<[f64; 2], String> {
     if let Some(PagePreset { width, height, dpi, .. }) = layout::preset(text) {
         return Ok([width, height].map(|side| f64::from(side) / f64::from(dpi) * 25.4));
     }
@@ -236,19 +195,19 @@ fn sheet(text: &str) -> Result<[f64; 2], Complaint> {
 ///
 /// # Errors
 /// A sentence with the name of a file that is not a font or is too large.
-pub(crate) fn fonts(files: &[PathBuf]) -> Result<GivenFonts, Complaint> {
+pub(crate) fn fonts(files: &[PathBuf]) -> Result<GivenFonts, CliError> {
     let mut fonts = GivenFonts::default();
     for path in files {
-        let complain = |reason: String| format!("{}: {reason}", path.display());
+        let complain = |error: CliError| error.at(path.display());
         let file = album::read(path).map_err(complain)?;
-        fonts.add(file).map_err(|reason| complain(reason.to_owned()))?;
+        fonts.add(file).map_err(|reason| complain(reason.into()))?;
     }
     Ok(fonts)
 }
 
 impl Printing {
     /// Rejects PDF options for other file types.
-    pub(crate) fn check(&self, kind: Kind) -> Result<(), Complaint> {
+    pub(crate) fn check(&self, format: Format) -> Result<(), CliError> {
         let told = [
             ("--bleed", self.bleed.is_some()),
             ("--marks", self.marks),
@@ -257,8 +216,10 @@ impl Printing {
             ("--plates", self.plates),
         ];
         match told.iter().find(|(_, told)| *told) {
-            Some((flag, _)) if kind != Kind::Pdf => Err(format!("{flag} needs an output file .pdf")),
-            _ if self.quality.is_some() && matches!(kind, Kind::Png | Kind::Webp | Kind::Project) => {
+            Some((flag, _)) if format != Format::Pdf => {
+                Err(format!("{flag} needs an output file .pdf").into())
+            }
+            _ if self.quality.is_some() && matches!(format, Format::Png | Format::Webp | Format::Project) => {
                 Err("--quality needs an output file .jpg, .pdf, .html, .epub or .cbz".into())
             }
             _ => Ok(()),
@@ -269,14 +230,14 @@ impl Printing {
     ///
     /// # Errors
     /// A sentence with the name of a file that is not a font or is too large.
-    pub(crate) fn fonts(&self) -> Result<GivenFonts, Complaint> {
+    pub(crate) fn fonts(&self) -> Result<GivenFonts, CliError> {
         fonts(&self.font)
     }
 
     /// Resources to draw pages.
     pub(crate) fn means<'m>(
         &self,
-        photos: &'m Photos<'m>,
+        photos: &'m FullPhotos<'m>,
         fonts: &'m GivenFonts,
         masks: &'m Masks,
     ) -> Means<'m> {
@@ -331,7 +292,7 @@ pub(crate) fn write_book(
     means: &Means<'_>,
     output: &Output,
     (printing, subjects): Printed<'_>,
-) -> Result<Vec<PathBuf>, Complaint> {
+) -> Result<Vec<PathBuf>, CliError> {
     if printing.plates && is_standard(&output.path) {
         return Err("--plates writes one file per ink, so it needs --output with a file name".into());
     }
@@ -352,17 +313,16 @@ fn draw_book(
     means: &Means<'_>,
     output: &Path,
     (printing, subjects): Printed<'_>,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, Complaint> {
-    let told = |error: Error| error.to_string();
-    let letters = means.fonts.letters(documents.iter().flat_map(|page| &page.words)).map_err(told)?;
+) -> Result<Vec<(PathBuf, Vec<u8>)>, CliError> {
+    let letters = means.fonts.letters(documents.iter().flat_map(|page| &page.words))?;
     let documents: Vec<Document> = documents.iter().map(|document| printing.bled(document)).collect();
     if !printing.plates {
         let leaf = |document| leaf(document, means, (None, alts(document, subjects)));
         let leaves = documents.iter().map(leaf).collect::<Result<Vec<_>, _>>()?;
-        let file = pdf::write(&leaves, &printing.options(output, None), &letters).map_err(told)?;
+        let file = pdf::write(&leaves, &printing.options(output, None), &letters)?;
         return Ok(vec![(output.to_owned(), file)]);
     }
-    let style = documents.first().ok_or("the document has no pages")?.style().map_err(told)?;
+    let style = documents.first().ok_or("the document has no pages")?.style()?;
     let inks = plates::inks(&style).ok_or_else(|| {
         format!(
             "the style {} has no plates; choose a style with the block \"Inks (Printing Plates)\"",
@@ -377,7 +337,7 @@ fn draw_book(
     {
         return Err("the pages have different inks; plates need one style for all pages".into());
     }
-    let exact = documents.iter().map(plates::exact).collect::<Result<Vec<_>, _>>().map_err(told)?;
+    let exact = documents.iter().map(plates::exact).collect::<Result<Vec<_>, _>>()?;
     let mut files = Vec::new();
     for (plate, ink) in inks.iter().enumerate() {
         let leaf = |document| leaf(document, means, (Some((&separation, plate)), alts(document, subjects)));
@@ -385,7 +345,7 @@ fn draw_book(
         let stem = output.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
         let path = output.with_file_name(format!("{stem}-{}.pdf", ink.name));
         let options = Options { inks: colours.clone(), ..printing.options(&path, Some(plate)) };
-        let file = pdf::write(&leaves, &options, &letters).map_err(told)?;
+        let file = pdf::write(&leaves, &options, &letters)?;
         files.push((path, file));
     }
     Ok(files)
@@ -395,15 +355,15 @@ fn leaf(
     document: &Document,
     means: &Means<'_>,
     (plate, alts): (Option<(&Separation, usize)>, Vec<String>),
-) -> Result<pdf::Leaf, Complaint> {
+) -> Result<pdf::Leaf, CliError> {
     let (document, photos) = &prepared(document, means)?;
-    native::leaf(document, photos, alts, (plate, means.quality)).map_err(|error| error.to_string())
+    Ok(native::leaf(document, photos, alts, (plate, means.quality))?)
 }
 
 /// Decodes the available photos of a page, in parallel.
-pub(crate) fn decoded(document: &Document, means: &Means<'_>) -> Result<native::Photos, Complaint> {
-    let wanted = native::photos_of(document).map_err(|error| error.to_string())?;
-    let style = document.style().map_err(|error| error.to_string())?;
+pub(crate) fn decoded(document: &Document, means: &Means<'_>) -> Result<native::Photos, CliError> {
+    let wanted = native::photos_of(document)?;
+    let style = document.style()?;
     let read = |id: String| {
         let image = (means.photos)(&id).transpose()?;
         Some(image.map(|image| {

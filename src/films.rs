@@ -12,7 +12,7 @@ use inkpanel::select::shots::{Film, Shot};
 use inkpanel::select::stills::{self, Still, Wish};
 use serde_json::{Value, json};
 
-use crate::{Complaint, telling};
+use crate::{CliError, telling};
 
 /// Frames are asked for in this width at most, in pixels.
 const ACROSS: usize = 640;
@@ -28,7 +28,7 @@ const MOST_MESSAGES: u64 = 1 << 16;
 ///
 /// # Errors
 /// A sentence, if ffmpeg is missing or cannot read the file.
-pub(crate) fn shots(film: &Path, count: Option<usize>) -> Result<Value, Complaint> {
+pub(crate) fn shots(film: &Path, count: Option<usize>) -> Result<Value, CliError> {
     let about = About::of(film)?;
     let (seen, is_damaged) = look_at(film, &about)?;
     // The header of a truncated film still says how long it was.
@@ -89,12 +89,14 @@ fn reason(messages: &[u8], film: &Path) -> String {
 }
 
 impl About {
-    fn of(film: &Path) -> Result<Self, Complaint> {
+    fn of(film: &Path) -> Result<Self, CliError> {
         let mut probe = Command::new("ffprobe");
         probe.args(["-v", "error", "-select_streams", "V:0", "-of", "json", "-show_entries"]);
         probe.arg("stream=width,height,avg_frame_rate,duration:stream_tags=timecode:format=duration");
         probe.arg(named(film)).stdin(Stdio::null());
-        let answer = probe.output().map_err(|_| "videos need ffmpeg, which is not installed".to_owned())?;
+        let answer = probe
+            .output()
+            .map_err(|_| CliError::new("no-ffmpeg", "videos need ffmpeg, which is not installed"))?;
         let name = film.display();
         let told: Value = serde_json::from_slice(&answer.stdout).unwrap_or_default();
         let stream = &told["streams"][0];
@@ -102,7 +104,7 @@ impl About {
         let (Some(width), Some(height)) = (size("width"), size("height")) else {
             let why = reason(&answer.stderr, film);
             let why = if why.is_empty() { "it has no frames" } else { &why };
-            return Err(format!("{name}: ffmpeg cannot read this video: {why}"));
+            return Err(CliError::new("unreadable", format!("{name}: ffmpeg cannot read this video: {why}")));
         };
         let seconds = |part: &Value| part["duration"].as_str().and_then(|text| text.parse::<f64>().ok());
         let whole = seconds(&told["format"]);
@@ -125,7 +127,7 @@ impl About {
 }
 
 /// Looks at the frames of a film. Returns also whether ffmpeg complained of the file.
-fn look_at(film: &Path, about: &About) -> Result<(Film, bool), Complaint> {
+fn look_at(film: &Path, about: &About) -> Result<(Film, bool), CliError> {
     let mut ffmpeg = Command::new("ffmpeg");
     ffmpeg.args(["-v", "error", "-nostdin", "-noautorotate", "-i"]).arg(named(film));
     ffmpeg.args(["-map", "0:V:0", "-vf"]);
@@ -134,10 +136,10 @@ fn look_at(film: &Path, about: &About) -> Result<(Film, bool), Complaint> {
     ffmpeg.arg(format!("setpts=PTS-STARTPTS,fps={rate},scale={width}:{height}"));
     ffmpeg.args(["-pix_fmt", "yuv420p", "-f", "rawvideo", "-"]);
     ffmpeg.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let failed = |error: io::Error| format!("ffmpeg: {error}");
+    let failed = |error: io::Error| CliError::new("no-ffmpeg", format!("ffmpeg: {error}"));
     let mut running = ffmpeg.spawn().map_err(failed)?;
-    let mut out = running.stdout.take().ok_or("ffmpeg gives no answer")?;
-    let mut said = running.stderr.take().ok_or("ffmpeg gives no answer")?;
+    let mut out = running.stdout.take().ok_or_else(|| CliError::fault("ffmpeg has no output"))?;
+    let mut said = running.stderr.take().ok_or_else(|| CliError::fault("ffmpeg has no output"))?;
     // Both pipes are read at once: ffmpeg stops while one of them is full.
     let messages = std::thread::spawn(move || {
         let mut messages = Vec::new();
@@ -149,17 +151,15 @@ fn look_at(film: &Path, about: &About) -> Result<(Film, bool), Complaint> {
     let mut seen = Film::new();
     let mut number = 0;
     while out.read_exact(&mut frame).is_ok() {
-        seen.add(
-            f64::from(number) / about.rate,
-            look(&frame, width, height).map_err(|error| error.to_string())?,
-        );
+        seen.add(f64::from(number) / about.rate, look(&frame, width, height)?);
         number += 1;
     }
     drop(out);
     running.wait().map_err(failed)?;
     let messages = messages.join().unwrap_or_default();
     if number == 0 {
-        return Err(format!("{}: ffmpeg decoded no frames: {}", film.display(), reason(&messages, film)));
+        let why = format!("ffmpeg decoded no frames: {}", reason(&messages, film));
+        return Err(CliError::new("unreadable", why).at(film.display()));
     }
     Ok((seen, !messages.is_empty()))
 }

@@ -1,25 +1,24 @@
 //! Styles from a picture, for the command line.
 
-use std::path::Path;
-
 use inkpanel::style::imitate::{self, Ask, Search, Seen};
 use inkpanel::style::{Context, Style};
 use rayon::prelude::*;
 use serde_json::Value;
 
-use crate::{Complaint, decode_file_fit, telling};
+use crate::{CliError, ImitateArgs, decode_file_fit, telling};
 
 /// Long side of the measured image. More pixels add no information about a screen pattern.
 const SIDE: usize = 1600;
 
-/// Styles that give `photo` the look of `picture`, as an array of style files with a score each. Prints
-/// progress to standard error. `anyway` accepts images without a recognisable style.
-pub(crate) fn imitate(picture: &Path, photo: &Path, seed: u32, anyway: bool) -> Result<Value, Complaint> {
-    let read = if anyway { imitate::read_any } else { imitate::read };
-    let look =
-        read(&decode_file_fit(picture, SIDE)?).map_err(|error| format!("{}: {error}", picture.display()))?;
+/// Styles that give a photo the look of a picture, as an array of style files with a score each. Prints
+/// progress to standard error.
+pub(crate) fn imitate(asked: &ImitateArgs) -> Result<Value, CliError> {
+    let ImitateArgs { picture, photo, seed, anyway, .. } = asked;
+    let read = if *anyway { imitate::read_any } else { imitate::read };
+    let look = read(&decode_file_fit(picture, SIDE)?)
+        .map_err(|error| CliError::from(error).at(picture.display()))?;
     let photo = decode_file_fit(photo, SIDE)?;
-    let mut search = Search::new(look, seed);
+    let mut search = Search::new(look, *seed);
     loop {
         telling::print(&format!("\rlooking for styles: {:3.0} %", search.progress(0) * 100.0));
         let asks = search.ask();

@@ -8,24 +8,18 @@ use inkpanel::style::{Context, Style, aesthetic, procedural, stylize};
 use rayon::prelude::*;
 use serde_json::Value;
 
-use crate::{Complaint, decode_file_fit, detectors, telling};
+use crate::{CliError, GenerateArgs, decode_file_fit, detectors, telling};
 
 /// Long side of the picture that is scored.
 const SIDE: usize = 256;
 
-/// `count` styles of the seeds from `seed` on, as an array of style files. With a photo, each style has a
-/// score from 0 to 1: from the model in `models` or in the default folder, or from simple measurements
-/// without a model.
-pub(crate) fn invent(
-    seed: u32,
-    count: u32,
-    photo: Option<&Path>,
-    models: Option<&Path>,
-) -> Result<Value, Complaint> {
-    let photo = photo.map(|path| decode_file_fit(path, SIDE)).transpose()?;
-    let net = photo.as_ref().and_then(|_| judge(models));
-    let styles = (0..count).into_par_iter().map(|i| {
-        let mut style = procedural::invent(seed.wrapping_add(i));
+/// Styles of successive seeds, as an array of style files. With a photo, each style has a score from 0 to 1:
+/// from the model, or from simple measurements without a model.
+pub(crate) fn invent(asked: &GenerateArgs) -> Result<Value, CliError> {
+    let photo = asked.photo.as_deref().map(|path| decode_file_fit(path, SIDE)).transpose()?;
+    let net = photo.as_ref().and_then(|_| judge(asked.models.as_deref()));
+    let styles = (0..asked.count).into_par_iter().map(|i| {
+        let mut style = procedural::invent(asked.seed.wrapping_add(i));
         style.score = photo.as_ref().map(|photo| score(photo, &style, net.as_ref()));
         style.to_value()
     });

@@ -9,16 +9,19 @@ mod album;
 mod animating;
 mod boards;
 mod books;
+mod cli_error;
 mod config;
 mod destination;
 mod detectors;
 mod documents;
 mod drawing;
 mod films;
+mod format;
 mod imitator;
 mod inventor;
 mod own_pages;
 mod paper;
+mod photos;
 mod plans;
 mod projects;
 mod reading;
@@ -30,35 +33,32 @@ use clap::builder::PossibleValuesParser;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use inkpanel::document::shots::FRAMES;
-use inkpanel::framing::{PhotoMeta, Subject};
+use inkpanel::framing::Subject;
 use inkpanel::kinds::clearer;
-use inkpanel::layout::{self, Template};
+use inkpanel::layout::{self, PageSettings, Template};
 use inkpanel::native::QUALITY;
-use inkpanel::page::import::{Imported, import};
-use inkpanel::page::request::{Families, Request};
-use inkpanel::page::storyboard::{self, Choice};
 use inkpanel::page::words::given::GivenFonts;
 use inkpanel::page::{Document, catalogue};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::raster::resize::Region;
-use inkpanel::select::{self, Measures};
+use inkpanel::select::DUPLICATE_THRESHOLD;
 use inkpanel::style::faces::FaceBox;
 use inkpanel::style::part::subject_in;
 use inkpanel::style::{Context, Style, stylize};
-use inkpanel::{Error, style};
-use rayon::prelude::*;
+use inkpanel::{Error, PageOptions, style, survived};
 use serde_json::{Value, json};
 use std::collections::HashMap;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use album::told;
+use cli_error::CliError;
 use destination::{Output, print_lines};
-use drawing::Kind;
+use format::Format;
 use paper::Paper;
+use photos::Photos;
 
 /// Turn photos into stylised comic pages and storyboards.
 #[derive(Parser)]
@@ -98,124 +98,26 @@ enum Command {
     #[command(
         after_help = "Example:\n  inkpanel render --json photos/ > plan.json && inkpanel score plan.json"
     )]
-    Score {
-        /// Plan file, as printed by `render --json`.
-        plan: PathBuf,
-        /// Print JSON.
-        #[arg(long)]
-        json: bool,
-        /// Folder that contains faces.onnx and objects.onnx. [default: next to the program, or www/models]
-        #[arg(long, value_name = "DIR")]
-        models: Option<PathBuf>,
-        /// Skip face and object detection.
-        #[arg(long)]
-        no_detect: bool,
-    },
+    Score(ScoreArgs),
     /// Apply a style to one photo.
     #[command(after_help = "Example:\n  inkpanel stylize --style noir photo.jpg -o noir.png")]
-    Stylize {
-        /// Style id (see `inkpanel styles`) or style file.
-        #[arg(long, value_name = "ID|FILE")]
-        style: String,
-        /// Photo file, or - for standard input.
-        input: PathBuf,
-        /// Output file (.png, .jpg or .webp), or - for standard output.
-        #[arg(short, long)]
-        output: PathBuf,
-        /// File format, regardless of the file name.
-        #[arg(long, value_name = "KIND", value_parser = ["png", "jpg", "webp"])]
-        format: Option<String>,
-        /// Skip detection of the subject and of faces.
-        #[arg(long)]
-        no_detect: bool,
-    },
+    Stylize(StylizeArgs),
     /// Report which photos are worth a panel, and why.
     #[command(after_help = "Example:\n  inkpanel select photos/ --json")]
-    Select {
-        /// Photos, or folders with photos.
-        #[arg(required = true)]
-        files: Vec<PathBuf>,
-        /// Print JSON.
-        #[arg(long)]
-        json: bool,
-        /// Maximum distance of two fingerprints, in bits, at which photos count as near-duplicates.
-        #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(0..=64))]
-        threshold: u32,
-    },
+    Select(SelectArgs),
     /// Detect faces and objects.
-    Detect {
-        /// Photos, or folders with photos.
-        #[arg(required = true)]
-        files: Vec<PathBuf>,
-        /// Print JSON.
-        #[arg(long)]
-        json: bool,
-        /// Folder that contains faces.onnx and objects.onnx. [default: next to the program, or www/models]
-        #[arg(long, value_name = "DIR")]
-        models: Option<PathBuf>,
-    },
+    Detect(DetectArgs),
     /// Write a mask per photo that is white on the subject.
-    Segment {
-        /// Photos, or folders with photos.
-        #[arg(required = true)]
-        files: Vec<PathBuf>,
-        /// Folder for the masks, one NAME.png per photo.
-        #[arg(short, long, value_name = "DIR")]
-        output: PathBuf,
-        /// Print JSON.
-        #[arg(long)]
-        json: bool,
-        /// Folder that contains subject.onnx. [default: next to the program, or www/models]
-        #[arg(long, value_name = "DIR")]
-        models: Option<PathBuf>,
-    },
+    Segment(SegmentArgs),
     /// Generate random styles. Equal seeds give equal styles.
     #[command(after_help = "Example:\n  inkpanel generate --seed 7 --count 20 --json photo.jpg")]
-    Generate {
-        /// Random seed of the first style. Each further style adds 1.
-        #[arg(long, default_value_t = 1)]
-        seed: u32,
-        /// Number of styles.
-        #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=10_000))]
-        count: u32,
-        /// Print JSON.
-        #[arg(long)]
-        json: bool,
-        /// Folder that contains aesthetics.onnx. [default: next to the program, or www/models]
-        #[arg(long, value_name = "DIR")]
-        models: Option<PathBuf>,
-        /// Photo to score each style on, from 0 to 1.
-        photo: Option<PathBuf>,
-    },
+    Generate(GenerateArgs),
     /// Find styles that make a photo look like a given picture.
     #[command(after_help = "Example:\n  inkpanel imitate poster.jpg photo.jpg --json")]
-    Imitate {
-        /// Picture to imitate: a comic page, a print or a painting.
-        picture: PathBuf,
-        /// Photo to stylise.
-        photo: PathBuf,
-        /// Print JSON: an array of style files, best first, each with a score from 0 to 1.
-        #[arg(long)]
-        json: bool,
-        /// Accept a picture that is blank or looks like a plain photo.
-        #[arg(long)]
-        anyway: bool,
-        /// Random seed of the search.
-        #[arg(long, default_value_t = 1)]
-        seed: u32,
-    },
+    Imitate(ImitateArgs),
     /// Detect the shots of a video and pick a frame for each (needs ffmpeg).
     #[command(after_help = "Example:\n  inkpanel shots clip.mp4 --frames 12 --json")]
-    Shots {
-        /// Video file.
-        film: PathBuf,
-        /// Number of frames. [default: depends on the number of shots]
-        #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
-        frames: Option<u32>,
-        /// Print JSON.
-        #[arg(long)]
-        json: bool,
-    },
+    Shots(ShotsArgs),
     /// Write the animatic of a saved project as numbered PNG frames.
     #[command(after_help = EXIT_CODES)]
     Animate(Box<animating::Animate>),
@@ -225,6 +127,137 @@ enum Command {
     Layouts(Listing),
     /// List the built-in styles.
     Styles(Listing),
+}
+
+/// Arguments of `inkpanel score`.
+#[derive(clap::Args)]
+struct ScoreArgs {
+    /// Plan file, as printed by `render --json`.
+    pub(crate) plan: PathBuf,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Folder that contains faces.onnx and objects.onnx. [default: next to the program, or www/models]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) models: Option<PathBuf>,
+    /// Skip face and object detection.
+    #[arg(long)]
+    pub(crate) no_detect: bool,
+}
+
+/// Arguments of `inkpanel stylize`.
+#[derive(clap::Args)]
+struct StylizeArgs {
+    /// Style id (see `inkpanel styles`) or style file.
+    #[arg(long, value_name = "ID|FILE")]
+    pub(crate) style: String,
+    /// Photo file, or - for standard input.
+    pub(crate) input: PathBuf,
+    /// Output file (.png, .jpg or .webp), or - for standard output.
+    #[arg(short, long)]
+    pub(crate) output: PathBuf,
+    /// File format, regardless of the file name.
+    #[arg(long, value_name = "KIND", value_parser = ["png", "jpg", "webp"])]
+    pub(crate) format: Option<String>,
+    /// Skip detection of the subject and of faces.
+    #[arg(long)]
+    pub(crate) no_detect: bool,
+}
+
+/// Arguments of `inkpanel select`.
+#[derive(clap::Args)]
+struct SelectArgs {
+    /// Photos, or folders with photos.
+    #[arg(required = true)]
+    pub(crate) files: Vec<PathBuf>,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Maximum fingerprint distance of near-duplicates.
+    #[arg(long, alias = "threshold", value_name = "BITS", default_value_t = DUPLICATE_THRESHOLD)]
+    #[arg(value_parser = clap::value_parser!(u32).range(0..=64))]
+    pub(crate) duplicate_threshold: u32,
+}
+
+/// Arguments of `inkpanel detect`.
+#[derive(clap::Args)]
+struct DetectArgs {
+    /// Photos, or folders with photos.
+    #[arg(required = true)]
+    pub(crate) files: Vec<PathBuf>,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Folder that contains faces.onnx and objects.onnx. [default: next to the program, or www/models]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) models: Option<PathBuf>,
+}
+
+/// Arguments of `inkpanel segment`.
+#[derive(clap::Args)]
+struct SegmentArgs {
+    /// Photos, or folders with photos.
+    #[arg(required = true)]
+    pub(crate) files: Vec<PathBuf>,
+    /// Folder for the masks, one NAME.png per photo.
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: PathBuf,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Folder that contains subject.onnx. [default: next to the program, or www/models]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) models: Option<PathBuf>,
+}
+
+/// Arguments of `inkpanel generate`.
+#[derive(clap::Args)]
+struct GenerateArgs {
+    /// Random seed of the first style. Each further style adds 1.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u32,
+    /// Number of styles.
+    #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub(crate) count: u32,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Folder that contains aesthetics.onnx. [default: next to the program, or www/models]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) models: Option<PathBuf>,
+    /// Photo to score each style on, from 0 to 1.
+    pub(crate) photo: Option<PathBuf>,
+}
+
+/// Arguments of `inkpanel imitate`.
+#[derive(clap::Args)]
+struct ImitateArgs {
+    /// Picture to imitate: a comic page, a print or a painting.
+    pub(crate) picture: PathBuf,
+    /// Photo to stylise.
+    pub(crate) photo: PathBuf,
+    /// Print JSON: an array of style files, best first, each with a score from 0 to 1.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Accept a picture that is blank or looks like a plain photo.
+    #[arg(long)]
+    pub(crate) anyway: bool,
+    /// Random seed of the search.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u32,
+}
+
+/// Arguments of `inkpanel shots`.
+#[derive(clap::Args)]
+struct ShotsArgs {
+    /// Video file.
+    pub(crate) film: PathBuf,
+    /// Number of frames. [default: depends on the number of shots]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub(crate) frames: Option<u32>,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(clap::Args)]
@@ -287,6 +320,7 @@ struct How {
     skip_existing: bool,
     /// Format of the progress on standard error: text, or one JSON object per line.
     #[arg(long, value_name = "FORM", value_parser = ["text", "json"], default_value = "text")]
+    #[allow(dead_code, reason = "`wants_json` reads it, also if other arguments are wrong")]
     progress: String,
     /// Project data to store in a PNG: none, the pages, or the pages and the original photos.
     #[arg(long, value_name = "WHAT", value_parser = ["none", "project", "photos"], default_value = "none")]
@@ -343,9 +377,10 @@ struct Chosen {
     /// Random seed. [default: 1]
     #[arg(long)]
     seed: Option<u32>,
-    /// Maximum fingerprint distance of near-duplicates. Only the best of them is used. [default: 10]
-    #[arg(long, value_name = "BITS", value_parser = clap::value_parser!(u32).range(0..=64))]
-    alike: Option<u32>,
+    // Not `default_value_t`, because options of a plan that equal their defaults count as not given.
+    #[arg(long, alias = "alike", value_name = "BITS", help = format!("Maximum fingerprint distance of near-duplicates, of which only the best is used [default: {DUPLICATE_THRESHOLD}]"))]
+    #[arg(value_parser = clap::value_parser!(u32).range(0..=64))]
+    duplicate_threshold: Option<u32>,
     /// Use all photos, including near-duplicates and blurred ones.
     #[arg(long)]
     keep_all: bool,
@@ -366,6 +401,24 @@ struct Chosen {
     star: Vec<PathBuf>,
 }
 
+impl Chosen {
+    /// The options of pages with these settings.
+    fn options(&self, page: PageSettings) -> Result<PageOptions, CliError> {
+        let mut options = PageOptions::new().settings(page).style_families(&self.style_family);
+        options = options.keep_all(self.keep_all).as_given(self.as_given);
+        if let Some(style) = &self.style {
+            options = options.style(&inkpanel::Style::new(read_style(style)?));
+        }
+        if let Some(seed) = self.seed {
+            options = options.seed(seed);
+        }
+        if let Some(bits) = self.duplicate_threshold {
+            options = options.duplicate_threshold(bits);
+        }
+        Ok(options)
+    }
+}
+
 /// Returns the families of built-in layouts. The families of custom and generated layouts are not available
 /// for a random choice.
 fn layout_families() -> PossibleValuesParser {
@@ -373,21 +426,33 @@ fn layout_families() -> PossibleValuesParser {
     layout::FAMILIES.into_iter().filter(has_layouts).collect::<Vec<_>>().into()
 }
 
-/// A sentence about what went wrong, for people.
-type Complaint = String;
+/// Exit code for wrong usage.
+const USAGE: u8 = 2;
 
 fn main() -> ExitCode {
-    let (arguments, listed) = match config::expanded::<Cli>(std::env::args_os().collect()) {
+    let arguments: Vec<OsString> = std::env::args_os().collect();
+    if wants_json(&arguments) {
+        telling::as_json();
+    }
+    let (arguments, listed) = match config::expanded::<Cli>(arguments) {
         Ok(expanded) => expanded,
-        Err(complaint) => {
-            telling::failure(&complaint);
-            return ExitCode::from(2);
-        }
+        Err(error) => return failed(&error, USAGE),
     };
-    let done = match Cli::parse_from(arguments).command {
+    if wants_json(&arguments) {
+        telling::as_json();
+    }
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(error) => return wrong_usage(&error),
+    };
+    let done = match cli.command {
         Command::Render(mut render) => {
             if render.files.is_empty() {
                 render.files = listed;
+            }
+            if render.files.is_empty() && render.document.is_none() {
+                let why = "no photos and no saved project given";
+                return wrong_usage(&Cli::command().error(ErrorKind::MissingRequiredArgument, why));
             }
             render_page(&render)
         }
@@ -397,55 +462,60 @@ fn main() -> ExitCode {
             }
             books::make(&book)
         }
-        Command::Score { plan, json, models, no_detect } => {
-            plans::score(&plan, json, !no_detect, models.as_deref())
+        Command::Score(score) => plans::score(&score),
+        Command::Stylize(stylize) => stylize_photo(&stylize),
+        Command::Select(select) => select_photos(&select),
+        Command::Detect(detect) => detect_photos(&detect),
+        Command::Segment(segment) => segments::segment(&segment),
+        Command::Generate(generate) => {
+            inventor::invent(&generate).and_then(|styles| list(&styles, generate.json))
         }
-        Command::Stylize { style, input, output, format, no_detect } => {
-            stylize_photo(&style, (&input, !no_detect), &output, format.as_deref())
-        }
-        Command::Select { files, json, threshold } => select_photos(&files, json, threshold),
-        Command::Detect { files, json, models } => detect_photos(&files, json, models.as_deref()),
-        Command::Segment { files, output, json, models } => {
-            segments::segment(&files, &output, models.as_deref(), json)
-        }
-        Command::Generate { seed, count, json, models, photo } => {
-            inventor::invent(seed, count, photo.as_deref(), models.as_deref())
-                .and_then(|styles| list(&styles, json))
-        }
-        Command::Imitate { picture, photo, json, anyway, seed } => {
-            imitator::imitate(&picture, &photo, seed, anyway).and_then(|styles| list(&styles, json))
+        Command::Imitate(imitate) => {
+            imitator::imitate(&imitate).and_then(|styles| list(&styles, imitate.json))
         }
         Command::Animate(animate) => animating::animate(&animate),
-        Command::Shots { film, frames, json } => shots_of(&film, frames, json),
+        Command::Shots(shots) => shots_of(&shots),
         Command::Blocks(listing) => list(&catalogue::blocks(), listing.json),
         Command::Layouts(listing) => list(&catalogue::layouts(), listing.json),
         Command::Styles(listing) => list(&catalogue::styles(), listing.json),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
-        Err(complaint) => {
-            telling::failure(&complaint);
-            ExitCode::from(1)
-        }
+        Err(error) => failed(&error, 1),
     }
 }
 
-fn render_page(render: &Render) -> Result<(), Complaint> {
-    let Render { planned, how, page, board, document, output, files } = render;
-    if how.progress == "json" {
-        telling::as_json();
+/// Reports an error.
+fn failed(error: &CliError, code: u8) -> ExitCode {
+    telling::failure(error);
+    ExitCode::from(code)
+}
+
+/// Reports an error of the argument parser, or prints the requested help.
+fn wrong_usage(error: &clap::Error) -> ExitCode {
+    if !(telling::is_json() && error.use_stderr()) {
+        error.exit();
     }
+    let text = error.render().to_string();
+    let message = text.lines().next().unwrap_or_default();
+    failed(&message.strip_prefix("error: ").unwrap_or(message).into(), USAGE)
+}
+
+/// Whether the arguments ask for progress as JSON. Errors of the arguments follow the format as well.
+fn wants_json(arguments: &[OsString]) -> bool {
+    let options = || arguments.iter().take_while(|argument| *argument != "--");
+    options().any(|argument| argument == "--progress=json")
+        || options().zip(options().skip(1)).any(|(option, form)| option == "--progress" && form == "json")
+}
+
+fn render_page(render: &Render) -> Result<(), CliError> {
+    let Render { planned, how, page, board, document, output, files } = render;
     let output = output.as_deref().map(|path| Output::new(path, how.format.as_deref())).transpose()?;
     if let Some(output) = &output {
-        how.printing.check(Kind::of(&output.named)?)?;
+        how.printing.check(Format::of(&output.named)?)?;
     }
     if planned.album.json && output.as_ref().is_some_and(|output| album::is_standard(&output.path)) {
         return Err("--json and the page cannot both go to standard output".into());
-    }
-    if files.is_empty() && document.is_none() {
-        Cli::command()
-            .error(ErrorKind::MissingRequiredArgument, "no photos and no saved project given")
-            .exit();
     }
     if let Some(output) = output.as_ref().filter(|output| how.skip_existing && is_made(output, planned)) {
         let event = json!({ "event": "skipped", "file": output.path.display().to_string() });
@@ -463,15 +533,15 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     {
         planned_already(planned, file)?;
         let output = output.as_ref().ok_or(NO_OUTPUT)?;
-        return done(&reopening::draw(saved?, file, (*page, *board), (output, how))?);
+        return done(&reopening::draw(saved?, file, render, output)?);
     }
     if let Some(project) = files.iter().find(|file| reopening::is_project(file)) {
-        return Err(format!("{}: a project cannot be combined with other files", project.display()));
+        return Err(format!("{}: a project cannot be combined with other files", project.display()).into());
     }
     if let Some(output) =
-        output.as_ref().filter(|output| matches!(Kind::of(&output.named), Ok(Kind::Shots(_))))
+        output.as_ref().filter(|output| matches!(Format::of(&output.named), Ok(Format::Shots(_))))
     {
-        return Err(format!("{}: a shot list needs a saved project", output.path.display()));
+        return Err(format!("{}: a shot list needs a saved project", output.path.display()).into());
     }
     if board.is_some() {
         return Err("--board needs a saved project".into());
@@ -479,12 +549,13 @@ fn render_page(render: &Render) -> Result<(), Complaint> {
     if page.is_some() {
         return Err("--page needs a saved project".into());
     }
-    plan_page(planned, how, output.as_ref(), (&files, &projects::called(given, output_name(output.as_ref()))))
+    let name = projects::called(given, output_name(output.as_ref()));
+    plan_page(planned, how, output.as_ref(), &Input { files: &files, name: &name })
 }
 
 /// Returns whether all output files exist already. Then no photo is read.
 fn is_made(output: &Output, planned: &Planned) -> bool {
-    let one = matches!(Kind::of(&output.named), Ok(Kind::Pdf | Kind::Comic(_) | Kind::Project));
+    let one = matches!(Format::of(&output.named), Ok(Format::Pdf | Format::Comic(_) | Format::Project));
     match planned.pages {
         Some(pages) if !one => plans::all_exist(output, pages as usize),
         _ => output.exists(),
@@ -505,109 +576,113 @@ fn output_name(output: Option<&Output>) -> &Path {
 const NO_OUTPUT: &str = "--output is missing: name the output file";
 
 /// Rejects options for planning if the input is a saved page.
-fn planned_already(planned: &Planned, file: &Path) -> Result<(), Complaint> {
+fn planned_already(planned: &Planned, file: &Path) -> Result<(), CliError> {
     if *planned == Planned::default() {
         return Ok(());
     }
-    Err(format!("{}: a saved page takes only --output, --page and the print options", told(file)))
+    Err(format!("{}: a saved page takes only --output, --page and the print options", told(file)).into())
 }
 
 /// Reports the end of the run.
 #[allow(clippy::unnecessary_wraps, reason = "callers return it as their result")]
-fn done(files: &[PathBuf]) -> Result<(), Complaint> {
+fn done(files: &[PathBuf]) -> Result<(), CliError> {
     let files: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
     telling::step(&json!({ "event": "done", "files": files }), None);
     Ok(())
 }
 
 /// With `--strict`, a warning is an error.
-fn check_strict(how: &How) -> Result<(), Complaint> {
+fn check_strict(how: &How) -> Result<(), CliError> {
     let notes = telling::notes();
     if !how.strict || notes == 0 {
         return Ok(());
     }
-    Err(match notes {
-        1 => "--strict: 1 warning, so nothing is written".into(),
-        many => format!("--strict: {many} warnings, so nothing is written"),
-    })
+    let warnings = if notes == 1 { "1 warning".to_owned() } else { format!("{notes} warnings") };
+    Err(CliError::new("warnings", format!("--strict: {warnings}, so nothing is written")))
+}
+
+/// The photos of an album, and its name.
+struct Input<'a> {
+    files: &'a [PathBuf],
+    name: &'a str,
 }
 
 fn plan_page(
     render: &Planned,
     how: &How,
     output: Option<&Output>,
-    (files, album_name): (&[PathBuf], &str),
-) -> Result<(), Complaint> {
-    let layout = render.layout.as_deref().map(layout_value).transpose()?;
-    let style = render.album.style.as_deref().map(style_value).transpose()?;
-    let is_pdf = output.is_some_and(|output| matches!(Kind::of(&output.named), Ok(Kind::Pdf)));
-    let page = render.album.paper.settings(is_pdf)?;
+    input: &Input<'_>,
+) -> Result<(), CliError> {
+    let is_pdf = output.is_some_and(|output| matches!(Format::of(&output.named), Ok(Format::Pdf)));
+    let mut options = render.album.options(render.album.paper.settings(is_pdf)?)?;
+    options = options.merge(render.merge).figures(render.figures).layout_families(&render.layout_family);
+    if let Some(layout) = &render.layout {
+        options = with_layout(options, layout)?;
+    }
+    if let Some(panels) = render.panels {
+        options = options.panels(panels);
+    }
     let fonts = how.printing.fonts()?;
-    let mut photos = import_all(files);
-    let looked = !render.album.no_detect && add_subjects(&mut photos, render.album.models.as_deref());
-    star(&mut photos, &render.album.star);
+    let mut photos = Photos::read(input.files.to_vec())?;
+    let looked = photos.prepare(&render.album);
     if render.figures {
         segments::add_masks(&mut photos, render.album.models.as_deref())?;
     }
-    let used = used_photos(&render.album, &photos);
-    let request = Request {
-        seed: render.album.seed.unwrap_or(1),
-        photos: used,
-        page,
-        layout,
-        style,
-        panels: render.panels,
-        merge: Some(render.merge),
-        figures: Some(render.figures),
-        ordered: render.album.as_given.then_some(true),
-        within: Families { layouts: render.layout_family.clone(), styles: render.album.style_family.clone() },
-        ..Request::default()
-    };
-    let mut pages = storyboard::pages(&request, render.pages.map(|pages| pages as usize))
-        .map_err(|error| error.to_string())?;
+    let chosen = photos.choose(&options);
+    let used: Vec<String> = chosen.iter().map(|photo| photo.id.clone()).collect();
+    let mut pages = photos.album.plan(&options, chosen, render.pages.map(|pages| pages as usize))?;
     if let (Some(file), Some(first)) = (&render.words, pages.first_mut()) {
         drawing::add_words(&mut first.document, file, &photos, &fonts)?;
     }
     if let Some(wanted) = render.pages.filter(|wanted| *wanted as usize != pages.len()) {
         telling::note(None, &format!("{} pages instead of {wanted}", pages.len()));
     }
-    plans::tell_differences(&pages, render.panels, &request.photos, &photos);
+    plans::tell_differences(&pages, render.panels, &used, &photos);
     let drawn: Vec<Document> = pages.iter().map(|page| page.document.clone()).collect();
     drawing::tell_missing(&drawn, &fonts)?;
     check_strict(how)?;
-    let album = projects::Album {
-        name: album_name.to_owned(),
-        pages: &drawn,
-        photos: &photos,
-        used: request.photos.iter().map(|photo| photo.id.as_str()).collect(),
-        looked,
-    };
-    let written = write_album(&album, &fonts, output, (how, render.pages.is_some(), &render.album))?;
+    let album =
+        projects::Album { name: input.name.to_owned(), pages: &drawn, photos: &photos, used: &used, looked };
+    let written = write_album(
+        &album,
+        &fonts,
+        output,
+        &Writing { how, several: render.pages.is_some(), chosen: &render.album },
+    )?;
     if render.album.json {
         print(&plans::told(&pages, &photos)?)?;
     }
     done(&written)
 }
 
-/// Draws and writes the pages of an album, and the plan if it is to be saved. `several`: one file per page.
+/// How the pages of an album are written.
+struct Writing<'a> {
+    how: &'a How,
+    chosen: &'a Chosen,
+    /// Whether there is one file per page.
+    several: bool,
+}
+
+/// Draws and writes the pages of an album, and the plan if it is to be saved.
 ///
 /// Returns the files.
 fn write_album(
     album: &projects::Album<'_>,
     fonts: &GivenFonts,
     output: Option<&Output>,
-    (how, several, chosen): (&How, bool, &Chosen),
-) -> Result<Vec<PathBuf>, Complaint> {
+    writing: &Writing<'_>,
+) -> Result<Vec<PathBuf>, CliError> {
+    let Writing { how, chosen, several } = *writing;
     let photos = album.photos;
     let paths: HashMap<&str, &Path> =
-        photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path.as_path())).collect();
+        photos.iter().map(|(path, photo)| (photo.meta.id.as_str(), path)).collect();
     let full = |id: &str| paths.get(id).map(|path| decode_file(path)).transpose();
     let masks =
         photos.iter().filter_map(|(_, photo)| Some((photo.meta.id.clone(), photo.meta.mask.clone()?)));
     let masks = segments::Masks::new(masks.collect(), chosen.models.as_deref()).detecting(!chosen.no_detect);
     let means = how.printing.means(&full, fonts, &masks);
     let mut written = match output {
-        Some(output) => write_pages(album, &means, output, (how, several))?,
+        Some(output) => write_pages(album, &means, output, writing)?,
         None => Vec::new(),
     };
     if let Some(file) = &how.save_document {
@@ -617,21 +692,22 @@ fn write_album(
     Ok(written)
 }
 
-/// Writes the pages of an album: one file per page if there are `several`, otherwise one file.
+/// Writes the pages of an album.
 ///
 /// Returns the files.
 fn write_pages(
     album: &projects::Album<'_>,
     means: &drawing::Means<'_>,
     output: &Output,
-    (how, several): (&How, bool),
-) -> Result<Vec<PathBuf>, Complaint> {
-    let kind = Kind::of(&output.named)?;
-    if kind == Kind::Project {
+    writing: &Writing<'_>,
+) -> Result<Vec<PathBuf>, CliError> {
+    let Writing { how, several, .. } = *writing;
+    let kind = Format::of(&output.named)?;
+    if kind == Format::Project {
         output.write(&album.packed()?)?;
         return Ok(vec![output.path.clone()]);
     }
-    if how.embed != "none" && kind != Kind::Png {
+    if how.embed != "none" && kind != Format::Png {
         return Err("--embed: only a PNG carries its project".into());
     }
     let finish = |page: usize, file: Vec<u8>| match how.embed.as_str() {
@@ -639,80 +715,33 @@ fn write_pages(
         what => album.inside(&file, page, what == "photos"),
     };
     let subjects = |id: &str| {
-        let photo = album.photos.iter().find(|(_, photo)| photo.meta.id == id);
+        let photo = album.photos.find(id);
         photo.map_or(&[][..], |(_, photo)| &photo.meta.subjects)
     };
-    if let Kind::Comic(comic) = kind {
+    if let Format::Comic(comic) = kind {
         let told = reading::Telling { title: &album.name, language: how.printing.language() };
         return reading::write((comic, told), album.pages, &subjects, means, output);
     }
-    if several || kind == Kind::Pdf {
-        let printed: drawing::Printed<'_> = (&how.printing, &subjects);
-        return plans::draw_all(album.pages, means, output, (how.skip_existing, &finish, printed));
+    if several || kind == Format::Pdf {
+        let files =
+            plans::Files { skips: how.skip_existing, finish: &finish, printed: (&how.printing, &subjects) };
+        return plans::draw_all(album.pages, means, output, &files);
     }
     output.write(&finish(0, drawing::draw(&album.pages[0], means, &output.named)?)?)?;
     Ok(vec![output.path.clone()])
 }
 
-/// Marks the starred photos, and warns about names that match no photo.
-fn star(photos: &mut [(PathBuf, Imported)], names: &[PathBuf]) {
-    for (path, photo) in photos.iter_mut() {
-        photo.meta.starred = names.iter().any(|name| is_named(path, name));
+/// Writes a photo in a style. Unless detection is off, the style protects the faces, and knows the subject if
+/// it needs it.
+fn stylize_photo(asked: &StylizeArgs) -> Result<(), CliError> {
+    let detects = !asked.no_detect;
+    let output = Output::new(&asked.output, asked.format.as_deref())?;
+    let kind = Format::of(&output.named)?;
+    if matches!(kind, Format::Pdf | Format::Project | Format::Comic(_) | Format::Shots(_)) {
+        return Err(format!("{}: stylize writes .png, .jpg or .webp", output.path.display()).into());
     }
-    for name in names.iter().filter(|name| !photos.iter().any(|(path, _)| is_named(path, name))) {
-        telling::note(Some(&name.display().to_string()), "--star: no photo has this name");
-    }
-}
-
-/// Returns whether a path matches a name, completely or by its last parts.
-fn is_named(path: &Path, name: &Path) -> bool {
-    path.ends_with(name.strip_prefix(".").unwrap_or(name))
-}
-
-/// Returns the photos for the pages, in order. Similar and blurred photos are reported and left out.
-fn used_photos(render: &Chosen, photos: &[(PathBuf, Imported)]) -> Vec<PhotoMeta> {
-    /// Maximum number of photos that are reported one by one.
-    const FEW: usize = 10;
-    let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
-    let imported: Vec<&Imported> = photos.iter().map(|(_, photo)| photo).collect();
-    let choice = Choice { alike: render.alike, keep_all: render.keep_all, as_given: render.as_given };
-    let (used, verdicts) = storyboard::chosen(&names, &imported, choice);
-    let left: Vec<(&str, &str)> = names
-        .iter()
-        .zip(&verdicts)
-        .filter(|(_, verdict)| !verdict.kept)
-        .map(|(name, verdict)| (*name, verdict.why.as_str()))
-        .collect();
-    if left.len() > FEW {
-        let names: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
-        let (count, some) = (left.len(), plans::some(&names));
-        telling::note(
-            None,
-            &format!("{count} photos are left out; `inkpanel select` lists the reasons: {some}"),
-        );
-    } else {
-        for (name, why) in &left {
-            telling::note(Some(name), &format!("left out: {why}"));
-        }
-    }
-    used
-}
-
-/// Writes a photo in a style. If it `detects`, the style protects the faces, and knows the subject if it
-/// needs it.
-fn stylize_photo(
-    style: &str,
-    (input, detects): (&Path, bool),
-    output: &Path,
-    format: Option<&str>,
-) -> Result<(), Complaint> {
-    let output = Output::new(output, format)?;
-    let kind = Kind::of(&output.named)?;
-    if matches!(kind, Kind::Pdf | Kind::Project | Kind::Comic(_) | Kind::Shots(_)) {
-        return Err(format!("{}: stylize writes .png, .jpg or .webp", output.path.display()));
-    }
-    let style = read_style(style)?;
-    let image = decode_file(input)?;
+    let style = read_style(&asked.style)?;
+    let image = decode_file(&asked.input)?;
     let mut context = Context::for_image(&image);
     if detects && style.faces {
         context.show_faces(faces_in(&image)?);
@@ -726,13 +755,13 @@ fn stylize_photo(
             (&image, context.scale()),
         ));
     }
-    let drawn = stylize(&image, &style, &mut context).map_err(|error| error.to_string())?;
+    let drawn = stylize(&image, &style, &mut context)?;
     let size = (drawn.width(), drawn.height());
     output.write(&drawing::encoded(kind, size, &drawn.to_rgb(), (96, QUALITY))?)
 }
 
 /// The faces of a photo in its pixels, or its animals if it has no faces. None without the models, which is printed.
-fn faces_in(photo: &Image) -> Result<Vec<FaceBox>, Complaint> {
+fn faces_in(photo: &Image) -> Result<Vec<FaceBox>, CliError> {
     let detectors = match detectors::load(None) {
         Ok(detectors) => detectors,
         Err(complaint) => {
@@ -740,7 +769,7 @@ fn faces_in(photo: &Image) -> Result<Vec<FaceBox>, Complaint> {
             return Ok(Vec::new());
         }
     };
-    let found = detectors.detect(photo).map_err(|error| error.to_string())?;
+    let found = detectors.detect(photo)?;
     let mut found: Vec<Subject> = found.into_iter().map(Into::into).collect();
     found.sort_by(|a, b| b.height.total_cmp(&a.height));
     let (across, down) = (photo.width() as f64, photo.height() as f64);
@@ -753,15 +782,13 @@ fn faces_in(photo: &Image) -> Result<Vec<FaceBox>, Complaint> {
     Ok(Subject::protected(&found).map(face).collect())
 }
 
-fn select_photos(files: &[PathBuf], as_json: bool, threshold: u32) -> Result<(), Complaint> {
-    let photos = import_all(&album::files(files)?);
-    if photos.is_empty() {
-        return Err(Error::NoPhotos.to_string());
+fn select_photos(asked: &SelectArgs) -> Result<(), CliError> {
+    let photos = Photos::read(album::files(&asked.files)?)?;
+    if photos.album.imported().is_empty() {
+        return Err(Error::NoPhotos.into());
     }
-    let names: Vec<&str> = photos.iter().map(|(path, _)| name(path)).collect();
-    let measures: Vec<Measures> = photos.iter().map(|(_, photo)| photo.measures.clone()).collect();
-    let settings = select::Settings { threshold, ..select::Settings::default() };
-    let verdicts = select::choose(&names, &measures, &settings);
+    let options = PageOptions::new().duplicate_threshold(asked.duplicate_threshold);
+    let verdicts = photos.album.choose(&options).verdicts;
     let rows: Vec<Value> = photos
         .iter()
         .zip(&verdicts)
@@ -776,7 +803,7 @@ fn select_photos(files: &[PathBuf], as_json: bool, threshold: u32) -> Result<(),
             })
         })
         .collect();
-    if as_json {
+    if asked.json {
         return print(&Value::Array(rows));
     }
     print_lines(photos.iter().zip(&verdicts).map(|((path, _), verdict)| {
@@ -785,17 +812,17 @@ fn select_photos(files: &[PathBuf], as_json: bool, threshold: u32) -> Result<(),
     }))
 }
 
-fn detect_photos(files: &[PathBuf], as_json: bool, models: Option<&Path>) -> Result<(), Complaint> {
-    let detectors = detectors::load(models)?;
-    let photos = import_all(&album::files(files)?);
-    if photos.is_empty() {
-        return Err(Error::NoPhotos.to_string());
+fn detect_photos(asked: &DetectArgs) -> Result<(), CliError> {
+    let detectors = detectors::load(asked.models.as_deref())?;
+    let photos = Photos::read(album::files(&asked.files)?)?;
+    if photos.album.imported().is_empty() {
+        return Err(Error::NoPhotos.into());
     }
     let found = detectors::run(&detectors, &photos);
     let rows = photos.iter().zip(&found).map(|((path, photo), found)| {
         json!({ "file": path.display().to_string(), "boxes": detectors::boxes(photo, found) })
     });
-    if as_json {
+    if asked.json {
         return print(&Value::Array(rows.collect()));
     }
     print_lines(photos.iter().zip(&found).map(|((path, _), found)| {
@@ -805,28 +832,9 @@ fn detect_photos(files: &[PathBuf], as_json: bool, models: Option<&Path>) -> Res
     }))
 }
 
-/// Adds the detected faces and subjects to the photos. Without the models, crops follow contrast, and a
-/// warning is printed once.
-///
-/// Returns whether the models were available.
-fn add_subjects(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) -> bool {
-    let detectors = match detectors::load(models) {
-        Ok(detectors) => detectors,
-        Err(complaint) => {
-            telling::note(None, &format!("{complaint}; photos are cropped by contrast"));
-            return false;
-        }
-    };
-    let found = detectors::run(&detectors, photos);
-    for ((_, photo), found) in photos.iter_mut().zip(found) {
-        photo.meta.find(found.into_iter().map(Into::into));
-    }
-    true
-}
-
-fn shots_of(film: &Path, frames: Option<u32>, as_json: bool) -> Result<(), Complaint> {
-    let shots = films::shots(film, frames.map(|frames| frames as usize))?;
-    if as_json {
+fn shots_of(asked: &ShotsArgs) -> Result<(), CliError> {
+    let shots = films::shots(&asked.film, asked.frames.map(|frames| frames as usize))?;
+    if asked.json {
         return print(&shots);
     }
     print_lines(shots.as_array().into_iter().flatten().map(|shot| {
@@ -838,19 +846,19 @@ fn shots_of(film: &Path, frames: Option<u32>, as_json: bool) -> Result<(), Compl
 }
 
 /// Prints JSON.
-fn print(value: &Value) -> Result<(), Complaint> {
+fn print(value: &Value) -> Result<(), CliError> {
     list(value, true)
 }
 
 /// Prints a catalogue.
-fn list(catalogue: &impl serde::Serialize, as_json: bool) -> Result<(), Complaint> {
+fn list(catalogue: &impl serde::Serialize, as_json: bool) -> Result<(), CliError> {
     // Converted to text first: a JSON value stores the numbers of layouts as f64, which prints other digits
     // than the app uses.
-    let text = serde_json::to_string(catalogue).map_err(|error| error.to_string())?;
+    let text = serde_json::to_string(catalogue).map_err(CliError::fault)?;
     if as_json {
         return print_lines([text]);
     }
-    let catalogue: Value = serde_json::from_str(&text).map_err(|error| error.to_string())?;
+    let catalogue: Value = serde_json::from_str(&text).map_err(CliError::fault)?;
     print_lines(catalogue.as_array().into_iter().flatten().map(|item| {
         let field = |key: &str| item[key].as_str().unwrap_or_default();
         let label = if field("name").is_empty() { field("label") } else { field("name") };
@@ -858,83 +866,39 @@ fn list(catalogue: &impl serde::Serialize, as_json: bool) -> Result<(), Complain
     }))
 }
 
-/// Reads files in parallel. Files that cannot be read are reported and left out.
-fn import_all(files: &[PathBuf]) -> Vec<(PathBuf, Imported)> {
-    let limits = Limits::default();
-    let count = AtomicUsize::new(0);
-    let read: Vec<Result<Imported, Complaint>> = files
-        .par_iter()
-        .enumerate()
-        .map(|(i, path)| {
-            let photo = album::read(path).and_then(|bytes| {
-                survived(|| {
-                    import(&format!("photo-{i}"), &bytes, &limits)
-                        .map_err(|error| clearer(error, name(path), &bytes))
-                })
-            });
-            let done = count.fetch_add(1, Ordering::Relaxed) + 1;
-            let event = json!({ "event": "photo", "file": told(path), "done": done, "of": files.len() });
-            telling::step(&event, None);
-            photo
-        })
-        .collect();
-    let mut photos = Vec::new();
-    for (path, photo) in files.iter().zip(read) {
-        match photo {
-            Ok(photo) => {
-                telling::damage(&told(path), photo.damage);
-                photos.push((path.clone(), photo));
-            }
-            Err(complaint) => telling::note(Some(&told(path)), &format!("{complaint}; left out")),
-        }
-    }
-    photos
-}
-
-/// Runs `work` on one file. If it panics, because of a bug here or in a decoder, the panic becomes the error
-/// of this file. The panic message is already on standard error.
-fn survived<T>(work: impl FnOnce() -> inkpanel::Result<T>) -> Result<T, Complaint> {
-    // Nothing reads the state that a panic may leave incomplete.
-    match catch_unwind(AssertUnwindSafe(work)) {
-        Ok(done) => done.map_err(|error| error.to_string()),
-        Err(_) => Err("internal error while reading this file; please report it".to_owned()),
-    }
-}
-
-fn decode_file(path: &Path) -> Result<Image, Complaint> {
+fn decode_file(path: &Path) -> Result<Image, CliError> {
     decode_file_fit(path, usize::MAX)
 }
 
-fn decode_file_fit(path: &Path, longest: usize) -> Result<Image, Complaint> {
-    let complain = |reason: String| format!("{}: {reason}", told(path));
+fn decode_file_fit(path: &Path, longest: usize) -> Result<Image, CliError> {
+    let complain = |error: CliError| error.at(told(path));
     let bytes = album::read(path).map_err(complain)?;
     let decode = || {
-        decode_fit(&bytes, &Limits::default(), longest).map_err(|error| clearer(error, name(path), &bytes))
+        let decoded = decode_fit(&bytes, &Limits::default(), longest);
+        Ok(decoded.map_err(|error| clearer(error, name(path), &bytes))?)
     };
     let decoded = survived(decode).map_err(complain)?;
     telling::damage(&told(path), decoded.damage);
     Ok(decoded.image)
 }
 
-fn read_style(id_or_file: &str) -> Result<Style, Complaint> {
+fn read_style(id_or_file: &str) -> Result<Style, CliError> {
     if !Path::new(id_or_file).is_file() {
-        return style::catalogue::find(id_or_file).cloned().map_err(|error| error.to_string());
+        return Ok(style::catalogue::find(id_or_file)?.clone());
     }
-    let json = album::text(Path::new(id_or_file)).map_err(|error| format!("{id_or_file}: {error}"))?;
-    Style::parse(id_or_file, &json).map_err(|error| error.to_string())
+    let json = album::text(Path::new(id_or_file)).map_err(|error| error.at(id_or_file))?;
+    Ok(Style::parse(id_or_file, &json)?)
 }
 
-fn style_value(id_or_file: &str) -> Result<Value, Complaint> {
-    read_style(id_or_file).map(|style| style.to_value())
-}
-
-fn layout_value(id_or_file: &str) -> Result<Value, Complaint> {
+/// Sets a layout by its id or file.
+fn with_layout(options: PageOptions, id_or_file: &str) -> Result<PageOptions, CliError> {
     if !Path::new(id_or_file).is_file() {
-        return Ok(Value::String(id_or_file.to_owned()));
+        return Ok(options.layout(id_or_file)?);
     }
-    let json = album::text(Path::new(id_or_file)).map_err(|error| format!("{id_or_file}: {error}"))?;
-    Template::parse(id_or_file, &json).map_err(|error| error.to_string())?;
-    serde_json::from_str(&json).map_err(|error| format!("{id_or_file}: {error}"))
+    let json = album::text(Path::new(id_or_file)).map_err(|error| error.at(id_or_file))?;
+    // Checked first, so that errors have the name of the file.
+    Template::parse(id_or_file, &json)?;
+    Ok(options.layout_from_json(&json)?)
 }
 
 fn name(path: &Path) -> &str {
@@ -944,16 +908,18 @@ fn name(path: &Path) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rayon::prelude::*;
 
     #[test]
     fn a_panic_is_the_error_of_one_file() {
         let files = [0, 1, 2];
         let read: Vec<_> = files
             .par_iter()
-            .map(|&file| survived(|| if file == 1 { panic!("a fault") } else { Ok(file) }))
+            .map(|&file| survived::<_, CliError>(|| if file == 1 { panic!("a fault") } else { Ok(file) }))
             .collect();
         assert_eq!((read[0].as_ref(), read[2].as_ref()), (Ok(&0), Ok(&2)));
-        assert!(read[1].as_ref().unwrap_err().contains("please report it"));
-        assert_eq!(survived::<()>(|| Err(Error::NoPhotos)), Err(Error::NoPhotos.to_string()));
+        let error = read[1].as_ref().unwrap_err();
+        assert_eq!(error.code(), "fault");
+        assert!(error.to_string().contains("please report it"));
     }
 }

@@ -1,7 +1,7 @@
 //! The mark of the pages that the command line writes, so that a folder of photos that also has such pages is read without
 //! them. The mark is metadata that other programs ignore.
 
-use crate::drawing::Kind;
+use crate::format::Format;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
@@ -14,21 +14,21 @@ const NEAR: usize = 256;
 const PNG_HEAD: usize = 33;
 
 /// The file of a page with the mark: a text of PNG, a comment of JPEG, or a chunk of `WebP`.
-pub(crate) fn marked(file: Vec<u8>, kind: Kind) -> Vec<u8> {
+pub(crate) fn marked(file: Vec<u8>, kind: Format) -> Vec<u8> {
     match kind {
-        Kind::Png if file.len() > PNG_HEAD => {
+        Format::Png if file.len() > PNG_HEAD => {
             let content = [b"tEXtSoftware\0", MARK].concat();
             let length = (content.len() - 4) as u32;
             let sum = crc32fast::hash(&content);
             inserted(file, PNG_HEAD, &[&length.to_be_bytes()[..], &content, &sum.to_be_bytes()].concat())
         }
         // The segment of JFIF stays the first one.
-        Kind::Jpeg if file.starts_with(b"\xff\xd8\xff\xe0") && file.len() > 6 => {
+        Format::Jpeg if file.starts_with(b"\xff\xd8\xff\xe0") && file.len() > 6 => {
             let at = 4 + usize::from(u16::from_be_bytes([file[4], file[5]]));
             let length = (MARK.len() + 2) as u16;
             inserted(file, at, &[&b"\xff\xfe"[..], &length.to_be_bytes(), MARK].concat())
         }
-        Kind::Webp if file.len() > 12 => {
+        Format::Webp if file.len() > 12 => {
             let chunk = [b"inkp", &(MARK.len() as u32).to_le_bytes()[..], MARK].concat();
             let mut all = [file, chunk].concat();
             let length = (all.len() - 8) as u32;
@@ -72,9 +72,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let rgb = [90; 3 * 8 * 8];
         let files = [
-            (Kind::Png, png::encode_rgb(8, 8, &rgb, 300).unwrap()),
-            (Kind::Jpeg, jpeg::encode_rgb(8, 8, &rgb, 300, 90).unwrap()),
-            (Kind::Webp, webp::encode_rgb(8, 8, &rgb).unwrap()),
+            (Format::Png, png::encode_rgb(8, 8, &rgb, 300).unwrap()),
+            (Format::Jpeg, jpeg::encode_rgb(8, 8, &rgb, 300, 90).unwrap()),
+            (Format::Webp, webp::encode_rgb(8, 8, &rgb).unwrap()),
         ];
         for (kind, plain) in files {
             let path = folder.path().join("page");

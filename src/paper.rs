@@ -1,6 +1,6 @@
 //! The page settings of the command line: size, gutters and colours.
 
-use crate::Complaint;
+use crate::CliError;
 use inkpanel::layout::{DPI, PageSettings, PaperSize};
 
 /// Size, gutters and colours of a page. The defaults match a new page in the app.
@@ -49,7 +49,7 @@ impl Paper {
     ///
     /// # Errors
     /// A sentence for invalid settings.
-    pub(crate) fn settings(&self, with_paper: bool) -> Result<PageSettings, Complaint> {
+    pub(crate) fn settings(&self, with_paper: bool) -> Result<PageSettings, CliError> {
         let mut usual = PageSettings::sized(self.page_size, self.dpi, self.width);
         let has_paper = !matches!(self.page_size, Some(PaperSize::Pixels(..)));
         if with_paper && has_paper && self.width.is_some() && self.dpi.is_none() {
@@ -65,7 +65,7 @@ impl Paper {
             rtl: self.rtl,
             ..usual
         };
-        page.validate().map_err(|error| error.to_string())?;
+        page.validate()?;
         Ok(page)
     }
 }
@@ -93,8 +93,8 @@ mod tests {
     #[test]
     fn what_no_page_can_be_is_refused() {
         let huge = Paper { page_size: Some(PaperSize::parse("13000x13000").unwrap()), ..Paper::default() };
-        assert!(huge.settings(false).unwrap_err().contains("million pixels"));
+        assert!(huge.settings(false).unwrap_err().to_string().contains("million pixels"));
         let wide = Paper { gutter: Some(0.5), ..Paper::default() };
-        assert!(wide.settings(false).unwrap_err().contains("page.gutter"));
+        assert!(wide.settings(false).unwrap_err().to_string().contains("page.gutter"));
     }
 }

@@ -2,10 +2,11 @@
 
 use crate::album::{self, is_standard};
 use crate::destination::{Output, print_lines};
-use crate::{Complaint, drawing, import_all, name, telling};
+use crate::format::Format;
+use crate::photos::Photos;
+use crate::{CliError, ScoreArgs, drawing, name, telling};
 use inkpanel::framing::{Crop, PhotoMeta};
 use inkpanel::layout::{self, Bounds, PageSettings, Point, ResolvedPanel, ResolvedShape, polygon};
-use inkpanel::page::import::Imported;
 use inkpanel::page::shuffle::Planned;
 use inkpanel::page::{Document, breaking};
 use inkpanel::plan::composer::{gallery, judge};
@@ -23,21 +24,18 @@ const MOST_PANELS: usize = 200;
 const MOST_PAGES: usize = 1000;
 
 /// Returns the plan as JSON, in the format of `docs/reference/formats.md`.
-pub(crate) fn told(pages: &[Planned], photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {
+pub(crate) fn told(pages: &[Planned], photos: &Photos) -> Result<Value, CliError> {
     let pages = pages.iter().map(|page| told_page(page, photos)).collect::<Result<Vec<_>, _>>()?;
     Ok(json!({ "pages": pages }))
 }
 
-pub(crate) fn told_page(page: &Planned, photos: &[(PathBuf, Imported)]) -> Result<Value, Complaint> {
+pub(crate) fn told_page(page: &Planned, photos: &Photos) -> Result<Value, CliError> {
     let document = &page.document;
-    let template = document.template().map_err(|error| error.to_string())?;
+    let template = document.template()?;
     let aspect = document.page.aspect();
     let resolved = layout::resolve(&template, aspect, &document.page);
-    let file = |id: &String| {
-        let found = photos.iter().find(|(_, photo)| &photo.meta.id == id);
-        found.map(|(path, _)| path.display().to_string())
-    };
-    let breaks = breaking::breaks(document).map_err(|error| error.to_string())?;
+    let file = |id: &String| photos.find(id).map(|(path, _)| path.display().to_string());
+    let breaks = breaking::breaks(document)?;
     let panels: Vec<Value> = resolved
         .iter()
         .zip(&document.panels)
@@ -111,38 +109,33 @@ fn outline(shape: &ResolvedShape, aspect: f64) -> Value {
 }
 
 /// Judges the pages of a plan that was made here or elsewhere. Photos are searched by name in the working
-/// folder and in the folder of the plan. `detects` enables detection, with the models in `models`.
-pub(crate) fn score(
-    file: &Path,
-    as_json: bool,
-    detects: bool,
-    models: Option<&Path>,
-) -> Result<(), Complaint> {
-    let complain = |reason: String| format!("{}: {reason}", file.display());
+/// folder and in the folder of the plan.
+pub(crate) fn score(asked: &ScoreArgs) -> Result<(), CliError> {
+    let file = asked.plan.as_path();
+    let complain = |error: CliError| error.at(file.display());
+    let invalid = |reason: String| complain(CliError::new("invalid-document", reason));
     let text = album::text(file).map_err(complain)?;
-    let plan: Value =
-        serde_json::from_str(&text).map_err(|error| complain(format!("not valid JSON: {error}")))?;
-    let pages = plan["pages"].as_array().ok_or_else(|| complain("has no list of \"pages\"".into()))?;
+    let plan: Value = serde_json::from_str(&text).map_err(|error| complain(CliError::not_json(error)))?;
+    let pages = plan["pages"].as_array().ok_or_else(|| invalid("has no list of \"pages\"".into()))?;
     if pages.len() > MOST_PAGES {
-        return Err(complain(format!("has more than {MOST_PAGES} pages")));
+        return Err(invalid(format!("has more than {MOST_PAGES} pages")));
     }
     let mut files: Vec<PathBuf> = Vec::new();
     for panel in pages.iter().filter_map(|page| page["panels"].as_array()).flatten() {
         let path = panel["photo"].as_str().map(|photo| located(Path::new(photo), file));
         files.extend(path.filter(|path| !files.contains(path)));
     }
-    let mut photos = import_all(&files);
-    if detects {
-        crate::add_subjects(&mut photos, models);
+    let mut photos = Photos::read(files)?;
+    if !asked.no_detect {
+        photos.add_subjects(asked.models.as_deref());
     }
-    let metas: Vec<PhotoMeta> = photos.iter().map(|(_, photo)| photo.meta.clone()).collect();
+    let metas = photos.metas();
     let (mut told, mut lines) = (Vec::new(), Vec::new());
     for (number, page) in pages.iter().enumerate() {
-        let at = |reason: String| complain(format!("page {}: {reason}", number + 1));
-        let known =
-            |photo: &str| photos.iter().position(|(path, _)| *path == located(Path::new(photo), file));
+        let at = |reason: String| invalid(format!("page {}: {reason}", number + 1));
+        let known = |photo: &str| photos.iter().position(|(path, _)| path == located(Path::new(photo), file));
         let score = judged(page, &metas, &known).map_err(at)?;
-        if as_json {
+        if asked.json {
             told.push(json!({
                 "layout": page["layout"], "score": rounded(score.total()), "terms": terms(&score),
             }));
@@ -152,7 +145,7 @@ pub(crate) fn score(
             lines.push(format!("page {}  {:.2}  {}", number + 1, score.total(), terms.join(", ")));
         }
     }
-    if as_json {
+    if asked.json {
         return crate::print(&json!({ "pages": told }));
     }
     print_lines(lines)
@@ -235,24 +228,32 @@ fn resolved(panel: &Value, height: f64) -> Option<ResolvedPanel> {
 }
 
 /// Makes of the file of a page, by its number from 0, what is written.
-pub(crate) type Finish<'f> = &'f dyn Fn(usize, Vec<u8>) -> Result<Vec<u8>, Complaint>;
+pub(crate) type Finish<'f> = &'f dyn Fn(usize, Vec<u8>) -> Result<Vec<u8>, CliError>;
+
+/// How pages become files.
+pub(crate) struct Files<'a> {
+    /// Whether existing files are skipped.
+    pub(crate) skips: bool,
+    pub(crate) finish: Finish<'a>,
+    pub(crate) printed: drawing::Printed<'a>,
+}
 
 /// Draws pages into one file, or into one file per page if its name has a number placeholder, as in
-/// `page-%02d.png`. `skips` skips existing files; `finish` can change the bytes of a page.
+/// `page-%02d.png`.
 ///
 /// Returns the files.
 pub(crate) fn draw_all(
     documents: &[Document],
     means: &drawing::Means<'_>,
     output: &Output,
-    (skips, finish, printed): (bool, Finish<'_>, drawing::Printed<'_>),
-) -> Result<Vec<PathBuf>, Complaint> {
-    let kind = drawing::Kind::of(&output.named)?;
-    if kind == drawing::Kind::Project {
+    how: &Files<'_>,
+) -> Result<Vec<PathBuf>, CliError> {
+    let kind = Format::of(&output.named)?;
+    if kind == Format::Project {
         return Err("a project needs photos; --document pages cannot become a project".into());
     }
-    if kind == drawing::Kind::Pdf {
-        return drawing::write_book(documents, means, output, printed);
+    if kind == Format::Pdf {
+        return drawing::write_book(documents, means, output, how.printed);
     }
     if is_standard(&output.path) {
         return Err("standard output takes several pages only as one PDF file; add --format pdf".into());
@@ -260,9 +261,9 @@ pub(crate) fn draw_all(
     let mut files = Vec::new();
     for (i, document) in documents.iter().enumerate() {
         let own = Output { path: numbered(&output.path, i + 1), named: numbered(&output.named, i + 1) };
-        let there = skips && own.exists();
+        let there = how.skips && own.exists();
         if !there {
-            own.write(&finish(i, drawing::draw(document, means, &own.named)?)?)?;
+            own.write(&(how.finish)(i, drawing::draw(document, means, &own.named)?)?)?;
         }
         let file = name(&own.path);
         let event = json!({
@@ -310,12 +311,7 @@ fn numbered(output: &Path, number: usize) -> PathBuf {
 
 /// Reports differences from the request: another number of panels, photos that are used twice, photos on no
 /// page.
-pub(crate) fn tell_differences(
-    pages: &[Planned],
-    wanted: Option<usize>,
-    used: &[PhotoMeta],
-    photos: &[(PathBuf, Imported)],
-) {
+pub(crate) fn tell_differences(pages: &[Planned], wanted: Option<usize>, used: &[String], photos: &Photos) {
     for (i, page) in pages.iter().enumerate() {
         let of = if pages.len() > 1 { format!("page {}: ", i + 1) } else { String::new() };
         let panels = page.document.panels.len();
@@ -332,7 +328,7 @@ pub(crate) fn tell_differences(
         .collect();
     let unseen: Vec<&str> = photos
         .iter()
-        .filter(|(_, photo)| used.iter().any(|used| used.id == photo.meta.id))
+        .filter(|(_, photo)| used.contains(&photo.meta.id))
         .filter(|(_, photo)| !shown.contains(photo.meta.id.as_str()))
         .map(|(path, _)| name(path))
         .collect();

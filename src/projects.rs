@@ -1,9 +1,9 @@
 //! Projects made on the command line: files that the page opens, and PNG files of pages that carry their project.
 
-use crate::{Complaint, album, name};
+use crate::photos::Photos;
+use crate::{CliError, album, name};
 use inkpanel::document::file::ProjectFile;
 use inkpanel::page::Document;
-use inkpanel::page::import::Imported;
 use serde_json::{Value, json};
 use std::collections::HashMap;
 use std::io::{Cursor, Write};
@@ -25,9 +25,9 @@ pub(crate) struct Album<'a> {
     /// Its pages, whose photos have the ids of those below.
     pub(crate) pages: &'a [Document],
     /// All that was read.
-    pub(crate) photos: &'a [(PathBuf, Imported)],
+    pub(crate) photos: &'a Photos,
     /// Ids of photos that pages may show.
-    pub(crate) used: Vec<&'a str>,
+    pub(crate) used: &'a [String],
     /// Whether detection ran.
     pub(crate) looked: bool,
 }
@@ -37,7 +37,7 @@ impl Album<'_> {
     ///
     /// # Errors
     /// A sentence for a photo that can be read no more, and for more than a project may be.
-    pub(crate) fn packed(&self) -> Result<Vec<u8>, Complaint> {
+    pub(crate) fn packed(&self) -> Result<Vec<u8>, CliError> {
         let text = self.text(0)?;
         self.archive(Some(&text))
     }
@@ -46,7 +46,7 @@ impl Album<'_> {
     ///
     /// # Errors
     /// The errors of [`packed`](Self::packed), and if the photos are too large for a PNG file.
-    pub(crate) fn inside(&self, png: &[u8], page: usize, with_photos: bool) -> Result<Vec<u8>, Complaint> {
+    pub(crate) fn inside(&self, png: &[u8], page: usize, with_photos: bool) -> Result<Vec<u8>, CliError> {
         if png.len() < HEAD + TAIL {
             return Err("the page is not a PNG file".into());
         }
@@ -59,16 +59,16 @@ impl Album<'_> {
     }
 
     /// The text of the project, open on a page.
-    fn text(&self, at: usize) -> Result<String, Complaint> {
+    fn text(&self, at: usize) -> Result<String, CliError> {
         let sheets: Vec<Value> = self
             .pages
             .iter()
             .enumerate()
             .map(|(i, page)| {
-                let page: Value = serde_json::from_str(&page.to_json()).map_err(|error| error.to_string())?;
+                let page: Value = serde_json::from_str(&page.to_json()).map_err(CliError::fault)?;
                 Ok(json!({ "page": page, "pageId": i + 1, "sheet": i }))
             })
-            .collect::<Result<_, Complaint>>()?;
+            .collect::<Result<_, CliError>>()?;
         let shown: Vec<Value> = sheets
             .iter()
             .map(|sheet| json!({ "id": sheet["pageId"], "page": sheet["page"], "sheet": sheet["sheet"] }))
@@ -81,7 +81,7 @@ impl Album<'_> {
             .iter()
             .map(|(_, photo)| {
                 let id = photo.meta.id.as_str();
-                let mut item = json!({ "id": id, "use": self.used.contains(&id) });
+                let mut item = json!({ "id": id, "use": self.used.iter().any(|used| used == id) });
                 if photo.meta.starred {
                     item["starred"] = true.into();
                 }
@@ -123,7 +123,7 @@ impl Album<'_> {
         });
         let text = told.to_string();
         // Never write a project that the app would reject.
-        ProjectFile::parse(&text).map_err(|error| error.to_string())?;
+        ProjectFile::parse(&text)?;
         Ok(text)
     }
 
@@ -142,23 +142,24 @@ impl Album<'_> {
             .collect()
     }
 
-    fn archive(&self, text: Option<&str>) -> Result<Vec<u8>, Complaint> {
+    fn archive(&self, text: Option<&str>) -> Result<Vec<u8>, CliError> {
+        let unpacked = |error: zip::result::ZipError| CliError::new("encode", error.to_string());
         let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
         // Photos are packed already.
         let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
         let places = self.places();
         let mut put = |name: &str, bytes: &[u8]| {
-            writer.start_file(name, stored).map_err(|error| error.to_string())?;
-            writer.write_all(bytes).map_err(|error| error.to_string())
+            writer.start_file(name, stored).map_err(unpacked)?;
+            writer.write_all(bytes).map_err(|error| unpacked(error.into()))
         };
         if let Some(text) = text {
             put("project.json", text.as_bytes())?;
         }
-        for (path, photo) in self.photos {
-            let bytes = album::read(path).map_err(|reason| format!("{}: {reason}", album::told(path)))?;
+        for (path, photo) in self.photos.iter() {
+            let bytes = album::read(path).map_err(|error| error.at(album::told(path)))?;
             put(&places[photo.meta.id.as_str()], &bytes)?;
         }
-        writer.finish().map(Cursor::into_inner).map_err(|error| error.to_string())
+        writer.finish().map(Cursor::into_inner).map_err(unpacked)
     }
 }
 
@@ -173,9 +174,10 @@ pub(crate) fn called(given: &[PathBuf], output: &Path) -> String {
 }
 
 /// A chunk of a PNG file. Source: PNG Specification (Third Edition), 5.3.
-fn chunk(kind: [u8; 4], data: &[u8]) -> Result<Vec<u8>, Complaint> {
+fn chunk(kind: [u8; 4], data: &[u8]) -> Result<Vec<u8>, CliError> {
     if data.len() > LONGEST_CHUNK {
-        return Err("the photos are too large for a PNG file; write an .inkpanel file instead".into());
+        let why = "the photos are too large for a PNG file; write an .inkpanel file instead";
+        return Err(CliError::new("too-large", why));
     }
     let body = [&kind[..], data].concat();
     let length = (data.len() as u32).to_be_bytes();

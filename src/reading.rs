@@ -2,7 +2,8 @@
 
 use crate::destination::Output;
 use crate::drawing::{Means, Subjects};
-use crate::{Complaint, drawing, telling};
+use crate::format::ComicFormat;
+use crate::{CliError, drawing, telling};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use inkpanel::output::describing::described;
@@ -12,30 +13,9 @@ use inkpanel::page::words::Letters;
 use serde_json::json;
 use std::borrow::Borrow;
 use std::io::{Cursor, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
-
-/// A kind of comic.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
-    Html,
-    Epub,
-    Cbz,
-}
-
-impl Kind {
-    /// File type of an extension; `None` for other files.
-    pub(crate) fn of(output: &Path) -> Option<Self> {
-        let ending = output.extension()?.to_string_lossy().to_lowercase();
-        match ending.as_str() {
-            "html" | "htm" => Some(Self::Html),
-            "epub" => Some(Self::Epub),
-            "cbz" => Some(Self::Cbz),
-            _ => None,
-        }
-    }
-}
 
 /// Metadata of a comic.
 #[derive(Clone, Copy)]
@@ -47,7 +27,7 @@ pub(crate) struct Telling<'t> {
 }
 
 /// Checks the language tag of a comic: letters and digits in parts of up to eight characters, as in BCP 47.
-pub(crate) fn language(tag: &str) -> Result<String, Complaint> {
+pub(crate) fn language(tag: &str) -> Result<String, String> {
     let part = |part: &str| (1..=8).contains(&part.len()) && part.chars().all(|c| c.is_ascii_alphanumeric());
     let first = tag.split('-').next().unwrap_or_default();
     if first.len() < 2 || first.chars().any(|c| c.is_ascii_digit()) || !tag.split('-').all(part) {
@@ -60,27 +40,27 @@ pub(crate) fn language(tag: &str) -> Result<String, Complaint> {
 ///
 /// Returns the file.
 pub(crate) fn write(
-    (kind, told_of): (Kind, Telling<'_>),
+    (kind, told_of): (ComicFormat, Telling<'_>),
     pages: &[Document],
     subjects: &Subjects<'_>,
     means: &Means<'_>,
     output: &Output,
-) -> Result<Vec<PathBuf>, Complaint> {
+) -> Result<Vec<PathBuf>, CliError> {
     let mut picture = |page: &Document| drawing::jpeg_of(page, means);
     let words = pages.iter().flat_map(|page| &page.words);
-    let letters = means.fonts.letters(words).map_err(|error| error.to_string())?;
+    let letters = means.fonts.letters(words)?;
     output.write(&made(kind, told_of, pages, (subjects, &letters), &mut picture)?)?;
     Ok(vec![output.path.clone()])
 }
 
 /// Makes a comic of pages. `subjects` returns the subjects of a photo id; `picture` draws a page as JPEG.
 fn made<D: Borrow<Document>>(
-    kind: Kind,
+    kind: ComicFormat,
     told_of: Telling<'_>,
     pages: &[D],
     (subjects, letters): (&Subjects<'_>, &Letters),
-    picture: &mut dyn FnMut(&Document) -> Result<Vec<u8>, Complaint>,
-) -> Result<Vec<u8>, Complaint> {
+    picture: &mut dyn FnMut(&Document) -> Result<Vec<u8>, CliError>,
+) -> Result<Vec<u8>, CliError> {
     // Descriptions of panels exist only in English. In other languages, the text is just the word for photo.
     let english = told_of.language.split('-').next().is_some_and(|code| code.eq_ignore_ascii_case("en"));
     let page = |document: &D| {
@@ -94,12 +74,11 @@ fn made<D: Borrow<Document>>(
         picture: PictureKind::Jpeg,
         pages: pages.iter().map(page).collect(),
     };
-    let text = |error: inkpanel::Error| error.to_string();
     // Report errors before anything is drawn.
     let told = match kind {
-        Kind::Html => Told::Pieces(html::write(&comic, letters).map_err(text)?),
-        Kind::Epub => Told::Files(epub::write(&comic, letters).map_err(text)?),
-        Kind::Cbz => Told::Files(cbz::write(&comic, letters).map_err(text)?),
+        ComicFormat::Html => Told::Pieces(html::write(&comic, letters)?),
+        ComicFormat::Epub => Told::Files(epub::write(&comic, letters)?),
+        ComicFormat::Cbz => Told::Files(cbz::write(&comic, letters)?),
     };
     let mut pictures = Vec::new();
     for (i, page) in pages.iter().enumerate() {
@@ -111,7 +90,9 @@ fn made<D: Borrow<Document>>(
     }
     match told {
         Told::Pieces(pieces) => Ok(joined(&pieces, &pictures)),
-        Told::Files(files) => packed(&files, &pictures).map_err(|error| error.to_string()),
+        Told::Files(files) => {
+            packed(&files, &pictures).map_err(|error| CliError::new("encode", error.to_string()))
+        }
     }
 }
 

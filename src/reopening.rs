@@ -2,9 +2,10 @@
 
 use crate::album::{self, told};
 use crate::destination::Output;
-use crate::drawing::{self, Kind};
+use crate::drawing;
+use crate::format::Format;
 use crate::segments::Masks;
-use crate::{Complaint, How, boards, check_strict, plans, reading, survived, telling};
+use crate::{CliError, Render, boards, check_strict, plans, reading, telling};
 use inkpanel::document::file::FilePhoto;
 use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
@@ -12,6 +13,7 @@ use inkpanel::framing::Subject;
 use inkpanel::page::Document;
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
+use inkpanel::survived;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
@@ -21,17 +23,17 @@ const EXTENSION: &str = "inkpanel";
 /// Reads a project file, or a PNG with its project.
 ///
 /// Returns `None` if the file is neither. Then it is a photo.
-pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
+pub(crate) fn open(input: &Path) -> Option<Result<Saved, CliError>> {
     let named = is_project(input);
-    let complain = |reason: String| Err(format!("{}: {reason}", told(input)));
+    let complain = |error: CliError| Err(error.at(told(input)));
     let bytes = match album::read(input) {
         Ok(bytes) => bytes,
         // Unreadable photos are reported where photos are read.
         Err(error) => return named.then(|| complain(error)),
     };
-    match survived(|| Saved::read(bytes)) {
+    match survived(|| Ok(Saved::read(bytes)?)) {
         Ok(Some(saved)) => Some(Ok(saved)),
-        Ok(None) => named.then(|| complain("not an Inkpanel project".into())),
+        Ok(None) => named.then(|| complain(CliError::new("unknown-format", "not an Inkpanel project"))),
         Err(reason) => Some(complain(reason)),
     }
 }
@@ -43,10 +45,10 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, Complaint>> {
 pub(crate) fn draw(
     saved: Saved,
     input: &Path,
-    (number, board): (Option<u32>, Option<u32>),
-    (output, how): (&Output, &How),
-) -> Result<Vec<PathBuf>, Complaint> {
-    drawn(saved, (number, board), (output, how)).map_err(|reason| format!("{}: {reason}", told(input)))
+    render: &Render,
+    output: &Output,
+) -> Result<Vec<PathBuf>, CliError> {
+    drawn(saved, render, output).map_err(|error| error.at(told(input)))
 }
 
 /// Returns whether a file name is the name of a project.
@@ -54,13 +56,10 @@ pub(crate) fn is_project(file: &Path) -> bool {
     file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(EXTENSION))
 }
 
-fn drawn(
-    mut saved: Saved,
-    (number, board): (Option<u32>, Option<u32>),
-    (output, how): (&Output, &How),
-) -> Result<Vec<PathBuf>, Complaint> {
-    let (kind, printing) = (Kind::of(&output.named)?, &how.printing);
-    if let Kind::Shots(kind) = kind {
+fn drawn(mut saved: Saved, render: &Render, output: &Output) -> Result<Vec<PathBuf>, CliError> {
+    let &Render { page: number, board, ref how, .. } = render;
+    let (kind, printing) = (Format::of(&output.named)?, &how.printing);
+    if let Format::Shots(kind) = kind {
         output.write(saved.project().shot_list().written(kind).as_bytes())?;
         return Ok(vec![output.path.clone()]);
     }
@@ -70,11 +69,11 @@ fn drawn(
     let each = number.is_none() && plans::has_number(&output.named);
     let logo = board.map_or(Ok(None), |_| boards::logo(&saved))?;
     let wanted = match board {
-        Some(_) if matches!(kind, Kind::Comic(_)) => {
+        Some(_) if matches!(kind, Format::Comic(_)) => {
             return Err("--board needs an output file .pdf or .png".into());
         }
         Some(frames) => boards::sheets(&mut saved, frames, (&stem, &known), logo.as_ref())?,
-        None => wanted(&saved, number, each || printing.binds() || matches!(kind, Kind::Comic(_)))?,
+        None => wanted(&saved, number, each || printing.binds() || matches!(kind, Format::Comic(_)))?,
     };
     let drawn_logo = |id: &str| logo.as_ref().filter(|_| id == boards::LOGO);
     let files = files(&mut saved, &wanted, &|id| drawn_logo(id).is_none())?;
@@ -97,18 +96,22 @@ fn drawn(
     }
     check_strict(how)?;
     match kind {
-        Kind::Comic(comic) => {
+        Format::Comic(comic) => {
             let named = saved.project().history.present.name.trim();
             let title = if named.is_empty() { &*stem } else { named };
             let told = reading::Telling { title, language: printing.language() };
             reading::write((comic, told), &wanted, &found, &means, output)
         }
-        Kind::Pdf => drawing::write_book(&wanted, &means, output, (printing, &found)),
+        Format::Pdf => drawing::write_book(&wanted, &means, output, (printing, &found)),
         _ if each || wanted.len() > 1 => plans::draw_all(
             &wanted,
             &means,
             output,
-            (how.skip_existing, &|_, file| Ok(file), (printing, &found)),
+            &plans::Files {
+                skips: how.skip_existing,
+                finish: &|_, file| Ok(file),
+                printed: (printing, &found),
+            },
         ),
         _ => {
             output.write(&drawing::draw(&wanted[0], &means, &output.named)?)?;
@@ -118,7 +121,7 @@ fn drawn(
 }
 
 /// The pages to draw: the one with this number. By default the present one, or all pages if `all` is set.
-fn wanted(saved: &Saved, number: Option<u32>, all: bool) -> Result<Vec<Document>, Complaint> {
+fn wanted(saved: &Saved, number: Option<u32>, all: bool) -> Result<Vec<Document>, CliError> {
     let (pages, present) = saved.pages();
     if all && number.is_none() && !pages.is_empty() {
         return Ok(pages.iter().map(|page| Document::clone(page)).collect());
@@ -158,11 +161,11 @@ pub(crate) fn photo(
     saved: &Saved,
     files: &HashMap<String, Vec<u8>>,
     id: &str,
-) -> Result<Option<Image>, Complaint> {
+) -> Result<Option<Image>, CliError> {
     let Some(bytes) = files.get(id) else { return Ok(None) };
     let name = saved.photo(id).map_or(id, |photo| &photo.name);
-    let decoded = survived(|| decode(bytes, &Limits::default()))
-        .map_err(|reason| format!("the photo {name}: {reason}"))?;
+    let decoded = survived(|| Ok(decode(bytes, &Limits::default())?))
+        .map_err(|error: CliError| error.at(format_args!("the photo {name}")))?;
     telling::damage(name, decoded.damage);
     Ok(Some(decoded.image))
 }
@@ -175,21 +178,22 @@ pub(crate) fn files(
     saved: &mut Saved,
     pages: &[Document],
     is_photo: &dyn Fn(&str) -> bool,
-) -> Result<HashMap<String, Vec<u8>>, Complaint> {
+) -> Result<HashMap<String, Vec<u8>>, CliError> {
     let pages: Vec<&Document> = pages.iter().collect();
     let mut shown: Vec<&str> = photos_on(&pages).into_iter().filter(|id| is_photo(id)).collect();
     shown.sort_unstable();
     let mut files = HashMap::new();
     for id in &shown {
-        if let Some(file) = saved.photo_file(id).map_err(|error| error.to_string())? {
+        if let Some(file) = saved.photo_file(id)? {
             files.insert((*id).to_owned(), file);
         }
     }
     match (shown.len() - files.len(), shown.len()) {
         (0, _) => Ok(files),
-        (1, 1) => Err("its photo is not in it; save it again with the photo".into()),
+        (1, 1) => Err(CliError::new("missing-photo", "its photo is not in it; save it again with the photo")),
         (missing, all) => {
-            Err(format!("{missing} of its {all} photos are not in it; save it again with the photos"))
+            let why = format!("{missing} of its {all} photos are not in it; save it again with the photos");
+            Err(CliError::new("missing-photo", why))
         }
     }
 }

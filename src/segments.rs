@@ -15,24 +15,24 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use crate::destination::print_lines;
-use crate::{Complaint, album, detectors, telling};
+use crate::photos::Photos;
+use crate::{CliError, SegmentArgs, album, detectors, telling};
 
-/// Writes a mask for each photo into `folder`, and creates the folder if necessary.
-pub(crate) fn segment(
-    files: &[PathBuf],
-    folder: &Path,
-    models: Option<&Path>,
-    as_json: bool,
-) -> Result<(), Complaint> {
-    let net = detectors::load_segmenter(models)?;
-    let photos = crate::import_all(&album::files(files)?);
-    if photos.is_empty() {
-        return Err(inkpanel::Error::NoPhotos.to_string());
+/// Writes a mask for each photo into a folder, and creates the folder if necessary.
+pub(crate) fn segment(asked: &SegmentArgs) -> Result<(), CliError> {
+    let net = detectors::load_segmenter(asked.models.as_deref())?;
+    let folder = asked.output.as_path();
+    let photos = Photos::read(album::files(&asked.files)?)?;
+    if photos.album.imported().is_empty() {
+        return Err(inkpanel::Error::NoPhotos.into());
     }
-    std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    std::fs::create_dir_all(folder).map_err(|error| CliError::writing(folder, &error))?;
     let masks = names(&photos, folder);
-    let made: Vec<Result<Value, Complaint>> =
-        photos.par_iter().zip(&masks).map(|((path, photo), mask)| cut_out(&net, path, photo, mask)).collect();
+    let cut = |((place, photo), mask): (&(usize, Imported), &PathBuf)| {
+        cut_out(&net, photos.file(*place), photo, mask)
+    };
+    let made: Vec<Result<Value, CliError>> =
+        photos.album.imported().par_iter().zip(&masks).map(cut).collect();
     let mut rows = Vec::new();
     for ((path, _), made) in photos.iter().zip(made) {
         match made {
@@ -41,9 +41,9 @@ pub(crate) fn segment(
         }
     }
     if rows.is_empty() {
-        return Err("no mask could be made".into());
+        return Err(CliError::new("detector", "no mask could be made"));
     }
-    if as_json {
+    if asked.json {
         return crate::print(&Value::Array(rows));
     }
     print_lines(rows.iter().map(|row| {
@@ -54,11 +54,14 @@ pub(crate) fn segment(
 }
 
 /// Adds the subject mask of each photo. A failure is reported, and the photo gets no mask.
-pub(crate) fn add_masks(photos: &mut [(PathBuf, Imported)], models: Option<&Path>) -> Result<(), Complaint> {
+pub(crate) fn add_masks(photos: &mut Photos, models: Option<&Path>) -> Result<(), CliError> {
     let net = detectors::load_segmenter(models)?;
-    photos.par_iter_mut().for_each(|(path, photo)| match net.look(&photo.work) {
-        Ok(mask) => photo.meta.mask = Some(mask),
-        Err(error) => telling::note(Some(&album::told(path)), &error.to_string()),
+    let files: Vec<String> = photos.iter().map(|(path, _)| album::told(path)).collect();
+    photos.album.imported_mut().par_iter_mut().zip(files).for_each(|((_, photo), file)| {
+        match net.look(&photo.work) {
+            Ok(mask) => photo.meta.mask = Some(mask),
+            Err(error) => telling::note(Some(&file), &error.to_string()),
+        }
     });
     Ok(())
 }
@@ -121,26 +124,25 @@ impl Masks {
 }
 
 /// Returns `DIR/NAME.png` for each photo. A repeated name gets a number.
-fn names(photos: &[(PathBuf, Imported)], folder: &Path) -> Vec<PathBuf> {
+fn names(photos: &Photos, folder: &Path) -> Vec<PathBuf> {
     let mut taken = HashSet::new();
-    let name = |(path, _): &(PathBuf, Imported)| {
+    let name = |(path, _): (&Path, &Imported)| {
         let stem = path.file_stem().map_or_else(|| "photo".into(), |stem| stem.to_string_lossy());
         let numbered = |n: usize| if n < 2 { stem.to_string() } else { format!("{stem}-{n}") };
-        let free =
-            (1..=photos.len() + 1).map(numbered).find(|name| taken.insert(name.clone())).unwrap_or_default();
+        let free = (1..).map(numbered).find(|name| taken.insert(name.clone())).unwrap_or_default();
         folder.join(format!("{free}.png"))
     };
     photos.iter().map(name).collect()
 }
 
 /// Makes one mask, and reports it.
-fn cut_out(net: &Segmenter, path: &Path, photo: &Imported, file: &Path) -> Result<Value, Complaint> {
-    let matte = net.look(&photo.work).map_err(|error| error.to_string())?;
+fn cut_out(net: &Segmenter, path: &Path, photo: &Imported, file: &Path) -> Result<Value, CliError> {
+    let matte = net.look(&photo.work)?;
     let facts = matte.facts();
     let (width, height) = (photo.meta.width, photo.meta.height);
     let plane = full_mask(&matte, &photo.work, (width as usize, height as usize));
-    let png = png::encode_gray(&plane).map_err(|error| error.to_string())?;
-    std::fs::write(file, png).map_err(|error| format!("{}: {error}", file.display()))?;
+    let png = png::encode_gray(&plane)?;
+    std::fs::write(file, png).map_err(|error| CliError::writing(file, &error))?;
     let digits = |share: f64| (share * 1e4).round() / 1e4;
     let pixels = |share: f64, side: u32| (share * f64::from(side) * 10.0).round() / 10.0;
     let [x, y, w, h] = facts.bounds;

@@ -1,5 +1,6 @@
 //! Progress and warnings on standard error: sentences, or one line of JSON per step.
 
+use crate::CliError;
 use inkpanel::raster::decode::Damage;
 use serde_json::{Value, json};
 use std::collections::HashSet;
@@ -16,6 +17,11 @@ static DAMAGED: LazyLock<Mutex<HashSet<String>>> = LazyLock::new(Mutex::default)
 /// From now on each line is JSON.
 pub(crate) fn as_json() {
     AS_JSON.store(true, Ordering::Relaxed);
+}
+
+/// Whether each line is JSON.
+pub(crate) fn is_json() -> bool {
+    AS_JSON.load(Ordering::Relaxed)
 }
 
 /// Prints a warning, such as a skipped file or a photo without a panel. The run continues, unless `--strict`
@@ -37,6 +43,11 @@ pub(crate) fn damage(file: &str, damage: Option<Damage>) {
     }
 }
 
+/// The damage of this file was reported.
+pub(crate) fn damage_is_known(file: &str) {
+    DAMAGED.lock().unwrap_or_else(PoisonError::into_inner).insert(file.to_owned());
+}
+
 /// How many notes there were.
 pub(crate) fn notes() -> usize {
     NOTES.load(Ordering::Relaxed)
@@ -44,7 +55,7 @@ pub(crate) fn notes() -> usize {
 
 /// Reports a step of long work. The sentence, if any, is for people.
 pub(crate) fn step(event: &Value, sentence: Option<String>) {
-    if AS_JSON.load(Ordering::Relaxed) {
+    if is_json() {
         print(&format!("{event}\n"));
     } else if let Some(sentence) = sentence {
         print(&format!("inkpanel: {sentence}\n"));
@@ -57,9 +68,10 @@ pub(crate) fn print(text: &str) {
     let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
 }
 
-/// The end of work that failed.
-pub(crate) fn failure(complaint: &str) {
-    say(&json!({ "event": "error", "message": complaint }), || complaint.to_owned());
+/// Reports the error that ends the run.
+pub(crate) fn failure(error: &CliError) {
+    let message = error.to_string();
+    say(&json!({ "event": "error", "code": error.code(), "message": message }), || message.clone());
 }
 
 fn say(event: &Value, sentence: impl FnOnce() -> String) {

@@ -629,7 +629,7 @@ fn written() -> String {
     let mut candidate = serde_json::to_value(&measures).unwrap();
     candidate["id"] = json!("p");
     candidate["name"] = json!("P");
-    let choice = json!({ "photos": [candidate], "threshold": 10 });
+    let choice = json!({ "photos": [candidate], "duplicateThreshold": 10 });
     let style: Value = catalogue::styles()[0].clone();
     let facts = layouts::facts(&on("grid-4")).unwrap();
     let geometry = layouts::geometry(&on(layouts[1].id)).unwrap();

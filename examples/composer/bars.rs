@@ -10,7 +10,8 @@ use inkpanel::page::Document;
 use inkpanel::page::request::Request;
 use inkpanel::page::shuffle::planned;
 use inkpanel::plan::Shelf;
-use inkpanel::plan::composer::{LEADS, gallery};
+use inkpanel::plan::composer::gallery;
+use inkpanel::plan::slots::LEADS;
 use rayon::prelude::*;
 
 use crate::seen::seen;

@@ -67,7 +67,8 @@ pub(crate) fn written(folder: &Path) -> Result<String, Box<dyn Error>> {
     let names = vec!["x"; frames.len()];
     let measures: Vec<Measures> = frames.iter().map(|frame| frame.measures.clone()).collect();
     for threshold in THRESHOLDS {
-        let verdicts = choose(&names, &measures, &Settings { threshold, ..Settings::default() });
+        let verdicts =
+            choose(&names, &measures, &Settings { duplicate_threshold: threshold, ..Settings::default() });
         let together = |pairs: &[&(usize, usize)]| {
             pairs.iter().filter(|(a, b)| verdicts[*a].group == verdicts[*b].group).count()
         };

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
-use inkpanel::select::{Measures, Settings, choose, measure};
+use inkpanel::select::{DUPLICATE_THRESHOLD, Measures, Settings, choose, measure};
 use variants::variants;
 
 /// Long side that photos are measured at, in pixels.
@@ -69,10 +69,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// The group of each picture.
-fn groups(album: &[&Picture], threshold: u32) -> Vec<usize> {
+fn groups(album: &[&Picture], duplicate_threshold: u32) -> Vec<usize> {
     let measures: Vec<Measures> = album.iter().map(|copy| copy.measures.clone()).collect();
     let names = vec!["x"; album.len()];
-    choose(&names, &measures, &Settings { threshold, ..Settings::default() })
+    choose(&names, &measures, &Settings { duplicate_threshold, ..Settings::default() })
         .into_iter()
         .map(|verdict| verdict.group)
         .collect()
@@ -104,7 +104,7 @@ fn percent((part, all): (usize, usize)) -> String {
 
 fn written(names: &[&str], album: &[Picture], photos: usize) -> String {
     let everything: Vec<&Picture> = album.iter().collect();
-    let threshold = Settings::default().threshold;
+    let threshold = DUPLICATE_THRESHOLD;
     let grouped = groups(&everything, threshold);
     let mut text = format!("| Copies of {photos} photos, threshold {threshold} | Recall |\n|---|--:|\n");
     let is_meant = |kind: usize| kind > 0 && !names[kind].contains("corner");

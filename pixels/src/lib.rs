@@ -12,12 +12,12 @@
 //! | [`order`] | sorting with little code |
 
 pub mod error;
+#[cfg(target_arch = "wasm32")]
+mod js_error;
 pub mod order;
 pub mod raster;
 pub mod simd;
 #[cfg(feature = "pages")]
 pub mod style;
-#[cfg(target_arch = "wasm32")]
-pub mod thrown;
 
 pub use error::{Error, Result};

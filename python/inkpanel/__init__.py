@@ -68,7 +68,7 @@ def render(
     words=None,
     fonts=(),
     star=(),
-    alike=None,
+    duplicate_threshold=None,
     keep_all=False,
     as_given=False,
     skip_broken=False,
@@ -98,7 +98,7 @@ def render(
     fonts: paths of TrueType or OpenType files for characters that the bundled fonts lack, such as Arabic or Japanese. The first
         font with a glyph is used. `Page.notes` lists missing glyphs.
     star: indices in `photos`, from 0, of photos for large panels.
-    alike: maximum fingerprint distance at which photos count as duplicates, in bits of 64. Default: 10.
+    duplicate_threshold: maximum fingerprint distance at which photos count as duplicates, in bits of 64. Default: 10.
     keep_all: use all photos, including similar and blurred ones.
     as_given: keep the order of the photos.
     skip_broken: leave out photos that cannot be read, instead of raising an error. `Page.notes` lists them.
@@ -132,7 +132,7 @@ def render(
         "words": words,
         "fonts": [_os.fspath(font) for font in fonts],
         "star": list(star),
-        "alike": alike,
+        "duplicate_threshold": duplicate_threshold,
         "keep_all": keep_all,
         "as_given": as_given,
         "skip_broken": skip_broken,
@@ -159,7 +159,7 @@ def book(
     models=None,
     fonts=(),
     star=(),
-    alike=None,
+    duplicate_threshold=None,
     keep_all=False,
     as_given=False,
     skip_broken=False,
@@ -196,7 +196,7 @@ def book(
         models=models,
         fonts=fonts,
         star=star,
-        alike=alike,
+        duplicate_threshold=duplicate_threshold,
         keep_all=keep_all,
         as_given=as_given,
         skip_broken=skip_broken,

@@ -76,7 +76,7 @@ impl Page {
     /// Warnings: photos that were left out, and why. All pages of an album share them.
     #[getter]
     fn notes(&self) -> Vec<String> {
-        self.page.notes().to_vec()
+        self.page.notes().iter().map(ToString::to_string).collect()
     }
 
     /// The page as plain data: layout, style, crops, text items and settings. The photo of each panel is its

@@ -96,8 +96,8 @@ impl Told {
         if let Some(panels) = self.take("panels")? {
             options = options.panels(panels);
         }
-        if let Some(bits) = self.take("alike")? {
-            options = options.alike(bits);
+        if let Some(bits) = self.take("duplicate_threshold")? {
+            options = options.duplicate_threshold(bits);
         }
         if let Some(words) = self.take::<Value>("words")? {
             options = options.words(&words.to_string())?;

@@ -1,7 +1,7 @@
 //! Content and pixels of frames: the image of a shot with its caption, or a page with its visible text and
 //! dimmed panels.
 
-use crate::Complaint;
+use crate::CliError;
 use inkpanel::framing::Crop;
 use inkpanel::layout::Point;
 use inkpanel::output::motion::Told;
@@ -27,12 +27,12 @@ pub(super) enum Drawn {
 
 impl Drawn {
     /// The pixels of a frame, as RGB.
-    pub(super) fn seen(&self, view: &Crop, told: &Told, size: [usize; 2]) -> Result<Vec<u8>, Complaint> {
+    pub(super) fn seen(&self, view: &Crop, told: &Told, size: [usize; 2]) -> Result<Vec<u8>, CliError> {
         match self {
             Self::Shot(picture, None) => Ok(filled(picture, view, size)),
             Self::Shot(picture, Some(caption)) => {
                 let mut sheet = Sheet::of(size[0], size[1], filled(picture, view, size));
-                sheet.lay(caption.area, &caption.rgba).map_err(|error| error.to_string())?;
+                sheet.lay(caption.area, &caption.rgba)?;
                 Ok(sheet.into_rgb())
             }
             Self::Page(page) => Ok(page.seen(view, told, size)),

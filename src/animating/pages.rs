@@ -5,8 +5,7 @@ use super::drawn::{Drawn, Page};
 use super::reel::Step;
 use crate::drawing::{self, Means};
 use crate::segments::Masks;
-use crate::{Complaint, reopening};
-use inkpanel::Error;
+use crate::{CliError, reopening};
 use inkpanel::document::saved::Saved;
 use inkpanel::native::{self, QUALITY};
 use inkpanel::output::animatic::{Animatic, Clip};
@@ -32,7 +31,7 @@ pub(super) struct Pages {
 ///
 /// # Errors
 /// A sentence with the option.
-pub(super) fn check(asked: &Animate) -> Result<(), Complaint> {
+pub(super) fn check(asked: &Animate) -> Result<(), CliError> {
     let refused = [
         (asked.captions, "--captions cannot be combined with --pages".to_owned()),
         (asked.style.is_some(), "--style cannot be combined with --pages".to_owned()),
@@ -42,12 +41,11 @@ pub(super) fn check(asked: &Animate) -> Result<(), Complaint> {
         ),
         (asked.dissolve > MOST_DISSOLVE, format!("--dissolve is at most {MOST_DISSOLVE} with --pages")),
     ];
-    refused.into_iter().find(|(is, _)| *is).map_or(Ok(()), |(_, why)| Err(why))
+    refused.into_iter().find(|(is, _)| *is).map_or(Ok(()), |(_, why)| Err(why.into()))
 }
 
 impl Pages {
-    pub(super) fn of(mut saved: Saved, asked: &Animate, fonts: GivenFonts) -> Result<Self, Complaint> {
-        let told = |error: Error| error.to_string();
+    pub(super) fn of(mut saved: Saved, asked: &Animate, fonts: GivenFonts) -> Result<Self, CliError> {
         let pages: Vec<Document> = saved.pages().0.iter().map(|page| Document::clone(page)).collect();
         if pages.is_empty() {
             return Err("the project has no pages".into());
@@ -62,8 +60,8 @@ impl Pages {
             moves: !asked.still,
             living: 0,
         };
-        let letters = fonts.letters(pages.iter().flat_map(|page| &page.words)).map_err(told)?;
-        let plan = request.planned(&letters).map_err(told)?;
+        let letters = fonts.letters(pages.iter().flat_map(|page| &page.words))?;
+        let plan = request.planned(&letters)?;
         drawing::tell_missing(&pages, &fonts)?;
         super::tell_still(moving(&saved, &pages)?, ("panel", "panels"));
         let masks = reopening::masks(&saved);
@@ -109,18 +107,17 @@ impl Pages {
     }
 
     /// Returns a page at the size of the video, from the full-size photos, with its text items separately.
-    pub(super) fn drawn(&self, clip: usize) -> Result<Drawn, Complaint> {
-        let told = |error: Error| error.to_string();
+    pub(super) fn drawn(&self, clip: usize) -> Result<Drawn, CliError> {
         let Clip { picture, reading: Some(reading), .. } = &self.plan.clips[clip] else {
-            return Err("internal error: a page is missing in the plan".into());
+            return Err(CliError::fault("a page is missing in the plan"));
         };
-        let mut page = Document::parse(&picture.to_string()).map_err(told)?;
+        let mut page = Document::parse(&picture.to_string())?;
         page.words.clone_from(&self.documents[clip].words);
         let photo = |id: &str| reopening::photo(&self.saved, &self.files, id);
         let (fonts, masks) = (&self.fonts, &self.masks);
         let means = Means { photos: &photo, fonts, masks, quality: QUALITY, enlarges: false };
         let photos = drawing::decoded(&page, &means)?;
-        let (sheet, words) = native::layers(&page, &photos, &self.letters).map_err(told)?;
+        let (sheet, words) = native::layers(&page, &photos, &self.letters)?;
         let widest = reading.stops.iter().map(|stop| stop.first.width).fold(0.0, f64::max);
         let across = widest * sheet.width() as f64 / f64::from(self.plan.size[0]);
         let mut drawn = Page::new(&sheet, reading.panels.clone(), across);
@@ -140,10 +137,10 @@ fn stops(clip: &Clip) -> &[Stop] {
 
 /// Number of panels that are animated in videos of the app: video frames without breakout, merge, or a style
 /// with separate subjects.
-fn moving(saved: &Saved, pages: &[Document]) -> Result<usize, Complaint> {
+fn moving(saved: &Saved, pages: &[Document]) -> Result<usize, CliError> {
     let mut count = 0;
     for page in pages {
-        if page.style().map_err(|error| error.to_string())?.has_parts() {
+        if page.style()?.has_parts() {
             continue;
         }
         let moves = |(i, photo): (usize, Option<&str>)| {

@@ -2,7 +2,7 @@
 
 use super::drawn::Drawn;
 use crate::destination::Output;
-use crate::{Complaint, telling};
+use crate::{CliError, telling};
 use inkpanel::output::animatic::{Animatic, Shown};
 use inkpanel::output::motion::Told;
 use inkpanel::page::compose::mix;
@@ -21,7 +21,7 @@ const DPI: u32 = 96;
 pub(super) struct Reel<'a> {
     pub(super) plan: &'a Animatic,
     /// Draws a clip.
-    pub(super) draw: &'a (dyn Fn(usize) -> Result<Drawn, Complaint> + Sync),
+    pub(super) draw: &'a (dyn Fn(usize) -> Result<Drawn, CliError> + Sync),
     pub(super) folder: &'a Path,
     /// Whether existing frames are skipped.
     pub(super) skips: bool,
@@ -46,7 +46,7 @@ struct Look {
 
 impl Reel<'_> {
     /// Writes all frames. Clips are rendered when a frame needs them, and released after it.
-    pub(super) fn write(&self, steps: &[Step]) -> Result<(), Complaint> {
+    pub(super) fn write(&self, steps: &[Step]) -> Result<(), CliError> {
         let mut drawn: HashMap<usize, Drawn> = HashMap::new();
         for (i, step) in steps.iter().enumerate() {
             let looks = self.looks(step.frames.clone());
@@ -80,10 +80,10 @@ impl Reel<'_> {
         looks
     }
 
-    fn make(&self, look: &Look, frames: &[u32], drawn: &HashMap<usize, Drawn>) -> Result<(), Complaint> {
+    fn make(&self, look: &Look, frames: &[u32], drawn: &HashMap<usize, Drawn>) -> Result<(), CliError> {
         let size = self.plan.size.map(|side| side as usize);
         let seen = |shown: &Shown, told: &Told| {
-            let clip = drawn.get(&shown.clip).ok_or("internal error: a picture is missing")?;
+            let clip = drawn.get(&shown.clip).ok_or_else(|| CliError::fault("a picture is missing"))?;
             clip.seen(&shown.view, told, size)
         };
         let mut rgb = seen(&look.under, &look.told)?;
@@ -92,7 +92,7 @@ impl Reel<'_> {
             // During the transition, the next page has no active panel.
             mix(&mut rgb, &seen(over, &Told::default())?, share);
         }
-        let file = png::encode_rgb(size[0], size[1], &rgb, DPI).map_err(|error| error.to_string())?;
+        let file = png::encode_rgb(size[0], size[1], &rgb, DPI)?;
         frames.par_iter().try_for_each(|&frame| self.output(frame).write(&file))
     }
 

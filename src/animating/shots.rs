@@ -5,8 +5,7 @@ use super::drawn::Drawn;
 use super::reel::Step;
 use crate::boards::{self, STYLE, ShotPhoto};
 use crate::segments::Masks;
-use crate::{Complaint, read_style, reopening, survived, telling};
-use inkpanel::Error;
+use crate::{CliError, read_style, reopening, telling};
 use inkpanel::document::saved::Saved;
 use inkpanel::native;
 use inkpanel::output::animatic::{Animatic, Clip, Picture, Request};
@@ -17,6 +16,7 @@ use inkpanel::page::words::given::GivenFonts;
 use inkpanel::page::{Document, Patch};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
+use inkpanel::survived;
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
@@ -29,19 +29,19 @@ pub(super) struct Shots {
 }
 
 impl Shots {
-    pub(super) fn of(mut saved: Saved, asked: &Animate, fonts: &GivenFonts) -> Result<Self, Complaint> {
+    pub(super) fn of(mut saved: Saved, asked: &Animate, fonts: &GivenFonts) -> Result<Self, CliError> {
         let masks = reopening::masks(&saved);
         let photos = boards::shown(&mut saved)?;
         let request = request(&saved, asked, &photos)?;
-        let plan = request.planned().map_err(|error| error.to_string())?;
+        let plan = request.planned()?;
         let style = Document::parse(&plan.clips[0].picture.to_string()).and_then(|page| page.style());
-        if !style.map_err(|error| error.to_string())?.has_parts() {
+        if !style?.has_parts() {
             let moving = photos.iter().filter(|photo| super::is_of_film(&saved, &photo.id)).count();
             super::tell_still(moving, ("shot", "shots"));
         }
         let words =
             || plan.clips.iter().map(|clip| &clip.caption["words"][0]).filter(|word| word.is_object());
-        let letters = fonts.letters(words()).map_err(|error| error.to_string())?;
+        let letters = fonts.letters(words())?;
         Ok(Self { plan, photos, masks, letters })
     }
 
@@ -66,30 +66,27 @@ impl Shots {
     }
 
     /// The picture of a clip in its style, from the photo at its full size, and its caption.
-    pub(super) fn drawn(&self, clip: usize) -> Result<Drawn, Complaint> {
-        let told = |error: Error| error.to_string();
-        let document = Document::parse(&self.plan.clips[clip].picture.to_string()).map_err(told)?;
+    pub(super) fn drawn(&self, clip: usize) -> Result<Drawn, CliError> {
+        let document = Document::parse(&self.plan.clips[clip].picture.to_string())?;
         let ShotPhoto { id, name, file } = &self.photos[clip];
-        let photo = survived(|| decode(file, &Limits::default()))
-            .map_err(|reason| format!("the photo {name}: {reason}"))?;
+        let photo = survived(|| Ok(decode(file, &Limits::default())?))
+            .map_err(|error: CliError| error.at(format_args!("the photo {name}")))?;
         telling::damage(name, photo.damage);
-        let subject = self.masks.asked_by(&*document.style().map_err(told)?, id, &photo.image);
+        let subject = self.masks.asked_by(&*document.style()?, id, &photo.image);
         let photos = HashMap::from([(id.clone(), native::Photo { image: photo.image, subject })]);
-        let sheet = native::sheet(&document, &photos, &GivenFonts::default()).map_err(told)?;
-        let picture =
-            Image::from_interleaved_rgb(sheet.width(), sheet.height(), sheet.rgb()).map_err(told)?;
+        let sheet = native::sheet(&document, &photos, &GivenFonts::default())?;
+        let picture = Image::from_interleaved_rgb(sheet.width(), sheet.height(), sheet.rgb())?;
         Ok(Drawn::Shot(picture, self.caption(&self.plan.clips[clip])?))
     }
 
     /// The caption of a clip, if any, at its position in the frame.
-    fn caption(&self, clip: &Clip) -> Result<Option<Patch>, Complaint> {
+    fn caption(&self, clip: &Clip) -> Result<Option<Patch>, CliError> {
         if clip.caption.is_null() {
             return Ok(None);
         }
-        let told = |error: Error| error.to_string();
         let [width, height] = self.plan.size.map(|side| side as usize);
-        let document = Document::parse(&clip.caption.to_string()).map_err(told)?;
-        let mut patch = draw::render(&document, 0, width, &self.letters).map_err(told)?;
+        let document = Document::parse(&clip.caption.to_string())?;
+        let mut patch = draw::render(&document, 0, width, &self.letters)?;
         let foot = (Animatic::FOOT * height as f64).round() as i64;
         patch.area.x = (width as i64 - patch.area.width as i64) / 2;
         patch.area.y = (height as i64 - foot - patch.area.height as i64).max(0);
@@ -98,11 +95,11 @@ impl Shots {
 }
 
 /// The request for a project's shots.
-fn request(saved: &Saved, asked: &Animate, photos: &[ShotPhoto]) -> Result<Request, Complaint> {
+fn request(saved: &Saved, asked: &Animate, photos: &[ShotPhoto]) -> Result<Request, CliError> {
     let found = reopening::known(saved);
     let aspect = f64::from(asked.size[0]) / f64::from(asked.size[1]);
     let picture = |PictureOf { photo, crop, faces }: PictureOf| {
-        let told = |error: serde_json::Error| error.to_string();
+        let told = |error: serde_json::Error| CliError::fault(error);
         let subjects = found.get(&photo).cloned().unwrap_or_default();
         Ok(Picture {
             photo,
@@ -120,7 +117,7 @@ fn request(saved: &Saved, asked: &Animate, photos: &[ShotPhoto]) -> Result<Reque
     };
     Ok(Request {
         list: project.shot_list(),
-        pictures: pictures.into_iter().map(picture).collect::<Result<_, Complaint>>()?,
+        pictures: pictures.into_iter().map(picture).collect::<Result<_, CliError>>()?,
         size: asked.size,
         fps: asked.fps.unwrap_or(0),
         seconds: asked.seconds,

@@ -32,6 +32,7 @@ impl Planning<'_> {
             photos,
             style: Some(page.style.clone()),
             figures: Some(false),
+            duplicate_threshold: Some(u32::from(self.project.alike)),
             ordered: (self.project.order == Order::Name).then_some(true),
             keep: Keep { layout: false, photos: false, ..KEEP_ALL },
             styling: request.styling.clone(),

@@ -178,6 +178,7 @@ impl<'p> Planning<'p> {
         }
         let project = self.project;
         request.recent.splice(0..0, self.recent.iter().cloned());
+        request.duplicate_threshold = Some(u32::from(project.alike));
         if project.order == Order::Name {
             request.ordered = request.ordered.or(Some(true));
         }

@@ -11,7 +11,7 @@ use crate::page::Document;
 use crate::raster::Matte;
 use crate::raster::color::parse_hex;
 use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
-use crate::select::THRESHOLD;
+use crate::select::DUPLICATE_THRESHOLD;
 use crate::style::part::{Part, Parts as LayerParts};
 use crate::style::{Style, blocks, earlier};
 use serde_json::{Map, Value};
@@ -230,7 +230,7 @@ impl Default for Project {
         Self {
             name: String::new(),
             tray: Arc::new([]),
-            alike: THRESHOLD as u8,
+            alike: DUPLICATE_THRESHOLD as u8,
             order: Order::Time,
             locks: Locks::default(),
             panels: None,

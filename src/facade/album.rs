@@ -5,19 +5,22 @@ use super::failure::Failure;
 use super::failure::survived;
 #[cfg(feature = "detect")]
 use super::nets::Nets;
+use super::note::Note;
 use super::options::{BookOptions, PageOptions};
 use super::page::{Book, Page};
 use super::photo::Photo;
 use crate::document::limits::MOST_SHEETS;
 use crate::framing::{PhotoMeta, Subject};
-use crate::page::book::{Styles, Wish, naming};
+use crate::page::Document;
+use crate::page::book::{self, BookPage, Styles, Wish, naming};
 use crate::page::import::Imported;
 use crate::page::request::Request;
+use crate::page::shuffle::Planned;
 use crate::page::storyboard;
 use crate::page::words::given::{GivenFonts, missing};
-use crate::page::words::place;
-use crate::page::{self, Document};
+use crate::page::words::place::{self, Known};
 use crate::plan::Shelf;
+use crate::select::Verdict;
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::ffi::OsStr;
@@ -30,10 +33,26 @@ pub struct Album {
     /// Readable photos, with their places in the input list.
     read: Vec<(usize, Imported)>,
     fonts: GivenFonts,
-    notes: Vec<String>,
+    notes: Vec<Note>,
 }
 
-/// Returns the page's id of the photo at a place in the list. The command line uses the same ids.
+/// The photos of pages, in order, and a verdict on each readable photo.
+pub struct Selection {
+    /// The photos of pages.
+    pub used: Vec<PhotoMeta>,
+    /// The verdicts, in the order of the album.
+    pub verdicts: Vec<Verdict>,
+}
+
+/// A planned book.
+pub struct BookPlan {
+    /// The title on the cover.
+    pub title: String,
+    /// The pages with their text.
+    pub pages: Vec<BookPage>,
+}
+
+/// Returns the page's id of the photo at a place in the list.
 pub(super) fn id(place: usize) -> String {
     format!("photo-{place}")
 }
@@ -45,37 +64,49 @@ impl Album {
     /// Returns the error of the first photo that cannot be read: `not-found`, `unreadable`, `unknown-format`,
     /// `damaged`, `unsupported`, `too-large`.
     pub fn read(photos: Vec<Photo>) -> Result<Self, Failure> {
-        let (album, broken) = Self::read_side_by_side(photos);
+        let (album, broken) = Self::read_side_by_side(photos, &|_| {});
         broken.into_iter().next().map_or(Ok(album), Err)
     }
 
     /// Like [`Self::read`], but skips photos that cannot be read. [`Self::notes`] lists them with the reason.
     #[must_use]
     pub fn read_skipping_broken(photos: Vec<Photo>) -> Self {
-        let (mut album, broken) = Self::read_side_by_side(photos);
-        album.notes.extend(broken.into_iter().map(|failure| format!("{failure}; left out")));
-        album
+        Self::read_side_by_side(photos, &|_| {}).0
     }
 
-    fn read_side_by_side(photos: Vec<Photo>) -> (Self, Vec<Failure>) {
-        let (mut read, mut broken) = (Vec::new(), Vec::new());
-        let all = photos.par_iter().enumerate().map(|(place, photo)| photo.imported(&id(place)));
-        for (place, imported) in all.collect::<Vec<_>>().into_iter().enumerate() {
+    /// Like [`Self::read_skipping_broken`]. Calls `done` after each photo.
+    #[cfg(feature = "internals")]
+    pub fn read_reporting(photos: Vec<Photo>, done: &(dyn Fn(&Photo) + Sync)) -> Self {
+        Self::read_side_by_side(photos, done).0
+    }
+
+    fn read_side_by_side(photos: Vec<Photo>, done: &(dyn Fn(&Photo) + Sync)) -> (Self, Vec<Failure>) {
+        let (mut read, mut broken, mut notes) = (Vec::new(), Vec::new(), Vec::new());
+        let import = |(place, photo): (usize, &Photo)| {
+            let imported = photo.imported(&id(place));
+            done(photo);
+            imported
+        };
+        let all: Vec<_> = photos.par_iter().enumerate().map(import).collect();
+        for (place, imported) in all.into_iter().enumerate() {
+            let name = photos[place].name();
             match imported {
-                Ok(imported) => read.push((place, imported)),
-                Err(failure) => broken.push(failure),
+                Ok(imported) => {
+                    notes.extend(imported.damage.map(|damage| Note::of(name, damage)));
+                    read.push((place, imported));
+                }
+                Err(failure) => {
+                    notes.push(Note::of(name, format_args!("{}; left out", failure.reason())));
+                    broken.push(failure);
+                }
             }
         }
-        let damage = |(place, photo): &(usize, Imported)| {
-            Some(format!("{}: {}", photos[*place].name(), photo.damage?))
-        };
-        let (fonts, notes) = (GivenFonts::default(), read.iter().filter_map(damage).collect());
-        (Self { photos: photos.into(), read, fonts, notes }, broken)
+        (Self { photos: photos.into(), read, fonts: GivenFonts::default(), notes }, broken)
     }
 
-    /// Warnings as sentences: damaged or skipped photos, and the reason.
+    /// Warnings: damaged or skipped photos, and the reason.
     #[must_use]
-    pub fn notes(&self) -> &[String] {
+    pub fn notes(&self) -> &[Note] {
         &self.notes
     }
 
@@ -109,7 +140,7 @@ impl Album {
         for ((place, photo), found) in self.read.iter_mut().zip(found) {
             match found {
                 Ok(found) => photo.meta.find(found),
-                Err(failure) => self.notes.push(format!("{}: {failure}", self.photos[*place].name())),
+                Err(failure) => self.notes.push(Note::of(self.photos[*place].name(), failure)),
             }
         }
     }
@@ -139,87 +170,141 @@ impl Album {
     /// As [`Self::pages`].
     pub fn book(&self, options: &PageOptions, book: &BookOptions) -> Result<Vec<Page>, Failure> {
         PageOptions::check(book.pages)?;
-        let (used, notes) = self.chosen(options);
+        let selection = self.choose(options);
+        let notes = self.notes_with(&selection);
+        let plan = self.plan_book(options, book, selection.used, &mut |_, _| {})?;
+        Ok(self.bound(plan.pages.into_iter().map(|page| page.planned.document), notes))
+    }
+
+    fn planned(&self, options: &PageOptions, most: Option<usize>) -> Result<Vec<Page>, Failure> {
+        PageOptions::check(most)?;
+        let selection = self.choose(options);
+        let mut notes = self.notes_with(&selection);
+        let pages = self.plan(options, selection.used, most)?;
+        let mut documents: Vec<Document> = pages.into_iter().map(|page| page.document).collect();
+        if let (Some(first), false) = (documents.first_mut(), options.words.is_empty()) {
+            let letters = self.fonts.letters(&options.words)?;
+            place::add(first, options.words.clone(), |id| self.known(id), &letters)?;
+            let missing = missing(&letters, &options.words);
+            if !missing.is_empty() {
+                let told = missing.join(" ");
+                let note = format!("no font has these characters, so they appear as question marks: {told}");
+                notes.push(Note::new(note));
+            }
+        }
+        Ok(self.bound(documents, notes))
+    }
+
+    fn notes_with(&self, selection: &Selection) -> Vec<Note> {
+        let judged = self.read.iter().zip(&selection.verdicts).filter(|(_, verdict)| !verdict.kept);
+        let note = |((place, _), verdict): (&(usize, _), &Verdict)| {
+            Note::of(self.photos[*place].name(), format_args!("left out: {}", verdict.why))
+        };
+        self.notes.iter().cloned().chain(judged.map(note)).collect()
+    }
+
+    fn bound(&self, documents: impl IntoIterator<Item = Document>, notes: Vec<Note>) -> Vec<Page> {
+        let subjects: HashMap<String, Vec<Subject>> =
+            self.read.iter().map(|(place, photo)| (id(*place), photo.meta.subjects.clone())).collect();
+        let fonts = self.fonts.clone();
+        let book = Arc::new(Book { photos: self.photos.clone(), subjects, fonts, notes });
+        documents.into_iter().map(|document| Page::new(book.clone(), document)).collect()
+    }
+
+    fn known(&self, id: &str) -> Known<'_> {
+        let photo = self.read.iter().find(|(_, photo)| photo.meta.id == id);
+        photo.map(|(_, photo)| Known::from(&photo.meta)).unwrap_or_default()
+    }
+}
+
+/// The steps of [`Album::pages`] and [`Album::book`], which the command line reports one by one.
+#[cfg_attr(not(feature = "internals"), doc(hidden))]
+impl Album {
+    /// Readable photos, with their places in the input list.
+    #[must_use]
+    pub fn imported(&self) -> &[(usize, Imported)] {
+        &self.read
+    }
+
+    /// Like [`Self::imported`], to add masks of subjects.
+    pub fn imported_mut(&mut self) -> &mut [(usize, Imported)] {
+        &mut self.read
+    }
+
+    /// Sets the fonts for characters that the bundled fonts lack.
+    pub fn set_fonts(&mut self, fonts: GivenFonts) {
+        self.fonts = fonts;
+    }
+
+    /// Selects the photos of pages.
+    #[must_use]
+    pub fn choose(&self, options: &PageOptions) -> Selection {
+        let file = |place: usize| {
+            let name = self.photos[place].name();
+            Path::new(name).file_name().and_then(OsStr::to_str).unwrap_or(name)
+        };
+        let names: Vec<&str> = self.read.iter().map(|(place, _)| file(*place)).collect();
+        let imported: Vec<&Imported> = self.read.iter().map(|(_, imported)| imported).collect();
+        let (used, verdicts) = storyboard::chosen(&names, &imported, options.choice);
+        Selection { used, verdicts }
+    }
+
+    /// Plans pages of selected photos: one page of all, or at most `most`.
+    ///
+    /// # Errors
+    /// As [`Self::pages`].
+    pub fn plan(
+        &self,
+        options: &PageOptions,
+        used: Vec<PhotoMeta>,
+        most: Option<usize>,
+    ) -> Result<Vec<Planned>, Failure> {
+        Ok(storyboard::pages(&Request { photos: used, ..options.request() }, most)?)
+    }
+
+    /// Plans a book of selected photos. Calls `progress` with the number of planned pages and of all pages.
+    ///
+    /// # Errors
+    /// As [`Self::pages`].
+    pub fn plan_book(
+        &self,
+        options: &PageOptions,
+        book: &BookOptions,
+        used: Vec<PhotoMeta>,
+        progress: &mut dyn FnMut(usize, usize),
+    ) -> Result<BookPlan, Failure> {
+        let wish = Wish {
+            title: book.title.clone(),
+            language: book.language.clone(),
+            places: book.places.clone().unwrap_or_else(|| self.folders()),
+            pages: book.pages,
+            styles: if book.by_chapter { Styles::Chapters } else { Styles::One },
+        };
+        let shelf = Shelf::new(used.len());
+        let request =
+            Request { photos: used, panels: None, layout: None, figures: Some(false), ..options.request() };
+        let mut made = book::Book::new(request, wish, &shelf, MOST_SHEETS)?;
+        let title = made.title().to_owned();
+        while made.step()? {
+            progress(made.done(), made.len());
+        }
+        let mut pages = made.pages();
+        for page in &mut pages {
+            let document = &mut page.planned.document;
+            let letters = self.fonts.letters(&document.words)?;
+            place::settle(document, |id| self.known(id), &letters)?;
+        }
+        Ok(BookPlan { title, pages })
+    }
+
+    /// Places by the folders of photos.
+    fn folders(&self) -> HashMap<String, String> {
         let folder = |place: usize| {
             let folder = Path::new(self.photos[place].name()).parent().and_then(Path::file_name);
             folder.and_then(OsStr::to_str).unwrap_or_default()
         };
         let ids: Vec<(String, &str)> =
             self.read.iter().map(|(place, _)| (id(*place), folder(*place))).collect();
-        let wish = Wish {
-            title: book.title.clone(),
-            language: book.language.clone(),
-            places: naming::places(ids.iter().map(|(id, folder)| (id.as_str(), *folder))),
-            pages: book.pages,
-            styles: if book.by_chapter { Styles::Chapters } else { Styles::One },
-        };
-        let ordered = options.choice.as_given.then_some(true);
-        let shelf = Shelf::new(used.len());
-        let request = Request {
-            photos: used,
-            ordered,
-            panels: None,
-            layout: None,
-            figures: Some(false),
-            ..options.request()
-        };
-        let mut made = page::book::Book::new(request, wish, &shelf, MOST_SHEETS)?;
-        while made.step()? {}
-        let mut documents: Vec<_> = made.pages().into_iter().map(|page| page.planned.document).collect();
-        let subjects = self.subjects();
-        for document in &mut documents {
-            let of = |id: &str| subjects.get(id).map_or(&[][..], Vec::as_slice).into();
-            let letters = self.fonts.letters(&document.words)?;
-            place::settle(document, of, &letters)?;
-        }
-        Ok(self.bound(documents, subjects, notes))
-    }
-
-    /// The photos of pages, and the notes about photos that are left out.
-    fn chosen(&self, options: &PageOptions) -> (Vec<PhotoMeta>, Vec<String>) {
-        let names: Vec<&str> = self.read.iter().map(|(place, _)| self.photos[*place].name()).collect();
-        let imported: Vec<&Imported> = self.read.iter().map(|(_, imported)| imported).collect();
-        let (used, verdicts) = storyboard::chosen(&names, &imported, options.choice);
-        let mut notes = self.notes.clone();
-        let left = names.iter().zip(&verdicts).filter(|(_, verdict)| !verdict.kept);
-        notes.extend(left.map(|(name, verdict)| format!("{name}: left out: {}", verdict.why)));
-        (used, notes)
-    }
-
-    /// Detected subjects by photo id.
-    fn subjects(&self) -> HashMap<String, Vec<Subject>> {
-        self.read.iter().map(|(place, photo)| (id(*place), photo.meta.subjects.clone())).collect()
-    }
-
-    fn bound(
-        &self,
-        documents: Vec<Document>,
-        subjects: HashMap<String, Vec<Subject>>,
-        notes: Vec<String>,
-    ) -> Vec<Page> {
-        let fonts = self.fonts.clone();
-        let book = Arc::new(Book { photos: self.photos.clone(), subjects, fonts, notes });
-        documents.into_iter().map(|document| Page::new(book.clone(), document)).collect()
-    }
-
-    fn planned(&self, options: &PageOptions, most: Option<usize>) -> Result<Vec<Page>, Failure> {
-        PageOptions::check(most)?;
-        let (used, mut notes) = self.chosen(options);
-        let ordered = options.choice.as_given.then_some(true);
-        let request = Request { photos: used, ordered, ..options.request() };
-        let pages = storyboard::pages(&request, most)?;
-        let mut documents: Vec<_> = pages.into_iter().map(|page| page.document).collect();
-        let subjects = self.subjects();
-        if let (Some(first), false) = (documents.first_mut(), options.words.is_empty()) {
-            let of = |id: &str| subjects.get(id).map_or(&[][..], Vec::as_slice).into();
-            let letters = self.fonts.letters(&options.words)?;
-            place::add(first, options.words.clone(), of, &letters)?;
-            let missing = missing(&letters, &options.words);
-            if !missing.is_empty() {
-                let told = missing.join(" ");
-                notes.push(format!("no font has these characters, so they appear as question marks: {told}"));
-            }
-        }
-        Ok(self.bound(documents, subjects, notes))
+        naming::places(ids.iter().map(|(id, folder)| (id.as_str(), *folder)))
     }
 }

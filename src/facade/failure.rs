@@ -22,9 +22,15 @@ impl Failure {
         Self::new("invalid-argument", format!("{name}: {reason}"))
     }
 
-    /// Adds the name of a photo to the message.
+    /// Adds the name of a photo.
     pub(super) fn of(self, photo: &str) -> Self {
-        Self { message: format!("{photo}: {}", self.message), photo: Some(photo.to_owned()), ..self }
+        Self { photo: Some(photo.to_owned()), ..self }
+    }
+
+    /// Returns the message without the name of the photo.
+    #[must_use]
+    pub fn reason(&self) -> &str {
+        &self.message
     }
 
     /// A name of the kind of failure that stays the same from version to version: `unknown-style`, `damaged`, `not-found`.
@@ -42,6 +48,9 @@ impl Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(photo) = &self.photo {
+            write!(out, "{photo}: ")?;
+        }
         out.write_str(&self.message)
     }
 }

@@ -5,6 +5,7 @@ mod album;
 mod failure;
 #[cfg(feature = "detect")]
 mod nets;
+mod note;
 mod options;
 mod page;
 mod photo;
@@ -12,12 +13,17 @@ mod pixels;
 mod style;
 
 pub use album::Album;
+#[cfg(feature = "internals")]
+pub use album::{BookPlan, Selection};
 pub use failure::Failure;
 #[cfg(feature = "internals")]
 pub use failure::survived;
 #[cfg(feature = "detect")]
 pub use nets::Nets;
+pub use note::Note;
 pub use options::{BookOptions, PageOptions, layouts};
+#[cfg(feature = "internals")]
+pub use page::with_names;
 pub use page::{Page, pdf};
 pub use photo::Photo;
 pub use pixels::Pixels;

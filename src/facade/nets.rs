@@ -33,6 +33,13 @@ impl Nets {
         Ok(Self(Detectors::new(faces, objects)?))
     }
 
+    /// Models that are loaded already.
+    #[cfg(feature = "internals")]
+    #[must_use]
+    pub fn new(detectors: Detectors) -> Self {
+        Self(detectors)
+    }
+
     pub(super) fn look(&self, photo: &Imported) -> Result<Vec<Subject>, Failure> {
         Ok(self.0.detect(&photo.work)?.into_iter().map(Into::into).collect())
     }

@@ -5,9 +5,10 @@ use super::style::Style;
 use crate::layout::{PageSettings, PaperSize};
 use crate::page::catalogue;
 use crate::page::document::template_of;
-use crate::page::request::Request;
+use crate::page::request::{Families, Request};
 use crate::page::storyboard::Choice;
 use serde_json::Value;
+use std::collections::HashMap;
 
 /// The most pages that an album is cut into, as on the command line.
 const MOST_PAGES: usize = 1_000;
@@ -26,6 +27,8 @@ pub struct PageOptions {
     merge: bool,
     layout: Option<Value>,
     style: Option<Style>,
+    families: Families,
+    figures: Option<bool>,
     page: PageSettings,
     pub(super) choice: Choice,
     pub(super) words: Vec<Value>,
@@ -39,6 +42,7 @@ pub struct BookOptions {
     pub(super) language: String,
     pub(super) pages: Option<usize>,
     pub(super) by_chapter: bool,
+    pub(super) places: Option<HashMap<String, String>>,
 }
 
 impl BookOptions {
@@ -69,6 +73,14 @@ impl BookOptions {
         self
     }
 
+    /// Places of photos by id. By default, the folders of photos are places.
+    #[cfg(feature = "internals")]
+    #[must_use]
+    pub fn places(mut self, places: HashMap<String, String>) -> Self {
+        self.places = Some(places);
+        self
+    }
+
     /// Whether each day has its own style.
     #[must_use]
     pub fn style_by_chapter(mut self, on: bool) -> Self {
@@ -85,6 +97,8 @@ impl Default for PageOptions {
             merge: false,
             layout: None,
             style: None,
+            families: Families::default(),
+            figures: None,
             page: PageSettings::default(),
             choice: Choice::default(),
             words: Vec::new(),
@@ -149,6 +163,36 @@ impl PageOptions {
     #[must_use]
     pub fn style(mut self, style: &Style) -> Self {
         self.style = Some(style.clone());
+        self
+    }
+
+    /// Families to choose layouts from, if no layout is set. An empty list allows all.
+    #[must_use]
+    pub fn layout_families(mut self, families: &[String]) -> Self {
+        self.families.layouts = families.to_vec();
+        self
+    }
+
+    /// Families to choose styles from, if no style is set. An empty list allows all.
+    #[must_use]
+    pub fn style_families(mut self, families: &[String]) -> Self {
+        self.families.styles = families.to_vec();
+        self
+    }
+
+    /// Whether a subject breaks its panel border, if the album has masks of subjects and one of them fits. By default the
+    /// choice is random.
+    #[must_use]
+    pub fn figures(mut self, on: bool) -> Self {
+        self.figures = Some(on);
+        self
+    }
+
+    /// Size, gutters and colours as the engine has them.
+    #[cfg(feature = "internals")]
+    #[must_use]
+    pub fn settings(mut self, page: PageSettings) -> Self {
+        self.page = page;
         self
     }
 
@@ -234,8 +278,8 @@ impl PageOptions {
 
     /// Maximum fingerprint distance, in bits of 64, at which two photos count as duplicates. Default: 10.
     #[must_use]
-    pub fn alike(mut self, bits: u32) -> Self {
-        self.choice.alike = Some(bits);
+    pub fn duplicate_threshold(mut self, bits: u32) -> Self {
+        self.choice.duplicate_threshold = Some(bits);
         self
     }
 
@@ -276,6 +320,10 @@ impl PageOptions {
             layout: self.layout.clone(),
             style: self.style.as_ref().map(Style::to_value),
             panels: self.panels,
+            within: self.families.clone(),
+            figures: self.figures,
+            ordered: self.choice.as_given.then_some(true),
+            duplicate_threshold: self.choice.duplicate_threshold,
             merge: Some(self.merge),
             ..Request::default()
         }

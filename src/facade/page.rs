@@ -2,6 +2,7 @@
 
 use super::album::id;
 use super::failure::Failure;
+use super::note::Note;
 use super::photo::Photo;
 use super::pixels::Pixels;
 use crate::framing::Subject;
@@ -20,8 +21,8 @@ pub(super) struct Book {
     pub(super) subjects: HashMap<String, Vec<Subject>>,
     /// Fonts for characters that the bundled fonts lack.
     pub(super) fonts: GivenFonts,
-    /// Warnings as sentences.
-    pub(super) notes: Vec<String>,
+    /// Warnings.
+    pub(super) notes: Vec<Note>,
 }
 
 /// A storyboard page that is planned. Each image or file is drawn from its photos, which are read again at
@@ -63,7 +64,7 @@ impl Page {
 
     /// Warnings: skipped photos, and the reason. All pages of an album have the same notes.
     #[must_use]
-    pub fn notes(&self) -> &[String] {
+    pub fn notes(&self) -> &[Note] {
         &self.book.notes
     }
 
@@ -72,13 +73,8 @@ impl Page {
     pub fn plan(&self) -> String {
         let photos = self.book.photos.iter().enumerate();
         let names: HashMap<String, &str> = photos.map(|(place, photo)| (id(place), photo.name())).collect();
-        let name_of = |id: &String| names.get(id).map_or_else(|| id.clone(), |name| (*name).to_owned());
-        let mut told = self.document.clone();
-        for panel in &mut told.panels {
-            panel.photo = panel.photo.as_ref().map(name_of);
-        }
-        told.order = told.order.iter().map(name_of).collect();
-        told.to_json()
+        let name_of = |id: &str| names.get(id).map_or(id, |name| *name).to_owned();
+        with_names(&self.document, &name_of).to_json()
     }
 
     /// Draws it.
@@ -128,6 +124,17 @@ impl Page {
         let alts = native::alts(&self.document, &subjects);
         Ok(native::leaf(&self.document, &self.shown()?, alts, (None, QUALITY))?)
     }
+}
+
+/// A page whose photos have names instead of ids.
+#[must_use]
+pub fn with_names(page: &Document, name: &dyn Fn(&str) -> String) -> Document {
+    let mut page = page.clone();
+    for panel in &mut page.panels {
+        panel.photo = panel.photo.as_deref().map(name);
+    }
+    page.order = page.order.iter().map(|id| name(id)).collect();
+    page
 }
 
 /// Returns one PDF file of several pages. Panels are images with alternative text; lines and text are

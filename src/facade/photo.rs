@@ -6,6 +6,7 @@ use crate::page::import::{Imported, import, import_image};
 use crate::raster::Image;
 use crate::raster::decode::{Limits, decode};
 use std::borrow::Cow;
+use std::ffi::OsStr;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -72,6 +73,10 @@ impl Photo {
         &self.name
     }
 
+    fn file_name(&self) -> &str {
+        Path::new(&self.name).file_name().and_then(OsStr::to_str).unwrap_or(&self.name)
+    }
+
     /// Reads, reduces and measures it.
     pub(super) fn imported(&self, id: &str) -> Result<Imported, Failure> {
         let limits = Limits::default();
@@ -79,7 +84,7 @@ impl Photo {
             Source::Pixels(image) => Ok(import_image(id, image, &limits)?),
             source => {
                 let bytes = source.bytes()?;
-                Ok(import(id, &bytes, &limits).map_err(|error| clearer(error, &self.name, &bytes))?)
+                Ok(import(id, &bytes, &limits).map_err(|error| clearer(error, self.file_name(), &bytes))?)
             }
         })
     }
@@ -91,7 +96,7 @@ impl Photo {
             source => {
                 let bytes = source.bytes()?;
                 let decoded = decode(&bytes, &Limits::default());
-                Ok(decoded.map_err(|error| clearer(error, &self.name, &bytes))?.image)
+                Ok(decoded.map_err(|error| clearer(error, self.file_name(), &bytes))?.image)
             }
         })
     }

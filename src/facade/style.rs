@@ -73,6 +73,13 @@ impl Style {
         Ok(Pixels { width: drawn.width(), height: drawn.height(), rgb: drawn.to_rgb(), dpi: picture.dpi })
     }
 
+    /// A style of the engine.
+    #[cfg(feature = "internals")]
+    #[must_use]
+    pub fn new(style: style::Style) -> Self {
+        Self(style)
+    }
+
     /// As the engine has it.
     #[cfg(feature = "internals")]
     #[must_use]

@@ -3,6 +3,8 @@
 //! The transform is a plain radix-2 FFT of one small size. Libraries add planners for every size, or sine
 //! tables of half the size of the `films` module.
 
+use crate::simd::fft;
+
 /// Seconds between two frames.
 pub(super) const STEP: f32 = 0.01;
 /// Minimum duration of a frame in seconds. The number of samples is the next power of two.
@@ -106,21 +108,7 @@ struct Transform {
 impl Transform {
     /// `size`: a power of two, 4 at least.
     fn new(size: usize) -> Self {
-        // Cosines and sines by repeated halving of a quarter turn. Library functions would double the size of
-        // the module.
-        let (mut cosine, mut sine) = (0f64, 1f64);
-        for _ in 2..size.trailing_zeros() {
-            cosine = f64::midpoint(1.0, cosine).sqrt();
-            sine /= 2.0 * cosine;
-        }
-        let mut at = (1f64, 0f64);
-        let turns: Vec<[f32; 2]> = (0..size / 2)
-            .map(|_| {
-                let (x, y) = at;
-                at = (x * cosine - y * sine, x * sine + y * cosine);
-                [x as f32, -y as f32]
-            })
-            .collect();
+        let turns = fft::turns(size);
         // A sine of full scale has a magnitude of 1 in its bin. The second half of the cosines is the first
         // half, negated.
         let cosines = turns.iter().map(|[x, _]| *x).chain(turns.iter().map(|[x, _]| -x));
@@ -130,31 +118,21 @@ impl Transform {
 
     /// The samples under the window, in the order that the transform begins with; real and imaginary parts apart.
     fn windowed(&self, samples: &[f32], [real, imaginary]: &mut [Vec<f32>; 2]) {
-        let bits = self.window.len().trailing_zeros();
         for (i, (sample, window)) in samples.iter().zip(&self.window).enumerate() {
-            real[i.reverse_bits() >> (usize::BITS - bits)] = sample * window;
+            real[fft::reversed(i, self.window.len())] = sample * window;
         }
         imaginary.fill(0.0);
     }
 
     fn run(&self, [real, imaginary]: &mut [Vec<f32>; 2]) {
-        let size = self.window.len();
-        let mut half = 1;
-        while half < size {
-            let stride = size / (2 * half);
-            for start in (0..size).step_by(2 * half) {
-                for i in 0..half {
-                    let [cos, sin] = self.turns[i * stride];
-                    let (a, b) = (start + i, start + i + half);
-                    let x = real[b] * cos - imaginary[b] * sin;
-                    let y = real[b] * sin + imaginary[b] * cos;
-                    (real[b], imaginary[b]) = (real[a] - x, imaginary[a] - y);
-                    real[a] += x;
-                    imaginary[a] += y;
-                }
-            }
-            half *= 2;
-        }
+        fft::steps(self.window.len(), |a, b, turn| {
+            let [cos, sin] = self.turns[turn];
+            let x = real[b] * cos - imaginary[b] * sin;
+            let y = real[b] * sin + imaginary[b] * cos;
+            (real[b], imaginary[b]) = (real[a] - x, imaginary[a] - y);
+            real[a] += x;
+            imaginary[a] += y;
+        });
     }
 }
 

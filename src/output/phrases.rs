@@ -2,9 +2,8 @@
 //! a file of `languages/`.
 
 use crate::error::Result;
+use crate::page::language::texts_in;
 use serde::Deserialize;
-
-use super::comic::wrong;
 
 /// The files of `languages/`.
 const LANGUAGES: [(&str, &str); 6] = [
@@ -66,10 +65,7 @@ impl Phrases {
     /// # Errors
     /// `invalid-document` if the file of a language is damaged. A test checks all files.
     pub fn of(language: &str) -> Result<Self> {
-        let wanted = language.split('-').next().unwrap_or_default();
-        let found = LANGUAGES.iter().find(|(code, _)| code.eq_ignore_ascii_case(wanted));
-        let (code, json) = found.unwrap_or(&LANGUAGES[0]);
-        serde_json::from_str(json).map_err(|error| wrong(code, error.to_string()))
+        texts_in(language, &LANGUAGES)
     }
 
     /// Name of a page with its number of panels.

@@ -172,14 +172,15 @@ impl From<&Measures> for MeasuresEntry {
 
 /// Request of a selection.
 #[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub(crate) struct ChoiceRequest {
     /// All photos.
     photos: Vec<Candidate>,
-    /// Bits in which fingerprints of look-alikes may differ.
+    /// Maximum fingerprint distance of near-duplicates, in bits of 64.
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(optional))]
-    threshold: Option<u32>,
+    duplicate_threshold: Option<u32>,
 }
 
 /// A photo that may be worth a panel.
@@ -226,8 +227,8 @@ pub fn choose(json: &str) -> Result<String> {
     let invalid = |reason: String| Error::InvalidDocument { location: "photos".into(), reason };
     let wanted: ChoiceRequest = serde_json::from_str(json).map_err(|error| invalid(error.to_string()))?;
     let mut settings = select::Settings::default();
-    if let Some(threshold) = wanted.threshold {
-        settings.threshold = threshold;
+    if let Some(bits) = wanted.duplicate_threshold {
+        settings.duplicate_threshold = bits;
     }
     let names: Vec<&str> = wanted.photos.iter().map(|photo| photo.name.as_str()).collect();
     let measures: Vec<Measures> = wanted

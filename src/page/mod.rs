@@ -26,6 +26,7 @@
 //! | [`png`] | the exported PNG file |
 //! | [`jpeg`] | the smaller one |
 //! | `webp` | WebP encoder for browsers without one |
+//! | `language` | texts of several languages |
 //! | [`srgb`] | the colour space of all files |
 //! | [`plates`] | colour separation into inks, one plate each |
 //! | [`pdf`] | pages as lines, text and pictures |
@@ -42,6 +43,7 @@ pub mod document;
 pub mod fill;
 pub mod import;
 pub mod jpeg;
+pub(crate) mod language;
 pub mod layouts;
 pub mod living;
 pub mod mask;

@@ -53,6 +53,9 @@ pub struct Request {
     #[serde(default)]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub mode: Mode,
+    /// Maximum fingerprint distance of near-duplicates, in bits of 64. A page avoids two photos that are this close. Default: 10.
+    #[serde(default)]
+    pub duplicate_threshold: Option<u32>,
     /// Whether the photos stay in their order along the page. Default: whether all are dated, at different times.
     #[serde(default)]
     pub ordered: Option<bool>,

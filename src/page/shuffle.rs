@@ -14,6 +14,7 @@ use crate::plan::assign::Photos;
 use crate::plan::layouts::{self, DRAWN, Wanted};
 use crate::plan::prepared::worth_showing;
 use crate::plan::{Candidate, Order, Score, Shelf, Turns, compose};
+use crate::select::DUPLICATE_THRESHOLD;
 use oorandom::Rand64;
 use serde_json::Value;
 use std::borrow::Cow;
@@ -57,7 +58,8 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     let stages = stages(request, &mut random)?;
     let always: Vec<usize> = stages.first().map(Stage::held).unwrap_or_default();
     let turns = Turns::of(&request.photos, &request.recent);
-    let photos = Photos::new(&request.photos, &always, turns, shelf, &mut random);
+    let photos = Photos::new(&request.photos, &always, turns, shelf, &mut random)
+        .with_duplicate_threshold(duplicate_threshold(request));
     let candidates: Vec<&Candidate> = stages.iter().map(|stage| &stage.candidate).collect();
     let free = request.mode == Mode::Photos || !request.ordered.unwrap_or_else(|| is_dated(&request.photos));
     let order = if free { Order::Free } else { Order::Kept };
@@ -94,6 +96,11 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     Ok(Planned { document, score: plan.score })
 }
 
+/// Returns the threshold of near-duplicates, in bits of a fingerprint.
+fn duplicate_threshold(request: &Request) -> u32 {
+    request.duplicate_threshold.unwrap_or(DUPLICATE_THRESHOLD)
+}
+
 /// Whether all photos are dated, and not all of one moment: only then their order means something.
 fn is_dated(photos: &[PhotoMeta]) -> bool {
     photos.iter().all(|photo| photo.taken.is_some())
@@ -128,7 +135,7 @@ fn stages(request: &Request, random: &mut Rand64) -> Result<Vec<Stage>> {
     let wanted = Wanted {
         aspect: request.page.aspect(),
         panels: request.panels,
-        photos: worth_showing(&request.photos),
+        photos: worth_showing(&request.photos, duplicate_threshold(request)),
         shown: &shown,
         families: &request.within.layouts,
         taste: &request.taste,

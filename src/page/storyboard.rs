@@ -6,7 +6,7 @@ use super::shuffle::{Planned, planned};
 use crate::error::Result;
 use crate::framing::PhotoMeta;
 use crate::plan::{Shelf, spread};
-use crate::select::{self, Measures, Verdict};
+use crate::select::{self, DUPLICATE_THRESHOLD, Measures, Verdict};
 
 /// Maximum number of photos per page. Larger pages do not show all of their photos.
 const MOST_OF_A_PAGE: usize = 9;
@@ -15,7 +15,7 @@ const MOST_OF_A_PAGE: usize = 9;
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Choice {
     /// Maximum fingerprint distance of near-duplicates, in bits of 64. `None`: default.
-    pub alike: Option<u32>,
+    pub duplicate_threshold: Option<u32>,
     /// Whether near-duplicates and blurred photos are used as well.
     pub keep_all: bool,
     /// Whether to keep the given order instead of sorting by capture time.
@@ -27,9 +27,8 @@ pub struct Choice {
 #[must_use]
 pub fn chosen(names: &[&str], photos: &[&Imported], choice: Choice) -> (Vec<PhotoMeta>, Vec<Verdict>) {
     let measures: Vec<Measures> = photos.iter().map(|photo| photo.measures.clone()).collect();
-    let usual = select::Settings::default().threshold;
-    let settings =
-        select::Settings { threshold: choice.alike.unwrap_or(usual), ..select::Settings::default() };
+    let duplicate_threshold = choice.duplicate_threshold.unwrap_or(DUPLICATE_THRESHOLD);
+    let settings = select::Settings { duplicate_threshold, ..select::Settings::default() };
     let mut verdicts = select::choose(names, &measures, &settings);
     for verdict in &mut verdicts {
         verdict.kept |= choice.keep_all;

@@ -4,12 +4,12 @@
 use oorandom::Rand64;
 
 use super::best_first;
-use super::composer::LEADS;
-use super::prepared::{Kind, Prepared, Shelf, are_alike};
-use super::slots::{Assignment, Slot, touch};
+use super::prepared::{Kind, Prepared, Shelf, are_duplicates};
+use super::slots::{Assignment, LEADS, Slot, touch};
 use super::turns::Turns;
 use super::utility::{Look, placed};
 use crate::framing::{PhotoMeta, Subject, frame};
+use crate::select::DUPLICATE_THRESHOLD;
 
 /// The most photos that one plan chooses from; of larger albums some are drawn.
 const MOST: usize = 60;
@@ -58,6 +58,8 @@ pub struct Photos<'a> {
     pub turns: Turns,
     /// Mean quality of the best photos.
     top: f64,
+    /// Maximum fingerprint distance of near-duplicates, in bits.
+    duplicate_threshold: u32,
     shelf: &'a Shelf,
 }
 
@@ -117,7 +119,7 @@ impl<'a> Photos<'a> {
         let known: Vec<f64> = drawn.iter().map(|&i| quality[i]).collect();
         let best: Vec<f64> = best_first(&known).into_iter().take(TOP).map(|at| known[at]).collect();
         let top = best.iter().sum::<f64>() / best.len().max(1) as f64;
-        Self { all, drawn, quality, rank, turns, top, shelf }
+        Self { all, drawn, quality, rank, turns, top, duplicate_threshold: DUPLICATE_THRESHOLD, shelf }
     }
 
     /// A photo, ready to be placed.
@@ -145,10 +147,16 @@ impl<'a> Photos<'a> {
         if self.kind(photo) == Kind::Document { 0.0 } else { self.turns.need(photo) }
     }
 
-    /// Whether two photos show nearly the same.
+    /// The photos with another maximum fingerprint distance of near-duplicates, in bits.
     #[must_use]
-    pub fn alike(&self, a: usize, b: usize) -> bool {
-        are_alike(&self.all[a], &self.all[b])
+    pub fn with_duplicate_threshold(self, duplicate_threshold: u32) -> Self {
+        Self { duplicate_threshold, ..self }
+    }
+
+    /// Whether two photos are near-duplicates.
+    #[must_use]
+    pub fn are_duplicates(&self, a: usize, b: usize) -> bool {
+        are_duplicates(&self.all[a], &self.all[b], self.duplicate_threshold)
     }
 }
 
@@ -207,7 +215,9 @@ impl Worths {
         let mut chosen = solved(&values);
         for _ in 0..self.fresh.len() - self.open.len() {
             let pairs = (0..chosen.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
-            let twins = |&(a, b): &(usize, usize)| photos.alike(self.fresh[chosen[a]], self.fresh[chosen[b]]);
+            let twins = |&(a, b): &(usize, usize)| {
+                photos.are_duplicates(self.fresh[chosen[a]], self.fresh[chosen[b]])
+            };
             let Some((a, b)) = pairs.rev().find(twins) else { break };
             let weaker = if values[a][chosen[a]] < values[b][chosen[b]] { a } else { b };
             let column = chosen[weaker];

@@ -11,7 +11,7 @@ use oorandom::Rand64;
 use super::assign::{MOST_BARE, Order, Photos, Worths, chosen, crops, looks, sizes, uses};
 use super::best_first;
 use super::prepared::Kind;
-use super::slots::{Assignment, Slot};
+use super::slots::{Assignment, LEADS, Slot};
 use super::turns::Turns;
 use super::utility::Look;
 use crate::framing::{PhotoMeta, closeup};
@@ -25,8 +25,6 @@ const OF_A_FAMILY: usize = 1;
 /// How fast the chance of a plan falls with its rank, and with its distance from the best score.
 const FALL: f64 = 3.0;
 const WORSE: f64 = 0.6;
-/// Minimum area, relative to the largest panel, of a panel that counts as equally large.
-pub const LEADS: f64 = 0.97;
 /// Minimum area of a large panel, relative to the mean.
 const LARGE: f64 = 1.25;
 /// Bonus of a close crop next to the complete photo.
@@ -257,7 +255,7 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
             alike -= if a == b {
                 again(&seen[i]).min(again(&seen[j]))
             } else {
-                0.8 * f64::from(u8::from(photos.alike(a, b)))
+                0.8 * f64::from(u8::from(photos.are_duplicates(a, b)))
             };
         }
     }

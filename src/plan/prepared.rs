@@ -7,6 +7,7 @@ use std::rc::Rc;
 use super::best_first;
 use crate::framing::{Crop, FACE, FIGURE, LETTERING, PhotoMeta, Subject, Target, sketch};
 use crate::layout::Bounds;
+use crate::select::fingerprint::distance;
 
 /// Number of cached crops. Their panel shapes range from 1:3 to 3:1 in equal steps of the logarithm.
 pub const ASPECTS: usize = 12;
@@ -14,8 +15,6 @@ pub const ASPECTS: usize = 12;
 const WIDEST: f64 = 3.0;
 /// Maximum number of subjects; the largest ones count.
 const MOST_MARKS: usize = 16;
-/// Fingerprints at this distance or below are of nearly the same picture.
-const NEAR_DUPLICATE: u32 = 10;
 /// Number of photos that fill any page.
 const MANY: usize = 24;
 /// Labels of vehicles.
@@ -186,15 +185,17 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
 }
 
 /// Counts the photos that differ from each other and are not documents. Counts all if every photo is a document.
+/// `duplicate_threshold`: maximum fingerprint distance of near-duplicates, in bits.
 #[must_use]
-pub fn worth_showing(photos: &[PhotoMeta]) -> usize {
+pub fn worth_showing(photos: &[PhotoMeta], duplicate_threshold: u32) -> usize {
     if photos.len() > MANY {
         return photos.len();
     }
     let mut shown: Vec<&PhotoMeta> = Vec::new();
     for photo in photos {
         // A photo that was never measured is like no other.
-        let known = photo.fingerprint != 0 && shown.iter().any(|other| are_alike(other, photo));
+        let known = photo.fingerprint != 0
+            && shown.iter().any(|other| are_duplicates(other, photo, duplicate_threshold));
         if !known && !is_document(photo) {
             shown.push(photo);
         }
@@ -202,9 +203,9 @@ pub fn worth_showing(photos: &[PhotoMeta]) -> usize {
     if shown.is_empty() { photos.len() } else { shown.len() }
 }
 
-/// Whether two photos show nearly the same.
-pub(super) fn are_alike(a: &PhotoMeta, b: &PhotoMeta) -> bool {
-    (a.fingerprint ^ b.fingerprint).count_ones() <= NEAR_DUPLICATE
+/// Whether two photos are near-duplicates: their fingerprints differ in at most `threshold` bits.
+pub(super) fn are_duplicates(a: &PhotoMeta, b: &PhotoMeta, threshold: u32) -> bool {
+    distance(a.fingerprint, b.fingerprint) <= threshold
 }
 
 fn is_sound(s: &Subject) -> bool {

@@ -4,6 +4,9 @@ use crate::framing::{Crop, Region, Target};
 use crate::layout::merge::merged_bounds;
 use crate::layout::{Bounds, ResolvedPanel, ResolvedShape};
 
+/// Minimum area, relative to the largest panel, of a panel that counts as equally large.
+pub const LEADS: f64 = 0.97;
+
 /// A panel, or a merged group of panels, that needs a photo, in reading order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slot {

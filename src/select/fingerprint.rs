@@ -38,8 +38,8 @@ pub fn fingerprint(luma: &Plane) -> u64 {
     bits
 }
 
-/// Returns the number of different bits of two fingerprints: 0..=64. Near-duplicates differ in 10 bits or
-/// less.
+/// Returns the number of different bits of two fingerprints: 0..=64. Near-duplicates differ in at most
+/// [`DUPLICATE_THRESHOLD`](super::DUPLICATE_THRESHOLD) bits by default.
 #[must_use]
 pub fn distance(a: u64, b: u64) -> u32 {
     (a ^ b).count_ones()

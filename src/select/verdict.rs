@@ -14,9 +14,9 @@ const FEW: usize = 4;
 
 /// Default maximum fingerprint distance of near-duplicates, in bits. A test set of 2145 pairs of different
 /// photos has no pair this close.
-pub const THRESHOLD: u32 = 10;
-/// The strictest and the loosest that make sense.
-pub const THRESHOLDS: [u32; 2] = [4, 16];
+pub const DUPLICATE_THRESHOLD: u32 = 10;
+/// Range of the thresholds that the app offers.
+pub const DUPLICATE_THRESHOLD_RANGE: [u32; 2] = [4, 16];
 
 /// Divisor of the threshold for frames of one video. They were selected for their differences, and movements
 /// in a video are often small.
@@ -28,15 +28,15 @@ const FEWEST_OF_FILM: usize = 8;
 /// How photos are chosen.
 #[derive(Debug, Clone)]
 pub struct Settings {
-    /// Maximum fingerprint distance of near-duplicates; see [`THRESHOLDS`].
-    pub threshold: u32,
+    /// Maximum fingerprint distance of near-duplicates; see [`DUPLICATE_THRESHOLD_RANGE`].
+    pub duplicate_threshold: u32,
     /// Index of the video of each photo that is a video frame. Empty without videos.
     pub films: Vec<Option<usize>>,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { threshold: THRESHOLD, films: Vec::new() }
+        Self { duplicate_threshold: DUPLICATE_THRESHOLD, films: Vec::new() }
     }
 }
 
@@ -65,7 +65,7 @@ pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec
     let fingerprints: Vec<u64> = measures.iter().map(|measure| measure.fingerprint).collect();
     let threshold = |a: usize, b: usize| {
         let same = settings.film(a).is_some_and(|film| settings.film(b) == Some(film));
-        if same { settings.threshold / OF_A_FILM } else { settings.threshold }
+        if same { settings.duplicate_threshold / OF_A_FILM } else { settings.duplicate_threshold }
     };
     let groups = leaders_by(&fingerprints, &threshold);
     let count = groups.iter().max().map_or(0, |most| most + 1);
@@ -191,11 +191,11 @@ mod tests {
     proptest! {
         #[test]
         fn every_group_keeps_one_or_is_blurred_and_something_is_always_kept(
-            photos in prop::collection::vec((0u64..64, 0.0f32..9.0, 0.0f32..2000.0), 1..40), threshold in 0u32..17,
+            photos in prop::collection::vec((0u64..64, 0.0f32..9.0, 0.0f32..2000.0), 1..40), duplicate_threshold in 0u32..17,
         ) {
             let measures: Vec<_> = photos.into_iter().map(|(f, g, l)| photo(f, g, l)).collect();
             let names = vec!["x"; measures.len()];
-            let verdicts = choose(&names, &measures, &Settings { threshold, ..Settings::default() });
+            let verdicts = choose(&names, &measures, &Settings { duplicate_threshold, ..Settings::default() });
             prop_assert_eq!(verdicts.len(), measures.len());
             prop_assert!(verdicts.iter().any(|verdict| verdict.kept));
             for group in 0..=verdicts.iter().map(|verdict| verdict.group).max().unwrap() {

@@ -708,3 +708,55 @@ fn families_of_layouts_and_styles_are_kept_to() {
         assert!(!folder.path().join("page.png").exists());
     }
 }
+
+#[test]
+fn each_error_has_a_stable_code() {
+    let folder = album();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    write("page.json", "{");
+    write("style.json", r#"{ "id": "x" }"#);
+    write("layout.json", r#"{ "id": "x" }"#);
+    write("words.json", "[1]");
+    write("broken.inkpanel", "not a project");
+    write("other.txt", "no photo");
+    fs::create_dir(folder.path().join("empty")).unwrap();
+    let cases: &[(&[&str], &str, i32)] = &[
+        (&["album", "-o", "page.tiff"], "invalid-argument", 1),
+        (&["album", "-o", "page.png", "--bleed", "3"], "invalid-argument", 1),
+        (&["album", "-o", "page.png", "--style", "nope"], "unknown-style", 1),
+        (&["album", "-o", "page.png", "--style", "style.json"], "invalid-style", 1),
+        (&["album", "-o", "page.png", "--layout", "nope"], "unknown-layout", 1),
+        (&["album", "-o", "page.png", "--layout", "layout.json"], "invalid-layout", 1),
+        (&["album", "-o", "page.png", "--gutter", "0.5"], "invalid-document", 1),
+        (&["album", "-o", "page.png", "--words", "words.json"], "invalid-document", 1),
+        (&["album", "-o", "page.png", "--words", "missing.json"], "not-found", 1),
+        (&["album", "-o", "page.png", "--font", "other.txt"], "invalid-argument", 1),
+        (&["album", "-o", "page.png", "--figures", "--models", "empty"], "no-models", 1),
+        (&["album", "other.txt", "-o", "page.png", "--strict"], "warnings", 1),
+        (&["album", "-o", "missing/page.png"], "unwritable", 1),
+        (&["empty", "-o", "page.png"], "no-photos", 1),
+        (&["missing.jpg", "-o", "page.png"], "no-photos", 1),
+        (&["broken.inkpanel", "-o", "page.png"], "unknown-format", 1),
+        (&["--document", "page.json", "-o", "page.png"], "invalid-document", 1),
+        (&["--document", "missing.json", "-o", "page.png"], "not-found", 1),
+        (&["--config", "missing.toml", "-o", "page.png"], "not-found", 2),
+        (&["album", "-o", "page.png", "--sede", "7"], "invalid-argument", 2),
+        (&["album", "-o", "page.png", "--dpi", "many"], "invalid-argument", 2),
+        (&["-o", "page.png"], "invalid-argument", 2),
+        (&["album"], "invalid-argument", 2),
+    ];
+    for (arguments, code, status) in cases {
+        let options = ["render", "--progress", "json", "--no-detect", "--width", "120", "--panels", "3"];
+        let output = inkpanel(folder.path(), &[&options[..], arguments].concat());
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(*status), "{arguments:?}: {said}");
+        let events: Vec<serde_json::Value> =
+            said.lines().map(|line| serde_json::from_str(line).expect(line)).collect();
+        let errors: Vec<_> = events.iter().filter(|event| event["event"] == "error").collect();
+        assert_eq!(errors.len(), 1, "{arguments:?}: {said}");
+        assert_eq!(errors[0]["code"], *code, "{arguments:?}: {said}");
+        assert!(!errors[0]["message"].as_str().unwrap().is_empty());
+        assert_eq!(events.last(), Some(errors[0]), "the error is the last event");
+        assert!(!folder.path().join("page.png").exists(), "{arguments:?}");
+    }
+}

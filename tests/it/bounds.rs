@@ -7,6 +7,7 @@ use inkpanel::kinds::{KINDS, Kind, Role, SIGNATURES, SYSTEM_FOLDERS, SYSTEM_NAME
 use inkpanel::layout::{DPI, MOST_PIXELS, PRESETS, PagePreset, SIDES};
 use inkpanel::output::animatic::{self, Animatic};
 use inkpanel::page::words::model::FARTHEST;
+use inkpanel::raster::heif;
 use inkpanel::select;
 use serde_json::Value;
 
@@ -49,7 +50,7 @@ fn bounds() -> String {
 fn ranges() -> String {
     let [least_side, most_side] = SIDES;
     let [least_dpi, most_dpi] = DPI;
-    let [strict, loose] = select::THRESHOLDS;
+    let (standard, [min, max]) = (select::DUPLICATE_THRESHOLD, select::DUPLICATE_THRESHOLD_RANGE);
     let grouped = |value: u32| grouped(value as usize);
     [
         "/** Limits of a page: pixels per side, total pixels, DPI. */".to_owned(),
@@ -57,9 +58,8 @@ fn ranges() -> String {
         format!("  leastSide: {},\n  mostSide: {},", grouped(least_side), grouped(most_side)),
         format!("  mostPixels: {},", self::grouped(MOST_PIXELS as usize)),
         format!("  leastDpi: {},\n  mostDpi: {},\n}});\n", grouped(least_dpi), grouped(most_dpi)),
-        "/** Minimum and maximum setting of the fingerprint distance of near-duplicates, in bits. */"
-            .to_owned(),
-        format!("export const ALIKE = Object.freeze({{ strict: {strict}, loose: {loose} }});\n"),
+        "/** Maximum fingerprint distance of near-duplicates, in bits: default, and range in the app. */".to_owned(),
+        format!("export const DUPLICATE_THRESHOLD = Object.freeze({{ default: {standard}, min: {min}, max: {max} }});\n"),
         "/** Maximum number of panels of a first page, and default number of later pages. */".to_owned(),
         format!("export const USUAL_PANELS = {};\n", spreading::USUAL),
     ]
@@ -194,9 +194,17 @@ fn file_table() -> String {
         "\n/** First bytes of kinds: a position, the bytes there, and an ending of the kind. */\n",
         "export const SIGNATURES: readonly [at: number, bytes: readonly number[], ending: string][] = [\n",
         &SIGNATURES.iter().map(signature).collect::<String>(),
-        "];\n",
+        "];\n\n/** Brands of HEIC and AVIF files. */\n",
+        &format!("export const HEIC_BRANDS = {};\n", brands(&heif::HEIC)),
+        &format!("export const AVIF_BRANDS = {};\n", brands(&heif::AVIF)),
     ]
     .concat()
+}
+
+fn brands(brands: &[&[u8; 4]]) -> String {
+    let quoted: Vec<_> =
+        brands.iter().map(|brand| format!("'{}'", String::from_utf8_lossy(&brand[..]))).collect();
+    format!("[{}]", quoted.join(", "))
 }
 
 /// `BLESS=1` updates a module, and the test fails once.

@@ -83,7 +83,7 @@ fn options_are_what_the_page_becomes() {
     let worded =
         page(small().words(r#"[{"kind": "balloon", "text": "Look, \uE123!", "panel": 0}]"#).unwrap());
     assert_ne!(worded.pixels().unwrap().rgb, plain.pixels().unwrap().rgb);
-    assert!(worded.notes().iter().any(|note| note.contains("U+E123")), "{:?}", worded.notes());
+    assert!(worded.notes().iter().any(|note| note.reason().contains("U+E123")), "{:?}", worded.notes());
     assert!(layouts().any(|(id, panels)| (id, panels) == ("cinema-4", 4)));
 }
 
@@ -130,7 +130,8 @@ fn what_cannot_be_read_is_named() {
     assert_eq!(told(Album::read(given())), ("damaged", Some(name.clone())));
     let album = Album::read_skipping_broken(given());
     assert_eq!(album.notes().len(), 2, "{:?}", album.notes());
-    assert!(album.notes()[0].starts_with(&name) && album.notes()[1].ends_with("; left out"));
+    assert_eq!(album.notes()[0].photo(), Some(&*name));
+    assert!(album.notes()[1].reason().ends_with("; left out"));
     assert!(album.page(&small()).unwrap().notes().starts_with(album.notes()));
 
     let one = |photo: Photo| told(Album::read(vec![photo])).0;

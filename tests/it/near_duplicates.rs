@@ -4,14 +4,23 @@
 #[path = "../../examples/duplicate_table/variants.rs"]
 mod variants;
 
+use std::collections::HashSet;
 use std::fs;
+use std::path::{Path, PathBuf};
 
+use inkpanel::document::planning::Planning;
+use inkpanel::document::project::Project;
+use inkpanel::framing::PhotoMeta;
+use inkpanel::page::jpeg;
+use inkpanel::page::request::Request;
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::raster::resize::{Region, resample};
 use inkpanel::select::fingerprint::{distance, fingerprint};
-use inkpanel::select::{Settings, sharpness};
+use inkpanel::select::{DUPLICATE_THRESHOLD, sharpness};
 use inkpanel::simd::point::luma_plane;
+use inkpanel::{Album, PageOptions, Photo};
+use serde_json::Value;
 use variants::{blurred, variants};
 
 fn photos() -> Vec<Image> {
@@ -35,7 +44,7 @@ fn bits_of(image: &Image) -> u64 {
 fn altered_copies_are_found_and_different_photos_are_not() {
     let photos = photos();
     let bits: Vec<u64> = photos.iter().map(bits_of).collect();
-    let threshold = Settings::default().threshold;
+    let threshold = DUPLICATE_THRESHOLD;
 
     let mut table: Vec<(&str, usize, u32)> = Vec::new();
     for (photo, &original) in photos.iter().zip(&bits) {
@@ -94,4 +103,92 @@ fn the_sharpest_of_a_group_is_the_one_that_was_not_blurred() {
         assert!(sharpness::gradient(&small) < sharpness::gradient(&photo.planes()[1]));
     }
     assert_eq!(right, photos.len());
+}
+
+/// Writes a photo, a near-duplicate and another photo to a folder. Returns the files, and the distance of the first two.
+fn near_album(folder: &Path) -> ([PathBuf; 3], u32) {
+    let photos = photos();
+    let [photo, other] = [&photos[0], &photos[1]];
+    let far = |copy: &Image| distance(bits_of(photo), bits_of(copy));
+    let copies = variants(photo).into_iter().map(|(_, copy)| copy);
+    let copy = copies.filter(|copy| (3..=DUPLICATE_THRESHOLD).contains(&far(copy))).max_by_key(far).unwrap();
+    let files = [("a.jpg", photo), ("b.jpg", &copy), ("c.jpg", other)].map(|(name, image)| {
+        let file = jpeg::encode_rgb(image.width(), image.height(), &image.to_rgb(), 96, 95).unwrap();
+        fs::write(folder.join(name), file).unwrap();
+        folder.join(name)
+    });
+    let limits = Limits::default();
+    let bits = |file: &PathBuf| bits_of(&decode_fit(&fs::read(file).unwrap(), &limits, 320).unwrap().image);
+    let bits = distance(bits(&files[0]), bits(&files[1]));
+    (files, bits)
+}
+
+#[test]
+fn the_planner_of_the_command_line_follows_the_threshold() {
+    let folder = tempfile::tempdir().unwrap();
+    let (files, bits) = near_album(folder.path());
+    let alike = |options: &[&str]| {
+        let mut command = crate::inkpanel();
+        command.args(["render", "--json", "--no-detect", "--keep-all", "--panels", "2"]).args(options);
+        let output = command.args(&files[..2]).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let plan: Value = serde_json::from_slice(&output.stdout).unwrap();
+        plan["pages"][0]["terms"]["alike"].as_f64().unwrap()
+    };
+    let (strict, loose) = ((bits - 2).to_string(), (bits + 2).to_string());
+    assert!(alike(&[]) < 0.0, "near-duplicates by default: {bits} bits");
+    for option in ["--duplicate-threshold", "--alike"] {
+        assert!(alike(&[option, &strict]) == 0.0 && alike(&[option, &loose]) < 0.0, "{option}");
+    }
+    let kept = |option: &str, bits: &str| {
+        let mut command = crate::inkpanel();
+        let output = command.args(["select", "--json", option, bits]).args(&files[..2]).output().unwrap();
+        let rows: Value = serde_json::from_slice(&output.stdout).unwrap();
+        rows.as_array().unwrap().iter().filter(|row| row["kept"] == true).count()
+    };
+    for option in ["--duplicate-threshold", "--threshold"] {
+        assert_eq!((kept(option, &strict), kept(option, &loose)), (2, 1), "{option}");
+    }
+}
+
+#[test]
+fn the_planner_of_the_facade_follows_the_threshold() {
+    let folder = tempfile::tempdir().unwrap();
+    let (files, bits) = near_album(folder.path());
+    let names = [0, 1].map(|file: usize| files[file].display().to_string());
+    let album = Album::read(files.iter().map(Photo::open).collect()).unwrap();
+    let shows_both = |threshold: u32| {
+        let options = PageOptions::new().keep_all(true).panels(2).duplicate_threshold(threshold);
+        (1..=20).any(|seed| {
+            let plan: Value =
+                serde_json::from_str(&album.page(&options.clone().seed(seed)).unwrap().plan()).unwrap();
+            let panels = plan["panels"].as_array().unwrap();
+            names.iter().all(|name| panels.iter().any(|panel| panel["photo"] == **name))
+        })
+    };
+    assert!(shows_both(bits - 2), "not near-duplicates, so both are on some page");
+    assert!(!shows_both(bits + 2), "near-duplicates are on no page together");
+}
+
+#[test]
+fn the_planner_of_a_project_follows_its_threshold() {
+    let photo = |(i, fingerprint): (usize, u64)| PhotoMeta {
+        fingerprint,
+        ..PhotoMeta::unmeasured(&format!("p{i}"), 1500, 1000)
+    };
+    let photos: Vec<PhotoMeta> = [0xff, 0xff00, 0xffff << 40].into_iter().enumerate().map(photo).collect();
+    assert_eq!(distance(photos[0].fingerprint, photos[1].fingerprint), 16);
+    let shows_both = |bits: u8, request: Request| {
+        let project = Project { alike: bits, ..Project::default() };
+        let planning = Planning::new(&project, &photos);
+        (1..=20).any(|seed| {
+            let request = Request { seed, panels: Some(2), ..request.clone() };
+            let page = planning.plan(request, None).unwrap().unwrap();
+            let shown: HashSet<&str> =
+                page.panels.iter().filter_map(|panel| panel.photo.as_deref()).collect();
+            shown.contains("p0") && shown.contains("p1")
+        })
+    };
+    assert!(shows_both(10, Request::default()));
+    assert!(!shows_both(16, Request::default()));
 }

@@ -20,6 +20,7 @@ static BLOCK: Block = Block {
     output: Channels::Any,
     params: &[number("radius", "Radius", "Of the mean.", (1.0, 0.1, 4.0, 0.1), Unit::Pixels)],
     kernel: Kernel::Image(|args, image, context| BANK.run(args.pixels(0), image, context)),
+    ..Block::PLAIN
 };
 
 /// The bytes of a file, like `include_bytes!`.

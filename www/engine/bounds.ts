@@ -51,8 +51,8 @@ export const PAGE = Object.freeze({
   mostDpi: 1_200,
 });
 
-/** Minimum and maximum setting of the fingerprint distance of near-duplicates, in bits. */
-export const ALIKE = Object.freeze({ strict: 4, loose: 16 });
+/** Maximum fingerprint distance of near-duplicates, in bits: default, and range in the app. */
+export const DUPLICATE_THRESHOLD = Object.freeze({ default: 10, min: 4, max: 16 });
 
 /** Maximum number of panels of a first page, and default number of later pages. */
 export const USUAL_PANELS = 6;

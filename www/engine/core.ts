@@ -153,8 +153,8 @@ export function createPlanner() {
     editDraft: (draft: Draft, edit: DraftEdit): Draft | null =>
       JSON.parse(core.edit_draft(JSON.stringify(draft), JSON.stringify(edit))),
     draftFacts: (draft: Draft): DraftFacts => JSON.parse(core.draft_facts(JSON.stringify(draft))),
-    choose: (photos: ChoiceRequest['photos'], threshold: number): Verdict[] =>
-      JSON.parse(core.choose_photos(JSON.stringify({ photos, threshold }))),
+    choose: (photos: ChoiceRequest['photos'], duplicateThreshold: number): Verdict[] =>
+      JSON.parse(core.choose_photos(JSON.stringify({ photos, duplicateThreshold }))),
     /**
      * Reads a project file or the text of a page PNG and checks all of it. Throws `damaged-project`, `newer-project` or `too-large-project`.
      * @param how `prefix`: all photos and videos get fresh ids that begin with it

@@ -4,6 +4,7 @@
  */
 
 import { createAesthetics } from './aesthetics.ts';
+import { DUPLICATE_THRESHOLD } from './bounds.ts';
 import { takeInHand } from './brush-module.ts';
 import { loadCore } from './core.ts';
 import { createDesign } from './design.ts';
@@ -179,13 +180,23 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
     return renders.composePixels(document, width, call);
   }
 
-  /** Which of some photos are worth keeping, and why. */
-  async function select(blobs: Blob[], { signal, threshold = 10 }: { signal?: AbortSignal; threshold?: number } = {}) {
+  /**
+   * Which of some photos are worth keeping, and why.
+   * @param options `duplicateThreshold`: maximum fingerprint distance of near-duplicates, in bits; `threshold` is its old name
+   */
+  async function select(
+    blobs: Blob[],
+    {
+      signal,
+      threshold = DUPLICATE_THRESHOLD.default,
+      duplicateThreshold = threshold,
+    }: { signal?: AbortSignal; duplicateThreshold?: number; threshold?: number } = {},
+  ) {
     const ids = blobs.map(() => `select-${(imported += 1)}`);
     try {
       const read = await Promise.all(blobs.map((blob, i) => importPhoto(ids[i], blob, { signal })));
       const measured = read.map((meta, i) => ({ id: ids[i], name: nameOf(blobs[i], ids[i]), ...meta.measures }));
-      const verdicts = (await ready).choose(measured, threshold);
+      const verdicts = (await ready).choose(measured, duplicateThreshold);
       return verdicts.map(({ group, kept, why }, i) => ({
         fingerprint: read[i].fingerprint,
         sharpness: read[i].sharpness,

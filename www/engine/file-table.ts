@@ -519,3 +519,7 @@ export const SIGNATURES: readonly [at: number, bytes: readonly number[], ending:
   [4, [109, 111, 111, 118], 'mov'],
   [4, [102, 116, 121, 112, 51, 103], '3gp'],
 ];
+
+/** Brands of HEIC and AVIF files. */
+export const HEIC_BRANDS = ['heic', 'heix', 'heim', 'heis', 'hevc', 'hevx', 'mif1', 'msf1'];
+export const AVIF_BRANDS = ['avif', 'avis'];

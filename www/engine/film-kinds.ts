@@ -1,5 +1,6 @@
 /** Detects the format of a video by content, independent of the file name. */
 
+import { AVIF_BRANDS, HEIC_BRANDS } from './file-table.ts';
 import { isVideo } from './is-video.ts';
 
 /** Containers that no reader supports, with their names. */
@@ -10,6 +11,8 @@ const FOREIGN: readonly [name: string, at: number, bytes: readonly number[]][] =
   ['MPEG-PS', 0, [0x00, 0x00, 0x01, 0xba]],
   ['MPEG-2', 0, [0x00, 0x00, 0x01, 0xb3]],
 ];
+/** Brands of photos in the boxes that videos have as well: HEIC, AVIF, JPEG XL and Canon raw. */
+const PHOTO_BRANDS: readonly string[] = [...HEIC_BRANDS, ...AVIF_BRANDS, 'heif', 'jxl ', 'crx '];
 /** Codec codes in AVI, MP4 and MOV files, and their display names. */
 const CODECS: readonly [name: string, codes: RegExp][] = [
   ['HEVC (H.265)', /hvc1|hev1|hevc|dvh1|dvhe/i],
@@ -32,7 +35,7 @@ export type FilmKind = { container: string | null; codec: string | null };
 export function isFilmStart(bytes: Uint8Array): boolean {
   const text = latin(bytes.subarray(0, 16));
   // HEIF photos are such boxes, too.
-  if (/^....ftyp/s.test(text)) return !/^....ftyp(?:hei[cfmsx]|hev[cx]|mif1|msf1|avi[fs]|jxl |crx )/s.test(text);
+  if (/^....ftyp/s.test(text)) return !PHOTO_BRANDS.includes(text.slice(8, 12));
   if (/^....(?:moov|mdat|wide)/s.test(text)) return true;
   if (bytes[0] === 0x1a && bytes[1] === 0x45 && bytes[2] === 0xdf && bytes[3] === 0xa3) return true;
   // Packets of a transport stream are 188 bytes long.

@@ -4,6 +4,7 @@
  * browser cannot decode are decoded by a separate module, see docs/design/heic.md.
  */
 
+import { AVIF_BRANDS, HEIC_BRANDS } from './file-table.ts';
 import { rgbaOf } from './frame-pixels.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { onceMore } from './once-more.ts';
@@ -12,7 +13,6 @@ import { failure } from './protocol.ts';
 const MODULE = new URL('../pkg-heic/inkpanel_bg.wasm', import.meta.url);
 /** Bytes before the pixels of a BMP file. */
 const HEADER = 54;
-const HEIF_BRANDS = ['heic', 'heix', 'heim', 'heis', 'hevc', 'hevx', 'mif1', 'msf1'];
 
 /**
  * @param bytes of a file
@@ -24,8 +24,8 @@ export function foreignKind(bytes: Uint8Array): 'AVIF' | 'HEIC' | null {
   const brands = [text(8)];
   const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0);
   for (let at = 16; at + 4 <= Math.min(length, bytes.length, 256); at += 4) brands.push(text(at));
-  if (brands.some((brand) => brand === 'avif' || brand === 'avis')) return 'AVIF';
-  return brands.some((brand) => HEIF_BRANDS.includes(brand)) ? 'HEIC' : null;
+  if (brands.some((brand) => AVIF_BRANDS.includes(brand))) return 'AVIF';
+  return brands.some((brand) => HEIC_BRANDS.includes(brand)) ? 'HEIC' : null;
 }
 
 /**

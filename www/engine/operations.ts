@@ -221,8 +221,8 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
     // The page has about the size of its patches.
     tell.expects(fileMs(drawn) + pngMs(2 * drawn + width * width));
     studio.begin_page(document, width);
-    for (const { index, x, y, width: w, height: h, data } of patches) {
-      studio.add_patch(index, x, y, w, h, new Uint8Array(data.buffer, data.byteOffset, data.length));
+    for (const { x, y, width: w, height: h, data } of patches) {
+      studio.add_patch(x, y, w, h, new Uint8Array(data.buffer, data.byteOffset, data.length));
     }
     const png = studio.finish_png() as Uint8Array<ArrayBuffer>;
     tell.waits(STORING);

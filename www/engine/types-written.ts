@@ -64,7 +64,7 @@ export const facts: LayoutFacts = {"id":"grid-4","name":"Four","family":"grid","
 
 export const geometry: Geometry = {"width":1.0,"height":1.414516129032258,"panels":[{"polygon":[[0.027000000000000003,0.026999999999999913],[0.973,0.027000000000000003],[0.973,1.3875161290322582],[0.027000000000000024,1.3875161290322582]],"bounds":{"x":0.027000000000000003,"y":0.026999999999999913,"width":0.946,"height":1.3605161290322583},"overlay":false,"halo":0.0},{"circle":{"x":0.73136,"y":1.1208129032258065,"radius":0.191},"bounds":{"x":0.54036,"y":0.9298129032258065,"width":0.382,"height":0.382},"overlay":true,"halo":0.018}],"order":[0,1]};
 
-export const choice: ChoiceRequest = {"photos":[{"fingerprint":"0123456789abcdef","gradient":1.0,"id":"p","laplacian":2.0,"name":"P","paper":0.5}],"threshold":10};
+export const choice: ChoiceRequest = {"duplicateThreshold":10,"photos":[{"fingerprint":"0123456789abcdef","gradient":1.0,"id":"p","laplacian":2.0,"name":"P","paper":0.5}]};
 
 export const verdicts: readonly Verdict[] = [{"id":"p","group":0,"kept":true,"why":"only one like it"}];
 

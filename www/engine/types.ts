@@ -988,6 +988,8 @@ export type Request = {
   panels?: number | null,
   /** How new photos are chosen. */
   mode?: Mode,
+  /** Maximum fingerprint distance of near-duplicates, in bits of 64. A page avoids two photos that are this close. Default: 10. */
+  duplicateThreshold?: number | null,
   /** Whether the photos stay in their order along the page. Default: whether all are dated, at different times. */
   ordered?: boolean | null,
   /**
@@ -1409,8 +1411,8 @@ export type Verdict = {
 export type ChoiceRequest = {
   /** All photos. */
   photos: ReadonlyArray<Candidate>,
-  /** Bits in which fingerprints of look-alikes may differ. */
-  threshold?: number,
+  /** Maximum fingerprint distance of near-duplicates, in bits of 64. */
+  duplicateThreshold?: number,
 };
 
 /** A photo that may be worth a panel. */

@@ -1,7 +1,7 @@
 /** Selection settings: maximum similarity of photos, and their order. */
 
 import { useState } from 'preact/hooks';
-import { ALIKE } from '../engine/bounds.ts';
+import { DUPLICATE_THRESHOLD } from '../engine/bounds.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import type { Order } from '../document/project.ts';
@@ -9,11 +9,11 @@ import type { Store } from '../document/store.ts';
 
 export function ChoiceOfPhotos() {
   const { store, choosing } = useApp();
-  const { alike, order } = store.project.value;
+  const { alike: duplicateThreshold, order } = store.project.value;
   /** Position of the slider while it is dragged. */
   const [wish, setWish] = useState(null as number | null);
   const [open, setOpen] = useState(false);
-  const shown = wish ?? alike;
+  const shown = wish ?? duplicateThreshold;
   const busy = store.reading.value !== null;
   return (
     <details class="choice" onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
@@ -22,15 +22,15 @@ export function ChoiceOfPhotos() {
         <span>{strings.alike}</span>
         <input
           type="range"
-          min={ALIKE.strict}
-          max={ALIKE.loose}
+          min={DUPLICATE_THRESHOLD.min}
+          max={DUPLICATE_THRESHOLD.max}
           value={shown}
           disabled={busy}
           aria-valuetext={strings.alikeValue(shown)}
           onInput={({ currentTarget }) => setWish(currentTarget.valueAsNumber)}
           onChange={({ currentTarget }) => {
             setWish(null);
-            choosing.setAlike(currentTarget.valueAsNumber);
+            choosing.setDuplicateThreshold(currentTarget.valueAsNumber);
           }}
         />
         <output aria-hidden="true">
@@ -54,7 +54,7 @@ export function ChoiceOfPhotos() {
 }
 
 /** How many photos the selection would keep. */
-function keptAt(store: Store, alike: number) {
+function keptAt(store: Store, duplicateThreshold: number) {
   const photos = store.measured.value;
-  return store.planner.value?.choose(photos, alike).filter(({ kept }) => kept).length ?? photos.length;
+  return store.planner.value?.choose(photos, duplicateThreshold).filter(({ kept }) => kept).length ?? photos.length;
 }

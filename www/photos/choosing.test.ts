@@ -53,7 +53,7 @@ test('to take another, to set how alike photos are and to order them are each on
   app.pages.undo();
   expect(names(app)).toEqual(['a.jpg', 'c.jpg']);
   const asked = app.store.project.value.alike;
-  choosing.setAlike(4);
+  choosing.setDuplicateThreshold(4);
   expect(app.store.project.value.alike).toBe(4);
   app.pages.undo();
   expect(app.store.project.value.alike).toBe(asked);

@@ -27,13 +27,13 @@ export function createChoosing({
   enlarged: (planner: Planner, page: PageDocument, panel: number) => LayoutChoice | null;
 }) {
   let stars = 0;
-  return { setAlike, setOrder, take, star };
+  return { setDuplicateThreshold, setOrder, take, star };
 
-  /** @param alike bits of a fingerprint, 4 to 16 */
-  function setAlike(alike: number) {
+  /** @param duplicateThreshold maximum fingerprint distance of near-duplicates, in bits, 4 to 16 */
+  function setDuplicateThreshold(duplicateThreshold: number) {
     const before = store.photos.peek().length;
     reading.edit(
-      { type: 'choose-by', alike },
+      { type: 'choose-by', alike: duplicateThreshold },
       () => pages.refit({ grow: store.photos.peek().length > before }),
       'alike',
     );

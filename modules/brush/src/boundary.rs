@@ -6,9 +6,9 @@
 // The macro for enums compares JavaScript numbers with its values.
 #![allow(clippy::float_cmp)]
 
+use inkpanel::error::Result;
 use inkpanel::raster::retouch::{Mending, Session, View};
 use inkpanel::raster::{Image, Matte};
-use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]
@@ -56,8 +56,8 @@ impl Retouch {
         planes: &[u8],
         own: Option<String>,
         found: Option<String>,
-    ) -> std::result::Result<Retouch, JsValue> {
-        let photo = Image::from_rgb_planes(width, height, planes).map_err(thrown)?;
+    ) -> Result<Retouch> {
+        let photo = Image::from_rgb_planes(width, height, planes)?;
         let [own, found] = [own, found].map(|text| text.and_then(|text| Matte::try_from(text).ok()));
         let session = Session::new((width, height), own.as_ref(), found.as_ref());
         Ok(Self { session, view: View::new(&photo) })

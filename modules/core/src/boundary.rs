@@ -37,7 +37,6 @@ use inkpanel::raster::{Image, Matte, Plane};
 use inkpanel::style::context::scale_of;
 use inkpanel::style::part::subject_in;
 use inkpanel::style::{Context, Style, earlier, stylize};
-use inkpanel_pixels::thrown::thrown;
 use serde::Serialize;
 use serde_json::Value;
 use std::collections::HashMap;
@@ -84,27 +83,24 @@ fn listed(list: &impl Serialize) -> String {
 /// Checks a style file and returns it normalised. A style that the app saved before blocks had a choice
 /// retains its look. Throws `invalid-style`.
 #[wasm_bindgen]
-pub fn check_style(json: &str, file: &str) -> std::result::Result<String, JsValue> {
-    let check = || -> Result<String> {
-        match serde_json::from_str::<Value>(json) {
-            Ok(value) if earlier::is_of_the_page(&value) => Style::from_value(file, &earlier::told(value)),
-            _ => Style::parse(file, json),
-        }
-        .map(|style| style.to_value().to_string())
-    };
-    check().map_err(thrown)
+pub fn check_style(json: &str, file: &str) -> Result<String> {
+    match serde_json::from_str::<Value>(json) {
+        Ok(value) if earlier::is_of_the_page(&value) => Style::from_value(file, &earlier::told(value)),
+        _ => Style::parse(file, json),
+    }
+    .map(|style| style.to_value().to_string())
 }
 
 /// Checks a layout file and returns it normalised. Throws `invalid-layout`.
 #[wasm_bindgen]
-pub fn check_layout(json: &str, file: &str) -> std::result::Result<String, JsValue> {
-    Template::parse(file, json).map(|template| template.to_json()).map_err(thrown)
+pub fn check_layout(json: &str, file: &str) -> Result<String> {
+    Template::parse(file, json).map(|template| template.to_json())
 }
 
-/// Which photos of `{photos: [{id, name, measures...}], threshold}` are worth a panel: `[{id, group, kept, why}]`.
+/// Which photos of `{photos: [{id, name, measures...}], duplicateThreshold}` are worth a panel: `[{id, group, kept, why}]`.
 #[wasm_bindgen]
-pub fn choose_photos(json: &str) -> std::result::Result<String, JsValue> {
-    catalogue::choose(json).map_err(thrown)
+pub fn choose_photos(json: &str) -> Result<String> {
+    catalogue::choose(json)
 }
 
 /// A rectangle of rendered pixels.
@@ -182,42 +178,36 @@ impl Studio {
     }
 
     /// Decodes a file into `ID/work` and `ID/small`. Returns the photo's measurements as JSON.
-    pub fn import_photo(&mut self, id: &str, bytes: &[u8]) -> std::result::Result<String, JsValue> {
-        let photo = import(id, bytes, &Limits::default()).map_err(thrown)?;
+    pub fn import_photo(&mut self, id: &str, bytes: &[u8]) -> Result<String> {
+        let photo = import(id, bytes, &Limits::default())?;
         self.take_in(photo)
     }
 
     /// The red, green and blue planes of a photo, one after the other.
-    pub fn photo_planes(&self, key: &str) -> std::result::Result<Vec<u8>, JsValue> {
-        let image = self.photo(key).map_err(thrown)?;
+    pub fn photo_planes(&self, key: &str) -> Result<Vec<u8>> {
+        let image = self.photo(key)?;
         Ok(image.planes().iter().flat_map(Plane::samples).copied().collect())
     }
 
     /// Stores the planes of a photo.
-    pub fn put_photo(
-        &mut self,
-        key: &str,
-        width: usize,
-        height: usize,
-        planes: &[u8],
-    ) -> std::result::Result<(), JsValue> {
-        let image = Image::from_rgb_planes(width, height, planes).map_err(thrown)?;
+    pub fn put_photo(&mut self, key: &str, width: usize, height: usize, planes: &[u8]) -> Result<()> {
+        let image = Image::from_rgb_planes(width, height, planes)?;
         self.photos.insert(key.to_owned(), image);
         Ok(())
     }
 
     /// Decodes a file at its full size into `ID/full`.
-    pub fn import_full(&mut self, id: &str, bytes: &[u8]) -> std::result::Result<(), JsValue> {
-        let decoded = decode(bytes, &Limits::default()).map_err(thrown)?;
+    pub fn import_full(&mut self, id: &str, bytes: &[u8]) -> Result<()> {
+        let decoded = decode(bytes, &Limits::default())?;
         self.photos.insert(format!("{id}/full"), decoded.image);
         Ok(())
     }
 
     /// The isolated subject of a photo as a PNG with alpha, or `None` if the mask is invalid.
-    pub fn cut_out(&self, key: &str, mask: String) -> std::result::Result<Option<Vec<u8>>, JsValue> {
-        let photo = self.photo(key).map_err(thrown)?;
+    pub fn cut_out(&self, key: &str, mask: String) -> Result<Option<Vec<u8>>> {
+        let photo = self.photo(key)?;
         let cut = Matte::try_from(mask).ok().map(|mask| cut_out(photo, &mask));
-        cut.transpose().map_err(thrown)
+        cut.transpose()
     }
 
     /// Sets the subject mask of a photo as text; `None` if it is unknown. Styles with a part for only the
@@ -261,32 +251,21 @@ impl Studio {
         width: usize,
         tier: &str,
         bordered: bool,
-    ) -> std::result::Result<Vec<Patch>, JsValue> {
-        let mut render = || -> Result<Vec<Patch>> {
-            let mut scene = self.scene(document, width, tier)?;
-            scene.bordered = bordered;
-            let id = pictures.first().map(|first| scene.picture(*first)).transpose()?;
-            let id = id.and_then(|picture| picture.photo.as_ref());
-            let photo = id.map(|id| find(&self.photos, id, tier)).transpose()?;
-            let drawn = render_together(&scene, pictures, photo, &mut self.context)?;
-            Ok(drawn.into_iter().map(|patch| Patch { area: patch.area, rgba: patch.rgba }).collect())
-        };
-        render().map_err(thrown)
+    ) -> Result<Vec<Patch>> {
+        let mut scene = self.scene(document, width, tier)?;
+        scene.bordered = bordered;
+        let id = pictures.first().map(|first| scene.picture(*first)).transpose()?;
+        let id = id.and_then(|picture| picture.photo.as_ref());
+        let photo = id.map(|id| find(&self.photos, id, tier)).transpose()?;
+        let drawn = render_together(&scene, pictures, photo, &mut self.context)?;
+        Ok(drawn.into_iter().map(|patch| Patch { area: patch.area, rgba: patch.rgba }).collect())
     }
 
     /// Renders a whole page.
-    pub fn compose(
-        &mut self,
-        document: &str,
-        width: usize,
-        tier: &str,
-    ) -> std::result::Result<Patch, JsValue> {
-        let mut render = || -> Result<Patch> {
-            let scene = self.scene(document, width, tier)?;
-            let sheet = compose(&scene, |id| find(&self.photos, id, tier).ok(), &mut self.context)?;
-            Ok(Patch::whole(sheet.width(), sheet.height(), sheet.to_rgba()))
-        };
-        render().map_err(thrown)
+    pub fn compose(&mut self, document: &str, width: usize, tier: &str) -> Result<Patch> {
+        let scene = self.scene(document, width, tier)?;
+        let sheet = compose(&scene, |id| find(&self.photos, id, tier).ok(), &mut self.context)?;
+        Ok(Patch::whole(sheet.width(), sheet.height(), sheet.to_rgba()))
     }
 
     /// Draws a photo in a style. The crop is JSON, or empty for the whole photo.
@@ -297,70 +276,46 @@ impl Studio {
         width: usize,
         height: usize,
         crop: &str,
-    ) -> std::result::Result<Patch, JsValue> {
-        let mut render = || -> Result<Patch> {
-            let photo = self.photos.get(key).ok_or_else(|| Error::MissingPhoto(key.to_owned()))?;
-            let (w, h) = (photo.width() as f64, photo.height() as f64);
-            let mut region = Region::whole(photo.width(), photo.height());
-            if !crop.is_empty() {
-                let crop: Crop = parse(crop, "crop")?;
-                region =
-                    Region { x: crop.x * w, y: crop.y * h, width: crop.width * w, height: crop.height * h };
-            }
-            let image = resample_image(photo, region, width.max(1), height.max(1));
-            self.context.fit_scale(&image);
-            let style = style_of(style)?;
-            self.show_subject(key, region, &image, &style);
-            let rgba = stylize(&image, &style, &mut self.context)?.to_rgba();
-            Ok(Patch::whole(image.width(), image.height(), rgba))
-        };
-        render().map_err(thrown)
+    ) -> Result<Patch> {
+        let photo = self.photos.get(key).ok_or_else(|| Error::MissingPhoto(key.to_owned()))?;
+        let (w, h) = (photo.width() as f64, photo.height() as f64);
+        let mut region = Region::whole(photo.width(), photo.height());
+        if !crop.is_empty() {
+            let crop: Crop = parse(crop, "crop")?;
+            region = Region { x: crop.x * w, y: crop.y * h, width: crop.width * w, height: crop.height * h };
+        }
+        let image = resample_image(photo, region, width.max(1), height.max(1));
+        self.context.fit_scale(&image);
+        let style = style_of(style)?;
+        self.show_subject(key, region, &image, &style);
+        let rgba = stylize(&image, &style, &mut self.context)?.to_rgba();
+        Ok(Patch::whole(image.width(), image.height(), rgba))
     }
 
     /// An image in a style: RGBA in, RGBA of the same size out.
-    pub fn stylize(
-        &mut self,
-        style: &str,
-        width: usize,
-        height: usize,
-        rgba: &[u8],
-    ) -> std::result::Result<Vec<u8>, JsValue> {
-        let mut render = || -> Result<Vec<u8>> {
-            let image = Image::from_rgba(width, height, rgba, [255; 3])?;
-            self.context.fit_scale(&image);
-            Ok(stylize(&image, &style_of(style)?, &mut self.context)?.to_rgba())
-        };
-        render().map_err(thrown)
+    pub fn stylize(&mut self, style: &str, width: usize, height: usize, rgba: &[u8]) -> Result<Vec<u8>> {
+        let image = Image::from_rgba(width, height, rgba, [255; 3])?;
+        self.context.fit_scale(&image);
+        Ok(stylize(&image, &style_of(style)?, &mut self.context)?.to_rgba())
     }
 
     /// Begins a page for the file; patches are laid on it next.
-    pub fn begin_page(&mut self, document: &str, width: usize) -> std::result::Result<(), JsValue> {
-        let begin = || -> Result<(Sheet, u32)> {
-            let document = Document::parse(document)?;
-            Ok((Sheet::new(&Scene::new(&document, width)?), document.page.dpi))
-        };
-        self.sheet = Some(begin().map_err(thrown)?);
+    pub fn begin_page(&mut self, document: &str, width: usize) -> Result<()> {
+        let document = Document::parse(document)?;
+        self.sheet = Some((Sheet::new(&Scene::new(&document, width)?), document.page.dpi));
         Ok(())
     }
 
-    /// Lays a patch on the page that was begun. `index` is for the caller's own order.
-    pub fn add_patch(
-        &mut self,
-        _index: usize,
-        x: i32,
-        y: i32,
-        width: usize,
-        height: usize,
-        rgba: &[u8],
-    ) -> std::result::Result<(), JsValue> {
-        let (sheet, _) = self.sheet.as_mut().ok_or_else(|| thrown(not_begun()))?;
-        sheet.lay(PixelRect { x: i64::from(x), y: i64::from(y), width, height }, rgba).map_err(thrown)
+    /// Lays a patch on the page that was begun.
+    pub fn add_patch(&mut self, x: i32, y: i32, width: usize, height: usize, rgba: &[u8]) -> Result<()> {
+        let (sheet, _) = self.sheet.as_mut().ok_or_else(not_begun)?;
+        sheet.lay(PixelRect { x: i64::from(x), y: i64::from(y), width, height }, rgba)
     }
 
     /// Encodes the page that was begun.
-    pub fn finish_png(&mut self) -> std::result::Result<Vec<u8>, JsValue> {
-        let (sheet, dpi) = self.sheet.take().ok_or_else(|| thrown(not_begun()))?;
-        png::encode(&sheet, dpi).map_err(thrown)
+    pub fn finish_png(&mut self) -> Result<Vec<u8>> {
+        let (sheet, dpi) = self.sheet.take().ok_or_else(not_begun)?;
+        png::encode(&sheet, dpi)
     }
 
     /// Bytes of this instance's memory.
@@ -371,8 +326,9 @@ impl Studio {
     }
 
     /// Stores both copies of an imported photo, and returns its facts as JSON.
-    fn take_in(&mut self, photo: Imported) -> std::result::Result<String, JsValue> {
-        let facts = serde_json::to_string(&photo.entry()).map_err(|error| internal(&error))?;
+    fn take_in(&mut self, photo: Imported) -> Result<String> {
+        let facts =
+            serde_json::to_string(&photo.entry()).map_err(|error| Error::Encode(error.to_string()))?;
         self.photos.insert(format!("{}/work", photo.meta.id), photo.work);
         self.photos.insert(format!("{}/small", photo.meta.id), photo.small);
         Ok(facts)
@@ -415,8 +371,4 @@ fn style_of(json: &str) -> Result<Style> {
 
 fn not_begun() -> Error {
     Error::Encode("no page is open".into())
-}
-
-fn internal(error: &impl std::fmt::Display) -> JsValue {
-    thrown(Error::Encode(error.to_string()))
 }

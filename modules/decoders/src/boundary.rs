@@ -4,10 +4,10 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
+use inkpanel::error::Result;
 use inkpanel::raster::animation;
 use inkpanel::raster::decode::Limits;
 pub(crate) use inkpanel::raster::decode::decode;
-use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]
@@ -25,20 +25,20 @@ pub struct Animation {
 impl Animation {
     /// Opens a file. Throws `unknown-format`, `damaged` and `too-large`.
     #[wasm_bindgen(constructor)]
-    pub fn new(bytes: Vec<u8>) -> std::result::Result<Animation, JsValue> {
-        let pictures = animation::Animation::new(bytes, &Limits::default()).map_err(thrown)?;
+    pub fn new(bytes: Vec<u8>) -> Result<Animation> {
+        let pictures = animation::Animation::new(bytes, &Limits::default())?;
         Ok(Self { pictures })
     }
 
     /// Advances to the next frame. Returns `false` after the last frame. Throws `damaged` if the file is
     /// truncated.
-    pub fn advance(&mut self) -> std::result::Result<bool, JsValue> {
-        self.pictures.advance().map_err(thrown)
+    pub fn advance(&mut self) -> Result<bool> {
+        self.pictures.advance()
     }
 
     /// The current frame, on white, in sRGB.
-    pub fn picture(&mut self) -> std::result::Result<Picture, JsValue> {
-        let image = self.pictures.picture().map_err(thrown)?;
+    pub fn picture(&mut self) -> Result<Picture> {
+        let image = self.pictures.picture()?;
         Ok(Picture { width: image.width(), height: image.height(), rgba: image.to_rgba() })
     }
 }

@@ -11,7 +11,6 @@ use inkpanel_detect::{
 };
 use inkpanel_pixels::error::{Error, Result};
 use inkpanel_pixels::raster::{Image, Plane};
-use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]
@@ -30,33 +29,21 @@ pub struct FaceDetector {
 impl FaceDetector {
     /// Loads the model.
     #[wasm_bindgen(constructor)]
-    pub fn new(onnx: &[u8]) -> std::result::Result<Self, JsValue> {
-        Ok(Self { net: Faces::new(onnx).map_err(thrown)? })
+    pub fn new(onnx: &[u8]) -> Result<Self> {
+        Ok(Self { net: Faces::new(onnx)? })
     }
 
     /// Finds faces of a photo: `{boxes, closer}`. `closer` is `true` if [`Self::look_closer`] may find more.
-    pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> std::result::Result<String, JsValue> {
-        let look = || {
-            let photo = image(width, height, planes)?;
-            let boxes = self.net.look(&photo)?;
-            json(&FirstLook { closer: worth_a_closer_look(&photo, &boxes), boxes })
-        };
-        look().map_err(thrown)
+    pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> Result<String> {
+        let photo = image(width, height, planes)?;
+        let boxes = self.net.look(&photo)?;
+        json(&FirstLook { closer: worth_a_closer_look(&photo, &boxes), boxes })
     }
 
     /// Also finds small faces. `boxes` are the result of the first search. The result replaces them.
-    pub fn look_closer(
-        &self,
-        width: usize,
-        height: usize,
-        planes: &[u8],
-        boxes: &str,
-    ) -> std::result::Result<String, JsValue> {
-        let look = || {
-            let first: Vec<Detection> = serde_json::from_str(boxes).map_err(|error| internal(&error))?;
-            json(&self.net.look_closer(&image(width, height, planes)?, &first)?)
-        };
-        look().map_err(thrown)
+    pub fn look_closer(&self, width: usize, height: usize, planes: &[u8], boxes: &str) -> Result<String> {
+        let first: Vec<Detection> = serde_json::from_str(boxes).map_err(|error| internal(&error))?;
+        json(&self.net.look_closer(&image(width, height, planes)?, &first)?)
     }
 }
 
@@ -70,14 +57,13 @@ pub struct ObjectDetector {
 impl ObjectDetector {
     /// Loads the model.
     #[wasm_bindgen(constructor)]
-    pub fn new(onnx: &[u8]) -> std::result::Result<Self, JsValue> {
-        Ok(Self { net: Objects::new(onnx).map_err(thrown)? })
+    pub fn new(onnx: &[u8]) -> Result<Self> {
+        Ok(Self { net: Objects::new(onnx)? })
     }
 
     /// Objects of a photo, an array of boxes.
-    pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> std::result::Result<String, JsValue> {
-        let look = || json(&self.net.look(&image(width, height, planes)?)?);
-        look().map_err(thrown)
+    pub fn look(&self, width: usize, height: usize, planes: &[u8]) -> Result<String> {
+        json(&self.net.look(&image(width, height, planes)?)?)
     }
 }
 
@@ -91,19 +77,13 @@ pub struct SubjectNet {
 impl SubjectNet {
     /// Loads the model.
     #[wasm_bindgen(constructor)]
-    pub fn new(onnx: &[u8]) -> std::result::Result<Self, JsValue> {
-        Ok(Self { net: Segmenter::new(onnx).map_err(thrown)? })
+    pub fn new(onnx: &[u8]) -> Result<Self> {
+        Ok(Self { net: Segmenter::new(onnx)? })
     }
 
     /// Begins to look at a photo.
-    pub fn begin(
-        &self,
-        width: usize,
-        height: usize,
-        planes: &[u8],
-    ) -> std::result::Result<SubjectLook, JsValue> {
-        let begin = || self.net.begin(&image(width, height, planes)?);
-        begin().map(|look| SubjectLook { look }).map_err(thrown)
+    pub fn begin(&self, width: usize, height: usize, planes: &[u8]) -> Result<SubjectLook> {
+        Ok(SubjectLook { look: self.net.begin(&image(width, height, planes)?)? })
     }
 }
 
@@ -116,8 +96,8 @@ pub struct SubjectLook {
 #[wasm_bindgen]
 impl SubjectLook {
     /// One step. The last step returns the subject mask as text for `raster::Matte`.
-    pub fn advance(&mut self) -> std::result::Result<Option<String>, JsValue> {
-        self.look.advance().map(|matte| matte.map(Into::into)).map_err(thrown)
+    pub fn advance(&mut self) -> Result<Option<String>> {
+        self.look.advance().map(|matte| matte.map(Into::into))
     }
 }
 
@@ -131,14 +111,13 @@ pub struct AestheticsNet {
 impl AestheticsNet {
     /// Loads the model.
     #[wasm_bindgen(constructor)]
-    pub fn new(onnx: &[u8]) -> std::result::Result<Self, JsValue> {
-        Ok(Self { net: Aesthetics::new(onnx).map_err(thrown)? })
+    pub fn new(onnx: &[u8]) -> Result<Self> {
+        Ok(Self { net: Aesthetics::new(onnx)? })
     }
 
     /// The predicted mean rating of an RGBA image, 1 to 10.
-    pub fn score(&self, width: usize, height: usize, rgba: &[u8]) -> std::result::Result<f64, JsValue> {
-        let score = || self.net.score(&Image::from_rgba(width, height, rgba, [255; 3])?);
-        score().map_err(thrown)
+    pub fn score(&self, width: usize, height: usize, rgba: &[u8]) -> Result<f64> {
+        self.net.score(&Image::from_rgba(width, height, rgba, [255; 3])?)
     }
 }
 

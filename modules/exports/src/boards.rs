@@ -9,7 +9,6 @@ use inkpanel::output::animatic::{self, Animatic};
 use inkpanel::output::board::Request;
 use inkpanel::output::motion;
 use inkpanel::output::shots::{Kind, ShotList};
-use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 /// The text of a list of shots (a `ShotList` as JSON) as a file of that ending: csv, edl, otio or xml.
@@ -17,15 +16,12 @@ use wasm_bindgen::prelude::*;
 /// # Errors
 /// `invalid-document` for an invalid list or another file type.
 #[wasm_bindgen(js_name = shotFile)]
-pub fn shot_file(ending: &str, list: &str) -> std::result::Result<String, JsValue> {
-    let made = || -> Result<String> {
-        let kind = Kind::of(ending).ok_or_else(|| Error::InvalidDocument {
-            location: "kind".into(),
-            reason: format!("{ending} must be one of csv, edl, otio, xml"),
-        })?;
-        Ok(ShotList::parse(list)?.written(kind))
-    };
-    made().map_err(thrown)
+pub fn shot_file(ending: &str, list: &str) -> Result<String> {
+    let kind = Kind::of(ending).ok_or_else(|| Error::InvalidDocument {
+        location: "kind".into(),
+        reason: format!("{ending} must be one of csv, edl, otio, xml"),
+    })?;
+    Ok(ShotList::parse(list)?.written(kind))
 }
 
 /// The sheets of a board (a `Request` of `output::board` as JSON): a list of pages.
@@ -33,13 +29,10 @@ pub fn shot_file(ending: &str, list: &str) -> std::result::Result<String, JsValu
 /// # Errors
 /// `invalid-document` for an invalid request; style errors.
 #[wasm_bindgen(js_name = boardSheets)]
-pub fn board_sheets(request: &str) -> std::result::Result<String, JsValue> {
-    let made = || -> Result<String> {
-        let sheets = Request::parse(request)?.sheets()?;
-        let pages: Vec<String> = sheets.iter().map(inkpanel::page::Document::to_json).collect();
-        Ok(format!("[{}]", pages.join(",")))
-    };
-    made().map_err(thrown)
+pub fn board_sheets(request: &str) -> Result<String> {
+    let sheets = Request::parse(request)?.sheets()?;
+    let pages: Vec<String> = sheets.iter().map(inkpanel::page::Document::to_json).collect();
+    Ok(format!("[{}]", pages.join(",")))
 }
 
 /// An animatic: its timed shots, and the content of each frame.
@@ -55,30 +48,28 @@ impl AnimaticPlan {
     /// # Errors
     /// `invalid-document` for an invalid request or shots that cannot be shown; style errors.
     #[wasm_bindgen(constructor)]
-    pub fn new(request: &str) -> std::result::Result<Self, JsValue> {
-        let planned = || animatic::Request::parse(request)?.planned();
-        planned().map(|plan| Self { plan }).map_err(thrown)
+    pub fn new(request: &str) -> Result<Self> {
+        Ok(Self { plan: animatic::Request::parse(request)?.planned()? })
     }
 
     /// Plans a motion comic from a `Request` of `output::motion` as JSON.
     ///
     /// # Errors
     /// `invalid-document` for an invalid request or pages that cannot be read; layout and text errors.
-    pub fn pages(request: &str, letters: &Lettering) -> std::result::Result<AnimaticPlan, JsValue> {
-        let planned = || motion::Request::parse(request)?.planned(letters.letters());
-        planned().map(|plan| Self { plan }).map_err(thrown)
+    pub fn pages(request: &str, letters: &Lettering) -> Result<AnimaticPlan> {
+        Ok(Self { plan: motion::Request::parse(request)?.planned(letters.letters())? })
     }
 
     /// The `Animatic` as JSON.
     ///
     /// # Errors
     /// `invalid-document` if the plan cannot be written.
-    pub fn json(&self) -> std::result::Result<String, JsValue> {
+    pub fn json(&self) -> Result<String> {
         let written = |error: serde_json::Error| Error::InvalidDocument {
             location: "animatic".into(),
             reason: error.to_string(),
         };
-        serde_json::to_string(&self.plan).map_err(written).map_err(thrown)
+        serde_json::to_string(&self.plan).map_err(written)
     }
 
     /// Content of each frame, see `Animatic::table`.

@@ -6,7 +6,6 @@
 use crate::letters::Lettering;
 use inkpanel::error::{Error, Result};
 use inkpanel::output::{Comic, cbz, epub, html};
-use inkpanel_pixels::thrown::thrown;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -16,21 +15,18 @@ use wasm_bindgen::prelude::*;
 /// # Errors
 /// Returns `invalid-document` if the comic or its kind is invalid, and any layout error.
 #[wasm_bindgen(js_name = comicFile)]
-pub fn comic_file(kind: &str, comic: &str, lettering: &Lettering) -> std::result::Result<String, JsValue> {
-    let made = || -> Result<String> {
-        let comic = Comic::parse(comic)?;
-        let letters = lettering.letters();
-        match kind {
-            "html" => json(&html::write(&comic, letters)?),
-            "epub" => json(&epub::write(&comic, letters)?),
-            "cbz" => json(&cbz::write(&comic, letters)?),
-            _ => Err(Error::InvalidDocument {
-                location: "kind".into(),
-                reason: format!("{kind} must be one of html, epub, cbz"),
-            }),
-        }
-    };
-    made().map_err(thrown)
+pub fn comic_file(kind: &str, comic: &str, lettering: &Lettering) -> Result<String> {
+    let comic = Comic::parse(comic)?;
+    let letters = lettering.letters();
+    match kind {
+        "html" => json(&html::write(&comic, letters)?),
+        "epub" => json(&epub::write(&comic, letters)?),
+        "cbz" => json(&cbz::write(&comic, letters)?),
+        _ => Err(Error::InvalidDocument {
+            location: "kind".into(),
+            reason: format!("{kind} must be one of html, epub, cbz"),
+        }),
+    }
 }
 
 fn json(made: &impl Serialize) -> Result<String> {

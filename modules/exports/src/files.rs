@@ -13,7 +13,6 @@ use inkpanel::page::mask::PixelRect;
 use inkpanel::page::pdf::{self, Leaf, Options, Picture, picture};
 use inkpanel::page::plates::Separation;
 use inkpanel::page::{Document, jpeg, webp};
-use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 /// A page on which patches are laid.
@@ -27,41 +26,34 @@ pub struct Print {
 impl Print {
     /// The empty paper of a document, of any size.
     #[wasm_bindgen(constructor)]
-    pub fn new(document: &str, width: usize, height: usize) -> std::result::Result<Print, JsValue> {
-        let page = Document::parse(document).map_err(thrown)?.page;
+    pub fn new(document: &str, width: usize, height: usize) -> Result<Print> {
+        let page = Document::parse(document)?.page;
         Ok(Self { sheet: Sheet::blank(width, height, page.paper_rgb()), dpi: page.dpi })
     }
 
     /// Lays a patch of the page on it.
-    pub fn lay(
-        &mut self,
-        x: i32,
-        y: i32,
-        width: usize,
-        height: usize,
-        rgba: &[u8],
-    ) -> std::result::Result<(), JsValue> {
+    pub fn lay(&mut self, x: i32, y: i32, width: usize, height: usize, rgba: &[u8]) -> Result<()> {
         let area = PixelRect { x: i64::from(x), y: i64::from(y), width, height };
-        self.sheet.lay(area, rgba).map_err(thrown)
+        self.sheet.lay(area, rgba)
     }
 
     /// The file, with a quality from 1 to 100.
-    pub fn jpeg(&self, quality: u8) -> std::result::Result<Vec<u8>, JsValue> {
+    pub fn jpeg(&self, quality: u8) -> Result<Vec<u8>> {
         let Self { sheet, dpi } = self;
-        jpeg::encode_rgb(sheet.width(), sheet.height(), sheet.rgb(), *dpi, quality).map_err(thrown)
+        jpeg::encode_rgb(sheet.width(), sheet.height(), sheet.rgb(), *dpi, quality)
     }
 
     /// The file as lossless WebP, without a resolution.
-    pub fn webp(&self) -> std::result::Result<Vec<u8>, JsValue> {
+    pub fn webp(&self) -> Result<Vec<u8>> {
         let Self { sheet, .. } = self;
-        webp::encode_rgb(sheet.width(), sheet.height(), sheet.rgb()).map_err(thrown)
+        webp::encode_rgb(sheet.width(), sheet.height(), sheet.rgb())
     }
 }
 
 /// Encodes an image with straight alpha as a lossless WebP file.
 #[wasm_bindgen(js_name = losslessPicture)]
-pub fn lossless_picture(width: usize, height: usize, rgba: &[u8]) -> std::result::Result<Vec<u8>, JsValue> {
-    webp::encode_rgba(width, height, rgba).map_err(thrown)
+pub fn lossless_picture(width: usize, height: usize, rgba: &[u8]) -> Result<Vec<u8>> {
+    webp::encode_rgba(width, height, rgba)
 }
 
 /// The image of a panel for a [`Book`].
@@ -91,10 +83,10 @@ impl Plate {
     /// The plate of the ink with index `ink`. `colours` are the inks on white paper: red, green and blue of
     /// each.
     #[wasm_bindgen(constructor)]
-    pub fn new(colours: &[u8], ink: usize) -> std::result::Result<Plate, JsValue> {
+    pub fn new(colours: &[u8], ink: usize) -> Result<Plate> {
         let inks = colours.as_chunks::<3>().0;
         if ink >= inks.len() {
-            return Err(thrown(no_plate()));
+            return Err(no_plate());
         }
         Ok(Self { separation: Separation::new(inks), ink })
     }
@@ -111,7 +103,7 @@ impl Plate {
         height: usize,
         rgba: &[u8],
         quality: u8,
-    ) -> std::result::Result<Cut, JsValue> {
+    ) -> Result<Cut> {
         let area = PixelRect { x: i64::from(x), y: i64::from(y), width, height };
         Cut::made(document, (index, area, rgba), quality, Some((&self.separation, self.ink)))
     }
@@ -135,7 +127,7 @@ impl Cut {
         height: usize,
         rgba: &[u8],
         quality: u8,
-    ) -> std::result::Result<Cut, JsValue> {
+    ) -> Result<Cut> {
         let area = PixelRect { x: i64::from(x), y: i64::from(y), width, height };
         Self::made(document, (index, area, rgba), quality, None)
     }
@@ -159,9 +151,9 @@ impl Cut {
         patch: (usize, PixelRect, &[u8]),
         quality: u8,
         plate: Option<(&Separation, usize)>,
-    ) -> std::result::Result<Cut, JsValue> {
+    ) -> Result<Cut> {
         let cut = || -> Result<Picture> { picture::cut(&Document::parse(document)?, patch, quality, plate) };
-        let Picture { area, jpeg, alpha, .. } = cut().map_err(thrown)?;
+        let Picture { area, jpeg, alpha, .. } = cut()?;
         let (width, height) = (area.width as u32, area.height as u32);
         Ok(Self { x: area.x as i32, y: area.y as i32, width, height, jpeg, alpha })
     }
@@ -184,9 +176,9 @@ impl Book {
     }
 
     /// Adds a page. `alts`: alternative texts of its panels, a JSON array.
-    pub fn add_page(&mut self, document: &str, alts: &str) -> std::result::Result<(), JsValue> {
-        let document = Document::parse(document).map_err(thrown)?;
-        let alts = serde_json::from_str(alts).map_err(|error| thrown(refused("alts", &error)))?;
+    pub fn add_page(&mut self, document: &str, alts: &str) -> Result<()> {
+        let document = Document::parse(document)?;
+        let alts = serde_json::from_str(alts).map_err(|error| refused("alts", &error))?;
         self.leaves.push(Leaf { document, pictures: Vec::new(), alts });
         Ok(())
     }
@@ -210,10 +202,9 @@ impl Book {
     }
 
     /// The file. `options`: the options of `page::pdf::options` as JSON.
-    pub fn finish(&self, lettering: &Lettering, options: &str) -> std::result::Result<Vec<u8>, JsValue> {
-        let options: Options =
-            serde_json::from_str(options).map_err(|error| thrown(refused("options", &error)))?;
-        pdf::write(&self.leaves, &options, lettering.letters()).map_err(thrown)
+    pub fn finish(&self, lettering: &Lettering, options: &str) -> Result<Vec<u8>> {
+        let options: Options = serde_json::from_str(options).map_err(|error| refused("options", &error))?;
+        pdf::write(&self.leaves, &options, lettering.letters())
     }
 }
 

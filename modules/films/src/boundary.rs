@@ -9,7 +9,6 @@ use inkpanel::hearing;
 use inkpanel::select::look::{Look, Samples};
 use inkpanel::select::shots::Film;
 use inkpanel::select::stills::{self, Wish};
-use inkpanel_pixels::thrown::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]
@@ -43,8 +42,8 @@ impl Looking {
         height: usize,
         bytes: &[u8],
         planes: &[u32],
-    ) -> std::result::Result<(), JsValue> {
-        let look = look(format, [width, height], bytes, planes).map_err(thrown)?;
+    ) -> Result<()> {
+        let look = look(format, [width, height], bytes, planes)?;
         self.film.add(time, look);
         Ok(())
     }

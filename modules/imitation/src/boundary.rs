@@ -10,7 +10,6 @@ use inkpanel::json::plain as parse;
 use inkpanel::raster::Image;
 use inkpanel::style::imitate::{self, Ask, Features, Search, Seen, Trial};
 use inkpanel::style::{Context, Style};
-use inkpanel_pixels::thrown::thrown;
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
@@ -25,15 +24,9 @@ fn start() {
 /// `planes` are its red, green and blue samples, one plane after the other. `anyway` accepts all images that
 /// are large enough.
 #[wasm_bindgen]
-pub fn picture_look(
-    width: usize,
-    height: usize,
-    planes: &[u8],
-    anyway: bool,
-) -> std::result::Result<String, JsValue> {
+pub fn picture_look(width: usize, height: usize, planes: &[u8], anyway: bool) -> Result<String> {
     let reader = if anyway { imitate::read_any } else { imitate::read };
-    let read = || -> Result<String> { Ok(told(&reader(&Image::from_rgb_planes(width, height, planes)?)?)) };
-    read().map_err(thrown)
+    Ok(told(&reader(&Image::from_rgb_planes(width, height, planes)?)?))
 }
 
 /// A photo on which a worker tries styles, and its scratch memory.
@@ -49,30 +42,27 @@ pub struct Sitter {
 impl Sitter {
     /// `planes` are the photo's red, green and blue samples, one plane after the other.
     #[wasm_bindgen(constructor)]
-    pub fn new(width: usize, height: usize, planes: &[u8]) -> std::result::Result<Sitter, JsValue> {
-        let photo = Image::from_rgb_planes(width, height, planes).map_err(thrown)?;
+    pub fn new(width: usize, height: usize, planes: &[u8]) -> Result<Sitter> {
+        let photo = Image::from_rgb_planes(width, height, planes)?;
         Ok(Self { photo, context: Context::default(), seen: None })
     }
 
     /// Result of a style that the search requested, as JSON.
-    pub fn try_look(&mut self, ask: &str) -> std::result::Result<String, JsValue> {
-        let mut attempt = || -> Result<String> {
-            let wanted: Value = parse(ask, "trial")?;
-            let ask = Ask {
-                style: Style::from_value("trial", &wanted["style"])?,
-                area: wanted["area"].as_u64().unwrap_or(1) as usize,
-                close: wanted["close"].as_bool().unwrap_or_default(),
-            };
-            let how = (ask.area, ask.close);
-            let seen = match self.seen.take() {
-                Some((known, seen)) if known == how => seen,
-                _ => Seen::of(&self.photo, &ask),
-            };
-            let trial = imitate::attempt(&seen, &ask.style, &mut self.context);
-            self.seen = Some((how, seen));
-            Ok(told(&trial?))
+    pub fn try_look(&mut self, ask: &str) -> Result<String> {
+        let wanted: Value = parse(ask, "trial")?;
+        let ask = Ask {
+            style: Style::from_value("trial", &wanted["style"])?,
+            area: wanted["area"].as_u64().unwrap_or(1) as usize,
+            close: wanted["close"].as_bool().unwrap_or_default(),
         };
-        attempt().map_err(thrown)
+        let how = (ask.area, ask.close);
+        let seen = match self.seen.take() {
+            Some((known, seen)) if known == how => seen,
+            _ => Seen::of(&self.photo, &ask),
+        };
+        let trial = imitate::attempt(&seen, &ask.style, &mut self.context);
+        self.seen = Some((how, seen));
+        Ok(told(&trial?))
     }
 }
 
@@ -102,8 +92,8 @@ pub struct Imitation(Search);
 impl Imitation {
     /// Begins a search with the result of [`picture_look`].
     #[wasm_bindgen(constructor)]
-    pub fn new(look: &str, seed: u32) -> std::result::Result<Self, JsValue> {
-        let look: Features = parse(look, "look").map_err(thrown)?;
+    pub fn new(look: &str, seed: u32) -> Result<Self> {
+        let look: Features = parse(look, "look")?;
         Ok(Self(Search::new(look, seed)))
     }
 
@@ -114,8 +104,8 @@ impl Imitation {
     }
 
     /// Passes the results of the trials, in order: a JSON array, null for failures.
-    pub fn tell(&mut self, trials: &str) -> std::result::Result<(), JsValue> {
-        let trials: Vec<Option<Trial>> = parse(trials, "trials").map_err(thrown)?;
+    pub fn tell(&mut self, trials: &str) -> Result<()> {
+        let trials: Vec<Option<Trial>> = parse(trials, "trials")?;
         self.0.tell(trials);
         Ok(())
     }

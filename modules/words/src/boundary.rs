@@ -15,7 +15,6 @@ use inkpanel::page::words::place::{self, Known};
 use inkpanel::page::words::{draw, layout};
 use inkpanel::page::{Document, Patch};
 use inkpanel::raster::Matte;
-use inkpanel_pixels::thrown::thrown;
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::HashMap;
@@ -26,27 +25,21 @@ impl Lettering {
     /// Places the automatic text items of a document. Items hide no face, and as little of bodies as
     /// possible. `photos`: properties of each photo by id, `{subjects, mask?}`. `again`: the layout has changed, so that text
     /// items that the user placed move off faces as well.
-    pub fn settle(&self, document: &str, photos: &str, again: bool) -> std::result::Result<String, JsValue> {
-        let settle = || -> Result<String> {
-            let mut document = Document::parse(document)?;
-            let told: HashMap<String, Told> = serde_json::from_str(photos).map_err(|error| {
-                Error::InvalidDocument { location: "photos".into(), reason: error.to_string() }
-            })?;
-            let known = |id: &str| told.get(id).map(Told::known).unwrap_or_default();
-            let settle = if again { place::resettle } else { place::settle };
-            settle(&mut document, known, self.letters())?;
-            Ok(Value::Array(document.words).to_string())
-        };
-        settle().map_err(thrown)
+    pub fn settle(&self, document: &str, photos: &str, again: bool) -> Result<String> {
+        let mut document = Document::parse(document)?;
+        let told: HashMap<String, Told> = serde_json::from_str(photos).map_err(|error| {
+            Error::InvalidDocument { location: "photos".into(), reason: error.to_string() }
+        })?;
+        let known = |id: &str| told.get(id).map(Told::known).unwrap_or_default();
+        let settle = if again { place::resettle } else { place::settle };
+        settle(&mut document, known, self.letters())?;
+        Ok(Value::Array(document.words).to_string())
     }
 
     /// Bounds of the text items of a document; see `page::words::layout::measured`.
-    pub fn measure(&self, document: &str) -> std::result::Result<String, JsValue> {
-        let measure = || {
-            let boxes = layout::measured(&Document::parse(document)?, self.letters())?;
-            serde_json::to_string(&boxes).map_err(|error| Error::Encode(error.to_string()))
-        };
-        measure().map_err(thrown)
+    pub fn measure(&self, document: &str) -> Result<String> {
+        let boxes = layout::measured(&Document::parse(document)?, self.letters())?;
+        serde_json::to_string(&boxes).map_err(|error| Error::Encode(error.to_string()))
     }
 
     /// Returns whether a text contains traced glyphs.
@@ -56,21 +49,15 @@ impl Lettering {
     }
 
     /// Renders one text item of a page with a width of `width` pixels.
-    pub fn render(
-        &self,
-        document: &str,
-        index: usize,
-        width: usize,
-    ) -> std::result::Result<Picture, JsValue> {
-        let render = || draw::render(&Document::parse(document)?, index, width, self.letters());
-        let picture = |patch: Patch| Picture {
+    pub fn render(&self, document: &str, index: usize, width: usize) -> Result<Picture> {
+        let patch = draw::render(&Document::parse(document)?, index, width, self.letters())?;
+        Ok(Picture {
             x: patch.area.x as i32,
             y: patch.area.y as i32,
             width: patch.area.width as u32,
             height: patch.area.height as u32,
             rgba: patch.rgba,
-        };
-        render().map(picture).map_err(thrown)
+        })
     }
 }
 

@@ -10,9 +10,9 @@ use super::samples::Pixels;
 use crate::error::{Error, Result};
 
 /// Brands of HEIC files.
-const HEIC: [&[u8; 4]; 8] = [b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"mif1", b"msf1"];
+pub const HEIC: [&[u8; 4]; 8] = [b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"mif1", b"msf1"];
 /// Brands of AVIF files.
-const AVIF: [&[u8; 4]; 2] = [b"avif", b"avis"];
+pub const AVIF: [&[u8; 4]; 2] = [b"avif", b"avis"];
 /// Bytes of a file that are searched for brands.
 const MOST_BRANDS: usize = 256;
 /// Maximum size of an EXIF record, in bytes.

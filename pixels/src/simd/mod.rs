@@ -22,6 +22,7 @@
 //! | [`blade`] | 7 x 7 filters that change from place to place |
 //! | [`dct`] | the inverse transform of JPEG, at full size or reduced |
 //! | [`ycc`] | the colours of JPEG as red, green and blue |
+//! | [`fft`] | the steps of a Fourier transform |
 //! | [`oriented`] | averages and choices at places that turn with a field of directions |
 
 pub mod blade;
@@ -30,6 +31,8 @@ pub mod dct;
 pub mod dots;
 pub mod double;
 pub mod edge;
+#[cfg(feature = "pages")]
+pub mod fft;
 pub mod fine;
 pub mod fir;
 pub mod flow;

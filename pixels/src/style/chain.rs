@@ -61,12 +61,12 @@ pub fn run_until(steps: &[Step], end: usize, mut image: Image, context: &mut Con
             i += 1;
         }
         if !ops.is_empty() {
-            let chroma_wanted = steps[i..].iter().any(|step| step.block.id == "to_color");
+            let chroma_wanted = steps[i..].iter().any(|step| step.block.restores_color);
             image = run_points(&ops, image, chroma_wanted, context)?;
         }
         if let Some(step) = steps[..end].get(i) {
             i += 1;
-            let chroma_wanted = steps[i..].iter().any(|step| step.block.id == "to_color");
+            let chroma_wanted = steps[i..].iter().any(|step| step.block.restores_color);
             image = run_block(step, chroma_wanted, image, context)?;
         }
     }

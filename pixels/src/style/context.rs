@@ -5,6 +5,7 @@ use super::faces::FaceBox;
 use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};
 use crate::simd::gaussian::Buffers;
+use std::any::Any;
 
 /// Number of pixels of the image for which spatial parameters are defined.
 const REFERENCE_PIXELS: f64 = 1920.0 * 1080.0;
@@ -18,16 +19,8 @@ pub struct Context<'a> {
     pub blurs: Buffers,
     /// Floats of the iterative blocks.
     pub floats: Vec<Vec<f32>>,
-    /// Rows of Total Variation Flow.
-    pub(in crate::style) flow: super::blocks::FlowBuffers,
-    /// Rows of the bilateral grid.
-    pub(in crate::style) grid: super::blocks::GridBuffers,
-    /// The sheet of the last Paper.
-    pub(in crate::style) sheet: Option<super::blocks::DrawnSheet>,
-    /// The tiles of the last Pattern Filling.
-    pub(in crate::style) tiles: Option<super::blocks::DrawnTiles>,
-    /// The last custom texture at its rendered size.
-    pub(in crate::style) texture: Option<super::blocks::DrawnTexture>,
+    /// Memory of single blocks: at most one value of a type.
+    scratch: Vec<Box<dyn Any>>,
     faces: Vec<FaceBox>,
     subject: Option<Plane>,
     tones: KnownTones,
@@ -136,6 +129,19 @@ impl<'a> Context<'a> {
     /// `cancelled` if the caller cancels.
     pub fn check_cancelled(&self) -> Result<()> {
         if self.cancelled.is_some_and(|cancelled| cancelled()) { Err(Error::Cancelled) } else { Ok(()) }
+    }
+
+    /// Takes the value of this type that a block stored with [`Self::give`], so that it can use the memory or a drawing of an
+    /// earlier run. `None` on the first run.
+    pub fn take<T: 'static>(&mut self) -> Option<T> {
+        let at = self.scratch.iter().position(|value| value.is::<T>())?;
+        self.scratch.swap_remove(at).downcast().ok().map(|value| *value)
+    }
+
+    /// Stores a value of a block for its next run. It replaces the value of the same type.
+    pub fn give<T: 'static>(&mut self, value: T) {
+        drop(self.take::<T>());
+        self.scratch.push(Box::new(value));
     }
 
     /// A plane with arbitrary content.

@@ -8,6 +8,7 @@ use super::blocks::Channels;
 use super::chain;
 use super::context::Context;
 use super::file::{Step, Style};
+use super::params::FaceLimit;
 use crate::error::Result;
 use crate::raster::{Image, Plane};
 use crate::simd::point::luma_plane;
@@ -25,29 +26,9 @@ pub struct FaceBox {
     pub height: f64,
 }
 
-/// Cells of a screen or pattern that a face is high, at least.
-const CELLS: f32 = 14.0;
 /// Faces of less than this share of the largest are of a crowd: they need not be read.
 const CROWD: f64 = 0.55;
-/// Pixels of a cell of a pattern at scale 1.
-const PATTERN_CELL: f32 = 5.0;
 
-/// Block, parameter, and the most of it for a face that is one pixel high; in pixels of a style.
-const MOST: &[(&str, &str, f32)] = &[
-    ("halftone", "pitch", 1.0 / CELLS),
-    ("plates", "pitch", 1.0 / CELLS),
-    ("engrave", "pitch", 1.0 / CELLS),
-    ("pattern", "scale", 1.0 / CELLS / PATTERN_CELL),
-    ("xdog", "sigma", 1.0 / 50.0),
-    ("flow_lines", "sigma", 1.0 / 60.0),
-    ("flow_lines", "shortest", 1.0 / 8.0),
-    ("strokes", "width", 1.0 / 48.0),
-    ("strokes", "length", 1.0 / 9.0),
-    ("kuwahara", "radius", 1.0 / 14.0),
-    ("flatten", "detail", 1.0 / 9.0),
-    ("tvf", "time", 1.0 / 4.0),
-    ("etf", "sigma", 1.0 / 28.0),
-];
 /// Minimum factor of a length, even for very small faces. Cells have no minimum.
 const LEAST: f32 = 0.5;
 
@@ -69,10 +50,6 @@ const PALEST: f32 = 0.45;
 const TINT: f32 = 12.0;
 /// Part of the way to black and to white that tones of a face may take.
 const TONES: (f32, f32) = (0.62, 0.55);
-/// Inks of Plates, by their places, that together print all colours.
-const PROCESS_INKS: [f32; 3] = [4.0, 5.0, 6.0];
-/// Largest spread of the biases of Hue that keeps the colours of the photo, in grey steps.
-const NEUTRAL: f32 = 14.0;
 
 /// Factor of lengths in a face that is drawn again, relative to its surroundings.
 const FINER: f32 = 0.5;
@@ -84,11 +61,7 @@ const LARGE: f32 = 420.0;
 const MOST_FACES: usize = 12;
 /// Room around a face that is drawn again, in parts of its size: its mask, and what filters look at.
 const ROOM: f64 = 0.5;
-/// Most colours of flat areas in a face: skin in light and shade, hair, lips and eyes.
-const FACE_COLORS: f32 = 6.0;
 
-/// Blocks that lay a screen, strokes or paper over a picture. Their pattern must continue across a face.
-const SCREENS: [&str; 6] = ["halftone", "pattern", "engrave", "strokes", "plates", "paper"];
 /// Distances from the centre of a face at which its mask starts to fall and reaches 0, in half sides of its
 /// box.
 const MASK: (f64, f64) = (0.9, 1.5);
@@ -299,9 +272,9 @@ impl Room {
 /// Returns the index of the first block whose pattern must continue across faces. 0 if a later block restores
 /// colours.
 fn first_screen(steps: &[Step]) -> usize {
-    let is_screen = |step: &Step| !step.bypass && SCREENS.contains(&step.block.id);
+    let is_screen = |step: &Step| !step.bypass && step.block.is_screen;
     let first = steps.iter().position(is_screen).unwrap_or(steps.len());
-    let wants_colour = steps[first..].iter().any(|step| !step.bypass && step.block.id == "to_color");
+    let wants_colour = steps[first..].iter().any(|step| !step.bypass && step.block.restores_color);
     if wants_colour { 0 } else { first }
 }
 
@@ -309,71 +282,48 @@ fn first_screen(steps: &[Step]) -> usize {
 pub(super) fn recolours(steps: &[Step]) -> bool {
     let mut colour = true;
     for step in steps.iter().filter(|step| !step.bypass) {
-        match step.block.id {
-            "colorize" => return true,
-            // Flat paper.
-            "brightness" if value(step, "gain") <= 0.0 => return true,
-            "plates" if !PROCESS_INKS.contains(&value(step, "inks")) => return true,
-            "halftone" if value(step, "mode") > 0.0 => return true,
-            "flatten" if is_named_palette(step) => return true,
-            "hue" if is_tinting(step) => return true,
-            "to_color" => colour = true,
-            _ if step.block.output == Channels::Luma && step.part.is_none() => colour = false,
-            _ => {}
+        if (step.block.recolors)(&step.values) {
+            return true;
+        }
+        if step.block.restores_color {
+            colour = true;
+        } else if step.block.output == Channels::Luma && step.part.is_none() {
+            colour = false;
         }
     }
     !colour
 }
 
-fn value(step: &Step, id: &str) -> f32 {
-    let at = step.block.params.iter().position(|param| param.id == id);
-    at.and_then(|at| step.values.get(at)).copied().unwrap_or_default()
-}
-
-/// Whether areas mostly have the colours of a palette.
-fn is_named_palette(step: &Step) -> bool {
-    value(step, "palette") > 0.0 && value(step, "own") < 50.0
-}
-
-fn is_tinting(step: &Step) -> bool {
-    let [red, green, blue] = ["red", "green", "blue"].map(|id| value(step, id));
-    let spread = red.max(green).max(blue) - red.min(green).min(blue);
-    value(step, "angle") != 0.0 || spread > NEUTRAL
-}
-
 /// A block for a face that is drawn again.
 fn finer(step: &Step, scale: f32) -> Step {
     let mut step = step.clone();
-    for &(_, id, _) in MOST.iter().filter(|(block, ..)| *block == step.block.id) {
-        let Some(i) = step.block.params.iter().position(|param| param.id == id) else { continue };
-        let (value, least) = (step.values[i], step.block.params[i].kind.range().0);
-        if id == "pitch" || id == "scale" || value <= least {
-            continue;
-        }
-        let thinnest = if id == "sigma" { THINNEST / scale.max(f32::MIN_POSITIVE) } else { least };
-        step.values[i] = (FINER * value).max(thinnest).min(value).max(least);
-    }
-    if step.block.id == "flatten" && !is_named_palette(&step) {
-        let at = |id: &str| step.block.params.iter().position(|param| param.id == id);
-        if let (Some(colors), Some(palette)) = (at("colors"), at("palette")) {
-            step.values[colors] = step.values[colors].min(FACE_COLORS);
-            step.values[palette] = 0.0;
+    for (param, value) in step.block.params.iter().zip(&mut step.values) {
+        let least = param.kind.range().0;
+        let thinnest = match param.face {
+            Some(FaceLimit::Line(_)) => THINNEST / scale.max(f32::MIN_POSITIVE),
+            Some(FaceLimit::Length(_)) => least,
+            Some(FaceLimit::Cell { .. }) | None => continue,
+        };
+        if *value > least {
+            *value = (FINER * *value).max(thinnest).min(*value).max(least);
         }
     }
+    (step.block.adapt_to_face)(&mut step.values);
     step
 }
 
 fn shorten(step: &mut Step, height: f32) {
-    for &(_, id, share) in MOST.iter().filter(|(block, ..)| *block == step.block.id) {
-        let Some(i) = step.block.params.iter().position(|param| param.id == id) else { continue };
-        let (value, least) = (step.values[i], step.block.params[i].kind.range().0);
+    for (param, value) in step.block.params.iter().zip(&mut step.values) {
+        let least = param.kind.range().0;
+        let (share, floor) = match param.face {
+            Some(FaceLimit::Cell { share, least: cell }) => (share, least.max(cell)),
+            Some(FaceLimit::Line(share) | FaceLimit::Length(share)) => (share, LEAST * *value),
+            None => continue,
+        };
         // A screen without a pitch has no cells.
-        if value <= least {
-            continue;
+        if *value > least {
+            *value = value.min((height * share).max(floor));
         }
-        let is_cell = share <= 1.0 / CELLS && ["pitch", "scale"].contains(&id);
-        let floor = if is_cell { least.max(if id == "pitch" { 3.0 } else { 0.0 }) } else { LEAST * value };
-        step.values[i] = value.min((height * share).max(floor));
     }
 }
 
@@ -474,7 +424,7 @@ mod tests {
         assert_eq!(scaled.background[1].values, dots.background[1].values, "no pitch, no cells");
         let lines = scaled.foreground.unwrap();
         assert!((lines[1].values[0] - 4.0).abs() < 1e-3, "half of 8 stays");
-        assert!(lines[2].values[2] * PATTERN_CELL <= 200.0 / 14.0 + 1e-3);
+        assert!(lines[2].values[2] * 5.0 <= 200.0 / 14.0 + 1e-3, "a cell of the pattern has 5 pixels");
     }
 
     #[test]

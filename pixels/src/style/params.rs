@@ -16,7 +16,64 @@ pub struct Param {
     pub help: &'static str,
     /// Type, default and range.
     pub kind: Kind,
+    /// Limit that keeps faces recognisable.
+    pub face: Option<FaceLimit>,
+    /// How a style from a picture adapts it. `None`: at random only.
+    pub gaps: Option<Gaps>,
+    /// Whether it selects a kind, not an amount. A style from a picture then changes it only on purpose.
+    pub is_fixed: bool,
+    /// How a repeating structure depends on it.
+    pub repeat: Option<Repeat>,
 }
+
+/// Maximum of a length on a face. The shares are for a face that is one pixel high, in pixels of a style.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FaceLimit {
+    /// Distance or scale of the cells of a screen. It can become small.
+    Cell {
+        /// Maximum.
+        share: f32,
+        /// Minimum for any face.
+        least: f32,
+    },
+    /// Scale of lines.
+    Line(f32),
+    /// Any other length.
+    Length(f32),
+}
+
+/// Exponents of the factors that correct a style with too few lines, too thin lines, too dark tones and too little texture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gaps {
+    /// For the number of lines.
+    pub lines: f32,
+    /// For their width.
+    pub width: f32,
+    /// For the tones.
+    pub tone: f32,
+    /// For texture.
+    pub texture: f32,
+}
+
+impl Gaps {
+    /// No correction.
+    pub const NONE: Self = Self { lines: 0.0, width: 0.0, tone: 0.0, texture: 0.0 };
+}
+
+/// The part that a parameter has in a repeating structure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Repeat {
+    /// Distance of the dots or lines of a screen. Values below [`MIN_PITCH`] turn the screen off.
+    Pitch,
+    /// Size of another structure.
+    Size,
+}
+
+/// Minimum distance of the dots or lines of a screen, in pixels of a style.
+pub const MIN_PITCH: f32 = 3.0;
+
+/// Minimum number of cells of a screen across the height of a face.
+pub const FACE_CELLS: f32 = 14.0;
 
 /// Type, default and range of a parameter. At run time every value is an f32: a flag is 0 or 1, a choice its position,
 /// a colour the number of its six hexadecimal digits, which an f32 holds exactly.
@@ -120,6 +177,37 @@ impl Kind {
 }
 
 impl Param {
+    /// Sets the limit on faces.
+    #[must_use]
+    pub const fn for_face(self, limit: FaceLimit) -> Self {
+        Self { face: Some(limit), ..self }
+    }
+
+    /// Sets the adaptation of styles from a picture.
+    #[must_use]
+    pub const fn correcting(self, gaps: Gaps) -> Self {
+        Self { gaps: Some(gaps), ..self }
+    }
+
+    /// Marks a parameter that selects a kind.
+    #[must_use]
+    pub const fn fixed(self) -> Self {
+        Self { is_fixed: true, ..self }
+    }
+
+    /// Marks the size of a repeating structure.
+    #[must_use]
+    pub const fn repeating(self, repeat: Repeat) -> Self {
+        Self { repeat: Some(repeat), ..self }
+    }
+
+    /// Marks the distance of the dots or lines of a screen.
+    #[must_use]
+    pub const fn pitch(self) -> Self {
+        let limit = FaceLimit::Cell { share: 1.0 / FACE_CELLS, least: MIN_PITCH };
+        self.for_face(limit).fixed().repeating(Repeat::Pitch)
+    }
+
     /// Returns the nearest value in range that the control can show. Numbers are rounded to a tenth of the
     /// slider's step.
     #[must_use]
@@ -137,6 +225,12 @@ impl Param {
     }
 }
 
+/// A parameter of any type.
+#[must_use]
+pub const fn param(id: &'static str, label: &'static str, help: &'static str, kind: Kind) -> Param {
+    Param { id, label, help, kind, face: None, gaps: None, is_fixed: false, repeat: None }
+}
+
 /// A number parameter; the shorthand in which the blocks declare theirs.
 #[must_use]
 pub const fn number(
@@ -146,7 +240,7 @@ pub const fn number(
     (default, min, max, step): (f32, f32, f32, f32),
     unit: Unit,
 ) -> Param {
-    Param { id, label, help, kind: Kind::Number { default, min, max, step, unit } }
+    param(id, label, help, Kind::Number { default, min, max, step, unit })
 }
 
 /// A whole-number parameter.
@@ -157,24 +251,20 @@ pub const fn integer(
     help: &'static str,
     (default, min, max): (i32, i32, i32),
 ) -> Param {
-    Param { id, label, help, kind: Kind::Integer { default, min, max } }
+    param(id, label, help, Kind::Integer { default, min, max })
 }
 
 /// A choice between processing every channel and processing luma. The first is the default.
 #[must_use]
 pub const fn channels(names: &'static [&'static str]) -> Param {
-    Param {
-        id: "channels",
-        label: "Works on",
-        help: "Only luma, which preserves the colours, or each of red, green and blue.",
-        kind: Kind::Choice { names },
-    }
+    let help = "Only luma, which preserves the colours, or each of red, green and blue.";
+    param("channels", "Works on", help, Kind::Choice { names })
 }
 
 /// A colour parameter.
 #[must_use]
 pub const fn colour(id: &'static str, label: &'static str, help: &'static str, default: [u8; 3]) -> Param {
-    Param { id, label, help, kind: Kind::Colour { default } }
+    param(id, label, help, Kind::Colour { default })
 }
 
 /// A colour as the value of a parameter.

@@ -166,7 +166,7 @@ fn run_start(steps: &[Step], index: usize) -> usize {
 }
 
 fn chroma_wanted(steps: &[Step], index: usize) -> bool {
-    steps[index + 1..].iter().any(|step| !step.bypass && step.block.id == "to_color")
+    steps[index + 1..].iter().any(|step| !step.bypass && step.block.restores_color)
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Texts of a book in the languages of the app: days, dates and times of day. A language is a file of `languages/`.
 
-use crate::error::{Error, Result};
+use crate::error::Result;
+use crate::page::language::texts_in;
 use crate::plan::moments::date;
 use serde::Deserialize;
 
@@ -52,13 +53,7 @@ pub(super) struct Phrases {
 impl Phrases {
     /// Texts of a language, a BCP 47 tag such as `pt-BR`. English if the language is not available.
     pub(super) fn of(language: &str) -> Result<Self> {
-        let wanted = language.split('-').next().unwrap_or_default();
-        let found = LANGUAGES.iter().find(|(code, _)| code.eq_ignore_ascii_case(wanted));
-        let (code, json) = found.unwrap_or(&LANGUAGES[0]);
-        serde_json::from_str(json).map_err(|error| Error::InvalidDocument {
-            location: (*code).to_owned(),
-            reason: error.to_string(),
-        })
+        texts_in(language, &LANGUAGES)
     }
 
     /// Returns the words for a day of a trip, from 0; `None` beyond the tenth.

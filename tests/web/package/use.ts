@@ -17,7 +17,7 @@ export async function use(photo: File, document: PageDocument): Promise<number> 
     { signal: stop.signal },
   );
   const found: Found[] = await engine.detect(photo, { signal: stop.signal });
-  const chosen = await engine.select([photo], { threshold: 8 });
+  const chosen = await engine.select([photo], { duplicateThreshold: 8 });
   const kept: boolean = chosen[0].kept;
   const page = await engine.compose(document, { width: 800, photos: { a: photo }, signal: stop.signal });
   new ImageData(styled.data, styled.width, styled.height);

@@ -1,8 +1,8 @@
 //! The photos that pages are planned from. They are passed only once, because an album of hundreds of photos
 //! is a megabyte of text, and plans are frequent.
 
+use super::parse;
 use super::planning::parse_request;
-use super::{parse, thrown};
 use inkpanel::document::planning::{Known, planned_of};
 use inkpanel::error::{Error, Result};
 use inkpanel::framing::PhotoMeta;
@@ -31,8 +31,8 @@ impl Album {
     }
 
     /// Stores the measurements of photos, a JSON array. Each replaces the photo with its id.
-    pub fn know(&mut self, photos: &str) -> std::result::Result<(), JsValue> {
-        let photos: Vec<PhotoMeta> = parse(photos, "photos").map_err(thrown)?;
+    pub fn know(&mut self, photos: &str) -> Result<()> {
+        let photos: Vec<PhotoMeta> = parse(photos, "photos")?;
         for photo in photos {
             // Unchanged photos keep their cached results.
             if self.photos.get(&photo.id).is_none_or(|(known, _)| *known != photo) {
@@ -43,37 +43,31 @@ impl Album {
     }
 
     /// Drops all other photos. `ids` is a JSON array.
-    pub fn keep(&mut self, ids: &str) -> std::result::Result<(), JsValue> {
-        let ids: HashSet<String> = parse(ids, "photos").map_err(thrown)?;
+    pub fn keep(&mut self, ids: &str) -> Result<()> {
+        let ids: HashSet<String> = parse(ids, "photos")?;
         self.photos.retain(|id, _| ids.contains(id));
         Ok(())
     }
 
     /// Learns which photos are in use, a JSON array of ids in their order.
-    pub fn take(&mut self, ids: &str) -> std::result::Result<(), JsValue> {
-        self.used = parse(ids, "photos").map_err(thrown)?;
+    pub fn take(&mut self, ids: &str) -> Result<()> {
+        self.used = parse(ids, "photos")?;
         Ok(())
     }
 
     /// A new document from photos, locks and a seed; see `page::request::Request`, whose photos are `ids`, a JSON array.
-    pub fn plan(&self, request: &str, ids: &str) -> std::result::Result<String, JsValue> {
-        let plan = || -> Result<String> {
-            let ids: Vec<String> = parse(ids, "photos")?;
-            Ok(planned_of(parse_request(request)?, &self.known(&ids)?)?.to_json())
-        };
-        plan().map_err(thrown)
+    pub fn plan(&self, request: &str, ids: &str) -> Result<String> {
+        let ids: Vec<String> = parse(ids, "photos")?;
+        Ok(planned_of(parse_request(request)?, &self.known(&ids)?)?.to_json())
     }
 }
 
 #[wasm_bindgen]
 impl Album {
     /// Crops of the photos `ids` (JSON) for an aspect ratio: a list of `{photo, crop, faces}`.
-    pub fn frames(&self, ids: &str, aspect: f64) -> std::result::Result<String, JsValue> {
-        let framed = || -> Result<String> {
-            let ids: Vec<String> = parse(ids, "photos")?;
-            Ok(framed_json(self.known(&ids)?.iter().map(|known| known.meta), aspect))
-        };
-        framed().map_err(thrown)
+    pub fn frames(&self, ids: &str, aspect: f64) -> Result<String> {
+        let ids: Vec<String> = parse(ids, "photos")?;
+        Ok(framed_json(self.known(&ids)?.iter().map(|known| known.meta), aspect))
     }
 }
 

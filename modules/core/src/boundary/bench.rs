@@ -1,7 +1,7 @@
 //! Benchmark functions: repeat blocks or a complete style on loaded planes, without decoding and copies
 //! between JavaScript and wasm.
 
-use super::{style_of, thrown};
+use super::style_of;
 use inkpanel::error::Result;
 use inkpanel::framing::{EnergyMap, Facts, lettering};
 use inkpanel::page::import::SMALL_SIDE;
@@ -13,8 +13,8 @@ use wasm_bindgen::prelude::*;
 
 /// Measures a photo for framing, reduced to the working size.
 #[wasm_bindgen(js_name = benchFacts)]
-pub fn bench_facts(width: usize, height: usize, rgba: &[u8]) -> std::result::Result<usize, JsValue> {
-    let image = Image::from_rgba(width, height, rgba, [255; 3]).map_err(thrown)?;
+pub fn bench_facts(width: usize, height: usize, rgba: &[u8]) -> Result<usize> {
+    let image = Image::from_rgba(width, height, rgba, [255; 3])?;
     let (wide, high) = fit(width, height, SMALL_SIDE);
     let small = resample_image(&image, Region::whole(width, height), wide, high);
     let energy = EnergyMap::of(&small);
@@ -37,22 +37,13 @@ impl Bench {
     /// Takes a style file and RGBA pixels, and runs the first `done` blocks of the background. Throws the
     /// errors of a style or a size.
     #[wasm_bindgen(constructor)]
-    pub fn new(
-        style: &str,
-        done: usize,
-        width: usize,
-        height: usize,
-        rgba: &[u8],
-    ) -> std::result::Result<Bench, JsValue> {
-        let make = || -> Result<Bench> {
-            let style = style_of(style)?;
-            let done = done.min(style.background.len());
-            let picture = Image::from_rgba(width, height, rgba, [255; 3])?;
-            let mut context = Context::for_image(&picture);
-            let picture = chain::run_until(&style.background, done, picture, &mut context)?;
-            Ok(Bench { style, done, picture, next: None, context })
-        };
-        make().map_err(thrown)
+    pub fn new(style: &str, done: usize, width: usize, height: usize, rgba: &[u8]) -> Result<Bench> {
+        let style = style_of(style)?;
+        let done = done.min(style.background.len());
+        let picture = Image::from_rgba(width, height, rgba, [255; 3])?;
+        let mut context = Context::for_image(&picture);
+        let picture = chain::run_until(&style.background, done, picture, &mut context)?;
+        Ok(Bench { style, done, picture, next: None, context })
     }
 
     /// Copies the image for the next [`Bench::run`], which changes it in place.
@@ -61,15 +52,15 @@ impl Bench {
     }
 
     /// Runs the other blocks of the background once on the copy. Does nothing without a copy.
-    pub fn run(&mut self) -> std::result::Result<(), JsValue> {
+    pub fn run(&mut self) -> Result<()> {
         let Some(picture) = self.next.take() else { return Ok(()) };
         let steps = &self.style.background[self.done..];
-        chain::run_owned(steps, picture, &mut self.context).map(drop).map_err(thrown)
+        chain::run_owned(steps, picture, &mut self.context).map(drop)
     }
 
     /// Runs the whole style once, both layers and its own copies.
-    pub fn run_style(&mut self) -> std::result::Result<(), JsValue> {
-        stylize(&self.picture, &self.style, &mut self.context).map(drop).map_err(thrown)
+    pub fn run_style(&mut self) -> Result<()> {
+        stylize(&self.picture, &self.style, &mut self.context).map(drop)
     }
 }
 
@@ -83,11 +74,8 @@ pub struct BenchPage {
 impl BenchPage {
     /// Takes a document and the width of its page in pixels. Throws the errors of a document.
     #[wasm_bindgen(constructor)]
-    pub fn new(document: &str, width: usize) -> std::result::Result<BenchPage, JsValue> {
-        let make = || -> Result<BenchPage> {
-            Ok(BenchPage { scene: Scene::new(&Document::parse(document)?, width)? })
-        };
-        make().map_err(thrown)
+    pub fn new(document: &str, width: usize) -> Result<BenchPage> {
+        Ok(BenchPage { scene: Scene::new(&Document::parse(document)?, width)? })
     }
 
     /// Draws the inside, the border and the outline of every panel, like

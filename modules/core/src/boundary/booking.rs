@@ -2,8 +2,8 @@
 
 use super::album::Album;
 use super::editing::Editor;
+use super::parse;
 use super::planning::parse_request;
-use super::{parse, thrown};
 use inkpanel::document::planning::{Planning, Seeds};
 use inkpanel::error::Result;
 use inkpanel::page::book::{Book, Wish};
@@ -25,8 +25,8 @@ impl BookMaker {
     }
 
     /// Plans the next page. Returns whether there are more.
-    pub fn step(&mut self) -> std::result::Result<bool, JsValue> {
-        self.book.step().map_err(thrown)
+    pub fn step(&mut self) -> Result<bool> {
+        self.book.step()
     }
 }
 
@@ -34,26 +34,18 @@ impl BookMaker {
 impl Editor {
     /// Begins a book of the photos in use. `request` has a seed and preferences; `wish` is a `page::book::Wish` in JSON.
     /// Nothing without a page.
-    pub fn book(
-        &self,
-        album: &Album,
-        request: &str,
-        wish: &str,
-    ) -> std::result::Result<Option<BookMaker>, JsValue> {
-        let book = || -> Result<Option<BookMaker>> {
-            let mut request = parse_request(request)?;
-            let wish: Wish = parse(wish, "book")?;
-            let mut planning: Planning = self.planning(album)?;
-            planning.taste = std::mem::take(&mut request.taste);
-            request.seed = Seeds::new(u64::from(request.seed)).next_seed();
-            Ok(planning.book(&request, wish)?.map(|book| BookMaker { book }))
-        };
-        book().map_err(thrown)
+    pub fn book(&self, album: &Album, request: &str, wish: &str) -> Result<Option<BookMaker>> {
+        let mut request = parse_request(request)?;
+        let wish: Wish = parse(wish, "book")?;
+        let mut planning: Planning = self.planning(album)?;
+        planning.taste = std::mem::take(&mut request.taste);
+        request.seed = Seeds::new(u64::from(request.seed)).next_seed();
+        Ok(planning.book(&request, wish)?.map(|book| BookMaker { book }))
     }
 
     /// The pages of a book that is made: a list of sheets.
-    pub fn booked(&self, album: &Album, made: BookMaker) -> std::result::Result<String, JsValue> {
+    pub fn booked(&self, album: &Album, made: BookMaker) -> Result<String> {
         let fresh = self.hands.history().fresh();
-        self.planning(album).map(|planning| planning.booked_json(made.book, fresh)).map_err(thrown)
+        self.planning(album).map(|planning| planning.booked_json(made.book, fresh))
     }
 }

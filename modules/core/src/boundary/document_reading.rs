@@ -1,6 +1,5 @@
 //! Opens projects: reads and checks them completely, or rejects them with a message.
 
-use super::thrown;
 use inkpanel::document::file::ProjectFile;
 use inkpanel::document::kept;
 use inkpanel::error::Result;
@@ -10,21 +9,18 @@ use wasm_bindgen::prelude::*;
 /// {present, shown}, photos, videos, dropped}`. `dropped` lists invalid parts. With a prefix all photos and
 /// videos get ids that begin with it. Throws `damaged-project`, `newer-project` or `too-large-project`.
 #[wasm_bindgen]
-pub fn read_project(json: &str, prefix: Option<String>) -> std::result::Result<String, JsValue> {
-    let read = move || -> Result<String> {
-        let project = ProjectFile::parse(json)?;
-        let project = match prefix {
-            Some(prefix) => project.renamed(&prefix),
-            None => project,
-        };
-        Ok(project.write())
+pub fn read_project(json: &str, prefix: Option<String>) -> Result<String> {
+    let project = ProjectFile::parse(json)?;
+    let project = match prefix {
+        Some(prefix) => project.renamed(&prefix),
+        None => project,
     };
-    read().map_err(thrown)
+    Ok(project.write())
 }
 
 /// Reads a history with tables from the browser's database (see `document::kept`) and normalises it, with a
 /// list of dropped parts. Throws as `read_project`.
 #[wasm_bindgen]
-pub fn read_history(json: &str) -> std::result::Result<String, JsValue> {
-    kept::parse(json).map(|(history, dropped)| kept::write(&history, &dropped)).map_err(thrown)
+pub fn read_history(json: &str) -> Result<String> {
+    kept::parse(json).map(|(history, dropped)| kept::write(&history, &dropped))
 }

@@ -1,6 +1,6 @@
 //! Edits of a style in the designer. A draft is the JSON of `document::draft`.
 
-use super::{parse, thrown};
+use super::parse;
 use inkpanel::document::draft;
 use inkpanel::error::Result;
 use serde_json::Value;
@@ -15,20 +15,19 @@ pub fn empty_draft(id: &str, name: &str) -> String {
 
 /// Returns the editable draft of a style. Throws `invalid-style`.
 #[wasm_bindgen]
-pub fn draft_of(style: &str) -> std::result::Result<String, JsValue> {
-    let draft = || -> Result<String> { draft::of_json(&parse::<Value>(style, "style")?) };
-    draft().map_err(thrown)
+pub fn draft_of(style: &str) -> Result<String> {
+    draft::of_json(&parse::<Value>(style, "style")?)
 }
 
 /// A draft after an edit, both as JSON: see `document::draft::DraftEdit`. Null if nothing changes or the edit
 /// is impossible.
 #[wasm_bindgen]
-pub fn edit_draft(draft: &str, edit: &str) -> std::result::Result<String, JsValue> {
-    draft::after_json(draft, edit).map_err(thrown)
+pub fn edit_draft(draft: &str, edit: &str) -> Result<String> {
+    draft::after_json(draft, edit)
 }
 
 /// Analysis of a draft: see `document::draft::facts_json`.
 #[wasm_bindgen]
-pub fn draft_facts(draft: &str) -> std::result::Result<String, JsValue> {
-    draft::facts_json(draft).map_err(thrown)
+pub fn draft_facts(draft: &str) -> Result<String> {
+    draft::facts_json(draft)
 }

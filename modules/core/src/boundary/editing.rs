@@ -1,9 +1,9 @@
 //! A project while it is edited, held by the page.
 
-use super::thrown;
 use inkpanel::document::Dropped;
 use inkpanel::document::editor::Editor as Hands;
 use inkpanel::document::{kept, own};
+use inkpanel::error::Result;
 use inkpanel::json;
 use wasm_bindgen::prelude::*;
 
@@ -26,8 +26,8 @@ impl Editor {
     /// Replaces the project by a history with tables (see `document::kept`). Throws `damaged-project`,
     /// `newer-project` or `too-large-project`, without any change. Returns `{dropped, pageId, sheet}` as
     /// JSON: the dropped parts, and ids for a new page and a new sheet.
-    pub fn load(&mut self, json: &str) -> std::result::Result<String, JsValue> {
-        let (history, dropped) = kept::parse(json).map_err(thrown)?;
+    pub fn load(&mut self, json: &str) -> Result<String> {
+        let (history, dropped) = kept::parse(json)?;
         let mut out = json::Writer::default();
         out.open(b'{');
         out.key("dropped").texts(&dropped);
@@ -41,8 +41,8 @@ impl Editor {
 
     /// Applies an edit: an object with a `type`, see `document::edit::Edit`. Returns the changes as JSON, see
     /// `document::kept::difference`. Throws `invalid-document`, without any change.
-    pub fn apply(&mut self, edit: &str) -> std::result::Result<String, JsValue> {
-        self.hands.apply_json(edit).map_err(thrown)
+    pub fn apply(&mut self, edit: &str) -> Result<String> {
+        self.hands.apply_json(edit)
     }
 
     /// The complete history with tables, as input of `load`.
@@ -55,6 +55,6 @@ impl Editor {
 /// Applies the changes between two states of a list, which all projects share, to another state of it:
 /// `{list, before, after}`. Returns the new list.
 #[wasm_bindgen]
-pub fn carried(lists: &str) -> std::result::Result<String, JsValue> {
-    own::carried_json(lists).map_err(thrown)
+pub fn carried(lists: &str) -> Result<String> {
+    own::carried_json(lists)
 }

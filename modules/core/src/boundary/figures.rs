@@ -1,6 +1,5 @@
 //! Panel breakouts.
 
-use super::thrown;
 use inkpanel::error::Result;
 use inkpanel::page::{Document, breaking};
 use inkpanel::raster::Matte;
@@ -9,11 +8,8 @@ use wasm_bindgen::prelude::*;
 /// Returns the page with the subject of a panel breaking its border, or an empty string if that is
 /// impossible. `mask`: the subject of the panel's photo.
 #[wasm_bindgen]
-pub fn break_frame(document: &str, panel: usize, mask: String) -> std::result::Result<String, JsValue> {
-    let broken = || -> Result<String> {
-        let Ok(mask) = Matte::try_from(mask) else { return Ok(String::new()) };
-        let broken = breaking::broken(&Document::parse(document)?, panel, &mask)?;
-        Ok(broken.map(|page| page.to_json()).unwrap_or_default())
-    };
-    broken().map_err(thrown)
+pub fn break_frame(document: &str, panel: usize, mask: String) -> Result<String> {
+    let Ok(mask) = Matte::try_from(mask) else { return Ok(String::new()) };
+    let broken = breaking::broken(&Document::parse(document)?, panel, &mask)?;
+    Ok(broken.map(|page| page.to_json()).unwrap_or_default())
 }

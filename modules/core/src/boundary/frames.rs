@@ -1,6 +1,6 @@
 //! Frames of videos. The browser decodes them and passes their pixels.
 
-use super::{Patch, Studio, thrown};
+use super::{Patch, Studio};
 use inkpanel::error::Result;
 use inkpanel::page::compose;
 use inkpanel::page::import::{Frame, import_frame, small_frame};
@@ -24,9 +24,9 @@ impl Studio {
         square_width: usize,
         square_height: usize,
         rotation: u32,
-    ) -> std::result::Result<String, JsValue> {
+    ) -> Result<String> {
         let frame = Frame { size: (width, height), rgba, square: (square_width, square_height), rotation };
-        let (photo, file) = import_frame(id, &frame, &Limits::default()).map_err(thrown)?;
+        let (photo, file) = import_frame(id, &frame, &Limits::default())?;
         self.file = file;
         self.take_in(photo)
     }
@@ -49,22 +49,17 @@ impl Studio {
         square_height: usize,
         rotation: u32,
         longest: usize,
-    ) -> std::result::Result<Patch, JsValue> {
+    ) -> Result<Patch> {
         let frame = Frame { size: (width, height), rgba, square: (square_width, square_height), rotation };
-        let image = small_frame(&frame, longest, &Limits::default()).map_err(thrown)?;
+        let image = small_frame(&frame, longest, &Limits::default())?;
         Ok(Patch::whole(image.width(), image.height(), image.to_rgba()))
     }
 
     /// Adds a frame of the video for the next call of `draw_living`.
-    pub fn add_living(
-        &mut self,
-        width: usize,
-        height: usize,
-        rgba: &[u8],
-    ) -> std::result::Result<(), JsValue> {
+    pub fn add_living(&mut self, width: usize, height: usize, rgba: &[u8]) -> Result<()> {
         // Drop the frames of a failed panel.
         let frame = Image::from_rgba(width, height, rgba, [255; 3]).inspect_err(|_| self.living.clear());
-        self.living.push(frame.map_err(thrown)?);
+        self.living.push(frame?);
         Ok(())
     }
 
@@ -76,13 +71,13 @@ impl Studio {
         index: usize,
         width: usize,
         still: usize,
-    ) -> std::result::Result<Vec<Patch>, JsValue> {
+    ) -> Result<Vec<Patch>> {
         let frames = std::mem::take(&mut self.living);
         let mut drawn = || -> Result<_> {
             let scene = self.scene(document, width, "work")?;
             living(&scene, index, (&frames, still), &mut self.context)
         };
         let told = |patch: compose::Patch| Patch { area: patch.area, rgba: patch.rgba };
-        Ok(drawn().map_err(thrown)?.into_iter().map(told).collect())
+        Ok(drawn()?.into_iter().map(told).collect())
     }
 }

@@ -6,7 +6,7 @@
 
 use super::album::Album;
 use super::editing::Editor;
-use super::{parse, thrown};
+use super::parse;
 use inkpanel::document::planning::{Planning, Seeds};
 use inkpanel::document::upkeep::Groups;
 use inkpanel::error::Result;
@@ -20,13 +20,7 @@ use wasm_bindgen::prelude::*;
 impl Editor {
     /// A new page. `photos`: ids as JSON; empty for the photos in use that are free for the page. `anew`:
     /// ignore the existing page. If not, the request uses the current page unless it contains one.
-    pub fn plan(
-        &self,
-        album: &Album,
-        request: &str,
-        photos: &str,
-        anew: bool,
-    ) -> std::result::Result<String, JsValue> {
+    pub fn plan(&self, album: &Album, request: &str, photos: &str, anew: bool) -> Result<String> {
         self.asked(album, request, &mut |planning, mut request| {
             if request.current.is_none() && !anew {
                 request.current = planning.project.page.as_deref().cloned();
@@ -42,12 +36,12 @@ impl Editor {
 
     /// Returns the page after the photos in use changed, with as few changes as possible. `grow`: there are
     /// more photos than before.
-    pub fn refitted(&self, album: &Album, request: &str, grow: bool) -> std::result::Result<String, JsValue> {
+    pub fn refitted(&self, album: &Album, request: &str, grow: bool) -> Result<String> {
         self.asked(album, request, &mut |planning, request| Ok(told(planning.refitted(grow, request.seed)?)))
     }
 
     /// All pages of the storyboard, in order, with the settings of the request.
-    pub fn on_paper(&self, album: &Album, request: &str) -> std::result::Result<String, JsValue> {
+    pub fn on_paper(&self, album: &Album, request: &str) -> Result<String> {
         self.asked(album, request, &mut |planning, request| {
             let mut out = Writer::default();
             out.open(b'[');
@@ -61,7 +55,7 @@ impl Editor {
     }
 
     /// Returns an earlier version of a page in its current form. The request has it as the current page.
-    pub fn brought_back(&self, album: &Album, request: &str) -> std::result::Result<String, JsValue> {
+    pub fn brought_back(&self, album: &Album, request: &str) -> Result<String> {
         self.asked(album, request, &mut |planning, request| {
             let page = request.current.as_ref().map(|page| planning.brought_back(page));
             Ok(told(page.transpose()?))
@@ -70,7 +64,7 @@ impl Editor {
 
     /// Distributes the photos in use over new pages, which replace the present ones: a list of sheets, or
     /// null.
-    pub fn spread(&self, album: &Album, request: &str) -> std::result::Result<String, JsValue> {
+    pub fn spread(&self, album: &Album, request: &str) -> Result<String> {
         let fresh = self.hands.history().fresh();
         self.asked(album, request, &mut |planning, request| {
             planning.spread_json(fresh, &mut Seeds::new(u64::from(request.seed)))
@@ -78,25 +72,20 @@ impl Editor {
     }
 
     /// A page to be added, of photos that no page shows as long as there are some.
-    pub fn another(&self, album: &Album, request: &str) -> std::result::Result<String, JsValue> {
+    pub fn another(&self, album: &Album, request: &str) -> Result<String> {
         self.asked(album, request, &mut |planning, request| {
             Ok(told(planning.another(&mut Seeds::new(u64::from(request.seed)))?))
         })
     }
 
     /// Returns whether another page shows a photo that is not in use.
-    pub fn torn(&self, album: &Album) -> std::result::Result<bool, JsValue> {
-        self.planning(album).map(|planning| planning.torn()).map_err(thrown)
+    pub fn torn(&self, album: &Album) -> Result<bool> {
+        self.planning(album).map(|planning| planning.torn())
     }
 
     /// Replaces missing photos on all pages and removes pages without photos: see `Planning::repaired_json`.
     /// `groups`: of look-alikes, by the ids of photos.
-    pub fn repaired(
-        &self,
-        album: &Album,
-        request: &str,
-        groups: &str,
-    ) -> std::result::Result<String, JsValue> {
+    pub fn repaired(&self, album: &Album, request: &str, groups: &str) -> Result<String> {
         self.asked(album, request, &mut |planning, _| {
             let groups = match parse(groups, "groups")? {
                 Value::Object(groups) => groups,
@@ -107,19 +96,19 @@ impl Editor {
     }
 
     /// The photos in use that no page has shown yet, and why: a list of `{photo, why}`.
-    pub fn unseen(&self, album: &Album) -> std::result::Result<String, JsValue> {
-        self.planning(album).map(|planning| planning.unseen_json()).map_err(thrown)
+    pub fn unseen(&self, album: &Album) -> Result<String> {
+        self.planning(album).map(|planning| planning.unseen_json())
     }
 
     /// The ids of the photos in use that are free for the page.
-    pub fn free_photos(&self, album: &Album) -> std::result::Result<String, JsValue> {
+    pub fn free_photos(&self, album: &Album) -> Result<String> {
         let free = |planning: Planning| {
             let mut out = Writer::default();
             let free = planning.free(&planning.elsewhere(), planning.project.page.as_deref());
             out.list(&free, &|out, photo| out.text(photo.id()));
             out.finish()
         };
-        self.planning(album).map(free).map_err(thrown)
+        self.planning(album).map(free)
     }
 }
 
@@ -128,14 +117,11 @@ type Answer<'a> = &'a mut dyn FnMut(&Planning, Request) -> Result<String>;
 
 impl Editor {
     #[inline(never)]
-    fn asked(&self, album: &Album, request: &str, answer: Answer) -> std::result::Result<String, JsValue> {
-        let mut answered = || {
-            let mut request = parse_request(request)?;
-            let mut planning = self.planning(album)?;
-            planning.taste = std::mem::take(&mut request.taste);
-            answer(&planning, request)
-        };
-        answered().map_err(thrown)
+    fn asked(&self, album: &Album, request: &str, answer: Answer) -> Result<String> {
+        let mut request = parse_request(request)?;
+        let mut planning = self.planning(album)?;
+        planning.taste = std::mem::take(&mut request.taste);
+        answer(&planning, request)
     }
 
     #[inline(never)]

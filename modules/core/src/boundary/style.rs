@@ -1,6 +1,6 @@
 //! Styles in the app: design, generation, combination and scores.
 
-use super::{Patch, Studio, parse, style_of, thrown};
+use super::{Patch, Studio, parse, style_of};
 use inkpanel::error::{Error, Result};
 use inkpanel::page::{Document, document, plates};
 use inkpanel::raster::Image;
@@ -35,26 +35,20 @@ pub fn invent_style(seed: u32) -> String {
 /// The inks of a document's style, the strongest last, and the document for drawing plates: `{inks: [{name,
 /// rgb}], document}` as JSON. `null` if the style has no printing plates.
 #[wasm_bindgen]
-pub fn plates_of(document: &str) -> std::result::Result<String, JsValue> {
-    let told = || -> Result<String> {
-        let page = Document::parse(document)?;
-        let Some(inks) = plates::inks(&*page.style()?) else { return Ok("null".into()) };
-        let inks: Vec<Value> = inks.iter().map(|ink| json!({ "name": ink.name, "rgb": ink.rgb })).collect();
-        Ok(format!("{{\"inks\":{},\"document\":{}}}", json!(inks), plates::exact(&page)?.to_json()))
-    };
-    told().map_err(thrown)
+pub fn plates_of(document: &str) -> Result<String> {
+    let page = Document::parse(document)?;
+    let Some(inks) = plates::inks(&*page.style()?) else { return Ok("null".into()) };
+    let inks: Vec<Value> = inks.iter().map(|ink| json!({ "name": ink.name, "rgb": ink.rgb })).collect();
+    Ok(format!("{{\"inks\":{},\"document\":{}}}", json!(inks), plates::exact(&page)?.to_json()))
 }
 
 /// A child of `{a, b, seed, surprise}`, as JSON; `a` and `b` are styles, by id or in full.
 #[wasm_bindgen]
-pub fn breed_style(json: &str) -> std::result::Result<String, JsValue> {
-    let breed = || -> Result<String> {
-        let wanted: Value = parse(json, "request")?;
-        let number = |key: &str| wanted[key].as_f64().unwrap_or_default();
-        let (a, b) = (document::style_of(&wanted["a"])?, document::style_of(&wanted["b"])?);
-        Ok(breeding::breed(&a, &b, number("seed") as u32, number("surprise")).to_value().to_string())
-    };
-    breed().map_err(thrown)
+pub fn breed_style(json: &str) -> Result<String> {
+    let wanted: Value = parse(json, "request")?;
+    let number = |key: &str| wanted[key].as_f64().unwrap_or_default();
+    let (a, b) = (document::style_of(&wanted["a"])?, document::style_of(&wanted["b"])?);
+    Ok(breeding::breed(&a, &b, number("seed") as u32, number("surprise")).to_value().to_string())
 }
 
 /// A styled image and its properties.
@@ -114,44 +108,35 @@ impl Explored {
 impl Studio {
     /// Sets a style for a photo at a size. Only changed blocks run again. Call `design_step` until it returns
     /// -1.
-    pub fn design(
-        &mut self,
-        key: &str,
-        style: &str,
-        width: usize,
-        height: usize,
-    ) -> std::result::Result<(), JsValue> {
-        let mut begin = || -> Result<()> {
-            let style = style_of(style)?;
-            let name = format!("{key} {width} {height}");
-            let at = self.designs.0.iter().position(|(known, _)| *known == name);
-            let (_, mut stages) = match at {
-                Some(at) => self.designs.0.remove(at),
-                None => (String::new(), self.staged(key, (width, height))?),
-            };
-            stages.set(style);
-            self.designs.0.truncate(MOST_DESIGNS - 1);
-            self.designs.0.insert(0, (name, stages));
-            Ok(())
+    pub fn design(&mut self, key: &str, style: &str, width: usize, height: usize) -> Result<()> {
+        let style = style_of(style)?;
+        let name = format!("{key} {width} {height}");
+        let at = self.designs.0.iter().position(|(known, _)| *known == name);
+        let (_, mut stages) = match at {
+            Some(at) => self.designs.0.remove(at),
+            None => (String::new(), self.staged(key, (width, height))?),
         };
-        begin().map_err(thrown)
+        stages.set(style);
+        self.designs.0.truncate(MOST_DESIGNS - 1);
+        self.designs.0.insert(0, (name, stages));
+        Ok(())
     }
 
     /// Runs the next block of the design. Returns its index, plus 256 in the foreground, or -1 at the end.
-    pub fn design_step(&mut self) -> std::result::Result<i32, JsValue> {
+    pub fn design_step(&mut self) -> Result<i32> {
         let Some((_, stages)) = self.designs.0.first_mut() else { return Ok(-1) };
-        let step = stages.advance(&mut self.context).map_err(thrown)?;
+        let step = stages.advance(&mut self.context)?;
         Ok(step.map_or(-1, |(layer, index)| 256 * layer as i32 + index as i32))
     }
 
     /// Returns the result of the design after the blocks that already ran.
-    pub fn design_result(&self) -> std::result::Result<Patch, JsValue> {
-        Ok(patch(&self.stages().map_err(thrown)?.result()))
+    pub fn design_result(&self) -> Result<Patch> {
+        Ok(patch(&self.stages()?.result()))
     }
 
     /// The image after the block at `place` of `design_step`, at most `side` pixels long.
-    pub fn design_stage(&self, place: usize, side: usize) -> std::result::Result<Patch, JsValue> {
-        let stages = self.stages().map_err(thrown)?;
+    pub fn design_stage(&self, place: usize, side: usize) -> Result<Patch> {
+        let stages = self.stages()?;
         let layer = if place < 256 { Layer::Background } else { Layer::Foreground };
         let picture = stages.picture(layer, place % 256);
         let (width, height) = fit(picture.width(), picture.height(), side.max(1));
@@ -159,27 +144,18 @@ impl Studio {
     }
 
     /// A photo in a style at a size, with its score, its look and its signature.
-    pub fn explore(
-        &mut self,
-        key: &str,
-        style: &str,
-        width: usize,
-        height: usize,
-    ) -> std::result::Result<Explored, JsValue> {
-        let mut explore = || -> Result<Explored> {
-            let (whole, photo) = self.whole(key, (width, height))?;
-            self.context.fit_scale(&photo);
-            let style: Style = style_of(style)?;
-            self.show_subject(key, whole, &photo, &style);
-            let picture = stylize(&photo, &style, &mut self.context)?;
-            Ok(Explored {
-                judgement: judge(&photo, &picture),
-                look: look::look(&picture),
-                signature: look::signature(&picture),
-                picture,
-            })
-        };
-        explore().map_err(thrown)
+    pub fn explore(&mut self, key: &str, style: &str, width: usize, height: usize) -> Result<Explored> {
+        let (whole, photo) = self.whole(key, (width, height))?;
+        self.context.fit_scale(&photo);
+        let style: Style = style_of(style)?;
+        self.show_subject(key, whole, &photo, &style);
+        let picture = stylize(&photo, &style, &mut self.context)?;
+        Ok(Explored {
+            judgement: judge(&photo, &picture),
+            look: look::look(&picture),
+            signature: look::signature(&picture),
+            picture,
+        })
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::{Block, Channels, Kernel, PointOp};
 use crate::simd::table::Table;
-use crate::style::params::{Unit, channels, number};
+use crate::style::params::{Gaps, Unit, channels, number};
 
 pub(super) static BLOCK: Block = Block {
     id: "brightness",
@@ -12,7 +12,8 @@ pub(super) static BLOCK: Block = Block {
     input: Channels::Any,
     output: Channels::Any,
     params: &[
-        number("gain", "Gain", "1 changes nothing, 2 is twice as bright.", (1.2, 0.0, 4.0, 0.05), Unit::None),
+        number("gain", "Gain", "1 changes nothing, 2 is twice as bright.", (1.2, 0.0, 4.0, 0.05), Unit::None)
+            .correcting(Gaps { tone: 0.7, ..Gaps::NONE }),
         channels(&["luma", "each"]),
     ],
     kernel: Kernel::Point(|args| {
@@ -20,4 +21,8 @@ pub(super) static BLOCK: Block = Block {
         let table = Table::from_fn(|v| v * gain);
         if args.choice(1) == 0 { PointOp::LumaTable(table) } else { PointOp::Table(table) }
     }),
+    is_coloring: true,
+    // Flat paper.
+    recolors: |values| values[0] <= 0.0,
+    ..Block::PLAIN
 };

@@ -26,6 +26,9 @@ pub(super) static BLOCK: Block = Block {
         let shares = strengths(args.number(0)).map(|k| args.number(1) * (k - 0.5));
         PointOp::Tint(shares.map(|share| (share * 32768.0).round() as i16))
     }),
+    is_coloring: true,
+    recolors: |_| true,
+    ..Block::PLAIN
 };
 
 /// Red, green and blue of a fully saturated hue, 0..=1.

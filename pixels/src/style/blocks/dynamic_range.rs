@@ -29,4 +29,5 @@ pub(super) static BLOCK: Block = Block {
         let start = (middle - range / 2.0).clamp(0.0, 255.0 - range);
         PointOp::Table(Table::from_fn(|v| start + (v - low) * range / (high - low)))
     }),
+    ..Block::PLAIN
 };

@@ -20,7 +20,7 @@ use crate::error::Result;
 use crate::raster::Plane;
 use crate::raster::resize::{Region, resample};
 use crate::style::context::Context;
-use crate::style::params::{Args, Unit, integer, number};
+use crate::style::params::{Args, Gaps, Unit, integer, number};
 use crate::style::tangents::{TURNS, Tangents, smooth};
 
 pub(super) static BLOCK: Block = Block {
@@ -30,7 +30,7 @@ pub(super) static BLOCK: Block = Block {
     input: Channels::Any,
     output: Channels::Luma,
     params: &[
-        number("pitch", "Pitch", "Distance between lines.", (7.0, 3.0, 40.0, 0.5), Unit::Pixels),
+        number("pitch", "Pitch", "Distance between lines.", (7.0, 3.0, 40.0, 0.5), Unit::Pixels).pitch(),
         number("angle", "Angle", "Direction of the first lines.", (20.0, -90.0, 90.0, 1.0), Unit::Degrees),
         number(
             "follow",
@@ -40,9 +40,12 @@ pub(super) static BLOCK: Block = Block {
             Unit::Percent,
         ),
         integer("layers", "Layers", "How many directions dark tones get.", (2, 1, 3)),
-        number("ink", "Ink", "Wider lines and blacker shade.", (100.0, 40.0, 200.0, 1.0), Unit::Percent),
+        number("ink", "Ink", "Wider lines and blacker shade.", (100.0, 40.0, 200.0, 1.0), Unit::Percent)
+            .correcting(Gaps { lines: 0.3, width: 0.4, tone: -0.8, ..Gaps::NONE }),
     ],
     kernel: Kernel::Luma(run),
+    is_screen: true,
+    ..Block::PLAIN
 };
 
 /// Distance between points of the coarse grid, at 1920 x 1080.

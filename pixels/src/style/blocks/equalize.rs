@@ -4,7 +4,7 @@
 
 use super::{Block, Channels, Kernel, PointOp};
 use crate::simd::table::Table;
-use crate::style::params::{Unit, channels, number};
+use crate::style::params::{Gaps, Unit, channels, number};
 
 pub(super) static BLOCK: Block = Block {
     id: "equalize",
@@ -20,7 +20,8 @@ pub(super) static BLOCK: Block = Block {
             (5.0, 0.0, 100.0, 0.5),
             Unit::Percent,
         ),
-        number("high", "White from", "Percentile that turns white.", (95.0, 0.0, 100.0, 0.5), Unit::Percent),
+        number("high", "White from", "Percentile that turns white.", (95.0, 0.0, 100.0, 0.5), Unit::Percent)
+            .correcting(Gaps { tone: -0.25, ..Gaps::NONE }),
         channels(&["luma", "each"]),
     ],
     kernel: Kernel::Tones(|args, tones| {
@@ -29,4 +30,5 @@ pub(super) static BLOCK: Block = Block {
         let table = Table::from_fn(stretch);
         if args.choice(2) == 0 { PointOp::LumaTable(table) } else { PointOp::Table(table) }
     }),
+    ..Block::PLAIN
 };

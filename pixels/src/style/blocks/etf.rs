@@ -7,7 +7,7 @@
 
 use super::{Block, Channels, Kernel};
 use crate::style::blade::Trained;
-use crate::style::params::{Unit, number};
+use crate::style::params::{FaceLimit, Unit, number};
 
 pub(super) static BLOCK: Block = Block {
     id: "etf",
@@ -21,8 +21,10 @@ pub(super) static BLOCK: Block = Block {
         "Standard deviation of the smoothing along edges.",
         (3.0, 0.5, 12.0, 0.1),
         Unit::Pixels,
-    )],
+    )
+    .for_face(FaceLimit::Line(1.0 / 28.0))],
     kernel: Kernel::Image(|args, image, context| BANK.run(args.pixels(0), image, context)),
+    ..Block::PLAIN
 };
 
 static BANK: Trained = Trained::new("etf", include_bytes!("../banks/etf.blade"));

@@ -21,7 +21,7 @@ use crate::simd::fine::Fine;
 use crate::simd::gaussian::blur;
 use crate::simd::oriented::Wide;
 use crate::style::context::Context;
-use crate::style::params::{Args, Unit, number};
+use crate::style::params::{Args, FaceLimit, Gaps, Unit, number};
 use crate::style::tangents::Tangents;
 
 pub(super) static BLOCK: Block = Block {
@@ -31,8 +31,11 @@ pub(super) static BLOCK: Block = Block {
     input: Channels::Any,
     output: Channels::Luma,
     params: &[
-        number("sigma", "Line width", "Scale of the lines.", (1.4, 0.3, 10.0, 0.1), Unit::Pixels),
-        number("p", "Strength", "How strongly lines stand out.", (30.0, 0.0, 100.0, 0.5), Unit::None),
+        number("sigma", "Line width", "Scale of the lines.", (1.4, 0.3, 10.0, 0.1), Unit::Pixels)
+            .for_face(FaceLimit::Line(1.0 / 60.0))
+            .correcting(Gaps { lines: 0.2, width: 0.9, ..Gaps::NONE }),
+        number("p", "Strength", "How strongly lines stand out.", (30.0, 0.0, 100.0, 0.5), Unit::None)
+            .correcting(Gaps { lines: 0.7, ..Gaps::NONE }),
         number(
             "length",
             "Stroke length",
@@ -53,7 +56,8 @@ pub(super) static BLOCK: Block = Block {
             "Everything brighter becomes white paper.",
             (180.0, 0.0, 255.0, 1.0),
             Unit::Grey,
-        ),
+        )
+        .correcting(Gaps { lines: 0.3, tone: -0.5, ..Gaps::NONE }),
         number("phi", "Hardness", "How hard the edge of a line is.", (0.03, 0.005, 0.3, 0.001), Unit::None),
         number(
             "shortest",
@@ -61,9 +65,12 @@ pub(super) static BLOCK: Block = Block {
             "Pieces shorter than this are left out.",
             (14.0, 0.0, 80.0, 1.0),
             Unit::Pixels,
-        ),
+        )
+        .for_face(FaceLimit::Length(1.0 / 8.0))
+        .correcting(Gaps { lines: -0.5, ..Gaps::NONE }),
     ],
     kernel: Kernel::Luma(run),
+    ..Block::PLAIN
 };
 
 /// The tone of a place without an edge where blacks are not filled.

@@ -2,7 +2,7 @@
 
 use super::{Block, Channels, Kernel};
 use crate::simd::gaussian::blur;
-use crate::style::params::{Unit, number};
+use crate::style::params::{Gaps, Unit, number};
 
 pub(super) static BLOCK: Block = Block {
     id: "gaussian",
@@ -16,7 +16,8 @@ pub(super) static BLOCK: Block = Block {
         "Standard deviation of the blur.",
         (2.0, 0.3, 50.0, 0.1),
         Unit::Pixels,
-    )],
+    )
+    .correcting(Gaps { texture: -0.7, ..Gaps::NONE })],
     kernel: Kernel::Planes(|args, mut plane, context| {
         let sigma = args.pixels(0);
         if sigma < NOTHING {
@@ -30,6 +31,7 @@ pub(super) static BLOCK: Block = Block {
         context.blurs.give(smooth);
         Ok(plane)
     }),
+    ..Block::PLAIN
 };
 
 /// Below this sigma the neighbours' weight is under a tenth of a grey step.

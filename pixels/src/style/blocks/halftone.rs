@@ -11,7 +11,7 @@ use crate::raster::Image;
 use crate::simd::dots::{Screen, separate};
 use crate::simd::point::luma_plane;
 use crate::style::context::Context;
-use crate::style::params::{Kind, Param, Unit, number};
+use crate::style::params::{Kind, Unit, number, param};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 pub(super) static BLOCK: Block = Block {
@@ -21,13 +21,13 @@ pub(super) static BLOCK: Block = Block {
     input: Channels::Any,
     output: Channels::Any,
     params: &[
-        number("pitch", "Pitch", "Distance between dots.", (8.0, 3.0, 40.0, 0.5), Unit::Pixels),
-        Param {
-            id: "mode",
-            label: "Inks",
-            help: "Cyan, magenta, yellow and black, or only black.",
-            kind: Kind::Choice { names: &["cmyk", "mono"] },
-        },
+        number("pitch", "Pitch", "Distance between dots.", (8.0, 3.0, 40.0, 0.5), Unit::Pixels).pitch(),
+        param(
+            "mode",
+            "Inks",
+            "Cyan, magenta, yellow and black, or only black.",
+            Kind::Choice { names: &["cmyk", "mono"] },
+        ),
     ],
     kernel: Kernel::Image(|args, image, context| {
         // Below two pixels a grid of dots aliases into nonsense.
@@ -38,6 +38,9 @@ pub(super) static BLOCK: Block = Block {
             Ok(cmyk(image, pitch))
         }
     }),
+    is_screen: true,
+    recolors: |values| values[1] > 0.0,
+    ..Block::PLAIN
 };
 
 /// Angles of the inks: 15, 75, 0 and 45 degrees, the ones that printers use, so that no two grids beat visibly. Given

@@ -10,7 +10,8 @@ pub(super) static BLOCK: Block = Block {
     input: Channels::Color,
     output: Channels::Color,
     params: &[
-        number("angle", "Angle", "Turn of the colour wheel.", (0.0, -180.0, 180.0, 1.0), Unit::Degrees),
+        number("angle", "Angle", "Turn of the colour wheel.", (0.0, -180.0, 180.0, 1.0), Unit::Degrees)
+            .fixed(),
         bias("red", "Red", "Red added to every pixel."),
         bias("green", "Green", "Green added to every pixel."),
         bias("blue", "Blue", "Blue added to every pixel."),
@@ -20,7 +21,19 @@ pub(super) static BLOCK: Block = Block {
         let bias = [1, 2, 3].map(|i| (args.number(i) * 16.0).round() as i16);
         PointOp::Color(ColorOp::Matrix(rows.map(|row| row.map(|w| (w * 8192.0).round() as i16)), bias))
     }),
+    is_coloring: true,
+    recolors: is_tinting,
+    ..Block::PLAIN
 };
+
+/// Largest spread of the biases that keeps the colours of the photo, in grey steps.
+const NEUTRAL: f32 = 14.0;
+
+fn is_tinting(values: &[f32]) -> bool {
+    let [red, green, blue] = [1, 2, 3].map(|i| values[i]);
+    let spread = red.max(green).max(blue) - red.min(green).min(blue);
+    values[0] != 0.0 || spread > NEUTRAL
+}
 
 const fn bias(id: &'static str, label: &'static str, help: &'static str) -> Param {
     number(id, label, help, (0.0, -255.0, 255.0, 1.0), Unit::Grey)

@@ -18,7 +18,7 @@ use crate::simd::gaussian::blur;
 use crate::simd::oriented::{FRACTION as WIDE_FRACTION, SECTORS, Wide, choose};
 use crate::simd::point::luma_plane;
 use crate::style::context::Context;
-use crate::style::params::{Args, Unit, integer, number};
+use crate::style::params::{Args, FaceLimit, Gaps, Unit, integer, number};
 use crate::style::tangents::{TURNS, Tangents, unit};
 
 pub(super) static BLOCK: Block = Block {
@@ -28,7 +28,9 @@ pub(super) static BLOCK: Block = Block {
     input: Channels::Any,
     output: Channels::Any,
     params: &[
-        number("radius", "Brush", "Reach of a stroke.", (8.0, 2.0, 30.0, 0.5), Unit::Pixels),
+        number("radius", "Brush", "Reach of a stroke.", (8.0, 2.0, 30.0, 0.5), Unit::Pixels)
+            .for_face(FaceLimit::Length(1.0 / 14.0))
+            .correcting(Gaps { texture: -0.7, ..Gaps::NONE }),
         number("sharpness", "Sharpness", "How crisp strokes end.", (70.0, 0.0, 100.0, 1.0), Unit::Percent),
         number(
             "stretch",
@@ -40,6 +42,7 @@ pub(super) static BLOCK: Block = Block {
         integer("passes", "Passes", "Number of passes.", (2, 1, 4)),
     ],
     kernel: Kernel::Image(run),
+    ..Block::PLAIN
 };
 
 /// Sigma of a window and its distance from the pixel, in radii.

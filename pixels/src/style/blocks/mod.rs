@@ -36,11 +36,7 @@ use crate::error::Result;
 use crate::raster::{Image, Plane};
 use crate::simd::table::Table;
 use crate::simd::tones::Tones;
-pub(in crate::style) use detail::Buffers as GridBuffers;
-pub(in crate::style) use paper::Drawn as DrawnSheet;
-pub(in crate::style) use pattern::{Drawn as DrawnTiles, DrawnTexture};
 use serde::Serialize;
-pub(in crate::style) use tvf::Buffers as FlowBuffers;
 use wide::i16x8;
 
 /// All blocks, in their display order.
@@ -97,9 +93,35 @@ pub struct Block {
     pub params: &'static [Param],
     /// How it runs.
     pub kernel: Kernel,
+    /// Whether it lays a screen, strokes or paper over a picture. Its pattern must continue across a face.
+    pub is_screen: bool,
+    /// Whether it restores the colours that an earlier block took away.
+    pub restores_color: bool,
+    /// Whether a style from a picture replaces it by the colours of the picture.
+    pub is_coloring: bool,
+    /// Whether these values replace or remove the colours of the photo. Faces then have the colours of the style.
+    pub recolors: fn(&[f32]) -> bool,
+    /// Adapts the values for a face that is drawn again.
+    pub adapt_to_face: fn(&mut [f32]),
 }
 
 impl Block {
+    /// Default values of the fields that only some blocks set. The other fields are placeholders.
+    pub const PLAIN: Self = Self {
+        id: "",
+        label: "",
+        help: "",
+        input: Channels::Any,
+        output: Channels::Any,
+        params: &[],
+        kernel: Kernel::Image(|_, image, _| Ok(image)),
+        is_screen: false,
+        restores_color: false,
+        is_coloring: false,
+        recolors: |_| false,
+        adapt_to_face: |_| {},
+    };
+
     /// Output channels for an input of `channels`. A block for a part of the picture leaves the other part
     /// unchanged. The result has colour if either part has colour.
     #[must_use]

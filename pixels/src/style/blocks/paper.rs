@@ -16,7 +16,7 @@ use crate::error::Result;
 use crate::raster::Image;
 use crate::style::context::Context;
 use crate::style::grain::{Grain, chance};
-use crate::style::params::{Args, Kind, Param, Unit, colour, number};
+use crate::style::params::{Args, Gaps, Kind, Unit, colour, number, param};
 
 pub(super) static BLOCK: Block = Block {
     id: "paper",
@@ -25,21 +25,22 @@ pub(super) static BLOCK: Block = Block {
     input: Channels::Any,
     output: Channels::Color,
     params: &[
-        Param {
-            id: "sheet",
-            label: "Sheet",
-            help: "The kind of surface.",
-            kind: Kind::Choice { names: &["smooth", "cold-press", "laid", "newsprint", "kraft", "canvas"] },
-        },
-        Param {
-            id: "tint",
-            label: "Tint",
-            help: "Colour of the sheet.",
-            kind: Kind::Choice {
+        param(
+            "sheet",
+            "Sheet",
+            "The kind of surface.",
+            Kind::Choice { names: &["smooth", "cold-press", "laid", "newsprint", "kraft", "canvas"] },
+        ),
+        param(
+            "tint",
+            "Tint",
+            "Colour of the sheet.",
+            Kind::Choice {
                 names: &["white", "ivory", "cream", "newsprint", "kraft", "gray", "blue", "rose", "own"],
             },
-        },
-        number("grain", "Grain", "How visible the surface is.", (40.0, 0.0, 100.0, 1.0), Unit::Percent),
+        ),
+        number("grain", "Grain", "How visible the surface is.", (40.0, 0.0, 100.0, 1.0), Unit::Percent)
+            .correcting(Gaps { texture: 0.8, ..Gaps::NONE }),
         number(
             "pigment",
             "In the paint",
@@ -51,6 +52,9 @@ pub(super) static BLOCK: Block = Block {
         colour("color", "Sheet colour", "Colour of the sheet with the tint \"own\".", [255; 3]),
     ],
     kernel: Kernel::Image(run),
+    is_screen: true,
+    is_coloring: true,
+    ..Block::PLAIN
 };
 
 const TINTS: [[u8; 3]; 8] = [
@@ -74,7 +78,7 @@ const LIGHT: f32 = 16.0;
 const PIGMENT: f32 = 0.45;
 
 /// The heights of a sheet on a square that repeats, and the settings of their drawing.
-pub(in crate::style) struct Drawn {
+struct Drawn {
     key: (usize, u32, u32),
     side: usize,
     /// -127..=127.
@@ -86,7 +90,7 @@ fn run(args: Args<'_>, image: Image, context: &mut Context<'_>) -> Result<Image>
     let (grain, pigment) = (args.number(2) / 100.0, args.number(3) / 100.0);
     let (size, scale) = (args.number(4), context.scale());
     let key = (args.choice(0), size.to_bits(), scale.to_bits());
-    let drawn = context.sheet.take().filter(|drawn| drawn.key == key);
+    let drawn = context.take().filter(|drawn: &Drawn| drawn.key == key);
     let drawn = drawn.unwrap_or_else(|| draw(key, size, scale));
     let mut image = match image.planes() {
         [y] => Image::from_rgb([context.copy_plane(y), context.copy_plane(y), y.clone()])?,
@@ -109,7 +113,7 @@ fn run(args: Args<'_>, image: Image, context: &mut Context<'_>) -> Result<Image>
             lay(plane.row_mut(y), &line, (paint, light, i32::from(tint)));
         }
     }
-    context.sheet = Some(drawn);
+    context.give(drawn);
     Ok(image)
 }
 

@@ -20,7 +20,10 @@ use crate::simd::dots::Screen;
 use crate::style::context::Context;
 use crate::style::file::Step;
 use crate::style::grain::{Tile, chance};
-use crate::style::params::{Args, Kind, Param, Unit, colour, integer, number};
+use crate::style::params::{Args, Gaps, Kind, Unit, colour, integer, number, param};
+
+/// Inks, by their places, that together print all colours.
+const PROCESS_INKS: [f32; 3] = [4.0, 5.0, 6.0];
 
 pub(super) static BLOCK: Block = Block {
     id: "plates",
@@ -29,29 +32,31 @@ pub(super) static BLOCK: Block = Block {
     input: Channels::Any,
     output: Channels::Color,
     params: &[
-        Param {
-            id: "inks",
-            label: "Inks",
-            help: "Which inks are on the plates.",
-            kind: Kind::Choice { names: NAMES },
-        },
+        param("inks", "Inks", "Which inks are on the plates.", Kind::Choice { names: NAMES }),
         number("shift", "Misfit", "How far plates miss each other.", (3.0, 0.0, 20.0, 0.5), Unit::Pixels),
-        number("grain", "Grain", "How coarse and broken the ink is.", (35.0, 0.0, 100.0, 1.0), Unit::Percent),
+        number("grain", "Grain", "How coarse and broken the ink is.", (35.0, 0.0, 100.0, 1.0), Unit::Percent)
+            .correcting(Gaps { texture: 0.8, ..Gaps::NONE }),
         number(
             "pitch",
             "Dots",
             "Distance between dots of a screen. Values below 3 turn the screen off.",
             (0.0, 0.0, 30.0, 0.5),
             Unit::Pixels,
-        ),
+        )
+        .pitch(),
         integer("steps", "Steps", "Tones of a plate, paper among them; 1 keeps all.", (1, 1, 6)),
-        number("density", "Density", "How much ink is laid.", (100.0, 40.0, 160.0, 1.0), Unit::Percent),
-        integer("seed", "Chance", "Random seed for the shift of the plates.", (1, 0, 99)),
+        number("density", "Density", "How much ink is laid.", (100.0, 40.0, 160.0, 1.0), Unit::Percent)
+            .correcting(Gaps { tone: -0.8, ..Gaps::NONE }),
+        integer("seed", "Chance", "Random seed for the shift of the plates.", (1, 0, 99)).fixed(),
         colour("ink_1", "Ink 1", "An ink of the set \"own\". White turns it off.", ink::RED.rgb),
         colour("ink_2", "Ink 2", "An ink of the set \"own\". White turns it off.", ink::BLUE.rgb),
         colour("ink_3", "Ink 3", "An ink of the set \"own\". White turns it off.", [255; 3]),
     ],
     kernel: Kernel::Image(|args, image, context| run(args, &image, context)),
+    is_screen: true,
+    is_coloring: true,
+    recolors: |values| !PROCESS_INKS.contains(&values[0]),
+    ..Block::PLAIN
 };
 
 const NAMES: &[&str] = &[

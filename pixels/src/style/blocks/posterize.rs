@@ -12,6 +12,8 @@ pub(super) static BLOCK: Block = Block {
     output: Channels::Any,
     params: &[integer("levels", "Levels", "How many values each channel keeps.", (10, 2, 64))],
     kernel: Kernel::Point(|args| PointOp::Table(table(args.number(0)))),
+    is_coloring: true,
+    ..Block::PLAIN
 };
 
 /// The table of a posterisation to N levels.

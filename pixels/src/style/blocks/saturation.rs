@@ -22,6 +22,8 @@ pub(super) static BLOCK: Block = Block {
         let amount = (args.number(0) * 8192.0).round().min(f32::from(i16::MAX));
         PointOp::Color(ColorOp::Saturation(amount as i16))
     }),
+    is_coloring: true,
+    ..Block::PLAIN
 };
 
 /// Eight pixels. The difference to luma keeps 7 fraction bits going in and 5 coming out: amounts up to 4 fit.

@@ -27,6 +27,7 @@ pub(super) static BLOCK: Block = Block {
         context.give_plane(plane);
         Ok(sized)
     }),
+    ..Block::PLAIN
 };
 
 /// No block makes an image of more pixels than this larger still: a picture of 1920 x 1080 may become twice as large.

@@ -3,7 +3,7 @@
 
 use super::{Block, Channels, Kernel};
 use crate::simd::edge::{self, magnitude};
-use crate::style::params::{Kind, Param, Unit, number};
+use crate::style::params::{Kind, Unit, number, param};
 
 pub(super) static BLOCK: Block = Block {
     id: "sobel",
@@ -13,12 +13,7 @@ pub(super) static BLOCK: Block = Block {
     output: Channels::Luma,
     params: &[
         number("gain", "Gain", "How strongly weak edges show.", (1.0, 0.1, 8.0, 0.1), Unit::None),
-        Param {
-            id: "invert",
-            label: "Invert",
-            help: "Black lines on white, for the line layer.",
-            kind: Kind::Flag { default: false },
-        },
+        param("invert", "Invert", "Black lines on white, for the line layer.", Kind::Flag { default: false }),
     ],
     kernel: Kernel::Luma(|args, plane, context| {
         let flip = if args.flag(1) { 255 } else { 0 };
@@ -31,6 +26,7 @@ pub(super) static BLOCK: Block = Block {
         context.give_plane(plane);
         Ok(out)
     }),
+    ..Block::PLAIN
 };
 
 fn magnitudes(rows: [&[u8]; 3], gain: f32, flip: u8, out: &mut [u8]) {

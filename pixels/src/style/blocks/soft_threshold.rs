@@ -6,7 +6,7 @@
 
 use super::{Block, Channels, Kernel, PointOp};
 use crate::simd::table::Table;
-use crate::style::params::{Unit, channels, number};
+use crate::style::params::{Gaps, Unit, channels, number};
 
 pub(super) static BLOCK: Block = Block {
     id: "soft_threshold",
@@ -28,7 +28,8 @@ pub(super) static BLOCK: Block = Block {
             "Minimum brightness of white areas.",
             (80.0, 0.0, 255.0, 1.0),
             Unit::Grey,
-        ),
+        )
+        .correcting(Gaps { lines: 0.3, tone: -0.6, ..Gaps::NONE }),
         channels(&["each", "luma"]),
     ],
     kernel: Kernel::Point(|args| {
@@ -36,4 +37,5 @@ pub(super) static BLOCK: Block = Block {
         let table = Table::from_fn(|v| 255.0 * (1.0 + (phi * (v - epsilon)).min(0.0).tanh()));
         if args.choice(2) == 0 { PointOp::Table(table) } else { PointOp::LumaTable(table) }
     }),
+    ..Block::PLAIN
 };

@@ -22,7 +22,7 @@ use crate::simd::oriented::Wide;
 use crate::simd::point::luma_plane;
 use crate::style::context::Context;
 use crate::style::grain::Tile;
-use crate::style::params::{Args, Kind, Param, Unit, number};
+use crate::style::params::{Args, FaceLimit, Gaps, Kind, Repeat, Unit, number, param};
 use crate::style::tangents::{TURNS, Tangents};
 
 pub(super) static BLOCK: Block = Block {
@@ -32,8 +32,11 @@ pub(super) static BLOCK: Block = Block {
     input: Channels::Any,
     output: Channels::Any,
     params: &[
-        number("width", "Stroke width", "How thick a stroke is.", (2.2, 0.8, 12.0, 0.1), Unit::Pixels),
-        number("length", "Stroke length", "How long strokes are.", (14.0, 2.0, 40.0, 0.5), Unit::Pixels),
+        number("width", "Stroke width", "How thick a stroke is.", (2.2, 0.8, 12.0, 0.1), Unit::Pixels)
+            .for_face(FaceLimit::Length(1.0 / 48.0))
+            .repeating(Repeat::Size),
+        number("length", "Stroke length", "How long strokes are.", (14.0, 2.0, 40.0, 0.5), Unit::Pixels)
+            .for_face(FaceLimit::Length(1.0 / 9.0)),
         number(
             "angle",
             "Angle",
@@ -55,15 +58,13 @@ pub(super) static BLOCK: Block = Block {
             (55.0, 0.0, 100.0, 1.0),
             Unit::Percent,
         ),
-        number("pressure", "Pressure", "How dark a stroke is.", (80.0, 20.0, 100.0, 1.0), Unit::Percent),
-        Param {
-            id: "cross",
-            label: "Cross strokes",
-            help: "Dark tones get strokes across.",
-            kind: Kind::Flag { default: true },
-        },
+        number("pressure", "Pressure", "How dark a stroke is.", (80.0, 20.0, 100.0, 1.0), Unit::Percent)
+            .correcting(Gaps { tone: -0.5, ..Gaps::NONE }),
+        param("cross", "Cross strokes", "Dark tones get strokes across.", Kind::Flag { default: true }),
     ],
     kernel: Kernel::Image(run),
+    is_screen: true,
+    ..Block::PLAIN
 };
 
 /// Over how many pixels the field is smoothed.

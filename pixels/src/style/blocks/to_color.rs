@@ -11,4 +11,7 @@ pub(super) static BLOCK: Block = Block {
     output: Channels::Color,
     params: &[],
     kernel: Kernel::Point(|_| PointOp::ToColor),
+    restores_color: true,
+    is_coloring: true,
+    ..Block::PLAIN
 };

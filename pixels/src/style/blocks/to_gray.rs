@@ -10,4 +10,5 @@ pub(super) static BLOCK: Block = Block {
     output: Channels::Luma,
     params: &[],
     kernel: Kernel::Point(|_| PointOp::ToGray),
+    ..Block::PLAIN
 };

@@ -21,7 +21,7 @@ use crate::error::Result;
 use crate::raster::Plane;
 use crate::simd::flow::{self, Row, Scale};
 use crate::style::context::Context;
-use crate::style::params::{Unit, number};
+use crate::style::params::{FaceLimit, Gaps, Unit, number};
 
 pub(super) static BLOCK: Block = Block {
     id: "tvf",
@@ -35,12 +35,15 @@ pub(super) static BLOCK: Block = Block {
         "How long the flow runs: longer is flatter.",
         (15.0, 0.0, 100.0, 1.0),
         Unit::Pixels,
-    )],
+    )
+    .for_face(FaceLimit::Length(1.0 / 4.0))
+    .correcting(Gaps { texture: -1.0, ..Gaps::NONE })],
     kernel: Kernel::Planes(|args, plane, context| {
         // A shape's tone flows away at a rate of 1 / its size, so time scales like a length.
         let time = args.pixels(0);
         if time < 0.05 { Ok(plane) } else { flow(plane, time, context) }
     }),
+    ..Block::PLAIN
 };
 
 /// From this time on, solving on half the resolution first improves the result.
@@ -59,7 +62,7 @@ fn coarse_iterations(time: f32) -> usize {
 
 /// The memory of the solver, kept between runs.
 #[derive(Default, Debug)]
-pub(in crate::style) struct Buffers {
+struct Buffers {
     rows: Vec<Row>,
     coarse: Vec<Row>,
     /// For each iteration, u of the row that it works on and of the one below.
@@ -68,7 +71,7 @@ pub(in crate::style) struct Buffers {
 }
 
 fn flow(plane: Plane, time: f32, context: &mut Context<'_>) -> Result<Plane> {
-    let mut buffers = std::mem::take(&mut context.flow);
+    let mut buffers = context.take::<Buffers>().unwrap_or_default();
     let coarse_scale = Scale::new(time / 2.0);
     let two_levels = time >= COARSE_FROM;
     if two_levels {
@@ -93,7 +96,7 @@ fn flow(plane: Plane, time: f32, context: &mut Context<'_>) -> Result<Plane> {
     let size = (width, height);
     sweep(size, n, scale, n + 2, &mut buffers, (&mut read, &mut done), context)?;
     buffers.coarse = coarse;
-    context.flow = buffers;
+    context.give(buffers);
     context.give_plane(plane);
     Ok(out)
 }

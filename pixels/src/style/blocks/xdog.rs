@@ -11,7 +11,7 @@ use crate::raster::Plane;
 use crate::simd::fine::{FRACTION, Fine};
 use crate::simd::gaussian::blur;
 use crate::style::context::Context;
-use crate::style::params::{Unit, number};
+use crate::style::params::{FaceLimit, Gaps, Unit, number};
 
 pub(super) static BLOCK: Block = Block {
     id: "xdog",
@@ -20,10 +20,14 @@ pub(super) static BLOCK: Block = Block {
     input: Channels::Any,
     output: Channels::Any,
     params: &[
-        number("sigma", "Line width", "Scale of the lines.", (1.5, 0.3, 20.0, 0.1), Unit::Pixels),
-        number("p", "Strength", "How strongly lines stand out.", (20.0, 0.0, 100.0, 0.5), Unit::None),
+        number("sigma", "Line width", "Scale of the lines.", (1.5, 0.3, 20.0, 0.1), Unit::Pixels)
+            .for_face(FaceLimit::Line(1.0 / 50.0))
+            .correcting(Gaps { lines: 0.2, width: 0.9, ..Gaps::NONE }),
+        number("p", "Strength", "How strongly lines stand out.", (20.0, 0.0, 100.0, 0.5), Unit::None)
+            .correcting(Gaps { lines: 0.7, ..Gaps::NONE }),
     ],
     kernel: Kernel::Luma(|args, plane, context| Ok(run(args.pixels(0), args.number(1), plane, context))),
+    ..Block::PLAIN
 };
 
 fn run(sigma: f32, p: f32, mut plane: Plane, context: &mut Context<'_>) -> Plane {

@@ -5,9 +5,9 @@ use super::features::Features;
 use super::inks::Inks;
 use crate::order::sort_by;
 use crate::style::Style;
-use crate::style::blocks;
+use crate::style::blocks::{self, Block};
 use crate::style::file::Step;
-use crate::style::params::colour_value;
+use crate::style::params::{MIN_PITCH, Repeat, colour_value};
 
 /// How the colours are taken over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,20 +28,6 @@ pub(super) enum Dress {
 
 pub(super) const ALL: [Dress; 6] =
     [Dress::Lines, Dress::Blank, Dress::Mono, Dress::Plates, Dress::Flats, Dress::Painted];
-
-/// Steps that create colours. The colours of the picture replace them.
-const COLOURING: [&str; 10] = [
-    "saturation",
-    "hue",
-    "colorize",
-    "to_color",
-    "brightness",
-    "posterize",
-    "luma_posterize",
-    "flatten",
-    "plates",
-    "paper",
-];
 
 /// Features of the picture that candidate styles must match.
 #[derive(Debug, Clone)]
@@ -136,9 +122,10 @@ pub(super) fn dressed(style: &Style, dress: Dress, wanted: &Wanted) -> Option<St
 /// The steps of a background that do not colour. `gray` makes it gray first.
 fn body(background: &[Step], gray: bool, without: &[&str]) -> Option<Vec<Step>> {
     let luma_only = background.iter().any(|step| ["pattern", "engrave"].contains(&step.block.id));
-    let dropped =
-        |id: &str| COLOURING.contains(&id) || without.contains(&id) || (id == "to_gray" && !luma_only);
-    let mut kept: Vec<Step> = background.iter().filter(|step| !dropped(step.block.id)).cloned().collect();
+    let dropped = |block: &Block| {
+        block.is_coloring || without.contains(&block.id) || (block.id == "to_gray" && !luma_only)
+    };
+    let mut kept: Vec<Step> = background.iter().filter(|step| !dropped(step.block)).cloned().collect();
     // Without a tone to reproduce, blocks that only make an even tone have no use.
     if background.iter().any(|step| step.block.id == "brightness" && step.values[0] == 0.0) {
         kept.clear();
@@ -176,12 +163,11 @@ pub(super) fn pitched(style: &mut Style, pitch: f32) {
         return;
     }
     for step in layers(style).flatten() {
-        let at = match step.block.id {
-            "halftone" | "engrave" => 0,
-            "plates" if step.values[3] >= 3.0 => 3,
-            _ => continue,
-        };
-        step.values[at] = step.block.params[at].rounded(pitch);
+        for (param, value) in step.block.params.iter().zip(&mut step.values) {
+            if param.repeat == Some(Repeat::Pitch) && *value >= MIN_PITCH {
+                *value = param.rounded(pitch);
+            }
+        }
     }
 }
 
@@ -189,14 +175,17 @@ pub(super) fn pitched(style: &mut Style, pitch: f32) {
 pub(super) fn scaled(style: &mut Style, factor: f32) -> bool {
     let mut any = false;
     for step in layers(style).flatten() {
-        let at = match step.block.id {
-            "halftone" | "engrave" | "strokes" => 0,
-            "pattern" => 2,
-            "plates" if step.values[3] >= 3.0 => 3,
-            _ => continue,
-        };
-        step.values[at] = step.block.params[at].rounded(step.values[at] * factor);
-        any = true;
+        for (param, value) in step.block.params.iter().zip(&mut step.values) {
+            let repeats = match param.repeat {
+                Some(Repeat::Pitch) => *value >= MIN_PITCH,
+                Some(Repeat::Size) => true,
+                None => false,
+            };
+            if repeats {
+                *value = param.rounded(*value * factor);
+                any = true;
+            }
+        }
     }
     any
 }

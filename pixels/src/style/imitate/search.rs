@@ -20,7 +20,7 @@ use super::features::{AREA, Features};
 use crate::order::sort_by;
 use crate::style::Style;
 use crate::style::catalogue::catalogue;
-use crate::style::params::Kind;
+use crate::style::params::{Kind, Param};
 use oorandom::Rand64;
 use std::collections::HashSet;
 
@@ -358,36 +358,13 @@ impl Gaps {
     }
 }
 
-/// Parameters that reduce a difference: block, parameter, and the exponent of the factor for each difference
-/// (lines, width, tone, texture).
-const ANSWERS: &[(&str, &str, [f32; 4])] = &[
-    ("xdog", "p", [0.7, 0.0, 0.0, 0.0]),
-    ("xdog", "sigma", [0.2, 0.9, 0.0, 0.0]),
-    ("flow_lines", "p", [0.7, 0.0, 0.0, 0.0]),
-    ("flow_lines", "sigma", [0.2, 0.9, 0.0, 0.0]),
-    ("flow_lines", "epsilon", [0.3, 0.0, -0.5, 0.0]),
-    ("flow_lines", "shortest", [-0.5, 0.0, 0.0, 0.0]),
-    ("soft_threshold", "epsilon", [0.3, 0.0, -0.6, 0.0]),
-    ("engrave", "ink", [0.3, 0.4, -0.8, 0.0]),
-    ("plates", "density", [0.0, 0.0, -0.8, 0.0]),
-    ("plates", "grain", [0.0, 0.0, 0.0, 0.8]),
-    ("equalize", "high", [0.0, 0.0, -0.25, 0.0]),
-    ("brightness", "gain", [0.0, 0.0, 0.7, 0.0]),
-    ("kuwahara", "radius", [0.0, 0.0, 0.0, -0.7]),
-    ("tvf", "time", [0.0, 0.0, 0.0, -1.0]),
-    ("gaussian", "sigma", [0.0, 0.0, 0.0, -0.7]),
-    ("flatten", "detail", [0.0, 0.0, 0.0, -0.8]),
-    ("paper", "grain", [0.0, 0.0, 0.0, 0.8]),
-    ("strokes", "pressure", [0.0, 0.0, -0.5, 0.0]),
-];
-
 /// Moves values towards what is missing, some of the way or beyond.
 fn nudge(style: &mut Style, gaps: &Gaps, random: &mut Rand64) {
     let gaps = [gaps.lines, gaps.width, gaps.tone, gaps.texture];
     for step in layers(style).flatten() {
         for (at, param) in step.block.params.iter().enumerate() {
-            let answer = ANSWERS.iter().find(|(block, id, _)| *block == step.block.id && *id == param.id);
-            let Some((.., powers)) = answer else { continue };
+            let Some(wanted) = param.gaps else { continue };
+            let powers = [wanted.lines, wanted.width, wanted.tone, wanted.texture];
             let power: f32 = powers.iter().zip(gaps).map(|(power, gap)| power * gap).sum();
             let far = 1.3 * random.rand_float() as f32;
             step.values[at] = param.rounded(step.values[at] * (power * far).exp());
@@ -395,29 +372,17 @@ fn nudge(style: &mut Style, gaps: &Gaps, random: &mut Rand64) {
     }
 }
 
-/// Parameters that select a kind, not an amount.
-const FIXED: [(&str, &str); 6] = [
-    ("plates", "seed"),
-    ("plates", "pitch"),
-    ("halftone", "pitch"),
-    ("engrave", "pitch"),
-    ("flatten", "colors"),
-    ("hue", "angle"),
-];
-
 /// Moves about two values of a style. `far` is the usual step, as a share of the value or of its range.
 fn mutate(style: &mut Style, far: f64, random: &mut Rand64) {
-    let free = |block: &str, param: &crate::style::params::Param| {
-        matches!(param.kind, Kind::Number { .. } | Kind::Integer { .. })
-            && !FIXED.contains(&(block, param.id))
-    };
+    let free =
+        |param: &Param| matches!(param.kind, Kind::Number { .. } | Kind::Integer { .. }) && !param.is_fixed;
     let count: usize = layers(style)
         .flatten()
-        .map(|step| step.block.params.iter().filter(|param| free(step.block.id, param)).count())
+        .map(|step| step.block.params.iter().filter(|param| free(param)).count())
         .sum();
     for step in layers(style).flatten() {
         for (param, value) in step.block.params.iter().zip(&mut step.values) {
-            if !free(step.block.id, param) || random.rand_float() * count as f64 > 2.2 {
+            if !free(param) || random.rand_float() * count as f64 > 2.2 {
                 continue;
             }
             let push = far * ((random.rand_float() + random.rand_float() + random.rand_float()) * 2.0 - 3.0);

@@ -16,6 +16,7 @@
 
 use crate::order::sort_by;
 use crate::raster::Plane;
+use crate::simd::fft;
 use serde::{Deserialize, Serialize};
 use std::f32::consts::{PI, TAU};
 
@@ -136,12 +137,7 @@ fn for_each(mut visit: impl FnMut(usize, f32)) {
 fn power(luma: &Plane) -> Vec<f32> {
     let mut power = vec![0.0; SIDE * SIDE];
     let window: Vec<f32> = (0..SIDE).map(|i| 0.5 - 0.5 * (TAU * i as f32 / SIDE as f32).cos()).collect();
-    let turns: Vec<(f32, f32)> = (0..SIDE / 2)
-        .map(|i| {
-            let (sin, cos) = (-TAU * i as f32 / SIDE as f32).sin_cos();
-            (cos, sin)
-        })
-        .collect();
+    let turns = fft::turns(SIDE);
     let places = places(luma.width(), luma.height());
     let (mut re, mut im) = (vec![[0.0; SIDE]; SIDE], vec![[0.0; SIDE]; SIDE]);
     for pair in places.chunks(2) {
@@ -186,7 +182,7 @@ fn cut(luma: &Plane, (left, top): (usize, usize), window: &[f32], out: &mut [Row
 }
 
 /// The transform of a patch, in place: of its rows, as the columns of the transposed, then of its columns.
-fn transform(re: &mut [Row], im: &mut [Row], turns: &[(f32, f32)]) {
+fn transform(re: &mut [Row], im: &mut [Row], turns: &[[f32; 2]]) {
     for _ in 0..2 {
         for y in 0..SIDE {
             for x in 0..y {
@@ -200,37 +196,23 @@ fn transform(re: &mut [Row], im: &mut [Row], turns: &[(f32, f32)]) {
 
 /// A radix-2 transform of each column, after bit reversal. All columns do each step together, so that SIMD
 /// registers hold neighbours.
-///
-/// Source: Cooley and Tukey, "An algorithm for the machine calculation of complex Fourier series", 1965.
-fn columns(re: &mut [Row], im: &mut [Row], turns: &[(f32, f32)]) {
-    let bits = SIDE.trailing_zeros();
+fn columns(re: &mut [Row], im: &mut [Row], turns: &[[f32; 2]]) {
     for i in 0..SIDE {
-        let j = i.reverse_bits() >> (usize::BITS - bits);
+        let j = fft::reversed(i, SIDE);
         if i < j {
             re.swap(i, j);
             im.swap(i, j);
         }
     }
-    let mut half = 1;
-    while half < SIDE {
-        for start in (0..SIDE).step_by(2 * half) {
-            for k in 0..half {
-                let (a, b) = (start + k, start + k + half);
-                let ((re_above, re_below), (im_above, im_below)) = (re.split_at_mut(b), im.split_at_mut(b));
-                butterfly(
-                    (&mut re_above[a], &mut im_above[a]),
-                    (&mut re_below[0], &mut im_below[0]),
-                    turns[k * (SIDE / 2 / half)],
-                );
-            }
-        }
-        half *= 2;
-    }
+    fft::steps(SIDE, |a, b, turn| {
+        let ((re_above, re_below), (im_above, im_below)) = (re.split_at_mut(b), im.split_at_mut(b));
+        butterfly((&mut re_above[a], &mut im_above[a]), (&mut re_below[0], &mut im_below[0]), turns[turn]);
+    });
 }
 
 /// Replaces two rows by their sum and difference after rotating the second one. Each row has a real and an
 /// imaginary part.
-fn butterfly((re_a, im_a): (&mut Row, &mut Row), (re_b, im_b): (&mut Row, &mut Row), (cos, sin): (f32, f32)) {
+fn butterfly((re_a, im_a): (&mut Row, &mut Row), (re_b, im_b): (&mut Row, &mut Row), [cos, sin]: [f32; 2]) {
     for i in 0..SIDE {
         let (x, y) = (re_b[i] * cos - im_b[i] * sin, re_b[i] * sin + im_b[i] * cos);
         (re_b[i], im_b[i]) = (re_a[i] - x, im_a[i] - y);
@@ -244,14 +226,10 @@ mod tests {
 
     #[test]
     fn the_transform_is_that_of_its_definition() {
-        let turns: Vec<(f32, f32)> = (0..SIDE / 2)
-            .map(|i| (-TAU * i as f32 / SIDE as f32).sin_cos())
-            .map(|(sin, cos)| (cos, sin))
-            .collect();
         let signal = |x: usize, y: usize| ((x * 37 + y * y * 11) % 101) as f32;
         let mut re: Vec<Row> = (0..SIDE).map(|y| std::array::from_fn(|x| signal(x, y))).collect();
         let mut im = vec![[0.0; SIDE]; SIDE];
-        transform(&mut re, &mut im, &turns);
+        transform(&mut re, &mut im, &fft::turns(SIDE));
         for (k, l) in [(0, 0), (1, 0), (0, 1), (5, 9), (64, 3), (127, 126)] {
             let term = |i: usize| {
                 let (x, y) = (i % SIDE, i / SIDE);

@@ -170,10 +170,10 @@ mod tests {
         let mut context = Context::default();
         let mut run = || {
             let mut base = plane.clone();
-            let buffers = std::mem::take(&mut context.grid);
+            let buffers = context.take().unwrap_or_default();
             let mut grid = Grid::new((plane.width(), plane.height()), sigma_s, sigma_r, buffers);
             grid.run(&mut base, -1.0, &context).unwrap();
-            context.grid = grid.into_buffers();
+            context.give(grid.into_buffers());
             base
         };
         // The second run finds what the first left in memory.

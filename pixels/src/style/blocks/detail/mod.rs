@@ -18,7 +18,6 @@ mod grid;
 
 use super::{Block, Channels, Kernel};
 use crate::style::params::{Unit, number};
-pub(in crate::style) use grid::Buffers;
 use grid::Grid;
 
 pub(super) static BLOCK: Block = Block {
@@ -56,11 +55,12 @@ pub(super) static BLOCK: Block = Block {
             return Ok(plane);
         }
         let size = (plane.width(), plane.height());
-        let buffers = std::mem::take(&mut context.grid);
+        let buffers = context.take().unwrap_or_default();
         let mut grid = Grid::new(size, args.pixels(1), args.number(2), buffers);
         let done = grid.run(&mut plane, amount, context);
-        context.grid = grid.into_buffers();
+        context.give(grid.into_buffers());
         done?;
         Ok(plane)
     }),
+    ..Block::PLAIN
 };

@@ -21,7 +21,7 @@ use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Plane};
 use crate::simd::blade::halve;
 use crate::style::context::Context;
-use crate::style::params::{Args, Kind, Param, Unit, colour, integer, number};
+use crate::style::params::{Args, FaceLimit, Gaps, Kind, Param, Unit, colour, integer, number, param};
 pub(in crate::style) use palette::{CELLS, cell_of, cells, distance, histogram, means, oklab};
 use palette::{Costs, NAMES, OWN};
 
@@ -32,20 +32,17 @@ pub(super) static BLOCK: Block = Block {
     input: Channels::Any,
     output: Channels::Any,
     params: &[
-        integer("colors", "Colours", "How many colours there are.", (8, 2, 32)),
-        Param {
-            id: "palette",
-            label: "Palette",
-            help: "Source of the colours.",
-            kind: Kind::Choice { names: NAMES },
-        },
+        integer("colors", "Colours", "How many colours there are.", (8, 2, 32)).fixed(),
+        param("palette", "Palette", "Source of the colours.", Kind::Choice { names: NAMES }),
         number(
             "detail",
             "Smallest area",
             "Smaller areas join a neighbour.",
             (12.0, 0.0, 80.0, 1.0),
             Unit::Pixels,
-        ),
+        )
+        .for_face(FaceLimit::Length(1.0 / 9.0))
+        .correcting(Gaps { texture: -0.8, ..Gaps::NONE }),
         number(
             "smoothness",
             "Smooth borders",
@@ -70,10 +67,29 @@ pub(super) static BLOCK: Block = Block {
         own_color("color_8", "Colour 8", [128, 128, 136]),
     ],
     kernel: Kernel::Image(run),
+    is_coloring: true,
+    recolors: has_own_palette,
+    adapt_to_face,
+    ..Block::PLAIN
 };
 
 /// Index of the first colour parameter of the palette "own", and the number of its colours.
 const OWN_COLORS: (usize, usize) = (5, 8);
+
+/// Most colours of flat areas in a face: skin in light and shade, hair, lips and eyes.
+const FACE_COLORS: f32 = 6.0;
+
+/// Whether areas mostly have the colours of a palette.
+fn has_own_palette(values: &[f32]) -> bool {
+    values[1] > 0.0 && values[4] < 50.0
+}
+
+fn adapt_to_face(values: &mut [f32]) {
+    if !has_own_palette(values) {
+        values[0] = values[0].min(FACE_COLORS);
+        values[1] = 0.0;
+    }
+}
 
 const fn own_color(id: &'static str, label: &'static str, default: [u8; 3]) -> Param {
     colour(id, label, "A colour of the palette \"own\".", default)

@@ -10,9 +10,11 @@ use crate::error::Result;
 use crate::raster::Plane;
 use crate::simd::screen::select;
 use crate::style::context::Context;
-use crate::style::params::{Kind, Param, Unit, integer, number};
-pub(in crate::style) use own::Drawn as DrawnTexture;
+use crate::style::params::{FACE_CELLS, FaceLimit, Kind, Repeat, Unit, integer, number, param};
 use tiles::Tile;
+
+/// Pixels of a cell at scale 1.
+const CELL: f32 = 5.0;
 
 pub(super) static BLOCK: Block = Block {
     id: "pattern",
@@ -22,19 +24,21 @@ pub(super) static BLOCK: Block = Block {
     output: Channels::Luma,
     params: &[
         integer("levels", "Levels", "How many tones, white paper and black among them.", (5, 2, 8)),
-        Param {
-            id: "pattern",
-            label: "Pattern",
-            help: "The pattern that draws the tones.",
-            kind: Kind::Choice { names: tiles::NAMES },
-        },
-        number("scale", "Scale", "Size of the pattern.", (1.0, 0.25, 4.0, 0.05), Unit::None),
-        Param {
-            id: "texture",
-            label: "Own texture",
-            help: "Your picture instead of the pattern: its dark parts take ink first.",
-            kind: Kind::Texture,
-        },
+        param(
+            "pattern",
+            "Pattern",
+            "The pattern that draws the tones.",
+            Kind::Choice { names: tiles::NAMES },
+        ),
+        number("scale", "Scale", "Size of the pattern.", (1.0, 0.25, 4.0, 0.05), Unit::None)
+            .for_face(FaceLimit::Cell { share: 1.0 / FACE_CELLS / CELL, least: 0.0 })
+            .repeating(Repeat::Size),
+        param(
+            "texture",
+            "Own texture",
+            "Your picture instead of the pattern: its dark parts take ink first.",
+            Kind::Texture,
+        ),
     ],
     kernel: Kernel::Planes(|args, plane, context| {
         let scale = args.number(2) * context.scale();
@@ -43,16 +47,18 @@ pub(super) static BLOCK: Block = Block {
         }
         let key = (args.choice(1), args.number(0) as usize, scale.to_bits());
         // Drawing takes longer than filling, so tiles are cached across changes of other sliders and panels.
-        let drawn = context.tiles.take().filter(|drawn| drawn.key == key);
+        let drawn = context.take().filter(|drawn: &Drawn| drawn.key == key);
         let drawn = drawn.unwrap_or_else(|| Drawn { key, tiles: tiles::draw(key.0, key.1, scale) });
         let filled = fill(plane, &drawn.tiles, context);
-        context.tiles = Some(drawn);
+        context.give(drawn);
         filled
     }),
+    is_screen: true,
+    ..Block::PLAIN
 };
 
 /// Tiles and the settings of their drawing: pattern, levels, bits of the scale.
-pub(in crate::style) struct Drawn {
+struct Drawn {
     key: (usize, usize, u32),
     tiles: Vec<Tile>,
 }

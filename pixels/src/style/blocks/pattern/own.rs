@@ -15,7 +15,7 @@ const EDGE: f32 = 24.0;
 const SIDES: (f32, f32) = (2.0, 4096.0);
 
 /// A texture at the size at which it was drawn, each pixel's rank among all from 0, the darkest, to 255.
-pub(in crate::style) struct Drawn {
+struct Drawn {
     texture: Arc<Texture>,
     ranks: Plane,
 }
@@ -35,7 +35,7 @@ pub(super) fn fill(
     let fits = |drawn: &Drawn| {
         (drawn.ranks.width(), drawn.ranks.height()) == (width, height) && drawn.texture == *texture
     };
-    let drawn = context.texture.take().filter(fits).unwrap_or_else(|| {
+    let drawn = context.take().filter(fits).unwrap_or_else(|| {
         let whole = Region::whole(tones.width(), tones.height());
         let sized = if (tones.width(), tones.height()) == (width, height) {
             tones.clone()
@@ -53,7 +53,7 @@ pub(super) fn fill(
             }
         }
     }
-    context.texture = Some(drawn);
+    context.give(drawn);
     Ok(plane)
 }
 
