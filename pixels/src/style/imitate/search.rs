@@ -374,6 +374,7 @@ const ANSWERS: &[(&str, &str, [f32; 4])] = &[
     ("equalize", "high", [0.0, 0.0, -0.25, 0.0]),
     ("brightness", "gain", [0.0, 0.0, 0.7, 0.0]),
     ("kuwahara", "radius", [0.0, 0.0, 0.0, -0.7]),
+    ("painter", "brush", [0.0, 0.0, 0.0, -0.7]),
     ("tvf", "time", [0.0, 0.0, 0.0, -1.0]),
     ("gaussian", "sigma", [0.0, 0.0, 0.0, -0.7]),
     ("flatten", "detail", [0.0, 0.0, 0.0, -0.8]),
