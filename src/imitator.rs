@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use inkpanel::native;
+use inkpanel::style::Style;
 use inkpanel::style::imitate::{self, Ask, Search, Seen};
-use inkpanel::style::{Context, Style};
 use rayon::prelude::*;
 use serde_json::Value;
 
@@ -28,7 +29,7 @@ pub(crate) fn imitate(picture: &Path, photo: &Path, seed: u32, anyway: bool) -> 
         }
         let seen = Seen::of(&photo, &asks[0]);
         // Failed attempts are skipped.
-        let attempt = |ask: &Ask| imitate::attempt(&seen, &ask.style, &mut Context::default()).ok();
+        let attempt = |ask: &Ask| imitate::attempt(&seen, &ask.style, &mut native::context(&ask.style)).ok();
         search.tell(asks.par_iter().map(attempt).collect());
     }
     telling::print("\n");

@@ -33,7 +33,7 @@ use inkpanel::document::shots::FRAMES;
 use inkpanel::framing::{PhotoMeta, Subject};
 use inkpanel::kinds::clearer;
 use inkpanel::layout::{self, Template};
-use inkpanel::native::QUALITY;
+use inkpanel::native::{self, QUALITY};
 use inkpanel::page::import::{Imported, import};
 use inkpanel::page::request::{Families, Request};
 use inkpanel::page::storyboard::{self, Choice};
@@ -45,7 +45,7 @@ use inkpanel::raster::resize::Region;
 use inkpanel::select::{self, Measures};
 use inkpanel::style::faces::FaceBox;
 use inkpanel::style::part::subject_in;
-use inkpanel::style::{Context, Style, stylize};
+use inkpanel::style::{Style, stylize};
 use inkpanel::{Error, style};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -64,6 +64,9 @@ use paper::Paper;
 #[derive(Parser)]
 #[command(version, about, after_help = EXIT_CODES)]
 struct Cli {
+    /// Model for the block Painter: an ONNX file of at most 4 MB. [default: painters.onnx of Inkpanel]
+    #[arg(long, global = true, value_name = "FILE")]
+    painters: Option<PathBuf>,
     #[command(subcommand)]
     command: Command,
 }
@@ -384,7 +387,13 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    let done = match Cli::parse_from(arguments).command {
+    let Cli { painters, command } = Cli::parse_from(arguments);
+    native::read_painters_with(detectors::load_painters);
+    if let Some(complaint) = painters.and_then(|file| detectors::use_painters(&file).err()) {
+        telling::failure(&complaint);
+        return ExitCode::FAILURE;
+    }
+    let done = match command {
         Command::Render(mut render) => {
             if render.files.is_empty() {
                 render.files = listed;
@@ -713,7 +722,7 @@ fn stylize_photo(
     }
     let style = read_style(style)?;
     let image = decode_file(input)?;
-    let mut context = Context::for_image(&image);
+    let mut context = native::context_for(&style, &image);
     if detects && style.faces {
         context.show_faces(faces_in(&image)?);
     }

@@ -9,9 +9,11 @@ use inkpanel::error::Result;
 use inkpanel::json::plain as parse;
 use inkpanel::raster::Image;
 use inkpanel::style::imitate::{self, Ask, Features, Search, Seen, Trial};
+use inkpanel::style::painters::Painters;
 use inkpanel::style::{Context, Style};
 use inkpanel_pixels::thrown::thrown;
 use serde_json::{Value, json};
+use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]
@@ -52,6 +54,15 @@ impl Sitter {
     pub fn new(width: usize, height: usize, planes: &[u8]) -> std::result::Result<Sitter, JsValue> {
         let photo = Image::from_rgb_planes(width, height, planes).map_err(thrown)?;
         Ok(Self { photo, context: Context::default(), seen: None })
+    }
+
+    /// Sets the model of the block Painter, if it is unknown. Throws `invalid-painters`.
+    pub fn know_painters(&mut self, onnx: &[u8]) -> std::result::Result<(), JsValue> {
+        if !self.context.has_painters() {
+            let painters = Painters::new(onnx).map_err(thrown)?;
+            self.context.show_painters(Some(Arc::new(painters)));
+        }
+        Ok(())
     }
 
     /// Result of a style that the search requested, as JSON.

@@ -318,6 +318,7 @@ pub(super) fn recolours(steps: &[Step]) -> bool {
             "plates" if !PROCESS_INKS.contains(&value(step, "inks")) => return true,
             "halftone" if value(step, "mode") > 0.0 => return true,
             "flatten" if is_named_palette(step) => return true,
+            "painter" if value(step, "colours") < 50.0 => return true,
             "hue" if is_tinting(step) => return true,
             "to_color" => colour = true,
             _ if step.block.output == Channels::Luma && step.part.is_none() => colour = false,

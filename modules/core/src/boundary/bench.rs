@@ -8,7 +8,9 @@ use inkpanel::page::import::SMALL_SIDE;
 use inkpanel::page::{Document, Scene, mask};
 use inkpanel::raster::Image;
 use inkpanel::raster::resize::{Region, fit, resample_image};
+use inkpanel::style::painters::Painters;
 use inkpanel::style::{Context, Style, chain, stylize};
+use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
 /// Measures a photo for framing, reduced to the working size.
@@ -53,6 +55,13 @@ impl Bench {
             Ok(Bench { style, done, picture, next: None, context })
         };
         make().map_err(thrown)
+    }
+
+    /// Sets the model of the block Painter. Throws `invalid-painters`.
+    pub fn know_painters(&mut self, onnx: &[u8]) -> std::result::Result<(), JsValue> {
+        let painters = Painters::new(onnx).map_err(thrown)?;
+        self.context.show_painters(Some(Arc::new(painters)));
+        Ok(())
     }
 
     /// Copies the image for the next [`Bench::run`], which changes it in place.
