@@ -110,7 +110,7 @@ impl Weights {
     }
 
     /// Sums of `P` neighbouring pixels and `G` groups. The window of the first pixel starts at sample `at`.
-    #[inline(always)]
+    #[inline]
     fn sums<const P: usize, const G: usize>(
         &self,
         values: &[i16x8],
@@ -137,9 +137,9 @@ impl Weights {
 }
 
 /// Writes sums divided by 2^`shift`.
-#[inline(always)]
+#[inline]
 fn write<const G: usize>(sums: &[i32x4; G], shift: u32, out: &mut [i16]) {
-    let half = i32x4::splat(1 << shift >> 1);
+    let half = i32x4::splat((1 << shift) >> 1);
     for (sums, out) in sums.chunks(2).zip(out.chunks_mut(2 * GROUP)) {
         let part = |sum: Option<&i32x4>| sum.map_or(i32x4::ZERO, |sum| (*sum + half) >> shift);
         let both: i32x8 = cast([part(sums.first()), part(sums.get(1))]);
@@ -177,7 +177,7 @@ mod tests {
                                 sum += i64::from(row[x * step * channels + i]) * i64::from(weight(o, y, i));
                             }
                         }
-                        let expected = (sum + 256 >> 9).clamp(-32768, 32767);
+                        let expected = ((sum + 256) >> 9).clamp(-32768, 32767);
                         assert_eq!(i64::from(out[x * outputs + o]), expected, "{channels} {outputs} {x} {o}");
                     }
                 }

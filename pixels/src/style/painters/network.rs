@@ -193,7 +193,7 @@ impl Stage {
         let mut rows = vec![Vec::new(); side];
         let mut next = 0;
         for (y, out) in result.samples.chunks_mut(width * self.weights.outputs()).take(height).enumerate() {
-            if y % ROWS == 0 {
+            if y.is_multiple_of(ROWS) {
                 check()?;
             }
             let start = y * stride;
@@ -243,7 +243,8 @@ impl Sums {
 
     fn add(&mut self, row: &[i16]) {
         // Vectors that begin with the same channel.
-        let period = if self.channels % LANES == 0 { self.channels } else { 2 * self.channels } / LANES;
+        let period =
+            if self.channels.is_multiple_of(LANES) { self.channels } else { 2 * self.channels } / LANES;
         let mut sums = vec![(f32x8::ZERO, f32x8::ZERO); period];
         let (vectors, rest) = row.as_chunks::<LANES>();
         for vectors in vectors.chunks(period) {
@@ -317,7 +318,7 @@ impl Tensor {
     /// Scales samples to activations, and adds the activations of another picture.
     fn normalise(&mut self, norms: &[(f32, f32)], relu: bool, added: Option<&Self>) {
         let channels = self.channels;
-        let period = if channels % LANES == 0 { channels } else { 2 * channels } / LANES;
+        let period = if channels.is_multiple_of(LANES) { channels } else { 2 * channels } / LANES;
         let norm = |i: usize| norms.get(i % channels).copied().unwrap_or_default();
         let factors: Vec<(f32x8, f32x8)> = (0..period)
             .map(|i| {

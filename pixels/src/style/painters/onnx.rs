@@ -170,7 +170,10 @@ impl<'a> Reader<'a> {
                 let Some(&[0.0, 0.0, pad, left, 0.0, 0.0, below, right]) = pad else {
                     return Err(invalid("a Pad has no constant sizes"));
                 };
-                if !reflects || before > 0 || [left, below, right] != [pad; 3] || !(0.0..=9.0).contains(&pad)
+                if !reflects
+                    || before > 0
+                    || [left, below, right].iter().any(|&side| side as i64 != pad as i64)
+                    || !(0.0..=9.0).contains(&pad)
                 {
                     return Err(invalid("a Pad does not reflect, or not equally on all sides"));
                 }
@@ -277,7 +280,12 @@ impl<'a> Reader<'a> {
             Some(layer) => self.layers[layer].outputs,
             None => 3,
         };
-        if inputs != expected || side != across || side % 2 == 0 || side > MAX_SIDE || pad != side / 2 {
+        if inputs != expected
+            || side != across
+            || side.is_multiple_of(2)
+            || side > MAX_SIDE
+            || pad != side / 2
+        {
             return Err(invalid(format!("a Conv has weights of {shape:?} and a padding of {pad}")));
         }
         if !(1..=MAX_CHANNELS).contains(&outputs) || self.layers.len() >= MAX_LAYERS {
@@ -340,7 +348,7 @@ impl<'a> Reader<'a> {
             return Err(invalid(format!("it multiplies {cost:.0} times per pixel, the limit is {MAX_COST}")));
         }
         let values = self.layers.iter().flat_map(|it| it.weights.iter().chain(&it.scales).chain(&it.offsets));
-        if values.clone().any(|value| !(value.abs() < 1e4)) {
+        if values.clone().any(|value| value.is_nan() || value.abs() > 1e4) {
             return Err(invalid("it has weights that are not numbers, or too large"));
         }
         Ok(Graph { layers: self.layers, painters: self.painters })
