@@ -18,6 +18,7 @@ use inkpanel::page::request::Request;
 use inkpanel::page::{Scene, catalogue, shuffle};
 use inkpanel::raster::decode::{Limits, decode_reduced};
 use inkpanel::raster::{Image, Plane};
+use inkpanel::style::painters::{Choice, Painters};
 use inkpanel::style::{Context, Style, stylize};
 use inkpanel::texts;
 use serde_json::Value;
@@ -38,6 +39,7 @@ pub const ENTRIES: &[(&str, Entry)] = &[
     ("plan", plan),
     ("choice", choice),
     ("texts", texts),
+    ("painters", painters),
 ];
 
 /// Small limits, so that runs are fast and large requests are rejected.
@@ -46,6 +48,15 @@ const LIMITS: Limits = Limits { max_pixels: 1_000_000, max_side: 4096, max_bytes
 const WIDTH: usize = 200;
 /// Edits of one run.
 const MOST_EDITS: usize = 100;
+
+/// Reads a model of painters, and paints with it.
+pub fn painters(bytes: &[u8]) {
+    let Ok(painters) = Painters::new(bytes) else { return };
+    let image = Image::from_luma(Plane::from_fn(16, 16, |x, y| (x * y) as u8));
+    let choice = Choice { first: 0, second: painters.count() - 1, share: 0.5 };
+    let painting = painters.paint(&image, choice, None, &|| Ok(()));
+    assert!(painting.is_ok_and(|(painting, _)| painting.width() == 16));
+}
 
 /// Decodes and measures an image file.
 pub fn photo(bytes: &[u8]) {

@@ -1,9 +1,12 @@
 //! Detection for the command line: finds the model files and processes photos in parallel.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use inkpanel::detect::{Aesthetics, Detection, Detectors, Segmenter};
+use inkpanel::native;
 use inkpanel::page::import::Imported;
+use inkpanel::style::painters::Painters;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -47,6 +50,32 @@ fn model(folder: Option<&Path>, name: &str) -> Result<Vec<u8>, CliError> {
 fn missing(models: &str, it: &str, its: &str) -> CliError {
     let advice = format!("make {it} with `cargo xtask models`, or name {its} folder with --models");
     CliError::new("no-models", format!("{models} missing: {advice}"))
+}
+
+/// Reads the model of the block Painter from the default folder. Prints why it is missing, and returns `None`.
+pub(crate) fn load_painters() -> Option<Arc<Painters>> {
+    let file = find().map(|folder| folder.join("painters.onnx"));
+    let read = || {
+        let onnx = file.and_then(|file| std::fs::read(file).ok());
+        let onnx = onnx.ok_or("it is missing: make it with `cargo xtask models`")?;
+        Painters::new(&onnx).map_err(|error| error.to_string())
+    };
+    match read() {
+        Ok(painters) => Some(Arc::new(painters)),
+        Err(complaint) => {
+            telling::note(Some("painters.onnx"), &format!("{complaint}; the block Painter changes nothing"));
+            None
+        }
+    }
+}
+
+/// Uses a model of the user for the block Painter.
+pub(crate) fn use_painters(file: &Path) -> Result<(), CliError> {
+    let onnx = std::fs::read(file).map_err(|error| CliError::reading(&error).at(file.display()))?;
+    let painters = Painters::new(&onnx).map_err(|error| CliError::from(error).at(file.display()))?;
+    let painters = Arc::new(painters);
+    native::read_painters_with(move || Some(painters.clone()));
+    Ok(())
 }
 
 /// Searches `models` next to the program, `www/models` in the working folder, then `www/models` in the

@@ -1,7 +1,10 @@
 //! Styles from a picture, for the command line.
 
+use std::path::Path;
+
+use inkpanel::native;
+use inkpanel::style::Style;
 use inkpanel::style::imitate::{self, Ask, Search, Seen};
-use inkpanel::style::{Context, Style};
 use rayon::prelude::*;
 use serde_json::Value;
 
@@ -27,7 +30,7 @@ pub(crate) fn imitate(asked: &ImitateArgs) -> Result<Value, CliError> {
         }
         let seen = Seen::of(&photo, &asks[0]);
         // Failed attempts are skipped.
-        let attempt = |ask: &Ask| imitate::attempt(&seen, &ask.style, &mut Context::default()).ok();
+        let attempt = |ask: &Ask| imitate::attempt(&seen, &ask.style, &mut native::context(&ask.style)).ok();
         search.tell(asks.par_iter().map(attempt).collect());
     }
     telling::print("\n");

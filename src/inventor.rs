@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use inkpanel::detect::Aesthetics;
+use inkpanel::native;
 use inkpanel::raster::Image;
-use inkpanel::style::{Context, Style, aesthetic, procedural, stylize};
+use inkpanel::style::{Style, aesthetic, procedural, stylize};
 use rayon::prelude::*;
 use serde_json::Value;
 
@@ -38,7 +39,7 @@ fn judge(models: Option<&Path>) -> Option<Aesthetics> {
 
 /// A style that cannot be drawn or scored gets 0.
 fn score(photo: &Image, style: &Style, net: Option<&Aesthetics>) -> f64 {
-    let Ok(drawn) = stylize(photo, style, &mut Context::for_image(photo)) else { return 0.0 };
+    let Ok(drawn) = stylize(photo, style, &mut native::context_for(style, photo)) else { return 0.0 };
     let judgement = aesthetic::judge(photo, &drawn);
     let rank = |net: &Aesthetics| net.score(&drawn).map_or(0.0, |mean| aesthetic::rank(mean, &judgement));
     net.map_or(judgement.score, rank)

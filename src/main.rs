@@ -36,7 +36,7 @@ use inkpanel::document::shots::FRAMES;
 use inkpanel::framing::Subject;
 use inkpanel::kinds::clearer;
 use inkpanel::layout::{self, PageSettings, Template};
-use inkpanel::native::QUALITY;
+use inkpanel::native::{self, QUALITY};
 use inkpanel::page::words::given::GivenFonts;
 use inkpanel::page::{Document, catalogue};
 use inkpanel::raster::Image;
@@ -45,7 +45,7 @@ use inkpanel::raster::resize::Region;
 use inkpanel::select::DUPLICATE_THRESHOLD;
 use inkpanel::style::faces::FaceBox;
 use inkpanel::style::part::subject_in;
-use inkpanel::style::{Context, Style, stylize};
+use inkpanel::style::{Style, stylize};
 use inkpanel::{Error, PageOptions, style, survived};
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -64,6 +64,9 @@ use photos::Photos;
 #[derive(Parser)]
 #[command(version, about, after_help = EXIT_CODES)]
 struct Cli {
+    /// Model for the block Painter: an ONNX file of at most 4 MB. [default: painters.onnx of Inkpanel]
+    #[arg(long, global = true, value_name = "FILE")]
+    painters: Option<PathBuf>,
     #[command(subcommand)]
     command: Command,
 }
@@ -445,6 +448,10 @@ fn main() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => return wrong_usage(&error),
     };
+    native::read_painters_with(detectors::load_painters);
+    if let Some(Err(error)) = cli.painters.as_deref().map(detectors::use_painters) {
+        return failed(&error, 1);
+    }
     let done = match cli.command {
         Command::Render(mut render) => {
             if render.files.is_empty() {
@@ -742,7 +749,7 @@ fn stylize_photo(asked: &StylizeArgs) -> Result<(), CliError> {
     }
     let style = read_style(&asked.style)?;
     let image = decode_file(&asked.input)?;
-    let mut context = Context::for_image(&image);
+    let mut context = native::context_for(&style, &image);
     if detects && style.faces {
         context.show_faces(faces_in(&image)?);
     }

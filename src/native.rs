@@ -11,12 +11,45 @@ use crate::page::words::draw as word_drawing;
 use crate::page::words::given::GivenFonts;
 use crate::page::{Document, Patch, Scene, compose};
 use crate::raster::{Image, Matte};
-use crate::style::Context;
+use crate::style::painters::Painters;
+use crate::style::{Context, Style};
 use rayon::prelude::*;
 use std::collections::{BTreeSet, HashMap};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// Default quality of JPEG files and of images in PDF files.
 pub const QUALITY: u8 = 90;
+
+/// Reads the model of the block Painter, or returns `None`.
+type ReadPainters = dyn Fn() -> Option<Arc<Painters>> + Send + Sync;
+
+static READ_PAINTERS: Mutex<Option<Box<ReadPainters>>> = Mutex::new(None);
+static PAINTERS: OnceLock<Option<Arc<Painters>>> = OnceLock::new();
+
+/// Sets the function that reads the model of the block Painter. It is called once, for the first style with the
+/// block. Without it, the block changes nothing.
+pub fn read_painters_with(read: impl Fn() -> Option<Arc<Painters>> + Send + Sync + 'static) {
+    *READ_PAINTERS.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(read));
+}
+
+/// Returns a context for drawing in a style, with the model of painters if the style needs it.
+#[must_use]
+pub fn context(style: &Style) -> Context<'static> {
+    let mut context = Context::default();
+    if style.has_block("painter") {
+        let read = || READ_PAINTERS.lock().unwrap_or_else(PoisonError::into_inner).as_ref()?();
+        context.show_painters(PAINTERS.get_or_init(read).clone());
+    }
+    context
+}
+
+/// Like [`context`], with the scale of a separate image.
+#[must_use]
+pub fn context_for(style: &Style, image: &Image) -> Context<'static> {
+    let mut context = context(style);
+    context.fit_scale(image);
+    context
+}
 
 /// A photo as pages are drawn with it.
 pub struct Photo {
@@ -155,7 +188,7 @@ fn render(document: &Document, photos: &Photos, bordered: bool) -> Result<Vec<Pa
     let render = |pictures: Vec<usize>| {
         let photo = scene.picture(pictures[0])?.photo.as_deref().and_then(|id| photos.get(id));
         let image = photo.map(|photo| &photo.image);
-        let patches = compose::render_together(&scene, &pictures, image, &mut Context::default())?;
+        let patches = compose::render_together(&scene, &pictures, image, &mut context(&scene.style))?;
         Ok(pictures.into_iter().zip(patches).collect::<Vec<_>>())
     };
     let drawn = scene.by_panel().into_par_iter().map(render).collect::<Result<Vec<_>>>()?;

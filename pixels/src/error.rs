@@ -155,6 +155,9 @@ pub enum Error {
     /// A model is damaged, unexpected, or failed.
     #[error("the detector failed: {0}")]
     Detector(String),
+    /// A file with painters is damaged or has unknown operators.
+    #[error("this is not a model of painters: {0}")]
+    InvalidPainters(String),
     /// A page could not be encoded.
     #[error("the page could not be encoded: {0}")]
     Encode(String),
@@ -187,6 +190,7 @@ impl Error {
             Self::PlainPhoto => "plain-photo",
             Self::Cancelled => "cancelled",
             Self::Detector(_) => "detector",
+            Self::InvalidPainters(_) => "invalid-painters",
             Self::Encode(_) => "encode",
         }
     }

@@ -26,6 +26,7 @@ __all__ = ["Error", "Page", "__version__", "blocks", "book", "layouts", "pdf", "
 
 # The models in the wheel.
 _MODELS = _Path(__file__).parent / "models"
+_inkpanel.find_painters(_MODELS)
 
 
 def stylize(array, style, *, seed=None):

@@ -24,13 +24,26 @@ mod _inkpanel {
     use super::styling::stylize;
     use super::{failure, json_to_python};
     use inkpanel::kinds::{self, Role};
+    use inkpanel::native;
     use inkpanel::page::catalogue;
+    use inkpanel::style::painters::Painters;
     use pyo3::prelude::*;
+    use std::path::PathBuf;
+    use std::sync::Arc;
 
     /// Whether a file name is of a photo, by the table of file kinds.
     #[pyfunction]
     fn is_photo(name: &str) -> bool {
         !kinds::is_sidecar(name) && kinds::by_name(name).is_some_and(|kind| kind.role == Role::Photo)
+    }
+
+    /// Sets the folder with `painters.onnx`, the model of the block Painter.
+    #[pyfunction]
+    fn find_painters(folder: PathBuf) {
+        native::read_painters_with(move || {
+            let onnx = std::fs::read(folder.join("painters.onnx")).ok()?;
+            Painters::new(&onnx).ok().map(Arc::new)
+        });
     }
 
     /// All filter blocks with their parameters.

@@ -3,7 +3,7 @@
 use crate::arrays;
 use crate::failure::{Failure, detached};
 use crate::settings::style_of;
-use inkpanel::style::Context;
+use inkpanel::native;
 use pyo3::prelude::*;
 use serde_json::Value;
 
@@ -24,7 +24,7 @@ pub(crate) fn stylize(
         let style = style_of(&told)?;
         let style = seed.map_or_else(|| Ok(style.clone()), |seed| style.seeded(seed))?;
         // Not `Style::draw`, because gray images stay gray.
-        let drawn = inkpanel::style::stylize(&image, style.chain(), &mut Context::for_image(&image))?;
+        let drawn = inkpanel::style::stylize(&image, style.chain(), &mut native::context_for(style.chain(), &image))?;
         Ok(if is_gray && drawn.is_luma() {
             Pixels::Gray(drawn.into_parts().0.swap_remove(0).into_samples())
         } else {

@@ -2,8 +2,9 @@
 
 use super::failure::Failure;
 use super::pixels::Pixels;
+use crate::native;
 use crate::style::params::Kind;
-use crate::style::{self, Context, blocks, catalogue};
+use crate::style::{self, blocks, catalogue};
 use serde_json::Value;
 
 /// The layers of a style, as style files name them.
@@ -69,7 +70,7 @@ impl Style {
     /// `buffer-size` if the number of bytes does not match the size.
     pub fn draw(&self, picture: &Pixels) -> Result<Pixels, Failure> {
         let image = picture.image()?;
-        let drawn = style::stylize(&image, &self.0, &mut Context::for_image(&image))?;
+        let drawn = style::stylize(&image, &self.0, &mut native::context_for(&self.0, &image))?;
         Ok(Pixels { width: drawn.width(), height: drawn.height(), rgb: drawn.to_rgb(), dpi: picture.dpi })
     }
 

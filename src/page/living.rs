@@ -59,13 +59,15 @@ pub fn living(
     let still = stillness(&sources[shot.clone()], width);
     let mut steady = Steady { width, height, rgb: Vec::new(), still };
     let mut patches: Vec<Patch> = Vec::with_capacity(shot.len());
-    for source in &sources[shot] {
+    context.begin_frames();
+    let drawn = sources[shot].iter().try_for_each(|source| {
         let moved = steady.follow(source);
         // Without motion the drawing does not change.
         let patch = match (&moved, patches.last()) {
             (None, Some(before)) => Patch { area: before.area, rgba: before.rgba.clone() },
             _ => render_panel(scene, index, Some(&steady.picture()?), context)?,
         };
+        context.next_frame();
         patches.push(match (moved, patches.last()) {
             (Some(moved), Some(before)) => {
                 let (b, crop, area) = (panel.image_bounds, panel.crop, patch.area);
@@ -83,8 +85,10 @@ pub fn living(
             }
             _ => patch,
         });
-    }
-    Ok(looped(patches))
+        Ok(())
+    });
+    context.end_frames();
+    drawn.map(|()| looped(patches))
 }
 
 /// The drawing where something moved, the one before elsewhere.

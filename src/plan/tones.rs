@@ -41,6 +41,7 @@ const AREAS: f64 = 6.0;
 const AREA: &[(&str, &str, f32)] = &[
     ("flatten", "detail", 1.0),
     ("kuwahara", "radius", 1.6),
+    ("painter", "brush", 3.0),
     ("tvf", "time", 0.3),
     ("etf", "sigma", 2.0),
     ("flow_lines", "sigma", 5.0),

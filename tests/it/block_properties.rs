@@ -53,6 +53,9 @@ fn settings(block: &Block) -> Vec<Vec<f32>> {
 
 fn run(block: &'static Block, values: &[f32], image: &Image, context: &mut Context<'_>) -> Image {
     let step = Step { block, values: values.to_vec(), texture: None, bypass: false, part: None };
+    if block.id == "painter" {
+        context.show_painters(Some(crate::painters::painters()));
+    }
     chain::run_owned(&[step], image.clone(), context).unwrap()
 }
 
@@ -113,7 +116,10 @@ fn no_pixel_depends_on_the_width_of_its_row() {
                     // Percentiles and the pixels of another size depend on the whole image, and have
                     // reference implementations below. Palettes, the phase of lines and the length of a line
                     // do so too, and have oracles.
-                    "equalize" | "dynamic_range" | "size" | "flatten" | "engrave" | "flow_lines" => continue,
+                    "equalize" | "dynamic_range" | "size" | "flatten" | "engrave" | "flow_lines"
+                    | "painter" => {
+                        continue;
+                    }
                     _ => reach(block, &values),
                 };
                 let out = run(block, &values, &image, &mut context);

@@ -68,6 +68,8 @@ fn bound(block: &str, params: &Map<String, Value>) -> Option<Bound> {
         "flow_lines" => Decibels(45.0),
         // A cell with a direction between two sectors may use either.
         "kuwahara" => Decibels(55.0),
+        // Weights and activations are 16-bit integers, and the network amplifies a rounded pixel of its input.
+        "painter" => Decibels(38.0),
         // The phase is solved by a number of sweeps, the oracle's by least squares to the end; straight lines are exact.
         "engrave" if number("follow") <= 0.0 => Decibels(80.0),
         "engrave" => Decibels(33.0),
@@ -126,6 +128,7 @@ fn actual(case: &Case) -> Image {
     let style = Style::parse("case", &json!({ "background": steps }).to_string()).unwrap();
     let mut context = Context::default();
     context.set_scale(1.0);
+    context.show_painters(Some(crate::painters::painters()));
     chain::run_owned(&style.background, image, &mut context).unwrap()
 }
 

@@ -63,7 +63,9 @@ fn lit(photo: &Image, gain: f32, bias: f32) -> Image {
 }
 
 fn drawn(style: &Style, photo: &Image) -> Vec<u8> {
-    stylize(photo, style, &mut Context::for_image(photo)).unwrap().to_rgb()
+    let mut context = Context::for_image(photo);
+    context.show_painters(Some(crate::painters::painters()));
+    stylize(photo, style, &mut context).unwrap().to_rgb()
 }
 
 /// Standard deviation of all channels.

@@ -96,6 +96,7 @@ fn every_designed_style_looks_as_it_did() {
     for style in catalogue() {
         let mut context = Context::default();
         context.set_scale(SCALE);
+        context.show_painters(Some(crate::painters::painters()));
         goldens.hold(&style.id, &stylize(&macaw, style, &mut context).unwrap());
     }
     goldens.finish();

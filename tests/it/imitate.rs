@@ -26,12 +26,21 @@ fn photo(name: &str) -> Image {
 }
 
 fn drawn(photo: &Image, style: &Style) -> Image {
-    stylize(photo, style, &mut Context::for_image(photo)).unwrap()
+    let mut context = painting();
+    context.fit_scale(photo);
+    stylize(photo, style, &mut context).unwrap()
 }
 
 fn attempt(photo: &Image, style: &Style, (area, close): (usize, bool)) -> Trial {
     let seen = Seen::of(photo, &Ask { style: style.clone(), area, close });
-    imitate::attempt(&seen, style, &mut Context::default()).unwrap()
+    imitate::attempt(&seen, style, &mut painting()).unwrap()
+}
+
+/// A context with the model of the block Painter.
+fn painting() -> Context<'static> {
+    let mut context = Context::default();
+    context.show_painters(Some(crate::painters::painters()));
+    context
 }
 
 /// Trials on a photo that all searches share.
@@ -59,7 +68,7 @@ impl<'p> Survey<'p> {
             let seen = Seen::of(self.photo, &asks[0]);
             let one = |ask: &Ask| {
                 let known = self.known.get(&ask.style.id).filter(|_| first);
-                known.cloned().or_else(|| imitate::attempt(&seen, &ask.style, &mut Context::default()).ok())
+                known.cloned().or_else(|| imitate::attempt(&seen, &ask.style, &mut painting()).ok())
             };
             search.tell(asks.iter().map(one).collect());
             first = false;

@@ -38,6 +38,7 @@ mod lettering;
 mod licences;
 mod near_duplicates;
 mod odd_files;
+mod painters;
 mod pdf;
 mod phones;
 mod plans;

@@ -35,7 +35,9 @@ fn screenful(image: &Image) -> Image {
 }
 
 fn drawn(style: &Style, image: &Image) -> Image {
-    stylize(image, style, &mut Context::for_image(image)).unwrap()
+    let mut context = Context::for_image(image);
+    context.show_painters(Some(crate::painters::painters()));
+    stylize(image, style, &mut context).unwrap()
 }
 
 /// Mean structural similarity of two planes: windows of 7 x 7, unbiased variances, the borders left out.

@@ -19,6 +19,8 @@ import numpy as np
 from drawing import engrave, flatten, flow_lines, kuwahara, plates, strokes
 from drawing import paper as sheet_of_paper
 from etf import reference as etf
+from painters import CASES as PAINTED
+from painters import painter
 from PIL import Image
 from scipy.ndimage import gaussian_filter
 from scipy.optimize import brentq
@@ -271,6 +273,7 @@ CASES = [
     *[(flow_lines, LUMA, FLOW | more) for more in ({}, {"tone": 80, "epsilon": 120, "p": 20}, {"sigma": 3, "shortest": 0})],
     *[(kuwahara, LUMA, {"radius": r, "sharpness": 70, "stretch": 70, "passes": 1}) for r in (5, 10)],
     (kuwahara, COLOR, {"radius": 8, "sharpness": 50, "stretch": 100, "passes": 2}),
+    *[(painter, COLOR, params) for params in PAINTED],
     *[(engrave, LUMA, ENGRAVE | more) for more in ({}, {"follow": 0, "angle": 35}, {"layers": 3, "pitch": 9})],
     *[(strokes, LUMA, STROKES | more) for more in ({}, {"length": 6, "follow": 0, "cross": False})],
     (strokes, COLOR, STROKES),

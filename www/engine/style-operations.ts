@@ -3,6 +3,7 @@
 import { FOREGROUND } from './design.ts';
 import { imitating } from './imitation-module.ts';
 import { blocksMs, styleMs } from './measured.ts';
+import { mentionsPainter, paintersFile } from './painters.ts';
 import { LOADING } from './serving.ts';
 import type { Sitter } from '../pkg-imitation/inkpanel.js';
 import type { Patch, Studio } from '../pkg/inkpanel.js';
@@ -97,6 +98,8 @@ export function createStyleOperations({
     tell: Tell,
   ): Promise<Answer<(string | null)[]>> {
     const sitter = await sitterOf(photo, tell);
+    // The worker loaded the file before this job.
+    if (mentionsPainter(asks)) sitter.know_painters(await paintersFile());
     const ok = asks.map((ask) => {
       // The photo is reduced, drawn, and measured.
       tell.expects(styleMs(JSON.stringify(ask.style), ask.area) + blocksMs(photo.width * photo.height, 2));

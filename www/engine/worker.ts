@@ -5,6 +5,7 @@
 import initCore, { Studio } from '../pkg/inkpanel.js';
 import { createLru } from './lru.ts';
 import { createOperations } from './operations.ts';
+import { mentionsPainter, paintersLoader, slower } from './painters.ts';
 import { STORING, serveJobs } from './serving.ts';
 import type { Operations, Start } from './protocol.ts';
 import type { Work } from './serving.ts';
@@ -12,13 +13,17 @@ import type { Work } from './serving.ts';
 /** Share of the photo memory for video frames before they are shown. */
 const PASSING = 8;
 
-let started: Promise<{ studio: Studio; operations: Work<Operations> }> | undefined;
+type Started = { studio: Studio; operations: Work<Operations>; loadPainters: ReturnType<typeof paintersLoader> };
+
+let started: Promise<Started> | undefined;
 
 serveJobs<Operations, Start>(
   async (op, args, tell) => {
     tell.waits(STORING);
-    const { studio, operations } = await (started as NonNullable<typeof started>);
-    const answer = await operations[op](args, tell);
+    const { studio, operations, loadPainters } = await (started as NonNullable<typeof started>);
+    const paints = mentionsPainter(args);
+    if (paints) await loadPainters(tell);
+    const answer = await operations[op](args, paints ? slower(tell) : tell);
     return { ...answer, memory: studio.memory() };
   },
   (told) => {
@@ -28,8 +33,12 @@ serveJobs<Operations, Start>(
   },
 );
 
-async function start({ program, budget }: Start) {
+async function start({ program, budget }: Start): Promise<Started> {
   await initCore({ module_or_path: program });
   const studio = new Studio();
-  return { studio, operations: createOperations(studio, createLru(budget), createLru(budget / PASSING)) };
+  return {
+    studio,
+    operations: createOperations(studio, createLru(budget), createLru(budget / PASSING)),
+    loadPainters: paintersLoader((onnx) => studio.know_painters(onnx)),
+  };
 }

@@ -9,7 +9,7 @@ use crate::project::Project;
 use crate::{models, python, test::ENGINE, tools};
 
 /// Files of `www/models` in the wheel.
-const MODELS: [&str; 3] = ["faces.onnx", "objects.onnx", "README.md"];
+const MODELS: [&str; 4] = ["faces.onnx", "objects.onnx", "painters.onnx", "README.md"];
 
 /// Builds the wheel into `target/wheels` and tests it; `with_ray` also on a cluster of this machine.
 ///

@@ -35,11 +35,13 @@ use inkpanel::raster::heif;
 use inkpanel::raster::resize::{Region, resample_image};
 use inkpanel::raster::{Image, Matte, Plane};
 use inkpanel::style::context::scale_of;
+use inkpanel::style::painters::Painters;
 use inkpanel::style::part::subject_in;
 use inkpanel::style::{Context, Style, earlier, stylize};
 use serde::Serialize;
 use serde_json::Value;
 use std::collections::HashMap;
+use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]
@@ -222,6 +224,13 @@ impl Studio {
             Some(mask) => drop(self.subjects.insert(key.to_owned(), mask)),
             None => drop(self.subjects.remove(key)),
         }
+    }
+
+    /// Sets the model of the block Painter. Throws `invalid-painters`.
+    pub fn know_painters(&mut self, onnx: &[u8]) -> std::result::Result<(), JsValue> {
+        let painters = Painters::new(onnx).map_err(thrown)?;
+        self.context.show_painters(Some(Arc::new(painters)));
+        Ok(())
     }
 
     /// Whether a photo is here.

@@ -9,8 +9,10 @@ use inkpanel::error::Result;
 use inkpanel::json::plain as parse;
 use inkpanel::raster::Image;
 use inkpanel::style::imitate::{self, Ask, Features, Search, Seen, Trial};
+use inkpanel::style::painters::Painters;
 use inkpanel::style::{Context, Style};
 use serde_json::{Value, json};
+use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]
@@ -45,6 +47,15 @@ impl Sitter {
     pub fn new(width: usize, height: usize, planes: &[u8]) -> Result<Sitter> {
         let photo = Image::from_rgb_planes(width, height, planes)?;
         Ok(Self { photo, context: Context::default(), seen: None })
+    }
+
+    /// Sets the model of the block Painter, if it is unknown. Throws `invalid-painters`.
+    pub fn know_painters(&mut self, onnx: &[u8]) -> std::result::Result<(), JsValue> {
+        if !self.context.has_painters() {
+            let painters = Painters::new(onnx).map_err(thrown)?;
+            self.context.show_painters(Some(Arc::new(painters)));
+        }
+        Ok(())
     }
 
     /// Result of a style that the search requested, as JSON.

@@ -17,6 +17,7 @@
 //! | [`edge`] | gradient magnitudes |
 //! | [`volume`] | rows of cells over x and tone: gathered, blurred, read between |
 //! | [`fine`] | planes of 1/64 grey steps, in which blurs keep their precision |
+//! | [`convolve`] | convolutions with many channels |
 //! | [`fir`] | symmetric convolutions of rows and columns of fine planes |
 //! | [`gaussian`] | Gaussian smoothing at a cost that does not grow with sigma |
 //! | [`blade`] | 7 x 7 filters that change from place to place |
@@ -26,6 +27,7 @@
 //! | [`oriented`] | averages and choices at places that turn with a field of directions |
 
 pub mod blade;
+pub mod convolve;
 #[cfg(feature = "pages")]
 pub mod dct;
 pub mod dots;

@@ -2,10 +2,12 @@
 
 use super::blocks::PointOp;
 use super::faces::FaceBox;
+use super::painters::{Norms, Painters};
 use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};
 use crate::simd::gaussian::Buffers;
 use std::any::Any;
+use std::sync::Arc;
 
 /// Number of pixels of the image for which spatial parameters are defined.
 const REFERENCE_PIXELS: f64 = 1920.0 * 1080.0;
@@ -23,21 +25,45 @@ pub struct Context<'a> {
     scratch: Vec<Box<dyn Any>>,
     faces: Vec<FaceBox>,
     subject: Option<Plane>,
+    painters: Option<Arc<Painters>>,
+    steady: Steady,
     tones: KnownTones,
     planes: Vec<Vec<u8>>,
     cancelled: Option<&'a dyn Fn() -> bool>,
 }
 
-/// Operations of the blocks that look at tones, in order. Parts of a picture use the operations of the whole picture.
+/// What a block measures in a whole picture.
+#[derive(Clone)]
+pub(in crate::style) enum Measured {
+    /// The operation of a block that looks at tones.
+    Tones(PointOp),
+    /// The statistics of a painter.
+    Norms(Arc<Norms>),
+}
+
+/// Measurements of blocks, in order. Parts of a picture use the measurements of the whole picture.
 #[derive(Default)]
 enum KnownTones {
-    /// Blocks look at the tones of each picture.
+    /// Blocks measure each picture.
     #[default]
     None,
-    /// The operations so far.
-    Recorded(Vec<PointOp>),
-    /// The next operations.
-    Replayed(std::vec::IntoIter<PointOp>),
+    /// The measurements so far.
+    Recorded(Vec<Measured>),
+    /// The next measurements.
+    Replayed(std::vec::IntoIter<Measured>),
+}
+
+/// Statistics of painters in the first frame of an animated panel. Later frames use them, so that colours do not
+/// flicker.
+#[derive(Default)]
+enum Steady {
+    /// Each picture is separate.
+    #[default]
+    Off,
+    /// The statistics of the first frame so far.
+    First(Vec<Arc<Norms>>),
+    /// The statistics of the first frame, and the number of those that this frame used.
+    Later(Vec<Arc<Norms>>, usize),
 }
 
 impl<'a> Context<'a> {
@@ -94,7 +120,7 @@ impl<'a> Context<'a> {
     }
 
     /// Ends recording and replaying, and returns the recorded operations.
-    pub(in crate::style) fn recorded_tones(&mut self) -> Vec<PointOp> {
+    pub(in crate::style) fn recorded_tones(&mut self) -> Vec<Measured> {
         match std::mem::take(&mut self.tones) {
             KnownTones::Recorded(ops) => ops,
             _ => Vec::new(),
@@ -102,22 +128,84 @@ impl<'a> Context<'a> {
     }
 
     /// Uses recorded operations for the next picture, which is a part of the recorded one.
-    pub(in crate::style) fn replay_tones(&mut self, ops: Vec<PointOp>) {
+    pub(in crate::style) fn replay_tones(&mut self, ops: Vec<Measured>) {
         self.tones = KnownTones::Replayed(ops.into_iter());
     }
 
     /// Returns the next replayed operation, or calls `make`.
     pub(in crate::style) fn tones_or(&mut self, make: impl FnOnce(&mut Self) -> PointOp) -> PointOp {
         if let KnownTones::Replayed(ops) = &mut self.tones
-            && let Some(op) = ops.next()
+            && let Some(Measured::Tones(op)) = ops.next()
         {
             return op;
         }
         let op = make(self);
         if let KnownTones::Recorded(ops) = &mut self.tones {
-            ops.push(op.clone());
+            ops.push(Measured::Tones(op.clone()));
         }
         op
+    }
+
+    /// Sets the model of the block Painter.
+    pub fn show_painters(&mut self, painters: Option<Arc<Painters>>) {
+        self.painters = painters;
+    }
+
+    /// Whether there is a model of the block Painter.
+    #[must_use]
+    pub fn has_painters(&self) -> bool {
+        self.painters.is_some()
+    }
+
+    /// Returns the model of the block Painter, if there is one.
+    pub(in crate::style) fn painters(&self) -> Option<Arc<Painters>> {
+        self.painters.clone()
+    }
+
+    /// Starts a series of frames. Painters measure only the first frame.
+    pub fn begin_frames(&mut self) {
+        self.steady = Steady::First(Vec::new());
+    }
+
+    /// Starts the next frame of a series.
+    pub fn next_frame(&mut self) {
+        self.steady = match std::mem::take(&mut self.steady) {
+            Steady::First(norms) | Steady::Later(norms, _) => Steady::Later(norms, 0),
+            Steady::Off => Steady::Off,
+        };
+    }
+
+    /// Ends a series of frames.
+    pub fn end_frames(&mut self) {
+        self.steady = Steady::Off;
+    }
+
+    /// Returns the statistics for the next painter, if this picture is a part or a later frame of a measured one.
+    pub(in crate::style) fn known_norms(&mut self) -> Option<Arc<Norms>> {
+        if let KnownTones::Replayed(ops) = &mut self.tones {
+            return match ops.next() {
+                Some(Measured::Norms(norms)) => Some(norms),
+                _ => None,
+            };
+        }
+        let Steady::Later(all, used) = &mut self.steady else { return None };
+        let norms = all.get(*used).cloned()?;
+        *used += 1;
+        if let KnownTones::Recorded(ops) = &mut self.tones {
+            ops.push(Measured::Norms(norms.clone()));
+        }
+        Some(norms)
+    }
+
+    /// Stores the statistics that a painter measured.
+    pub(in crate::style) fn note_norms(&mut self, norms: Norms) {
+        let norms = Arc::new(norms);
+        if let KnownTones::Recorded(ops) = &mut self.tones {
+            ops.push(Measured::Norms(norms.clone()));
+        }
+        if let Steady::First(all) = &mut self.steady {
+            all.push(norms);
+        }
     }
 
     /// Asks `cancelled` between blocks.

@@ -162,6 +162,13 @@ impl Style {
         let steps = self.background.iter().chain(self.foreground.iter().flatten());
         self.parts != Parts::default() || steps.filter(|step| !step.bypass).any(|step| step.part.is_some())
     }
+
+    /// Whether a layer runs this block.
+    #[must_use]
+    pub fn has_block(&self, id: &str) -> bool {
+        let mut steps = self.background.iter().chain(self.foreground.iter().flatten());
+        steps.any(|step| !step.bypass && step.block.id == id)
+    }
 }
 
 impl Step {

@@ -6,6 +6,7 @@
 //! | [`params`] | parameter descriptors: kind, default, range, step, unit |
 //! | [`blocks`] | the registry, with one file per block |
 //! | [`blade`] | operators learned from photos, as banks of small filters |
+//! | [`painters`] | a small network that learned from paintings |
 //! | [`faces`] | protection of faces |
 //! | [`mod@file`] | the style file: parsing with exact error places, writing |
 //! | [`chain`] | a layer compiled into passes and run |
@@ -35,6 +36,7 @@ pub mod file;
 pub mod grain;
 pub mod imitate;
 pub mod look;
+pub mod painters;
 pub mod params;
 pub mod part;
 pub mod procedural;

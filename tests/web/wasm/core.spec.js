@@ -4,8 +4,10 @@ import { openCore } from './core.js';
 import { inkpanel, picture, SIZE, stylizeNatively } from './native.js';
 
 /** @typedef {{ id: string, input: string, params: object[] }} Block */
-/** The object that `openCore` stored in the page. @type {any} */
+/** The objects that `openCore` and a test stored in the page. @type {any} */
 let core;
+/** @type {Uint8Array} */
+let painters;
 
 test.beforeEach(async ({ page }) => openCore(page));
 
@@ -24,6 +26,10 @@ test('every style and every block gives the pixels of the native build, within 1
     blocks: JSON.parse(core.blocks()),
     styles: JSON.parse(core.styles()),
   }));
+  await page.evaluate(async () => {
+    const model = await fetch('/models/painters.onnx');
+    Object.assign(globalThis, { painters: new Uint8Array(await model.arrayBuffer()) });
+  });
   for (const style of [...blocks.map(styleOf), ...styles]) {
     const native = stylizeNatively(source, style, (name) => info.outputPath(name));
     const result = await page.evaluate(stylizeInPage, { style, rgba: source.data.toString('base64'), ...SIZE });
@@ -41,7 +47,9 @@ test('every style and every block gives the pixels of the native build, within 1
  */
 function stylizeInPage({ style, rgba, width, height }) {
   const bytes = Uint8Array.from(atob(rgba), (character) => character.charCodeAt(0));
-  const result = new core.Studio().stylize(JSON.stringify(style), width, height, bytes);
+  const studio = new core.Studio();
+  if (JSON.stringify(style).includes('"painter"')) studio.know_painters(painters);
+  const result = studio.stylize(JSON.stringify(style), width, height, bytes);
   return btoa(Array.from(result, (byte) => String.fromCharCode(byte)).join(''));
 }
 

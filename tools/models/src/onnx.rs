@@ -37,7 +37,7 @@ pub(super) struct Graph {
 }
 
 impl Graph {
-    /// The model's input, f32.
+    /// The model's input, f32. A negative side may have any length.
     pub(super) fn input(&mut self, name: &str, shape: &[i64]) -> String {
         self.inputs.message(11, &value_info(name, shape));
         name.to_owned()
@@ -158,9 +158,13 @@ fn tensor(name: &str, kind: i64, shape: &[i64], bytes: &[u8]) -> Message {
 
 fn value_info(name: &str, shape: &[i64]) -> Message {
     let mut dimensions = Message::default();
-    for side in shape {
+    for (i, side) in shape.iter().enumerate() {
         let mut dimension = Message::default();
-        dimension.integer(1, *side);
+        if *side < 0 {
+            dimension.text(2, &format!("side{i}"));
+        } else {
+            dimension.integer(1, *side);
+        }
         dimensions.message(1, &dimension);
     }
     let (mut tensor, mut kind, mut info) = (Message::default(), Message::default(), Message::default());

@@ -54,7 +54,8 @@ pub(super) fn convert(file: &[u8], side: usize) -> Result<Vec<u8>> {
     Ok(converter.graph.finish("subject"))
 }
 
-fn read_weights(tensor: &Message<'_>) -> Result<(String, Constant)> {
+/// Reads the name and the values of weights.
+pub(super) fn read_weights(tensor: &Message<'_>) -> Result<(String, Constant)> {
     let name = tensor.text(8)?.context("weights without a name")?;
     ensure!(tensor.number(2)? == Some(FLOAT), "{name} are not in single precision");
     let shape: Vec<usize> = tensor.numbers(1)?.into_iter().map(|side| side as usize).collect();

@@ -31,6 +31,7 @@ export const blocks: Record<string, [string, string]> = {
     'Zeichnet Umrisse in langen, sauberen Strichen, die den Formen folgen; Krümel aus Gras und Haar fallen weg.',
   ],
   kuwahara: ['Malerei (Kuwahara)', 'Übermalt das Foto mit Strichen, die seinen Formen folgen, wie Öl oder Gouache.'],
+  painter: ['Maler (gelernt)', 'Malt das Foto in der Art eines Malers, gelernt aus Gemälden.'],
   engrave: ['Stichlinien (Gravur)', 'Schneidet Töne in Linien, die den Formen folgen und im Schatten anschwellen.'],
   strokes: ['Bleistift (Schraffur)', 'Schraffiert Töne mit Strichen, die den Formen folgen, in Grau oder in Farben.'],
   flatten: [
@@ -98,6 +99,10 @@ export const parameters: Record<string, [string, string]> = {
   'kuwahara.sharpness': ['Schärfe', 'Wie scharf Striche enden.'],
   'kuwahara.stretch': ['Streckung', 'Wie viel länger als breit Striche an Kanten sind.'],
   'kuwahara.passes': ['Durchgänge', 'Wie oft übermalt wird.'],
+  'painter.painter': ['Maler', 'Nummer des Malers; Werte zwischen zwei Nummern mischen beide.'],
+  'painter.brush': ['Pinsel', 'Größe eines Tupfers.'],
+  'painter.strength': ['Stärke', 'Wie viel vom Gemälde das Foto ersetzt.'],
+  'painter.colours': ['Farben des Fotos', 'Wie viel von den Farben des Fotos bleibt.'],
   'engrave.pitch': ['Linienabstand', 'Abstand der Linien.'],
   'engrave.angle': ['Winkel', 'Richtung der ersten Linien.'],
   'engrave.follow': ['Form folgen', 'Wie weit sich Linien über Formen biegen.'],

@@ -43,6 +43,7 @@ export const faultStrings = {
       'Der Export solcher Dateien konnte nicht geladen werden. Versuche es noch einmal oder speichere ein PNG.',
     'decoders-missing':
       'Der Decoder für diese Fotos konnte nicht geladen werden. Prüfe die Verbindung und versuche es noch einmal.',
+    'painters-missing': 'Die Maler konnten nicht geladen werden. Prüfe die Verbindung und versuche es noch einmal.',
     'core-missing': 'Das Programm konnte nicht geladen werden.',
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>

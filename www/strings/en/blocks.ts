@@ -16,6 +16,7 @@ export const blocks: Record<string, [string]> = {
   xdog: ['Pen lines (XDoG)'],
   flow_lines: ['Ink lines (Flow Lines)'],
   kuwahara: ['Paint (Anisotropic Kuwahara)'],
+  painter: ['Learned painting (Painter)'],
   engrave: ['Cut lines (Engraving)'],
   strokes: ['Pencil (Pencil Strokes)'],
   flatten: ['Flat colours (Flat Areas)'],

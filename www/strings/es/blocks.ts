@@ -40,6 +40,7 @@ export const blocks: Record<string, [string, string]> = {
     'Dibuja contornos con trazos largos y limpios que siguen las formas; desaparecen las motas de hierba y pelo.',
   ],
   kuwahara: ['Pintura (Kuwahara)', 'Pinta sobre la foto con pinceladas que siguen sus formas, como óleo o gouache.'],
+  painter: ['Pintor (aprendido)', 'Pinta la foto a la manera de un pintor, aprendida de cuadros.'],
   engrave: [
     'Líneas talladas (Grabado)',
     'Talla los tonos en líneas que siguen las formas y se ensanchan en la sombra.',
@@ -110,6 +111,10 @@ export const parameters: Record<string, [string, string]> = {
   'kuwahara.sharpness': ['Nitidez', 'Lo nítidas que terminan las pinceladas.'],
   'kuwahara.stretch': ['Alargamiento', 'Cuánto más largas que anchas son junto a los bordes.'],
   'kuwahara.passes': ['Pasadas', 'Cuántas veces se pinta encima.'],
+  'painter.painter': ['Pintor', 'Número del pintor; un valor entre dos números mezcla ambos.'],
+  'painter.brush': ['Pincel', 'Tamaño de un toque de pintura.'],
+  'painter.strength': ['Intensidad', 'Cuánto de la pintura sustituye a la foto.'],
+  'painter.colours': ['Colores de la foto', 'Cuánto queda de los colores de la foto.'],
   'engrave.pitch': ['Separación', 'Distancia entre líneas.'],
   'engrave.angle': ['Ángulo', 'Dirección de las primeras líneas.'],
   'engrave.follow': ['Seguir la forma', 'Cuánto se curvan las líneas sobre las formas.'],

@@ -38,6 +38,7 @@ export const faultStrings = {
     'words-missing': 'no se pudieron cargar las letras.',
     'files-missing': 'no se pudo cargar lo que crea este tipo de archivo. Inténtalo de nuevo o guarda un PNG.',
     'decoders-missing': 'no se pudo cargar lo que lee estas fotos. Inténtalo de nuevo con conexión.',
+    'painters-missing': 'no se pudieron cargar los pintores. Inténtalo de nuevo con conexión.',
     'core-missing': 'no se pudo cargar el programa.',
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>

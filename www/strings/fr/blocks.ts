@@ -52,6 +52,7 @@ export const blocks: Record<string, [string, string]> = {
     'Peinture (Kuwahara)',
     'Repeint la photo avec des touches qui suivent ses formes, comme l’huile ou la gouache.',
   ],
+  painter: ['Peintre (appris)', 'Repeint la photo à la manière d’un peintre, apprise de tableaux.'],
   engrave: [
     'Lignes taillées (Gravure)',
     'Taille les tons en lignes qui suivent les formes et s’épaississent dans l’ombre.',
@@ -122,6 +123,10 @@ export const parameters: Record<string, [string, string]> = {
   'kuwahara.sharpness': ['Netteté', 'À quel point les touches finissent net.'],
   'kuwahara.stretch': ['Étirement', 'De combien les touches s’allongent le long des bords.'],
   'kuwahara.passes': ['Passages', 'Combien de fois on repeint.'],
+  'painter.painter': ['Peintre', 'Numéro du peintre ; une valeur entre deux numéros mélange les deux.'],
+  'painter.brush': ['Pinceau', 'Taille d’une touche.'],
+  'painter.strength': ['Intensité', 'Ce que la peinture remplace de la photo.'],
+  'painter.colours': ['Couleurs de la photo', 'Ce qui reste des couleurs de la photo.'],
   'engrave.pitch': ['Écart', 'Distance entre les lignes.'],
   'engrave.angle': ['Angle', 'Direction des premières lignes.'],
   'engrave.follow': ['Suivre la forme', 'À quel point les lignes se courbent sur les formes.'],

@@ -39,6 +39,7 @@ export const faultStrings = {
     'words-missing': 'les lettres n’ont pas pu être chargées.',
     'files-missing': 'ce qui crée ce genre de fichier n’a pas pu être chargé. Réessayez, ou enregistrez un PNG.',
     'decoders-missing': 'ce qui lit ces photos n’a pas pu être chargé. Réessayez avec une connexion.',
+    'painters-missing': 'les peintres n’ont pas pu être chargés. Réessayez avec une connexion.',
     'core-missing': 'le programme n’a pas pu être chargé.',
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>

@@ -39,6 +39,7 @@ export const faultStrings = {
     'files-missing':
       'この種類のファイルを作るプログラムを取得できませんでした。もう一度試すか、PNG で保存してください。',
     'decoders-missing': 'この写真を読むためのプログラムを取得できませんでした。接続を確認してもう一度お試しください。',
+    'painters-missing': '画家のモデルを取得できませんでした。接続を確認してもう一度お試しください。',
     'core-missing': 'プログラムを読み込めませんでした。',
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>

@@ -37,6 +37,7 @@ export const blocks: Record<string, [string, string]> = {
     'Desenha contornos em traços longos e limpos que seguem as formas; os grãos de grama e cabelo somem.',
   ],
   kuwahara: ['Pintura (Kuwahara)', 'Pinta sobre a foto com pinceladas que seguem as formas, como óleo ou guache.'],
+  painter: ['Pintor (aprendido)', 'Pinta a foto à maneira de um pintor, aprendida de quadros.'],
   engrave: ['Linhas talhadas (Gravura)', 'Talha os tons em linhas que seguem as formas e engrossam na sombra.'],
   strokes: ['Lápis (Hachura)', 'Sombreia com traços de lápis que seguem as formas, em cinza ou em cores.'],
   flatten: [
@@ -101,6 +102,10 @@ export const parameters: Record<string, [string, string]> = {
   'kuwahara.sharpness': ['Nitidez', 'Quão nítidas terminam as pinceladas.'],
   'kuwahara.stretch': ['Alongamento', 'Quanto mais longas que largas são nas bordas.'],
   'kuwahara.passes': ['Passadas', 'Quantas vezes se pinta por cima.'],
+  'painter.painter': ['Pintor', 'Número do pintor; um valor entre dois números mistura os dois.'],
+  'painter.brush': ['Pincel', 'Tamanho de um toque de tinta.'],
+  'painter.strength': ['Intensidade', 'Quanto da pintura substitui a foto.'],
+  'painter.colours': ['Cores da foto', 'Quanto fica das cores da foto.'],
   'engrave.pitch': ['Espaço', 'Distância entre as linhas.'],
   'engrave.angle': ['Ângulo', 'Direção das primeiras linhas.'],
   'engrave.follow': ['Seguir a forma', 'Quanto as linhas se curvam sobre as formas.'],

@@ -38,6 +38,7 @@ export const faultStrings = {
     'words-missing': 'não foi possível carregar as letras.',
     'files-missing': 'não foi possível carregar o que cria este tipo de arquivo. Tente de novo ou salve um PNG.',
     'decoders-missing': 'não foi possível carregar o que lê estas fotos. Tente de novo com conexão.',
+    'painters-missing': 'não foi possível carregar os pintores. Tente de novo com conexão.',
     'core-missing': 'não foi possível carregar o programa.',
   } as Record<string, string>,
   tooManyPhotos: (n: number, most: string) =>

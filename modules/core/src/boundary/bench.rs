@@ -8,7 +8,9 @@ use inkpanel::page::import::SMALL_SIDE;
 use inkpanel::page::{Document, Scene, mask};
 use inkpanel::raster::Image;
 use inkpanel::raster::resize::{Region, fit, resample_image};
+use inkpanel::style::painters::Painters;
 use inkpanel::style::{Context, Style, chain, stylize};
+use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
 /// Measures a photo for framing, reduced to the working size.
@@ -44,6 +46,13 @@ impl Bench {
         let mut context = Context::for_image(&picture);
         let picture = chain::run_until(&style.background, done, picture, &mut context)?;
         Ok(Bench { style, done, picture, next: None, context })
+    }
+
+    /// Sets the model of the block Painter. Throws `invalid-painters`.
+    pub fn know_painters(&mut self, onnx: &[u8]) -> std::result::Result<(), JsValue> {
+        let painters = Painters::new(onnx).map_err(thrown)?;
+        self.context.show_painters(Some(Arc::new(painters)));
+        Ok(())
     }
 
     /// Copies the image for the next [`Bench::run`], which changes it in place.

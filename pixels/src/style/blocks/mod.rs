@@ -15,6 +15,7 @@ mod halftone;
 mod hue;
 mod kuwahara;
 mod luma_posterize;
+pub mod painter;
 mod paper;
 mod pattern;
 pub mod plates;
@@ -58,6 +59,7 @@ pub static ALL: &[&Block] = &[
     &xdog::BLOCK,
     &flow_lines::BLOCK,
     &kuwahara::BLOCK,
+    &painter::BLOCK,
     &engrave::BLOCK,
     &strokes::BLOCK,
     &flatten::BLOCK,

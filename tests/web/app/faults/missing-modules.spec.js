@@ -25,6 +25,26 @@ test('text cannot be added while its fonts are missing or damaged, and can be ad
   await expect(page.getByRole('alert')).toHaveText('');
 });
 
+test('a style with a painter is drawn after its model failed to load', async ({ page }) => {
+  /** @type {string[]} */
+  const asked = [];
+  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+  const model = /painters-[^/]*\.onnx$/;
+  await openBoard(page);
+  await page.getByRole('tab', { name: 'Styles' }).click();
+  const style = page.getByRole('option', { name: 'Night Swirl' });
+  await page.route(model, (route) => route.abort());
+  await style.click();
+  await expect(page.getByRole('alert')).toContainText('The painters could not be loaded.');
+  await page.unroute(model);
+  await page.getByRole('option', { name: 'Noir', exact: true }).click();
+  await idle(page);
+  await style.click();
+  await idle(page);
+  expect(asked.some((path) => model.test(path))).toBe(true);
+  await expect(page.getByRole('alert')).toHaveText('');
+});
+
 test('a file format loads only its own module, and can be saved after the loading failed', async ({ page }) => {
   /** @type {string[]} */
   const asked = [];
