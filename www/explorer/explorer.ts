@@ -10,6 +10,7 @@ import { coloured } from './colouring.ts';
 import { createScores } from './explorer-scores.ts';
 import { createWall } from './explorer-wall.ts';
 import { damageOf } from './damage.ts';
+import { PLAIN } from '../photos/cover.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Progress, Store } from '../document/store.ts';
 import type { Explored } from '../engine/protocol.ts';
@@ -31,7 +32,7 @@ export type Doing = Progress & { what: 'invent' | 'redraw' };
 export type Explorer = ReturnType<typeof createExplorer>;
 
 /** Styles that the wall opens with, and that one press invents. */
-export const FIRST = 120;
+export const FIRST = 200;
 export const ROUND = 240;
 /** Number of children of two styles, and of variations of one style. `TRIES` limits the attempts. */
 export const LITTER = 12;
@@ -56,9 +57,11 @@ export function createExplorer({
   seed: () => number;
   judged?: boolean;
 }) {
+  /** Signatures of photos without a style. */
+  const plain: Map<string, Uint8Array> = new Map();
   const wall = createWall(ownStyles.isFavourite, (photo, signature) => {
     const meta = store.album.peek().get(photo)?.meta;
-    return !!meta && damageOf(meta, signature) !== '';
+    return !!meta && damageOf(meta, signature, plain.get(photo)) !== '';
   });
   const progress: Signal<Doing | null> = signal(null);
   const scores = createScores({ engine, messages, items: wall.items, wanted: judged });
@@ -274,6 +277,7 @@ export function createExplorer({
       }
     };
     try {
+      await measurePlain(photo, mine.signal);
       await Promise.all(Array.from({ length: AHEAD }, parcels));
     } catch (error) {
       const { code, message } = error as { code?: string; message: string };
@@ -285,6 +289,15 @@ export function createExplorer({
       progress.value = null;
     }
     return !mine.signal.aborted;
+  }
+
+  /** Measures a photo without a style, once, to compare styles with it. */
+  async function measurePlain(photo: Photo, signal: AbortSignal) {
+    if (plain.has(photo.id) || !store.album.peek().get(photo.id)?.meta) return;
+    for (const { bitmap, signature } of await engine.exploreStyles(photo.id, [PLAIN], photo, { signal })) {
+      bitmap.close();
+      plain.set(photo.id, signature);
+    }
   }
 
   function stop() {

@@ -7,6 +7,7 @@ import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { pointing } from '../ui/pointing.ts';
 import { useStyleDeeds } from './style-deeds.ts';
+import type { Subject } from '../engine/types.ts';
 import type { Point } from '../ui/pointing.ts';
 import type { Item, Parents, Photo } from './explorer.ts';
 
@@ -21,6 +22,14 @@ function Score({ points }: { points: number }) {
       {strings.decimal(points, 0)}
     </span>
   );
+}
+
+/** The position of the largest face of a photo, so that a tile does not cut it; without a face, the middle. */
+export function middleOf(subjects: readonly Subject[]): string {
+  const faces = subjects.filter(({ label }) => label === 'face');
+  if (faces.length === 0) return '50% 50%';
+  const { x, y, width, height } = faces.reduce((a, b) => (b.width * b.height > a.width * a.height ? b : a));
+  return `${Math.round(100 * (x + width / 2))}% ${Math.round(100 * (y + height / 2))}%`;
 }
 
 export function WallItem({
@@ -42,7 +51,7 @@ export function WallItem({
   family?: 'parent' | 'child';
   point: Point;
 }) {
-  const { explorer } = useApp();
+  const { explorer, store } = useApp();
   const { style } = item;
   const deeds = useStyleDeeds(style, photo);
   const canvas = useRef(null as HTMLCanvasElement | null);
@@ -75,7 +84,12 @@ export function WallItem({
           explorer.enlarged.value = style.id;
         }}
       >
-        <canvas ref={canvas} class="bitmap" aria-hidden="true" />
+        <canvas
+          ref={canvas}
+          class="bitmap"
+          aria-hidden="true"
+          style={{ objectPosition: middleOf(store.album.peek().get(item.photo.id)?.meta?.subjects ?? []) }}
+        />
       </button>
       {points !== null && <Score points={points} />}
       {origin && (
