@@ -31,8 +31,9 @@ export type Photo = { id: string; width: number; height: number };
 export type Doing = Progress & { what: 'invent' | 'redraw' };
 export type Explorer = ReturnType<typeof createExplorer>;
 
-/** Styles that the wall opens with, and that one press invents. */
-export const FIRST = 200;
+/** Styles that the wall opens with, and that one press invents. For some photos only few styles are good, so more are tried. */
+export const FIRST = 96;
+const FIRST_TRIES = 4 * FIRST;
 export const ROUND = 240;
 /** Number of children of two styles, and of variations of one style. `TRIES` limits the attempts. */
 export const LITTER = 12;
@@ -147,7 +148,8 @@ export function createExplorer({
     const missing = ownStyles.favourites.peek().filter(({ id }) => !wall.pictures.has(id));
     if (missing.length > 0 && !(await run(photo, missing.length, (i) => missing[i], { choosy: false }))) return;
     if (!(await redraw(photo))) return;
-    if (wall.items.peek().every(({ style }) => ownStyles.isFavourite(style.id))) await invent(photo, FIRST);
+    if (wall.items.peek().every(({ style }) => ownStyles.isFavourite(style.id)))
+      await invent(photo, FIRST_TRIES, FIRST);
   }
 
   /** Invents another round. */
@@ -155,7 +157,8 @@ export function createExplorer({
     if (await redraw(photo)) await invent(photo, ROUND);
   }
 
-  function invent(photo: Photo, count: number) {
+  /** @param enough number of styles to add (default: all) */
+  function invent(photo: Photo, count: number, enough = Infinity) {
     const planner = store.planner.peek();
     if (!planner) return Promise.resolve(false);
     const from = first.peek() + made;
@@ -166,7 +169,7 @@ export function createExplorer({
       const at = (from + i) >>> 0;
       return coloured(planner.inventStyle(at), at, blocks);
     };
-    return run(photo, count, make, { choosy: true });
+    return run(photo, count, make, { choosy: true, enough });
   }
 
   /** Begins with another seed. */

@@ -3,11 +3,11 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
+import { middleOf } from '../photos/cover.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { pointing } from '../ui/pointing.ts';
 import { useStyleDeeds } from './style-deeds.ts';
-import type { Subject } from '../engine/types.ts';
 import type { Point } from '../ui/pointing.ts';
 import type { Item, Parents, Photo } from './explorer.ts';
 
@@ -22,14 +22,6 @@ function Score({ points }: { points: number }) {
       {strings.decimal(points, 0)}
     </span>
   );
-}
-
-/** The position of the largest face of a photo, so that a tile does not cut it; without a face, the middle. */
-export function middleOf(subjects: readonly Subject[]): string {
-  const faces = subjects.filter(({ label }) => label === 'face');
-  if (faces.length === 0) return '50% 50%';
-  const { x, y, width, height } = faces.reduce((a, b) => (b.width * b.height > a.width * a.height ? b : a));
-  return `${Math.round(100 * (x + width / 2))}% ${Math.round(100 * (y + height / 2))}%`;
 }
 
 export function WallItem({
@@ -54,6 +46,8 @@ export function WallItem({
   const { explorer, store } = useApp();
   const { style } = item;
   const deeds = useStyleDeeds(style, photo);
+  // A tile does not cut the face.
+  const middle = middleOf(store.album.peek().get(item.photo.id)?.meta?.subjects ?? []);
   const canvas = useRef(null as HTMLCanvasElement | null);
 
   useEffect(() => {
@@ -88,7 +82,7 @@ export function WallItem({
           ref={canvas}
           class="bitmap"
           aria-hidden="true"
-          style={{ objectPosition: middleOf(store.album.peek().get(item.photo.id)?.meta?.subjects ?? []) }}
+          style={{ objectPosition: middle.map((part) => `${Math.round(part * 100)}%`).join(' ') }}
         />
       </button>
       {points !== null && <Score points={points} />}

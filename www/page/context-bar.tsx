@@ -116,10 +116,13 @@ function toolsFor({
   if (reshaping.editing.value) {
     const cuts = [panels.cutBack, panels.cutForth, panels.slantBack, panels.slantForth];
     const cells = [panels.splitRows, panels.splitColumns, panels.remove, panels.join];
+    const { insetLeft, insetRight, insetUp, insetDown, insetLarger, insetSmaller } = panels;
+    const insets = [insetLarger, insetSmaller, insetLeft, insetRight, insetUp, insetDown];
+    const isInset = panel !== undefined && isEnabled(insetLarger);
     return {
       title: strings.editLayout,
-      tools: panel === undefined ? [...cuts, ...cells] : [...cells, ...cuts],
-      shown: shown - 1,
+      tools: isInset ? [...insets, panels.remove] : panel === undefined ? [...cuts, ...cells] : [...cells, ...cuts],
+      shown: isInset && wide ? insets.length : shown - 1,
       end: panels.done,
     };
   }
@@ -167,7 +170,7 @@ function toolsFor({
         styles.shuffleSettings,
         panels.select,
       ],
-      ...[photos.subjects, window.enlargePage, window.shrinkPage, window.preview],
+      ...[photos.subjects, window.originals, window.enlargePage, window.shrinkPage, window.preview],
     ],
     shown: offers.length + (isFirst ? 0 : SHOWN.page),
   };

@@ -9,7 +9,7 @@ import type { PhotoMeta } from '../engine/types.ts';
 type Album = { store: Pick<Store, 'photos' | 'page' | 'geometry'>; engine: Pick<Engine, 'hasPhoto'> };
 
 /** Minimum and maximum share of a photo that a face should have. */
-const [LEAST_FACE, MOST_FACE] = [0.01, 0.35];
+const [LEAST_FACE, MOST_FACE] = [0.018, 0.35];
 
 /**
  * The photo of style previews. It stays the same as long as it is in use, so that previews do not change with pages. It changes
