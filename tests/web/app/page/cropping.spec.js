@@ -2,8 +2,7 @@
 /** The whole photo around its panel while it is cropped, the photo under the pointer, and the page without a style. */
 
 import { boxOf, four, panel } from '../panels.js';
-import { accessible, expect, idle, picture, press, reach, testsOn } from '../support.js';
-import { touch, way } from '../touch.js';
+import { accessible, expect, idle, picture, press, testsOn } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
 
@@ -93,31 +92,4 @@ test('O shows the photos without a style as long as it is held, and a tool until
   await page.keyboard.press('Escape');
   await expect(originals).toHaveCount(0);
   expect(await picture(page)).toBe(before);
-});
-
-test.describe('by touch', () => {
-  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
-
-  test('the whole photo is shown while a finger crops', async ({ page }) => {
-    await panel(page, 3).tap();
-    const { x, y, width, height } = await boxOf(page, 3);
-    const [a, b] = [x + width / 2, y + height / 2];
-    let seen = 0;
-    await (await reach(page, 'Crop')).tap();
-    await expect(ghost(page)).toHaveCount(1);
-    await page.getByRole('button', { name: 'Done', exact: true }).tap();
-    await expect(ghost(page)).toHaveCount(0);
-    await page.exposeFunction('note', () => {
-      seen += 1;
-    });
-    await page.evaluate(() => {
-      new MutationObserver(() => {
-        if (document.querySelector('.crop-ghost')) void (/** @type {any} */ (window).note());
-      }).observe(document.body, { childList: true, subtree: true });
-    });
-    await touch(page, [way([a, b], [a + 20, b + 20])]);
-    await idle(page);
-    await expect(ghost(page)).toHaveCount(0);
-    expect(seen).toBeGreaterThan(0);
-  });
 });
