@@ -11,7 +11,7 @@ import type { PanelShape } from './panel-shape.ts';
 
 /** Longer side of the drawn photo in CSS pixels. A dimmed photo needs no details. */
 const SIDE = 480;
-/** Corners of the polygon that stands for a circle. */
+/** Number of corners of the polygon that replaces a circle. */
 const ROUND = 48;
 
 export function CropGhost({ page, geometry }: { page: PageDocument; geometry: Geometry }) {

@@ -1,6 +1,6 @@
 /**
- * The insets of the layout as handles over the page while it is edited: an inset is dragged, its corners change its size,
- * arrows do both, and so do the tools of the selected inset.
+ * The insets of the layout as handles over the page, while the layout is edited. An inset is dragged, and its corners change
+ * its size. Arrow keys and the tools of the selected inset do both.
  */
 
 import { useRef } from 'preact/hooks';

@@ -23,7 +23,7 @@ const CLICK_ZOOM = 1.2;
 const KEY_ZOOM = 1.1;
 /** Distance that a click moves a divider, as a fraction of the divided cell. */
 const CUT_STEP = 0.02;
-/** Distance in page widths that a click moves an inset, and the factor by which a click sizes it. */
+/** Distance in page widths of a click that moves an inset, and the factor of a click that sizes it. */
 const INSET_STEP = 0.02;
 const INSET_FACTOR = 1.1;
 
