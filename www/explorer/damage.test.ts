@@ -60,7 +60,11 @@ test('a face that fades against the photo is lost, and noise is found', () => {
   // A face that became lighter must keep more of its features.
   expect(damage(faceOf([230, 220, 210, 28]))).toBe('faceless');
   expect(damage(faceOf([230, 220, 210, 36]))).toBe('');
-  expect(damage(faceOf(tone, [120, 90, 80, 90]))).toBe('noisy');
+  expect(damage(faceOf(tone, [120, 90, 80, 100]))).toBe('noisy');
+  // A quarter of the midtones is black.
+  const black = signature((x) => (x < 3 ? [9, 9, 9, 30] : tone));
+  expect(damageOf({ energy, subjects: [] }, black, plain)).toBe('burnt');
+  expect(damageOf({ energy, subjects: [] }, black, black)).toBe('');
   // Without the photo, the checks do not know what is missing.
   expect(damageOf({ energy, subjects: [face] }, faceOf([120, 90, 80, 20]))).toBe('');
 });

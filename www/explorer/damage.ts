@@ -18,8 +18,14 @@ const SMOOTH = 6;
 const BURNT = 0.3;
 /** Faces with a smaller part of the photo than this need not be seen. */
 const LEAST_FACE = 0.004;
-/** Maximum roughness of a picture, in roughnesses of its photo. */
+/** Maximum roughness of a picture, in roughnesses of its photo, and the least roughness of a photo for that. */
 const NOISE = 1.7;
+const LEAST_ROUGH = 50;
+/** Lightness of midtones, and the part of the midtones that may become black or white. */
+const MIDTONES = [45, 215];
+const CLIPPED = 0.2;
+/** Lightness of black, and minimum channel value of white, after which a midtone is lost. */
+const [LOST_BLACK, LOST_WHITE] = [22, 236];
 /** Minimum roughness of a face, in roughnesses of the face in the photo; of a face that became lighter; and the steps of that. */
 const [FEATURES, LIGHT_FEATURES, LIGHTER] = [0.6, 0.8, 10];
 
@@ -45,13 +51,26 @@ export function damageOf(
   if (faces.length > 0 && 2 * lost.length >= faces.length) return 'faceless';
   if (plain?.length !== signature.length) return '';
   const before = cellsIn(plain);
-  if (roughness(cells) > NOISE * roughness(before)) return 'noisy';
+  if (clippedPart(cells, before) > CLIPPED) return 'burnt';
+  if (roughness(cells) > NOISE * Math.max(LEAST_ROUGH, roughness(before))) return 'noisy';
   const faded = faces.filter((face) => {
     const [now, then] = [cells, before].map((all) => cellsOf(face).map((i) => all[i]));
     const lighter = lightness(now) - lightness(then) > LIGHTER;
     return roughness(now) < (lighter ? LIGHT_FEATURES : FEATURES) * roughness(then);
   });
   return faces.length > 0 && 2 * faded.length >= faces.length ? 'faceless' : '';
+}
+
+/** The part of the midtones of a photo that are black or white in a picture. */
+function clippedPart(cells: readonly Uint8Array[], before: readonly Uint8Array[]): number {
+  const midtones = cells.filter((_, i) => {
+    const light = lightness([before[i]]);
+    return light > MIDTONES[0] && light < MIDTONES[1];
+  });
+  const clipped = midtones.filter(
+    (cell) => lightness([cell]) < LOST_BLACK || Math.min(...cell.subarray(0, 3)) > LOST_WHITE,
+  );
+  return clipped.length / Math.max(1, midtones.length);
 }
 
 function cellsIn(signature: Uint8Array): Uint8Array[] {

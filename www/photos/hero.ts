@@ -9,7 +9,9 @@ import type { PhotoMeta } from '../engine/types.ts';
 type Album = { store: Pick<Store, 'photos' | 'page' | 'geometry'>; engine: Pick<Engine, 'hasPhoto'> };
 
 /** Minimum and maximum share of a photo that a face should have. */
-const [LEAST_FACE, MOST_FACE] = [0.018, 0.35];
+const [LEAST_FACE, MOST_FACE] = [0.01, 0.35];
+/** Minimum clearness of the best face: about that of a single face with 1.5 % of the photo. */
+const LEAST_CLEAR = 0.1;
 
 /**
  * The photo of style previews. It stays the same as long as it is in use, so that previews do not change with pages. It changes
@@ -44,7 +46,7 @@ export function heroOf(album: Album): string | null {
   return all.find((id) => busyness(known.get(id)) <= limit) ?? all[0] ?? null;
 }
 
-/** The size and certainty of the best face of a photo; 0 without a face of a good size. */
+/** The size and certainty of the best face of a photo; 0 without a clear face of a good size. */
 function faceIn(photo: PhotoMeta | undefined): number {
   const faces = (photo?.subjects ?? []).filter(({ label }) => label === 'face');
   const sizes = faces.map(({ width, height, score }) => {
@@ -52,7 +54,8 @@ function faceIn(photo: PhotoMeta | undefined): number {
     return size >= LEAST_FACE && size <= MOST_FACE ? Math.sqrt(size) * score : 0;
   });
   // A small picture of a crowd shows no face well.
-  return Math.max(0, ...sizes) / Math.sqrt(Math.max(1, faces.length));
+  const clear = Math.max(0, ...sizes) / Math.sqrt(Math.max(1, faces.length));
+  return clear < LEAST_CLEAR ? 0 : clear;
 }
 
 /** How evenly a photo has details everywhere, as foliage and water do. */
