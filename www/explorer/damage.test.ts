@@ -65,6 +65,11 @@ test('a face that fades against the photo is lost, and noise is found', () => {
   const black = signature((x) => (x < 3 ? [9, 9, 9, 30] : tone));
   expect(damageOf({ energy, subjects: [] }, black, plain)).toBe('burnt');
   expect(damageOf({ energy, subjects: [] }, black, black)).toBe('');
+  // Twice the contrast of the photo, without black and white.
+  const steps = (by: number) =>
+    signature((x) => (x % 2 ? [128 - by, 128 - by, 128 - by, 40] : [128 + by, 128 + by, 128 + by, 40]));
+  expect(damageOf({ energy, subjects: [] }, steps(70), steps(60))).toBe('');
+  expect(damageOf({ energy, subjects: [] }, steps(90), steps(40))).toBe('burnt');
   // Without the photo, the checks do not know what is missing.
   expect(damageOf({ energy, subjects: [face] }, faceOf([120, 90, 80, 20]))).toBe('');
 });

@@ -19,8 +19,11 @@ const BURNT = 0.3;
 /** Faces with a smaller part of the photo than this need not be seen. */
 const LEAST_FACE = 0.004;
 /** Maximum roughness of a picture, in roughnesses of its photo, and the least roughness of a photo for that. */
-const NOISE = 1.7;
+const NOISE = 1.5;
 const LEAST_ROUGH = 50;
+/** Maximum standard deviation of the lightness of a picture, in deviations of its photo, and its least deviation for that. */
+const CONTRAST = 1.5;
+const LEAST_DEVIATION = 35;
 /** Lightness of midtones, and the part of the midtones that may become black or white. */
 const MIDTONES = [45, 215];
 const CLIPPED = 0.2;
@@ -51,7 +54,8 @@ export function damageOf(
   if (faces.length > 0 && 2 * lost.length >= faces.length) return 'faceless';
   if (plain?.length !== signature.length) return '';
   const before = cellsIn(plain);
-  if (clippedPart(cells, before) > CLIPPED) return 'burnt';
+  const isHarsh = deviation(cells) > CONTRAST * Math.max(LEAST_DEVIATION, deviation(before));
+  if (isHarsh || clippedPart(cells, before) > CLIPPED) return 'burnt';
   if (roughness(cells) > NOISE * Math.max(LEAST_ROUGH, roughness(before))) return 'noisy';
   const faded = faces.filter((face) => {
     const [now, then] = [cells, before].map((all) => cellsOf(face).map((i) => all[i]));
@@ -80,6 +84,12 @@ function cellsIn(signature: Uint8Array): Uint8Array[] {
 const mean = (cells: readonly Uint8Array[], of: (cell: Uint8Array) => number) =>
   cells.reduce((sum, cell) => sum + of(cell), 0) / Math.max(1, cells.length);
 const roughness = (cells: readonly Uint8Array[]) => mean(cells, ([, , , rough]) => rough);
+/** Standard deviation of the lightness of cells. */
+function deviation(cells: readonly Uint8Array[]): number {
+  const middle = lightness(cells);
+  return Math.sqrt(mean(cells, (cell) => (lightness([cell]) - middle) ** 2));
+}
+
 const lightness = (cells: readonly Uint8Array[]) => mean(cells, ([r, g, b]) => 0.299 * r + 0.587 * g + 0.114 * b);
 
 /** The half of the cells in which the photo has most to see. */

@@ -10,7 +10,9 @@ type Album = { store: Pick<Store, 'photos' | 'page' | 'geometry'>; engine: Pick<
 
 /** Minimum and maximum share of a photo that a face should have. */
 const [LEAST_FACE, MOST_FACE] = [0.01, 0.35];
-/** Minimum clearness of the best face: about that of a single face with 1.5 % of the photo. */
+/** Minimum and maximum share of a photo that another subject should have. */
+const SUBJECT = [0.12, 0.8];
+/** Minimum clearness of the best face. A single face with 1.5 % of the photo has about this clearness. */
 const LEAST_CLEAR = 0.1;
 
 /**
@@ -28,7 +30,10 @@ export function useHero(): string | null {
   return hero.current;
 }
 
-/** The photo with the clearest face, or the largest photo of the page that is not among the busiest. */
+/**
+ * The photo with the clearest face. Without one, the largest photo of the page that is not among the busiest, if possible with
+ * a subject.
+ */
 export function heroOf(album: Album): string | null {
   const { page, geometry } = album.store;
   const usable = usableIn(album);
@@ -43,7 +48,8 @@ export function heroOf(album: Album): string | null {
   if (faces.length > 0) return faces.reduce((a, b) => (faceIn(known.get(b)) > faceIn(known.get(a)) ? b : a));
   const busy = all.map((id) => busyness(known.get(id))).sort((a, b) => b - a);
   const limit = busy[Math.floor(busy.length / 3)] ?? Infinity;
-  return all.find((id) => busyness(known.get(id)) <= limit) ?? all[0] ?? null;
+  const calm = all.filter((id) => busyness(known.get(id)) <= limit);
+  return calm.find((id) => hasSubject(known.get(id))) ?? calm[0] ?? all[0] ?? null;
 }
 
 /** The size and certainty of the best face of a photo; 0 without a clear face of a good size. */
@@ -56,6 +62,14 @@ function faceIn(photo: PhotoMeta | undefined): number {
   // A small picture of a crowd shows no face well.
   const clear = Math.max(0, ...sizes) / Math.sqrt(Math.max(1, faces.length));
   return clear < LEAST_CLEAR ? 0 : clear;
+}
+
+/** Whether a subject fills a good part of a photo, such as an animal. */
+function hasSubject(photo: PhotoMeta | undefined): boolean {
+  return (photo?.subjects ?? []).some(({ width, height, score }) => {
+    const size = width * height;
+    return size >= SUBJECT[0] && size <= SUBJECT[1] && score >= 0.5;
+  });
 }
 
 /** How evenly a photo has details everywhere, as foliage and water do. */
