@@ -17,18 +17,22 @@ const LEAST_CLEAR = 0.1;
 
 /**
  * The photo of style previews. It stays the same as long as it is in use, so that previews do not change with pages. It changes
- * once if a face is found in another photo and not in this one.
+ * if another photo turns out to have a face or a subject, and this one has none.
  */
 export function useHero(): string | null {
   const app = useApp();
   const hero = useRef(null as string | null);
   const usable = usableIn(app);
   const known = new Map(app.store.photos.value.map((photo) => [photo.id, photo]));
-  const hasFace = (id: string) => faceIn(known.get(id)) > 0;
+  const rank = (id: string | null) => rankOf(known.get(id ?? ''));
   const stays = hero.current !== null && usable.includes(hero.current);
-  if (!stays || (!hasFace(hero.current as string) && usable.some(hasFace))) hero.current = heroOf(app);
+  const next = heroOf(app);
+  if (!stays || rank(next) > rank(hero.current)) hero.current = next;
   return hero.current;
 }
+
+/** Returns 2 for a photo with a clear face, 1 with another subject, 0 for others. */
+const rankOf = (photo: PhotoMeta | undefined) => (faceIn(photo) > 0 ? 2 : Number(hasSubject(photo)));
 
 /**
  * The photo with the clearest face. Without one, the largest photo of the page that is not among the busiest, if possible with
