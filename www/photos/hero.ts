@@ -17,7 +17,7 @@ const LEAST_CLEAR = 0.1;
 
 /**
  * The photo of style previews. It stays the same as long as it is in use, so that previews do not change with pages. It changes
- * if another photo turns out to have a face or a subject, and this one has none.
+ * to a photo with a face or a subject after the detection, if it shows neither.
  */
 export function useHero(): string | null {
   const app = useApp();
@@ -26,8 +26,8 @@ export function useHero(): string | null {
   const known = new Map(app.store.photos.value.map((photo) => [photo.id, photo]));
   const rank = (id: string | null) => rankOf(known.get(id ?? ''));
   const stays = hero.current !== null && usable.includes(hero.current);
-  const next = heroOf(app);
-  if (!stays || rank(next) > rank(hero.current)) hero.current = next;
+  const now = rank(hero.current);
+  if (!stays || usable.some((id) => rank(id) > now)) hero.current = heroOf(app);
   return hero.current;
 }
 
