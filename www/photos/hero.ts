@@ -53,7 +53,8 @@ export function heroOf(album: Album): string | null {
   const busy = all.map((id) => busyness(known.get(id))).sort((a, b) => b - a);
   const limit = busy[Math.floor(busy.length / 3)] ?? Infinity;
   const calm = all.filter((id) => busyness(known.get(id)) <= limit);
-  return calm.find((id) => hasSubject(known.get(id))) ?? calm[0] ?? all[0] ?? null;
+  const hasOne = (id: string) => hasSubject(known.get(id));
+  return calm.find(hasOne) ?? all.find(hasOne) ?? calm[0] ?? all[0] ?? null;
 }
 
 /** The size and certainty of the best face of a photo; 0 without a clear face of a good size. */
