@@ -1,20 +1,26 @@
-//! Manual changes to a template: move or slant a divider, split or remove a panel. Panels are joined by
-//! [`super::join`].
+//! Manual changes to a template: move or slant a divider, split or remove a panel, move or size an overlay.
+//! Panels are joined by [`super::join`].
 //!
-//! Each change gives a new template of the family `custom`, which passes the same checks as a file. Only
-//! templates made of dividers can be changed. Polygon templates have no dividers.
+//! Each change gives a new template of the family `custom`, which passes the same checks as a file. Polygon
+//! templates have no dividers, so only their overlays can be changed.
 
 use serde::Serialize;
 
-use super::polygon::Point;
-use super::resolve::Page;
+use super::polygon::{Bounds, Point};
+use super::resolve::{Page, resolve};
 use super::settings::PageSettings;
-use super::template::{Body, Panel, Template};
+use super::template::{Body, Panel, Shape, Template};
 use super::tree::{Axis, Node, PAGE, Quad, Split};
 use crate::error::{Error, Result};
 
 /// The least distance, as a fraction of the cell, that a moved cut keeps from its neighbours.
 const LEAST_STEP: f64 = 0.06;
+
+/// The least side of a sized overlay, as a fraction of the page.
+const LEAST_OVERLAY: f64 = 0.08;
+
+/// The radius of a sized circle in page widths: at least, and at most.
+const RADIUS: (f64, f64) = (0.04, 0.5);
 
 /// A cut of a template on a page.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -120,6 +126,90 @@ pub fn remove_panel(template: &Template, panel: usize) -> Result<Template> {
     rebuilt(template, node, order, weights)
 }
 
+/// Moves and sizes an overlay so that its bounds on the page are `to`, in page widths. The overlay keeps its shape,
+/// stays inside the margins, and keeps a minimum size. A circle has the size of the shorter side.
+///
+/// # Errors
+/// `invalid-layout` if the panel is not an overlay, or a number is not finite or a size is not above 0.
+pub fn place_overlay(
+    template: &Template,
+    panel: usize,
+    to: Bounds,
+    page_aspect: f64,
+    settings: &PageSettings,
+) -> Result<Template> {
+    let place = || format!("panel {panel}");
+    if panel < template.base_count() || panel >= template.panels.len() {
+        return Err(refused(template, place(), "is not an overlay"));
+    }
+    let is_size = |side: f64| side.is_finite() && side > 0.0;
+    if !(to.x.is_finite() && to.y.is_finite() && is_size(to.width) && is_size(to.height)) {
+        return Err(refused(template, place(), "needs finite bounds with a size above 0"));
+    }
+    let page = Page::new(page_aspect, settings);
+    let gutter = page.largest_gutter(template);
+    // The unit square is not mirrored. The cell of a panel is half a gutter larger than the panel on each side.
+    let cell_of = |bounds: Bounds| Bounds {
+        x: if settings.rtl { 1.0 - bounds.x - bounds.width } else { bounds.x } - gutter / 2.0,
+        y: bounds.y - gutter / 2.0,
+        width: bounds.width + gutter,
+        height: bounds.height + gutter,
+    };
+    let from = cell_of(resolve(template, page_aspect, settings)[panel].bounds);
+    let to = cell_of(to);
+    let mut changed = template.clone();
+    match &mut changed.panels[panel].shape {
+        Shape::Polygon(corners) => {
+            let moved = corners
+                .iter()
+                .map(|&corner| page.unplace(carried(page.place(corner, gutter), from, to), gutter));
+            let moved: Vec<Point> = moved.collect();
+            let wanted = Bounds::of(&moved);
+            let limited = inside(wanted);
+            *corners = moved.iter().map(|&corner| rounded(carried(corner, wanted, limited))).collect();
+        }
+        Shape::Circle { center, radius } => {
+            let aspect = template.aspect();
+            let most = RADIUS.1.min(0.5 / aspect);
+            let scale = to.width.min(to.height) / from.width;
+            *radius = fourth((*radius * scale).clamp(RADIUS.0.min(most), most));
+            let middle = Point::new(to.x + to.width / 2.0, to.y + to.height / 2.0);
+            let at = page.unplace(middle, gutter);
+            let limited = |at: f64, reach: f64| at.clamp(reach.min(0.5), (1.0 - reach).max(0.5));
+            *center = rounded(Point::new(limited(at.x, *radius), limited(at.y, *radius * aspect)));
+            // A rounded centre may be too close to the edge by a part of the last digit.
+            let room = center.x.min(1.0 - center.x).min(center.y.min(1.0 - center.y) / aspect);
+            *radius = radius.min(room);
+        }
+    }
+    checked(changed)
+}
+
+/// A point that keeps its relative position while a rectangle moves and changes its size.
+fn carried(p: Point, from: Bounds, to: Bounds) -> Point {
+    let along = |at: f64, from: f64, length: f64, to: f64, new: f64| to + (at - from) / length * new;
+    Point::new(
+        along(p.x, from.x, from.width, to.x, to.width),
+        along(p.y, from.y, from.height, to.y, to.height),
+    )
+}
+
+/// Bounds inside the unit square with a minimum size.
+fn inside(bounds: Bounds) -> Bounds {
+    let width = bounds.width.clamp(LEAST_OVERLAY, 1.0);
+    let height = bounds.height.clamp(LEAST_OVERLAY, 1.0);
+    Bounds { x: bounds.x.clamp(0.0, 1.0 - width), y: bounds.y.clamp(0.0, 1.0 - height), width, height }
+}
+
+fn rounded(p: Point) -> Point {
+    Point::new(fourth(p.x).clamp(0.0, 1.0), fourth(p.y).clamp(0.0, 1.0))
+}
+
+/// Four digits are finer than a printed dot, and keep files readable.
+fn fourth(value: f64) -> f64 {
+    (value * 10_000.0).round() / 10_000.0
+}
+
 /// The weights of the base panels.
 pub(super) fn base_weights(template: &Template) -> Vec<f32> {
     template.panels.iter().filter(|panel| !panel.overlay).map(|panel| panel.weight).collect()
@@ -182,12 +272,10 @@ fn fingerprint(text: &str) -> String {
     format!("{:08x}", (hash ^ (hash >> 32)) as u32)
 }
 
-/// Four digits are finer than a printed dot, and keep files readable.
 fn tidy(node: &mut Node) {
     if let Node::Split(split) = node {
-        let round = |value: f64| (value * 10_000.0).round() / 10_000.0;
-        split.shares.iter_mut().for_each(|share| *share = round(*share));
-        split.slants.iter_mut().for_each(|slant| *slant = round(*slant));
+        split.shares.iter_mut().for_each(|share| *share = fourth(*share));
+        split.slants.iter_mut().for_each(|slant| *slant = fourth(*slant));
         split.children.iter_mut().for_each(tidy);
     }
 }
@@ -354,6 +442,49 @@ mod tests {
             seen += 1;
         }
         assert!(seen > 5);
+    }
+
+    /// The bounds of a panel on an A4 page, in page widths.
+    fn bounds(template: &Template, panel: usize, settings: &PageSettings) -> Bounds {
+        resolve(template, settings.aspect(), settings)[panel].bounds
+    }
+
+    #[test]
+    fn an_overlay_moves_to_the_bounds_that_were_asked_for() {
+        for settings in [PageSettings::default(), PageSettings { rtl: true, ..PageSettings::default() }] {
+            let before = find("inset-corner").unwrap();
+            let was = bounds(before, 1, &settings);
+            let to = Bounds { x: 0.2, y: 0.3, width: was.width * 1.2, height: was.height * 0.8 };
+            let after = place_overlay(before, 1, to, settings.aspect(), &settings).unwrap();
+            let is = bounds(&after, 1, &settings);
+            for (a, b) in [(is.x, to.x), (is.y, to.y), (is.width, to.width), (is.height, to.height)] {
+                assert!((a - b).abs() < 1e-3, "{is:?} {to:?}");
+            }
+            assert_eq!((after.body(), after.family()), (before.body(), "custom"));
+            assert_eq!(after.panels()[0], before.panels()[0]);
+        }
+    }
+
+    #[test]
+    fn an_overlay_stays_on_the_page_and_keeps_a_size() {
+        let settings = PageSettings::default();
+        let aspect = settings.aspect();
+        let mut circles = 0;
+        for template in catalogue().iter().filter(|t| t.panels().len() > t.base_count()) {
+            let panel = template.panels().len() - 1;
+            circles += usize::from(matches!(template.panels()[panel].shape, Shape::Circle { .. }));
+            for (x, y, side) in [(-3.0, -3.0, 0.3), (3.0, 3.0, 0.3), (0.4, 0.4, 1e-6), (0.0, 0.0, 9.0)] {
+                let to = Bounds { x, y, width: side, height: side };
+                let after = place_overlay(template, panel, to, aspect, &settings).unwrap();
+                let is = bounds(&after, panel, &settings);
+                assert!(is.x > 0.0 && is.y > 0.0 && is.x + is.width < 1.0, "{} {is:?}", template.id());
+                assert!(is.y + is.height < 1.0 / aspect && is.width > 0.03, "{} {is:?}", template.id());
+            }
+            assert!(place_overlay(template, 0, bounds(template, 0, &settings), aspect, &settings).is_err());
+            let wrong = Bounds { x: f64::NAN, y: 0.0, width: 0.1, height: 0.1 };
+            assert!(place_overlay(template, panel, wrong, aspect, &settings).is_err());
+        }
+        assert!(circles > 0);
     }
 
     #[test]

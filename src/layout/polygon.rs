@@ -3,7 +3,7 @@
 //! A polygon is a list of corners in order round its edge, clockwise on the screen (y grows downward),
 //! without a repeated last corner. [`normalised`] brings any convex outline into that form.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Tolerance: closer corners count as one corner, and smaller distances as 0. Unit coordinates.
 pub const TINY: f64 = 1e-9;
@@ -46,7 +46,7 @@ impl Point {
 }
 
 /// A rectangle with sides parallel to the axes.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Bounds {
     /// Left edge.

@@ -108,6 +108,13 @@ impl Page {
         Point::new(origin + p.x * scale(1.0), origin + p.y * scale(self.height))
     }
 
+    /// Maps a point of the page to the unit square: the inverse of [`Page::place`].
+    pub(super) fn unplace(&self, p: Point, gutter: f64) -> Point {
+        let origin = self.margin - gutter / 2.0;
+        let scale = |length: f64| length - 2.0 * self.margin + gutter;
+        Point::new((p.x - origin) / scale(1.0), (p.y - origin) / scale(self.height))
+    }
+
     fn cell(&self, cell: &[Point], gutter: f64) -> Vec<Point> {
         cell.iter().map(|&p| self.place(p, gutter)).collect()
     }

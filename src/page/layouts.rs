@@ -3,12 +3,12 @@
 
 use super::document::template_of;
 use crate::error::{Error, Result};
-use crate::layout::edit::{Cut, cuts, move_cut, remove_panel, split_panel};
+use crate::layout::edit::{Cut, cuts, move_cut, place_overlay, remove_panel, split_panel};
 use crate::layout::join::join_panels;
 use crate::layout::merge::adjacent;
 use crate::layout::tree::Axis;
 use crate::layout::{
-    Body, PageSettings, PlacedPanel, ResolvedPanel, ResolvedShape, Template, generate, good_for,
+    Body, Bounds, PageSettings, PlacedPanel, ResolvedPanel, ResolvedShape, Template, generate, good_for,
     reading_order, resolve,
 };
 use serde::{Deserialize, Serialize};
@@ -205,9 +205,16 @@ pub(crate) enum LayoutChange {
         /// Which.
         panels: Vec<usize>,
     },
+    /// An inset is moved and sized.
+    MoveInset {
+        /// Which.
+        panel: usize,
+        /// Its new bounds on the page of the request, in page widths.
+        bounds: Bounds,
+    },
 }
 
-/// The template that the `LayoutChange` of `{layout, change}` makes of a layout.
+/// The template that the `LayoutChange` of `{layout, change, page}` makes of a layout. The page is only needed for insets.
 ///
 /// # Errors
 /// As [`facts`]; `invalid-layout` for a change that the layout does not allow.
@@ -216,14 +223,20 @@ pub fn changed(json: &str) -> Result<String> {
     struct Wanted {
         layout: Value,
         change: LayoutChange,
+        #[serde(default)]
+        page: PageSettings,
     }
-    let Wanted { layout, change } = parse(json)?;
+    let Wanted { layout, change, page } = parse(json)?;
     let template = template_of(&layout)?;
     let changed = match change {
         LayoutChange::MoveCut { cut, fraction, slant } => move_cut(&template, cut, fraction, slant),
         LayoutChange::Split { panel, axis } => split_panel(&template, panel, axis),
         LayoutChange::Remove { panel } => remove_panel(&template, panel),
         LayoutChange::Join { panels } => join_panels(&template, &panels),
+        LayoutChange::MoveInset { panel, bounds } => {
+            page.validate()?;
+            place_overlay(&template, panel, bounds, page.aspect(), &page)
+        }
     };
     Ok(changed?.to_json())
 }

@@ -2,6 +2,7 @@ import { LazyBoards } from '../boards/lazy-boards.tsx';
 import { LazyBrush } from '../brush/lazy-brush.tsx';
 import { strings } from '../strings/strings.ts';
 import { Board } from './board.tsx';
+import { CarriedPhoto } from '../page/panels/carried-photo.tsx';
 import { useApp } from '../ui/context.ts';
 import { Designer } from '../designer/designer-screen.tsx';
 import { STYLE_ZONE, dragging, forStyle } from './drop.ts';
@@ -73,6 +74,7 @@ function Everything() {
       {!empty && ui.work.value === 'pages' && <PagesWall />}
       {!empty && ui.work.value === 'boards' && <LazyBoards />}
       {projects && <Projects />}
+      <CarriedPhoto />
       <Toasts />
       <EncodingDialog />
       {dialog === 'help' && <HelpDialog />}

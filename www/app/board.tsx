@@ -91,8 +91,8 @@ function NarrowBoard() {
       </main>
       {sheet === null && (
         <div class="strip-row">
+          {!several && <PageStrip bare={hints.shown.value !== null} />}
           <HintLine />
-          {!several && hints.shown.value === null && <PageStrip />}
           <Alternatives />
         </div>
       )}

@@ -373,6 +373,7 @@ effect(() => {
 
 /** The action of Escape: closes the mode that was opened last. */
 function leaveMode() {
+  if (ui.originals.peek()) return () => void (ui.originals.value = false);
   if (ui.preview.peek()) return () => void (ui.preview.value = false);
   if (framing.placing.peek() !== null) return () => framing.place(null);
   if (lettering.mode.peek()) return () => void (lettering.mode.value = null);

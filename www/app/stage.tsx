@@ -8,8 +8,10 @@ import { strings } from '../strings/strings.ts';
 import { screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { Cuts } from '../page/panels/cuts.tsx';
+import { Insets } from '../page/panels/insets.tsx';
 import { createPainter } from '../page/painter.ts';
 import { Panels } from '../page/panels/panels.tsx';
+import { Originals } from '../page/originals.tsx';
 import { PanelSubjects } from '../photos/subject-boxes.tsx';
 import { useSwipe } from '../page/swipe.ts';
 import { ActionButton } from '../ui/action-button.tsx';
@@ -114,6 +116,7 @@ export function Stage() {
       >
         <div class="page" ref={sheet} style={{ '--aspect': settings.width / settings.height, '--zoom': zoom }}>
           <canvas ref={canvas} class="page-canvas" aria-hidden="true" />
+          {page && <Originals page={page} width={pixels} />}
           {page && geometry && <Panels page={page} geometry={geometry} />}
           {page && geometry && !reshaping.editing.value && (
             <WordLayer page={page} geometry={geometry} width={width > 0 ? pixels : 0} />
@@ -122,6 +125,7 @@ export function Stage() {
           {page && ui.safeArea.value && <SafeArea settings={settings} />}
           {page && geometry && <CoarseMarks page={page} geometry={geometry} />}
           {page && geometry && reshaping.editing.value && <Cuts />}
+          {page && geometry && reshaping.editing.value && <Insets geometry={geometry} />}
         </div>
         {page && <CoarseHide />}
       </div>

@@ -15,6 +15,9 @@ import { RecentProjects } from '../storage/recent-projects.tsx';
 /** Pages of the sample album, made with this app; `public/samples/PROVENANCE.md` names the photos. */
 const PAGES = ['line', 'moonlight', 'golden-age'];
 
+/** Whether the pointer is a finger, which cannot drop files. */
+const isTouch = () => window.matchMedia('(pointer: coarse)').matches;
+
 export function Start() {
   const { reading, store } = useApp();
   return (
@@ -29,7 +32,7 @@ export function Start() {
           <Elsewhere />
           <Broken />
           <h1>
-            {strings.lead.map((line) => (
+            {(isTouch() ? strings.leadTouch : strings.lead).map((line) => (
               <span key={line}>{line} </span>
             ))}
           </h1>

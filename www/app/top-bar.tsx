@@ -15,6 +15,7 @@ export function TopBar() {
   const page = store.page.value;
   return (
     <header class="top-bar">
+      {page && ui.work.value === null && <SkipToPage />}
       <div class="top-start">
         {store.tray.value.length === 0 && ui.work.value !== 'projects' ? (
           <span class="brand">{strings.name}</span>
@@ -40,6 +41,19 @@ export function TopBar() {
         {page && !wide && <ActionButton action={actions.download.download} />}
       </div>
     </header>
+  );
+}
+
+/** Leads the keyboard past the bar and the photos. It is visible while it has the focus. */
+function SkipToPage() {
+  return (
+    <button
+      type="button"
+      class="skip-link"
+      onClick={() => document.querySelector<HTMLElement>('.panels > .panel[tabindex="0"]')?.focus()}
+    >
+      {strings.skipToPage}
+    </button>
   );
 }
 

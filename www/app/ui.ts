@@ -83,6 +83,8 @@ export function createUi(window: Window) {
     printCheck: signal(null) as Signal<number | null>,
     /** Whether the settings of Shuffle for styles are shown. */
     styleShuffle: signal(false),
+    /** Whether the page shows its photos without a style. */
+    originals: signal(false),
     /** Whether the toolbar shows all tools. */
     allTools: signal(false),
     /** Whether the boxes of detected subjects are shown. */

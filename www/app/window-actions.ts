@@ -3,7 +3,8 @@
 import { computed } from '@preact/signals';
 import type { ReadonlySignal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import type { Action } from '../ui/action.ts';
+import type { Action, OwnKeys } from '../ui/action.ts';
+import { ORIGINALS_KEYS } from '../page/originals.tsx';
 import type { Parts } from '../ui/context.ts';
 import { ZOOMS } from './ui.ts';
 import type { Sheet } from './ui.ts';
@@ -61,6 +62,15 @@ export function createWindowActions({ ui, designer }: Pick<Parts, 'ui' | 'design
         ui.preview.value = !ui.preview.peek();
       },
     },
+    originals: {
+      label: strings.showOriginals,
+      icon: 'photos',
+      on: ui.originals,
+      run: () => {
+        ui.originals.value = !ui.originals.peek();
+      },
+    },
+    originalsKey: ORIGINALS_KEYS,
     enlargePage: {
       label: strings.enlargePage,
       keys: ['Z'],
@@ -89,5 +99,5 @@ export function createWindowActions({ ui, designer }: Pick<Parts, 'ui' | 'design
         ui.dialog.value = 'help';
       },
     },
-  } satisfies Record<string, Action>;
+  } satisfies Record<string, Action | OwnKeys>;
 }

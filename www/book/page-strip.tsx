@@ -15,15 +15,16 @@ import { PageThumb } from './page-thumb.tsx';
 import { isEnabled } from '../ui/action.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 
-export function PageStrip() {
+/** @param props `bare`: a single page has only the button for another page */
+export function PageStrip({ bare = false }: { bare?: boolean }) {
   const { store, book } = useApp();
   if (store.page.value === null) return null;
-  return book.several.value ? <Several /> : <Alone />;
+  return book.several.value ? <Several /> : <Alone bare={bare} />;
 }
 
-function Alone() {
+function Alone({ bare }: { bare: boolean }) {
   const { store, book, ui } = useApp();
-  const offers = store.reading.value === null && book.areManyLeft.value;
+  const offers = !bare && store.reading.value === null && book.areManyLeft.value;
   return (
     <section class="book" aria-label={strings.book.name} data-several="false">
       <AddPage />

@@ -1,4 +1,4 @@
-/** The gallery of all versions of the page: choose one to continue from it. */
+/** The gallery of all versions of the page: choose one to continue from it, or compare two side by side. */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useSubjectsOf } from '../page/subjects-of.ts';
@@ -13,14 +13,24 @@ import type { Entry } from './shown-pages.ts';
 export function PagesWall() {
   const { shownPages, ui } = useApp();
   const [only, setOnly] = useState(false);
+  /** The versions that are compared, at most two. */
+  const [pair, setPair] = useState([] as readonly number[]);
   const list = useRef(null as HTMLUListElement | null);
   const all = shownPages.entries.value;
-  const entries = only ? all.filter(({ loved }) => loved) : all;
+  const two = all.filter(({ id }) => pair.includes(id));
+  const compares = two.length === 2;
+  const entries = compares ? two : only ? all.filter(({ loved }) => loved) : all;
 
   useEffect(() => list.current?.querySelector('[aria-current]')?.scrollIntoView({ block: 'center' }), []);
 
   const tools = (
     <div class="wall-bar">
+      {pair.length > 0 && (
+        <button type="button" class="button" onClick={() => setPair([])}>
+          <Icon name="previous" />
+          {strings.comparedAll}
+        </button>
+      )}
       <button type="button" class="button" aria-pressed={only} onClick={() => setOnly(!only)}>
         <Icon name="heart" />
         {strings.favouritePages}
@@ -36,9 +46,19 @@ export function PagesWall() {
         ui.work.value = null;
       }}
     >
-      <ul class="page-wall" ref={list}>
+      <p class="visually-hidden" role="status">
+        {pair.length === 1 && strings.compareSecond}
+      </p>
+      <ul class="page-wall" ref={list} data-compares={compares}>
         {entries.map((entry) => (
-          <ShownPage key={entry.id} entry={entry} />
+          <ShownPage
+            key={`${entry.id} ${compares}`}
+            entry={entry}
+            compared={pair.includes(entry.id)}
+            onCompare={() =>
+              setPair(pair.includes(entry.id) ? pair.filter((id) => id !== entry.id) : [...pair, entry.id].slice(-2))
+            }
+          />
         ))}
       </ul>
       {entries.length === 0 && <p class="wall-empty">{strings.noFavouritePages}</p>}
@@ -46,7 +66,15 @@ export function PagesWall() {
   );
 }
 
-function ShownPage({ entry: { id, number, page, from, place, loved, current } }: { entry: Entry }) {
+function ShownPage({
+  entry: { id, number, page, from, place, loved, current },
+  compared,
+  onCompare,
+}: {
+  entry: Entry;
+  compared: boolean;
+  onCompare: () => void;
+}) {
   const { shownPages, engine, ui } = useApp();
   const ref = useRef(null as HTMLButtonElement | null);
   const width = () => screenPixels(ref.current?.clientWidth ?? 120);
@@ -70,6 +98,7 @@ function ShownPage({ entry: { id, number, page, from, place, loved, current } }:
           {number}
           {place !== null ? <i>{strings.versionOf(place)}</i> : from !== null && <i>{strings.pageFrom(from)}</i>}
         </span>
+        <IconButton icon="columns" label={strings.comparePage(number)} pressed={compared} onClick={onCompare} />
         <IconButton
           icon="heart"
           label={strings.favouritePage}

@@ -124,8 +124,9 @@ export function createPlanner() {
     layoutFile: (layout: LayoutChoice): Template => JSON.parse(core.layout_file(JSON.stringify({ layout }))),
     /** @param request the numbers of panels */
     generateLayout: (request: GenerateRequest): Template => JSON.parse(core.generate_layout(JSON.stringify(request))),
-    changeLayout: (layout: LayoutChoice, change: LayoutChange): Template =>
-      JSON.parse(core.change_layout(JSON.stringify({ layout, change }))),
+    /** @param page for the bounds of insets */
+    changeLayout: (layout: LayoutChoice, change: LayoutChange, page?: PageSettings): Template =>
+      JSON.parse(core.change_layout(JSON.stringify({ layout, change, page }))),
     plan: ({ photos, ...rest }: PlanRequest): PageDocument =>
       JSON.parse(album.of(photos).plan(JSON.stringify(rest), idsOf(photos))),
     /** Crops of photos for an aspect ratio, in the order of their ids. */

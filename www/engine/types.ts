@@ -1332,6 +1332,12 @@ export type LayoutChange = { "type": "move-cut",
 | { "type": "join",
   /** Which. */
   panels: ReadonlyArray<number>,
+}
+| { "type": "move-inset",
+  /** Which. */
+  panel: number,
+  /** Its new bounds on the page of the request, in page widths. */
+  bounds: Bounds,
 };
 
 /** Request of the list of layouts. */

@@ -50,6 +50,30 @@ test('a face without features is lost', () => {
   expect(damageOf({ energy, subjects: [{ ...face, label: 'cat' }] }, flat)).toBe('');
 });
 
+test('a face that fades against the photo is lost, and noise is found', () => {
+  const inFace = (x: number, y: number) => x >= 3 && x < 6 && y >= 1 && y < 5;
+  const plain = signature(() => tone);
+  const faceOf = (cell: number[], rest = tone) => signature((x, y) => (inFace(x, y) ? cell : rest));
+  const damage = (picture: Uint8Array) => damageOf({ energy, subjects: [face] }, picture, plain);
+  expect(damage(faceOf([120, 90, 80, 28]))).toBe('');
+  expect(damage(faceOf([120, 90, 80, 20]))).toBe('faceless');
+  // A face that became lighter must keep more of its features.
+  expect(damage(faceOf([230, 220, 210, 28]))).toBe('faceless');
+  expect(damage(faceOf([230, 220, 210, 36]))).toBe('');
+  expect(damage(faceOf(tone, [120, 90, 80, 100]))).toBe('noisy');
+  // A quarter of the midtones is black.
+  const black = signature((x) => (x < 3 ? [9, 9, 9, 30] : tone));
+  expect(damageOf({ energy, subjects: [] }, black, plain)).toBe('burnt');
+  expect(damageOf({ energy, subjects: [] }, black, black)).toBe('');
+  // Twice the contrast of the photo, without black and white.
+  const steps = (by: number) =>
+    signature((x) => (x % 2 ? [128 - by, 128 - by, 128 - by, 40] : [128 + by, 128 + by, 128 + by, 40]));
+  expect(damageOf({ energy, subjects: [] }, steps(70), steps(60))).toBe('');
+  expect(damageOf({ energy, subjects: [] }, steps(90), steps(40))).toBe('burnt');
+  // Without the photo, the checks do not know what is missing.
+  expect(damageOf({ energy, subjects: [face] }, faceOf([120, 90, 80, 20]))).toBe('');
+});
+
 test('names say the colour, and no two styles share one', () => {
   const taken = new Set<string>();
   const named = (name: string, hue: 'orange' | 'blue', lightness: 'middle' | 'light') => {

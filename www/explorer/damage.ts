@@ -1,6 +1,7 @@
 /**
- * Detects generated styles that burn out the details of a photo or lose its faces. Both follow from
- * the signature of the picture, so that no pixels are read again.
+ * Detects generated styles that burn out the details of a photo, lose its faces, or cover it with noise. All follow from
+ * the signature of the picture, so that no pixels are read again. The signature of the photo without a style makes the
+ * checks stricter.
  */
 
 import type { EnergyMap, Subject } from '../engine/types.ts';
@@ -17,21 +18,79 @@ const SMOOTH = 6;
 const BURNT = 0.3;
 /** Faces with a smaller part of the photo than this need not be seen. */
 const LEAST_FACE = 0.004;
+/** Maximum roughness of a picture, in roughnesses of its photo, and the least roughness of a photo for that. */
+const NOISE = 1.5;
+const LEAST_ROUGH = 50;
+/** Maximum standard deviation of the lightness of a picture, in deviations of its photo, and its least deviation for that. */
+const CONTRAST = 1.5;
+const LEAST_DEVIATION = 35;
+/** Lightness of midtones, and the part of the midtones that may become black or white. */
+const MIDTONES = [45, 215];
+const CLIPPED = 0.2;
+/** Lightness of black, and minimum channel value of white, after which a midtone is lost. */
+const [LOST_BLACK, LOST_WHITE] = [22, 236];
+/** Minimum roughness of a face, in roughnesses of the face in the photo; of a face that became lighter; and the steps of that. */
+const [FEATURES, LIGHT_FEATURES, LIGHTER] = [0.6, 0.8, 10];
 
 type Photo = { energy?: EnergyMap; subjects: readonly Subject[] };
 
-/** Returns why a picture of a photo is not shown; empty if it is fine. */
-export function damageOf({ energy, subjects }: Photo, signature: Uint8Array): '' | 'burnt' | 'faceless' {
+/**
+ * Returns why a picture of a photo is not shown; empty if it is fine.
+ * @param plain the signature of the photo without a style
+ */
+export function damageOf(
+  { energy, subjects }: Photo,
+  signature: Uint8Array,
+  plain?: Uint8Array,
+): '' | 'burnt' | 'faceless' | 'noisy' {
   if (signature.length !== COLUMNS * ROWS * CELL) return '';
-  const cells = Array.from({ length: COLUMNS * ROWS }, (_, i) => signature.subarray(i * CELL, (i + 1) * CELL));
+  const cells = cellsIn(signature);
   const isPaper = ([r, g, b, rough]: Uint8Array) => Math.min(r, g, b) >= WHITE && rough <= SMOOTH;
   const detailed = energy ? detailedCells(energy) : [];
   if (detailed.length > 0 && detailed.filter((i) => isPaper(cells[i])).length > BURNT * detailed.length) return 'burnt';
   const isEmpty = (cell: Uint8Array) => isPaper(cell) || cell[3] <= SMOOTH || Math.max(...cell.slice(0, 3)) <= BLACK;
   const faces = subjects.filter(({ label, width, height }) => label === FACE && width * height >= LEAST_FACE);
   const lost = faces.filter((face) => cellsOf(face).every((i) => isEmpty(cells[i])));
-  return faces.length > 0 && 2 * lost.length >= faces.length ? 'faceless' : '';
+  if (faces.length > 0 && 2 * lost.length >= faces.length) return 'faceless';
+  if (plain?.length !== signature.length) return '';
+  const before = cellsIn(plain);
+  const isHarsh = deviation(cells) > CONTRAST * Math.max(LEAST_DEVIATION, deviation(before));
+  if (isHarsh || clippedPart(cells, before) > CLIPPED) return 'burnt';
+  if (roughness(cells) > NOISE * Math.max(LEAST_ROUGH, roughness(before))) return 'noisy';
+  const faded = faces.filter((face) => {
+    const [now, then] = [cells, before].map((all) => cellsOf(face).map((i) => all[i]));
+    const lighter = lightness(now) - lightness(then) > LIGHTER;
+    return roughness(now) < (lighter ? LIGHT_FEATURES : FEATURES) * roughness(then);
+  });
+  return faces.length > 0 && 2 * faded.length >= faces.length ? 'faceless' : '';
 }
+
+/** The part of the midtones of a photo that are black or white in a picture. */
+function clippedPart(cells: readonly Uint8Array[], before: readonly Uint8Array[]): number {
+  const midtones = cells.filter((_, i) => {
+    const light = lightness([before[i]]);
+    return light > MIDTONES[0] && light < MIDTONES[1];
+  });
+  const clipped = midtones.filter(
+    (cell) => lightness([cell]) < LOST_BLACK || Math.min(...cell.subarray(0, 3)) > LOST_WHITE,
+  );
+  return clipped.length / Math.max(1, midtones.length);
+}
+
+function cellsIn(signature: Uint8Array): Uint8Array[] {
+  return Array.from({ length: COLUMNS * ROWS }, (_, i) => signature.subarray(i * CELL, (i + 1) * CELL));
+}
+
+const mean = (cells: readonly Uint8Array[], of: (cell: Uint8Array) => number) =>
+  cells.reduce((sum, cell) => sum + of(cell), 0) / Math.max(1, cells.length);
+const roughness = (cells: readonly Uint8Array[]) => mean(cells, ([, , , rough]) => rough);
+/** Standard deviation of the lightness of cells. */
+function deviation(cells: readonly Uint8Array[]): number {
+  const middle = lightness(cells);
+  return Math.sqrt(mean(cells, (cell) => (lightness([cell]) - middle) ** 2));
+}
+
+const lightness = (cells: readonly Uint8Array[]) => mean(cells, ([r, g, b]) => 0.299 * r + 0.587 * g + 0.114 * b);
 
 /** The half of the cells in which the photo has most to see. */
 function detailedCells({ columns, rows, values }: EnergyMap): number[] {

@@ -10,6 +10,7 @@ import { coloured } from './colouring.ts';
 import { createScores } from './explorer-scores.ts';
 import { createWall } from './explorer-wall.ts';
 import { damageOf } from './damage.ts';
+import { PLAIN } from '../photos/cover.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Progress, Store } from '../document/store.ts';
 import type { Explored } from '../engine/protocol.ts';
@@ -30,8 +31,9 @@ export type Photo = { id: string; width: number; height: number };
 export type Doing = Progress & { what: 'invent' | 'redraw' };
 export type Explorer = ReturnType<typeof createExplorer>;
 
-/** Styles that the wall opens with, and that one press invents. */
-export const FIRST = 120;
+/** Styles that the wall opens with, and that one press invents. For some photos only few styles are good, so more are tried. */
+export const FIRST = 96;
+const FIRST_TRIES = 4 * FIRST;
 export const ROUND = 240;
 /** Number of children of two styles, and of variations of one style. `TRIES` limits the attempts. */
 export const LITTER = 12;
@@ -56,9 +58,11 @@ export function createExplorer({
   seed: () => number;
   judged?: boolean;
 }) {
+  /** Signatures of photos without a style. */
+  const plain: Map<string, Uint8Array> = new Map();
   const wall = createWall(ownStyles.isFavourite, (photo, signature) => {
     const meta = store.album.peek().get(photo)?.meta;
-    return !!meta && damageOf(meta, signature) !== '';
+    return !!meta && damageOf(meta, signature, plain.get(photo)) !== '';
   });
   const progress: Signal<Doing | null> = signal(null);
   const scores = createScores({ engine, messages, items: wall.items, wanted: judged });
@@ -144,7 +148,8 @@ export function createExplorer({
     const missing = ownStyles.favourites.peek().filter(({ id }) => !wall.pictures.has(id));
     if (missing.length > 0 && !(await run(photo, missing.length, (i) => missing[i], { choosy: false }))) return;
     if (!(await redraw(photo))) return;
-    if (wall.items.peek().every(({ style }) => ownStyles.isFavourite(style.id))) await invent(photo, FIRST);
+    if (wall.items.peek().every(({ style }) => ownStyles.isFavourite(style.id)))
+      await invent(photo, FIRST_TRIES, FIRST);
   }
 
   /** Invents another round. */
@@ -152,7 +157,8 @@ export function createExplorer({
     if (await redraw(photo)) await invent(photo, ROUND);
   }
 
-  function invent(photo: Photo, count: number) {
+  /** @param enough number of styles to add (default: all) */
+  function invent(photo: Photo, count: number, enough = Infinity) {
     const planner = store.planner.peek();
     if (!planner) return Promise.resolve(false);
     const from = first.peek() + made;
@@ -163,7 +169,7 @@ export function createExplorer({
       const at = (from + i) >>> 0;
       return coloured(planner.inventStyle(at), at, blocks);
     };
-    return run(photo, count, make, { choosy: true });
+    return run(photo, count, make, { choosy: true, enough });
   }
 
   /** Begins with another seed. */
@@ -274,6 +280,7 @@ export function createExplorer({
       }
     };
     try {
+      await measurePlain(photo, mine.signal);
       await Promise.all(Array.from({ length: AHEAD }, parcels));
     } catch (error) {
       const { code, message } = error as { code?: string; message: string };
@@ -285,6 +292,15 @@ export function createExplorer({
       progress.value = null;
     }
     return !mine.signal.aborted;
+  }
+
+  /** Measures a photo without a style, once, to compare styles with it. */
+  async function measurePlain(photo: Photo, signal: AbortSignal) {
+    if (plain.has(photo.id) || !store.album.peek().get(photo.id)?.meta) return;
+    for (const { bitmap, signature } of await engine.exploreStyles(photo.id, [PLAIN], photo, { signal })) {
+      bitmap.close();
+      plain.set(photo.id, signature);
+    }
   }
 
   function stop() {

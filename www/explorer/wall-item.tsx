@@ -3,6 +3,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
+import { middleOf } from '../photos/cover.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { pointing } from '../ui/pointing.ts';
@@ -42,9 +43,11 @@ export function WallItem({
   family?: 'parent' | 'child';
   point: Point;
 }) {
-  const { explorer } = useApp();
+  const { explorer, store } = useApp();
   const { style } = item;
   const deeds = useStyleDeeds(style, photo);
+  // A tile does not cut the face.
+  const middle = middleOf(store.album.peek().get(item.photo.id)?.meta?.subjects ?? []);
   const canvas = useRef(null as HTMLCanvasElement | null);
 
   useEffect(() => {
@@ -75,7 +78,12 @@ export function WallItem({
           explorer.enlarged.value = style.id;
         }}
       >
-        <canvas ref={canvas} class="bitmap" aria-hidden="true" />
+        <canvas
+          ref={canvas}
+          class="bitmap"
+          aria-hidden="true"
+          style={{ objectPosition: middle.map((part) => `${Math.round(part * 100)}%`).join(' ') }}
+        />
       </button>
       {points !== null && <Score points={points} />}
       {origin && (

@@ -9,7 +9,8 @@ export function createLayoutActions({
   store,
   reshaping,
   ownLayouts,
-}: Pick<Parts, 'store' | 'reshaping' | 'ownLayouts'>) {
+  ui,
+}: Pick<Parts, 'store' | 'reshaping' | 'ownLayouts' | 'ui'>) {
   const there = computed(() => store.layoutFacts.value !== null);
   return {
     surprise: {
@@ -27,6 +28,8 @@ export function createLayoutActions({
       on: reshaping.editing,
       run: () => {
         reshaping.editing.value = !reshaping.editing.peek();
+        // The list of layouts would leave little space for the handles.
+        if (reshaping.editing.peek()) ui.sheet.value = null;
       },
     },
     save: { label: strings.saveLayout, icon: 'save', enabled: there, run: ownLayouts.save, undo: 'step' },

@@ -3,6 +3,7 @@
  * used are shown; `More` has the others, each with the reason why it cannot be used.
  */
 
+import { useEffect } from 'preact/hooks';
 import { versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
@@ -16,8 +17,14 @@ import type { App } from '../ui/context.ts';
 /** Tools besides `More`: at most; on a small screen; and for a page that was shuffled, as a first page is not crowded by tools. */
 const SHOWN = { most: 5, small: 4, page: 2 };
 
-/** `shown`: tools besides `More`; `end`: ends the mode that the tools belong to */
-type Tools = { title: string; tools: readonly Action[]; shown: number; end?: Action };
+/** `kind` of the selection; `shown`: tools besides `More`; `end`: ends the mode that the tools belong to */
+type Tools = {
+  kind: 'text' | 'layout' | 'crop' | 'panels' | 'panel' | 'page';
+  title: string;
+  tools: readonly Action[];
+  shown: number;
+  end?: Action;
+};
 
 /** @param props `bare`: show only the effect of the next click, if another bar is open */
 export function ContextBar({ bare = false }: { bare?: boolean }) {
@@ -25,6 +32,10 @@ export function ContextBar({ bare = false }: { bare?: boolean }) {
   const { ui, lettering } = app;
   const found = bare ? null : toolsFor(app);
   const open = ui.allTools.value;
+  // Another selection begins with a few tools.
+  useEffect(() => {
+    ui.allTools.value = false;
+  }, [found?.kind]);
   const usable = found?.tools.filter(isEnabled) ?? [];
   const first = usable.slice(0, found?.shown);
   const rest = found?.tools.filter((tool) => !first.includes(tool)) ?? [];
@@ -106,6 +117,7 @@ function toolsFor({
     const more = word.kind === 'balloon' ? [removeTail] : [];
     return wide
       ? {
+          kind: 'text',
           title: strings.word(word.kind, word.text),
           tools: [edit, smaller, larger, ...tail, remove, place, move, ...more],
           shown,
@@ -116,15 +128,20 @@ function toolsFor({
   if (reshaping.editing.value) {
     const cuts = [panels.cutBack, panels.cutForth, panels.slantBack, panels.slantForth];
     const cells = [panels.splitRows, panels.splitColumns, panels.remove, panels.join];
+    const { insetLeft, insetRight, insetUp, insetDown, insetLarger, insetSmaller } = panels;
+    const insets = [insetLarger, insetSmaller, insetLeft, insetRight, insetUp, insetDown];
+    const isInset = panel !== undefined && isEnabled(insetLarger);
     return {
+      kind: 'layout',
       title: strings.editLayout,
-      tools: panel === undefined ? [...cuts, ...cells] : [...cells, ...cuts],
-      shown: shown - 1,
+      tools: isInset ? [...insets, panels.remove] : panel === undefined ? [...cuts, ...cells] : [...cells, ...cuts],
+      shown: isInset && wide ? insets.length : shown - 1,
       end: panels.done,
     };
   }
   if (panel !== undefined && other === undefined && framing.cropping.value === panel)
     return {
+      kind: 'crop',
       title: strings.crop,
       tools: [panels.zoomIn, panels.zoomOut, panels.fit, panels.reset].filter(isEnabled),
       shown: SHOWN.most,
@@ -132,6 +149,7 @@ function toolsFor({
     };
   if (other !== undefined || selection.several.value)
     return {
+      kind: 'panels',
       title: chosen.length > 0 ? strings.chosenPanels(chosen.length) : strings.selectPanels,
       tools: [panels.join, panels.merge, ...(chosen.length === 2 ? [panels.swap] : []), ...merged, panels.select],
       shown,
@@ -140,6 +158,7 @@ function toolsFor({
     const { crop, replace, lock, star, splitPanel, swap, breakFrame, correct, saveSubject, save, remove } = panels;
     const frame = scrubbing.isFrame(panel) ? [panels.earlier, panels.later] : [];
     return {
+      kind: 'panel',
       title: strings.panel(panel + 1, store.page.value?.panels.length ?? 0),
       tools: [
         ...[crop, replace, lock, star, splitPanel, ...merged, ...frame, swap, panels.fit, panels.focus, panels.reset],
@@ -154,6 +173,7 @@ function toolsFor({
   const isAlbum = !pages.several.value && pages.areManyLeft.value && isEnabled(book.make);
   const offers = [...(isEnabled(page.acceptCrops) ? [page.acceptCrops] : []), ...(isAlbum ? [book.make] : [])];
   return {
+    kind: 'page',
     title: strings.sideTab.page,
     tools: [
       ...offers,
@@ -167,7 +187,7 @@ function toolsFor({
         styles.shuffleSettings,
         panels.select,
       ],
-      ...[photos.subjects, window.enlargePage, window.shrinkPage, window.preview],
+      ...[photos.subjects, window.originals, window.enlargePage, window.shrinkPage, window.preview],
     ],
     shown: offers.length + (isFirst ? 0 : SHOWN.page),
   };

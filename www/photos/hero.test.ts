@@ -25,6 +25,8 @@ test('pictures of styles show the photo with the clearest face', () => {
 
 test('without faces, they show the largest photo of the page that is not among the busiest', () => {
   expect(hero([photo('stream', 'ff'), photo('bus', '60'), photo('sky', '10')])).toBe('bus');
+  const cat = { ...face(0.6), label: 'cat' };
+  expect(hero([photo('stream', 'ff', [cat]), photo('bus', '60'), photo('cat', '10', [cat])])).toBe('cat');
   expect(hero([photo('only', 'ff')])).toBe('only');
   expect(hero([])).toBe(null);
 });

@@ -10,23 +10,34 @@ type Album = { store: Pick<Store, 'photos' | 'page' | 'geometry'>; engine: Pick<
 
 /** Minimum and maximum share of a photo that a face should have. */
 const [LEAST_FACE, MOST_FACE] = [0.01, 0.35];
+/** Minimum and maximum share of a photo that another subject should have. */
+const SUBJECT = [0.12, 0.8];
+/** Minimum clearness of the best face. A single face with 1.5 % of the photo has about this clearness. */
+const LEAST_CLEAR = 0.1;
 
 /**
  * The photo of style previews. It stays the same as long as it is in use, so that previews do not change with pages. It changes
- * once if a face is found in another photo and not in this one.
+ * to a photo with a face or a subject after the detection, if it shows neither.
  */
 export function useHero(): string | null {
   const app = useApp();
   const hero = useRef(null as string | null);
   const usable = usableIn(app);
   const known = new Map(app.store.photos.value.map((photo) => [photo.id, photo]));
-  const hasFace = (id: string) => faceIn(known.get(id)) > 0;
+  const rank = (id: string | null) => rankOf(known.get(id ?? ''));
   const stays = hero.current !== null && usable.includes(hero.current);
-  if (!stays || (!hasFace(hero.current as string) && usable.some(hasFace))) hero.current = heroOf(app);
+  const now = rank(hero.current);
+  if (!stays || usable.some((id) => rank(id) > now)) hero.current = heroOf(app);
   return hero.current;
 }
 
-/** The photo with the clearest face, or the largest photo of the page that is not among the busiest. */
+/** Returns 2 for a photo with a clear face, 1 with another subject, 0 for others. */
+const rankOf = (photo: PhotoMeta | undefined) => (faceIn(photo) > 0 ? 2 : Number(hasSubject(photo)));
+
+/**
+ * The photo with the clearest face. Without one, the largest photo of the page that is not among the busiest, if possible with
+ * a subject.
+ */
 export function heroOf(album: Album): string | null {
   const { page, geometry } = album.store;
   const usable = usableIn(album);
@@ -41,10 +52,12 @@ export function heroOf(album: Album): string | null {
   if (faces.length > 0) return faces.reduce((a, b) => (faceIn(known.get(b)) > faceIn(known.get(a)) ? b : a));
   const busy = all.map((id) => busyness(known.get(id))).sort((a, b) => b - a);
   const limit = busy[Math.floor(busy.length / 3)] ?? Infinity;
-  return all.find((id) => busyness(known.get(id)) <= limit) ?? all[0] ?? null;
+  const calm = all.filter((id) => busyness(known.get(id)) <= limit);
+  const hasOne = (id: string) => hasSubject(known.get(id));
+  return calm.find(hasOne) ?? all.find(hasOne) ?? calm[0] ?? all[0] ?? null;
 }
 
-/** The size and certainty of the best face of a photo; 0 without a face of a good size. */
+/** The size and certainty of the best face of a photo; 0 without a clear face of a good size. */
 function faceIn(photo: PhotoMeta | undefined): number {
   const faces = (photo?.subjects ?? []).filter(({ label }) => label === 'face');
   const sizes = faces.map(({ width, height, score }) => {
@@ -52,7 +65,16 @@ function faceIn(photo: PhotoMeta | undefined): number {
     return size >= LEAST_FACE && size <= MOST_FACE ? Math.sqrt(size) * score : 0;
   });
   // A small picture of a crowd shows no face well.
-  return Math.max(0, ...sizes) / Math.sqrt(Math.max(1, faces.length));
+  const clear = Math.max(0, ...sizes) / Math.sqrt(Math.max(1, faces.length));
+  return clear < LEAST_CLEAR ? 0 : clear;
+}
+
+/** Whether a subject fills a good part of a photo, such as an animal. */
+function hasSubject(photo: PhotoMeta | undefined): boolean {
+  return (photo?.subjects ?? []).some(({ width, height, score }) => {
+    const size = width * height;
+    return size >= SUBJECT[0] && size <= SUBJECT[1] && score >= 0.5;
+  });
 }
 
 /** How evenly a photo has details everywhere, as foliage and water do. */

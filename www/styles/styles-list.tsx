@@ -63,7 +63,7 @@ export function StylesList() {
           type="search"
           class="search"
           aria-label={strings.searchStyles}
-          placeholder={strings.searchStyles}
+          placeholder={strings.searchShort}
           value={sought.value}
           onInput={({ currentTarget }) => {
             sought.value = currentTarget.value;
@@ -102,6 +102,7 @@ export function StylesList() {
           ) : (
             <Bitmap
               of={`${designed.has(option) ? hero : `${hero} ${JSON.stringify(option)}`} ${hasParts(option) ? (store.masks.value.get(hero) ?? '') : ''}`}
+              by={JSON.stringify(size.crop)}
               draw={(call) => engine.stylePhoto(hero, option, size, call)}
             />
           )

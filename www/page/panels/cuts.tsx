@@ -22,13 +22,15 @@ export function Cuts() {
   const found = store.layoutFacts.value?.cuts ?? [];
   const rtl = store.page.value?.page.rtl ?? false;
   const cuts = rtl ? found.map((cut) => ({ ...cut, ...mirrored(cut), ...mirroredEnds(cut) })) : found;
-  const height = store.geometry.value?.height ?? 1;
+  const geometry = store.geometry.value;
+  const height = geometry?.height ?? 1;
+  const hasInsets = geometry?.panels.some(({ overlay }) => overlay) ?? false;
   return (
     <div class="cuts" role="group" aria-label={strings.cuts}>
       {cuts.map((cut, i) => (
         <CutHandle key={i} cut={cut} index={i} count={cuts.length} height={height} rtl={rtl} />
       ))}
-      {cuts.length === 0 && <p class="cuts-none">{strings.noCuts}</p>}
+      {cuts.length === 0 && !hasInsets && <p class="cuts-none">{strings.noCuts}</p>}
     </div>
   );
 }

@@ -3,7 +3,7 @@
  * share its image.
  */
 
-import { effect, signal } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import { fitted, panned, zoomed } from './crop.ts';
 import { grown } from './merging.ts';
 import type { Pages } from '../../document/pages.ts';
@@ -26,6 +26,12 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
   const placing: Signal<string | null> = signal(null);
   /** The panel whose photo is being cropped. */
   const cropping: Signal<number | null> = signal(null);
+  /** The panel whose photo is being dragged or zoomed. */
+  const held: Signal<number | null> = signal(null);
+  /** The panel whose whole photo is shown, as its crop changes. */
+  const framed = computed(
+    () => held.value ?? cropping.value ?? (mode.value?.kind === 'frame' ? mode.value.panel : null),
+  );
   // Any other edit, undo or redo cancels the placing of a photo.
   let { past } = store.history.peek();
   effect(() => {
@@ -38,11 +44,15 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
     mode,
     placing,
     cropping,
+    held,
+    framed,
+    groupAt: groupOf,
     place,
     placeIn,
     step,
     toggle,
     cropOf,
+    photoOf,
     boundsOf,
     isLocked,
     pan,
@@ -195,7 +205,7 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
     const use = page?.panels[panel];
     if (!page || !use || isLocked(panel)) return false;
     const mask = store.masks.peek().get(use.photo ?? '');
-    const without = { ...page, panels: page.panels.map((other, i) => (i === panel ? framed(other) : other)) };
+    const without = { ...page, panels: page.panels.map((other, i) => (i === panel ? withoutFigure(other) : other)) };
     const next = on ? mask && store.planner.peek()?.breakFrame(page, panel, mask) : without;
     if (next) store.change({ type: 'change-page', page: next, gesture: step() });
     return !!next;
@@ -231,7 +241,7 @@ function groupOf(page: PageDocument, panel: number): number[] {
 }
 
 /** @returns the panel without a breakout */
-function framed({ figure: _figure, ...use }: PanelUse): PanelUse {
+function withoutFigure({ figure: _figure, ...use }: PanelUse): PanelUse {
   return use;
 }
 

@@ -4,6 +4,7 @@ import { computed } from '@preact/signals';
 import { LARGE_STEP as LARGE_SCRUB, STEP as SCRUB } from './scrubbing.ts';
 import { strings } from '../../strings/strings.ts';
 import { SLANT_KEYS } from './cuts.tsx';
+import { SIZE_KEYS } from './insets.tsx';
 import { CHOOSE_KEYS, FRAME_KEYS } from './panel-keys.ts';
 import type { ReadonlySignal } from '@preact/signals';
 import type { Parts } from '../../ui/context.ts';
@@ -22,6 +23,9 @@ const CLICK_ZOOM = 1.2;
 const KEY_ZOOM = 1.1;
 /** Distance that a click moves a divider, as a fraction of the divided cell. */
 const CUT_STEP = 0.02;
+/** Distance in page widths of a click that moves an inset, and the factor of a click that sizes it. */
+const INSET_STEP = 0.02;
+const INSET_FACTOR = 1.1;
 
 export function createPanelActions({
   store,
@@ -135,6 +139,24 @@ export function createPanelActions({
     }) satisfies Partial<Action>;
   const alongCut = (rows: string, columns: string): ReadonlySignal<string> =>
     computed(() => (cut.value?.axis === 'rows' ? rows : columns));
+
+  const whyNoInset = computed(
+    () => whyNotOne.value || (chosen.value[0] >= (facts.value?.base ?? 0) ? '' : strings.notInset),
+  );
+  /** Moves the middle of the selected inset, in page widths, and sizes the inset. */
+  const placed = (x: number, y: number, factor = 1) =>
+    ({
+      why: whyNoInset,
+      run() {
+        const bounds = store.geometry.peek()?.panels[panel()]?.bounds;
+        if (!bounds) return;
+        const [width, height] = [bounds.width * factor, bounds.height * factor];
+        const left = bounds.x + (bounds.width - width) / 2 + x;
+        const top = bounds.y + (bounds.height - height) / 2 + y;
+        reshaping.moveInset(panel(), { x: left, y: top, width, height }, `inset-clicks-${panel()}`);
+      },
+      undo: 'gesture',
+    }) satisfies Partial<Action>;
 
   return {
     select: {
@@ -323,6 +345,13 @@ export function createPanelActions({
     cutForth: { label: strings.cutForth, icon: alongCut('down', 'next'), ...moved(CUT_STEP, 0) },
     slantBack: { label: strings.slantBack, icon: 'slantLess', ...moved(0, -2 * CUT_STEP) },
     slantForth: { label: strings.slantForth, icon: 'slantMore', ...moved(0, 2 * CUT_STEP) },
+    sizeInset: SIZE_KEYS,
+    insetLeft: { label: strings.insetLeft, icon: 'previous', ...placed(-INSET_STEP, 0) },
+    insetRight: { label: strings.insetRight, icon: 'next', ...placed(INSET_STEP, 0) },
+    insetUp: { label: strings.insetUp, icon: 'up', ...placed(0, -INSET_STEP) },
+    insetDown: { label: strings.insetDown, icon: 'down', ...placed(0, INSET_STEP) },
+    insetLarger: { label: strings.insetLarger, icon: 'zoomIn', ...placed(0, 0, INSET_FACTOR) },
+    insetSmaller: { label: strings.insetSmaller, icon: 'zoomOut', ...placed(0, 0, 1 / INSET_FACTOR) },
     done: {
       label: strings.doneEditing,
       icon: 'check',

@@ -22,6 +22,9 @@ const TURN = 500;
 /** The panel that a photo is held over. */
 export const target: Signal<number | null> = signal(null);
 
+/** The photo that the pointer carries to another panel, and the pointer's position in the window. */
+export const carried: Signal<(Point & { photo: string }) | null> = signal(null);
+
 export function usePanelGestures() {
   const { framing, selection } = useApp();
   const hands = useRef(new Map() as Map<number, Point>);
@@ -70,6 +73,9 @@ export function usePanelGestures() {
     const parts = [x / page.width / bounds.width, y / page.width / bounds.height] as [number, number];
     const over = pinch ? null : panelAt(event, element);
     target.value = over === held.panel || over === null || framing.isLocked(over) ? null : over;
+    const photo = target.value === null ? null : framing.photoOf(held.panel);
+    carried.value = photo === null ? null : { photo, x: event.clientX, y: event.clientY };
+    framing.held.value = photo === null ? held.panel : null;
     if (target.value !== null) framing.pan(held.panel, held.crop, [0, 0], held.gesture);
     else if (pinch)
       framing.zoom(held.panel, held.crop, span / held.span, within(held.from, page, bounds), held.gesture);
@@ -85,6 +91,8 @@ export function usePanelGestures() {
       framing.swap(held.panel, target.peek() as number, held.gesture);
     }
     target.value = null;
+    carried.value = null;
+    framing.held.value = null;
   }
 
   function turn(event: WheelEvent, panel: number) {

@@ -5,6 +5,7 @@
  */
 
 import { useRef, useState } from 'preact/hooks';
+import { CropGhost } from './crop-ghost.tsx';
 import { describePanel } from '../describing.ts';
 import { strings } from '../../strings/strings.ts';
 import { useApp } from '../../ui/context.ts';
@@ -55,6 +56,7 @@ export function Panels({ page, geometry }: { page: PageDocument; geometry: Geome
 
   return (
     <>
+      <CropGhost page={page} geometry={geometry} />
       <div class="panels" ref={ref} data-mode={framing.placing.value !== null ? 'swap' : mode?.kind} onFocusOut={leave}>
         {geometry.panels.slice(0, count).map((panel, i) => (
           <div

@@ -1,6 +1,6 @@
 /**
- * Manual changes of the layout: a generated layout, a moved divider, a split or removed panel, joined panels. The page
- * then stores the complete layout, like any other page.
+ * Manual changes of the layout: a generated layout, a moved divider or inset, a split or removed panel, joined panels. The
+ * page then stores the complete layout, like any other page.
  */
 
 import { signal } from '@preact/signals';
@@ -8,7 +8,7 @@ import { strings } from '../../strings/strings.ts';
 import { grown } from './merging.ts';
 import type { Pages } from '../../document/pages.ts';
 import type { Store } from '../../document/store.ts';
-import type { LayoutChange, PageDocument, PanelUse } from '../../engine/types.ts';
+import type { Bounds, LayoutChange, PageDocument, PanelUse } from '../../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
 export type Reshaping = ReturnType<typeof createReshaping>;
@@ -26,6 +26,7 @@ export function createReshaping({ store, pages, seed }: { store: Store; pages: P
     cut: signal(null) as Signal<number | null>,
     surprise,
     moveCut,
+    moveInset,
     splitPanel,
     removePanel,
     cannotJoin,
@@ -48,6 +49,14 @@ export function createReshaping({ store, pages, seed }: { store: Store; pages: P
    */
   function moveCut(cut: number, to: { fraction: number; slant: number }, gesture: string) {
     change({ type: 'move-cut', cut, ...to }, (page) => page, gesture);
+  }
+
+  /**
+   * @param bounds in page widths
+   * @param gesture names the drag, which is one step of the undo
+   */
+  function moveInset(panel: number, bounds: Bounds, gesture: string) {
+    change({ type: 'move-inset', panel, bounds }, (page) => page, gesture);
   }
 
   function splitPanel(panel: number, axis: 'rows' | 'columns') {
@@ -84,7 +93,7 @@ export function createReshaping({ store, pages, seed }: { store: Store; pages: P
     const planner = store.planner.peek();
     const page = store.page.peek();
     if (!planner || !page) return;
-    const layout = planner.changeLayout(page.layout, wish);
+    const layout = planner.changeLayout(page.layout, wish, page.page);
     pages.amend({ ...follow(page), layout }, { gesture });
   }
 }

@@ -6,6 +6,8 @@ export const boardStrings = {
   endFullScreen: 'Vollbild verlassen',
   enlargePage: 'Seite vergrößern',
   shrinkPage: 'Seite verkleinern',
+  skipToPage: 'Zur Comicseite springen',
+  showOriginals: 'Originalfotos zeigen',
   versionAt: (n: number, of: number) => `Version ${n} von ${of}`,
   betterCrops: 'Ausschnitte verbessern',
   betterCropsWhy: 'Gesichter und Objekte wurden erkannt: Fotos so zuschneiden, dass sie ganz zu sehen sind',

@@ -63,7 +63,7 @@ export const helpStrings = {
     },
     layouts: {
       title: 'Layouts',
-      text: `Wähle ein Layout nach Familie und Zahl der Panels; „${side.surprise}“ erfindet eines. Mit „${side.editLayout}“ ziehst und neigst du die Trennlinien zwischen den Panels und teilst oder entfernst Panels. „${side.saveLayout}“ speichert es als Datei und legt es unter „${side.myLayouts}“ ab.`,
+      text: `Wähle ein Layout nach Familie und Zahl der Panels; „${side.surprise}“ erfindet eines. Mit „${side.editLayout}“ ziehst und neigst du die Trennlinien zwischen den Panels, verschiebst Einsätze und teilst oder entfernst Panels. „${side.saveLayout}“ speichert es als Datei und legt es unter „${side.myLayouts}“ ab.`,
     },
     joining: {
       title: 'Panels zusammenlegen und ein Foto über mehrere Panels',

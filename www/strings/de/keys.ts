@@ -18,6 +18,8 @@ export const keyStrings = {
     zoom: 'Das Foto eines Panels vergrößern, verkleinern, zurücksetzen',
     choose: 'Ein Panel auswählen',
     slant: 'Eine Trennlinie des Layouts neigen',
+    sizeInset: 'Die Größe eines Einsatzes ändern',
+    originals: 'Gedrückt halten: Originalfotos zeigen',
     list: 'Diese Liste',
   },
 };

@@ -66,7 +66,7 @@ export const panelStrings = {
   unchanged: 'der Ausschnitt ist der automatische',
   putHere: (photo: string, panel: number) => `${photo} in Panel ${panel} setzen`,
   modes: {
-    layout: 'Ziehe eine Trennlinie, oder wähle ein Panel zum Teilen',
+    layout: 'Ziehe eine Trennlinie oder einen Einsatz, oder wähle ein Panel zum Teilen',
     replace: 'Wähle ein Foto für dieses Panel',
     frame: 'Pfeile bewegen das Foto, + und − zoomen, 0 setzt zurück, Eingabe beendet',
     swap: 'Wähle das Panel zum Tauschen',
@@ -82,4 +82,14 @@ export const panelStrings = {
   slantBack: 'Trennlinie weniger neigen',
   slantForth: 'Trennlinie mehr neigen',
   cutKeys: 'Pfeile bewegen sie, mit Alt neigen sie sie',
+  insets: 'Einsätze des Layouts',
+  inset: (n: number, of: number) => `Einsatz ${n} von ${of}`,
+  insetKeys: 'Pfeile bewegen ihn, mit Alt ändern sie seine Größe',
+  notInset: 'wähle einen Einsatz aus',
+  insetLeft: 'Einsatz nach links',
+  insetRight: 'Einsatz nach rechts',
+  insetUp: 'Einsatz nach oben',
+  insetDown: 'Einsatz nach unten',
+  insetLarger: 'Einsatz vergrößern',
+  insetSmaller: 'Einsatz verkleinern',
 };

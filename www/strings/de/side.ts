@@ -3,6 +3,7 @@ export const sideStrings = {
   pageTools: 'Werkzeuge der Seite',
   sideTab: { styles: 'Stile', layouts: 'Layouts', words: 'Text', page: 'Seite' },
   searchStyles: 'Stile suchen',
+  searchShort: 'Suchen',
   anyStyles: 'Alle',
   styleFamilies: 'Stilfamilien',
   recentStyles: 'Zuletzt',

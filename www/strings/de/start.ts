@@ -1,5 +1,6 @@
 export const startStrings = {
   lead: ['Fotos rein.', 'Comic raus.'],
+  leadTouch: ['Fotos wählen.', 'Comic raus.'],
   leadMore: 'Inkpanel wählt aus, schneidet zu, tuscht und ordnet an. Misch, bis es dir gefällt.',
   chooseFiles: 'Fotos oder Video wählen',
   filesLabel: 'Fotos oder Video',

@@ -106,5 +106,8 @@ export const storageStrings = {
   pageFrom: (n: number) => `von Seite ${n}`,
   favouritePage: 'Lieblingsseite',
   favouritePages: 'Nur Favoriten',
+  comparePage: (n: number) => `Version ${n} vergleichen`,
+  comparedAll: 'Alle Versionen zeigen',
+  compareSecond: 'Wähle die zweite Version zum Vergleichen',
   noFavouritePages: 'Noch keine Favoriten. Drücke das Herz auf einer Seite, die dir gefällt.',
 };

@@ -8,6 +8,8 @@ export const boardStrings = {
   endFullScreen: 'Leave full screen',
   enlargePage: 'Enlarge page',
   shrinkPage: 'Shrink page',
+  skipToPage: 'Skip to the comic page',
+  showOriginals: 'Show original photos',
   versionAt: (n: number, of: number) => `Version ${n} of ${of}`,
   betterCrops: 'Improve crops',
   betterCropsWhy: 'Faces and objects were detected: crop the photos so that all of them are visible',

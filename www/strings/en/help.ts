@@ -64,7 +64,7 @@ export const helpStrings = {
     },
     layouts: {
       title: 'Layouts',
-      text: `Choose a layout by its family and its number of panels; “${side.surprise}” generates one. With “${side.editLayout}” you drag the dividers between the panels, slant them, and split or remove panels. “${side.saveLayout}” saves the layout as a file and adds it to “${side.myLayouts}”.`,
+      text: `Choose a layout by its family and its number of panels; “${side.surprise}” generates one. With “${side.editLayout}” you drag the dividers between the panels, slant them, move insets, and split or remove panels. “${side.saveLayout}” saves the layout as a file and adds it to “${side.myLayouts}”.`,
     },
     joining: {
       title: 'Joining panels, and one photo across panels',

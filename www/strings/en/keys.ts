@@ -13,6 +13,8 @@ export const keyStrings = {
     zoom: 'Zoom a panel’s photo, reset it',
     choose: 'Select a panel',
     slant: 'Slant a divider of the layout',
+    sizeInset: 'Change the size of an inset',
+    originals: 'Hold to see the original photos',
     list: 'This list',
   },
 };

@@ -68,7 +68,7 @@ export const panelStrings = {
   unchanged: 'the crop is the automatic one',
   putHere: (photo: string, panel: number) => `Put ${photo} in panel ${panel}`,
   modes: {
-    layout: 'Drag a divider, or select a panel to split it',
+    layout: 'Drag a divider or an inset, or select a panel to split it',
     replace: 'Choose a photo for this panel',
     frame: 'Arrow keys move the photo, + and − zoom, 0 resets, Enter ends',
     swap: 'Select the panel to swap with',
@@ -84,4 +84,14 @@ export const panelStrings = {
   slantBack: 'Decrease divider slant',
   slantForth: 'Increase divider slant',
   cutKeys: 'Arrow keys move it; with Alt, they slant it',
+  insets: 'Insets of the layout',
+  inset: (n: number, of: number) => `Inset ${n} of ${of}`,
+  insetKeys: 'Arrow keys move it; with Alt, they change its size',
+  notInset: 'select an inset',
+  insetLeft: 'Move inset left',
+  insetRight: 'Move inset right',
+  insetUp: 'Move inset up',
+  insetDown: 'Move inset down',
+  insetLarger: 'Enlarge inset',
+  insetSmaller: 'Shrink inset',
 };

@@ -5,6 +5,7 @@ export const sideStrings = {
   pageTools: 'Page tools',
   sideTab: { styles: 'Styles', layouts: 'Layouts', words: 'Text', page: 'Page' },
   searchStyles: 'Search styles',
+  searchShort: 'Search',
   anyStyles: 'All',
   styleFamilies: 'Style families',
   recentStyles: 'Recent',

@@ -2,6 +2,7 @@
 
 export const startStrings = {
   lead: ['Drop your photos.', 'Get a comic page.'],
+  leadTouch: ['Pick your photos.', 'Get a comic page.'],
   leadMore: 'Inkpanel picks, crops, inks and lays them out. Shuffle until you love it.',
   chooseFiles: 'Choose photos or a video',
   filesLabel: 'Photos or video',

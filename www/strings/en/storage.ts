@@ -102,5 +102,8 @@ export const storageStrings = {
   pageFrom: (n: number) => `from page ${n}`,
   favouritePage: 'Favourite page',
   favouritePages: 'Favourites only',
+  comparePage: (n: number) => `Compare version ${n}`,
+  comparedAll: 'Show all versions',
+  compareSecond: 'Select the second version to compare',
   noFavouritePages: 'No favourites yet. Press the heart on a page you like.',
 };

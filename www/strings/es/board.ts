@@ -6,6 +6,8 @@ export const boardStrings = {
   endFullScreen: 'Salir de la pantalla completa',
   enlargePage: 'Ampliar página',
   shrinkPage: 'Reducir página',
+  skipToPage: 'Saltar a la página de cómic',
+  showOriginals: 'Mostrar fotos originales',
   versionAt: (n: number, of: number) => `Versión ${n} de ${of}`,
   betterCrops: 'Mejorar encuadres',
   betterCropsWhy: 'Se han detectado caras y objetos: encuadrar las fotos para que se vean enteros',

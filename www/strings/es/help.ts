@@ -62,7 +62,7 @@ export const helpStrings = {
     },
     layouts: {
       title: 'Plantillas',
-      text: `Elige una plantilla por su familia y su número de viñetas; «${side.surprise}» inventa una. Con «${side.editLayout}» arrastras e inclinas las divisiones entre las viñetas, y divides o quitas viñetas. «${side.saveLayout}» la guarda como archivo y la pone en «${side.myLayouts}».`,
+      text: `Elige una plantilla por su familia y su número de viñetas; «${side.surprise}» inventa una. Con «${side.editLayout}» arrastras e inclinas las divisiones entre las viñetas, mueves recuadros y divides o quitas viñetas. «${side.saveLayout}» la guarda como archivo y la pone en «${side.myLayouts}».`,
     },
     joining: {
       title: 'Fundir viñetas, y una foto en varias viñetas',

@@ -11,6 +11,8 @@ export const keyStrings = {
     zoom: 'Ampliar o reducir la foto de una viñeta, o restablecerla',
     choose: 'Seleccionar una viñeta',
     slant: 'Inclinar una división de la plantilla',
+    sizeInset: 'Cambiar el tamaño de un recuadro',
+    originals: 'Mantener pulsada para ver las fotos originales',
     list: 'Esta lista',
   },
 };

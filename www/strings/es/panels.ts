@@ -66,7 +66,7 @@ export const panelStrings = {
   unchanged: 'el encuadre es el automático',
   putHere: (photo: string, panel: number) => `Poner ${photo} en la viñeta ${panel}`,
   modes: {
-    layout: 'Arrastra una división, o elige una viñeta para dividirla',
+    layout: 'Arrastra una división o un recuadro, o elige una viñeta para dividirla',
     replace: 'Elige una foto para esta viñeta',
     frame: 'Las flechas mueven la foto, + y − amplían y reducen, 0 restablece, Intro termina',
     swap: 'Elige la viñeta con la que intercambiar',
@@ -82,4 +82,14 @@ export const panelStrings = {
   slantBack: 'Reducir inclinación de la división',
   slantForth: 'Aumentar inclinación de la división',
   cutKeys: 'Las flechas la mueven, con Alt la inclinan',
+  insets: 'Recuadros de la plantilla',
+  inset: (n: number, of: number) => `Recuadro ${n} de ${of}`,
+  insetKeys: 'Las flechas lo mueven, con Alt cambian su tamaño',
+  notInset: 'selecciona un recuadro',
+  insetLeft: 'Mover recuadro a la izquierda',
+  insetRight: 'Mover recuadro a la derecha',
+  insetUp: 'Mover recuadro hacia arriba',
+  insetDown: 'Mover recuadro hacia abajo',
+  insetLarger: 'Ampliar recuadro',
+  insetSmaller: 'Reducir recuadro',
 };

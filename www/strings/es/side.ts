@@ -3,6 +3,7 @@ export const sideStrings = {
   pageTools: 'Herramientas de la página',
   sideTab: { styles: 'Estilos', layouts: 'Plantillas', words: 'Texto', page: 'Página' },
   searchStyles: 'Buscar estilos',
+  searchShort: 'Buscar',
   anyStyles: 'Todos',
   styleFamilies: 'Familias de estilos',
   recentStyles: 'Recientes',

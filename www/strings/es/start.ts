@@ -1,5 +1,6 @@
 export const startStrings = {
   lead: ['Suelta tus fotos.', 'Saca una página de cómic.'],
+  leadTouch: ['Elige tus fotos.', 'Saca una página de cómic.'],
   leadMore: 'Inkpanel las elige, las recorta, las entinta y las coloca. Baraja hasta que te encante.',
   chooseFiles: 'Elegir fotos o un vídeo',
   filesLabel: 'Fotos o vídeo',

@@ -103,5 +103,8 @@ export const storageStrings = {
   pageFrom: (n: number) => `de la página ${n}`,
   favouritePage: 'Página favorita',
   favouritePages: 'Solo favoritas',
+  comparePage: (n: number) => `Comparar versión ${n}`,
+  comparedAll: 'Mostrar todas las versiones',
+  compareSecond: 'Elige la segunda versión para comparar',
   noFavouritePages: 'Aún no hay favoritas. Pulsa el corazón de una página que te guste.',
 };

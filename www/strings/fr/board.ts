@@ -6,6 +6,8 @@ export const boardStrings = {
   endFullScreen: 'Quitter le plein écran',
   enlargePage: 'Agrandir la page',
   shrinkPage: 'Réduire la page',
+  skipToPage: 'Aller à la planche',
+  showOriginals: 'Afficher les photos d’origine',
   versionAt: (n: number, of: number) => `Version ${n} sur ${of}`,
   betterCrops: 'Améliorer les cadrages',
   betterCropsWhy: 'Des visages et des objets ont été détectés : cadrer les photos pour les montrer en entier',

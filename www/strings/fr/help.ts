@@ -62,7 +62,7 @@ export const helpStrings = {
     },
     layouts: {
       title: 'Gabarits',
-      text: `Choisissez un gabarit par sa famille et son nombre de cases ; « ${side.surprise} » en invente un. Avec « ${side.editLayout} », vous faites glisser et inclinez les séparations entre les cases, et vous divisez ou retirez des cases. « ${side.saveLayout} » l’enregistre dans un fichier et le met dans « ${side.myLayouts} ».`,
+      text: `Choisissez un gabarit par sa famille et son nombre de cases ; « ${side.surprise} » en invente un. Avec « ${side.editLayout} », vous faites glisser et inclinez les séparations entre les cases, vous déplacez les incrustations, et vous divisez ou retirez des cases. « ${side.saveLayout} » l’enregistre dans un fichier et le met dans « ${side.myLayouts} ».`,
     },
     joining: {
       title: 'Fusionner des cases, et une photo sur plusieurs cases',

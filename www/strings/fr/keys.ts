@@ -18,6 +18,8 @@ export const keyStrings = {
     zoom: 'Agrandir ou réduire la photo d’une case, la réinitialiser',
     choose: 'Sélectionner une case',
     slant: 'Incliner une séparation du gabarit',
+    sizeInset: 'Changer la taille d’une incrustation',
+    originals: 'Maintenir pour voir les photos d’origine',
     list: 'Cette liste',
   },
 };

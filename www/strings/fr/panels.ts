@@ -66,7 +66,7 @@ export const panelStrings = {
   unchanged: 'le cadrage est le cadrage automatique',
   putHere: (photo: string, panel: number) => `Mettre ${photo} dans la case ${panel}`,
   modes: {
-    layout: 'Faites glisser une séparation, ou choisissez une case à diviser',
+    layout: 'Faites glisser une séparation ou une incrustation, ou choisissez une case à diviser',
     replace: 'Choisissez une photo pour cette case',
     frame: 'Les flèches déplacent la photo, + et − l’agrandissent ou la réduisent, 0 réinitialise, Entrée termine',
     swap: 'Choisissez la case avec laquelle échanger',
@@ -82,4 +82,14 @@ export const panelStrings = {
   slantBack: 'Réduire l’inclinaison de la séparation',
   slantForth: 'Augmenter l’inclinaison de la séparation',
   cutKeys: 'Les flèches la déplacent, avec Alt elles l’inclinent',
+  insets: 'Incrustations du gabarit',
+  inset: (n: number, of: number) => `Incrustation ${n} sur ${of}`,
+  insetKeys: 'Les flèches la déplacent, avec Alt elles changent sa taille',
+  notInset: 'sélectionnez une incrustation',
+  insetLeft: 'Déplacer l’incrustation à gauche',
+  insetRight: 'Déplacer l’incrustation à droite',
+  insetUp: 'Déplacer l’incrustation en haut',
+  insetDown: 'Déplacer l’incrustation en bas',
+  insetLarger: 'Agrandir l’incrustation',
+  insetSmaller: 'Réduire l’incrustation',
 };

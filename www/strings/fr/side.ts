@@ -3,6 +3,7 @@ export const sideStrings = {
   pageTools: 'Outils de la page',
   sideTab: { styles: 'Styles', layouts: 'Gabarits', words: 'Texte', page: 'Page' },
   searchStyles: 'Chercher un style',
+  searchShort: 'Chercher',
   anyStyles: 'Tous',
   styleFamilies: 'Familles de styles',
   recentStyles: 'Récents',

@@ -1,5 +1,6 @@
 export const startStrings = {
   lead: ['Déposez vos photos.', 'Faites-en une BD.'],
+  leadTouch: ['Ajoutez vos photos.', 'Faites-en une BD.'],
   leadMore: 'Inkpanel les choisit, les cadre, les encre et les met en page. Mélangez jusqu’à l’adorer.',
   chooseFiles: 'Choisir des photos ou une vidéo',
   filesLabel: 'Photos ou vidéo',

@@ -105,5 +105,8 @@ export const storageStrings = {
   pageFrom: (n: number) => `de la page ${n}`,
   favouritePage: 'Page favorite',
   favouritePages: 'Favorites seulement',
+  comparePage: (n: number) => `Comparer la version ${n}`,
+  comparedAll: 'Afficher toutes les versions',
+  compareSecond: 'Choisissez la deuxième version à comparer',
   noFavouritePages: 'Pas encore de favorites. Appuyez sur le cœur d’une page qui vous plaît.',
 };

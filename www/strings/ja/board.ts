@@ -6,6 +6,8 @@ export const boardStrings = {
   endFullScreen: '全画面表示を終了',
   enlargePage: 'ページを拡大',
   shrinkPage: 'ページを縮小',
+  skipToPage: 'マンガのページへ移動',
+  showOriginals: '元の写真を表示',
   versionAt: (n: number, of: number) => `バージョン${n}／${of}`,
   betterCrops: '切り抜きを改善',
   betterCropsWhy: '顔と物が見つかりました。欠けないように切り抜き直します',

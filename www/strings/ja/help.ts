@@ -62,7 +62,7 @@ export const helpStrings = {
     },
     layouts: {
       title: 'レイアウト',
-      text: `種類とコマ数でレイアウトを選べます。「${side.surprise}」は新しいレイアウトを考え出します。「${side.editLayout}」では、コマの間の境界線をドラッグしたり傾けたりでき、コマを分けたり削除したりもできます。「${side.saveLayout}」はファイルに保存し、「${side.myLayouts}」に入れます。`,
+      text: `種類とコマ数でレイアウトを選べます。「${side.surprise}」は新しいレイアウトを考え出します。「${side.editLayout}」では、コマの間の境界線をドラッグしたり傾けたり、はめ込みコマを動かしたりでき、コマを分けたり削除したりもできます。「${side.saveLayout}」はファイルに保存し、「${side.myLayouts}」に入れます。`,
     },
     joining: {
       title: 'コマをつなげる、1枚の写真を複数のコマに',

@@ -18,6 +18,8 @@ export const keyStrings = {
     zoom: 'コマの写真を拡大・縮小、リセット',
     choose: 'コマを選択する',
     slant: 'レイアウトの境界線を傾ける',
+    sizeInset: 'はめ込みコマの大きさを変える',
+    originals: '押している間、元の写真を表示',
     list: 'この一覧',
   },
 };

@@ -66,7 +66,7 @@ export const panelStrings = {
   unchanged: '切り抜きは自動のままです',
   putHere: (photo: string, panel: number) => `${photo}をコマ${panel}に入れる`,
   modes: {
-    layout: '境界線をドラッグするか、分割するコマを選んでください',
+    layout: '境界線かはめ込みコマをドラッグするか、分割するコマを選んでください',
     replace: 'このコマの写真を選んでください',
     frame: '矢印キーで写真を移動、＋と−で拡大・縮小、0でリセット、Enterで終了',
     swap: '入れ替えるコマを選んでください',
@@ -82,4 +82,14 @@ export const panelStrings = {
   slantBack: '境界線の傾きを減らす',
   slantForth: '境界線の傾きを増やす',
   cutKeys: '矢印キーで移動、Altキーと矢印キーで傾きます',
+  insets: 'レイアウトのはめ込みコマ',
+  inset: (n: number, of: number) => `はめ込みコマ${n}／${of}`,
+  insetKeys: '矢印キーで移動、Altキーと矢印キーで大きさが変わります',
+  notInset: 'はめ込みコマを選んでください',
+  insetLeft: 'はめ込みコマを左へ動かす',
+  insetRight: 'はめ込みコマを右へ動かす',
+  insetUp: 'はめ込みコマを上へ動かす',
+  insetDown: 'はめ込みコマを下へ動かす',
+  insetLarger: 'はめ込みコマを大きくする',
+  insetSmaller: 'はめ込みコマを小さくする',
 };

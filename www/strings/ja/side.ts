@@ -3,6 +3,7 @@ export const sideStrings = {
   pageTools: 'ページのツール',
   sideTab: { styles: 'スタイル', layouts: 'レイアウト', words: 'テキスト', page: 'ページ' },
   searchStyles: 'スタイルを検索',
+  searchShort: '検索',
   anyStyles: 'すべて',
   styleFamilies: 'スタイルの種類',
   recentStyles: '最近',

@@ -1,5 +1,6 @@
 export const startStrings = {
   lead: ['写真をドロップ。', 'マンガのページに。'],
+  leadTouch: ['写真を選ぶ。', 'マンガのページに。'],
   leadMore: 'Inkpanelが写真を選び、切り抜き、ペンを入れて並べます。気に入るまでシャッフルしましょう。',
   chooseFiles: '写真か動画を選ぶ',
   filesLabel: '写真または動画',

@@ -95,5 +95,8 @@ export const storageStrings = {
   pageFrom: (n: number) => `ページ${n}から`,
   favouritePage: 'お気に入りのページ',
   favouritePages: 'お気に入りだけ',
+  comparePage: (n: number) => `バージョン${n}を比べる`,
+  comparedAll: 'すべてのバージョンを表示',
+  compareSecond: '比べる2つ目のバージョンを選んでください',
   noFavouritePages: 'お気に入りはまだありません。好きなページのハートを押してください。',
 };

@@ -6,6 +6,8 @@ export const boardStrings = {
   endFullScreen: 'Sair da tela cheia',
   enlargePage: 'Ampliar página',
   shrinkPage: 'Reduzir página',
+  skipToPage: 'Pular para a página de HQ',
+  showOriginals: 'Mostrar fotos originais',
   versionAt: (n: number, of: number) => `Versão ${n} de ${of}`,
   betterCrops: 'Melhorar enquadramentos',
   betterCropsWhy: 'Rostos e objetos foram detectados: enquadrar as fotos para mostrá-los inteiros',

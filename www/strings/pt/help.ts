@@ -62,7 +62,7 @@ export const helpStrings = {
     },
     layouts: {
       title: 'Layouts',
-      text: `Escolha um layout pela família e pelo número de quadros; “${side.surprise}” inventa um. Com “${side.editLayout}”, você arrasta e inclina as divisórias entre os quadros e divide ou remove quadros. “${side.saveLayout}” o salva em um arquivo e o põe em “${side.myLayouts}”.`,
+      text: `Escolha um layout pela família e pelo número de quadros; “${side.surprise}” inventa um. Com “${side.editLayout}”, você arrasta e inclina as divisórias entre os quadros, move encaixes e divide ou remove quadros. “${side.saveLayout}” o salva em um arquivo e o põe em “${side.myLayouts}”.`,
     },
     joining: {
       title: 'Fundir quadros, e uma foto em vários quadros',

@@ -11,6 +11,8 @@ export const keyStrings = {
     zoom: 'Ampliar ou reduzir a foto de um quadro, ou redefini-la',
     choose: 'Selecionar um quadro',
     slant: 'Inclinar uma divisória do layout',
+    sizeInset: 'Mudar o tamanho de um encaixe',
+    originals: 'Segurar para ver as fotos originais',
     list: 'Esta lista',
   },
 };

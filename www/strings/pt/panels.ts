@@ -66,7 +66,7 @@ export const panelStrings = {
   unchanged: 'o enquadramento é o automático',
   putHere: (photo: string, panel: number) => `Pôr ${photo} no quadro ${panel}`,
   modes: {
-    layout: 'Arraste uma divisória, ou escolha um quadro para dividir',
+    layout: 'Arraste uma divisória ou um encaixe, ou escolha um quadro para dividir',
     replace: 'Escolha uma foto para este quadro',
     frame: 'As setas movem a foto, + e − ampliam e reduzem, 0 redefine, Enter termina',
     swap: 'Escolha o quadro com o qual trocar',
@@ -82,4 +82,14 @@ export const panelStrings = {
   slantBack: 'Diminuir inclinação da divisória',
   slantForth: 'Aumentar inclinação da divisória',
   cutKeys: 'As setas a movem, com Alt a inclinam',
+  insets: 'Encaixes do layout',
+  inset: (n: number, of: number) => `Encaixe ${n} de ${of}`,
+  insetKeys: 'As setas o movem, com Alt mudam seu tamanho',
+  notInset: 'selecione um encaixe',
+  insetLeft: 'Mover encaixe para a esquerda',
+  insetRight: 'Mover encaixe para a direita',
+  insetUp: 'Mover encaixe para cima',
+  insetDown: 'Mover encaixe para baixo',
+  insetLarger: 'Ampliar encaixe',
+  insetSmaller: 'Reduzir encaixe',
 };

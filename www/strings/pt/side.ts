@@ -3,6 +3,7 @@ export const sideStrings = {
   pageTools: 'Ferramentas da página',
   sideTab: { styles: 'Estilos', layouts: 'Layouts', words: 'Texto', page: 'Página' },
   searchStyles: 'Buscar estilos',
+  searchShort: 'Buscar',
   anyStyles: 'Todos',
   styleFamilies: 'Famílias de estilos',
   recentStyles: 'Recentes',

@@ -1,5 +1,6 @@
 export const startStrings = {
   lead: ['Solte suas fotos.', 'Ganhe uma página de HQ.'],
+  leadTouch: ['Escolha suas fotos.', 'Ganhe uma página de HQ.'],
   leadMore: 'O Inkpanel escolhe, enquadra, passa o nanquim e monta. Embaralhe até amar.',
   chooseFiles: 'Escolher fotos ou um vídeo',
   filesLabel: 'Fotos ou vídeo',

@@ -103,5 +103,8 @@ export const storageStrings = {
   pageFrom: (n: number) => `da página ${n}`,
   favouritePage: 'Página favorita',
   favouritePages: 'Só favoritas',
+  comparePage: (n: number) => `Comparar versão ${n}`,
+  comparedAll: 'Mostrar todas as versões',
+  compareSecond: 'Escolha a segunda versão para comparar',
   noFavouritePages: 'Nenhuma favorita ainda. Aperte o coração de uma página de que você goste.',
 };

@@ -99,6 +99,15 @@ test('the sample album is opened, shuffled, undone and locked', async ({ page })
   await expect(page.getByRole('button', { name: 'Lock style' })).toHaveAttribute('aria-pressed', 'true');
 });
 
+test('the first stop skips the bar and the photos', async ({ page }) => {
+  await openBoard(page);
+  await page.evaluate(() => /** @type {HTMLElement | null} */ (document.activeElement)?.blur());
+  await page.keyboard.press('Tab');
+  await expectFocus(page, 'Skip to the comic page');
+  await page.keyboard.press('Enter');
+  await expectFocus(page, /^Panel 1 of/);
+});
+
 test('a layout and a style are applied', async ({ page }) => {
   await openBoard(page);
   await tabTo(page, 'Styles');

@@ -182,3 +182,24 @@ test('a slider changes along its track, and not during scrolling', async ({ page
   expect(await slider.inputValue()).not.toBe(before);
   await expect(page.getByRole('button', { name: 'Undo' })).toBeEnabled();
 });
+
+test('the whole photo is shown around its panel while it is cropped', async ({ page }) => {
+  await openFour(page);
+  const ghost = page.locator('.crop-ghost');
+  await panel(page, 3).tap();
+  await (await reach(page, 'Crop')).tap();
+  await expect(ghost.locator('[data-drawn=true]')).toBeVisible();
+  await page.getByRole('button', { name: 'Done', exact: true }).tap();
+  await expect(ghost).toHaveCount(0);
+  // A finger that drags the photo of a selected panel.
+  const [x, y] = await middle(page, 3);
+  await page.evaluate(() => {
+    new MutationObserver(() => {
+      if (document.querySelector('.crop-ghost')) document.body.dataset.ghost = 'seen';
+    }).observe(document.body, { childList: true, subtree: true });
+  });
+  await touch(page, [way([x, y], [x + 20, y + 20])]);
+  await idle(page);
+  await expect(page.locator('body')).toHaveAttribute('data-ghost', 'seen');
+  await expect(ghost).toHaveCount(0);
+});

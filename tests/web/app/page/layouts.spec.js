@@ -3,6 +3,7 @@
 
 import { download, saved } from '../export-dialog.js';
 import {
+  accessible,
   choose,
   contents,
   drop,
@@ -226,4 +227,61 @@ test('a cut is moved by mouse and keyboard, and the PNG file shows it', async ({
   const { layout } = await savedLayout(page);
   expect(layout.family).toBe('custom');
   expect(layout.tree.slants[0]).toBeCloseTo(0.02, 3);
+});
+
+test('an inset is moved and sized by mouse, keyboard and tools, one undo step each', async ({ page }) => {
+  await openBoard(page);
+  await choose(page, 'inset', 'Inset');
+  await (await reach(page, 'Edit layout')).click();
+  const inset = page.getByRole('button', { name: 'Inset 1 of 1', exact: true });
+  const box = async () => {
+    const found = await inset.boundingBox();
+    if (!found) throw new Error('no inset');
+    return found;
+  };
+  const start = await box();
+  const drag = async (/** @type {[number, number]} */ [x, y], /** @type {[number, number]} */ [dx, dy]) => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + dx / 2, y + dy / 2, { steps: 2 });
+    await page.mouse.move(x + dx, y + dy, { steps: 3 });
+    await page.mouse.up();
+    await idle(page);
+  };
+  await drag([start.x + start.width / 2, start.y + start.height / 2], [-60, -90]);
+  const moved = await box();
+  expect(Math.abs(moved.x - start.x + 60)).toBeLessThan(4);
+  expect(Math.abs(moved.y - start.y + 90)).toBeLessThan(4);
+  expect(Math.abs(moved.width - start.width)).toBeLessThan(3);
+  // A corner changes the size, and the opposite corner stays.
+  await drag([moved.x, moved.y], [-40, -30]);
+  const sized = await box();
+  expect(Math.abs(sized.width - moved.width - 40)).toBeLessThan(4);
+  expect(Math.abs(sized.height - moved.height - 30)).toBeLessThan(4);
+  expect(Math.abs(sized.x + sized.width - moved.x - moved.width)).toBeLessThan(4);
+  // An inset never leaves the page.
+  await drag([sized.x + sized.width / 2, sized.y + sized.height / 2], [900, 900]);
+  const [edge, canvas] = [await box(), await page.locator('.page-canvas').boundingBox()];
+  expect(edge.x + edge.width).toBeLessThanOrEqual((canvas?.x ?? 0) + (canvas?.width ?? 0));
+  await press(page, 'Undo');
+  await press(page, 'Undo');
+  expect(Math.abs((await box()).width - moved.width)).toBeLessThan(2);
+  await inset.focus();
+  const before = await box();
+  await page.keyboard.press('ArrowLeft');
+  await idle(page);
+  expect((await box()).x).toBeLessThan(before.x - 2);
+  await page.keyboard.press('Alt+ArrowRight');
+  await idle(page);
+  expect((await box()).width).toBeGreaterThan(before.width + 2);
+  await press(page, 'Move inset up');
+  expect((await box()).y).toBeLessThan(before.y - 4);
+  const small = await box();
+  await press(page, 'Enlarge inset');
+  expect((await box()).width).toBeGreaterThan(1.05 * small.width);
+  await accessible(page);
+  const { layout } = await savedLayout(page);
+  expect(layout.family).toBe('custom');
+  await press(page, 'Done');
+  await expect(inset).toHaveCount(0);
 });

@@ -4,7 +4,7 @@
  */
 
 import { saved } from '../export-dialog.js';
-import { SIX, contents, drop, expect, idle, openBoard, photos, press, test } from '../support.js';
+import { SIX, accessible, contents, drop, expect, idle, openBoard, photos, press, test } from '../support.js';
 import { expectSaved } from '../project-files.js';
 
 /** @typedef {import('../support.js').Page} Page */
@@ -169,6 +169,17 @@ test('the list of versions opens a version, and shows favourites and where a ver
   await press(page, 'Shuffle');
   await page.getByRole('button', { name: /^Page history/ }).click();
   await expect(wall.getByText('from page 1')).toBeVisible();
+  // Two versions are compared side by side.
+  await wall.getByRole('button', { name: 'Compare version 1', exact: true }).click();
+  await expect(wall.getByRole('status')).toHaveText('Select the second version to compare');
+  await wall.getByRole('button', { name: 'Compare version 3', exact: true }).click();
+  await expect(wall.getByRole('button', { name: /^Page \d+$/ })).toHaveCount(2);
+  await expect(wall.locator('[data-drawn=true]')).toHaveCount(2);
+  const [one, other] = await Promise.all([0, 1].map((n) => wall.locator('.shown-picture').nth(n).boundingBox()));
+  expect(one?.height).toBeGreaterThan(400);
+  expect(other?.x).toBeGreaterThan((one?.x ?? 0) + (one?.width ?? 0));
+  await accessible(page);
+  await wall.getByRole('button', { name: 'Show all versions' }).click();
   await wall.getByRole('button', { name: 'Favourites only' }).click();
   await expect(wall.getByRole('button', { name: /^Page \d+$/ })).toHaveCount(1);
 });

@@ -40,6 +40,8 @@ for (const viewport of [
       await openBoard(page);
       await expect(hint(page, 'Shuffle until you like it')).toBeVisible();
       expect(await place(page)).toEqual(RIGHT);
+      // A hint does not replace a tool.
+      await expect(await reach(page, 'Add page')).toBeVisible();
       await accessible(page);
       await press(page, 'Shuffle');
       await none(page);
