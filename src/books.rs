@@ -3,8 +3,8 @@
 use crate::destination::Output;
 use crate::drawing::Kind;
 use crate::{
-    Chosen, Complaint, How, NO_OUTPUT, add_subjects, album, check_strict, done, drawing, import_all, name,
-    plans, print, projects, star, style_value, telling, used_photos, write_album,
+    Chosen, Complaint, How, NO_OUTPUT, add_subjects, album, check_strict, detectors, done, drawing,
+    import_all, name, plans, print, projects, star, style_value, telling, used_photos, write_album,
 };
 use clap::ValueEnum;
 use inkpanel::document::limits::MOST_SHEETS;
@@ -16,7 +16,10 @@ use inkpanel::page::request::{Families, Request};
 use inkpanel::page::words::given::GivenFonts;
 use inkpanel::page::words::place::{self, Known};
 use inkpanel::plan::Shelf;
+use inkpanel::raster::location::{Location, location};
+use rayon::prelude::*;
 use serde_json::{Value, json};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// Examples of the help.
@@ -53,6 +56,9 @@ pub(crate) struct Book {
     /// Number of pages with cover and end page, from 3. [default: as many as the photos need]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(book::MIN_PAGES as i64..=MOST_SHEETS as i64))]
     pages: Option<u32>,
+    /// Leave out the places of the photos, which come from folder names and from GPS data.
+    #[arg(long)]
+    no_places: bool,
     #[command(flatten)]
     how: How,
     /// Output file, or - for standard output.
@@ -115,7 +121,11 @@ pub(crate) fn make(made: &Book) -> Result<(), Complaint> {
     let wish = Wish {
         title: made.title.clone().unwrap_or_else(|| title(given)),
         language: how.printing.language().to_owned(),
-        places: places(given, &photos),
+        places: if made.no_places {
+            HashMap::new()
+        } else {
+            places(given, &photos, chosen.models.as_deref())
+        },
         pages: made.pages.map(|pages| pages as usize),
         styles: match made.styles {
             Styles::One => book::Styles::One,
@@ -199,13 +209,34 @@ fn title(given: &[PathBuf]) -> String {
     folder.as_deref().map(|folder| naming::said_by(name(folder)).to_owned()).unwrap_or_default()
 }
 
-/// Places by the folders of photos, which lie within the folders that were given.
-fn places(given: &[PathBuf], photos: &[(PathBuf, Imported)]) -> std::collections::HashMap<String, String> {
+/// Places by the names of folders within the given folders. Other photos have the places of their GPS data.
+fn places(
+    given: &[PathBuf],
+    photos: &[(PathBuf, Imported)],
+    models: Option<&Path>,
+) -> HashMap<String, String> {
     let inside = |path: &Path| {
         let parent = path.parent()?;
         (!given.iter().any(|folder| folder == parent)).then(|| name(parent).to_owned())
     };
     let folders: Vec<(&PhotoMeta, String)> =
         photos.iter().map(|(path, photo)| (&photo.meta, inside(path).unwrap_or_default())).collect();
-    naming::places(folders.iter().map(|(photo, folder)| (photo.id.as_str(), folder.as_str())))
+    let mut places =
+        naming::places(folders.iter().map(|(photo, folder)| (photo.id.as_str(), folder.as_str())));
+    let unknown =
+        photos.par_iter().filter(|(_, photo)| places.get(&photo.meta.id).is_none_or(String::is_empty));
+    let located: Vec<(String, Location)> = unknown
+        .filter_map(|(path, photo)| Some((photo.meta.id.clone(), location(&std::fs::read(path).ok()?)?)))
+        .collect();
+    if located.is_empty() {
+        return places;
+    }
+    match detectors::load_places(models) {
+        Ok(table) => naming::add_located(
+            &mut places,
+            located.into_iter().filter_map(|(id, at)| Some((id, table.name(at)?.to_owned()))),
+        ),
+        Err(reason) => telling::note(None, &format!("{reason}; captions have no places of GPS data")),
+    }
+    places
 }

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use inkpanel::detect::{Aesthetics, Detection, Detectors, Segmenter};
 use inkpanel::page::import::Imported;
+use inkpanel::places::Places;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -44,6 +45,16 @@ pub(crate) fn load_segmenter(folder: Option<&Path>) -> Result<Segmenter, Complai
     Segmenter::new(&onnx).map_err(|error| format!("subject.onnx: {error}"))
 }
 
+/// Reads the table of places, from `folder` or the default folder.
+pub(crate) fn load_places(folder: Option<&Path>) -> Result<Places, Complaint> {
+    let file = folder.map(Path::to_path_buf).or_else(find).map(|folder| folder.join("places.bin"));
+    let table = file.and_then(|file| std::fs::read(file).ok()).ok_or_else(|| {
+        "places.bin is missing: make it with `cargo xtask models`, or name its folder with --models"
+            .to_owned()
+    })?;
+    Places::read(&table).map_err(|error| format!("places.bin: {error}"))
+}
+
 /// Searches `models` next to the program, `www/models` in the working folder, then `www/models` in the
 /// checkout of the build.
 fn find() -> Option<PathBuf> {
@@ -70,14 +81,19 @@ pub(crate) fn boxes(photo: &Imported, found: &[Detection]) -> Vec<Value> {
     let (width, height) = (f64::from(photo.meta.width), f64::from(photo.meta.height));
     let pixels = |part: f64, side: f64| (part * side * 10.0).round() / 10.0;
     let row = |d: &Detection| {
-        json!({
+        let mut row = json!({
             "label": d.label,
             "score": (d.score * 1e4).round() / 1e4,
             "x": pixels(d.x, width),
             "y": pixels(d.y, height),
             "width": pixels(d.width, width),
             "height": pixels(d.height, height),
-        })
+        });
+        if let Some(points) = &d.points {
+            row["points"] =
+                points.iter().map(|&[x, y]| json!([pixels(x, width), pixels(y, height)])).collect();
+        }
+        row
     };
     found.iter().map(row).collect()
 }

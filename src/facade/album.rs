@@ -8,6 +8,7 @@ use super::nets::Nets;
 use super::options::{BookOptions, PageOptions};
 use super::page::{Book, Page};
 use super::photo::Photo;
+use super::places::PlaceNames;
 use crate::document::limits::MOST_SHEETS;
 use crate::framing::{PhotoMeta, Subject};
 use crate::page::book::{Styles, Wish, naming};
@@ -31,6 +32,8 @@ pub struct Album {
     read: Vec<(usize, Imported)>,
     fonts: GivenFonts,
     notes: Vec<String>,
+    /// The names of the places where photos were taken, by id.
+    located: Vec<(String, String)>,
 }
 
 /// Returns the page's id of the photo at a place in the list. The command line uses the same ids.
@@ -70,7 +73,7 @@ impl Album {
             Some(format!("{}: {}", photos[*place].name(), photo.damage?))
         };
         let (fonts, notes) = (GivenFonts::default(), read.iter().filter_map(damage).collect());
-        (Self { photos: photos.into(), read, fonts, notes }, broken)
+        (Self { photos: photos.into(), read, fonts, notes, located: Vec::new() }, broken)
     }
 
     /// Warnings as sentences: damaged or skipped photos, and the reason.
@@ -114,6 +117,12 @@ impl Album {
         }
     }
 
+    /// Names the places of photos by the GPS data of their files, for the captions of books. Only the names are kept.
+    pub fn locate(&mut self, names: &PlaceNames) {
+        let named = |(place, _): &(usize, Imported)| Some((id(*place), self.photos[*place].place(&names.0)?));
+        self.located = self.read.par_iter().filter_map(named).collect();
+    }
+
     /// One page of the photos.
     ///
     /// # Errors
@@ -133,7 +142,7 @@ impl Album {
     }
 
     /// Makes a book: a cover, chapters by day with captions, page numbers and an end page. Names of the folders of photos are
-    /// places. The number of panels, the layout and the text items of `options` do not apply.
+    /// places, and [`Self::locate`] finds others. The number of panels, the layout and the text items of `options` do not apply.
     ///
     /// # Errors
     /// As [`Self::pages`].
@@ -146,10 +155,12 @@ impl Album {
         };
         let ids: Vec<(String, &str)> =
             self.read.iter().map(|(place, _)| (id(*place), folder(*place))).collect();
+        let mut places = naming::places(ids.iter().map(|(id, folder)| (id.as_str(), *folder)));
+        naming::add_located(&mut places, self.located.iter().cloned());
         let wish = Wish {
             title: book.title.clone(),
             language: book.language.clone(),
-            places: naming::places(ids.iter().map(|(id, folder)| (id.as_str(), *folder))),
+            places,
             pages: book.pages,
             styles: if book.by_chapter { Styles::Chapters } else { Styles::One },
         };

@@ -9,6 +9,7 @@ mod options;
 mod page;
 mod photo;
 mod pixels;
+mod places;
 mod style;
 
 pub use album::Album;
@@ -21,4 +22,5 @@ pub use options::{BookOptions, PageOptions, layouts};
 pub use page::{Page, pdf};
 pub use photo::Photo;
 pub use pixels::Pixels;
+pub use places::PlaceNames;
 pub use style::Style;

@@ -17,6 +17,7 @@ pub mod editing;
 pub mod figures;
 mod frames;
 pub mod layouts;
+pub mod placing;
 pub mod planning;
 pub mod style;
 

