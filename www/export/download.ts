@@ -48,6 +48,7 @@ export function createDownload({
     | 'givesWebp'
     | 'comicPieces'
     | 'comicFiles'
+    | 'stripPages'
     | 'shotFile'
   >;
   pageFiles: Pick<PageFiles, 'take' | 'carrying' | 'packed'>;
