@@ -17,6 +17,7 @@ use inkpanel::page::import::import;
 use inkpanel::page::request::Request;
 use inkpanel::page::{Scene, catalogue, shuffle};
 use inkpanel::raster::decode::{Limits, decode_reduced};
+use inkpanel::raster::location::location;
 use inkpanel::raster::{Image, Plane};
 use inkpanel::style::painters::{Choice, Painters};
 use inkpanel::style::{Context, Style, stylize};
@@ -62,6 +63,9 @@ pub fn painters(bytes: &[u8]) {
 pub fn photo(bytes: &[u8]) {
     if let Ok(photo) = import("photo", bytes, &LIMITS) {
         assert!(u64::from(photo.meta.width) * u64::from(photo.meta.height) <= LIMITS.max_pixels);
+    }
+    if let Some(found) = location(bytes) {
+        assert!(found.latitude.abs() <= 90.0 && found.longitude.abs() <= 180.0);
     }
     // As a photo that is many times as large is decoded.
     if let Ok(photo) = decode_reduced(bytes, &LIMITS, 16) {

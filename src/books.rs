@@ -4,15 +4,18 @@ use crate::destination::Output;
 use crate::format::Format;
 use crate::photos::Photos;
 use crate::{
-    Chosen, CliError, How, NO_OUTPUT, Writing, album, check_strict, done, drawing, name, plans, print,
-    projects, telling, write_album,
+    Chosen, CliError, How, NO_OUTPUT, Writing, album, check_strict, detectors, done, drawing, name, plans,
+    print, projects, telling, write_album,
 };
 use clap::ValueEnum;
 use inkpanel::document::limits::MOST_SHEETS;
 use inkpanel::page::Document;
 use inkpanel::page::book::{self, BookPage, naming};
+use inkpanel::raster::location::{Location, location};
 use inkpanel::{BookOptions, BookPlan};
+use rayon::prelude::*;
 use serde_json::{Value, json};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// Examples of the help.
@@ -49,6 +52,9 @@ pub(crate) struct Book {
     /// Number of pages with cover and end page, from 3. [default: as many as the photos need]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(book::MIN_PAGES as i64..=MOST_SHEETS as i64))]
     pages: Option<u32>,
+    /// Leave out the places of the photos, which come from folder names and from GPS data.
+    #[arg(long)]
+    no_places: bool,
     #[command(flatten)]
     how: How,
     /// Output file, or - for standard output.
@@ -101,7 +107,11 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
         .title(&made.title.clone().unwrap_or_else(|| title(given)))
         .language(how.printing.language())
         .style_by_chapter(made.styles == Styles::Chapters)
-        .places(places(given, &photos));
+        .places(if made.no_places {
+            HashMap::new()
+        } else {
+            places(given, &photos, chosen.models.as_deref())
+        });
     if let Some(pages) = made.pages {
         book = book.pages(pages as usize);
     }
@@ -151,8 +161,8 @@ fn title(given: &[PathBuf]) -> String {
     folder.as_deref().map(|folder| naming::said_by(name(folder)).to_owned()).unwrap_or_default()
 }
 
-/// Places by the folders of photos, which lie within the folders that were given.
-fn places(given: &[PathBuf], photos: &Photos) -> std::collections::HashMap<String, String> {
+/// Places by the names of folders within the given folders. Other photos have the places of their GPS data.
+fn places(given: &[PathBuf], photos: &Photos, models: Option<&Path>) -> HashMap<String, String> {
     let inside = |path: &Path| {
         let parent = path.parent()?;
         (!given.iter().any(|folder| folder == parent)).then(|| name(parent).to_owned())
@@ -161,5 +171,25 @@ fn places(given: &[PathBuf], photos: &Photos) -> std::collections::HashMap<Strin
         .iter()
         .map(|(path, photo)| (photo.meta.id.as_str(), inside(path).unwrap_or_default()))
         .collect();
-    naming::places(folders.iter().map(|(photo, folder)| (*photo, folder.as_str())))
+    let mut places = naming::places(folders.iter().map(|(photo, folder)| (*photo, folder.as_str())));
+    let unknown: Vec<(&Path, &str)> = photos
+        .iter()
+        .map(|(path, photo)| (path, photo.meta.id.as_str()))
+        .filter(|(_, id)| places.get(*id).is_none_or(String::is_empty))
+        .collect();
+    let located: Vec<(String, Location)> = unknown
+        .into_par_iter()
+        .filter_map(|(path, id)| Some((id.to_owned(), location(&std::fs::read(path).ok()?)?)))
+        .collect();
+    if located.is_empty() {
+        return places;
+    }
+    match detectors::load_places(models) {
+        Ok(table) => naming::add_located(
+            &mut places,
+            located.into_iter().filter_map(|(id, at)| Some((id, table.name(at)?.to_owned()))),
+        ),
+        Err(reason) => telling::note(None, &format!("{reason}; captions have no places of GPS data")),
+    }
+    places
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use inkpanel::detect::{Aesthetics, Detection, Detectors, Segmenter};
 use inkpanel::native;
 use inkpanel::page::import::Imported;
+use inkpanel::places::Places;
 use inkpanel::style::painters::Painters;
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -78,6 +79,12 @@ pub(crate) fn use_painters(file: &Path) -> Result<(), CliError> {
     Ok(())
 }
 
+/// Reads the table of places, from `folder` or the default folder.
+pub(crate) fn load_places(folder: Option<&Path>) -> Result<Places, CliError> {
+    let name = "places.bin";
+    Places::read(&model(folder, name)?).map_err(|error| CliError::from(error).at(name))
+}
+
 /// Searches `models` next to the program, `www/models` in the working folder, then `www/models` in the
 /// checkout of the build.
 fn find() -> Option<PathBuf> {
@@ -104,14 +111,19 @@ pub(crate) fn boxes(photo: &Imported, found: &[Detection]) -> Vec<Value> {
     let (width, height) = (f64::from(photo.meta.width), f64::from(photo.meta.height));
     let pixels = |part: f64, side: f64| (part * side * 10.0).round() / 10.0;
     let row = |d: &Detection| {
-        json!({
+        let mut row = json!({
             "label": d.label,
             "score": (d.score * 1e4).round() / 1e4,
             "x": pixels(d.x, width),
             "y": pixels(d.y, height),
             "width": pixels(d.width, width),
             "height": pixels(d.height, height),
-        })
+        });
+        if let Some(points) = &d.points {
+            row["points"] =
+                points.iter().map(|&[x, y]| json!([pixels(x, width), pixels(y, height)])).collect();
+        }
+        row
     };
     found.iter().map(row).collect()
 }

@@ -1,7 +1,5 @@
 //! Styles from a picture, for the command line.
 
-use std::path::Path;
-
 use inkpanel::native;
 use inkpanel::style::Style;
 use inkpanel::style::imitate::{self, Ask, Search, Seen};

@@ -58,6 +58,7 @@
 //! | `kinds` | the kinds of files, by their names and first bytes |
 //! | `select` | fingerprints, near-duplicate groups and their sharpest photo; shots of videos |
 //! | `hearing` | detection of music and of sounds that can become sound effects |
+//! | `places` | names of places by location |
 //! | `detect` | faces, objects, aesthetic scores and subject masks (feature `detect`) |
 //! | `layout` | page templates: split trees, polygons, gutters, merges |
 //! | `framing` | the crop of a photo that fits a panel |
@@ -113,6 +114,10 @@ pub mod output;
 mod page;
 #[cfg(feature = "internals")]
 pub mod page;
+#[cfg(not(feature = "internals"))]
+mod places;
+#[cfg(feature = "internals")]
+pub mod places;
 #[cfg(not(feature = "internals"))]
 mod plan;
 #[cfg(feature = "internals")]

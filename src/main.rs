@@ -27,6 +27,7 @@ mod projects;
 mod reading;
 mod reopening;
 mod segments;
+mod strips;
 mod telling;
 
 use clap::builder::PossibleValuesParser;
@@ -328,6 +329,9 @@ struct How {
     /// Project data to store in a PNG: none, the pages, or the pages and the original photos.
     #[arg(long, value_name = "WHAT", value_parser = ["none", "project", "photos"], default_value = "none")]
     embed: String,
+    /// Write the panels below each other as pictures of 800 x 1280 pixels, for webtoon readers (pictures only).
+    #[arg(long)]
+    strip: bool,
     /// Also write the planned page as JSON, for --document. Several pages become an array.
     #[arg(long, value_name = "FILE")]
     save_document: Option<PathBuf>,
@@ -533,6 +537,9 @@ fn render_page(render: &Render) -> Result<(), CliError> {
     let files = album::files(given)?;
     if let Some(document) = document {
         planned_already(planned, document)?;
+        if how.strip {
+            return Err("--strip needs photos or a saved project".into());
+        }
         return documents::draw(document, &files, output.as_ref().ok_or(NO_OUTPUT)?, how);
     }
     if let [file] = &files[..]
@@ -714,7 +721,8 @@ fn write_pages(
         output.write(&album.packed()?)?;
         return Ok(vec![output.path.clone()]);
     }
-    if how.embed != "none" && kind != Format::Png {
+    strips::check(how.strip, kind)?;
+    if how.embed != "none" && (how.strip || kind != Format::Png) {
         return Err("--embed: only a PNG carries its project".into());
     }
     let finish = |page: usize, file: Vec<u8>| match how.embed.as_str() {
@@ -729,9 +737,14 @@ fn write_pages(
         let told = reading::Telling { title: &album.name, language: how.printing.language() };
         return reading::write((comic, told), album.pages, &subjects, means, output);
     }
-    if several || kind == Format::Pdf {
+    if several || how.strip || kind == Format::Pdf {
         let files =
             plans::Files { skips: how.skip_existing, finish: &finish, printed: (&how.printing, &subjects) };
+        if how.strip {
+            let taken = |id: &str| album.photos.find(id).and_then(|(_, photo)| photo.meta.taken.clone());
+            let pages = strips::pages(album.pages, means, &taken, &subjects)?;
+            return plans::draw_all(&pages, means, output, &files);
+        }
         return plans::draw_all(album.pages, means, output, &files);
     }
     output.write(&finish(0, drawing::draw(&album.pages[0], means, &output.named)?)?)?;

@@ -35,6 +35,9 @@ pub(crate) struct Paper {
     /// Read pages from right to left: layouts are mirrored.
     #[arg(long)]
     rtl: bool,
+    /// Show photos whole: the layout follows their aspect ratios.
+    #[arg(long)]
+    whole_photos: bool,
     /// Paper colour, as #rrggbb.
     #[arg(long, value_name = "COLOUR")]
     paper: Option<String>,
@@ -63,6 +66,7 @@ impl Paper {
             paper: self.paper.clone().unwrap_or(usual.paper),
             border_color: self.border_color.clone().unwrap_or(usual.border_color),
             rtl: self.rtl,
+            whole_photos: self.whole_photos,
             ..usual
         };
         page.validate()?;

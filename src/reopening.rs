@@ -5,7 +5,7 @@ use crate::destination::Output;
 use crate::drawing;
 use crate::format::Format;
 use crate::segments::Masks;
-use crate::{CliError, Render, boards, check_strict, plans, reading, telling};
+use crate::{CliError, Render, boards, check_strict, plans, reading, strips, telling};
 use inkpanel::document::file::FilePhoto;
 use inkpanel::document::saved::Saved;
 use inkpanel::document::sheets::photos_on;
@@ -63,10 +63,11 @@ fn drawn(mut saved: Saved, render: &Render, output: &Output) -> Result<Vec<PathB
         output.write(saved.project().shot_list().written(kind).as_bytes())?;
         return Ok(vec![output.path.clone()]);
     }
+    strips::check(how.strip, kind)?;
     let known = known(&saved);
     let stem = output.named.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     // A name with a number placeholder requests one picture per page.
-    let each = number.is_none() && plans::has_number(&output.named);
+    let each = how.strip || number.is_none() && plans::has_number(&output.named);
     let logo = board.map_or(Ok(None), |_| boards::logo(&saved))?;
     let wanted = match board {
         Some(_) if matches!(kind, Format::Comic(_)) => {
@@ -95,6 +96,8 @@ fn drawn(mut saved: Saved, render: &Render, output: &Output) -> Result<Vec<PathB
         }
     }
     check_strict(how)?;
+    // Projects have no capture times.
+    let wanted = if how.strip { strips::pages(&wanted, &means, &|_| None, &found)? } else { wanted };
     match kind {
         Format::Comic(comic) => {
             let named = saved.project().history.present.name.trim();

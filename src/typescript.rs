@@ -461,6 +461,8 @@ fn types() -> String {
         PictureKind,
         Piece,
         output::File,
+        output::strip::Request,
+        output::strip::StripPhoto,
     );
     out.push('\n');
     out.push_str(MORE);

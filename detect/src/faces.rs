@@ -15,7 +15,7 @@ pub(super) const LABEL: &str = "face";
 const SIDE: usize = 192;
 /// Cells along each side, with one anchor each.
 const CELLS: usize = 48;
-/// Numbers per anchor: the box, and six points of the face, which are not used.
+/// Numbers per anchor: the box, and the six points of the face.
 const NUMBERS: usize = 16;
 const THRESHOLD: f64 = 0.5;
 /// Parts of a photo give more false faces.
@@ -64,7 +64,11 @@ impl Faces {
     pub fn look_closer(&self, photo: &Image, first: &[Detection]) -> Result<Vec<Detection>> {
         let mut all: Vec<Candidate> = first
             .iter()
-            .map(|f| Candidate { corners: [f.x, f.y, f.x + f.width, f.y + f.height], score: f.score })
+            .map(|f| Candidate {
+                corners: [f.x, f.y, f.x + f.width, f.y + f.height],
+                score: f.score,
+                points: f.points,
+            })
             .collect();
         for (across, down) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)] {
             let (x, y) = (across * (1.0 - PART), down * (1.0 - PART));
@@ -89,10 +93,15 @@ impl Faces {
             // Not `score < threshold`, so that NaN values count as no detection.
             if score > threshold {
                 let centre = |at: usize| (at as f64 + 0.5) / CELLS as f64;
-                let [across, down, width, height] = [0, 1, 2, 3].map(|i| f64::from(numbers[i]) / SIDE as f64);
-                let square =
-                    corners(centre(cell % CELLS) + across, centre(cell / CELLS) + down, width, height);
-                found.push(Candidate { corners: place.to_photo(square), score });
+                let number = |i: usize| f64::from(numbers[i]) / SIDE as f64;
+                let at = |i: usize| [centre(cell % CELLS) + number(i), centre(cell / CELLS) + number(i + 1)];
+                let [across, down] = at(0);
+                let points = std::array::from_fn(|point| place.point_to_photo(at(4 + 2 * point)));
+                found.push(Candidate {
+                    corners: place.to_photo(corners(across, down, number(2), number(3))),
+                    score,
+                    points: Some(points),
+                });
             }
         }
         Ok(found)
@@ -115,13 +124,14 @@ fn whole_in(corners: [f64; 4], edges: [f64; 4]) -> bool {
 }
 
 fn detections(candidates: Vec<Candidate>) -> Vec<Detection> {
-    let detection = |Candidate { corners: [left, top, right, bottom], score }| Detection {
+    let detection = |Candidate { corners: [left, top, right, bottom], score, points }| Detection {
         label: LABEL.to_owned(),
         score,
         x: left,
         y: top,
         width: right - left,
         height: bottom - top,
+        points,
     };
     candidates.into_iter().map(detection).filter(|face| face.width > 0.0 && face.height > 0.0).collect()
 }
@@ -154,6 +164,7 @@ mod tests {
             y: 0.1,
             width: size,
             height: size,
+            points: None,
         };
         assert!(worth_a_closer_look(&photo(1600), &[]));
         assert!(worth_a_closer_look(&photo(1600), &[face(0.05)]));

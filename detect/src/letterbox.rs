@@ -45,6 +45,12 @@ impl Letterbox {
         let place = |at: f64, axis: usize| (self.origin[axis] + at * self.scale[axis]).clamp(0.0, 1.0);
         [place(left, 0), place(top, 1), place(right, 0), place(bottom, 1)]
     }
+
+    /// A point of the square as a point of the photo. Points outside the photo move to its edge.
+    pub(super) fn point_to_photo(self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [x, y, ..] = self.to_photo([x, y, x, y]);
+        [x, y]
+    }
 }
 
 #[cfg(test)]
@@ -78,5 +84,8 @@ mod tests {
         let back = place.to_photo([5.0 / 30.0, 0.0, 25.0 / 30.0, 1.0]);
         let expected = [0.5, 0.25, 0.75, 1.0];
         assert!(back.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{back:?}");
+        let point = place.point_to_photo([5.0 / 30.0, 0.5]);
+        assert!((point[0] - 0.5).abs() < 1e-9 && (point[1] - 0.625).abs() < 1e-9, "{point:?}");
+        assert_eq!(place.point_to_photo([-9.0, 9.0]), [0.0, 1.0]);
     }
 }

@@ -30,6 +30,12 @@ use inkpanel_pixels::raster::Image;
 pub use objects::Objects;
 pub use segment::{Look, SIDE as SEGMENT_SIDE, Segmenter};
 
+/// Six points of a face, in fractions of the photo from the left and from the top.
+///
+/// Their order: right eye, left eye, tip of the nose, middle of the mouth, right ear, left ear. The right eye is the
+/// person's right eye.
+pub type FacePoints = [[f64; 2]; 6];
+
 /// Something that was found in a photo. Its box lies inside the photo.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -46,6 +52,10 @@ pub struct Detection {
     pub width: f64,
     /// Height, 0..1.
     pub height: f64,
+    /// Points of a face. `None` for objects.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "typescript", ts(type = "ReadonlyArray<[number, number]>", optional))]
+    pub points: Option<FacePoints>,
 }
 
 /// Result of the first search for faces.

@@ -47,7 +47,7 @@ impl Objects {
         for ((anchor, numbers), scores) in self.anchors.iter().zip(boxes).zip(logits.chunks_exact(CLASSES)) {
             for (class, logit) in scores.iter().enumerate().skip(1).filter(|(_, logit)| **logit > least) {
                 let corners = place.to_photo(decode(anchor, *numbers));
-                classes[class].push(Candidate { corners, score: sigmoid(*logit) });
+                classes[class].push(Candidate { corners, score: sigmoid(*logit), points: None });
             }
         }
         let mut found: Vec<Detection> = classes
@@ -73,6 +73,7 @@ fn detection(label: &'static str, kept: Candidate) -> Detection {
         y: top,
         width: right - left,
         height: bottom - top,
+        points: None,
     }
 }
 

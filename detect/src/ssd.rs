@@ -1,6 +1,8 @@
 //! Shared code of single-shot detectors: anchors (a fixed grid of boxes), decoding of the model's offsets and
 //! classes, and non-maximum suppression.
 
+use super::FacePoints;
+
 /// An anchor box of the grid, in sides of the model's square input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Anchor {
@@ -15,6 +17,7 @@ pub(super) struct Anchor {
 pub(super) struct Candidate {
     pub(super) corners: [f64; 4],
     pub(super) score: f64,
+    pub(super) points: Option<FacePoints>,
 }
 
 impl Candidate {
@@ -126,7 +129,7 @@ mod tests {
     use super::*;
 
     fn candidate(corners: [f64; 4], score: f64) -> Candidate {
-        Candidate { corners, score }
+        Candidate { corners, score, points: None }
     }
 
     #[test]

@@ -115,7 +115,15 @@ fn counted(document: &Document, album: &[PhotoMeta], photos: &[Photo]) -> Result
                 subject |= counts && partly(s, 0.82);
             }
         }
-        let whole = Subject { x: 0.0, y: 0.0, width: 1.0, height: 1.0, label: String::new(), score: 1.0 };
+        let whole = Subject {
+            x: 0.0,
+            y: 0.0,
+            width: 1.0,
+            height: 1.0,
+            label: String::new(),
+            score: 1.0,
+            points: None,
+        };
         let (kept, _) = seen(&whole, &crop, bounds, &panels, &group);
         let enlarged = bounds.width * f64::from(page.width) / (crop.width * f64::from(photo.width));
         counted.cut_faces += usize::from(face);

@@ -79,6 +79,8 @@ impl Figures {
 struct Seen {
     label: String,
     bounds: Bounds,
+    /// The middle of its mouth.
+    mouth: Point,
 }
 
 /// Measures a page. Descriptions of faults contain `name`.
@@ -184,6 +186,10 @@ fn seen_in(page: &Document, ground: &Ground, panel: usize, photos: &[PhotoMeta])
     let crop = content.crop.unwrap_or(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 });
     let (across, down) = (image.width / crop.width, image.height / crop.height);
     let seen = photo.subjects.iter().map(|subject| Seen {
+        mouth: {
+            let [x, y] = subject.mouth();
+            Point::new(image.x + (x - crop.x) * across, image.y + (y - crop.y) * down)
+        },
         label: subject.label.clone(),
         bounds: Bounds {
             x: image.x + (subject.x - crop.x) * across,
@@ -333,20 +339,17 @@ fn wrong_tail(laid: &Laid, seen: &[Seen]) -> Option<String> {
     let Some((_, head)) = hits.min_by(|a, b| a.0.total_cmp(&b.0)) else {
         return Some("leads to no face".into());
     };
-    let middle_of =
-        |bounds: Bounds| Point::new(bounds.x + bounds.width / 2.0, bounds.y + 0.78 * bounds.height);
-    let mouth = middle_of(head.bounds);
-    let nearer = heads.iter().any(|other| {
-        !std::ptr::eq(*other, *head) && middle_of(other.bounds).distance(tip) < 0.75 * mouth.distance(tip)
-    });
+    let mouth = head.mouth;
+    let nearer = heads
+        .iter()
+        .any(|other| !std::ptr::eq(*other, *head) && other.mouth.distance(tip) < 0.75 * mouth.distance(tip));
     if nearer {
-        return Some("ends nearer to another face".into());
+        return Some("ends nearer to another mouth".into());
     }
-    // Its line meets the middle of the face's lower third, a sixth of the height up or down.
+    // Its line passes the lips within a tenth of the height of the face.
     let (dx, dy) = (tip.x - foot.x, tip.y - foot.y);
-    let low = Point::new(mouth.x, head.bounds.y + head.bounds.height * 5.0 / 6.0);
-    let aside = ((low.x - foot.x) * dy - (low.y - foot.y) * dx).abs() / dx.hypot(dy).max(1e-9);
-    if aside > head.bounds.height / 6.0 {
+    let aside = ((mouth.x - foot.x) * dy - (mouth.y - foot.y) * dx).abs() / dx.hypot(dy).max(1e-9);
+    if aside > head.bounds.height / 10.0 {
         return Some("leads past the mouth".into());
     }
     let way = foot.distance(tip) / foot.distance(mouth).max(1e-9);

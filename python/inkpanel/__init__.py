@@ -64,6 +64,7 @@ def render(
     paper=None,
     border_color=None,
     merge=False,
+    whole_photos=False,
     detect=True,
     models=None,
     words=None,
@@ -92,6 +93,7 @@ def render(
     gutter, margin, border, corner_radius: lengths as a fraction of the page width.
     paper, border_color: colours as "#rrggbb".
     merge: whether panels may share one image.
+    whole_photos: whether photos are shown whole: the layout follows their aspect ratios.
     detect: whether faces and objects are detected, so that crops do not cut them. Takes most of the planning time.
     models: folder with faces.onnx and objects.onnx. Default: the models in the wheel.
     words: captions, balloons and sound effects of the first page, as a list of dicts such as
@@ -129,6 +131,7 @@ def render(
         "paper": paper,
         "border_color": border_color,
         "merge": merge,
+        "whole_photos": whole_photos,
         "models": (_os.fspath(models) if models else str(_MODELS)) if detect else None,
         "words": words,
         "fonts": [_os.fspath(font) for font in fonts],
@@ -164,10 +167,13 @@ def book(
     keep_all=False,
     as_given=False,
     skip_broken=False,
+    whole_photos=False,
+    places=True,
 ):
     """Makes a book: a cover, chapters by day with captions, page numbers and an end page.
 
     photos: folder with pictures, also in subfolders, or photos as in `render`. Names of subfolders are places.
+    places: whether the GPS data of photos names their places. The data stay in their files; captions get only the names.
     output: file name of the book, which must end in .pdf.
     title: title on the cover. Default: the name of the folder, or the places or days of the photos.
     language: language of the captions, a tag such as "pt-BR". English, German, Spanish, French, Japanese and Portuguese are supported.
@@ -201,11 +207,24 @@ def book(
         keep_all=keep_all,
         as_given=as_given,
         skip_broken=skip_broken,
-        _book={"title": title or "", "language": language, "styles": styles, "pages": pages},
+        whole_photos=whole_photos,
+        _book={
+            "title": title or "",
+            "language": language,
+            "styles": styles,
+            "pages": pages,
+            "places": _place_names(models) if places else None,
+        },
     )
     if output is not None:
         _Path(output).write_bytes(pdf(made, title=title or "", language=language))
     return made
+
+
+def _place_names(models):
+    """The table of places, if it exists."""
+    table = (_MODELS if models is None else _Path(models)) / "places.bin"
+    return str(table) if table.exists() else None
 
 
 def _pictures(folder):

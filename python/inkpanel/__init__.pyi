@@ -55,6 +55,8 @@ def book(
     keep_all: bool = False,
     as_given: bool = False,
     skip_broken: bool = False,
+    whole_photos: bool = False,
+    places: bool = True,
 ) -> list[Page]: ...
 @overload
 def render(
@@ -75,6 +77,7 @@ def render(
     paper: str | None = None,
     border_color: str | None = None,
     merge: bool = False,
+    whole_photos: bool = False,
     detect: bool = True,
     models: str | os.PathLike[str] | None = None,
     words: Sequence[_Json] | None = None,
@@ -104,6 +107,7 @@ def render(
     paper: str | None = None,
     border_color: str | None = None,
     merge: bool = False,
+    whole_photos: bool = False,
     detect: bool = True,
     models: str | os.PathLike[str] | None = None,
     words: Sequence[_Json] | None = None,

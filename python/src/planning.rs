@@ -4,7 +4,7 @@ use crate::failure::{Done, Failure, detached};
 use crate::page::Page;
 use crate::settings::Settings;
 use crate::{nets, photos};
-use inkpanel::{Album, Photo};
+use inkpanel::{Album, Photo, PlaceNames};
 use pyo3::prelude::*;
 use std::path::Path;
 
@@ -29,6 +29,11 @@ fn planned(photos: Vec<Photo>, settings: Settings) -> Done<Vec<Page>> {
     }
     if let Some(folder) = &settings.models {
         album.detect(&*nets::of(Path::new(folder))?);
+    }
+    if let Some(table) = &settings.places {
+        let bytes = std::fs::read(table)
+            .map_err(|error| Failure::argument("places", &format!("{table}: {error}")))?;
+        album.locate(&PlaceNames::from_bytes(&bytes)?);
     }
     for place in settings.star {
         album.star(place)?;

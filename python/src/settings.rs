@@ -20,6 +20,8 @@ pub(crate) struct Settings {
     pub(crate) skip_broken: bool,
     /// Options of a book. `None`: pages without captions.
     pub(crate) book: Option<BookOptions>,
+    /// File of the table of places. `None`: GPS data is not read.
+    pub(crate) places: Option<String>,
 }
 
 impl Settings {
@@ -27,7 +29,9 @@ impl Settings {
         let told: Map<String, Value> =
             serde_json::from_str(json).map_err(|error| Failure::argument("settings", &error.to_string()))?;
         let mut told = Told(told);
+        let places = told.places()?;
         let settings = Self {
+            places,
             pages: told.take("pages")?,
             options: told.options()?,
             star: told.take("star")?.unwrap_or_default(),
@@ -66,6 +70,13 @@ impl Told {
 
     fn flag(&mut self, name: &str) -> Done<bool> {
         Ok(self.take(name)?.unwrap_or(false))
+    }
+
+    /// Takes the table of places out of the options of a book.
+    fn places(&mut self) -> Done<Option<String>> {
+        let book = self.0.get_mut("book").and_then(Value::as_object_mut);
+        let Some(places) = book.and_then(|book| book.remove("places")) else { return Ok(None) };
+        serde_json::from_value(places).map_err(|error| Failure::argument("places", &error.to_string()))
     }
 
     fn book(&mut self) -> Done<Option<BookOptions>> {
@@ -119,8 +130,8 @@ impl Told {
         if let Some(colour) = self.take::<String>("border_color")? {
             options = options.border_color(&colour)?;
         }
-        let merge = self.flag("merge")?;
-        Ok(options.merge(merge).keep_all(self.flag("keep_all")?).as_given(self.flag("as_given")?))
+        let (merge, whole) = (self.flag("merge")?, self.flag("whole_photos")?);
+        Ok(options.merge(merge).whole_photos(whole).keep_all(self.flag("keep_all")?).as_given(self.flag("as_given")?))
     }
 
     fn sized(&mut self, options: PageOptions) -> Done<PageOptions> {

@@ -257,6 +257,12 @@ def test_faces_are_found_by_the_nets_of_the_wheel(samples):
     assert crops[True] != crops[False]
 
 
+def test_photos_are_shown_whole(samples):
+    page = inkpanel.render(samples[:6], panels=6, whole_photos=True, detect=False, keep_all=True, width=300)
+    shown = [panel["crop"]["width"] * panel["crop"]["height"] for panel in page.plan["panels"]]
+    assert len(shown) == 6 and min(shown) > 0.9
+
+
 def test_a_folder_becomes_a_book(tmp_path, samples):
     for place, files in (("Lisbon", samples[:4]), ("Sintra", samples[4:8])):
         folder = tmp_path / "Iberia" / place

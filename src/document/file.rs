@@ -12,6 +12,7 @@ use super::project::{self, Draft, List, Parts, Sheet, TrayItem};
 use super::shots::Board;
 use super::{Dropped, VERSION, pages, refusal, version};
 use crate::error::Result;
+use crate::framing::FacePoints;
 use crate::json::{self, Fields, Read, Writer, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
 use crate::output::shots::timecode::StartTimecode;
@@ -356,7 +357,12 @@ impl FilePhoto {
 
 fn is_subject(value: &Value) -> bool {
     let part = |name: &str| value[name].as_f64().is_some_and(|part| (-1.0..=2.0).contains(&part));
-    value["label"].is_string() && ["score", "x", "y", "width", "height"].into_iter().all(part)
+    // Projects of older versions have no points.
+    let points = value.get("points").is_none_or(|points| {
+        serde_json::from_value::<FacePoints>(points.clone())
+            .is_ok_and(|points| points.iter().flatten().all(|part| (-1.0..=2.0).contains(part)))
+    });
+    points && value["label"].is_string() && ["score", "x", "y", "width", "height"].into_iter().all(part)
 }
 
 impl Likeness {

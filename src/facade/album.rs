@@ -9,6 +9,7 @@ use super::note::Note;
 use super::options::{BookOptions, PageOptions};
 use super::page::{Book, Page};
 use super::photo::Photo;
+use super::places::PlaceNames;
 use crate::document::limits::MOST_SHEETS;
 use crate::framing::{PhotoMeta, Subject};
 use crate::page::Document;
@@ -34,6 +35,8 @@ pub struct Album {
     read: Vec<(usize, Imported)>,
     fonts: GivenFonts,
     notes: Vec<Note>,
+    /// The names of the places where photos were taken, by id.
+    located: Vec<(String, String)>,
 }
 
 /// The photos of pages, in order, and a verdict on each readable photo.
@@ -101,7 +104,8 @@ impl Album {
                 }
             }
         }
-        (Self { photos: photos.into(), read, fonts: GivenFonts::default(), notes }, broken)
+        let (fonts, located) = (GivenFonts::default(), Vec::new());
+        (Self { photos: photos.into(), read, fonts, notes, located }, broken)
     }
 
     /// Warnings: damaged or skipped photos, and the reason.
@@ -145,6 +149,12 @@ impl Album {
         }
     }
 
+    /// Names the places of photos by the GPS data of their files, for the captions of books. Only the names are kept.
+    pub fn locate(&mut self, names: &PlaceNames) {
+        let named = |(place, _): &(usize, Imported)| Some((id(*place), self.photos[*place].place(&names.0)?));
+        self.located = self.read.par_iter().filter_map(named).collect();
+    }
+
     /// One page of the photos.
     ///
     /// # Errors
@@ -164,7 +174,7 @@ impl Album {
     }
 
     /// Makes a book: a cover, chapters by day with captions, page numbers and an end page. Names of the folders of photos are
-    /// places. The number of panels, the layout and the text items of `options` do not apply.
+    /// places, and [`Self::locate`] finds others. The number of panels, the layout and the text items of `options` do not apply.
     ///
     /// # Errors
     /// As [`Self::pages`].
@@ -305,6 +315,8 @@ impl Album {
         };
         let ids: Vec<(String, &str)> =
             self.read.iter().map(|(place, _)| (id(*place), folder(*place))).collect();
-        naming::places(ids.iter().map(|(id, folder)| (id.as_str(), *folder)))
+        let mut places = naming::places(ids.iter().map(|(id, folder)| (id.as_str(), *folder)));
+        naming::add_located(&mut places, self.located.iter().cloned());
+        places
     }
 }

@@ -10,6 +10,7 @@ mod options;
 mod page;
 mod photo;
 mod pixels;
+mod places;
 mod style;
 
 pub use album::Album;
@@ -27,4 +28,5 @@ pub use page::with_names;
 pub use page::{Page, pdf};
 pub use photo::Photo;
 pub use pixels::Pixels;
+pub use places::PlaceNames;
 pub use style::Style;

@@ -134,6 +134,13 @@ impl PageOptions {
         self
     }
 
+    /// Whether photos are shown whole: the layout follows their aspect ratios. Default: no.
+    #[must_use]
+    pub fn whole_photos(mut self, whole: bool) -> Self {
+        self.page.whole_photos = whole;
+        self
+    }
+
     /// The page template of an id, such as `cinema-4`; [`layouts`] lists them.
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 use super::failure::{Failure, survived};
 use crate::kinds::clearer;
 use crate::page::import::{Imported, import, import_image};
+use crate::places::Places;
 use crate::raster::Image;
 use crate::raster::decode::{Limits, decode};
 use std::borrow::Cow;
@@ -87,6 +88,11 @@ impl Photo {
                 Ok(import(id, &bytes, &limits).map_err(|error| clearer(error, self.file_name(), &bytes))?)
             }
         })
+    }
+
+    /// The name of the place where it was taken. `None` without GPS data.
+    pub(super) fn place(&self, names: &Places) -> Option<String> {
+        names.of_photo(&self.source.bytes().ok()?).map(str::to_owned)
     }
 
     /// Its pixels at their full size.

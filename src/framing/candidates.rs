@@ -8,6 +8,7 @@ use std::borrow::Cow;
 
 use super::frame::Target;
 use super::photo::{Crop, FACE, PhotoMeta, Subject};
+use super::score::ROOM;
 use crate::layout::Bounds;
 use crate::order::sort_by;
 
@@ -115,6 +116,12 @@ impl<'a> View<'a> {
     /// The faces among the subjects.
     pub(super) fn faces(&self) -> impl Iterator<Item = Area> + '_ {
         self.subjects.iter().filter(|(_, s)| s.label == FACE).map(|(area, _)| *area)
+    }
+
+    /// The largest faces that look to the side, and their [`Subject::gaze`].
+    fn gazes(&self) -> impl Iterator<Item = (Area, f64)> + '_ {
+        let faces = self.subjects.iter().take(MOST_SUBJECTS).map(|(area, s)| (*area, s.gaze()));
+        faces.filter(|(_, gaze)| *gaze != 0.0)
     }
 
     /// The heads of the faces among the subjects, in the same order.
@@ -229,6 +236,13 @@ pub(super) fn all(view: &View, search: Search) -> Vec<Crop> {
         let centre = (subject.x + subject.width / 2.0, subject.y + subject.height / 2.0);
         let level = if face && !view.target.round { EYE_LINE } else { 0.5 };
         crops.extend(steps.iter().map(|&width| view.about(centre, width, level)));
+    }
+    if !view.target.round {
+        for (face, gaze) in view.gazes() {
+            let (x, y) = (face.x + face.width / 2.0, face.y + face.height / 2.0);
+            crops
+                .extend(steps.iter().map(|&width| view.about((x + ROOM * gaze * width, y), width, EYE_LINE)));
+        }
     }
     if !view.target.region.is_plain() {
         let grown = boxes.iter().chain(heads.iter().take(MOST_SUBJECTS)).copied();

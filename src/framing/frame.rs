@@ -1,7 +1,7 @@
 //! The crop of one photo for one panel.
 
 use super::candidates::{Area, Search, View, all};
-use super::photo::{Crop, PhotoMeta};
+use super::photo::{Crop, FACE, PhotoMeta};
 use super::region::Region;
 use super::score::Judge;
 
@@ -11,6 +11,8 @@ const VARIANTS: u32 = 8;
 /// Height of the face as a fraction of a close crop, and its distance from the centre in crop widths.
 const CLOSE: [f64; 3] = [0.46, 0.38, 0.32];
 const BESIDE: [f64; 3] = [0.0, -0.14, 0.14];
+/// [`BESIDE`] for a face that looks to the right: the crop leaves room there. Mirrored for one that looks to the left.
+const AHEAD: [f64; 3] = [0.14, 0.0, -0.14];
 /// Maximum width of a close crop as a fraction of the widest crop: for a single face, and for a face of a group.
 const CLOSER: [f64; 2] = [0.5, 0.72];
 /// Minimum height of a face that gets a close crop, as a fraction of the tallest face.
@@ -79,14 +81,20 @@ pub fn closeup(photo: &PhotoMeta, target: &Target, turn: usize) -> Option<Crop> 
         return None;
     }
     let faces: Vec<(Area, Area)> = view.faces().zip(view.heads()).collect();
+    let gazes = view.subjects.iter().filter(|(_, subject)| subject.label == FACE).map(|(_, s)| s.gaze());
+    let gazes: Vec<f64> = gazes.map(|gaze| if target.round { 0.0 } else { gaze }).collect();
     let tallest = faces.iter().map(|(face, _)| face.height).fold(0.0, f64::max);
-    let main = |(face, _): &&(Area, Area)| face.height >= MAIN * tallest;
-    let closer = CLOSER[usize::from(faces.iter().filter(main).count() > 1)];
+    let main = |(face, _): &(Area, Area)| face.height >= MAIN * tallest;
+    let closer = CLOSER[usize::from(faces.iter().filter(|face| main(face)).count() > 1)];
     let widest = view.widest(0.5, 0.5).width * view.width;
     let width = if target.width.is_finite() { target.width } else { 0.0 };
-    let of = |&(face, head): &(Area, Area)| {
+    let of = |(&(face, head), &gaze): (&(Area, Area), &f64)| {
+        let beside = match gaze {
+            0.0 => BESIDE,
+            gaze => AHEAD.map(|off| off * gaze.signum()),
+        };
         let (x, y) = (face.x + face.width / 2.0, face.y + face.height / 2.0);
-        let crops = CLOSE.iter().flat_map(|part| BESIDE.map(|off| (face.height / part * target.aspect, off)));
+        let crops = CLOSE.iter().flat_map(|part| beside.map(|off| (face.height / part * target.aspect, off)));
         crops
             .filter(|(across, _)| *across <= closer * widest && width <= MOST_ENLARGED * across)
             .map(|(across, off)| {
@@ -98,7 +106,7 @@ pub fn closeup(photo: &PhotoMeta, target: &Target, turn: usize) -> Option<Crop> 
                 shown && faces.iter().all(|(other, _)| !view.cuts(area, *other))
             })
     };
-    faces.iter().filter(main).filter_map(of).nth(turn)
+    faces.iter().zip(&gazes).filter(|(face, _)| main(face)).filter_map(of).nth(turn)
 }
 
 /// Returns a crop in a tenth of the time of [`frame`], and the part of the photo's energy that it holds. The
@@ -119,7 +127,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::framing::{FACE, FIGURE, Focus, Subject};
+    use crate::framing::{FIGURE, Focus, Subject};
     use crate::raster::{Matte, Plane};
 
     fn photo(width: u32, height: u32, subjects: Vec<Subject>) -> PhotoMeta {
@@ -127,7 +135,7 @@ mod tests {
     }
 
     fn subject(label: &str, x: f64, y: f64, width: f64, height: f64) -> Subject {
-        Subject { x, y, width, height, label: label.into(), score: 0.9 }
+        Subject { x, y, width, height, label: label.into(), score: 0.9, points: None }
     }
 
     fn keeps(crop: &Crop, s: &Subject) -> bool {
@@ -253,6 +261,37 @@ mod tests {
         let crop = frame(&photo, &Target::of_aspect(0.5), 0);
         let centre = crop.x + crop.width / 2.0;
         assert!((centre - 0.8).abs() < 0.1, "{crop:?}");
+    }
+
+    /// A face that looks to the right for a `side` of 1, and to the left for -1.
+    fn looking(side: f64, x: f64, y: f64, width: f64, height: f64) -> Subject {
+        let at = |across: f64, down: f64| [x + width * (0.5 + side * across), y + height * down];
+        let points = [at(0.2, 0.3), at(0.4, 0.3), at(0.45, 0.5), at(0.35, 0.75), at(-0.1, 0.4), at(0.0, 0.4)];
+        Subject { points: Some(points), ..subject(FACE, x, y, width, height) }
+    }
+
+    #[test]
+    fn a_crop_leaves_room_where_a_face_looks() {
+        let place = |face: Subject, variant: u32| {
+            let middle = face.x + face.width / 2.0;
+            let crop = frame(&photo(4000, 3000, vec![face]), &Target::of_aspect(0.7), variant);
+            (middle - crop.x) / crop.width
+        };
+        for variant in [0, 1] {
+            let [ahead, right, left] = [0.0, 1.0, -1.0].map(|side| {
+                let face = looking(side, 0.45, 0.3, 0.1, 0.16);
+                assert!((face.gaze() - side).abs() < 1e-9, "{side}: {}", face.gaze());
+                place(face, variant)
+            });
+            assert!(right < 0.42 && left > 0.58, "{variant}: {right} {left}");
+            assert!((0.4..0.6).contains(&ahead), "{variant}: {ahead}");
+            // Faces of old projects have no points.
+            let unknown = place(subject(FACE, 0.45, 0.3, 0.1, 0.16), variant);
+            assert_eq!(unknown, ahead, "{variant}");
+        }
+        let round = Target { round: true, ..Target::of_aspect(1.0) };
+        let crop = frame(&photo(4000, 3000, vec![looking(1.0, 0.3, 0.35, 0.1, 0.15)]), &round, 0);
+        assert!((crop.x + crop.width / 2.0 - 0.35).abs() < 0.01, "{crop:?}");
     }
 
     #[test]

@@ -125,6 +125,7 @@ pub fn lettering(image: &Image) -> Vec<Subject> {
         height: line.height() / height as f64,
         label: LETTERING.to_owned(),
         score: SCORE,
+        points: None,
     };
     blocks.iter().take(MOST).map(subject).collect()
 }

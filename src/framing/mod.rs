@@ -18,5 +18,5 @@ pub use energy::EnergyMap;
 pub use facts::Facts;
 pub use frame::{Target, closeup, frame, sketch};
 pub use lettering::{LETTERING, lettering};
-pub use photo::{Crop, FACE, FIGURE, Focus, PhotoMeta, Subject};
+pub use photo::{Crop, FACE, FIGURE, FacePoints, Focus, PhotoMeta, Subject};
 pub use region::Region;

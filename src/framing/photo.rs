@@ -103,7 +103,7 @@ impl PhotoMeta {
         let facts = self.mask.as_ref()?.facts();
         let [x, y, width, height] = facts.bounds;
         let label = FIGURE.to_owned();
-        let figure = Subject { x, y, width, height, label, score: facts.confidence };
+        let figure = Subject { x, y, width, height, label, score: facts.confidence, points: None };
         (!facts.is_vague() && !figure.is_scenery()).then_some(figure)
     }
 
@@ -119,6 +119,18 @@ fn mask<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Matte>, D::
     let text = Option::<String>::deserialize(deserializer)?;
     Ok(text.and_then(|text| Matte::try_from(text).ok()))
 }
+
+/// Six points of a face, in fractions of the photo from the left and from the top.
+///
+/// Their order: right eye, left eye, tip of the nose, middle of the mouth, right ear, left ear. The right eye is the
+/// person's right eye.
+pub type FacePoints = [[f64; 2]; 6];
+
+/// Position of the mouth in a face without points, as a share of the height of its box.
+const MOUTH: f64 = 0.78;
+/// Distance of the nose from the middle of the ears, in widths of the box: the minimum of a face that looks to the
+/// side, and the distance in a profile.
+const TURNED: [f64; 2] = [0.1, 0.4];
 
 /// A detected face or object.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -136,6 +148,10 @@ pub struct Subject {
     pub label: String,
     /// The detector's confidence, 0..1.
     pub score: f64,
+    /// Points of a face. `None` for objects, and for faces of old projects.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(all(test, feature = "cli"), ts(type = "ReadonlyArray<[number, number]>", optional))]
+    pub points: Option<FacePoints>,
 }
 
 /// Labels of animals.
@@ -160,6 +176,23 @@ impl Subject {
     #[must_use]
     pub fn is_animal(&self) -> bool {
         ANIMALS.contains(&self.label.as_str())
+    }
+
+    /// The middle of the mouth, in fractions of the photo. Without points, an estimate from the box.
+    #[must_use]
+    pub fn mouth(&self) -> [f64; 2] {
+        let estimate = [self.x + self.width / 2.0, self.y + MOUTH * self.height];
+        self.points.map_or(estimate, |[_, _, _, mouth, ..]| mouth)
+    }
+
+    /// Direction of the gaze, from -1 (left in the photo) to 1 (right). 0 if the face looks at the camera, or without
+    /// points.
+    #[must_use]
+    pub fn gaze(&self) -> f64 {
+        let Some([_, _, nose, _, right, left]) = self.points else { return 0.0 };
+        let turned = (nose[0] - f64::midpoint(right[0], left[0])) / self.width.max(1e-9);
+        let [least, most] = TURNED;
+        if turned.abs() < least { 0.0 } else { (turned / most).clamp(-1.0, 1.0) }
     }
 
     /// The subjects that styles protect: faces, or animals in photos without faces.
@@ -198,8 +231,8 @@ impl Subject {
 #[cfg(feature = "detect")]
 impl From<crate::detect::Detection> for Subject {
     fn from(found: crate::detect::Detection) -> Self {
-        let crate::detect::Detection { label, score, x, y, width, height } = found;
-        Self { x, y, width, height, label, score }
+        let crate::detect::Detection { label, score, x, y, width, height, points } = found;
+        Self { x, y, width, height, label, score, points }
     }
 }
 

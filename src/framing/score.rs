@@ -21,6 +21,10 @@ const STRONG: f64 = 0.25;
 const LEAST_KEPT: f64 = 0.44;
 /// The least part of a photo that a subject covers which must not be cut.
 const SOME_SIZE: f64 = 0.01;
+/// Share of the crop that a face in full profile is away from the middle, to leave room where it looks, and the
+/// cost of less room, in widths of the crop.
+pub(super) const ROOM: f64 = 0.14;
+const CRAMPED: f64 = 0.8;
 /// Cost of one edge through an area of average energy.
 const CUT_COST: f64 = 0.022;
 
@@ -114,6 +118,7 @@ impl<'a> Judge<'a> {
             return 0.0;
         }
         let (mut cover, mut size, mut cut, mut off_line) = (0.0, 0.0f64, 0.0, 0.0f64);
+        let mut cramped = None;
         for ((area, subject), weight) in self.view.subjects.iter().zip(&self.weights) {
             let inside = self.inside(crop, *area);
             cover += inside * weight / total;
@@ -131,10 +136,17 @@ impl<'a> Judge<'a> {
                     (level - 0.42).abs()
                 };
                 off_line = off_line.max(inside * off);
+                // The main face of the crop.
+                if inside > 0.9 && cramped.is_none() && !self.view.target.round {
+                    cramped = Some(cramping(subject.gaze(), across));
+                }
             }
         }
         let say = (total / STRONG).min(1.0);
-        say * (2.0 * cover + 0.6 * comfort(size)) - 2.0 * cut - 0.4 * off_line
+        say * (2.0 * cover + 0.6 * comfort(size))
+            - 2.0 * cut
+            - 0.4 * off_line
+            - CRAMPED * cramped.unwrap_or(0.0)
     }
 
     /// The part of a subject that the panel shows.
@@ -209,6 +221,12 @@ impl<'a> Judge<'a> {
         let width = if self.view.target.width.is_finite() { self.view.target.width } else { 0.0 };
         (width / (crop.width * self.view.width)).max(1e-6)
     }
+}
+
+/// How much room is missing in front of a face, in widths of the crop, by its gaze and the position of its centre.
+fn cramping(gaze: f64, across: f64) -> f64 {
+    let wanted = 0.5 - ROOM * gaze;
+    gaze.abs() * ((across - wanted) * gaze.signum()).max(0.0)
 }
 
 /// How well a subject of that share of the crop's area sits in it: lost below a tenth, at ease up to a half,

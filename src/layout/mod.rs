@@ -18,6 +18,7 @@ mod resolve;
 mod settings;
 mod template;
 pub mod tree;
+mod whole;
 mod write;
 
 pub use aesthetics::score;
@@ -31,6 +32,7 @@ pub use settings::{
     COARSE, DEFAULT_GUTTER, DPI, MOST_PIXELS, PRESETS, PagePreset, PageSettings, Purpose, SIDES, preset,
 };
 pub use template::{Body, LEAST_THICKNESS, Panel, Shape, Template};
+pub use whole::{Whole, whole};
 pub use write::{Circle, Descriptor, LayoutPanel, Outline, PlacedPanel};
 
 /// The families of templates, in the order in which they are listed. `custom` contains the user's layouts,

@@ -16,13 +16,15 @@ pub(super) const MOST_PANELS: usize = 40;
 /// The most overlays of a page.
 const MOST_OVERLAYS: usize = 12;
 /// The deepest nesting of a split tree.
-const DEEPEST: usize = 10;
+pub(super) const DEEPEST: usize = 10;
 /// The least distance between two cuts, or between a cut and the end of its cell, as a fraction of the cell.
-const LEAST_STEP: f64 = 0.02;
+pub(super) const LEAST_STEP: f64 = 0.02;
 /// Maximum share of the page's area that base panels may miss or cover twice.
 const TILING: f64 = 1e-6;
 /// The family of sheets of a board, which the program makes: frames in a page that is theirs in part only.
 pub(super) const BOARD: &str = "board";
+/// Beginning of the ids of layouts that show photos whole. They may leave the edge of the page free.
+pub(super) const WHOLE: &str = "whole-";
 const SHARE: RangeInclusive<f64> = 0.01..=100.0;
 const WEIGHT: RangeInclusive<f64> = 0.01..=100.0;
 const ASPECT: RangeInclusive<f64> = 0.1..=10.0;
@@ -39,7 +41,7 @@ pub(super) fn template(file: &str, value: &Value) -> Result<Template> {
     let name = root.required("name")?.text(60)?.to_owned();
     let family = family(&root.required("family")?)?;
     let aspect = root.required("aspect")?.number(ASPECT)?;
-    let body = body(&root, family == BOARD)?;
+    let body = body(&root, family == BOARD || id.starts_with(WHOLE))?;
     let cells = base_cells(&body);
     let order = match root.get("order") {
         Some(field) => permutation(&field, cells.len())?,

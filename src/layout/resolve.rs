@@ -101,6 +101,11 @@ impl Page {
         Self { aspect, height, margin, gutter: settings.gutter.max(0.0) }
     }
 
+    /// Width and height of the room for panels, and the gutter, in page widths.
+    pub(super) fn room(&self) -> (f64, f64, f64) {
+        (1.0 - 2.0 * self.margin, self.height - 2.0 * self.margin, self.gutter)
+    }
+
     /// Maps a point of the unit square to the page.
     pub(super) fn place(&self, p: Point, gutter: f64) -> Point {
         let origin = self.margin - gutter / 2.0;

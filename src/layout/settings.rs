@@ -46,6 +46,10 @@ pub struct PageSettings {
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>", optional))]
     pub rtl: bool,
+    /// Whether photos are shown whole: the layout follows their aspect ratios.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>", optional))]
+    pub whole_photos: bool,
     /// Bleed in page widths, 0 to 0.1. For print files only; it is never saved.
     #[serde(skip_serializing_if = "is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<f64>", optional))]
@@ -77,6 +81,7 @@ impl Default for PageSettings {
             border_color: "#111111".into(),
             for_screens: false,
             rtl: false,
+            whole_photos: false,
             bleed: 0.0,
             enlarge: false,
         }
@@ -221,6 +226,7 @@ impl PageSettings {
         }
         page.for_screens = fields.flag("forScreens")?;
         page.rtl = fields.flag("rtl")?;
+        page.whole_photos = fields.flag("wholePhotos")?;
         page.enlarge = fields.flag("enlarge")?;
         fields.done()?;
         Ok(page)

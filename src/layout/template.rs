@@ -162,6 +162,30 @@ impl Template {
         })
     }
 
+    /// Whether it was made for the aspect ratios of photos, see [`whole`](super::whole()).
+    #[must_use]
+    pub fn shows_whole(&self) -> bool {
+        self.id.starts_with(parse::WHOLE)
+    }
+
+    /// The slants of the dividers, from the largest ones.
+    #[must_use]
+    pub fn slants(&self) -> Vec<f64> {
+        let Body::Tree(node) = &self.body else { return Vec::new() };
+        let (mut slants, mut level) = (Vec::new(), vec![node]);
+        while !level.is_empty() {
+            let splits = level.into_iter().filter_map(|node| match node {
+                Node::Split(split) => Some(split),
+                Node::Panel => None,
+            });
+            let splits: Vec<_> = splits.collect();
+            slants
+                .extend(splits.iter().flat_map(|split| &split.slants).copied().filter(|slant| *slant != 0.0));
+            level = splits.iter().flat_map(|split| &split.children).collect();
+        }
+        slants
+    }
+
     /// The part of a page of that aspect (width over height) that each panel takes, gutters included.
     #[must_use]
     pub fn shares(&self, page_aspect: f64) -> Vec<f64> {

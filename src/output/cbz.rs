@@ -68,12 +68,14 @@ fn whole(value: f64) -> String {
 fn acbf(comic: &Comic, pages: &[ToldPage], phrases: &Phrases) -> String {
     let (title, language) = (escaped(&comic.title), escaped(&comic.language));
     let cover = picture(comic, 0);
+    // An element of version 1.2. Readers of version 1.1 ignore it.
+    let direction = if comic.is_rtl() { "<reading-direction>RTL</reading-direction>\n" } else { "" };
     let mut out = format!(
         "{XML}<ACBF xmlns=\"http://www.fictionbook-lib.org/xml/acbf/1.1\">\n<meta-data>\n<book-info>\n\
          <author><nickname>Inkpanel</nickname></author>\n<book-title lang=\"{language}\">{title}</book-title>\n\
          <genre>other</genre>\n<annotation lang=\"{language}\"><p>{title}</p></annotation>\n\
          <coverpage><image href=\"{cover}\"/></coverpage>\n\
-         <languages><text-layer lang=\"{language}\" show=\"false\"/></languages>\n</book-info>\n\
+         <languages><text-layer lang=\"{language}\" show=\"false\"/></languages>\n{direction}</book-info>\n\
          <publish-info><publisher>Inkpanel</publisher><publish-date value=\"1980-01-01\">1980</publish-date>\
          </publish-info>\n<document-info><author><nickname>Inkpanel</nickname></author>\
          <creation-date value=\"1980-01-01\">1980</creation-date></document-info>\n</meta-data>\n<body>\n"

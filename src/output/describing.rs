@@ -93,7 +93,7 @@ mod tests {
     use super::*;
 
     fn subject(label: &str, x: f64, width: f64, score: f64) -> Subject {
-        Subject { x, y: 0.4, width, height: 0.2, label: label.to_owned(), score }
+        Subject { x, y: 0.4, width, height: 0.2, label: label.to_owned(), score, points: None }
     }
 
     #[test]

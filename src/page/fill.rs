@@ -10,6 +10,9 @@ use crate::plan::slots::slot;
 use crate::plan::{Assignment, Candidate, Slot};
 use serde_json::Value;
 
+/// Difference of two aspect ratios, as a logarithm, at which a photo counts as whole.
+const ALIKE: f64 = 0.02;
+
 /// A layout that may become the page.
 pub(super) struct Stage {
     /// Its id, or it in full.
@@ -54,6 +57,43 @@ impl Stage {
             FAMILIES.iter().find(|family| **family == template.family()).copied().unwrap_or_default();
         let candidate = Candidate { slots, prior: place.1, layout: place.0, family };
         Self { layout, merges, candidate, heads, locked, panels, same_layout }
+    }
+
+    /// Returns the stage of a layout in which each photo has the panel of its place, and shows as much of it as fits.
+    pub(super) fn whole(
+        &self,
+        request: &Request,
+        layout: Value,
+        template: &Template,
+        photos: &[usize],
+    ) -> (Self, Vec<Assignment>) {
+        let fresh = Request { current: None, page: request.page.clone(), ..Request::default() };
+        let same_layout = layout == self.layout && self.same_layout;
+        let mut stage = Self::new(&fresh, layout, template, Vec::new(), false, (0, 1.0));
+        let locked = |photo: usize| {
+            let id = &request.photos[photo].id;
+            let panels = request.current.iter().flat_map(|current| &current.panels);
+            panels.filter(|panel| panel.locked).any(|panel| panel.photo.as_ref() == Some(id))
+        };
+        stage.locked = photos.iter().map(|&photo| locked(photo)).collect();
+        stage.same_layout = same_layout;
+        let everything = Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
+        let shown = photos.iter().zip(&stage.candidate.slots).map(|(&photo, slot)| {
+            let crop = everything.refitted(&request.photos[photo], slot.target.aspect);
+            Assignment { photo, crop }
+        });
+        let shown = shown.collect();
+        (stage, shown)
+    }
+
+    /// Whether the panels have the aspect ratios of these photos.
+    pub(super) fn fits(&self, photos: &[&PhotoMeta]) -> bool {
+        let slots = &self.candidate.slots;
+        slots.len() == photos.len()
+            && slots
+                .iter()
+                .zip(photos)
+                .all(|(slot, photo)| (slot.target.aspect / photo.aspect()).ln().abs() < ALIKE)
     }
 
     /// Photos that the page retains.

@@ -8,12 +8,12 @@ use super::request::{Mode, Request};
 use super::styling::{choose_style, papered};
 use crate::error::{Error, Result};
 use crate::framing::PhotoMeta;
-use crate::layout::Template;
 use crate::layout::merge::{can_merge, mergeable};
+use crate::layout::{Template, Whole, whole};
 use crate::plan::assign::Photos;
 use crate::plan::layouts::{self, DRAWN, Wanted};
 use crate::plan::prepared::worth_showing;
-use crate::plan::{Candidate, Order, Score, Shelf, Turns, compose};
+use crate::plan::{Assignment, Candidate, Order, Plan, Score, Shelf, Turns, compose};
 use crate::select::DUPLICATE_THRESHOLD;
 use oorandom::Rand64;
 use serde_json::Value;
@@ -23,6 +23,8 @@ use std::borrow::Cow;
 const MERGE_CHANCE: f64 = 0.3;
 /// Groups of panels that are tried in one layout.
 const MERGES_TRIED: usize = 2;
+/// Area of a starred photo that is shown whole, relative to the others.
+const STARRED: f64 = 2.0;
 /// Weight of a layout without merged panels, if merged ones are candidates too.
 const UNMERGED: f64 = 0.5;
 
@@ -68,8 +70,11 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
         compose(&candidates, &photos, order, (heat, request.prefer.as_ref().map(|_| DRAWN)), &mut random)
             .ok_or_else(|| Error::UnknownLayout("any".into()))?;
     let stage = &stages[plan.candidate];
-    let (order, panels) = contents(request, stage, &plan.panels);
-    let style = choose_style(request, stage, &plan, &mut random)?;
+    let whole = if shows_whole(request) { whole_photos(request, stage, &plan, free)? } else { None };
+    let (stage, assigned) =
+        whole.as_ref().map_or((stage, &plan.panels), |(stage, assigned)| (stage, assigned));
+    let (order, panels) = contents(request, stage, assigned);
+    let style = choose_style(request, &stages[plan.candidate], &plan, &mut random)?;
     style_of(&style)?;
     // Text items follow their photos. Items of missing photos are left out, and the project stores them.
     let known =
@@ -99,6 +104,45 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
 /// Returns the threshold of near-duplicates, in bits of a fingerprint.
 fn duplicate_threshold(request: &Request) -> u32 {
     request.duplicate_threshold.unwrap_or(DUPLICATE_THRESHOLD)
+}
+
+/// Whether the layout follows the photos. A page of one photo in a given layout is an exception, such as the cover of a book.
+fn shows_whole(request: &Request) -> bool {
+    request.page.whole_photos && (request.layout.is_none() || request.panels != Some(1))
+}
+
+/// Returns the planned page in a layout for whole photos, with the photos of its panels. `None` if it is impossible. The slants
+/// of the planned layout stay. A layout that fits the photos already stays.
+fn whole_photos(
+    request: &Request,
+    stage: &Stage,
+    plan: &Plan,
+    free: bool,
+) -> Result<Option<(Stage, Vec<Assignment>)>> {
+    let photos: Vec<usize> = plan.panels.iter().map(|assigned| assigned.photo).collect();
+    let metas: Vec<&PhotoMeta> = photos.iter().map(|&photo| &request.photos[photo]).collect();
+    let template = template_of(&stage.layout)?;
+    // Slanted panels have other aspect ratios than their photos.
+    let stays = request.current.as_ref().is_some_and(|current| {
+        let shown = current.panels.iter().map(|panel| panel.photo.as_deref());
+        current.layout == stage.layout
+            && template.shows_whole()
+            && current.page.aspect().to_bits() == request.page.aspect().to_bits()
+            && shown.eq(metas.iter().map(|photo| Some(photo.id.as_str())))
+    });
+    if stays || stage.fits(&metas) {
+        return Ok(Some(stage.whole(request, stage.layout.clone(), &template, &photos)));
+    }
+    let wanted: Vec<Whole> = metas
+        .iter()
+        .map(|photo| Whole { aspect: photo.aspect(), share: if photo.starred { STARRED } else { 1.0 } })
+        .collect();
+    let slants = template.slants();
+    let made = whole(&wanted, free, request.page.aspect(), &request.page, (&slants, request.seed));
+    let Some((template, order)) = made else { return Ok(None) };
+    let photos: Vec<usize> = order.into_iter().map(|place| photos[place]).collect();
+    let layout: Value = serde_json::from_str(&template.to_json()).unwrap_or_default();
+    Ok(Some(stage.whole(request, layout, &template, &photos)))
 }
 
 /// Whether all photos are dated, and not all of one moment: only then their order means something.
@@ -178,6 +222,9 @@ fn merges_of(
     same_layout: bool,
     random: &mut Rand64,
 ) -> Result<Vec<Vec<Vec<usize>>>> {
+    if shows_whole(request) {
+        return Ok(vec![Vec::new()]);
+    }
     if let Some(groups) = &request.merges {
         if let Some(bad) = groups.iter().find(|group| !can_merge(template, group)) {
             let reason = format!("panels {bad:?} do not touch each other");
@@ -223,6 +270,37 @@ mod tests {
             .collect()
     }
 
+    #[test]
+    fn photos_are_shown_whole_in_a_layout_of_their_own() {
+        let mut wanted = request(14, 3);
+        wanted.page.whole_photos = true;
+        wanted.panels = Some(6);
+        wanted.photos[2].starred = true;
+        let page = plan(&wanted).unwrap();
+        let part = |crop: &Crop| crop.width * crop.height;
+        assert_eq!(page.panels.len(), 6);
+        assert!(page.merges.is_empty());
+        for panel in &page.panels {
+            assert!(part(&panel.crop.unwrap()) > 0.9, "{panel:?}");
+        }
+        let ids = |page: &Document| page.panels.iter().map(|panel| panel.photo.clone()).collect::<Vec<_>>();
+        // Another style leaves the layout as it is.
+        let keep = Keep { layout: true, style: false, photos: true };
+        let again = plan(&Request { current: Some(page.clone()), keep, seed: 4, ..wanted.clone() }).unwrap();
+        assert_eq!((&again.layout, ids(&again)), (&page.layout, ids(&page)));
+        // Other photos get another layout, and a locked panel stays locked.
+        let mut current = page.clone();
+        current.panels[1].locked = true;
+        let held = current.panels[1].photo.clone();
+        let keep = Keep { layout: true, style: true, photos: false };
+        let other = plan(&Request { current: Some(current), keep, seed: 9, ..wanted.clone() }).unwrap();
+        assert!(other.panels.iter().any(|panel| panel.locked && panel.photo == held));
+        assert!(other.panels.iter().all(|panel| part(&panel.crop.unwrap()) > 0.9));
+        // A full page of a book stays full.
+        let full = Request { layout: Some("splash-bleed".into()), panels: Some(1), ..wanted };
+        assert_eq!(plan(&full).unwrap().layout, "splash-bleed");
+    }
+
     fn request(count: usize, seed: u32) -> Request {
         Request {
             seed,
@@ -246,6 +324,7 @@ mod tests {
             height,
             label: label.to_owned(),
             score: 0.9,
+            points: None,
         };
         let mut request = request(8, 3);
         for photo in &mut request.photos {

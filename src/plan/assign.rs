@@ -612,7 +612,15 @@ mod tests {
     fn the_strongest_photo_is_the_hero_when_the_order_is_free() {
         const HERO_MIDDLE: usize = 2;
         let mut photos_given = album(5);
-        let face = Subject { x: 0.35, y: 0.35, width: 0.15, height: 0.25, label: FACE.into(), score: 0.95 };
+        let face = Subject {
+            x: 0.35,
+            y: 0.35,
+            width: 0.15,
+            height: 0.25,
+            label: FACE.into(),
+            score: 0.95,
+            points: None,
+        };
         // The hero panel is landscape, so a portrait photo would be cut there.
         photos_given[4].subjects.push(face);
         let slots = page("hero-middle-4");

@@ -493,6 +493,7 @@ mod tests {
                 height,
                 label: FACE.into(),
                 score: 0.95,
+                points: None,
             }]);
         }
         photos[25].starred = true;
@@ -507,8 +508,15 @@ mod tests {
         let mut photos: Vec<PhotoMeta> = (0..12).map(|i| photo(i, i / 6, i * 5)).collect();
         photos.push(photo(12, 4, 0));
         for at in [3, 12] {
-            let all =
-                Subject { x: 0.0, y: 0.0, width: 1.0, height: 1.0, label: "cell phone".into(), score: 0.9 };
+            let all = Subject {
+                x: 0.0,
+                y: 0.0,
+                width: 1.0,
+                height: 1.0,
+                label: "cell phone".into(),
+                score: 0.9,
+                points: None,
+            };
             photos[at].find([all]);
         }
         let outline = made(&photos, None, false);

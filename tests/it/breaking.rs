@@ -53,6 +53,7 @@ fn photo(i: u64, random: &mut Rand64) -> (PhotoMeta, Image) {
         height: 2.0 * head,
         label: "face".into(),
         score: 0.9,
+        points: None,
     };
     let meta = PhotoMeta {
         mask: Some(Matte::new(&shares, (width as usize, height as usize))),

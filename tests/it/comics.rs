@@ -133,6 +133,13 @@ fn a_comic_archive_tells_libraries_and_readers_what_is_in_it() {
     let files = cbz::write(&comic(vec![upright, broad]), &letters()).unwrap();
     let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
     assert_eq!(names, ["page-01.jpg", "page-02.jpg", "ComicInfo.xml", "comic.acbf"]);
+    assert!(!text(&files, "comic.acbf").contains("reading-direction"));
+    let mut leftward = document("grid-6", (1240, 1754), &json!([]));
+    leftward.page.rtl = true;
+    let files_leftward = cbz::write(&comic(vec![leftward]), &letters()).unwrap();
+    let acbf_leftward = parsed(text(&files_leftward, "comic.acbf"));
+    let direction = acbf_leftward.descendants().find(|node| node.tag_name().name() == "reading-direction");
+    assert_eq!(direction.and_then(|node| node.text()), Some("RTL"));
     let info = parsed(text(&files, "ComicInfo.xml"));
     let said = |name: &str| {
         info.descendants().find(|node| node.tag_name().name() == name).and_then(|node| node.text()).unwrap()

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 
-use inkpanel::detect::{Detection, Detectors, worth_a_closer_look};
+use inkpanel::detect::{Detection, Detectors, FacePoints, worth_a_closer_look};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use serde_json::Value;
@@ -58,7 +58,7 @@ fn boxes_are_those_of_onnx_runtime() {
         serde_json::from_slice(&fs::read(crate::root("tests/oracles/data/detect.json")).unwrap()).unwrap();
     assert!(rows.len() >= 35, "{} photos", rows.len());
     let numbers = numbers();
-    let mut compared = 0;
+    let (mut compared, mut faces) = (0, 0);
     for row in rows {
         let file = row["file"].as_str().unwrap();
         let photo = photo(file);
@@ -78,13 +78,19 @@ fn boxes_are_those_of_onnx_runtime() {
                     && corners(found).into_iter().zip(&other[2..]).all(near)
             };
             let at = expected.iter().position(same);
+            if let (Some(at), Some(points)) = (at, found.points) {
+                let wanted: FacePoints = serde_json::from_value(expected[at][6].clone()).unwrap();
+                let pairs = points.iter().flatten().zip(wanted.iter().flatten());
+                assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1.0 / 192.0), "{file}: {points:?}");
+                faces += 1;
+            }
             assert!(at.is_some(), "{file}: {found:?} is none of {expected:?}");
             expected.remove(at.unwrap());
             compared += 1;
         }
         assert!(expected.is_empty(), "{file}: {expected:?} was not found");
     }
-    assert!(compared >= 40, "only {compared} boxes");
+    assert!(compared >= 40 && faces == 9, "only {compared} boxes and {faces} faces");
 }
 
 #[test]

@@ -8,7 +8,8 @@ mod pages;
 
 use crate::golden::Goldens;
 use inkpanel::framing::{PhotoMeta, Subject};
-use inkpanel::page::words::layout::{Chain, lay_all, measured};
+use inkpanel::layout::Point;
+use inkpanel::page::words::layout::{Chain, Ground, lay_all, measured};
 use inkpanel::page::words::place::{self, Known};
 use inkpanel::page::words::{Letters, draw};
 use inkpanel::page::{Document, Scene, compose, png};
@@ -233,7 +234,14 @@ fn words_go_on_to_stand_where_they_were_placed() {
 }
 
 fn face(x: f64, y: f64) -> Subject {
-    Subject { x, y, width: 0.12, height: 0.16, label: "face".into(), score: 0.9 }
+    Subject { x, y, width: 0.12, height: 0.16, label: "face".into(), score: 0.9, points: None }
+}
+
+/// A face whose points put the mouth into the lower left corner of its box.
+fn turned(x: f64, y: f64) -> Subject {
+    let at = |right: f64, down: f64| [x + 0.12 * right, y + 0.16 * down];
+    let points = [at(0.1, 0.3), at(0.3, 0.3), at(0.05, 0.5), at(0.15, 0.75), at(0.6, 0.4), at(0.7, 0.4)];
+    Subject { points: Some(points), ..face(x, y) }
 }
 
 /// Returns placed balloons on one panel with the given texts and speakers, around faces.
@@ -261,6 +269,24 @@ fn balloons_of_one_mouth_hang_together_by_themselves_and_the_first_has_the_tail(
     assert!(dy > 0.0 && dx.abs() > 0.005, "{dx} {dy}");
     // Placing them again does not move them.
     assert_eq!(placed_by(&words, &[face(0.3, 0.6)], None), words);
+}
+
+#[test]
+fn a_tail_points_to_the_mouth_that_was_found() {
+    let mut tails = Vec::new();
+    for face in [face(0.45, 0.6), turned(0.45, 0.6)] {
+        let words = said(&[("Did you hear that?", None)], std::slice::from_ref(&face));
+        let all = lay_all(&page_of(&words), &letters()).unwrap();
+        let frame = Ground::new(&page_of(&words)).unwrap().panels[0].bounds;
+        let [x, y] = face.mouth();
+        let mouth = Point::new(frame.x + x * frame.width, frame.y + y * frame.height);
+        let (middle, tip) = (all[0].middle, all[0].tip.unwrap());
+        let (dx, dy) = (tip.x - middle.x, tip.y - middle.y);
+        let aside = ((mouth.x - middle.x) * dy - (mouth.y - middle.y) * dx).abs() / dx.hypot(dy);
+        assert!(aside < 0.1 * face.height * frame.height, "{aside} beside the lips");
+        tails.push(words[0]["tail"].clone());
+    }
+    assert_ne!(tails[0], tails[1]);
 }
 
 #[test]

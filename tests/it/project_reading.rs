@@ -779,3 +779,18 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn faces_of_any_version_are_read_and_wrong_points_are_not_faces() {
+    let mut value = whole();
+    let points = json!([[0.1, 0.2], [0.2, 0.2], [0.15, 0.25], [0.15, 0.3], [0.05, 0.25], [0.25, 0.25]]);
+    value["photos"][0]["subjects"][0]["points"] = points.clone();
+    value["photos"][1]["subjects"][0]["points"] = json!([[0.1, 0.2]]);
+    value["photos"][2]["subjects"][0]["points"] = json!([[9.0, 0], [0, 0], [0, 0], [0, 0], [0, 0], [0, 0]]);
+    let photos = read(&value).unwrap().photos;
+    assert_eq!(photos[0].subjects.as_ref().unwrap()[0]["points"], points);
+    // Photos without valid subjects are searched again.
+    assert_eq!((&photos[1].subjects, &photos[2].subjects), (&None, &None));
+    // Projects of older versions have faces without points.
+    assert_eq!(photos[3].subjects.as_ref().unwrap().len(), 1);
+}

@@ -11,12 +11,13 @@ const TOPS: [&str; 2] = ["pixels/src", "src"];
 
 /// The modules from the lowest to the highest. Containers and their row kernels are one layer, because they
 /// depend on each other.
-const ROOMS: [&[&str]; 18] = [
+const ROOMS: [&[&str]; 19] = [
     &["error"],
     &["order"],
     &["raster", "simd"],
     &["style"],
     &["kinds"],
+    &["places"],
     &["json"],
     &["texts"],
     &["select"],

@@ -453,7 +453,7 @@ fn settled(words: &Value, faces: &[Subject]) -> Document {
 }
 
 fn face(x: f64, y: f64) -> Subject {
-    Subject { x, y, width: 0.2, height: 0.25, label: "face".into(), score: 0.9 }
+    Subject { x, y, width: 0.2, height: 0.25, label: "face".into(), score: 0.9, points: None }
 }
 
 #[test]

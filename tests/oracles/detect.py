@@ -6,7 +6,7 @@
 
 Writes tests/oracles/data/detect.json. Per photo of tests/photos and www/public/samples, it has the boxes of
 one pass over the whole photo, in fractions of the photo. A box is [label or COCO number, score, left, top,
-right, bottom]. Everything except the models is a separate implementation. Pillow decodes, and plain numpy
+right, bottom]. A face also has its six points, [x, y] each. Everything except the models is a separate implementation. Pillow decodes, and plain numpy
 does exact-area reduction, letterbox, anchors, decoding of boxes and removal of duplicates.
 """
 
@@ -119,10 +119,19 @@ def faces(session, photo):
     scores = sigmoid(logits[0, :, 0])
     dx, dy, w, h = numbers[0, :, :4].astype(np.float64).T / 192
     cell = np.arange(48 * 48)
-    boxes = back(boxes_of((cell % 48 + 0.5) / 48 + dx, (cell // 48 + 0.5) / 48 + dy, w, h))
+    ax, ay = (cell % 48 + 0.5) / 48, (cell // 48 + 0.5) / 48
+    boxes = back(boxes_of(ax + dx, ay + dy, w, h))
+    moves = numbers[0, :, 4:].astype(np.float64) / 192
+    # Two points are the corners of a box, for the way back to the photo.
+    points = [back(np.stack([ax + x, ay + y, ax + x, ay + y], 1))[:, :2] for x, y in zip(moves.T[::2], moves.T[1::2])]
+    points = np.stack(points, 1)
     sure = scores > 0.5
-    boxes, scores = boxes[sure], scores[sure]
-    return [("face", scores[i], *boxes[i]) for i in suppress(boxes, scores, 0.3)]
+    boxes, scores, points = boxes[sure], scores[sure], points[sure]
+    return [("face", scores[i], *boxes[i], points[i].tolist()) for i in suppress(boxes, scores, 0.3)]
+
+
+def rounded(value):
+    return [rounded(part) for part in value] if isinstance(value, list) else round(float(value), 5)
 
 
 def main():
@@ -132,7 +141,7 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             photo = decoded(sys.argv[1], file, pathlib.Path(folder))
         found = faces(nets[0], photo) + objects(nets[1], photo)
-        boxes = [[label, *(round(float(number), 5) for number in rest)] for label, *rest in found]
+        boxes = [[label, *(rounded(number) for number in rest)] for label, *rest in found]
         rows.append({"file": file.relative_to(ROOT).as_posix(), "boxes": boxes})
     text = ",\n".join(json.dumps(row) for row in rows)
     (ROOT / "tests/oracles/data/detect.json").write_text(f"[\n{text}\n]\n")

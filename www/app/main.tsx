@@ -41,7 +41,10 @@ import { createOffline } from '../offline/offline.ts';
 import { createOwnLayouts } from '../layouts/own-layouts.ts';
 import { createOwnStyles, freshStyleId } from '../styles/own-styles.ts';
 import { createPages, freshSeed } from '../document/pages.ts';
+import { createPlaceNames } from '../photos/place-names.ts';
+import { loadPlaces, locationOf } from '../engine/place-table.ts';
 import { createReading } from '../photos/reading.ts';
+import { offerRtl } from '../page/rtl-offer.ts';
 import { createReshaping } from '../page/panels/reshaping.ts';
 import { createScrubbing } from '../page/panels/scrubbing.ts';
 import { createSelection } from '../page/panels/selection.ts';
@@ -81,7 +84,16 @@ const pages = createPages(store, {
   settled: (page) => lettering.settled(page),
   shuffled: () => hints.shuffled(),
 });
-const reading = createReading({ store, pages, engine, messages, prefix: freshPhotoPrefix(), detects: ui.detects });
+const placeNames = createPlaceNames({ locationOf, load: loadPlaces });
+const reading = createReading({
+  store,
+  pages,
+  engine,
+  messages,
+  prefix: freshPhotoPrefix(),
+  detects: ui.detects,
+  places: placeNames,
+});
 const book = createBook({ store, pages, messages, onKept: (page) => taste.learn(page) });
 const choosing = createChoosing({ store, pages, reading, enlarged });
 const scrubbing = createScrubbing({ store, pages, reading, engine, messages });
@@ -153,8 +165,12 @@ const bookMaking = createBookMaking({
   pages,
   album: reading,
   searched: () => !ui.detects || (subjects.searched.peek() && subjects.settled.peek()),
-  ready: lettering.ready,
+  ready: () => Promise.all([lettering.ready(), placeNames.settled()]),
 });
+effect(() => {
+  if (placeNames.names.value.size > 0 && !store.sketch.value) untracked(narrating.renew);
+});
+offerRtl({ store, pages, messages, language: window.navigator.language });
 const boards = createBoards({ store, engine, chooseStyle: pages.chooseStyle });
 const animatics = createAnimatics({ store, engine, boards });
 const masks = createMasks({

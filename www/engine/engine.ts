@@ -136,6 +136,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
     comicPieces: files.comicPieces,
     comicFiles: files.comicFiles,
     boardSheets: files.boardSheets,
+    stripPages: files.stripPages,
     shotFile: files.shotFile,
     animatic: files.animatic,
     motion: files.motion,
@@ -221,6 +222,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
         y: box.y * height,
         width: box.width * width,
         height: box.height * height,
+        points: box.points?.map(([x, y]) => [x * width, y * height] as const),
       }));
     } finally {
       photos.forget(id);

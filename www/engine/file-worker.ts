@@ -9,6 +9,7 @@ import initFiles, {
   boardSheets,
   Cut,
   comicFile,
+  stripPages,
   Lettering,
   losslessPicture as losslessFile,
   Plate,
@@ -24,7 +25,7 @@ import { LOADING, STORING, serveJobs } from './serving.ts';
 import { createShaping } from './shaping.ts';
 import { withDpi } from './webp.ts';
 import type { Making, Picture, PixelPatch } from './protocol.ts';
-import type { MotionRequest } from './types.ts';
+import type { MotionRequest, StripRequest } from './types.ts';
 import type { Tell, Work } from './serving.ts';
 
 /** Errors if the module or the glyphs could not be loaded. */
@@ -52,6 +53,7 @@ const OPERATIONS: Work<Making> = {
   pdf,
   comic,
   board,
+  strip,
   shots,
   animatic,
   motion,
@@ -194,6 +196,19 @@ async function comic({ kind, comic: told }: Args<'comic'>, tell: Tell) {
 async function board({ request }: Args<'board'>, tell: Tell) {
   tell.expects(PAGE);
   return { ok: boardSheets(request), transfer: [] };
+}
+
+async function strip({ request }: Args<'strip'>, tell: Tell) {
+  const letters = await lettering(tell);
+  const { pages } = JSON.parse(request) as StripRequest;
+  tell.expects(PAGE * pages.length);
+  const shape = createShaping(letters);
+  try {
+    for (const page of pages) shape(page);
+    return { ok: stripPages(request, letters), transfer: [] };
+  } finally {
+    letters.free();
+  }
 }
 
 async function shots({ ending, list }: Args<'shots'>, tell: Tell) {

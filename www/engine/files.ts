@@ -17,6 +17,7 @@ import type {
   PdfOptions,
   Piece,
   ShotList,
+  StripRequest,
 } from './types.ts';
 import type { Pool } from './pool.ts';
 import type { ComicKind, ListKind, Making, Picture, PixelPatch, Rgb } from './protocol.ts';
@@ -38,6 +39,7 @@ export function createFiles() {
     comicPieces,
     comicFiles,
     boardSheets,
+    stripPages,
     shotFile,
     animatic,
     motion,
@@ -151,6 +153,11 @@ export function createFiles() {
   /** @returns the sheets of a board */
   async function boardSheets(request: BoardRequest, call?: Call): Promise<PageDocument[]> {
     return JSON.parse(await run('board', { request: JSON.stringify(request) }, [], call));
+  }
+
+  /** @returns the pages of a vertical strip */
+  async function stripPages(request: StripRequest, call?: Call): Promise<PageDocument[]> {
+    return JSON.parse(await run('strip', { request: JSON.stringify(request) }, [], call));
   }
 
   /** @returns the text of a list of shots */

@@ -146,6 +146,8 @@ export type Making = {
   comic: { args: { kind: ComicKind; comic: string }; ok: string };
   /** the pages of a board, and a list of its shots */
   board: { args: { request: string }; ok: string };
+  /** the pages of a vertical strip */
+  strip: { args: { request: string }; ok: string };
   shots: { args: { ending: ListKind; list: string }; ok: string };
   /** the plan of an animatic, and the content of its frames; likewise for motion comics */
   animatic: { args: { request: string }; ok: { plan: string; table: Float32Array } };

@@ -817,6 +817,8 @@ export type PageSettings = {
   forScreens?: boolean,
   /** Whether the page is read from right to left: its layout is mirrored. */
   rtl?: boolean,
+  /** Whether photos are shown whole: the layout follows their aspect ratios. */
+  wholePhotos?: boolean,
   /** Bleed in page widths, 0 to 0.1. For print files only; it is never saved. */
   bleed?: number,
   /**
@@ -1145,6 +1147,8 @@ export type Subject = {
   label: string,
   /** The detector's confidence, 0..1. */
   score: number,
+  /** Points of a face. `None` for objects, and for faces of old projects. */
+  points?: ReadonlyArray<[number, number]>,
 };
 
 /** A filter block, as data for its controls. */
@@ -1497,6 +1501,8 @@ export type Detection = {
   width: number,
   /** Height, 0..1. */
   height: number,
+  /** Points of a face. `None` for objects. */
+  points?: ReadonlyArray<[number, number]>,
 };
 
 /** Result of the first search for faces. */
@@ -1711,6 +1717,22 @@ export type ComicFile = {
   name: string,
   /** Content. */
   content: Piece,
+};
+
+/** A request of the app for a strip. */
+export type StripRequest = {
+  /** The pages in order. */
+  pages: ReadonlyArray<PageDocument>,
+  /** The photos of the pages by id. */
+  photos: { [key in string]: StripPhoto },
+};
+
+/** A photo of a strip. */
+export type StripPhoto = {
+  /** Capture time, `YYYY:MM:DD HH:MM:SS`. */
+  taken: string | null,
+  /** Faces and objects, which text avoids. */
+  subjects: ReadonlyArray<Subject>,
 };
 
 /** A value of a parameter: a number, an entry of its choices, or whether it is on. */

@@ -66,6 +66,26 @@ test('pages stand in an archive in their order, each made after the one before',
   expect(messages.list.value.map(({ text }) => text)).toEqual(['3 pages were saved in one file.']);
 });
 
+test('a strip is an archive of the pages that the core makes of the pages and the facts of their photos', async () => {
+  const asked: any[] = [];
+  const stripPages = async (request: any) => {
+    asked.push(request);
+    return [page(7), page(8), page(9)];
+  };
+  const { download, store } = app({ stripPages });
+  store.know({ id: 'a', name: 'a.jpg', meta: { taken: '2026:06:09 10:00:00', subjects: [] } as any, measures: null });
+  store.know({ id: 'b', name: 'b.jpg', meta: null, measures: null });
+  await download.saveAs({ pages: [page(1), page(2)], format: 'zip', inside: 'jpeg', strip: true });
+  expect(asked[0].pages.map(({ seed }: any) => seed)).toEqual([1, 2]);
+  expect(asked[0].photos).toEqual({ a: { taken: '2026:06:09 10:00:00', subjects: [] } });
+  const entries = [...(await readArchive(saved[0].blob)).values()];
+  expect(await Promise.all(entries.map(async ({ read }) => (await read()).text()))).toEqual([
+    'page 7',
+    'page 8',
+    'page 9',
+  ]);
+});
+
 class Reader extends EventTarget {
   result = '';
   async readAsDataURL(blob: Blob) {

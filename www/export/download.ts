@@ -49,6 +49,7 @@ export function createDownload({
     | 'givesWebp'
     | 'comicPieces'
     | 'comicFiles'
+    | 'stripPages'
     | 'shotFile'
   >;
   pageFiles: Pick<PageFiles, 'take' | 'carrying' | 'packed'>;

@@ -17,7 +17,7 @@ export const WAYS: Record<Kind, readonly Way[]> = {
   image: ['png', 'jpeg', 'webp'],
   pdf: ['pdf'],
   print: ['print'],
-  comic: ['html', 'epub', 'cbz'],
+  comic: ['html', 'epub', 'cbz', 'strip'],
   video: ['animatic', 'motion'],
   project: ['project'],
   more: LISTS,
@@ -45,6 +45,7 @@ export function withWay(choice: Choice, way: Way): Choice {
 export function madeOf(way: Way, every: boolean, inside: Inside): { format: Format; inside: Inside } {
   if (way === 'animatic' || way === 'motion' || way === 'project') return { format: 'png', inside };
   if (way === 'print') return { format: 'pdf', inside };
+  if (way === 'strip') return { format: 'zip', inside: 'jpeg' };
   if (every && (way === 'png' || way === 'jpeg' || way === 'webp')) return { format: 'zip', inside: way };
   return { format: way, inside };
 }

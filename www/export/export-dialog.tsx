@@ -79,9 +79,10 @@ export function ExportDialog() {
       inside,
       quality,
       print: onPaper,
+      strip: way === 'strip',
       living,
     }),
-    [sheets, printed, enlarge, dpi, format, inside, quality, onPaper, living],
+    [way, sheets, printed, enlarge, dpi, format, inside, quality, onPaper, living],
   );
   const close = () => {
     // It tells that it was closed a moment later: another may be open by then.
@@ -148,7 +149,7 @@ export function ExportDialog() {
                     </label>
                   </fieldset>
                 )}
-                {format === 'zip' && <p class="quiet">{strings.zipHelp}</p>}
+                {format === 'zip' && way !== 'strip' && <p class="quiet">{strings.zipHelp}</p>}
                 {printed && dpi >= COARSE_FROM && (
                   <PrintCheck
                     pages={sheets}

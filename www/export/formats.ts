@@ -6,7 +6,7 @@ import type { Kind as FilmKind } from '../motion/kinds.ts';
 
 export type Format = 'png' | 'jpeg' | 'webp' | 'pdf' | 'html' | 'epub' | 'zip' | 'cbz' | ListKind | FilmKind;
 /** A choice of the dialog. The file type of a video is a second choice, and a ZIP file follows from several pages. */
-export type Way = Exclude<Format, FilmKind | 'zip'> | 'print' | 'animatic' | 'motion' | 'project';
+export type Way = Exclude<Format, FilmKind | 'zip'> | 'strip' | 'print' | 'animatic' | 'motion' | 'project';
 /** the pictures of a ZIP or CBZ file */
 export type Inside = 'png' | 'jpeg' | 'webp';
 

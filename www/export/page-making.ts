@@ -33,6 +33,8 @@ export type Wish = {
   print?: Print;
   /** Settings of a video. */
   film?: AnimaticWish;
+  /** Whether the pages become a vertical strip. */
+  strip?: boolean;
   /** HTML comics: whether panels with video frames are animated. */
   living?: boolean;
 };
@@ -58,6 +60,7 @@ export function createMaking({
     | 'givesWebp'
     | 'comicPieces'
     | 'comicFiles'
+    | 'stripPages'
     | 'shotFile'
   >;
 }) {
@@ -66,10 +69,11 @@ export function createMaking({
   return make;
 
   async function make(
-    { pages: documents, format, inside = 'png', quality = USUAL_QUALITY, print = NO_PRINT, film, living = false }: Wish,
+    { pages, format, inside = 'png', quality = USUAL_QUALITY, print = NO_PRINT, film, strip, living = false }: Wish,
     how: Work,
     { carry, beside }: Cargo,
   ): Promise<Blob> {
+    const documents = strip ? await stripped(pages, how) : pages;
     if (isList(format)) {
       const text = await engine.shotFile(format, shotList(), { signal: how.signal });
       return new Blob([text], { type: FORMATS[format].type });
@@ -89,6 +93,15 @@ export function createMaking({
     const project = await beside(how);
     if (project) entries.push(project);
     return new Blob([await archiveOf(entries, { signal: how.signal })], { type: FORMATS[format].type });
+  }
+
+  /** The pages of a strip. Their text avoids the subjects of the photos. */
+  function stripped(pages: readonly PageDocument[], { signal }: Work) {
+    const facts = [...store.album.peek().values()];
+    const photos = facts.flatMap(({ id, meta }) =>
+      meta ? [[id, { taken: meta.taken, subjects: meta.subjects }] as const] : [],
+    );
+    return engine.stripPages({ pages, photos: Object.fromEntries(photos) }, { signal });
   }
 
   /** A PDF file; of plates one each, in an archive. */

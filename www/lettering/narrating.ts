@@ -21,7 +21,7 @@ export function createNarrating({
   album: { title: () => string; moments: () => Map<string, Moment> };
   settled: (page: PageDocument, only: readonly number[]) => PageDocument;
 }) {
-  return { narrated, turn, avoidFaces };
+  return { narrated, turn, avoidFaces, renew };
 
   /** @param page a new page at `at` among the pages; only the first has a title */
   function narrated(page: PageDocument, at: number): PageDocument {
@@ -42,6 +42,17 @@ export function createNarrating({
     if (!page || made.length === 0) return;
     const moved = settled(page, made);
     if (JSON.stringify(moved.words) !== JSON.stringify(page.words))
+      store.change({ type: 'change-page', page: moved, silent: true });
+  }
+
+  /** Tells the places that became known after the first page was planned, if the user has changed nothing yet. */
+  function renew() {
+    const { page, at } = store.project.peek();
+    if (!page || !ui.narrates.peek() || store.history.peek().past.length > 0) return;
+    if ((plain(page).words ?? []).length > 0) return;
+    const next = narrated(page, at);
+    const moved = settled(next, [...(next.words ?? []).keys()]);
+    if (JSON.stringify(moved.words?.map(({ text }) => text)) !== JSON.stringify(page.words?.map(({ text }) => text)))
       store.change({ type: 'change-page', page: moved, silent: true });
   }
 

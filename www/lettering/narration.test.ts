@@ -49,7 +49,7 @@ test('without a title the first panel says the day, and another folder is a plac
   };
   const page = narrated(pageOf(['a', 'b']), narration(moments, ''));
   expect(told(page)).toEqual([
-    [0, '2026-06-01'],
+    [0, '2026-06-01 · Sintra'],
     [1, 'Cascais'],
   ]);
 });

@@ -74,7 +74,7 @@ function captionsOf(photos: readonly string[], { title, moments, language, day, 
     // Captions tell time in one direction.
     if (before !== null && now !== null && now < before) return [];
     if (last === null) {
-      const text = title === '' && now !== null ? day(now) : '';
+      const text = title === '' ? [now === null ? '' : day(now), place].filter((part) => part !== '').join(' · ') : '';
       if (text !== '') steps.push({ panel, text, gap: Number.POSITIVE_INFINITY });
     } else if (place !== '' && place !== last.place) {
       steps.push({ panel, text: place, gap: Number.MAX_VALUE });

@@ -94,6 +94,14 @@ export function PageSettingsForm() {
         />
         {strings.rightToLeft}
       </label>
+      <label class="choice" title={strings.wholePhotosHelp}>
+        <input
+          type="checkbox"
+          checked={settings.wholePhotos ?? false}
+          onChange={(event) => pages.changeSettings({ wholePhotos: event.currentTarget.checked })}
+        />
+        {strings.wholePhotos}
+      </label>
       {LENGTHS.map(({ name, most, step }) => (
         <label class="field length" key={name}>
           <span>{strings[name]}</span>

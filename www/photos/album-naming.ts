@@ -8,12 +8,20 @@ import { strings } from '../strings/strings.ts';
 import { albumName, albumTitle, momentOf } from './album-name.ts';
 import { foldersOf } from './folders.ts';
 import type { Place } from '../document/place.ts';
+import type { ReadonlySignal } from '@preact/signals';
 import type { Store } from '../document/store.ts';
 
 /** Characters of a name, as many as the field for it takes. */
 const MOST = 80;
 
-export function createAlbumNaming({ store }: { store: Store }) {
+/** @param app `located`: the places of photos by their GPS data */
+export function createAlbumNaming({
+  store,
+  located,
+}: {
+  store: Store;
+  located?: ReadonlySignal<ReadonlyMap<string, string>>;
+}) {
   /** Origin of the photos of this visit, by id. */
   const files: Map<string, { folders: readonly string[]; modified: number }> = new Map();
   /** The automatic name of the project; null if the user named it. */
@@ -35,7 +43,10 @@ export function createAlbumNaming({ store }: { store: Store }) {
     const found = origins.value.map((origin) => [origin.id, momentOf(origin, now)] as const);
     // The folder that all photos share is not a place of some.
     const places = new Set(found.map(([, { place }]) => place));
-    return new Map(found.map(([id, moment]) => [id, places.size > 1 ? moment : { ...moment, place: '' }]));
+    const named = places.size > 1;
+    return new Map(
+      found.map(([id, { at, place }]) => [id, { at, place: (named && place) || (located?.value.get(id) ?? '') }]),
+    );
   });
 
   return { automatic, title, moments: () => moments.peek(), begin, settle };

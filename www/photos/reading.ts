@@ -19,6 +19,7 @@ import type { Messages } from '../ui/messages.ts';
 import type { Video } from '../document/album.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Action } from '../document/project.ts';
+import type { PlaceNames } from './place-names.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';
 
@@ -30,7 +31,7 @@ type Engine = Pick<
 >;
 export type Reading = ReturnType<typeof createReading>;
 
-/** @param app `prefix` begins the ids of photos; `detects`: whether faces are detected */
+/** @param app `prefix` begins the ids of photos; `detects`: whether faces are detected; `places` names places by GPS data */
 export function createReading({
   store,
   pages,
@@ -38,6 +39,7 @@ export function createReading({
   messages,
   prefix,
   detects,
+  places,
 }: {
   store: Store;
   pages: Pages;
@@ -45,6 +47,7 @@ export function createReading({
   messages: Messages;
   prefix?: string;
   detects?: boolean;
+  places?: PlaceNames;
 }) {
   let clicks = 0;
   /** The photos of the last plan, to see whether another is due. */
@@ -61,7 +64,7 @@ export function createReading({
 
   const intake = createIntake({ store, pages, engine, messages, prefix });
   const frames = createFrames({ store, engine, intake, messages });
-  const naming = createAlbumNaming({ store });
+  const naming = createAlbumNaming({ store, located: places?.names });
   const firstPage = createFirstPage({ store, pages, facesReady: () => engine.facesReady(), detects });
 
   return {
@@ -140,6 +143,7 @@ export function createReading({
     const ids = sources.flatMap((source) => source.ids);
     files = (store.reading.peek() ? files : 0) + given.length;
     naming.begin(sources);
+    places?.begin(sources);
     intake.count(0, ids.length);
     if (first) {
       gesture = null;

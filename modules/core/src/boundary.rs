@@ -17,6 +17,7 @@ pub mod editing;
 pub mod figures;
 mod frames;
 pub mod layouts;
+pub mod placing;
 pub mod planning;
 pub mod style;
 
@@ -227,8 +228,8 @@ impl Studio {
     }
 
     /// Sets the model of the block Painter. Throws `invalid-painters`.
-    pub fn know_painters(&mut self, onnx: &[u8]) -> std::result::Result<(), JsValue> {
-        let painters = Painters::new(onnx).map_err(thrown)?;
+    pub fn know_painters(&mut self, onnx: &[u8]) -> Result<()> {
+        let painters = Painters::new(onnx)?;
         self.context.show_painters(Some(Arc::new(painters)));
         Ok(())
     }

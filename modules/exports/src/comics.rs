@@ -5,7 +5,7 @@
 
 use crate::letters::Lettering;
 use inkpanel::error::{Error, Result};
-use inkpanel::output::{Comic, cbz, epub, html};
+use inkpanel::output::{Comic, cbz, epub, html, strip};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -27,6 +27,17 @@ pub fn comic_file(kind: &str, comic: &str, lettering: &Lettering) -> Result<Stri
             reason: format!("{kind} must be one of html, epub, cbz"),
         }),
     }
+}
+
+/// The pages of a vertical strip (a `Request` of `output::strip` as JSON): a list of pages.
+///
+/// # Errors
+/// `invalid-document` for an invalid request; layout and text errors.
+#[wasm_bindgen(js_name = stripPages)]
+pub fn strip_pages(request: &str, lettering: &Lettering) -> Result<String> {
+    let pages = strip::Request::made(request, lettering.letters())?;
+    let pages: Vec<String> = pages.iter().map(inkpanel::page::Document::to_json).collect();
+    Ok(format!("[{}]", pages.join(",")))
 }
 
 fn json(made: &impl Serialize) -> Result<String> {

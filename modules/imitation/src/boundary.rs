@@ -50,9 +50,9 @@ impl Sitter {
     }
 
     /// Sets the model of the block Painter, if it is unknown. Throws `invalid-painters`.
-    pub fn know_painters(&mut self, onnx: &[u8]) -> std::result::Result<(), JsValue> {
+    pub fn know_painters(&mut self, onnx: &[u8]) -> Result<()> {
         if !self.context.has_painters() {
-            let painters = Painters::new(onnx).map_err(thrown)?;
+            let painters = Painters::new(onnx)?;
             self.context.show_painters(Some(Arc::new(painters)));
         }
         Ok(())

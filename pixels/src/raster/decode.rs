@@ -243,6 +243,21 @@ fn read_rare(
     }
 }
 
+/// Returns the EXIF record of a WebP file.
+#[cfg(feature = "rare")]
+pub(super) fn exif_of_webp(bytes: &[u8]) -> Option<&[u8]> {
+    let mut rest = bytes.get(12..)?;
+    loop {
+        let (kind, after) = rest.split_first_chunk::<4>()?;
+        let (&length, after) = after.split_first_chunk()?;
+        let length = u32::from_le_bytes(length) as usize;
+        if kind == b"EXIF" {
+            return after.get(..length);
+        }
+        rest = after.get(length.next_multiple_of(2)..)?;
+    }
+}
+
 /// Returns the EXIF record and the ICC profile of a WebP file. The decoder of the file would copy records of
 /// any length.
 #[cfg(feature = "rare")]

@@ -19,11 +19,12 @@ const SUB_SECOND: u16 = 0x9290;
 /// Digits of a fraction that are read.
 const MOST_DIGITS: usize = 9;
 
-/// Types of fields: whole numbers of one, two and four bytes, and signed ones.
+/// Types of fields: whole numbers of one, two and four bytes, fractions of two of them, and signed numbers.
 const BYTE: u16 = 1;
 #[cfg(feature = "rare")]
 pub(super) const SHORT: u16 = 3;
 pub(super) const LONG: u16 = 4;
+const FRACTION: u16 = 5;
 const SBYTE: u16 = 6;
 const SLONG: u16 = 9;
 
@@ -44,8 +45,12 @@ impl Default for Exif {
 
 /// Reads a record: a TIFF file, or one behind the mark that it has in JPEG.
 pub(super) fn read(record: &[u8]) -> Exif {
-    let record = record.strip_prefix(b"Exif\0\0").unwrap_or(record);
-    parse(record).unwrap_or_default()
+    parse(without_mark(record)).unwrap_or_default()
+}
+
+/// The record without the mark that it has in JPEG.
+pub(super) fn without_mark(record: &[u8]) -> &[u8] {
+    record.strip_prefix(b"Exif\0\0").unwrap_or(record)
 }
 
 #[cfg(feature = "rare")]
@@ -159,6 +164,25 @@ impl<'a> Tiff<'a> {
     pub(super) fn bytes(&self, field: u32) -> Option<&'a [u8]> {
         let length = self.u32(field + 4)? as usize;
         self.record.get(self.u32(field + 8)? as usize..)?.get(..length)
+    }
+
+    /// The first byte of a short text.
+    pub(super) fn byte(&self, field: u32) -> Option<u8> {
+        self.record.get(field as usize + 8).copied()
+    }
+
+    /// The angle of a field of three fractions, in degrees: degrees, minutes and seconds.
+    pub(super) fn angle(&self, field: u32) -> Option<f64> {
+        if (self.u16(field + 2)?, self.u32(field + 4)?) != (FRACTION, 3) {
+            return None;
+        }
+        let at = self.u32(field + 8)?;
+        let part = |i: u32| {
+            let at = at.checked_add(8 * i)?;
+            let (part, whole) = (self.u32(at)?, self.u32(at.checked_add(4)?)?);
+            (whole > 0).then(|| f64::from(part) / f64::from(whole))
+        };
+        Some(part(0)? + part(1)? / 60.0 + part(2)? / 3600.0)
     }
 
     /// The digits of the fraction of a second, without zeros at their end. Up to four bytes are in the field itself.

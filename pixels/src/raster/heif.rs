@@ -99,7 +99,7 @@ impl Numbers<'_> {
 }
 
 /// The EXIF record of a file, a TIFF file.
-fn record(bytes: &[u8]) -> Option<Vec<u8>> {
+pub(super) fn record(bytes: &[u8]) -> Option<Vec<u8>> {
     // The version and the flags come first.
     let meta = find(bytes, *b"meta")?.get(4..)?;
     let item = exif_item(find(meta, *b"iinf")?)?;

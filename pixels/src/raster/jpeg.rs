@@ -199,6 +199,11 @@ const COMMENT: u8 = 0xFE;
 /// A part's number has one byte.
 const MOST_PARTS: usize = 255;
 
+/// The EXIF record of a file, without its mark. The beginning of the file is enough.
+pub(super) fn exif(bytes: &[u8]) -> Option<&[u8]> {
+    Markers::of(bytes).exif
+}
+
 impl<'a> Markers<'a> {
     /// Walks through the segments, and through the coded data between them.
     pub(super) fn of(bytes: &'a [u8]) -> Self {

@@ -23,6 +23,8 @@ mod icc;
 pub mod image;
 #[cfg(feature = "pages")]
 mod jpeg;
+#[cfg(feature = "pages")]
+pub mod location;
 pub mod matte;
 #[cfg(feature = "pages")]
 pub mod orient;

@@ -135,6 +135,18 @@ struct Records {
     profile: Option<Vec<u8>>,
 }
 
+/// The EXIF record of a file.
+pub(super) fn exif(file: &[u8]) -> Option<&[u8]> {
+    let mut rest = file.get(8..)?;
+    while let Some((kind, body, after)) = chunk(rest) {
+        if kind == b"eXIf" {
+            return Some(body);
+        }
+        rest = after;
+    }
+    None
+}
+
 fn records(file: &[u8]) -> Records {
     let mut records = Records::default();
     let (mut profile, mut exif) = (None, None);

@@ -339,7 +339,15 @@ mod tests {
     use std::collections::HashSet;
 
     fn photo(i: usize) -> PhotoMeta {
-        let face = Subject { x: 0.4, y: 0.2, width: 0.15, height: 0.2, label: FACE.into(), score: 0.9 };
+        let face = Subject {
+            x: 0.4,
+            y: 0.2,
+            width: 0.15,
+            height: 0.2,
+            label: FACE.into(),
+            score: 0.9,
+            points: None,
+        };
         PhotoMeta {
             fingerprint: (i as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
             taken: Some(format!("2026:06:{:02} {:02}:{:02}:00", 9 + i / 10, 9 + i % 10, i)),

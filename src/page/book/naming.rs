@@ -64,6 +64,16 @@ pub fn places<'a>(folders: impl Iterator<Item = (&'a str, &'a str)>) -> HashMap<
     if different.len() > 1 { places } else { HashMap::new() }
 }
 
+/// Adds places to photos without a place. `located`: id of a photo, and the place where it was taken.
+pub fn add_located(places: &mut HashMap<String, String>, located: impl Iterator<Item = (String, String)>) {
+    for (photo, place) in located {
+        let known = places.entry(photo).or_default();
+        if known.is_empty() {
+            *known = place;
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -77,5 +87,9 @@ mod tests {
         let told = places([("a", "Lisbon"), ("b", "DCIM")].into_iter());
         assert_eq!((told["a"].as_str(), told["b"].as_str()), ("Lisbon", ""));
         assert!(places([("a", "Lisbon"), ("b", "Lisbon")].into_iter()).is_empty());
+        let mut told = told;
+        let located = [("a", "Sintra"), ("b", "Sintra"), ("c", "Évora")];
+        add_located(&mut told, located.into_iter().map(|(id, place)| (id.to_owned(), place.to_owned())));
+        assert_eq!(["a", "b", "c"].map(|id| told[id].as_str()), ["Lisbon", "Sintra", "Évora"]);
     }
 }

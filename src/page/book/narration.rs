@@ -40,7 +40,14 @@ impl<'a> Told<'a> {
     pub(super) fn new(photos: &[PhotoMeta], places: &'a HashMap<String, String>) -> Self {
         let moments = photos.iter().map(|photo| photo.taken.as_deref().and_then(Moment::parse)).collect();
         let place = |photo: &PhotoMeta| places.get(&photo.id).map_or("", |place| place.trim());
-        Self { moments, places: photos.iter().map(place).collect() }
+        let mut places: Vec<&str> = photos.iter().map(place).collect();
+        // One photo from somewhere else on the way is not a change of place.
+        for i in 1..places.len().saturating_sub(1) {
+            if places[i - 1] == places[i + 1] && !places[i - 1].is_empty() {
+                places[i] = places[i - 1];
+            }
+        }
+        Self { moments, places }
     }
 
     /// First and last day.
@@ -247,6 +254,15 @@ mod tests {
         assert_eq!(
             told(&taken, &["Rome", "Rome", "Rome"], &[0, 0, 1], "Rome 2026"),
             ["0 First day.", "2 Second day.",]
+        );
+    }
+
+    #[test]
+    fn one_photo_from_elsewhere_is_not_a_change_of_place() {
+        let taken = ["06:09 10:00", "06:09 10:10", "06:09 10:20", "06:09 10:30", "06:09 10:40"];
+        assert_eq!(
+            told(&taken, &["Lisbon", "Algés", "Lisbon", "Sintra", "Sintra"], &[0; 5], ""),
+            ["0 Lisbon.", "3 Sintra."]
         );
     }
 

@@ -21,6 +21,7 @@ export const WAYS = /** @type {Record<string, [kind: string, format?: string]>} 
   html: ['Comic', 'HTML comic'],
   epub: ['Comic', 'EPUB'],
   cbz: ['Comic', 'CBZ'],
+  strip: ['Comic', 'Webtoon strip'],
   animatic: ['Video', 'Animatic'],
   motion: ['Video', 'Motion comic'],
   project: ['Project'],

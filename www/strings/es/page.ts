@@ -33,6 +33,9 @@ export const pageStrings = {
 
   textUse: 'Tamaño del texto',
   rightToLeft: 'Leer de derecha a izquierda',
+  rtlOffer: 'Tu idioma se lee de derecha a izquierda.',
+  wholePhotos: 'Mostrar las fotos enteras',
+  wholePhotosHelp: 'La plantilla sigue los formatos de las fotos.',
   forScreens: 'Para pantallas',
   forPrint: 'Para imprimir',
   forScreensHelp: 'El texto es lo bastante grande para teléfonos y portátiles.',

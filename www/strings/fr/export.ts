@@ -31,6 +31,7 @@ export const exportStrings = {
     html: 'BD HTML',
     epub: 'EPUB',
     cbz: 'CBZ',
+    strip: 'Bande verticale (webtoon)',
     animatic: 'Animatique',
     motion: 'BD animée',
     project: 'Projet',
@@ -46,6 +47,7 @@ export const exportStrings = {
     pdf: 'Net à toutes les tailles. Le texte peut être cherché et copié.',
     print: 'Un fichier PDF avec fond perdu, traits de coupe et cahiers.',
     cbz: 'Pour les lecteurs de BD, avec toutes les pages en images.',
+    strip: 'Les cases les unes sous les autres, en images de 800 x 1280 pixels dans un fichier ZIP.',
     project:
       'Un fichier avec toutes les pages, les réglages et les photos. Ouvrez-le sur n’importe quel appareil pour continuer.',
   },

@@ -33,6 +33,9 @@ export const pageStrings = {
 
   textUse: 'Taille du texte',
   rightToLeft: 'Lire de droite à gauche',
+  rtlOffer: 'Votre langue se lit de droite à gauche.',
+  wholePhotos: 'Afficher les photos en entier',
+  wholePhotosHelp: 'La mise en page suit les formats des photos.',
   forScreens: 'Pour les écrans',
   forPrint: 'Pour l’impression',
   forScreensHelp: 'Le texte est assez grand pour les téléphones et les ordinateurs.',

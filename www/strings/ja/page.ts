@@ -33,6 +33,9 @@ export const pageStrings = {
 
   textUse: '文字の大きさ',
   rightToLeft: '右から左へ読む',
+  rtlOffer: 'お使いの言語は右から左へ読みます。',
+  wholePhotos: '写真を切り取らない',
+  wholePhotosHelp: 'レイアウトは写真の縦横比に合わせます。',
   forScreens: '画面用',
   forPrint: '印刷用',
   forScreensHelp: 'スマートフォンやノートパソコンで読める大きさです。',

@@ -33,6 +33,9 @@ export const pageStrings = {
 
   textUse: 'Tamanho do texto',
   rightToLeft: 'Ler da direita para a esquerda',
+  rtlOffer: 'Seu idioma é lido da direita para a esquerda.',
+  wholePhotos: 'Mostrar as fotos inteiras',
+  wholePhotosHelp: 'O layout segue os formatos das fotos.',
   forScreens: 'Para telas',
   forPrint: 'Para impressão',
   forScreensHelp: 'O texto é grande o bastante para celulares e notebooks.',

@@ -49,8 +49,8 @@ impl Bench {
     }
 
     /// Sets the model of the block Painter. Throws `invalid-painters`.
-    pub fn know_painters(&mut self, onnx: &[u8]) -> std::result::Result<(), JsValue> {
-        let painters = Painters::new(onnx).map_err(thrown)?;
+    pub fn know_painters(&mut self, onnx: &[u8]) -> Result<()> {
+        let painters = Painters::new(onnx)?;
         self.context.show_painters(Some(Arc::new(painters)));
         Ok(())
     }

@@ -46,8 +46,6 @@ const NEAR: f64 = 60.0;
 const BODY: f64 = 60.0;
 /// Cost of covering an object: a detected one, and one that is the subject of its photo.
 const THING: (f64, f64) = (3.0, 12.0);
-/// Position of the mouth in a face box, as a share of its height.
-const MOUTH: f64 = 0.78;
 /// Minimum size for easy reading, in page widths: 6 points on A4.
 const LEGIBLE: f64 = 0.0101;
 /// Maximum number of speaking faces in a panel.
@@ -508,7 +506,7 @@ impl Room<'_> {
         let size = self.frame.width.hypot(self.frame.height);
         for &(face, unlikely) in &self.speakers {
             let head = self.seen[face].bounds;
-            let mouth = Point::new(head.x + head.width / 2.0, head.y + MOUTH * head.height);
+            let mouth = self.seen[face].mouth;
             let foot = edge(area, mouth);
             let way = foot.distance(mouth);
             // The tail ends before the face, even if the balloon is near.
@@ -561,8 +559,8 @@ impl Room<'_> {
                     cost += FORBIDDEN;
                 } else if entry(foot, mouth, seen.bounds) < 1.0 && shared(seen.bounds, head) <= 0.0 {
                     cost += 30.0;
-                } else if center(seen.bounds).distance(tip) < 0.8 * center(head).distance(tip) {
-                    // Readers expect the nearest face to be the speaker.
+                } else if seen.mouth.distance(tip) < 0.8 * mouth.distance(tip) {
+                    // Readers expect the nearest mouth to speak.
                     cost += 24.0;
                 }
             } else if seen.person && shared(self.seen[i].bounds, head) < 0.5 * head.width * head.height {

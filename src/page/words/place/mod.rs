@@ -60,6 +60,8 @@ struct Seen {
     face: bool,
     person: bool,
     score: f64,
+    /// The middle of its mouth.
+    mouth: Point,
     /// A mask covers it, so its box is not needed for the cover of text.
     masked: bool,
 }
@@ -330,7 +332,10 @@ fn see<'s>(
             figure.alive |= subject.is_alive();
         }
         let person = subject.label == "person";
-        scenery.seen.push(Seen { bounds, face, person, score: subject.score, masked });
+        let [x, y] = subject.mouth();
+        let Bounds { x, y, .. } = place(x, y, 0.0, 0.0);
+        let mouth = Point::new(x, y);
+        scenery.seen.push(Seen { bounds, face, person, score: subject.score, mouth, masked });
     }
     scenery.figures.extend(figure);
 }
@@ -445,7 +450,15 @@ mod tests {
     #[test]
     fn text_placed_by_hand_moves_off_a_face_only_when_the_layout_changes() {
         let letters = Letters::bundled().unwrap();
-        let face = Subject { x: 0.35, y: 0.3, width: 0.3, height: 0.3, label: FACE.to_owned(), score: 0.9 };
+        let face = Subject {
+            x: 0.35,
+            y: 0.3,
+            width: 0.3,
+            height: 0.3,
+            label: FACE.to_owned(),
+            score: 0.9,
+            points: None,
+        };
         let subjects = [face];
         let known = |_: &str| Known::from(&subjects[..]);
         let by_hand = json!({

@@ -3,6 +3,7 @@
 
 import { download, saved } from '../export-dialog.js';
 import {
+  SIX,
   accessible,
   choose,
   contents,
@@ -12,6 +13,7 @@ import {
   makePageSmall,
   openBoard,
   openNewBoard,
+  photos,
   reach,
   picture,
   PNG,
@@ -26,6 +28,12 @@ import {
 const layouts = (page) => page.getByRole('listbox', { name: 'Layouts' });
 const cut = (/** @type {Page} */ page, /** @type {number} */ n = 1) =>
   page.getByRole('slider', { name: new RegExp(`^Divider ${n} of`) });
+
+/** Width over height of a baseline JPEG file. @param {Buffer} file */
+function shapeOf(file) {
+  const frame = file.indexOf(Buffer.from([0xff, 0xc0, 0x00]));
+  return file.readUInt16BE(frame + 7) / file.readUInt16BE(frame + 5);
+}
 
 /**
  * Returns the layout file that `Save layout` saves.
@@ -99,6 +107,24 @@ test('the list shows the layouts of a family, and those that suit the page size'
   const tall = await layouts(page).getByRole('option').count();
   expect(tall).toBeGreaterThan(5);
   expect(tall).not.toBe(all);
+});
+
+test('photos are shown whole in a layout that follows their shapes', async ({ page }) => {
+  await openBoard(page);
+  const shapes = new Map((await photos(...SIX)).map(({ name, buffer }) => [name, shapeOf(buffer)]));
+  await tab(page, 'Page');
+  await page.getByRole('region', { name: 'Page settings' }).getByLabel('Keep photos whole').check();
+  await idle(page);
+  const panels = await page
+    .getByRole('region', { name: 'Comic page' })
+    .getByRole('group', { name: /^Panel \d/ })
+    .all();
+  expect(panels.length).toBeGreaterThan(2);
+  for (const panel of panels) {
+    const [name] = ((await panel.getAttribute('aria-description')) ?? '').split(',');
+    const { width, height } = (await panel.boundingBox()) ?? { width: 0, height: 1 };
+    expect(Math.abs(Math.log(width / height / (shapes.get(name) ?? 0))), name).toBeLessThan(0.05);
+  }
 });
 
 test('a custom page size is entered in millimetres, and a wrong value is reported', async ({ page }) => {
