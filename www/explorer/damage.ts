@@ -19,11 +19,11 @@ const BURNT = 0.3;
 /** Faces with a smaller part of the photo than this need not be seen. */
 const LEAST_FACE = 0.004;
 /** Maximum roughness of a picture, in roughnesses of its photo, and the least roughness of a photo for that. */
-const NOISE = 1.5;
+const NOISE = 1.7;
 const LEAST_ROUGH = 50;
 /** Maximum standard deviation of the lightness of a picture, in deviations of its photo, and its least deviation for that. */
-const CONTRAST = 1.5;
-const LEAST_DEVIATION = 35;
+const CONTRAST = 1.8;
+const LEAST_DEVIATION = 40;
 /** Lightness of midtones, and the part of the midtones that may become black or white. */
 const MIDTONES = [45, 215];
 const CLIPPED = 0.2;

@@ -33,7 +33,7 @@ export type Explorer = ReturnType<typeof createExplorer>;
 
 /** Styles that the wall opens with, and that one press invents. For some photos only few styles are good, so more are tried. */
 export const FIRST = 96;
-const FIRST_TRIES = 4 * FIRST;
+const FIRST_TRIES = 6 * FIRST;
 export const ROUND = 240;
 /** Number of children of two styles, and of variations of one style. `TRIES` limits the attempts. */
 export const LITTER = 12;
