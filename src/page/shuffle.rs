@@ -28,6 +28,9 @@ const STARRED: f64 = 2.0;
 /// Weight of a layout without merged panels, if merged ones are candidates too.
 const UNMERGED: f64 = 0.5;
 
+/// How bold the choice of the first page is: it is nearly always the best one.
+const FIRST_HEAT: f64 = 0.3;
+
 /// A document and its score.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Planned {
@@ -65,7 +68,8 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     let candidates: Vec<&Candidate> = stages.iter().map(|stage| &stage.candidate).collect();
     let free = request.mode == Mode::Photos || !request.ordered.unwrap_or_else(|| is_dated(&request.photos));
     let order = if free { Order::Free } else { Order::Kept };
-    let heat = request.surprise.filter(|heat| heat.is_finite()).map_or(1.0, |heat| heat.clamp(0.0, 4.0));
+    let usual = if current.is_none() { FIRST_HEAT } else { 1.0 };
+    let heat = request.surprise.filter(|heat| heat.is_finite()).map_or(usual, |heat| heat.clamp(0.0, 4.0));
     let plan =
         compose(&candidates, &photos, order, (heat, request.prefer.as_ref().map(|_| DRAWN)), &mut random)
             .ok_or_else(|| Error::UnknownLayout("any".into()))?;

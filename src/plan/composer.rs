@@ -195,6 +195,18 @@ fn with_closeup(candidate: &Candidate, plan: &Plan, photos: &Photos) -> Option<P
     let weakest = (0..slots.len())
         .filter(may_go)
         .min_by(|&a, &b| photos.quality[photo(a)].total_cmp(&photos.quality[photo(b)]))?;
+    // Other photos of people and animals come before a second crop of one.
+    let shown = |photo: usize| {
+        plan.panels.iter().any(|panel| panel.photo == photo || photos.alike(panel.photo, photo))
+    };
+    let waits = |&other: &usize| {
+        photos.kind(other) == Kind::Alive
+            && !shown(other)
+            && photos.quality[other] > photos.quality[photo(weakest)]
+    };
+    if photos.drawn.iter().any(waits) {
+        return None;
+    }
     let near = (0..slots.len())
         .filter(|&slot| slots[slot].area > slots[weakest].area && photos.kind(photo(slot)) == Kind::Alive);
     let once = |&slot: &usize| plan.panels.iter().filter(|panel| panel.photo == photo(slot)).count() == 1;
@@ -271,12 +283,12 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
         fit: fits.sum::<f64>() / all.max(1e-9),
         hero,
         alike,
-        quality: quality.sum::<f64>(),
+        quality: 2.0 * quality.sum::<f64>(),
         missing: missing(chosen, photos),
         dull: dull.sum(),
         turns: 0.4 * turns.sum::<f64>(),
-        prior: 0.4 * candidate.prior,
-        rhythm: 0.25 * rhythm(seen),
+        prior: 0.15 * candidate.prior,
+        rhythm: 0.06 * rhythm(seen),
     }
 }
 
@@ -291,7 +303,7 @@ fn missing(chosen: &[usize], photos: &Photos) -> f64 {
     let panels = chosen.len() as f64;
     let strong = cost(&|photo| photos.rank[photo] > 2.0 / 3.0, 0.7 * panels);
     let alive = cost(&|photo| photos.kind(photo) == Kind::Alive, 0.7 * panels);
-    -0.4 * strong - 0.9 * alive
+    -0.4 * strong - 1.4 * alive
 }
 
 /// The part of neighbours in reading order whose scales differ.

@@ -32,6 +32,12 @@ const TEXT: f64 = 0.04;
 const SIGN: f64 = 0.02;
 /// The part of a document that has its two commonest tones.
 const FLAT: f64 = 0.5;
+/// Minimum sides of a book or screen that fills a photo, and its minimum flat part.
+const SHEET: (f64, f64) = (0.85, 0.65);
+/// Maximum aspect ratio of a screenshot of a phone, and its minimum flat part. Photos of phones are wider.
+const PHONE: (f64, f64) = (0.52, 0.7);
+/// The part of a body, from the top, that contains its head.
+const HEAD: f64 = 0.24;
 /// The share of edges, and the chroma, below which a photo without subjects shows a wall or a grey sky.
 const BARE: f64 = 0.26;
 const GREY: f64 = 60.0;
@@ -75,6 +81,8 @@ pub(super) struct Mark {
     pub(super) bare: Bounds,
     pub(super) face: bool,
     pub(super) text: bool,
+    /// The upper part of an animal, or of a person whose face is not known, with the head.
+    pub(super) head: Option<Bounds>,
     /// Penalty for cutting it: 0 for surroundings, and low for a body whose face is known.
     pub(super) whole: f64,
     /// Importance, 0 and more.
@@ -156,6 +164,12 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
     let tallest = faces().map(|face| face.height).fold(0.0, f64::max);
     let group = faces().filter(|face| face.height >= 0.5 * tallest && side(face) >= 0.03).count();
     let bonus = GROUP * group.saturating_sub(1).min(2) as f64;
+    // Detectors report screenshots and receipts as a phone or television that fills the photo, and see faces in them.
+    let is_screen = |s: &Subject| SCREENS.contains(&s.label.as_str()) && side(s) > 0.95;
+    let sure = subjects.iter().any(|s| s.is_alive() && (s.label != FACE || s.score > SURE));
+    if !sure && subjects.iter().any(|s| is_screen(s)) {
+        return (0.0, Kind::Document);
+    }
     if alive {
         return (best + bonus, Kind::Alive);
     }
@@ -168,10 +182,10 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
         let second = (0..shares.len()).filter(|&at| at != first).map(|at| shares[at]).fold(0.0, f64::max);
         (shares[first] + second, f64::from(facts.edges[1]) / 255.0, f64::from(facts.chroma))
     });
-    // Detectors report screenshots and receipts as a phone or television that fills the photo.
-    let is_screen = |s: &Subject| SCREENS.contains(&s.label.as_str()) && side(s) > 0.95;
     let printed = text >= TEXT && lettering().count() > 1 && flat >= FLAT;
-    if printed || subjects.iter().any(|s| is_screen(s)) {
+    let is_sheet = |s: &Subject| SCREENS.contains(&s.label.as_str()) && side(s) > SHEET.0 && flat >= SHEET.1;
+    let on_phone = photo.aspect() <= PHONE.0 && flat >= PHONE.1 && best < ALIVE;
+    if printed || on_phone || subjects.iter().any(|s| is_sheet(s)) {
         return (0.0, Kind::Document);
     }
     if text >= SIGN && best < 0.25 {
@@ -235,7 +249,10 @@ fn mark(s: &Subject, photo: &PhotoMeta) -> Option<Mark> {
     } else {
         1.0
     };
+    let head = (s.is_animal() || s.label == "person" && !portrait)
+        .then(|| Bounds { height: HEAD * s.height, ..bounds(s) });
     Some(Mark {
+        head,
         grown: bounds(&grown),
         bare: bounds(s),
         face: s.label == FACE,
@@ -276,5 +293,52 @@ impl Shelf {
     /// The photo at a place, prepared now if it was not before.
     pub(super) fn get(&self, at: usize, photo: &PhotoMeta) -> &Prepared {
         self.places[at].get_or_init(|| Prepared::of(photo))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn subject(label: &str, score: f64, [x, y, width, height]: [f64; 4]) -> Subject {
+        Subject { label: label.into(), score, x, y, width, height }
+    }
+
+    /// A photo of this size whose two commonest tones cover `flat` of it.
+    fn photo(width: u32, height: u32, flat: u8) -> PhotoMeta {
+        let rest = (255 - flat) / 14;
+        let tones: [u8; 16] = std::array::from_fn(|i| if i < 2 { flat / 2 } else { rest });
+        let digits: String = tones.iter().map(|share| format!("{share:02x}")).collect();
+        let facts = serde_json::from_str(&format!("\"{digits}606018808080808080\"")).unwrap();
+        PhotoMeta { facts: Some(facts), ..PhotoMeta::unmeasured("photo", width, height) }
+    }
+
+    #[test]
+    fn screenshots_are_documents_even_with_a_false_face() {
+        let map = |score: f64, face: f64| {
+            let mut map = photo(864, 1600, 210);
+            map.find([
+                subject(FACE, face, [0.53, 0.28, 0.26, 0.14]),
+                subject("refrigerator", score, [0.0, 0.01, 1.0, 0.99]),
+            ]);
+            care(&map).1
+        };
+        assert_eq!(map(0.7, 0.56), Kind::Document);
+        assert_eq!(map(0.7, 0.95), Kind::Alive);
+        assert_eq!(care(&photo(785, 1600, 210)).1, Kind::Document, "a screenshot without lettering");
+        assert_ne!(care(&photo(900, 1600, 210)).1, Kind::Document, "an upright photo of a phone");
+        assert_ne!(care(&photo(785, 1600, 120)).1, Kind::Document, "a tall photo");
+    }
+
+    #[test]
+    fn a_page_of_a_notebook_is_a_document_and_a_book_on_a_table_is_not() {
+        let book = |flat: u8, side: f64| {
+            let mut book = photo(1600, 1067, flat);
+            book.find([subject("book", 0.85, [0.0, 0.0, side, side])]);
+            care(&book).1
+        };
+        assert_eq!(book(184, 0.91), Kind::Document);
+        assert_ne!(book(90, 0.91), Kind::Document);
+        assert_ne!(book(184, 0.7), Kind::Document);
     }
 }

@@ -29,6 +29,12 @@ const GROWTH: f64 = 0.75;
 const ENDS: (u8, u8) = (20, 236);
 /// The part of a page that may be blank or black.
 const MOST_BLANK: f64 = 0.6;
+/// Number of dark tones, in sixteenths of luma, and the middle tones that turn them into haze.
+const DARK: usize = 4;
+const HAZE: std::ops::RangeInclusive<u8> = 72..=150;
+/// The part of a page that may be hazy, and the loss of a page that is hazy all over.
+const MOST_HAZY: f64 = 0.1;
+const HAZY: f64 = 4.0;
 /// The least standard deviation of tones, 0 to 1.
 const LEAST_SPREAD: f64 = 0.15;
 /// Cells of a screen or pattern that a face has to be high.
@@ -189,7 +195,10 @@ fn tonal_loss(response: Option<&[u8; 16]>, page: &Shown) -> f64 {
     let level = |to: u8| f64::from(to) / 255.0;
     let mean: f64 = pairs().map(|(to, share)| level(to) * share).sum();
     let spread = pairs().map(|(to, share)| (level(to) - mean).powi(2) * share).sum::<f64>().sqrt();
+    // A style that draws blacks in a middle grey makes dark photos dull.
+    let haze: f64 = pairs().take(DARK).filter(|(to, _)| HAZE.contains(to)).map(|(_, share)| share).sum();
     4.0 * (blank - MOST_BLANK).max(0.0) / (1.0 - MOST_BLANK)
+        + HAZY * (haze - MOST_HAZY).max(0.0)
         + 3.0 * (LEAST_SPREAD - spread).max(0.0) / LEAST_SPREAD
 }
 
@@ -274,6 +283,23 @@ mod tests {
         let worst = catalogue::catalogue().iter().map(|style| style.id.as_str());
         let worst = worst.filter(|id| !is_retired(id)).map(falls).fold(1.0, f64::min);
         assert!(worst < 0.3, "{worst}");
+    }
+
+    #[test]
+    fn styles_without_black_keep_away_from_dark_photos() {
+        let taste = Taste::default();
+        let mut dark = [0.04; 16];
+        dark[..4].fill(0.13);
+        let falls = |id: &str| {
+            let style = catalogue::find(id).unwrap();
+            weight(style, &page(dark), &taste) / weight(style, &page([1.0 / 16.0; 16]), &taste)
+        };
+        for id in ["picture-book", "pen-and-wash", "pastel"] {
+            assert!(falls(id) < 0.5, "{id} {}", falls(id));
+        }
+        for id in ["comic-bold", "graphic-novel", "wood-engraving"] {
+            assert!((falls(id) - 1.0).abs() < 1e-9, "{id} {}", falls(id));
+        }
     }
 
     #[test]

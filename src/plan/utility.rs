@@ -8,6 +8,11 @@ use crate::layout::Bounds;
 /// The parts of a face, and of another subject, that make it count as cut.
 const FACE_CUT: (f64, f64) = (0.08, 0.9);
 const SUBJECT_CUT: (f64, f64) = (0.08, 0.82);
+/// The part of a head without a known face that must be seen, its cost in cut faces, and the least part of the
+/// photo that its body takes.
+const HEAD_SEEN: f64 = 0.85;
+const HEAD_CUT: f64 = 0.5;
+const HEAD_BODY: f64 = 0.03;
 /// The part of a photo that should be seen.
 const KEPT: f64 = 0.62;
 /// The part of a photo below which hardly anything of it is left.
@@ -110,6 +115,13 @@ impl Look {
                 worst = mark.whole.max(worst);
                 cut += mark.weight * mark.whole;
             }
+            if let Some(head) = mark.head
+                && all > SUBJECT_CUT.0
+                && mark.bare.width * mark.bare.height >= HEAD_BODY
+                && shares(slot, place(crop, head)).1 < HEAD_SEEN
+            {
+                look.faces_cut += HEAD_CUT;
+            }
             // If a subject spreads over two windows of a merged panel, the gutter cuts it, even if most of it
             // is visible.
             if all > 0.3 && most < 0.85 * all && mark.whole > 0.0 {
@@ -164,7 +176,7 @@ impl Look {
             - 2.0 * f64::from(u8::from(self.strip))
             - self.dull
             - 0.5 * self.too_small
-            - 0.4 * self.small_faces
+            - 0.25 * self.small_faces
     }
 }
 
@@ -274,6 +286,25 @@ mod tests {
             Look::at(slot, &prepared, &Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 }, 1.0, true).hidden
                 > 0.9
         );
+    }
+
+    #[test]
+    fn a_crop_that_cuts_the_head_of_an_animal_counts_as_a_cut_face() {
+        let page = PageSettings::default();
+        let slots = slots(&resolve(find("grid-4").unwrap(), page.aspect(), &page), f64::from(page.width));
+        let cut = |label: &str, top: f64, with_face: bool| {
+            let mut photo = PhotoMeta::unmeasured("photo", 1000, 1000);
+            let body = Subject { label: label.into(), score: 0.95, x: 0.3, y: 0.1, width: 0.4, height: 0.8 };
+            let face = Subject { label: FACE.into(), y: 0.5, height: 0.2, ..body.clone() };
+            photo.find([body].into_iter().chain(with_face.then_some(face)));
+            let crop = Crop { x: 0.0, y: top, width: 1.0, height: 1.0 - top };
+            Look::at(&slots[0], &Prepared::of(&photo), &crop, 1.0, false).faces_cut
+        };
+        assert!((cut("elephant", 0.2, false) - HEAD_CUT).abs() < 1e-9);
+        assert!((cut("person", 0.2, false) - HEAD_CUT).abs() < 1e-9);
+        assert!(cut("elephant", 0.05, false).abs() < 1e-9, "complete");
+        assert!(cut("person", 0.2, true).abs() < 1e-9, "the face is known and complete");
+        assert!(cut("bus", 0.2, false).abs() < 1e-9, "a thing has no head");
     }
 
     #[test]
