@@ -24,8 +24,8 @@ import { serve } from './server.js';
  * @typedef {{
  *   load: number, decoded: number, sketched: number, drawn: number, ratio: number, firstMain: number, firstAll: number, longest: number,
  *   hurried: number, shuffle: number, shuffleMain: number, shuffleAll: number, rested: number, restedMain: number,
- * }} Speed milliseconds. `load` of the machine; `ratio` of the first page to `decoded`; `Main`: CPU time of the main thread;
- *   `All`: of all threads of the tab; `longest`: the longest task of the main thread until all photos are read
+ * }} Speed Times are milliseconds. `ratio` is the time of the first page divided by `decoded`. `Main` is the CPU time of the
+ *   main thread, and `All` the CPU time of the tab. `longest` is the longest task until all photos are read.
  */
 
 const PHOTOS = 12;
@@ -163,7 +163,7 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
     const photos = await makePhotos(
       browser,
       join(root, 'www/public/samples'),
-      join(options.target, 'bench/photos'),
+      join(options.target, 'bench/camera'),
       PHOTOS,
     );
     const folders = [options.site, options.against].flatMap((folder) => folder ?? []);

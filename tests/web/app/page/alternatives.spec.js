@@ -56,7 +56,7 @@ test('images in lists are no layers of the compositor', async ({ page }) => {
   });
   await session.send('LayerTree.enable');
   await press(page, 'Shuffle');
-  // The window, the page and what is above it.
+  // The window, the page, and the elements above the page.
   expect(await layers).toBeLessThan(20);
 });
 
