@@ -3,12 +3,16 @@
  * The speed of the first page and of Shuffle, as ratios that hold on a busy machine: `node bench/speed.js`.
  * With `--against FOLDER` it measures another build of the site in turns with this one.
  *
+ * With `--history FILE` it appends the medians of this build to a file, and compares them with the last entry of the same
+ * processor.
+ *
  * Milliseconds depend on the load of the machine. So the first page is divided by the time in which the browser decodes
  * the same files in the same round, and CPU time is printed as well.
  */
 
-import { readFileSync, readdirSync } from 'node:fs';
-import { loadavg } from 'node:os';
+import { execFileSync } from 'node:child_process';
+import { appendFileSync, existsSync, readFileSync, readdirSync } from 'node:fs';
+import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
@@ -134,6 +138,40 @@ function since(before, after) {
   return { main: after.main - before.main, all: after.all - before.all };
 }
 
+/** Values that hold on a busy machine, and the increase that counts as a regression. */
+const WATCHED = /** @type {const} */ (['ratio', 'firstMain', 'firstAll', 'shuffleMain', 'restedMain']);
+const REGRESSION = 1.25;
+
+/**
+ * @param {Speed[]} rounds
+ * @returns {Speed}
+ */
+function medians(rounds) {
+  const names = /** @type {(keyof Speed)[]} */ (Object.keys(rounds[0]));
+  const entries = names.map((name) => [name, Number(median(rounds.map((round) => round[name])).toFixed(2))]);
+  return /** @type {Speed} */ (Object.fromEntries(entries));
+}
+
+/**
+ * Appends an entry to the history, one JSON object per line, and prints values that are worse than in the last entry.
+ * @param {string} file
+ * @param {Speed} speed
+ * @param {string} root folder of the repository
+ */
+function remember(file, speed, root) {
+  const machine = { cpu: cpus()[0].model.trim(), cores: cpus().length };
+  const lines = existsSync(file) ? readFileSync(file, 'utf8').trim().split('\n') : [];
+  const before = lines
+    .filter((line) => line !== '')
+    .map((line) => JSON.parse(line))
+    .findLast(({ cpu, cores }) => cpu === machine.cpu && cores === machine.cores);
+  for (const name of before ? WATCHED : [])
+    if (speed[name] > REGRESSION * before[name]) console.log(`slower: ${name} ${before[name]} -> ${speed[name]}`);
+  const commit = execFileSync('git', ['rev-parse', '--short', 'HEAD'], { cwd: root, encoding: 'utf8' }).trim();
+  const date = new Date().toISOString().slice(0, 10);
+  appendFileSync(file, `${JSON.stringify({ date, commit, ...machine, ...speed })}\n`);
+}
+
 /** Prints the medians of each site, and the ratio of the first site to the second. @param {Speed[][]} sites */
 export function summary(sites) {
   const names = /** @type {(keyof Speed)[]} */ (Object.keys(sites[0][0]));
@@ -154,6 +192,7 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
     options: {
       site: { type: 'string', default: join(root, 'www/dist') },
       against: { type: 'string' },
+      history: { type: 'string' },
       target: { type: 'string', default: join(root, 'target') },
       rounds: { type: 'string', default: '3' },
     },
@@ -177,6 +216,7 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
         console.log(folders[i], JSON.stringify(times));
       }
     summary(rounds);
+    if (options.history) remember(options.history, medians(rounds[0]), root);
     for (const server of servers) server.close();
   } finally {
     await browser.close();
