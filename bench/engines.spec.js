@@ -30,7 +30,7 @@ const root = fileURLToPath(new URL('..', import.meta.url));
 const folder = join(process.env.INKPANEL_TARGET ?? join(root, 'target'), 'bench');
 
 test('the page in three engines', async ({ browser }) => {
-  const photos = await makePhotos(browser, join(root, 'www/public/samples'), join(folder, 'photos'), PHOTOS);
+  const photos = await makePhotos(browser, join(root, 'www/public/samples'), join(folder, 'camera'), PHOTOS);
   await browser.close();
   const server = await serve({ site: join(root, 'www/dist') }, { isolated: false });
   /** @type {Record<string, Times[]>} */

@@ -22,7 +22,7 @@ const RESIZES = 8;
  *   decodes the same files. `refined`: from the first page to the end of detection. `closer`: including the search for small faces.
  */
 export async function journey(browser, address, photos) {
-  const hurried = await inTheFirstSeconds(browser, address, photos);
+  const hurriedShuffles = await inTheFirstSeconds(browser, address, photos);
   const decoded = await browserDecodes(browser, photos);
   const { page, firstPage, drawn } = await opened(browser, address, photos);
   const [refined, closer] = await page.evaluate(async () => {
@@ -68,7 +68,19 @@ export async function journey(browser, address, photos) {
   const png = performance.now() - start;
   await page.close();
   const [shuffle, rested, thumbnails] = [median(times), median(rests), median(resizes)];
-  return { firstPage, drawn, decoded, refined, closer, shuffle, rested, hurried, png, thumbnails, listed };
+  return {
+    firstPage,
+    drawn,
+    decoded,
+    refined,
+    closer,
+    shuffle,
+    rested,
+    hurried: hurriedShuffles,
+    png,
+    thumbnails,
+    listed,
+  };
 }
 
 /** @param {number[]} list */
@@ -81,9 +93,11 @@ export function median(list) {
  * @param {Browser} browser
  * @param {string} address
  * @param {string[]} photos
- * @param {RegExp} [lacks] files that the site does not have
+ * @template [T=undefined]
+ * @param {{ lacks?: RegExp, before?: (page: import('playwright-core').Page) => Promise<T> }} [options] `lacks`: files that
+ *   the site does not have; `before` runs when the user has chosen the photos
  */
-export async function opened(browser, address, photos, lacks) {
+export async function opened(browser, address, photos, { lacks, before } = {}) {
   const page = await browser.newPage({
     viewport: { width: 1920, height: 1080 },
     serviceWorkers: 'block',
@@ -98,9 +112,11 @@ export async function opened(browser, address, photos, lacks) {
   ]);
   // Users need at least this time to choose photos.
   await page.waitForTimeout(CHOOSING);
+  const said = /** @type {T} */ (await before?.(page));
   const first = page.evaluate(() => /** @type {any} */ (globalThis).watch.afterChoosing());
   await dialog.setFiles(photos);
-  return { page, .../** @type {{ firstPage: number, drawn: number }} */ (await first) };
+  const times = /** @type {{ firstPage: number, drawn: number, sketched: number }} */ (await first);
+  return { page, before: said, ...times };
 }
 
 /**
@@ -108,7 +124,7 @@ export async function opened(browser, address, photos, lacks) {
  * @param {Browser} browser
  * @param {string[]} photos
  */
-async function browserDecodes(browser, photos) {
+export async function browserDecodes(browser, photos) {
   const page = await browser.newPage();
   await page.setContent('<input type="file" multiple>');
   await page.locator('input').setInputFiles(photos);
@@ -131,23 +147,39 @@ async function browserDecodes(browser, photos) {
  */
 async function inTheFirstSeconds(browser, address, photos) {
   const { page } = await opened(browser, address, photos);
+  const result = await hurried(page);
+  await page.close();
+  return result;
+}
+
+/**
+ * Shuffles of a page that appeared just now.
+ * @param {import('playwright-core').Page} page
+ * @returns their number, and the 95th percentile in milliseconds
+ */
+export async function hurried(page) {
   const [start, times] = [performance.now(), /** @type {number[]} */ ([])];
   while (times.length < HURRIED && performance.now() - start < FIRST_SECONDS) {
     times.push(await shuffled(page));
     await page.waitForTimeout(FIRST_SECONDS / HURRIED - Math.min(200, times[times.length - 1]));
   }
-  await page.close();
   times.sort((a, b) => a - b);
   return { count: times.length, ms: times[Math.ceil(0.95 * times.length) - 1] };
 }
+
+/** @type {WeakMap<import('playwright-core').Page, import('playwright-core').ElementHandle | null>} */
+const buttons = new WeakMap();
 
 /**
  * Milliseconds until the page of the next shuffle is on the screen.
  * @param {import('playwright-core').Page} page
  * @returns {Promise<number>}
  */
-export function shuffled(page) {
-  const button = page.getByRole('button', { name: 'Shuffle', exact: true });
+export async function shuffled(page) {
+  // A search by role takes more time in the page than the shuffle.
+  if (!buttons.has(page))
+    buttons.set(page, await page.getByRole('button', { name: 'Shuffle', exact: true }).elementHandle());
+  const button = /** @type {import('playwright-core').ElementHandle<HTMLElement>} */ (buttons.get(page));
   return button.evaluate((one) => /** @type {any} */ (globalThis).watch.afterPressing(one));
 }
 
@@ -156,6 +188,7 @@ export function watch() {
   const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
   const idle = () => document.body.dataset.idle === 'true';
   const drawn = () => document.body.dataset.drawn === 'true';
+  const sketched = () => document.body.dataset.sketched === 'true' || drawn();
   const painted = async (/** @type {() => boolean} */ done = idle) => {
     // The frame in which the work begins, the frames that it takes, and the frame that shows the result.
     await frame();
@@ -170,8 +203,9 @@ export function watch() {
         const start = await new Promise((resolve) => {
           document.addEventListener('change', () => resolve(performance.now()), { capture: true, once: true });
         });
-        const seen = painted(drawn);
-        return { firstPage: (await painted()) - start, drawn: (await seen) - start };
+        const [sketch, seen] = [painted(sketched), painted(drawn)];
+        const firstPage = (await painted()) - start;
+        return { firstPage, drawn: (await seen) - start, sketched: (await sketch) - start };
       },
       /**
        * Milliseconds until the frame that shows a change drawn on the main thread.

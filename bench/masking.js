@@ -46,7 +46,9 @@ async function firstPages(browser, address, photos) {
   const times = { first: /** @type {number[]} */ ([]), bare: /** @type {number[]} */ ([]) };
   for (let i = 0; i < OPENINGS; i += 1) {
     for (const kind of /** @type {const} */ (['bare', 'first'])) {
-      const { page, drawn } = await opened(browser, address, photos, kind === 'bare' ? /subject.*\.onnx/ : undefined);
+      const { page, drawn } = await opened(browser, address, photos, {
+        lacks: kind === 'bare' ? /subject.*\.onnx/ : undefined,
+      });
       times[kind].push(drawn);
       await page.close();
     }

@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 
 import { join } from 'node:path';
 
 /**
- * Writes `count` different 12-megapixel JPEG files: the photos of the album, then mirrored parts of them. The files are
+ * Writes `count` different 12-megapixel JPEG files: the photos of the album, then mirrored parts of them, with EXIF thumbnails. The files are
  * reused by later runs.
  * @param {import('playwright-core').Browser} browser
  * @param {string} album folder
@@ -63,7 +63,30 @@ async function enlarge([source, part]) {
   }
   context.putImageData(image, 0, 0);
   const blob = await canvas.convertToBlob({ type: 'image/jpeg', quality: 0.92 });
-  const bytes = new Uint8Array(await blob.arrayBuffer());
+  // Cameras store a thumbnail in the metadata.
+  const little = new OffscreenCanvas(160, 120);
+  little.getContext('2d')?.drawImage(canvas, 0, 0, 160, 120);
+  const thumbnail = await little.convertToBlob({ type: 'image/jpeg', quality: 0.7 });
+  const exif = new DataView(new ArrayBuffer(58));
+  exif.setUint16(0, 0xffe1);
+  exif.setUint16(2, 56 + thumbnail.size);
+  exif.setUint32(4, 0x45786966);
+  // The header of TIFF, an empty directory, and a directory with the position of the thumbnail.
+  exif.setUint32(10, 0x4d4d002a);
+  exif.setUint32(14, 8);
+  exif.setUint32(20, 14);
+  exif.setUint16(24, 2);
+  for (const [at, tag, value] of [
+    [26, 0x0201, 48],
+    [38, 0x0202, thumbnail.size],
+  ]) {
+    exif.setUint16(at, tag);
+    exif.setUint16(at + 2, 4);
+    exif.setUint32(at + 4, 1);
+    exif.setUint32(at + 8, value);
+  }
+  const file = new Blob([blob.slice(0, 2), exif, thumbnail, blob.slice(2)]);
+  const bytes = new Uint8Array(await file.arrayBuffer());
   let text = '';
   for (let i = 0; i < bytes.length; i += 32768) text += String.fromCharCode(...bytes.subarray(i, i + 32768));
   return btoa(text);

@@ -121,7 +121,7 @@ async function part(name, what, time) {
 
 /** The first of the photos that the page is timed with. @param {number} count */
 function photos(count) {
-  return makePhotos(browser, album, join(options.target, 'bench/photos'), count);
+  return makePhotos(browser, album, join(options.target, 'bench/camera'), count);
 }
 
 /** Whether an additional part is measured: always without a filter, otherwise by its name. @param {string} part */

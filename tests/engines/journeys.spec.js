@@ -117,12 +117,14 @@ test('an AVIF photo has its colours', async ({ person }) => {
   const more = () =>
     person.inPage(() => {
       const tile = document.querySelector('[aria-label="Use plain.avif"]')?.closest('li');
-      const shown = /** @type {HTMLCanvasElement} */ (tile?.querySelector('canvas'));
-      const copy = Object.assign(document.createElement('canvas'), { width: shown.width, height: shown.height });
+      const shown = /** @type {HTMLImageElement} */ (tile?.querySelector('img'));
+      const [width, height] = [shown.naturalWidth, shown.naturalHeight];
+      if (width === 0) return [];
+      const copy = Object.assign(document.createElement('canvas'), { width, height });
       const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
       context.drawImage(shown, 0, 0);
       return [0.05, 0.95].map((x) => {
-        const [red, , blue] = context.getImageData(Math.floor(shown.width * x), shown.height >> 1, 1, 1).data;
+        const [red, , blue] = context.getImageData(Math.floor(width * x), height >> 1, 1, 1).data;
         return red > blue ? 'red' : red < blue ? 'blue' : 'neither';
       });
     });

@@ -349,6 +349,7 @@ effect(() => {
   // The first page of a large album is drawn long before all photos are read.
   const read = store.page.value?.panels.every(({ photo }) => photo === null || store.album.value.get(photo)?.meta);
   document.body.dataset.drawn = String(painted && !!read);
+  document.body.dataset.sketched = String(store.sketch.value && store.thumbnails.value.size > 0);
   // Detection improves an existing page, so it has a separate state.
   document.body.dataset.searched = String(idle && subjects.searched.value);
   document.body.dataset.detected = String(idle && subjects.settled.value);

@@ -3,7 +3,8 @@
  * stop. Arrows, Home and End move between tabs.
  */
 
-import { useEffect, useId, useRef } from 'preact/hooks';
+import { useComputed } from '@preact/signals';
+import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { LayoutTools } from '../layouts/layout-tools.tsx';
 import { LayoutsList } from '../layouts/layouts-list.tsx';
@@ -16,14 +17,20 @@ import { SIDE_TABS } from './ui.ts';
 import type { ComponentChildren } from 'preact';
 import type { SideTab } from './ui.ts';
 
+/** Milliseconds from the first page to the content of inactive tabs. */
+const REST = 200;
+
 const ICONS = { styles: 'style', layouts: 'layout', words: 'balloon', page: 'settings' } as const;
 
 export function SideTabs() {
-  const { ui, lettering } = useApp();
+  const { store, ui, lettering } = useApp();
   const list = useRef(null as HTMLDivElement | null);
   const id = useId();
   const open = ui.sideTab.value;
   const chosen = lettering.chosen.value;
+  const wasDrawn = useRef(false);
+  const isDrawn = useComputed(() => !store.sketch.value && (ui.painted.value !== null || store.page.value === null));
+  wasDrawn.current ||= isDrawn.value;
 
   // Selecting a text item opens its tab.
   useEffect(() => {
@@ -65,7 +72,7 @@ export function SideTabs() {
         ))}
       </div>
       {SIDE_TABS.map((tab) => (
-        <TabPanel key={tab} id={id} tab={tab} hidden={tab !== open}>
+        <TabPanel key={tab} id={id} tab={tab} hidden={tab !== open} isDrawn={wasDrawn.current}>
           {CONTENT[tab]}
         </TabPanel>
       ))}
@@ -85,18 +92,30 @@ const CONTENT: Record<SideTab, ComponentChildren> = {
   page: <PageSettingsForm />,
 };
 
-/** An inactive tab stays mounted, so that its search text and scroll position are retained. */
+/**
+ * An inactive tab stays mounted, so that its search text and scroll position are retained.
+ * @param props `isDrawn`: whether the first page is drawn, which comes before all tabs
+ */
 function TabPanel({
   id,
   tab,
   hidden,
+  isDrawn,
   children,
 }: {
   id: string;
   tab: SideTab;
   hidden: boolean;
+  isDrawn: boolean;
   children: ComponentChildren;
 }) {
+  const [isMounted, setMounted] = useState(false);
+  useEffect(() => {
+    if (!isDrawn || isMounted) return undefined;
+    // Inactive tabs are as much work as the first page.
+    const task = setTimeout(() => setMounted(true), hidden ? REST : 0);
+    return () => clearTimeout(task);
+  }, [isDrawn, isMounted, hidden]);
   return (
     <div
       class={`side-panel side-panel-${tab}`}
@@ -105,7 +124,7 @@ function TabPanel({
       aria-labelledby={`${id}-${tab}`}
       hidden={hidden}
     >
-      {children}
+      {isMounted && children}
     </div>
   );
 }

@@ -52,6 +52,7 @@ export function Stage() {
       engine: {
         renderPictures: engine.renderPictures,
         subjectOf: (document, photo) => (drawsParts(store, document) ? store.masks.peek().get(photo) : undefined),
+        thumbnailOf: (id) => store.thumbnails.peek().get(id),
         hasPhoto: (id) => !store.sketch.peek() && engine.hasPhoto(id),
       },
       onPainted: (document) => {
@@ -80,11 +81,12 @@ export function Stage() {
   // The number of imported photos is a dependency: panels fill during the import.
   const read = store.reading.value?.done;
   const sketch = store.sketch.value;
+  const thumbnails = store.thumbnails.value;
   // The subject masks of photos are a dependency, if the style uses them.
   const subjects = useSubjectsOf(page);
   useLayoutEffect(() => {
     if (page && geometry && width > 0) painter.current?.show(page, geometry, pixels, reshaping.editing.peek());
-  }, [page, geometry, pixels, read, sketch, subjects]);
+  }, [page, geometry, pixels, read, sketch, thumbnails, subjects]);
 
   const next = ahead.page.value;
   useEffect(() => {

@@ -2,7 +2,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { Priority } from '../engine/queue.ts';
 import { useSubjectsOf } from '../page/subjects-of.ts';
 import { strings } from '../strings/strings.ts';
-import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
+import { Thumbnail, screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { ListDrag } from '../ui/list-drag.ts';
@@ -67,10 +67,10 @@ export function PageThumb({
           if (!drag.dragged.current) book.go(at);
         }}
       >
-        <Bitmap
+        <Thumbnail
           of={drawn.current}
           by={useSubjectsOf(drawn.current)}
-          draw={(call) => engine.renderPage(drawn.current, width(), { ...call, priority: Priority.REST })}
+          draw={(call) => engine.pageFile(drawn.current, width(), { ...call, priority: Priority.REST })}
         />
       </button>
       <span class="book-number" aria-hidden="true">

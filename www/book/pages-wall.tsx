@@ -3,7 +3,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useSubjectsOf } from '../page/subjects-of.ts';
 import { strings } from '../strings/strings.ts';
-import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
+import { Thumbnail, screenPixels } from '../ui/bitmap.tsx';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
@@ -91,7 +91,7 @@ function ShownPage({
           ui.work.value = null;
         }}
       >
-        <Bitmap of={page} by={useSubjectsOf(page)} draw={(call) => engine.renderPage(page, width(), call)} />
+        <Thumbnail of={page} by={useSubjectsOf(page)} draw={(call) => engine.pageFile(page, width(), call)} />
       </button>
       <div class="shown-about">
         <span>

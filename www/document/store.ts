@@ -9,6 +9,7 @@ import { failure } from '../engine/protocol.ts';
 import { createEditing } from './editing.ts';
 import { EMPTY_HISTORY } from './history.ts';
 import { freshPlace } from './place.ts';
+import type { ExifThumbnail } from '../engine/exif-thumbnail.ts';
 import type { Planner, Unseen } from '../engine/core.ts';
 import type { Template } from '../engine/types.ts';
 import type { Place } from './place.ts';
@@ -45,6 +46,9 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
 
   /** Whether the page is a sketch of the first page: empty panels until its photos are analysed. */
   const sketch = signal(false);
+
+  /** Thumbnails from the files of photos that are not read yet, for the sketch. */
+  const thumbnails: Signal<ReadonlyMap<string, ExifThumbnail>> = signal(new Map());
 
   /** Photos with finished face detection before the first page. */
   const faced: Signal<ReadonlySet<string>> = signal(new Set());
@@ -172,6 +176,7 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     planner,
     reading,
     sketch,
+    thumbnails,
     faced,
     arriving,
     fetching,

@@ -4,6 +4,7 @@
  * browser cannot decode are decoded by a separate module, see docs/design/heic.md.
  */
 
+import { bmp } from './bmp.ts';
 import { AVIF_BRANDS, HEIC_BRANDS } from './file-table.ts';
 import { rgbaOf } from './frame-pixels.ts';
 import { moduleBytes } from './module-bytes.ts';
@@ -11,8 +12,6 @@ import { onceMore } from './once-more.ts';
 import { failure } from './protocol.ts';
 
 const MODULE = new URL('../pkg-heic/inkpanel_bg.wasm', import.meta.url);
-/** Bytes before the pixels of a BMP file. */
-const HEADER = 54;
 
 /**
  * @param bytes of a file
@@ -41,58 +40,6 @@ export async function asBmp(kind: 'AVIF' | 'HEIC', bytes: Uint8Array<ArrayBuffer
   if (!frame) return heicAsBmp(bytes);
   const { rotation = 0, flip = false } = frame;
   return bmp({ ...(await rgbaOf(frame)), rotation, flip });
-}
-
-/** @param picture RGBA; rotate clockwise by this many degrees, then mirror */
-function bmp({
-  width,
-  height,
-  data,
-  rotation,
-  flip,
-}: {
-  width: number;
-  height: number;
-  data: Uint8Array;
-  rotation: number;
-  flip: boolean;
-}) {
-  const [columns, rows] = rotation % 180 === 0 ? [width, height] : [height, width];
-  /** Position of a pixel of the upright image. */
-  const place = (x: number, y: number) => {
-    const across = flip ? columns - 1 - x : x;
-    if (rotation === 90) return 4 * ((height - 1 - across) * width + y);
-    if (rotation === 180) return 4 * ((height - 1 - y) * width + width - 1 - across);
-    if (rotation === 270) return 4 * (across * width + width - 1 - y);
-    return 4 * (y * width + across);
-  };
-  const step = place(1, 0) - place(0, 0);
-  const stride = 4 * Math.ceil((3 * columns) / 4);
-  const file = new Uint8Array(HEADER + stride * rows);
-  const view = new DataView(file.buffer);
-  file.set([0x42, 0x4d]);
-  // Length, offset of the pixels, header size, width and height (negative: from top to bottom), planes, bits.
-  for (const [at, value] of [
-    [2, file.length],
-    [10, HEADER],
-    [14, 40],
-    [18, columns],
-    [22, -rows],
-  ])
-    view.setInt32(at, value, true);
-  view.setUint16(26, 1, true);
-  view.setUint16(28, 24, true);
-  for (let y = 0; y < rows; y += 1) {
-    let from = place(0, y);
-    for (let to = HEADER + y * stride, end = to + 3 * columns; to < end; to += 3, from += step) {
-      const alpha = data[from + 3];
-      const ground = 255 * (255 - alpha) + 127;
-      file[to] = (data[from + 2] * alpha + ground) / 255;
-      file[to + 1] = (data[from + 1] * alpha + ground) / 255;
-      file[to + 2] = (data[from] * alpha + ground) / 255;
-    }
-  }
-  return file;
 }
 
 /** Safari decodes HEIC, and has no ImageDecoder. */

@@ -2,6 +2,7 @@
  * Rendering calls that need photos of the album: panels, whole pages, thumbnails of styles.
  */
 
+import { bmp } from './bmp.ts';
 import { frontPictures, frontsOf, panelOf, standsBehind } from './figures.ts';
 import { Priority } from './queue.ts';
 import type { PageDocument, Word } from './types.ts';
@@ -20,7 +21,17 @@ export function createRenders({
   photos: ReturnType<typeof createPhotos>;
   words: ReturnType<typeof createWords>;
 }) {
-  return { renderPanel, renderPictures, renderWord, renderPage, composePixels, stylePhoto, exploreStyles };
+  return {
+    renderPanel,
+    renderPictures,
+    renderWord,
+    renderPage,
+    pageFile,
+    composePixels,
+    stylePhoto,
+    photoFile,
+    exploreStyles,
+  };
 
   /**
    * One panel of a page.
@@ -81,6 +92,13 @@ export function createRenders({
     return words.over(document, width, page, await frontsFor(document, width, 'small', call), call);
   }
 
+  /** Renders a whole page as a file that an image element shows, for thumbnails in lists. */
+  async function pageFile(document: PageDocument, width: number, call?: Call): Promise<Blob> {
+    const job = pageJob(document, width, 'small');
+    const page = await run({ op: 'compose', ...job, priority: Priority.VIEW, ...call });
+    return fileOf(await words.lay(document, width, page, await frontsFor(document, width, 'small', call), call));
+  }
+
   /** Renders a whole page as pixels. */
   async function composePixels(document: PageDocument, width: number, call?: Call): Promise<PixelPatch> {
     const page = await run({ op: 'compose', ...pageJob(document, width, 'work'), priority: Priority.PAGE, ...call });
@@ -109,6 +127,19 @@ export function createRenders({
       priority: Priority.VIEW,
       ...call,
     });
+  }
+
+  /** A photo in some style as a file that an image element shows, for thumbnails in lists. */
+  async function photoFile(
+    id: string,
+    style: string | object,
+    { width, height }: { width: number; height: number },
+    call?: Call,
+  ): Promise<Blob> {
+    const [photo] = photos.handles([id], 'small');
+    const args = { photo, style: JSON.stringify(style), width, height };
+    const job = { photo: photos.names([id]), holds: [photo.key] };
+    return fileOf(await run({ op: 'stylePixels', args, ...job, priority: Priority.VIEW, ...call }));
   }
 
   /** A photo in many styles, with properties of each image. */
@@ -158,6 +189,10 @@ function shownBy({ panels, merges }: PageDocument, panel: number): string | null
 
 function keys(handles: PhotoHandle[]) {
   return handles.map(({ key }) => key);
+}
+
+function fileOf(pixels: PixelPatch): Blob {
+  return new Blob([bmp(pixels)], { type: 'image/bmp' });
 }
 
 /** @returns the name of a file, or `other` for a Blob without one */

@@ -7,7 +7,7 @@ import { strings } from '../strings/strings.ts';
 import { usePageGlimpse } from '../ui/glimpse.tsx';
 import { pointing } from '../ui/pointing.ts';
 import { Icon } from '../ui/icon.tsx';
-import { Bitmap, screenPixels, useInView } from '../ui/bitmap.tsx';
+import { Thumbnail, screenPixels, useInView } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { useSubjectsOf } from './subjects-of.ts';
 import type { PageDocument } from '../engine/types.ts';
@@ -96,7 +96,7 @@ function Alternative({ page, number, point }: { page: PageDocument; number: numb
         onBlur={() => point(null)}
         onClick={() => pages.show(lettering.on(page))}
       >
-        <Bitmap of={shown} by={useSubjectsOf(shown)} draw={(call) => engine.renderPage(shown, width(), call)} />
+        <Thumbnail of={shown} by={useSubjectsOf(shown)} draw={(call) => engine.pageFile(shown, width(), call)} />
       </button>
     </li>
   );

@@ -2,7 +2,9 @@
  * Draws a page on a canvas from the pictures of its panels.
  */
 
+import { panelOf } from '../engine/figures.ts';
 import { shown } from './patches.ts';
+import type { ExifThumbnail } from '../engine/exif-thumbnail.ts';
 import type { Geometry } from '../engine/types.ts';
 import type { Sheet, Slot } from './painter.ts';
 import type { Patch } from './patches.ts';
@@ -12,15 +14,26 @@ export function sheetSize({ document, width }: Sheet): { width: number; height: 
   return { width, height: Math.max(1, Math.round((width * document.page.height) / document.page.width)) };
 }
 
-export function drawPage(context: CanvasRenderingContext2D, sheet: Sheet) {
+/** @param thumbnailOf a photo without a picture yet */
+export function drawPage(
+  context: CanvasRenderingContext2D,
+  sheet: Sheet,
+  thumbnailOf: (photo: string) => ExifThumbnail | undefined = () => undefined,
+) {
   const { width, height } = sheetSize(sheet);
   context.imageSmoothingQuality = 'high';
   context.fillStyle = sheet.document.page.paper;
   context.fillRect(0, 0, width, height);
-  sheet.slots.forEach((slot, index) => drawPanel(context, sheet, slot, index));
+  sheet.slots.forEach((slot, index) => drawPanel(context, sheet, slot, index, thumbnailOf));
 }
 
-function drawPanel(context: CanvasRenderingContext2D, sheet: Sheet, { patch, coarse, older }: Slot, index: number) {
+function drawPanel(
+  context: CanvasRenderingContext2D,
+  sheet: Sheet,
+  { patch, coarse, older }: Slot,
+  index: number,
+  thumbnailOf: (photo: string) => ExifThumbnail | undefined,
+) {
   const { document, geometry, width } = sheet;
   const ready = patch ?? coarse;
   if (ready) {
@@ -36,6 +49,8 @@ function drawPanel(context: CanvasRenderingContext2D, sheet: Sheet, { patch, coa
   context.clip();
   context.fillStyle = 'rgb(128 128 136 / 0.16)';
   context.fill();
+  const thumbnail = older ? undefined : thumbnailOf(document.panels[panelOf(document, index)].photo ?? '');
+  if (thumbnail) drawThumbnail(context, thumbnail, shown(document, geometry, index).bounds, width);
   if (older) {
     drawOlder(context, sheet, older, index);
     context.strokeStyle = document.page.borderColor;
@@ -43,6 +58,23 @@ function drawPanel(context: CanvasRenderingContext2D, sheet: Sheet, { patch, coa
     context.lineWidth = 2 * document.page.border * width;
     if (document.page.border > 0) context.stroke();
   }
+  context.restore();
+}
+
+/** Draws a thumbnail upright in the middle of a box, and covers all of the box. */
+function drawThumbnail(
+  context: CanvasRenderingContext2D,
+  { bitmap, turn }: ExifThumbnail,
+  box: { x: number; y: number; width: number; height: number },
+  page: number,
+) {
+  const [wide, tall] = turn % 2 === 0 ? [box.width, box.height] : [box.height, box.width];
+  const scale = page * Math.max(wide / bitmap.width, tall / bitmap.height);
+  const [width, height] = [bitmap.width * scale, bitmap.height * scale];
+  context.save();
+  context.translate((box.x + box.width / 2) * page, (box.y + box.height / 2) * page);
+  context.rotate((turn * Math.PI) / 2);
+  context.drawImage(bitmap, -width / 2, -height / 2, width, height);
   context.restore();
 }
 

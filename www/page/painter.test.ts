@@ -33,7 +33,11 @@ const panel = (name: string) => ({
 /** The shapes of each layout differ. */
 const geometry = (layout: string): any => ({ width: 1, height: 1, panels: [panel(layout), panel(layout)] });
 
-function painter(readable = ['a', 'b'], subjectOf?: (document: any, photo: string) => string | undefined) {
+function painter(
+  readable = ['a', 'b'],
+  subjectOf?: (document: any, photo: string) => string | undefined,
+  thumbnailOf: (photo: string) => any = () => undefined,
+) {
   const context = new Proxy(
     {},
     {
@@ -70,7 +74,7 @@ function painter(readable = ['a', 'b'], subjectOf?: (document: any, photo: strin
   const errors = vi.fn();
   const hasPhoto = (id: string) => readable.includes(id);
   const made = createPainter(canvas, {
-    engine: { renderPictures, hasPhoto, subjectOf } as any,
+    engine: { renderPictures, hasPhoto, subjectOf, thumbnailOf } as any,
     onPainted: painted,
     onError: errors,
   });
@@ -253,4 +257,11 @@ test('the quick pictures of a panel and its figure are one job, too', async () =
   jobs.filter(({ tier }) => tier === 'small').forEach((job) => job.done());
   await vi.advanceTimersByTimeAsync(200);
   expect(drawn).toEqual(['Bslow0', 'Bslow1', 'Bslow2']);
+});
+
+test('a panel shows the thumbnail of its file until its photo is read', async () => {
+  const { show } = painter([], undefined, (photo) => photo === 'a' && { bitmap: { name: 'thumbnail' }, turn: 1 });
+  show(page('A'), geometry('A'), 10);
+  await vi.advanceTimersByTimeAsync(20);
+  expect(drawn).toEqual(['wait', 'thumbnail', 'wait']);
 });

@@ -8,6 +8,7 @@ import { drawPage, sheetSize } from './drawing.ts';
 import { panelOf, picturesOf } from '../engine/figures.ts';
 import { onlyMoved, sameLook, sameShape } from './likeness.ts';
 import { createPatches } from './patches.ts';
+import type { ExifThumbnail } from '../engine/exif-thumbnail.ts';
 import type { Geometry, PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Patch } from './patches.ts';
@@ -36,6 +37,8 @@ export function createPainter(
   }: {
     engine: Pick<Engine, 'renderPictures' | 'hasPhoto'> & {
       subjectOf?: (document: PageDocument, photo: string) => string | undefined;
+      /** A small image of a photo that is not read yet. */
+      thumbnailOf?: (photo: string) => ExifThumbnail | undefined;
     };
     onPainted: (document: PageDocument | null) => void;
     onError: (error: Error & { code?: string }) => void;
@@ -168,7 +171,7 @@ export function createPainter(
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
     const context = canvas.getContext('2d');
-    if (context) drawPage(context, sheet);
+    if (context) drawPage(context, sheet, engine.thumbnailOf);
     report();
   }
 

@@ -1,7 +1,7 @@
 /** A row of the album's photos for choosing one. */
 
 import { PLAIN, thumbnail } from './cover.ts';
-import { Bitmap } from '../ui/bitmap.tsx';
+import { Thumbnail } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import type { Fact } from '../document/album.ts';
 
@@ -44,7 +44,7 @@ export function PhotoPicker({
           aria-current={id === chosen ? 'true' : undefined}
           onClick={() => onChoose(id)}
         >
-          <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, thumbnail(meta, THUMB), call)} />
+          <Thumbnail of={id} draw={(call) => engine.photoFile(id, PLAIN, thumbnail(meta, THUMB), call)} />
         </button>
       ))}
     </div>

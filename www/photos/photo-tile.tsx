@@ -2,7 +2,7 @@
 
 import { useComputed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { Bitmap } from '../ui/bitmap.tsx';
+import { Thumbnail } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { PLAIN, thumbnail } from './cover.ts';
 import { noteWithUndo } from './undo-note.ts';
@@ -78,7 +78,7 @@ export function PhotoTile({
         }}
       >
         {ready ? (
-          <Bitmap of={id} draw={(call) => engine.stylePhoto(id, PLAIN, thumbnail(fact?.meta, SIDE), call)} />
+          <Thumbnail of={id} draw={(call) => engine.photoFile(id, PLAIN, thumbnail(fact?.meta, SIDE), call)} />
         ) : (
           <span class="bitmap" />
         )}

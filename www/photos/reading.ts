@@ -13,6 +13,7 @@ import { inFolderOrder } from './folders.ts';
 import { FRAMES, createFrames } from './frames.ts';
 import { createIntake } from './intake.ts';
 import { MOST } from '../document/limits.ts';
+import { exifThumbnail } from '../engine/exif-thumbnail.ts';
 import { photosOn } from '../engine/sheets.ts';
 import { fetchSamples } from './samples.ts';
 import type { Messages } from '../ui/messages.ts';
@@ -155,6 +156,15 @@ export function createReading({
       store.change({ type: 'add-photos', ids, gesture });
     }
     begin(sources);
+    if (first) void showThumbnails(sources);
+  }
+
+  /** Fills the sketch with the thumbnails that cameras store in their files. */
+  async function showThumbnails(sources: Source[]) {
+    const shown = photosOn(store.sheets.peek());
+    const photos = sources.filter(({ ids, video }) => !video && shown.has(ids[0]));
+    const found = await Promise.all(photos.map(async ({ ids, file }) => [ids[0], await exifThumbnail(file)] as const));
+    store.thumbnails.value = new Map(found.flatMap(([id, thumbnail]) => (thumbnail ? [[id, thumbnail]] : [])));
   }
 
   /**

@@ -7,7 +7,7 @@ import { useSignal } from '@preact/signals';
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { ActionButton } from '../ui/action-button.tsx';
-import { Bitmap } from '../ui/bitmap.tsx';
+import { Thumbnail } from '../ui/bitmap.tsx';
 import { StyleShuffle } from './style-shuffle.tsx';
 import { useApp } from '../ui/context.ts';
 import { hasParts } from './parts.ts';
@@ -100,10 +100,10 @@ export function StylesList() {
           hero === null ? (
             <span class="bitmap" />
           ) : (
-            <Bitmap
+            <Thumbnail
               of={`${designed.has(option) ? hero : `${hero} ${JSON.stringify(option)}`} ${hasParts(option) ? (store.masks.value.get(hero) ?? '') : ''}`}
               by={JSON.stringify(size.crop)}
-              draw={(call) => engine.stylePhoto(hero, option, size, call)}
+              draw={(call) => engine.photoFile(hero, option, size, call)}
             />
           )
         }

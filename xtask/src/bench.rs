@@ -9,10 +9,13 @@ use anyhow::Result;
 use crate::project::Project;
 use crate::{batch, chromium, engines, lighthouse, native, npm, site, tables, tools, wasm};
 
+/// Results of earlier runs of `bench speed`, one JSON object per line.
+const SPEED_HISTORY: &str = "docs/reports/speed-history.jsonl";
+
 /// Builds everything, then measures. With words in `filter`, only matching rows are timed, and nothing is
 /// written. The groups `page`, `album`, `films`, `making`, `masking`, `animatic`, `living`, `detect`,
 /// `figures` and `masks` run if they are listed. `alone` skips the other libraries. `native`, `batch`,
-/// `engines` and `lighthouse` must be the only word.
+/// `speed`, `engines` and `lighthouse` must be the only word.
 pub fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
     if filter == ["native"] {
         return native::run(project);
@@ -24,6 +27,14 @@ pub fn run(project: &Project, filter: &[String], alone: bool) -> Result<()> {
     if filter == ["lighthouse"] {
         site::build(project, crate::wasm::Purpose::Publish)?;
         return lighthouse::check(project);
+    }
+    if filter == ["speed"] {
+        site::build(project, crate::wasm::Purpose::Publish)?;
+        npm::install_peers(project)?;
+        let mut speed = Command::new("node");
+        speed.arg("bench/speed.js").current_dir(&project.root).env("CHROMIUM", browser);
+        speed.arg("--target").arg(&project.target).args(["--history", SPEED_HISTORY]);
+        return tools::run(&mut speed);
     }
     if filter == ["engines"] {
         site::build(project, crate::wasm::Purpose::Publish)?;

@@ -295,6 +295,8 @@ export async function openNewBoard(page, names = SIX, files) {
   await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
   await idle(page);
   const board = BOARDS.get(page);
+  // Inactive tabs get their content after the first page.
+  await expect(page.locator('.side-panel:empty')).toHaveCount(0);
   if (board) Object.assign(board, { names: names.join(), start: await stateOf(page), picture: await picture(page) });
 }
 

@@ -19,7 +19,7 @@ import {
 test.use({ viewport: { width: 1366, height: 1024 } });
 
 /** @param {Page} page */
-const drawn = (page) => page.getByRole('region', { name: 'Suggestions' }).locator('canvas[data-drawn=true]');
+const drawn = (page) => page.getByRole('region', { name: 'Suggestions' }).locator('img[data-drawn=true]');
 const alternative = (/** @type {Page} */ page, /** @type {number} */ n) =>
   page.getByRole('button', { name: `Suggestion ${n}`, exact: true });
 
@@ -29,8 +29,8 @@ test('a large screen shows at least 14 alternatives, and scrolling adds more', a
   await expect.poll(() => drawn(page).count()).toBeGreaterThanOrEqual(14);
   const inView = await drawn(page).evaluateAll(
     (list) =>
-      list.filter((canvas) => {
-        const { left, right, bottom } = canvas.getBoundingClientRect();
+      list.filter((image) => {
+        const { left, right, bottom } = image.getBoundingClientRect();
         return left >= 0 && right <= innerWidth && bottom <= innerHeight;
       }).length,
   );
@@ -45,17 +45,32 @@ test('a large screen shows at least 14 alternatives, and scrolling adds more', a
     .toBeGreaterThan(before);
 });
 
+test('images in lists are no layers of the compositor', async ({ page }) => {
+  await openBoard(page);
+  await expect.poll(() => drawn(page).count()).toBeGreaterThan(3);
+  await expect.poll(() => page.locator('.option img[data-drawn=true]').count()).toBeGreaterThan(3);
+  const session = await page.context().newCDPSession(page);
+  await session.send('DOM.enable');
+  const layers = new Promise((resolve) => {
+    session.on('LayerTree.layerTreeDidChange', (event) => event.layers && resolve(event.layers.length));
+  });
+  await session.send('LayerTree.enable');
+  await press(page, 'Shuffle');
+  // The window, the page, and the elements above the page.
+  expect(await layers).toBeLessThan(20);
+});
+
 test('a click makes an alternative the page, and the other alternatives remain', async ({ page }) => {
   await openBoard(page);
   await expect.poll(() => drawn(page).count()).toBeGreaterThan(3);
   const before = await picture(page);
   const third = alternative(page, 3);
-  const thumbnail = await third.locator('canvas').elementHandle();
+  const thumbnail = await third.locator('img').elementHandle();
   await third.click();
   await idle(page);
   expect(await picture(page)).not.toBe(before);
   await expect(third).toHaveAttribute('aria-current', 'true');
-  expect(await thumbnail?.evaluate((canvas) => canvas.isConnected)).toBe(true);
+  expect(await thumbnail?.evaluate((image) => image.isConnected)).toBe(true);
   await press(page, 'Undo');
   expect(await picture(page)).toBe(before);
 });
