@@ -4,12 +4,12 @@
 use super::words::model::MOST_WORDS;
 use crate::error::{Error, Result};
 use crate::framing::Crop;
+use crate::json::typed::{is_default, nullable, typed};
 use crate::json::{Fields, Read, Writer, Wrong, each, fields, items};
 use crate::layout::{self, PageSettings, Template};
 use crate::raster::Matte;
-use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
 use crate::style::{Style, catalogue, earlier};
-use serde::{Deserialize, Deserializer};
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
 
@@ -80,7 +80,8 @@ pub(crate) enum StyleChoice {
 }
 
 /// Content of a panel.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "PanelUse"))]
 pub struct PanelContent {
     /// Id of the photo; `None` for an empty panel.
@@ -88,21 +89,27 @@ pub struct PanelContent {
     /// The part of the photo that fills the panel, or the group it is merged into.
     pub crop: Option<Crop>,
     /// Faces of the photo, in fractions of it, which the style protects. Old pages have no faces here, and look unchanged.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<Crop>>", optional))]
     pub faces: Vec<Crop>,
     /// Subject mask of the photo for a panel breakout. `None` disables the breakout.
+    #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub figure: Option<Matte>,
     /// Whether the panel is a logo: no style, no border, and described as a logo.
+    #[serde(deserialize_with = "nullable", skip_serializing_if = "is_default")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub plain: bool,
     /// Whether every shuffle preserves the panel.
+    #[serde(deserialize_with = "nullable")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub locked: bool,
     /// Whether the crop is manual. It stays as long as the photo stays in this panel.
+    #[serde(deserialize_with = "nullable")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub edited: bool,
     /// Unknown fields, preserved for newer programs.
+    #[serde(flatten)]
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
@@ -141,8 +148,12 @@ impl Document {
         for (i, id) in fields.list("order", MOST_PHOTOS)?.into_iter().enumerate() {
             order.push(fields::text_of(id, LONGEST_ID).map_err(|wrong| wrong.in_list(i).at("order"))?);
         }
-        let panels = items(fields.required("panels")?, MOST_PANELS)
-            .and_then(|panels| each(panels, &PanelContent::read));
+        let panels = items(fields.required("panels")?, MOST_PANELS).and_then(|panels| {
+            each(panels, &|panel| {
+                let panel: PanelContent = typed(panel)?;
+                panel.validate().map(|()| panel)
+            })
+        });
         let panels = panels.map_err(|wrong| wrong.at("panels"))?;
         let merges = fields.each("merges", MOST_PANELS, &|group| {
             let panel = |panel| fields::whole_of(&panel, 0, MOST_PANELS as u64).map(|panel| panel as usize);
@@ -185,7 +196,7 @@ impl Document {
         out.key("layout").value(&self.layout);
         out.key("style").value(&self.style);
         out.key("order").texts(&self.order);
-        out.key("panels").list(&self.panels, &|out, panel| panel.write(out));
+        out.key("panels").put(&self.panels);
         out.key("merges")
             .list(&self.merges, &|out, group| out.list(group, &|out, panel| out.whole(*panel as u64)));
         out.key("page").put(&self.page);
@@ -266,72 +277,47 @@ impl Document {
 }
 
 impl PanelContent {
-    fn read(value: Value) -> Read<Self> {
-        let mut fields = Fields::of(value)?;
-        let crop = fields.nullable("crop").part("crop", &mut read_crop)?;
-        let faces = fields.each("faces", MOST_FACES, &read_face)?;
-        let figure = fields.text("figure", LONGEST_MASK)?.map(Matte::try_from).transpose();
-        Ok(Self {
-            figure: figure.map_err(|reason| Wrong::new(reason).at("figure"))?,
-            photo: fields.nullable("photo").text("photo", LONGEST_ID)?,
-            crop,
-            faces,
-            plain: fields.nullable("plain").flag("plain")?,
-            locked: fields.nullable("locked").flag("locked")?,
-            edited: fields.nullable("edited").flag("edited")?,
-            rest: fields.rest(),
-        })
-    }
-
-    fn write(&self, out: &mut Writer) {
-        out.open(b'{');
-        match &self.photo {
-            Some(photo) => out.key("photo").text(photo),
-            None => out.key("photo").null(),
+    /// Checks ids, crops and faces.
+    ///
+    /// # Errors
+    /// Returns the location of the error.
+    fn validate(&self) -> Read<()> {
+        if self.photo.as_ref().is_some_and(|photo| photo.chars().nth(LONGEST_ID).is_some()) {
+            return Err(Wrong::beyond(&format!("is longer than {LONGEST_ID} characters")).at("photo"));
         }
-        out.key("crop").put(&self.crop);
-        if !self.faces.is_empty() {
-            out.key("faces").list(&self.faces, &|out, face| out.put(face));
+        if let Some(crop) = &self.crop {
+            within_photo(crop).map_err(|wrong| wrong.at("crop"))?;
         }
-        if let Some(figure) = &self.figure {
-            out.key("figure").text(figure.text());
+        if self.faces.len() > MOST_FACES {
+            let reason = format!("has {} entries, at most {MOST_FACES} are allowed", self.faces.len());
+            return Err(Wrong::beyond(&reason).at("faces"));
         }
-        if self.plain {
-            out.key("plain").flag(true);
-        }
-        out.key("locked").flag(self.locked);
-        out.key("edited").flag(self.edited);
-        out.rest(&self.rest);
-        out.close(b'}');
+        // Faces may extend past the photo.
+        let limits = [(-1.0, 2.0), (0.0, 2.0)];
+        let faces = self.faces.iter().enumerate();
+        faces.map(|(i, face)| in_limits(face, limits).map_err(|wrong| wrong.in_list(i).at("faces"))).collect()
     }
 }
 
-/// The box of a face, which may extend past the photo.
-fn read_face(value: Value) -> Read<Crop> {
-    let mut fields = Fields::of(value)?;
-    let mut side = |name: &str, least: f64| {
-        fields.number(name, least, 2.0)?.ok_or_else(|| Wrong::new("is missing").at(name))
-    };
-    let (x, y, width, height) =
-        (side("x", -1.0)?, side("y", -1.0)?, side("width", 0.0)?, side("height", 0.0)?);
-    fields.done()?;
-    Ok(Crop { x, y, width, height })
-}
-
-/// A crop inside of its photo.
-fn read_crop(value: Value) -> Read<Crop> {
-    let mut fields = Fields::of(value)?;
-    let mut sides = [0.0; 4];
-    for (name, side) in ["x", "y", "width", "height"].into_iter().zip(&mut sides) {
-        let least = if name.len() == 1 { -SLACK } else { SLACK };
-        *side = fields.number(name, least, 1.0 + SLACK)?.ok_or_else(|| Wrong::new("is missing").at(name))?;
-    }
-    fields.done()?;
-    let [x, y, width, height] = sides;
-    if x + width > 1.0 + SLACK || y + height > 1.0 + SLACK {
+/// Checks that a crop is inside its photo.
+fn within_photo(crop: &Crop) -> Read<()> {
+    in_limits(crop, [(-SLACK, 1.0 + SLACK), (SLACK, 1.0 + SLACK)])?;
+    if crop.x + crop.width > 1.0 + SLACK || crop.y + crop.height > 1.0 + SLACK {
         return Err(Wrong::new("reaches beyond the photo"));
     }
-    Ok(Crop { x, y, width, height })
+    Ok(())
+}
+
+/// Checks the position and the size of a rectangle.
+fn in_limits(area: &Crop, [place, size]: [(f64, f64); 2]) -> Read<()> {
+    let sides =
+        [("x", area.x, place), ("y", area.y, place), ("width", area.width, size), ("height", area.height, size)];
+    match sides.iter().find(|(_, side, (least, most))| !(*least..=*most).contains(side)) {
+        None => Ok(()),
+        Some((name, _, (least, most))) => {
+            Err(Wrong::new(&format!("must be a number from {least} to {most}")).at(name))
+        }
+    }
 }
 
 /// A template by id, or one given in full.
