@@ -11,7 +11,7 @@ use inkpanel::page::import::import;
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use rayon::prelude::*;
-use serde_json::{Value, json};
+use serde_json::json;
 use std::collections::HashMap;
 
 /// The style of a project without a page.
@@ -113,9 +113,9 @@ pub(crate) fn framed(
         let complain = |reason: String| format!("the photo {name}: {reason}");
         let mut meta = survived(|| import(id, file, &Limits::default())).map_err(complain)?.meta;
         meta.find(found.get(id).cloned().unwrap_or_default());
-        let framed: Value = serde_json::from_str(&framed_json([&meta].into_iter(), aspect))
+        let framed: Vec<PictureOf> = serde_json::from_str(&framed_json([&meta].into_iter(), aspect))
             .map_err(|error| complain(error.to_string()))?;
-        serde_json::from_value(framed[0].clone()).map_err(|error| complain(error.to_string()))
+        framed.into_iter().next().ok_or_else(|| complain("it has no crop".into()))
     };
     photos.par_iter().map(picture).collect()
 }

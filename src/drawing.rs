@@ -12,12 +12,13 @@ use inkpanel::output::shots;
 use inkpanel::page::import::Imported;
 use inkpanel::page::pdf::{self, Imposition, Options};
 use inkpanel::page::plates::{self, Separation};
+use inkpanel::page::words::TextItem;
 use inkpanel::page::words::given::{self, GivenFonts};
 use inkpanel::page::words::place::{self, Known};
 use inkpanel::page::{Document, jpeg, png, webp};
 use inkpanel::raster::Image;
 use rayon::prelude::*;
-use serde_json::{Value, json};
+use serde_json::json;
 use std::path::{Path, PathBuf};
 
 /// Adds the text items of a file to a page. Items without a position are placed clear of faces, and of
@@ -30,7 +31,7 @@ pub(crate) fn add_words(
 ) -> Result<(), Complaint> {
     let complain = |reason: String| format!("{}: {reason}", file.display());
     let json = album::text(file).map_err(complain)?;
-    let words: Vec<Value> = serde_json::from_str(&json).map_err(|error| complain(error.to_string()))?;
+    let words = TextItem::read_all(&json).map_err(|error| complain(error.to_string()))?;
     let known = |id: &str| {
         let photo = photos.iter().find(|(_, photo)| photo.meta.id == id);
         photo.map(|(_, photo)| Known::from(&photo.meta)).unwrap_or_default()

@@ -114,8 +114,7 @@ impl Pages {
         let Clip { picture, reading: Some(reading), .. } = &self.plan.clips[clip] else {
             return Err("internal error: a page is missing in the plan".into());
         };
-        let mut page = Document::parse(&picture.to_string()).map_err(told)?;
-        page.words.clone_from(&self.documents[clip].words);
+        let page = Document { words: self.documents[clip].words.clone(), ..picture.clone() };
         let photo = |id: &str| reopening::photo(&self.saved, &self.files, id);
         let (fonts, masks) = (&self.fonts, &self.masks);
         let means = Means { photos: &photo, fonts, masks, quality: QUALITY, enlarges: false };

@@ -37,7 +37,11 @@ fn wrong(path: &Path, message: &str) -> Wrong {
         (Some(field), _) => (Wrong::new("is missing"), Some(field)),
         (_, Some(field)) => (Wrong::new("is not a known field"), Some(field)),
         _ if message.starts_with("unknown variant") => {
-            let names = expected().unwrap_or_default().trim_start_matches("one of ").replace('`', "");
+            let names = expected()
+                .unwrap_or_default()
+                .trim_start_matches("one of ")
+                .replace('`', "")
+                .replace(" or ", ", ");
             (Wrong::new(&format!("must be one of {names}")), None)
         }
         _ if message.starts_with("invalid ") => {
@@ -83,7 +87,8 @@ where
     T: TryFrom<u64>,
 {
     let value = Value::deserialize(deserializer)?;
-    let number = super::fields::whole_of(&value, LEAST, MOST).map_err(|wrong| Error::custom(wrong.reason()))?;
+    let number =
+        super::fields::whole_of(&value, LEAST, MOST).map_err(|wrong| Error::custom(wrong.reason()))?;
     T::try_from(number).map_err(|_| Error::custom("is too large"))
 }
 

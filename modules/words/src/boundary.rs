@@ -17,7 +17,6 @@ use inkpanel::page::{Document, Patch};
 use inkpanel::raster::Matte;
 use inkpanel_pixels::thrown::thrown;
 use serde::Deserialize;
-use serde_json::Value;
 use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
 
@@ -35,7 +34,7 @@ impl Lettering {
             let known = |id: &str| told.get(id).map(Told::known).unwrap_or_default();
             let settle = if again { place::resettle } else { place::settle };
             settle(&mut document, known, self.letters())?;
-            Ok(Value::Array(document.words).to_string())
+            Ok(document.words_json())
         };
         settle().map_err(thrown)
     }
