@@ -1,9 +1,7 @@
 //! JSON writer. Fields keep the order of the calls, because the app compares some of the output as text.
 
 use serde::Serialize;
-use serde_json::ser::{CompactFormatter, Formatter, Serializer};
 use serde_json::{Map, Value};
-use std::io::{Result, Write};
 
 /// Text that grows. The caller must close what it opens.
 #[derive(Debug, Default, Clone)]
@@ -53,7 +51,12 @@ impl Writer {
     /// Writes a number; null if it is not finite.
     #[inline(never)]
     pub fn number(&mut self, number: f64) {
-        self.put(&number);
+        // As in JavaScript: whole numbers without a decimal point.
+        if number.fract() == 0.0 && number.abs() < 1e15 {
+            self.put(&(number as i64));
+        } else {
+            self.put(&number);
+        }
     }
 
     /// True or false.
@@ -123,22 +126,8 @@ impl Writer {
 
     /// Writes any serialisable value.
     pub fn put(&mut self, value: &impl Serialize) {
-        let mut serializer = Serializer::with_formatter(&mut self.0, Plain);
         // Writing into memory cannot fail, and all keys are text.
-        let _: serde_json::Result<()> = value.serialize(&mut serializer);
-    }
-}
-
-/// Compact JSON with numbers as in JavaScript: whole numbers have no decimal point.
-struct Plain;
-
-impl Formatter for Plain {
-    fn write_f64<W: ?Sized + Write>(&mut self, writer: &mut W, number: f64) -> Result<()> {
-        if number.fract() == 0.0 && number.abs() < 1e15 {
-            CompactFormatter.write_i64(writer, number as i64)
-        } else {
-            CompactFormatter.write_f64(writer, number)
-        }
+        let _: serde_json::Result<()> = serde_json::to_writer(&mut self.0, value);
     }
 }
 

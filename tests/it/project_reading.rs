@@ -99,7 +99,8 @@ fn refused(change: impl FnOnce(&mut Value)) -> String {
     message
 }
 
-/// Adds the photo of each text item. The default is the photo of its panel.
+/// Adds the photo of each text item. The default is the photo of its panel. An automatic size is written as
+/// a missing size.
 fn tell_photos_of_words(value: &mut Value) {
     match value {
         Value::Array(list) => list.iter_mut().for_each(tell_photos_of_words),
@@ -107,8 +108,12 @@ fn tell_photos_of_words(value: &mut Value) {
             let panels = map.get("panels").cloned().unwrap_or_default();
             for word in map.get_mut("words").and_then(Value::as_array_mut).into_iter().flatten() {
                 let photo = word["panel"].as_u64().map(|panel| &panels[panel as usize]["photo"]);
-                if let (Some(Value::String(photo)), Some(word)) = (photo, word.as_object_mut()) {
+                let Some(word) = word.as_object_mut() else { continue };
+                if let Some(Value::String(photo)) = photo {
                     word.entry("photo").or_insert(json!(photo));
+                }
+                if word.get("size") == Some(&json!("auto")) {
+                    word.remove("size");
                 }
             }
             map.values_mut().for_each(tell_photos_of_words);

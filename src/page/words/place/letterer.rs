@@ -170,7 +170,7 @@ fn pairs(words: &[TextItem], group: &[usize], here: impl Fn(&TextItem) -> bool) 
         let before = (0..later).rev().find(|&before| is_balloon(&words[before]))?;
         let (one, other) = (&words[before], &words[later]);
         let alike =
-            one.kind == other.kind && (one.colors(), one.vertical) == (other.colors(), other.vertical);
+            one.kind() == other.kind() && (one.colors(), one.vertical) == (other.colors(), other.vertical);
         (alike && !other.apart && group.contains(&before)).then_some((later, before))
     };
     group.iter().filter(|&&later| is_balloon(&words[later])).filter_map(before).collect()
