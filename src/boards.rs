@@ -12,7 +12,7 @@ use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use inkpanel::survived;
 use rayon::prelude::*;
-use serde_json::{Value, json};
+use serde_json::json;
 use std::collections::HashMap;
 
 /// The style of a project without a page.
@@ -116,9 +116,9 @@ pub(crate) fn framed(
         let complain = |error: CliError| error.at(format_args!("the photo {name}"));
         let mut meta = survived(|| Ok(import(id, file, &Limits::default())?)).map_err(complain)?.meta;
         meta.find(found.get(id).cloned().unwrap_or_default());
-        let framed: Value = serde_json::from_str(&framed_json([&meta].into_iter(), aspect))
+        let framed: Vec<PictureOf> = serde_json::from_str(&framed_json([&meta].into_iter(), aspect))
             .map_err(|error| complain(CliError::fault(error)))?;
-        serde_json::from_value(framed[0].clone()).map_err(|error| complain(CliError::fault(error)))
+        framed.into_iter().next().ok_or_else(|| complain(CliError::fault("it has no crop")))
     };
     photos.par_iter().map(picture).collect()
 }

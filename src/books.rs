@@ -140,8 +140,8 @@ fn told(title: &str, pages: &[BookPage], photos: &Photos) -> Result<Value, CliEr
         let mut told = plans::told_page(&page.planned, photos)?;
         told["role"] = json!(page.role.name());
         told["chapter"] = json!(page.chapter + 1);
-        let texts = page.planned.document.words.iter().filter(|word| word["number"] != json!(true));
-        told["texts"] = texts.map(|word| word["text"].clone()).collect();
+        let texts = page.planned.document.words.iter().filter(|word| !word.number);
+        told["texts"] = texts.map(|word| word.text.as_str()).collect();
         Ok::<_, CliError>(told)
     };
     let pages = pages.iter().map(page).collect::<Result<Vec<_>, _>>()?;

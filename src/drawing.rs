@@ -11,12 +11,13 @@ use inkpanel::layout::{self, PagePreset, PaperSize};
 use inkpanel::native::{self, QUALITY, alts};
 use inkpanel::page::pdf::{self, Imposition, Options};
 use inkpanel::page::plates::{self, Separation};
+use inkpanel::page::words::TextItem;
 use inkpanel::page::words::given::{self, GivenFonts};
 use inkpanel::page::words::place::{self, Known};
 use inkpanel::page::{Document, jpeg, png, webp};
 use inkpanel::raster::Image;
 use rayon::prelude::*;
-use serde_json::{Value, json};
+use serde_json::json;
 use std::path::{Path, PathBuf};
 
 /// Adds the text items of a file to a page. Items without a position are placed clear of faces, and of
@@ -29,8 +30,7 @@ pub(crate) fn add_words(
 ) -> Result<(), CliError> {
     let complain = |error: CliError| error.at(file.display());
     let json = album::text(file).map_err(complain)?;
-    let words: Vec<Value> = serde_json::from_str(&json)
-        .map_err(|error| complain(CliError::new("invalid-document", error.to_string())))?;
+    let words = TextItem::read_all(&json).map_err(|error| complain(error.into()))?;
     let known = |id: &str| photos.find(id).map(|(_, photo)| Known::from(&photo.meta)).unwrap_or_default();
     let letters = fonts.letters(&words).map_err(|error| complain(error.into()))?;
     place::add(document, words, known, &letters).map_err(|error| complain(error.into()))

@@ -36,6 +36,7 @@ use crate::page::layouts::{
 };
 use crate::page::pdf::{Imposition, Options};
 use crate::page::request::{Avoid, Families, Keep, Mode, Request, Taste};
+use crate::page::words::TextItem;
 use crate::page::words::layout::WordBox;
 use crate::page::{Document, catalogue, layouts, request, shuffle};
 use crate::raster::decode::Damage;
@@ -48,95 +49,6 @@ use serde_json::{Value, json};
 use std::collections::HashMap;
 use std::path::Path;
 use ts_rs::{Config, TS};
-
-/// A caption, a balloon or a sound effect. Omitted fields have defaults. Positions are fractions of the
-/// bounds of its panel, or of the page without a panel.
-#[derive(TS)]
-#[ts(optional_fields)]
-pub(crate) struct Word {
-    #[ts(type = "'caption' | 'balloon' | 'effect'")]
-    kind: String,
-    /// Text.
-    text: String,
-    /// The outline of a balloon.
-    #[ts(type = "'oval' | 'thought' | 'shout' | 'whisper' | 'radio'", optional)]
-    shape: Option<String>,
-    /// Its panel.
-    #[ts(optional = nullable)]
-    panel: Option<usize>,
-    x: Option<f64>,
-    y: Option<f64>,
-    /// Width in page widths; null fits the text.
-    #[ts(optional = nullable)]
-    width: Option<f64>,
-    /// Height of an em in page widths; `auto` or null fits the text.
-    #[ts(type = "number | 'auto' | null", optional)]
-    size: Option<f64>,
-    /// Target of the tail of a balloon.
-    #[ts(optional = nullable)]
-    tail: Option<Focus>,
-    /// Id of a font.
-    font: Option<String>,
-    /// Text colour.
-    color: Option<String>,
-    /// Colour of the box.
-    fill: Option<String>,
-    /// Degrees that an effect is turned clockwise.
-    angle: Option<f64>,
-    /// How far the line of an effect bends, -1 to 1.
-    arc: Option<f64>,
-    /// Whether the item is placed automatically, away from faces.
-    auto: Option<bool>,
-    /// Shuffle made it: the next shuffle replaces it.
-    made: Option<bool>,
-    /// It belongs to a book: a shuffle keeps it, another book replaces it.
-    book: Option<bool>,
-    /// It is a page number, which follows the position of the page.
-    number: Option<bool>,
-    /// The photo that it belongs to. The item follows this photo. Null names the one on its panel.
-    #[ts(optional = nullable)]
-    photo: Option<String>,
-    /// The subtitle of origin, so that it is not added twice.
-    #[ts(optional = nullable)]
-    cue: Option<String>,
-    /// Lettering rules: 2 for the rules of letterers, for all new items. Items without it are from old pages
-    /// and keep their look.
-    #[ts(type = "1 | 2", optional)]
-    craft: Option<u8>,
-    /// A caption without a box.
-    boxless: Option<bool>,
-    /// Whether it is set in capitals; null is as its conventions have it.
-    #[ts(optional = nullable)]
-    capitals: Option<bool>,
-    /// Slant of a sound effect in degrees to the right, -45 to 45.
-    slant: Option<f64>,
-    /// Half the width of the outline of a sound effect, in ems, 0 to 0.4. Default if null.
-    #[ts(optional = nullable)]
-    outline: Option<f64>,
-    /// Whether an effect is behind the subjects.
-    behind: Option<bool>,
-    /// Id, for links of other balloons.
-    #[ts(optional = nullable)]
-    id: Option<String>,
-    /// The name of the balloon that this one is joined to.
-    #[ts(optional = nullable)]
-    joined: Option<String>,
-    /// Automatically linked balloon.
-    #[ts(optional = nullable)]
-    linked: Option<String>,
-    /// Whether this balloon is never linked automatically.
-    apart: Option<bool>,
-    /// Name of the speaker, if known.
-    by: Option<String>,
-    /// The language of its text, for hyphenation.
-    #[ts(optional = nullable)]
-    language: Option<String>,
-    /// Its lines are columns, read from the top down and from right to left.
-    vertical: Option<bool>,
-    /// Width and height in page widths, fixed when it was placed.
-    #[ts(type = "readonly [width: number, height: number] | null", optional)]
-    room: Option<(f64, f64)>,
-}
 
 /// Index of a page in a table.
 type Number = usize;
@@ -163,7 +75,7 @@ struct Tables {
     settings: Vec<Value>,
     #[ts(as = "Vec<Draft>")]
     drafts: Vec<Value>,
-    #[ts(as = "Vec<Word>")]
+    #[ts(as = "Vec<TextItem>")]
     words: Vec<Value>,
     waits: Vec<Vec<Number>>,
     #[ts(as = "Vec<Board>")]
@@ -393,7 +305,7 @@ fn types() -> String {
         StyleChoice,
         PageSettings,
         Crop,
-        Word,
+        TextItem,
         WordBox,
         Template,
         Style,

@@ -130,7 +130,7 @@ pub(crate) fn measure(
         let points = laid.setting.size * 210.0 / 25.4 * 72.0;
         figures.points =
             Some(figures.points.map_or((points, points), |(low, high)| (low.min(points), high.max(points))));
-        if !matches!(laid.word.kind, Kind::Balloon(_)) {
+        if !matches!(laid.word.kind(), Kind::Balloon(_)) {
             continue;
         }
         figures.balloons += 1;
@@ -305,7 +305,7 @@ fn ovals_meet(a: &Laid, b: &Laid) -> bool {
 /// Returns whether all corners of all lines are inside of the oval. Bursts and clouds surround this oval.
 fn holds_its_text(laid: &Laid, letters: &Letters) -> bool {
     let (a, b) = laid.setting.half;
-    let capitals = letters.font(&laid.word.font).map_or(0.7, |font| font.capitals) * laid.setting.size;
+    let capitals = letters.font(laid.word.font()).map_or(0.7, |font| font.capitals) * laid.setting.size;
     let last = (laid.setting.lines.len() as f64 - 1.0) / 2.0;
     laid.setting.lines.iter().enumerate().all(|(i, (_, width))| {
         let y = (i as f64 - last).abs() * laid.setting.pitch + capitals / 2.0;

@@ -3,8 +3,9 @@
 use inkpanel::Error;
 use inkpanel::framing::{PhotoMeta, Subject};
 use inkpanel::page::Document;
-use inkpanel::page::words::Letters;
+use inkpanel::page::words::model::Craft;
 use inkpanel::page::words::place::{self, Known as Of};
+use inkpanel::page::words::{Letters, TextItem, TextKind};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -93,9 +94,11 @@ pub(crate) fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkp
     let on = [panels[0], panels[0], panels[1 % panels.len()]];
     let words = on.iter().enumerate().map(|(i, panel)| {
         let text = SPEECHES[(start * BALLOONS + i) % SPEECHES.len()];
-        json!({ "kind": "balloon", "craft": 2, "text": text, "panel": panel, "language": "en" })
+        let item = TextItem::new(TextKind::Balloon, text);
+        let language = Some("en".into());
+        TextItem { craft: Craft::Letterer, panel: Some(*panel), language, ..item }
     });
-    page.words = words.collect::<Vec<Value>>();
+    page.words = words.collect();
     place::settle(&mut page, of, letters)?;
     Ok(page)
 }

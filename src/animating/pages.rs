@@ -111,8 +111,7 @@ impl Pages {
         let Clip { picture, reading: Some(reading), .. } = &self.plan.clips[clip] else {
             return Err(CliError::fault("a page is missing in the plan"));
         };
-        let mut page = Document::parse(&picture.to_string())?;
-        page.words.clone_from(&self.documents[clip].words);
+        let page = Document { words: self.documents[clip].words.clone(), ..picture.clone() };
         let photo = |id: &str| reopening::photo(&self.saved, &self.files, id);
         let (fonts, masks) = (&self.fonts, &self.masks);
         let means = Means { photos: &photo, fonts, masks, quality: QUALITY, enlarges: false };

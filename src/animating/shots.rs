@@ -10,10 +10,10 @@ use inkpanel::document::saved::Saved;
 use inkpanel::native;
 use inkpanel::output::animatic::{Animatic, Clip, Picture, Request};
 use inkpanel::output::board::PictureOf;
+use inkpanel::page::Patch;
 use inkpanel::page::words::Letters;
 use inkpanel::page::words::draw;
 use inkpanel::page::words::given::GivenFonts;
-use inkpanel::page::{Document, Patch};
 use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode};
 use inkpanel::survived;
@@ -34,14 +34,12 @@ impl Shots {
         let photos = boards::shown(&mut saved)?;
         let request = request(&saved, asked, &photos)?;
         let plan = request.planned()?;
-        let style = Document::parse(&plan.clips[0].picture.to_string()).and_then(|page| page.style());
-        if !style?.has_parts() {
+        if !plan.clips[0].picture.style()?.has_parts() {
             let moving = photos.iter().filter(|photo| super::is_of_film(&saved, &photo.id)).count();
             super::tell_still(moving, ("shot", "shots"));
         }
-        let words =
-            || plan.clips.iter().map(|clip| &clip.caption["words"][0]).filter(|word| word.is_object());
-        let letters = fonts.letters(words())?;
+        let words = plan.clips.iter().filter_map(|clip| clip.caption.as_ref()).flat_map(|page| &page.words);
+        let letters = fonts.letters(words)?;
         Ok(Self { plan, photos, masks, letters })
     }
 
@@ -67,26 +65,23 @@ impl Shots {
 
     /// The picture of a clip in its style, from the photo at its full size, and its caption.
     pub(super) fn drawn(&self, clip: usize) -> Result<Drawn, CliError> {
-        let document = Document::parse(&self.plan.clips[clip].picture.to_string())?;
+        let document = &self.plan.clips[clip].picture;
         let ShotPhoto { id, name, file } = &self.photos[clip];
         let photo = survived(|| Ok(decode(file, &Limits::default())?))
             .map_err(|error: CliError| error.at(format_args!("the photo {name}")))?;
         telling::damage(name, photo.damage);
         let subject = self.masks.asked_by(&*document.style()?, id, &photo.image);
         let photos = HashMap::from([(id.clone(), native::Photo { image: photo.image, subject })]);
-        let sheet = native::sheet(&document, &photos, &GivenFonts::default())?;
+        let sheet = native::sheet(document, &photos, &GivenFonts::default())?;
         let picture = Image::from_interleaved_rgb(sheet.width(), sheet.height(), sheet.rgb())?;
         Ok(Drawn::Shot(picture, self.caption(&self.plan.clips[clip])?))
     }
 
     /// The caption of a clip, if any, at its position in the frame.
     fn caption(&self, clip: &Clip) -> Result<Option<Patch>, CliError> {
-        if clip.caption.is_null() {
-            return Ok(None);
-        }
+        let Some(document) = &clip.caption else { return Ok(None) };
         let [width, height] = self.plan.size.map(|side| side as usize);
-        let document = Document::parse(&clip.caption.to_string())?;
-        let mut patch = draw::render(&document, 0, width, &self.letters)?;
+        let mut patch = draw::render(document, 0, width, &self.letters)?;
         let foot = (Animatic::FOOT * height as f64).round() as i64;
         patch.area.x = (width as i64 - patch.area.width as i64) / 2;
         patch.area.y = (height as i64 - foot - patch.area.height as i64).max(0);
@@ -99,14 +94,8 @@ fn request(saved: &Saved, asked: &Animate, photos: &[ShotPhoto]) -> Result<Reque
     let found = reopening::known(saved);
     let aspect = f64::from(asked.size[0]) / f64::from(asked.size[1]);
     let picture = |PictureOf { photo, crop, faces }: PictureOf| {
-        let told = |error: serde_json::Error| CliError::fault(error);
         let subjects = found.get(&photo).cloned().unwrap_or_default();
-        Ok(Picture {
-            photo,
-            crop: serde_json::from_value(crop).map_err(told)?,
-            faces: serde_json::from_value(faces).map_err(told)?,
-            subjects,
-        })
+        Ok(Picture { photo, crop: crop.ok_or("a photo has no crop")?, faces, subjects })
     };
     let pictures = boards::framed(photos, aspect, &found)?;
     let project = saved.project();

@@ -11,7 +11,7 @@ use crate::json::fields::whole_of;
 use crate::json::{Fields, Read, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
 use crate::page::Document;
-use crate::page::words::Word;
+use crate::page::words::model::NewText;
 use crate::raster::Matte;
 use serde_json::Value;
 use std::collections::{HashMap, HashSet};
@@ -145,7 +145,7 @@ pub enum Edit {
             all(test, feature = "cli"),
             ts(type = "ReadonlyArray<Word & { sheet?: number; joins?: boolean }>")
         )]
-        words: Vec<Value>,
+        words: Vec<NewText>,
     },
     /// Deletes unplaced text items.
     DropWaiting {
@@ -600,7 +600,7 @@ impl Edit {
                 }
                 Self::SetSheets { sheets, at }
             }
-            "add-words" => Self::AddWords { words: fields.each("words", MOST_ADDED, &fresh_word)? },
+            "add-words" => Self::AddWords { words: fields.each("words", MOST_ADDED, &NewText::read)? },
             "drop-waiting" => {
                 let number = |number| whole_of(&number, 0, MOST_WAITING as u64).map(|number| number as usize);
                 Self::DropWaiting { words: fields.each("words", MOST_WAITING, &number)? }
@@ -645,12 +645,6 @@ impl Edit {
 
 fn ids(fields: &mut Fields) -> Read<Vec<String>> {
     fields.each("ids", MOST_PHOTOS, &|id| text_of(id, LONGEST_ID))
-}
-
-/// A new text item.
-fn fresh_word(value: Value) -> Read<Value> {
-    Word::parse(&value, 0).map_err(|error| Wrong::of(error).without("words[0]."))?;
-    Ok(value)
 }
 
 fn uses(value: Value) -> Read<Vec<(String, bool)>> {

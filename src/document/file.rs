@@ -17,6 +17,7 @@ use crate::json::{self, Fields, Read, Writer, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
 use crate::output::shots::timecode::StartTimecode;
 use crate::page::Document;
+use crate::page::words::TextItem;
 use crate::raster::Matte;
 use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
 use serde_json::Value;
@@ -280,9 +281,9 @@ impl Names {
         }
     }
 
-    fn of_word(&mut self, word: &mut Value) {
-        if let Some(photo) = word["photo"].as_str().map(|photo| self.of(photo)) {
-            word["photo"] = photo.into();
+    fn of_word(&mut self, word: &mut TextItem) {
+        if let Some(photo) = &mut word.photo {
+            *photo = self.of(photo);
         }
     }
 }
@@ -475,7 +476,7 @@ impl Parts for Inline {
         Board::shared(value)
     }
 
-    fn waiting(&mut self, value: Value) -> Read<List<Value>> {
+    fn waiting(&mut self, value: Value) -> Read<List<TextItem>> {
         Ok(each(items(value, MOST_WAITING)?, &pages::waiting)?.into())
     }
 

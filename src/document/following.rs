@@ -6,7 +6,8 @@ use super::limits::{MOST_WAITING, MOST_WORDS};
 use super::project::Project;
 use crate::page::Document;
 use crate::page::carrying::{belongs, carried, photo_of, tie, tied};
-use serde_json::{Value, json};
+use crate::page::words::TextItem;
+use crate::page::words::model::NewText;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
@@ -21,16 +22,16 @@ pub(super) fn follow(before: &Project, next: &mut Project) {
     if next.waiting.is_empty() && !has_words(next) && !has_words(before) {
         return;
     }
-    let mut away: Vec<Arc<Value>> = next.waiting.to_vec();
+    let mut away: Vec<Arc<TextItem>> = next.waiting.to_vec();
     next.each_page(&mut |page| {
         let (stay, leave) = carried(&page.words, &page.panels);
-        away.extend(leave.into_iter().filter(|word| !is_made(word)).map(Arc::new));
+        away.extend(leave.into_iter().filter(|word| !word.made).map(Arc::new));
         (stay != page.words).then(|| Arc::new(Document { words: stay, ..Document::clone(page) }))
     });
     let seen = places(next);
     // Restores text items whose photo was on no page. If the photo stayed, the user deleted the item.
     for sheet in &sheets {
-        for word in sheet.page.words.iter().filter(|word| !is_made(word)) {
+        for word in sheet.page.words.iter().filter(|word| !word.made) {
             let gone = photo_of(word, &sheet.page.panels).is_some_and(|photo| !seen.contains_key(photo));
             if gone {
                 let word = tied(word, &sheet.page.panels);
@@ -43,27 +44,22 @@ pub(super) fn follow(before: &Project, next: &mut Project) {
     settle(next, away, &seen);
 }
 
-/// Whether Shuffle made the text. The next page gets its own.
-fn is_made(word: &Value) -> bool {
-    word["made"] == json!(true)
-}
-
 /// Moves text items to the pages that show their photos. The others become unplaced.
-fn settle(next: &mut Project, away: Vec<Arc<Value>>, seen: &HashMap<String, usize>) {
+fn settle(next: &mut Project, away: Vec<Arc<TextItem>>, seen: &HashMap<String, usize>) {
     let mut waiting = Vec::new();
-    let mut coming: Vec<(usize, Arc<Value>)> = Vec::new();
+    let mut coming: Vec<(usize, Arc<TextItem>)> = Vec::new();
     for word in away {
-        match word["photo"].as_str().and_then(|photo| seen.get(photo)) {
+        match word.photo.as_ref().and_then(|photo| seen.get(photo)) {
             Some(&page) => coming.push((page, word)),
             None => waiting.push(word),
         }
     }
     if !coming.is_empty() {
         next.each_numbered_page(&mut |place, page| {
-            let own: Vec<Value> = coming
+            let own: Vec<TextItem> = coming
                 .iter()
                 .filter(|(page, _)| *page == place)
-                .map(|(_, word)| Value::clone(word))
+                .map(|(_, word)| TextItem::clone(word))
                 .collect();
             let (page, left) = with(page, own)?;
             waiting.extend(left.into_iter().map(Arc::new));
@@ -80,7 +76,7 @@ fn settle(next: &mut Project, away: Vec<Arc<Value>>, seen: &HashMap<String, usiz
 }
 
 /// The page with the text items for its photos, and the items that do not fit. `None` without new items.
-fn with(page: &Document, words: Vec<Value>) -> Option<(Document, Vec<Value>)> {
+fn with(page: &Document, words: Vec<TextItem>) -> Option<(Document, Vec<TextItem>)> {
     if words.is_empty() {
         return None;
     }
@@ -105,8 +101,8 @@ pub(super) fn gathered(project: &Project, page: Document) -> Document {
         return page;
     }
     let shown: HashSet<&str> = page.panels.iter().filter_map(|panel| panel.photo.as_deref()).collect();
-    let own = |word: &&Arc<Value>| word["photo"].as_str().is_some_and(|photo| shown.contains(photo));
-    let words = project.waiting.iter().filter(own).map(|word| Value::clone(word)).collect();
+    let own = |word: &&Arc<TextItem>| word.photo.as_deref().is_some_and(|photo| shown.contains(photo));
+    let words = project.waiting.iter().filter(own).map(|word| TextItem::clone(word)).collect();
     match with(&page, words) {
         Some((page, _)) => page,
         None => page,
@@ -126,51 +122,43 @@ fn places(project: &Project) -> HashMap<String, usize> {
 
 /// Returns whether two text items are the same one, because an earlier version of a page and the unplaced
 /// list may both have it.
-fn alike(a: &Value, b: &Value) -> bool {
-    ["photo", "kind", "text", "cue"].into_iter().all(|name| a[name] == b[name])
+fn alike(a: &TextItem, b: &TextItem) -> bool {
+    (&a.photo, a.kind, &a.text, &a.cue) == (&b.photo, b.kind, &b.text, &b.cue)
 }
 
 impl Project {
     /// Adds new text items: on the page and the panel in `sheet` and `panel`, or at its `photo`. Text items
     /// without a page or space stay unplaced. A text item of a known `cue` is not added again. Returns `None`
     /// without new text items.
-    pub(super) fn with_words(&self, words: &[Value]) -> Option<Self> {
+    pub(super) fn with_words(&self, words: &[NewText]) -> Option<Self> {
         let mut known: HashSet<String> = HashSet::new();
         let mut number = 0;
-        let mut note = |word: &Value| {
-            known.extend(word["cue"].as_str().map(str::to_owned));
-            let said = word["id"]
-                .as_str()
-                .and_then(|id| id.strip_prefix("said-"))
-                .and_then(|id| id.parse::<u64>().ok());
-            number = number.max(said.unwrap_or_default());
+        let mut note = |word: &TextItem| {
+            known.extend(word.cue.clone());
+            let said = word.id.as_deref().and_then(|id| id.strip_prefix("said-"));
+            number = number.max(said.and_then(|id| id.parse::<u64>().ok()).unwrap_or_default());
         };
         let sheets = self.sheets();
         sheets.iter().flat_map(|sheet| &sheet.page.words).for_each(&mut note);
         self.waiting.iter().for_each(|word| note(word));
-        let mut pages: Vec<Vec<Value>> = vec![Vec::new(); sheets.len()];
-        let mut away: Vec<Arc<Value>> = Vec::new();
-        let mut mouth: Option<Value> = None;
-        for (i, word) in words.iter().enumerate() {
-            let mut word = word.clone();
-            let (sheet, joins) = match word.as_object_mut() {
-                Some(word) => (word.remove("sheet"), word.remove("joins") == Some(json!(true))),
-                None => continue,
-            };
-            if word["cue"].as_str().is_some_and(|cue| known.contains(cue)) {
+        let mut pages: Vec<Vec<TextItem>> = vec![Vec::new(); sheets.len()];
+        let mut away: Vec<Arc<TextItem>> = Vec::new();
+        let mut mouth: Option<String> = None;
+        for (i, NewText { item, sheet, joins, .. }) in words.iter().enumerate() {
+            if item.cue.as_ref().is_some_and(|cue| known.contains(cue)) {
                 mouth = None;
                 continue;
             }
             number += 1;
-            word["id"] = json!(format!("said-{number}"));
+            let id = format!("said-{number}");
+            let mut word = TextItem { id: Some(id.clone()), ..item.clone() };
             // Parts of one speech have the same speaker, even without a name. They are linked if possible.
-            let parted = joins || words.get(i + 1).is_some_and(|next| next["joins"] == json!(true));
-            if parted && word["by"].is_null() {
-                word["by"] = mouth.filter(|_| joins).unwrap_or_else(|| word["id"].clone());
+            let parted = *joins || words.get(i + 1).is_some_and(|next| next.joins);
+            if parted && word.by.is_none() {
+                word.by = Some(mouth.take().filter(|_| *joins).unwrap_or(id));
             }
-            mouth = Some(word["by"].clone()).filter(Value::is_string);
-            let place = sheet.and_then(|sheet| sheet.as_u64());
-            match sheets.iter().position(|sheet| Some(sheet.sheet) == place) {
+            mouth.clone_from(&word.by);
+            match sheets.iter().position(|place| Some(place.sheet) == *sheet) {
                 Some(at) => {
                     tie(&mut word, &sheets[at].page.panels);
                     pages[at].push(word);
@@ -193,7 +181,7 @@ impl Project {
         // Text without a photo stays unplaced until the user places it. Text beyond the limit is left out.
         let mut room = MOST_WAITING.saturating_sub(next.waiting.len());
         away.retain(|word| {
-            if word["photo"].is_string() {
+            if word.photo.is_some() {
                 return true;
             }
             let fits = room > 0;
@@ -210,21 +198,24 @@ impl Project {
     pub(super) fn without_waiting(&self, gone: &[usize]) -> Option<Self> {
         let stay =
             self.waiting.iter().enumerate().filter(|(i, _)| !gone.contains(i)).map(|(_, word)| word.clone());
-        let waiting: super::project::List<Value> = stay.collect();
+        let waiting: super::project::List<TextItem> = stay.collect();
         (waiting.len() < self.waiting.len()).then(|| Self { waiting, ..self.clone() })
     }
 
     /// Text items move to the photo that replaces their photo.
     pub(super) fn words_exchanged(&mut self, id: &str, by: &str) {
-        let changed = |word: &Value| (word["photo"] == id).then(|| renamed(word, by));
+        let changed = |word: &TextItem| {
+            let renamed = || TextItem { photo: Some(by.to_owned()), ..word.clone() };
+            (word.photo.as_deref() == Some(id)).then(renamed)
+        };
         self.each_page(&mut |page| {
-            page.words.iter().any(|word| word["photo"] == id).then(|| {
+            page.words.iter().any(|word| changed(word).is_some()).then(|| {
                 let words =
                     page.words.iter().map(|word| changed(word).unwrap_or_else(|| word.clone())).collect();
                 Arc::new(Document { words, ..Document::clone(page) })
             })
         });
-        if self.waiting.iter().any(|word| word["photo"] == id) {
+        if self.waiting.iter().any(|word| changed(word).is_some()) {
             self.waiting = self
                 .waiting
                 .iter()
@@ -232,11 +223,4 @@ impl Project {
                 .collect();
         }
     }
-}
-
-/// Returns the text item with another photo.
-fn renamed(word: &Value, photo: &str) -> Value {
-    let mut word = word.clone();
-    word["photo"] = json!(photo);
-    word
 }

@@ -27,6 +27,7 @@ use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer, Wrong, items};
 use crate::layout::PageSettings;
 use crate::page::Document;
+use crate::page::words::TextItem;
 use serde_json::Value;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -191,7 +192,7 @@ struct Tables {
     trays: Table<List<TrayItem>>,
     pages: Table<Arc<Document>>,
     books: Table<List<Sheet>>,
-    waits: Table<List<Value>>,
+    waits: Table<List<TextItem>>,
     shelves: Table<List<Value>>,
     layout_shelves: Table<List<Value>>,
     settings: Table<Arc<PageSettings>>,
@@ -250,7 +251,7 @@ impl Parts for Tables {
         part(&self.boards, &value, "object")
     }
 
-    fn waiting(&mut self, value: Value) -> Read<List<Value>> {
+    fn waiting(&mut self, value: Value) -> Read<List<TextItem>> {
         part(&self.waits, &value, "list")
     }
 
@@ -471,7 +472,7 @@ impl Interner {
         // Omitted in a project without unplaced text.
         let none = was.is_none_or(|was| was.waiting.is_empty()) && state.waiting.is_empty();
         if !none && fresh(&|was| same_list(&was.waiting, &state.waiting)) {
-            self.list(out.key("waiting"), WORDS, &state.waiting, &|_, out, word| out.value(word));
+            self.list(out.key("waiting"), WORDS, &state.waiting, &|_, out, word| out.put(word));
         }
         for (shelf, name) in Shelf::ALL {
             if fresh(&|was| same_list(shelf.of(was), shelf.of(state))) {
@@ -533,7 +534,7 @@ impl Interner {
     }
 
     fn page(&mut self, out: &mut Writer, page: &Arc<Document>) {
-        self.part(out, PAGES, page, &|_, out, page| page.write(out));
+        self.part(out, PAGES, page, &|_, out, page| out.put(page));
     }
 
     /// A part, or its index in a table.

@@ -6,8 +6,8 @@ use super::project::TrayItem;
 use super::shots::{Board, numbers, ordered};
 use crate::output::shots::{Film, ListedShot, ShotList};
 use crate::page::Document;
-use crate::page::words::model::{Kind, Word};
 use crate::page::words::wording::read;
+use crate::page::words::{TextItem, TextKind};
 use std::collections::{HashMap, HashSet};
 
 /// Weight of the horizontal position against the vertical one in the order of text.
@@ -21,11 +21,11 @@ struct Shown {
 
 /// Returns the text of the balloons and captions of a panel, in reading order.
 fn said_in(page: &Document, panel: usize) -> Vec<String> {
-    let words = Word::parse_all(&page.words).unwrap_or_default();
-    let mut own: Vec<&Word> =
-        words.iter().filter(|word| word.panel == Some(panel) && word.kind != Kind::Effect).collect();
-    own.sort_by(|a, b| (a.at.1 + SLANT * a.at.0).total_cmp(&(b.at.1 + SLANT * b.at.0)));
-    let line = |word: &&Word| {
+    let is_said = |word: &&TextItem| word.panel == Some(panel) && word.kind != TextKind::Effect;
+    let mut own: Vec<&TextItem> = page.words.iter().filter(is_said).collect();
+    let place = |word: &TextItem| word.at().1 + SLANT * word.at().0;
+    own.sort_by(|a, b| place(a).total_cmp(&place(b)));
+    let line = |word: &&TextItem| {
         let text = read(word).split_whitespace().collect::<Vec<_>>().join(" ");
         word.by.as_ref().map_or(text.clone(), |name| format!("{name}: {text}"))
     };

@@ -5,7 +5,7 @@ use crate::json::{Read, Wrong};
 use crate::layout::PageSettings;
 use crate::page::carrying::tie;
 use crate::page::document::{Document, style_of, template_of};
-use crate::page::words::Word;
+use crate::page::words::TextItem;
 use serde_json::Value;
 use std::sync::Arc;
 
@@ -37,7 +37,6 @@ pub fn check(page: &Document) -> Read<()> {
     if has != wants {
         return Err(Wrong::new(&format!("has {has} entries, the layout has {wants} panels")).at("panels"));
     }
-    Word::parse_all(&page.words).map_err(Wrong::of)?;
     Ok(())
 }
 
@@ -45,9 +44,8 @@ pub fn check(page: &Document) -> Read<()> {
 ///
 /// # Errors
 /// With the field that is wrong.
-pub fn waiting(value: Value) -> Read<Arc<Value>> {
-    Word::parse(&value, 0).map_err(|error| Wrong::of(error).without("words[0]."))?;
-    Ok(Arc::new(value))
+pub fn waiting(value: Value) -> Read<Arc<TextItem>> {
+    TextItem::read(value).map(Arc::new)
 }
 
 /// Reads page settings and checks their ranges.

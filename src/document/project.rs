@@ -8,6 +8,7 @@ use super::shots::{Board, Shot};
 use crate::json::{Fields, Read, Writer, Wrong, fields};
 use crate::layout::{PageSettings, Template};
 use crate::page::Document;
+use crate::page::words::TextItem;
 use crate::raster::Matte;
 use crate::raster::color::parse_hex;
 use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
@@ -56,7 +57,7 @@ pub struct Project {
     pub draft: Option<Arc<Draft>>,
     /// Unplaced text items. They return with their photos.
     #[cfg_attr(all(test, feature = "cli"), ts(type = "ReadonlyArray<Word>", optional))]
-    pub waiting: List<Value>,
+    pub waiting: List<TextItem>,
     /// Custom styles, which all projects share.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::style::Style>"))]
     pub mine: List<Value>,
@@ -263,7 +264,7 @@ pub(super) trait Parts {
     fn sheets(&mut self, value: Value) -> Read<List<Sheet>>;
     fn draft(&mut self, value: Value) -> Read<Arc<Draft>>;
     fn board(&mut self, value: Value) -> Read<Arc<Board>>;
-    fn waiting(&mut self, value: Value) -> Read<List<Value>>;
+    fn waiting(&mut self, value: Value) -> Read<List<TextItem>>;
     fn styles(&mut self, value: Value, field: &str) -> Read<List<Value>>;
     fn layouts(&mut self, value: Value, field: &str) -> Read<List<Value>>;
 }

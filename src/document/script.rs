@@ -4,7 +4,7 @@ use super::limits::MOST_WAITING;
 use super::speech::{self, Manner, Said, Taking, laid, named};
 use super::subtitles::{lines, trimmed};
 use crate::json::Writer;
-use serde_json::{Value, json};
+use crate::page::words::model::NewText;
 
 /// Most characters of a script: a book of comics has fewer.
 pub const MOST_SCRIPT: usize = 200_000;
@@ -146,7 +146,7 @@ pub fn told(text: &str, panels: usize, taking: Taking) -> String {
 pub(super) struct Placed {
     /// Text items in order, each with its `place` among the panels. Those without a place are unplaced, at most
     /// [`MOST_WAITING`] of them.
-    pub(super) words: Vec<Value>,
+    pub(super) words: Vec<NewText>,
     /// Number of unplaced text items, including items that are not in `words`.
     pub(super) unplaced: usize,
 }
@@ -154,7 +154,7 @@ pub(super) struct Placed {
 impl Placed {
     /// Writes the fields `words` and `unplaced`.
     pub(super) fn write(&self, out: &mut Writer) {
-        out.key("words").list(&self.words, &|out, word| out.value(word));
+        out.key("words").list(&self.words, &|out, word| out.put(word));
         out.key("unplaced").whole(self.unplaced as u64);
     }
 }
@@ -169,10 +169,10 @@ pub(super) fn placed(groups: &[Vec<Said>], (panels, most): (usize, usize), takin
         [one] => one.chunks(1).collect(),
         _ => groups.iter().map(Vec::as_slice).collect(),
     };
-    let groups: Vec<Vec<Value>> = alone
+    let groups: Vec<Vec<NewText>> = alone
         .into_iter()
         .map(|group| group.iter().flat_map(|said| speech::words(said, taking(said))).collect())
-        .filter(|words: &Vec<Value>| !words.is_empty())
+        .filter(|words: &Vec<NewText>| !words.is_empty())
         .collect();
     let mut all = Placed::default();
     if panels == 0 {
@@ -187,7 +187,7 @@ pub(super) fn placed(groups: &[Vec<Said>], (panels, most): (usize, usize), takin
         for mut word in words {
             if room[place] > 0 {
                 room[place] -= 1;
-                word["place"] = json!(place);
+                word.place = Some(place);
             } else {
                 all.unplaced += 1;
                 if all.unplaced > MOST_WAITING {
@@ -203,9 +203,11 @@ pub(super) fn placed(groups: &[Vec<Said>], (panels, most): (usize, usize), takin
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::page::words::TextKind;
     use proptest::prelude::*;
+    use serde_json::{Value, json};
 
-    const TAKING: Taking = Taking { kind: "balloon", sounds: false };
+    const TAKING: Taking = Taking { kind: TextKind::Balloon, sounds: false };
 
     fn words(text: &str, panels: usize) -> Vec<(String, String, u64)> {
         let told: Value = serde_json::from_str(&told(text, panels, TAKING)).unwrap();
@@ -263,8 +265,12 @@ mod tests {
         let said = |text: &str| Said { text: text.into(), ..Said::default() };
         let groups = [vec![said("a"), said("b")], vec![said("c"), said("d")], vec![said("e")]];
         let placed = placed(&groups, (1, 3), TAKING);
-        let texts: Vec<_> =
-            placed.words.iter().filter(|word| word["place"] == 0).map(|word| &word["text"]).collect();
+        let texts: Vec<_> = placed
+            .words
+            .iter()
+            .filter(|word| word.place == Some(0))
+            .map(|word| word.item.text.as_str())
+            .collect();
         assert_eq!((json!(texts), placed.unplaced), (json!(["a", "b"]), 3));
     }
 
@@ -278,10 +284,10 @@ mod tests {
             let cue = |i: usize| vec![Said { text: i.to_string(), ..Said::default() }];
             let groups: Vec<_> = (0..count).map(cue).collect();
             let Placed { words, unplaced } = placed(&groups, (panels, most), TAKING);
-            let number = |word: &Value| word["text"].as_str().unwrap().parse::<usize>().unwrap();
+            let number = |word: &NewText| word.item.text.parse::<usize>().unwrap();
             prop_assert!(words.is_sorted_by_key(number));
             let shown: Vec<usize> =
-                words.iter().filter_map(|word| word["place"].as_u64()).map(|place| place as usize).collect();
+                words.iter().filter_map(|word| word.place).collect();
             prop_assert!(shown.is_sorted());
             let waiting = words.len() - shown.len();
             prop_assert_eq!(waiting, unplaced.min(MOST_WAITING));

@@ -57,8 +57,7 @@ impl Project {
 /// The pages with the numbers of a book in their order.
 fn numbered(sheets: &[Arc<Sheet>]) -> Vec<Arc<Sheet>> {
     let number = |(i, sheet): (usize, &Arc<Sheet>)| {
-        let is_numbered = |word: &serde_json::Value| word["number"] == true;
-        if !sheet.page.words.iter().any(is_numbered) {
+        if !sheet.page.words.iter().any(|word| word.number) {
             return sheet.clone();
         }
         let mut page = sheet.page.as_ref().clone();
@@ -97,7 +96,7 @@ pub(super) fn write(out: &mut Writer, sheets: &[Arc<Sheet>], before: &[Arc<Sheet
     out.list(sheets, &|out, sheet| {
         out.open(b'{');
         if !before.iter().any(|before| Arc::ptr_eq(&before.page, &sheet.page)) {
-            sheet.page.write(out.key("page"));
+            out.key("page").put(&*sheet.page);
         }
         out.key("pageId").whole(sheet.page_id);
         out.key("sheet").whole(sheet.sheet);

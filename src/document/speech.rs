@@ -2,7 +2,7 @@
 //! natural pauses.
 
 use super::subtitles::{is_space, trimmed};
-use serde_json::{Value, json};
+use crate::page::words::model::{NewText, Shape, TextItem, TextKind};
 
 /// Maximum length of a balloon's text in characters, about six short lines. Longer texts are split.
 pub const LONG: usize = 96;
@@ -46,9 +46,9 @@ pub struct Said {
 
 /// Options for speech and sounds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Taking<'a> {
-    /// Kind of the text items: `caption` or `balloon`.
-    pub kind: &'a str,
+pub struct Taking {
+    /// Kind of the text items: a caption or a balloon.
+    pub kind: TextKind,
     /// Whether sounds become sound effects. If not, they are dropped.
     pub sounds: bool,
 }
@@ -237,40 +237,37 @@ fn is_mark(letter: char) -> bool {
 
 /// Text items of a speech. Empty for dropped sounds.
 #[must_use]
-pub fn words(said: &Said, taking: Taking) -> Vec<Value> {
-    let shaped =
-        |shape: &str, text: &str| json!({ "kind": "balloon", "shape": shape, "text": text, "auto": true });
-    let plain = |kind: &str, text: &str| json!({ "kind": kind, "text": text, "auto": true });
+pub fn words(said: &Said, taking: Taking) -> Vec<NewText> {
+    let item = |kind, text: &str| TextItem { auto: Some(true), ..TextItem::new(kind, text) };
+    let shaped = |shape, text: &str| TextItem { shape: Some(shape), ..item(TextKind::Balloon, text) };
+    let new = |item| NewText { item, ..NewText::default() };
     if said.manner == Manner::Sound {
         let short = said.text.chars().count() <= 20;
         return match (taking.sounds, short) {
             (false, _) => Vec::new(),
             (true, true) => {
-                vec![json!({ "kind": "effect", "text": said.text.to_uppercase(), "angle": -8, "auto": true })]
+                vec![new(TextItem { angle: -8.0, ..item(TextKind::Effect, &said.text.to_uppercase()) })]
             }
             // Sentences and songs are not sound effects.
-            (true, false) => parted(&said.text).into_iter().map(|text| plain("caption", text)).collect(),
+            (true, false) => {
+                parted(&said.text).into_iter().map(|text| new(item(TextKind::Caption, text))).collect()
+            }
         };
     }
     let word = |text| match said.manner {
-        Manner::Thought => shaped("thought", text),
-        Manner::Whisper => shaped("whisper", text),
-        Manner::Shout => shaped("shout", text),
-        Manner::Told => plain("caption", text),
-        Manner::Said | Manner::Sound => plain(taking.kind, text),
+        Manner::Thought => shaped(Shape::Thought, text),
+        Manner::Whisper => shaped(Shape::Whisper, text),
+        Manner::Shout => shaped(Shape::Shout, text),
+        Manner::Told => item(TextKind::Caption, text),
+        Manner::Said | Manner::Sound => item(taking.kind, text),
     };
-    let mut words: Vec<Value> = parted(&said.text).into_iter().map(word).collect();
-    let balloons = words.iter_mut().filter(|word| word["kind"] == "balloon");
+    let mut words: Vec<NewText> = parted(&said.text).into_iter().map(|text| new(word(text))).collect();
+    let balloons = words.iter_mut().filter(|word| word.item.kind == TextKind::Balloon);
     for (part, word) in balloons.enumerate() {
-        if let Some(name) = &said.speaker {
-            word["by"] = json!(name.to_lowercase());
-        }
+        word.item.by = said.speaker.as_ref().map(|name| name.to_lowercase());
         // All parts have the same speaker, so their balloons may be linked.
-        if part > 0 {
-            word["joins"] = json!(true);
-        } else if said.turn {
-            word["apart"] = json!(true);
-        }
+        word.joins = part > 0;
+        word.item.apart = part == 0 && said.turn;
     }
     words
 }
@@ -348,11 +345,14 @@ mod tests {
     #[test]
     fn sounds_are_left_out_or_effects() {
         let said = Said { manner: Manner::Sound, text: "door slams".into(), ..Said::default() };
-        assert!(words(&said, Taking { kind: "balloon", sounds: false }).is_empty());
-        let made = words(&said, Taking { kind: "balloon", sounds: true });
-        assert_eq!(made, [json!({ "kind": "effect", "text": "DOOR SLAMS", "angle": -8, "auto": true })]);
+        assert!(words(&said, Taking { kind: TextKind::Balloon, sounds: false }).is_empty());
+        let made = words(&said, Taking { kind: TextKind::Balloon, sounds: true });
+        let effect =
+            serde_json::json!({ "kind": "effect", "text": "DOOR SLAMS", "angle": -8.0, "auto": true });
+        assert_eq!(serde_json::to_value(&made).unwrap(), serde_json::json!([effect]));
         let shout = Said { manner: Manner::Shout, text: "Go!".into(), ..Said::default() };
-        assert_eq!(words(&shout, Taking { kind: "caption", sounds: true })[0]["shape"], "shout");
+        let made = words(&shout, Taking { kind: TextKind::Caption, sounds: true });
+        assert_eq!(made[0].item.shape, Some(Shape::Shout));
     }
 
     #[test]

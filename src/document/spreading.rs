@@ -137,9 +137,9 @@ pub(super) fn with_words(page: Document, before: &[Arc<Sheet>]) -> Document {
         let first = old.panels.first().and_then(|panel| panel.photo.as_deref());
         let shows = |photo: &str| page.panels.iter().any(|panel| panel.photo.as_deref() == Some(photo));
         // Automatic text belongs to the old pages.
-        for word in old.words.iter().filter(|word| word["made"] != true) {
+        for word in old.words.iter().filter(|word| !word.made) {
             let own = photo_of(word, &old.panels);
-            if word["panel"].is_null() && first.is_some_and(shows) {
+            if word.panel.is_none() && first.is_some_and(shows) {
                 words.push(word.clone());
             } else if own.is_some_and(shows) {
                 words.extend(belongs(&tied(word, &old.panels), &page.panels));

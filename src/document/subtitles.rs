@@ -7,8 +7,8 @@ use super::script::{self, Placed};
 use super::speech::{self, Said, Taking};
 use crate::json::{Writer, unmarked};
 use crate::order::sort_by;
+use crate::page::words::model::NewText;
 use formats::RawCue;
-use serde_json::{Value, json};
 
 /// Most bytes of a file.
 pub const MOST_BYTES: usize = 5_000_000;
@@ -168,8 +168,8 @@ fn away(cue: &Cue, time: f64) -> f64 {
 /// free space, or the nearest other frame. `frame` of a text item is the index of its frame. `cue` identifies
 /// the subtitle and its part.
 #[must_use]
-pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<Value>, usize) {
-    let words: Vec<Vec<Value>> = cues
+pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<NewText>, usize) {
+    let words: Vec<Vec<NewText>> = cues
         .iter()
         .map(|cue| cue.said.iter().flat_map(|said| speech::words(said, taking)).collect())
         .collect();
@@ -210,8 +210,8 @@ pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<Value>, u
     for ((cue, words), place) in cues.iter().zip(words).zip(places) {
         let Some(frame) = place else { continue };
         for (part, mut word) in words.into_iter().enumerate() {
-            word["frame"] = json!(frame);
-            word["cue"] = json!(format!("{:.3}/{part}", cue.start));
+            word.frame = Some(frame);
+            word.item.cue = Some(format!("{:.3}/{part}", cue.start));
             made.push(word);
         }
     }
@@ -288,7 +288,9 @@ pub(super) fn trimmed(text: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::page::words::TextKind;
     use proptest::prelude::*;
+    use serde_json::{Value, json};
 
     const SRT: &str = "\u{feff}1\r\n00:00:01,000 --> 00:00:02,500\r\n<i>Hello</i>\r\nthere\r\n\r\n2\r\n00:01:00,5 --> 01:00:01,250\r\n{\\an8}Bye\r\n";
 
@@ -498,7 +500,7 @@ mod tests {
         }
     }
 
-    const TAKING: Taking = Taking { kind: "balloon", sounds: false };
+    const TAKING: Taking = Taking { kind: TextKind::Balloon, sounds: false };
 
     #[test]
     fn what_a_file_says_is_told_as_json() {
@@ -534,8 +536,7 @@ mod tests {
     fn homes(cues: &[Cue], frames: &[(f64, bool)]) -> (Vec<(String, u64)>, usize) {
         let frames: Vec<Frame> = frames.iter().map(|&(time, shown)| Frame { time, shown }).collect();
         let (words, homeless) = matched(cues, &frames, TAKING);
-        let home =
-            |word: &Value| (word["text"].as_str().unwrap().to_owned(), word["frame"].as_u64().unwrap());
+        let home = |word: &NewText| (word.item.text.clone(), word.frame.unwrap() as u64);
         (words.iter().map(home).collect(), homeless)
     }
 
@@ -725,7 +726,7 @@ mod tests {
                     }
                     let frames = [Frame { time: 1.0, shown: true }, Frame { time: 2.0, shown: false }];
                     let (words, homeless) = matched(&read.cues, &frames, TAKING);
-                    prop_assert!(homeless <= read.cues.len() && words.iter().all(|word| word["frame"].as_u64() < Some(2)));
+                    prop_assert!(homeless <= read.cues.len() && words.iter().all(|word| word.frame < Some(2)));
                 }
             }
         }

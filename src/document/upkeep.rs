@@ -108,9 +108,7 @@ impl Planning<'_> {
         }
         // Text items move to the replacement.
         for word in &mut current.words {
-            if let Some(other) = word["photo"].as_str().map(&swap) {
-                word["photo"] = other.into();
-            }
+            word.photo = word.photo.as_deref().map(&swap);
         }
         let layout = free.len() >= places_of(page);
         let mut request = self.request_for(Some(current), Keep { layout, ..KEEP_ALL }, page.seed);

@@ -7,6 +7,7 @@ use crate::page::catalogue;
 use crate::page::document::template_of;
 use crate::page::request::{Families, Request};
 use crate::page::storyboard::Choice;
+use crate::page::words::TextItem;
 use serde_json::Value;
 use std::collections::HashMap;
 
@@ -31,7 +32,7 @@ pub struct PageOptions {
     figures: Option<bool>,
     page: PageSettings,
     pub(super) choice: Choice,
-    pub(super) words: Vec<Value>,
+    pub(super) words: Vec<TextItem>,
 }
 
 /// Options of a book, in addition to the options of its pages. Default: a title from the places or days of
@@ -276,10 +277,11 @@ impl PageOptions {
     /// automatically, away from faces.
     ///
     /// # Errors
-    /// `invalid-argument` if the text is not a JSON list. The album reports invalid text items.
+    /// `invalid-argument` if the text is not a JSON list, `invalid-document` for an invalid text item.
     pub fn words(mut self, json: &str) -> Result<Self, Failure> {
-        self.words =
-            serde_json::from_str(json).map_err(|error| Failure::argument("words", &error.to_string()))?;
+        serde_json::from_str::<Vec<serde::de::IgnoredAny>>(json)
+            .map_err(|error| Failure::argument("words", &error.to_string()))?;
+        self.words = TextItem::read_all(json)?;
         Ok(self)
     }
 

@@ -248,6 +248,7 @@ pub struct Focus {
 
 /// The part of a photo that a panel shows, in fractions of the oriented photo. It lies inside the photo.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS))]
 pub struct Crop {
     /// Left edge, 0..1.

@@ -188,9 +188,20 @@ fn missing(name: &str) -> Wrong {
 #[inline(never)]
 pub fn text_of(value: Value, most: usize) -> Read<String> {
     match value {
-        Value::String(text) if text.chars().nth(most).is_none() => Ok(text),
-        Value::String(_) => Err(Wrong::beyond(&format!("is longer than {most} characters"))),
+        Value::String(text) => not_longer(&text, most).map(|()| text),
         _ => Err(Wrong::new("must be a string")),
+    }
+}
+
+/// Checks that a text has at most `most` characters.
+///
+/// # Errors
+/// If it is longer.
+#[inline(never)]
+pub fn not_longer(text: &str, most: usize) -> Read<()> {
+    match text.chars().nth(most) {
+        None => Ok(()),
+        Some(_) => Err(Wrong::beyond(&format!("is longer than {most} characters"))),
     }
 }
 
@@ -219,12 +230,21 @@ pub fn whole_of(value: &Value, least: u64, most: u64) -> Read<u64> {
 #[inline(never)]
 pub fn items(value: Value, most: usize) -> Read<Vec<Value>> {
     match value {
-        Value::Array(items) if items.len() <= most => Ok(items),
-        Value::Array(items) => {
-            Err(Wrong::beyond(&format!("has {} entries, at most {most} are allowed", items.len())))
-        }
+        Value::Array(items) => at_most(items.len(), most).map(|()| items),
         _ => Err(Wrong::new("must be a list")),
     }
+}
+
+/// Checks that a list has at most `most` items.
+///
+/// # Errors
+/// If it is longer.
+#[inline(never)]
+pub fn at_most(count: usize, most: usize) -> Read<()> {
+    if count <= most {
+        return Ok(());
+    }
+    Err(Wrong::beyond(&format!("has {count} entries, at most {most} are allowed")))
 }
 
 /// Reads each item of a list.

@@ -9,14 +9,17 @@
 //! |---|---|
 //! | [`mod@parse`] | text within bounds |
 //! | [`fields`] | reading of object fields |
+//! | [`mod@typed`] | types with `serde` |
 //! | [`writer`] | text written |
 
 pub mod fields;
 pub mod parse;
+pub mod typed;
 pub mod writer;
 
 pub use fields::{Fields, each, items, text_of};
 pub use parse::{Bounds, parse};
+pub use typed::typed;
 pub use writer::Writer;
 
 use crate::error::Error;

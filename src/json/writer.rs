@@ -127,7 +127,7 @@ impl Writer {
     /// Writes any serialisable value.
     pub fn put(&mut self, value: &impl Serialize) {
         // Writing into memory cannot fail, and all keys are text.
-        let _: Result<(), serde_json::Error> = serde_json::to_writer(&mut self.0, value);
+        let _: serde_json::Result<()> = serde_json::to_writer(&mut self.0, value);
     }
 }
 

@@ -1,10 +1,11 @@
 //! Settings of the page, not of the template: size, gutter, margin, border, corners, colours.
 
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::error::{Error, Result};
-use crate::json::{Fields, Read};
+use crate::json::typed::{self, is_default, typed};
+use crate::json::{Read, Wrong};
 
 /// Default gutter in page widths.
 pub const DEFAULT_GUTTER: f64 = 0.018;
@@ -12,19 +13,25 @@ pub const DEFAULT_GUTTER: f64 = 0.018;
 /// Resolution in PPI below which a printed photo looks soft at arm's length.
 pub const COARSE: f64 = 200.0;
 
+/// Maximum of a whole number in JSON. Sizes have narrower limits.
+const MOST_WHOLE: u64 = u32::MAX as u64;
+
 /// Pixels that an upright page is wide on a screen.
 const SCREEN: f64 = 1280.0;
 
 /// The settings of one page. Lengths are fractions of the page's width unless a unit is given.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct PageSettings {
     /// Width of the exported page in pixels, 64..=14000.
+    #[serde(deserialize_with = "typed::whole::<_, _, 0, MOST_WHOLE>")]
     pub width: u32,
     /// Height of the exported page in pixels, 64..=14000.
+    #[serde(deserialize_with = "typed::whole::<_, _, 0, MOST_WHOLE>")]
     pub height: u32,
     /// Pixels an inch that the file announces to a printer, 36..=1200.
+    #[serde(deserialize_with = "typed::whole::<_, _, 0, MOST_WHOLE>")]
     pub dpi: u32,
     /// Distance between two panels, 0..=0.1.
     pub gutter: f64,
@@ -39,31 +46,26 @@ pub struct PageSettings {
     /// Colour of the line round a panel, `#rrggbb`.
     pub border_color: String,
     /// Whether text has the larger size for screens.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[serde(skip_serializing_if = "is_default")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>", optional))]
     pub for_screens: bool,
     /// Whether the page is read from right to left: its layout is mirrored.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[serde(skip_serializing_if = "is_default")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>", optional))]
     pub rtl: bool,
     /// Whether photos are shown whole: the layout follows their aspect ratios.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[serde(skip_serializing_if = "is_default")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>", optional))]
     pub whole_photos: bool,
     /// Bleed in page widths, 0 to 0.1. For print files only; it is never saved.
-    #[serde(skip_serializing_if = "is_none")]
+    #[serde(skip_serializing_if = "is_default")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<f64>", optional))]
     pub bleed: f64,
     /// Upscale photos below [`COARSE`] pixels per inch with edge enhancement. For printed files only; it is
     /// never saved.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[serde(skip_serializing_if = "is_default")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<bool>", optional))]
     pub enlarge: bool,
-}
-
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks by reference")]
-fn is_none(bleed: &f64) -> bool {
-    *bleed <= 0.0
 }
 
 impl Default for PageSettings {
@@ -191,45 +193,14 @@ pub const SIDES: [u32; 2] = [64, 14_000];
 /// Minimum and maximum resolution in DPI.
 pub const DPI: [u32; 2] = [36, 1_200];
 
-impl<'de> Deserialize<'de> for PageSettings {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
-        Self::read(Value::deserialize(deserializer)?).map_err(serde::de::Error::custom)
-    }
-}
-
 impl PageSettings {
-    /// Reads settings; a missing field is as in the default. Their ranges are left to [`validate`](Self::validate).
+    /// Reads settings; a missing field has its default. Ranges are left to [`validate`](Self::validate).
     ///
     /// # Errors
     /// If a field has another type or is unknown.
     pub fn read(value: Value) -> Read<Self> {
-        let mut fields = Fields::of(value)?;
-        let mut page = Self::default();
-        let sides = [("width", &mut page.width), ("height", &mut page.height), ("dpi", &mut page.dpi)];
-        for (name, side) in sides {
-            *side = fields.whole(name, 0, u64::from(u32::MAX))?.map_or(*side, |pixels| pixels as u32);
-        }
-        let lengths = [
-            ("gutter", &mut page.gutter),
-            ("margin", &mut page.margin),
-            ("border", &mut page.border),
-            ("cornerRadius", &mut page.corner_radius),
-            ("bleed", &mut page.bleed),
-        ];
-        for (name, length) in lengths {
-            *length = fields.number(name, f64::MIN, f64::MAX)?.unwrap_or(*length);
-        }
-        for (name, color) in [("paper", &mut page.paper), ("borderColor", &mut page.border_color)] {
-            if let Some(told) = fields.text(name, 7)? {
-                *color = told;
-            }
-        }
-        page.for_screens = fields.flag("forScreens")?;
-        page.rtl = fields.flag("rtl")?;
-        page.whole_photos = fields.flag("wholePhotos")?;
-        page.enlarge = fields.flag("enlarge")?;
-        fields.done()?;
-        Ok(page)
+        // A struct without required fields would accept a list.
+        if value.is_object() { typed(value) } else { Err(Wrong::new("must be an object")) }
     }
 
     /// Width over height.

@@ -7,7 +7,10 @@ use super::motion::{Reading, Told};
 use super::shots::ShotList;
 use crate::error::{Error, Result};
 use crate::framing::{Crop, FACE, Subject};
+use crate::layout::PageSettings;
 use crate::page::Document;
+use crate::page::document::PanelContent;
+use crate::page::words::{TextItem, TextKind};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -113,12 +116,10 @@ pub struct Clip {
     /// View of the camera at the end.
     pub last: Crop,
     /// The image as a page of one panel, large enough for the closest view.
-    #[cfg_attr(all(test, feature = "cli"), ts(as = "Document"))]
-    pub picture: Value,
+    pub picture: Document,
     /// An empty page of the frame size with only the caption, if the shot has one. The caption is centred,
     /// its lower edge [`Animatic::FOOT`] above the lower edge of the frame.
-    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Document>"))]
-    pub caption: Value,
+    pub caption: Option<Document>,
     /// Reading order of a page, panel by panel; `None` for a shot.
     pub reading: Option<Reading>,
 }
@@ -183,7 +184,7 @@ impl Request {
                 first: within(&first, &seen),
                 last: within(&last, &seen),
                 picture: self.page(picture, &seen, &first, &last, size)?,
-                caption: if self.captions { caption_page(caption.trim(), size) } else { Value::Null },
+                caption: self.captions.then(|| caption_page(caption.trim(), size)).flatten(),
                 reading: None,
             });
             start += frames;
@@ -235,18 +236,20 @@ impl Request {
         first: &Crop,
         last: &Crop,
         size: [u32; 2],
-    ) -> Result<Value> {
+    ) -> Result<Document> {
         let side = |seen: f64, a: f64, b: f64, pixels: u32| {
             (seen / a.min(b).max(1e-6) * f64::from(pixels)).round().clamp(f64::from(pixels), 8000.0) as u32
         };
         let width = side(seen.width, first.width, last.width, size[0]);
         let height = side(seen.height, first.height, last.height, size[1]);
-        let document = json!({
-            "version": 1, "seed": 0, "style": self.style, "merges": [], "words": [], "order": [picture.photo],
-            "panels": [{ "photo": picture.photo, "crop": inside(seen), "faces": picture.faces }],
-            "layout": full(f64::from(width) / f64::from(height)), "page": plain([width, height]),
-        });
-        written(&document)
+        let panel = PanelContent {
+            photo: Some(picture.photo.clone()),
+            crop: Some(inside(seen)),
+            faces: picture.faces.clone(),
+            ..PanelContent::default()
+        };
+        let page = Document::new(full([width, height]), self.style.clone(), plain([width, height]));
+        Document { order: vec![picture.photo.clone()], panels: vec![panel], ..page }.validated()
     }
 }
 
@@ -443,45 +446,47 @@ fn inside(crop: &Crop) -> Crop {
 }
 
 /// A layout of one panel that is the page.
-fn full(aspect: f64) -> Value {
+fn full([width, height]: [u32; 2]) -> Value {
+    let aspect = f64::from(width) / f64::from(height);
     let polygons = [[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]];
     json!({ "id": "frame", "name": "Frame", "family": "board", "aspect": aspect, "polygons": polygons })
 }
 
-fn plain([width, height]: [u32; 2]) -> Value {
-    json!({
-        "width": width, "height": height, "dpi": 96, "gutter": 0, "margin": 0, "border": 0, "cornerRadius": 0,
-        "paper": "#000000", "borderColor": "#000000",
-    })
+fn plain([width, height]: [u32; 2]) -> PageSettings {
+    PageSettings {
+        width,
+        height,
+        dpi: 96,
+        gutter: 0.0,
+        margin: 0.0,
+        border: 0.0,
+        paper: "#000000".into(),
+        border_color: "#000000".into(),
+        ..PageSettings::default()
+    }
 }
 
 /// Returns an empty page with a caption, or nothing without a text.
-fn caption_page(text: &str, [width, height]: [u32; 2]) -> Value {
+fn caption_page(text: &str, [width, height]: [u32; 2]) -> Option<Document> {
     if text.is_empty() {
-        return Value::Null;
+        return None;
     }
     let short: String = text.chars().take(280).collect();
     let size = LETTERS * f64::from(width.min(height)) / f64::from(width);
-    let document = json!({
-        "version": 1, "seed": 0, "style": "storyboard", "merges": [], "order": [],
-        "panels": [{ "photo": null, "crop": null }],
-        "layout": full(f64::from(width) / f64::from(height)), "page": plain([width, height]),
-        "words": [{
-            "kind": "caption", "text": short, "x": 0.5, "y": 0.7, "auto": false, "font": "comic-neue-bold",
-            "color": "#111111", "fill": "#ffffff", "size": size, "room": [CAPTION, 0.4 * f64::from(height) / f64::from(width)],
-        }],
-    });
-    written(&document).unwrap_or(Value::Null)
-}
-
-/// Returns the page in the format of the app.
-fn written(document: &Value) -> Result<Value> {
-    page_value(&Document::parse(&document.to_string())?)
-}
-
-/// A page as plain data.
-pub(super) fn page_value(page: &Document) -> Result<Value> {
-    serde_json::from_str(&page.to_json()).map_err(|error| invalid("animatic", &error.to_string()))
+    let word = TextItem {
+        x: Some(0.5),
+        y: Some(0.7),
+        auto: Some(false),
+        font: Some("comic-neue-bold".into()),
+        color: Some("#111111".into()),
+        fill: Some("#ffffff".into()),
+        size: Some(size),
+        room: Some((CAPTION, 0.4 * f64::from(height) / f64::from(width))),
+        ..TextItem::new(TextKind::Caption, short)
+    };
+    let page = Document::new(full([width, height]), "storyboard".into(), plain([width, height]));
+    let panels = vec![PanelContent::default()];
+    Document { panels, words: vec![word], ..page }.validated().ok()
 }
 
 pub(super) fn invalid(location: &str, reason: &str) -> Error {

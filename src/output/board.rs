@@ -5,7 +5,11 @@
 
 use super::shots::{ListedShot, ShotList};
 use crate::error::{Error, Result};
+use crate::framing::Crop;
+use crate::layout::PageSettings;
 use crate::page::Document;
+use crate::page::document::PanelContent;
+use crate::page::words::{TextItem, TextKind};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -81,11 +85,10 @@ pub struct PictureOf {
     /// Id of the photo.
     pub photo: String,
     /// The crop of the frame.
-    #[cfg_attr(all(test, feature = "cli"), ts(as = "crate::framing::Crop"))]
-    pub crop: Value,
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Crop"))]
+    pub crop: Option<Crop>,
     /// Faces of the photo, which the style protects.
-    #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::framing::Crop>"))]
-    pub faces: Value,
+    pub faces: Vec<Crop>,
 }
 
 /// The logo in the headers.
@@ -176,29 +179,42 @@ impl Request {
         for (i, (shot, picture)) in shots.iter().zip(pictures).enumerate() {
             let Cell { frame, text } = grid.cell(i);
             polygons.push(grid.polygon(&frame));
-            panels.push(json!({ "photo": picture.photo, "crop": picture.crop, "faces": picture.faces }));
+            panels.push(PanelContent {
+                photo: Some(picture.photo.clone()),
+                crop: picture.crop,
+                faces: picture.faces.clone(),
+                ..PanelContent::default()
+            });
             words.extend(self.told(grid, shot, (i, &frame, &text)));
         }
         // After the frames, so that their indices do not change.
         if let Some(logo) = &self.logo {
             polygons.push(grid.polygon(&logo.area()));
-            panels.push(json!({ "photo": logo.photo, "plain": true }));
+            panels.push(PanelContent {
+                photo: Some(logo.photo.clone()),
+                plain: true,
+                ..PanelContent::default()
+            });
         }
         let pixels = |millimetres: f64| (millimetres / 25.4 * f64::from(DPI)).round();
-        let document = json!({
-            "version": 1, "seed": 0, "style": self.style, "panels": panels, "merges": [], "words": words,
-            "order": pictures.iter().map(|picture| &picture.photo).collect::<Vec<_>>(),
-            "layout": { "id": "board", "name": "Board", "family": "board", "aspect": grid.width / grid.height, "polygons": polygons },
-            "page": {
-                "width": pixels(grid.width), "height": pixels(grid.height), "dpi": DPI, "gutter": 0, "margin": 0,
-                "border": LINE / grid.width, "cornerRadius": 0, "paper": "#ffffff", "borderColor": INK,
-            },
-        });
-        Document::parse(&document.to_string())
+        let layout = json!({ "id": "board", "name": "Board", "family": "board", "aspect": grid.width / grid.height, "polygons": polygons });
+        let page = PageSettings {
+            width: pixels(grid.width) as u32,
+            height: pixels(grid.height) as u32,
+            dpi: DPI,
+            gutter: 0.0,
+            margin: 0.0,
+            border: LINE / grid.width,
+            paper: "#ffffff".into(),
+            border_color: INK.into(),
+            ..PageSettings::default()
+        };
+        let order = pictures.iter().map(|picture| picture.photo.clone()).collect();
+        Document { order, panels, words, ..Document::new(layout, self.style.clone(), page) }.validated()
     }
 
     /// Returns the header: title, author, date and sheet number, after the logo, if there is a logo.
-    fn head(&self, grid: &Grid, (page, count): (usize, usize)) -> Vec<Value> {
+    fn head(&self, grid: &Grid, (page, count): (usize, usize)) -> Vec<TextItem> {
         let wide = grid.width - 2.0 * MARGIN;
         let (left, lower) = match &self.logo {
             Some(logo) => ((logo.area().width + 2.0 * NEAR) / wide, LOWER),
@@ -216,9 +232,8 @@ impl Request {
                 height: 1.6 * size,
             };
             (!text.is_empty()).then(|| {
-                let mut word = grid.word(text, (&area, size), font);
-                (word["x"], word["y"]) = (json!(area.x / grid.width), json!(area.y / grid.height));
-                word
+                let word = grid.word(text, (&area, size), font);
+                TextItem { x: Some(area.x / grid.width), y: Some(area.y / grid.height), ..word }
             })
         };
         let right = 1.0 - NUMBER / wide;
@@ -236,7 +251,7 @@ impl Request {
         grid: &Grid,
         shot: &ListedShot,
         (panel, frame, text): (usize, &Area, &Area),
-    ) -> Vec<Value> {
+    ) -> Vec<TextItem> {
         let size = grid.letters;
         let rate = self.list.rate();
         let scene = (!shot.scene.is_empty()).then(|| format!("{} {}", self.labels.scene, shot.scene));
@@ -256,20 +271,18 @@ impl Request {
             known.into_iter().flatten().chain(own).filter(|text| !text.is_empty()).collect();
         let heading = Area { height: 1.3 * size, ..*text };
         let rest = Area { y: text.y + 1.5 * size, height: text.height - 1.5 * size, ..*text };
-        let mut words = vec![grid.word(&head, (&heading, size), BOLD)];
+        // Text items are read with their frame.
+        let word = |text: &str, area: &Area, font: &str| TextItem {
+            panel: Some(panel),
+            x: Some((area.x - frame.x) / frame.width),
+            y: Some((area.y - frame.y) / frame.height),
+            ..grid.word(text, (area, size), font)
+        };
+        let mut words = vec![word(&head, &heading, BOLD)];
         if self.ruled {
-            let mut rules = grid.word("", (&rest, size), PLAIN);
-            rules["ruled"] = true.into();
-            rules["color"] = RULES.into();
-            words.push(rules);
+            words.push(TextItem { ruled: true, color: Some(RULES.into()), ..word("", &rest, PLAIN) });
         } else if !fields.is_empty() {
-            words.push(grid.word(&fields.join("\n"), (&rest, size), PLAIN));
-        }
-        // They are read with their frame.
-        for word in &mut words {
-            let at = |name: &str| word[name].as_f64().unwrap_or_default();
-            let (x, y) = ((at("x") - frame.x) / frame.width, (at("y") - frame.y) / frame.height);
-            (word["x"], word["y"], word["panel"]) = (json!(x), json!(y), json!(panel));
+            words.push(word(&fields.join("\n"), &rest, PLAIN));
         }
         words
     }
@@ -358,13 +371,18 @@ impl Grid {
         json!([corner(area.x, area.y), corner(right, area.y), corner(right, bottom), corner(area.x, bottom)])
     }
 
-    /// A plain caption; its place is still in millimetres.
-    fn word(&self, text: &str, (area, size): (&Area, f64), font: &str) -> Value {
-        json!({
-            "kind": "caption", "plain": true, "text": text, "x": area.x, "y": area.y, "auto": false, "font": font,
-            "color": INK, "fill": "#ffffff", "size": size / self.width,
-            "room": [(area.width / self.width).max(0.02), (area.height / self.width).max(0.02)],
-        })
+    /// A plain caption without a place.
+    fn word(&self, text: &str, (area, size): (&Area, f64), font: &str) -> TextItem {
+        TextItem {
+            plain: true,
+            auto: Some(false),
+            font: Some(font.into()),
+            color: Some(INK.into()),
+            fill: Some("#ffffff".into()),
+            size: Some(size / self.width),
+            room: Some(((area.width / self.width).max(0.02), (area.height / self.width).max(0.02))),
+            ..TextItem::new(TextKind::Caption, text)
+        }
     }
 }
 
@@ -388,8 +406,8 @@ mod tests {
             frames: Some(48),
             ..ListedShot::default()
         };
-        let crop = json!({ "x": 0.0, "y": 0.0, "width": 1.0, "height": 1.0 });
-        let picture = |i: usize| PictureOf { photo: format!("p{i}"), crop: crop.clone(), faces: json!([]) };
+        let crop = Some(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 });
+        let picture = |i: usize| PictureOf { photo: format!("p{i}"), crop, faces: Vec::new() };
         Request {
             list: ShotList {
                 title: "Night".into(),
@@ -492,8 +510,7 @@ mod tests {
     #[test]
     fn a_worksheet_has_lines_in_the_place_of_what_is_told() {
         let sheets = Request { ruled: true, ..request(4, 1.85, 4) }.sheets().unwrap();
-        let ruled = |word: &&Value| word["ruled"] == true;
-        assert_eq!(sheets[0].words.iter().filter(ruled).count(), 4);
+        assert_eq!(sheets[0].words.iter().filter(|word| word.ruled).count(), 4);
         assert!(!sheets[0].to_json().contains("corridor"));
         assert!(sheets[0].to_json().contains("Page 1 of 1"));
     }

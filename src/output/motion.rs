@@ -2,7 +2,7 @@
 //! from panel to panel in reading order, and the other panels are dimmed. Text appears item by item, at
 //! reading speed. The result is an [`Animatic`] whose clips are pages, so both use one renderer.
 
-use super::animatic::{Animatic, Clip, MOST_FRAMES, between, eased, framed, invalid, page_value};
+use super::animatic::{Animatic, Clip, MOST_FRAMES, between, eased, framed, invalid};
 use super::phrases::Phrases;
 use super::telling::{self, ToldPage, ToldPanel, ToldWord};
 use crate::error::Result;
@@ -11,7 +11,6 @@ use crate::layout::Bounds;
 use crate::page::Document;
 use crate::page::words::Letters;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 use std::f64::consts::PI;
 
 /// Default frames per second.
@@ -70,8 +69,7 @@ pub struct Reading {
     /// The outline of each panel: corners, in fractions of the page's width and height.
     pub panels: Vec<Vec<(f64, f64)>>,
     /// The page with its text items, which are drawn one by one over its image. Null without text.
-    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Document>"))]
-    pub words: Value,
+    pub words: Option<Document>,
     /// Its text items in order of appearance.
     pub said: Vec<Said>,
     /// Stops of the camera, in order. The first and the last stop show the whole page.
@@ -156,7 +154,7 @@ impl Request {
                 return Err(invalid("pages", "must last at most four hours"));
             }
             if !document.words.is_empty() {
-                reading.words = page_value(document)?;
+                reading.words = Some(document.clone());
             }
             let whole = reading.stops.first().map_or(WHOLE_PAGE, |stop| stop.first);
             clips.push(Clip {
@@ -168,8 +166,8 @@ impl Request {
                 to: end + out_of.div_ceil(2),
                 first: whole,
                 last: whole,
-                picture: picture(document, &reading, size)?,
-                caption: Value::Null,
+                picture: picture(document, &reading, size),
+                caption: None,
                 reading: Some(reading),
             });
             start = end;
@@ -225,7 +223,7 @@ impl Pace {
         let outline = |panel: &ToldPanel| panel.outline.iter().map(|(x, y)| (x / wide, y / high)).collect();
         Reading {
             panels: page.panels.iter().map(outline).collect(),
-            words: Value::Null,
+            words: None,
             said,
             stops,
             fade: self.frames(FADE).max(1),
@@ -331,7 +329,7 @@ fn nearer(view: &Crop, part: f64) -> Crop {
 }
 
 /// Renders the page without text, at the size that its narrowest view needs.
-fn picture(document: &Document, reading: &Reading, size: [u32; 2]) -> Result<Value> {
+fn picture(document: &Document, reading: &Reading, size: [u32; 2]) -> Document {
     let narrowest = reading.stops.iter().map(|stop| stop.last.width).fold(1.0_f64, f64::min);
     let (wide, high) = (f64::from(document.page.width), f64::from(document.page.height));
     let most = (MOST_PIXELS / (wide * high)).sqrt().min(MOST_SIDE / wide.max(high));
@@ -339,7 +337,7 @@ fn picture(document: &Document, reading: &Reading, size: [u32; 2]) -> Result<Val
     let mut page = Document { words: Vec::new(), ..document.clone() };
     page.page.width = (wide * scale).round() as u32;
     page.page.height = (high * scale).round() as u32;
-    page_value(&page)
+    page
 }
 
 #[cfg(test)]

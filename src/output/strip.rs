@@ -11,6 +11,7 @@ use crate::page::Document;
 use crate::page::document::PanelContent;
 use crate::page::words::Letters;
 use crate::page::words::layout::measured;
+use crate::page::words::model::{Tail, TextItem};
 use crate::page::words::place::{Known, settle};
 use crate::plan::moments::Moment;
 use serde::Deserialize;
@@ -135,12 +136,10 @@ fn joined(blocks: &[Block], slice: &Slice, like: usize) -> Document {
         polygons.push(corners.map(inside).collect::<Vec<_>>());
         for word in &page.words {
             let mut word = word.clone();
-            word["panel"] = json!(panels.len());
-            for name in ["id", "linked"] {
-                // Names are unique on a page only.
-                if let Some(id) = word[name].as_str().map(|id| format!("{index}-{id}")) {
-                    word[name] = json!(id);
-                }
+            word.panel = Some(panels.len());
+            // Names are unique on a page only.
+            for name in [&mut word.id, &mut word.joined, &mut word.linked].into_iter().flatten() {
+                *name = format!("{index}-{name}");
             }
             words.push(word);
         }
@@ -247,7 +246,7 @@ fn block<'s>(
     page: &Document,
     panel: usize,
     bounds: Bounds,
-    words: Vec<Value>,
+    words: Vec<TextItem>,
     known: &impl Fn(&str) -> Known<'s>,
     letters: &Letters,
 ) -> Result<Document> {
@@ -289,11 +288,10 @@ fn keep_inside(page: &mut Document, letters: &Letters) -> Result<()> {
     for (i, area) in measured(page, letters)?.iter().enumerate() {
         let inside = |at: f64, length: f64, most: f64| at.clamp(0.0, (most - length).max(0.0)) - at;
         let (x, y) = (inside(area.x, area.width, 1.0), inside(area.y, area.height, height));
-        for (name, by, side) in [("x", x, frame.width), ("y", y, frame.height)] {
-            if by.abs() > 1e-9
-                && let Some(at) = page.words[i][name].as_f64()
-            {
-                page.words[i][name] = json!(at + by / side);
+        let word = &mut page.words[i];
+        for (at, by, side) in [(&mut word.x, x, frame.width), (&mut word.y, y, frame.height)] {
+            if let Some(at) = at.as_mut().filter(|_| by.abs() > 1e-9) {
+                *at += by / side;
             }
         }
     }
@@ -306,24 +304,20 @@ fn words_of(
     group: &[usize],
     bounds: Bounds,
     panel: &impl Fn(usize) -> Option<Bounds>,
-) -> Vec<Value> {
+) -> Vec<TextItem> {
     let height = 1.0 / page.page.aspect();
     let whole = Bounds { x: 0.0, y: 0.0, width: 1.0, height };
     let grown = 1.0 / bounds.width.clamp(0.05, 1.0);
     let mut words = Vec::new();
-    for word in page.words.iter().filter(|word| word["number"] != true) {
-        let own = word["panel"].as_u64().map(|panel| panel as usize);
+    for word in page.words.iter().filter(|word| !word.number) {
+        let own = word.panel;
         let Some(frame) = own.map_or(Some(whole), panel) else { continue };
-        let place = |point: &Value| {
-            Some((
-                frame.x + point["x"].as_f64()? * frame.width,
-                frame.y + point["y"].as_f64()? * frame.height,
-            ))
-        };
+        let on_page = |x: f64, y: f64| (frame.x + x * frame.width, frame.y + y * frame.height);
+        let place = word.x.zip(word.y).map(|(x, y)| on_page(x, y));
         let here = match own {
             Some(own) => group.contains(&own),
             // Text of the page belongs to the panel below it.
-            None => holder(page, place(word).unwrap_or((0.5, height / 2.0)), panel)
+            None => holder(page, place.unwrap_or((0.5, height / 2.0)), panel)
                 .is_some_and(|holder| group.contains(&holder)),
         };
         if !here {
@@ -331,22 +325,17 @@ fn words_of(
         }
         let mut word = word.clone();
         let part = |(x, y): (f64, f64)| ((x - bounds.x) / bounds.width, (y - bounds.y) / bounds.height);
-        if let Some((x, y)) = place(&word).map(part) {
-            (word["x"], word["y"]) = (json!(x), json!(y));
+        if let Some((x, y)) = place.map(part) {
+            (word.x, word.y) = (Some(x), Some(y));
         }
-        if let Some((x, y)) = place(&word["tail"]).map(part) {
-            word["tail"] = json!({ "x": x, "y": y });
-        }
-        if let Some(size) = word["size"].as_f64() {
-            word["size"] = json!((size * grown).min(TEXT.max(size)));
-        }
-        if let Some(width) = word["width"].as_f64() {
-            word["width"] = json!((width * grown).min(1.0));
-        }
-        word["panel"] = json!(0);
-        if let Some(fields) = word.as_object_mut() {
-            fields.remove("room");
-        }
+        word.tail = word.tail.map(|tail| {
+            let (x, y) = part(on_page(tail.x, tail.y));
+            Tail { x, y }
+        });
+        word.size = word.size.map(|size| (size * grown).min(TEXT.max(size)));
+        word.width = word.width.map(|width| (width * grown).min(1.0));
+        word.panel = Some(0);
+        word.room = None;
         words.push(word);
     }
     words

@@ -180,7 +180,7 @@ fn told_word(place: usize, laid: &Laid, scale: f64) -> Option<ToldWord> {
     let (a, b) = extent(&laid.word, &laid.setting);
     let Point { x, y } = laid.middle;
     let bounds = scaled(Bounds { x: x - a, y: y - b, width: 2.0 * a, height: 2.0 * b }, scale);
-    let kind = match laid.word.kind {
+    let kind = match laid.word.kind() {
         Kind::Caption => WordKind::Caption,
         Kind::Effect => WordKind::Effect,
         Kind::Balloon(_) => WordKind::Balloon,

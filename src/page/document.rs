@@ -1,15 +1,16 @@
 //! The page as plain data. The front end stores, undoes and saves these documents. A document and its photos
 //! give exactly one image.
 
-use super::words::model::MOST_WORDS;
+use super::words::model::{MOST_WORDS, TextItem, TextKind};
 use crate::error::{Error, Result};
 use crate::framing::Crop;
-use crate::json::{Fields, Read, Writer, Wrong, each, fields, items};
+use crate::json::fields::{at_most, not_longer};
+use crate::json::typed::{self, is_default, nullable, typed_by};
+use crate::json::{Read, Writer, Wrong};
 use crate::layout::{self, PageSettings, Template};
 use crate::raster::Matte;
-use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
 use crate::style::{Style, catalogue, earlier};
-use serde::{Deserialize, Deserializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
 
@@ -27,12 +28,15 @@ pub const LONGEST_ID: usize = 200;
 const SLACK: f64 = 1e-6;
 
 /// A storyboard page.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(remote = "Self")]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "PageDocument"))]
 pub struct Document {
     /// [`VERSION`].
+    #[serde(deserialize_with = "typed::whole::<_, _, 1, { u32::MAX as u64 }>")]
     pub version: u32,
     /// Seed of the shuffle that made it.
+    #[serde(deserialize_with = "typed::whole::<_, _, 0, { u32::MAX as u64 }>")]
     pub seed: u32,
     /// Id of a layout, or a template in full.
     #[cfg_attr(all(test, feature = "cli"), ts(as = "LayoutChoice"))]
@@ -41,20 +45,25 @@ pub struct Document {
     #[cfg_attr(all(test, feature = "cli"), ts(as = "StyleChoice"))]
     pub style: Value,
     /// Photos in reading order, possibly more than panels.
+    #[serde(default)]
     pub order: Vec<String>,
     /// Content of each panel, in paint order.
     pub panels: Vec<PanelContent>,
     /// Groups of panels that share one image.
+    #[serde(default)]
     pub merges: Vec<Vec<usize>>,
     /// Size, gutters and colours.
+    #[serde(default)]
     pub page: PageSettings,
     /// The photos get one white point. Pages that were saved before this field have the colours of each photo.
+    #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub balanced: bool,
-    /// Text items on the page, see [`Word`](super::words::Word), in paint order. The renderer checks them.
-    #[cfg_attr(all(test, feature = "cli"), ts(as = "Vec<crate::typescript::Word>"))]
-    pub words: Vec<Value>,
+    /// Text items on the page, in paint order.
+    #[serde(default)]
+    pub words: Vec<TextItem>,
     /// Unknown fields, preserved for newer programs.
+    #[serde(flatten)]
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
@@ -80,7 +89,8 @@ pub(crate) enum StyleChoice {
 }
 
 /// Content of a panel.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "PanelUse"))]
 pub struct PanelContent {
     /// Id of the photo; `None` for an empty panel.
@@ -88,28 +98,40 @@ pub struct PanelContent {
     /// The part of the photo that fills the panel, or the group it is merged into.
     pub crop: Option<Crop>,
     /// Faces of the photo, in fractions of it, which the style protects. Old pages have no faces here, and look unchanged.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<Vec<Crop>>", optional))]
     pub faces: Vec<Crop>,
     /// Subject mask of the photo for a panel breakout. `None` disables the breakout.
+    #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(type = "string", optional))]
     pub figure: Option<Matte>,
     /// Whether the panel is a logo: no style, no border, and described as a logo.
+    #[serde(deserialize_with = "nullable", skip_serializing_if = "is_default")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub plain: bool,
     /// Whether every shuffle preserves the panel.
+    #[serde(deserialize_with = "nullable")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub locked: bool,
     /// Whether the crop is manual. It stays as long as the photo stays in this panel.
+    #[serde(deserialize_with = "nullable")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub edited: bool,
     /// Unknown fields, preserved for newer programs.
+    #[serde(flatten)]
     #[cfg_attr(all(test, feature = "cli"), ts(skip))]
     pub rest: Map<String, Value>,
 }
 
 impl<'de> Deserialize<'de> for Document {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
-        Self::read(Value::deserialize(deserializer)?).map_err(serde::de::Error::custom)
+        Self::deserialize(deserializer)?.checked().map_err(serde::de::Error::custom)
+    }
+}
+
+impl Serialize for Document {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        Self::serialize(self, serializer)
     }
 }
 
@@ -125,45 +147,75 @@ impl Document {
         Ok(document)
     }
 
-    /// Reads a document inside another document. Layout, style, text items and settings are not checked.
+    /// A page of this layout and style without panels.
+    #[must_use]
+    pub fn new(layout: Value, style: Value, page: PageSettings) -> Self {
+        Self {
+            version: VERSION,
+            seed: 0,
+            layout,
+            style,
+            order: Vec::new(),
+            panels: Vec::new(),
+            merges: Vec::new(),
+            page,
+            balanced: false,
+            words: Vec::new(),
+            rest: Map::new(),
+        }
+    }
+
+    /// Checks a document that the program made, as [`parse`](Self::parse) does.
+    ///
+    /// # Errors
+    /// Returns `invalid-document` with the location.
+    pub fn validated(self) -> Result<Self> {
+        let document = self.checked().map_err(|wrong| invalid(wrong.place(), wrong.reason()))?;
+        document.page.validate()?;
+        Ok(document)
+    }
+
+    /// Reads a document inside another document. Layout, style and settings are not checked.
     ///
     /// # Errors
     /// Returns the location of the error.
     pub fn read(value: Value) -> Read<Self> {
-        let mut fields = Fields::of(value)?;
-        let known = u64::from(VERSION);
-        let version = fields.count("version", 1, u64::MAX)?;
-        if version > known {
-            return Err(Wrong::newer(version, known).at("version"));
+        // A newer document may have another shape.
+        let version = value.get("version").and_then(Value::as_u64).unwrap_or_default();
+        if version > u64::from(VERSION) {
+            return Err(Wrong::newer(version, u64::from(VERSION)).at("version"));
         }
-        let page = fields.part("page", &mut PageSettings::read)?.unwrap_or_default();
-        let mut order = Vec::new();
-        for (i, id) in fields.list("order", MOST_PHOTOS)?.into_iter().enumerate() {
-            order.push(fields::text_of(id, LONGEST_ID).map_err(|wrong| wrong.in_list(i).at("order"))?);
+        typed_by(value, &|deserializer| Self::deserialize(deserializer))?.checked()
+    }
+
+    /// Checks the limits and text items of a document that was read.
+    fn checked(mut self) -> Read<Self> {
+        if self.version > VERSION {
+            return Err(Wrong::newer(u64::from(self.version), u64::from(VERSION)).at("version"));
         }
-        let panels = items(fields.required("panels")?, MOST_PANELS)
-            .and_then(|panels| each(panels, &PanelContent::read));
-        let panels = panels.map_err(|wrong| wrong.at("panels"))?;
-        let merges = fields.each("merges", MOST_PANELS, &|group| {
-            let panel = |panel| fields::whole_of(&panel, 0, MOST_PANELS as u64).map(|panel| panel as usize);
-            each(items(group, MOST_PANELS)?, &panel)
-        })?;
-        let document = Self {
-            version: VERSION,
-            seed: fields.count("seed", 0, u64::from(u32::MAX))? as u32,
-            layout: fields.required("layout")?,
-            style: earlier::told(fields.required("style")?),
-            order,
-            panels,
-            // A panel shares its image with others, or with none.
-            merges: merges.into_iter().filter(|group| group.len() > 1).collect(),
-            page,
-            balanced: fields.nullable("balanced").flag("balanced")?,
-            words: fields.list("words", MOST_WORDS)?,
-            rest: fields.rest(),
-        };
-        document.check_merges().map_err(|wrong| wrong.at("merges"))?;
-        Ok(document)
+        let lists = [
+            ("order", self.order.len(), MOST_PHOTOS),
+            ("panels", self.panels.len(), MOST_PANELS),
+            ("merges", self.merges.len(), MOST_PANELS),
+            ("words", self.words.len(), MOST_WORDS),
+        ];
+        for (name, count, most) in lists {
+            at_most(count, most).map_err(|wrong| wrong.at(name))?;
+        }
+        for (i, id) in self.order.iter().enumerate() {
+            not_longer(id, LONGEST_ID).map_err(|wrong| wrong.in_list(i).at("order"))?;
+        }
+        for (i, panel) in self.panels.iter().enumerate() {
+            panel.validate().map_err(|wrong| wrong.in_list(i).at("panels"))?;
+        }
+        for (i, word) in self.words.iter().enumerate() {
+            word.validate().map_err(|wrong| wrong.in_list(i).at("words"))?;
+        }
+        // A panel shares its image with others, or with none.
+        self.merges.retain(|group| group.len() > 1);
+        self.check_merges().map_err(|wrong| wrong.at("merges"))?;
+        self.style = earlier::told(self.style);
+        Ok(self)
     }
 
     fn check_merges(&self) -> Read<()> {
@@ -177,31 +229,19 @@ impl Document {
         Ok(())
     }
 
-    /// Writes the document, its fields in the order in which they are declared.
-    pub fn write(&self, out: &mut Writer) {
-        out.open(b'{');
-        out.key("version").whole(u64::from(self.version));
-        out.key("seed").whole(u64::from(self.seed));
-        out.key("layout").value(&self.layout);
-        out.key("style").value(&self.style);
-        out.key("order").texts(&self.order);
-        out.key("panels").list(&self.panels, &|out, panel| panel.write(out));
-        out.key("merges")
-            .list(&self.merges, &|out, group| out.list(group, &|out, panel| out.whole(*panel as u64)));
-        out.key("page").put(&self.page);
-        if self.balanced {
-            out.key("balanced").flag(true);
-        }
-        out.key("words").list(&self.words, &|out, word| out.value(word));
-        out.rest(&self.rest);
-        out.close(b'}');
-    }
-
     /// The document as JSON, which [`parse`](Self::parse) reads.
     #[must_use]
     pub fn to_json(&self) -> String {
         let mut out = Writer::default();
-        self.write(&mut out);
+        out.put(self);
+        out.finish()
+    }
+
+    /// The text items as JSON.
+    #[must_use]
+    pub fn words_json(&self) -> String {
+        let mut out = Writer::default();
+        out.put(&self.words);
         out.finish()
     }
 
@@ -239,17 +279,22 @@ impl Document {
             && self.merge_of(index).is_none()
     }
 
-    /// Panels whose subjects are in front of an effect, see [`Word::behind`](super::words::Word::behind);
-    /// sorted, without duplicates. It uses plain data, so drawing panels does not need the `words` module.
+    /// Panels whose subjects are in front of an effect, see [`TextItem::behind`]; sorted,
+    /// without duplicates.
     #[must_use]
     pub fn fronts(&self) -> Vec<usize> {
-        let behind = |word: &Value| word["kind"] == "effect" && word["behind"] == true;
-        let panels = self.words.iter().filter(|word| behind(word)).filter_map(|word| word["panel"].as_u64());
+        let behind = self.words.iter().filter(|word| word.behind && word.kind == TextKind::Effect);
         let mut fronts: Vec<usize> =
-            panels.map(|panel| panel as usize).filter(|panel| *panel < self.panels.len()).collect();
+            behind.filter_map(|word| word.panel).filter(|panel| *panel < self.panels.len()).collect();
         fronts.sort_unstable();
         fronts.dedup();
         fronts
+    }
+
+    /// The text items in the form that lettering needs, see [`TextItem::effective`].
+    #[must_use]
+    pub fn effective_words(&self) -> Vec<TextItem> {
+        self.words.iter().map(TextItem::effective).collect()
     }
 
     /// Index of the first foreground. Lower indices are the panels and the panel breakouts.
@@ -266,72 +311,48 @@ impl Document {
 }
 
 impl PanelContent {
-    fn read(value: Value) -> Read<Self> {
-        let mut fields = Fields::of(value)?;
-        let crop = fields.nullable("crop").part("crop", &mut read_crop)?;
-        let faces = fields.each("faces", MOST_FACES, &read_face)?;
-        let figure = fields.text("figure", LONGEST_MASK)?.map(Matte::try_from).transpose();
-        Ok(Self {
-            figure: figure.map_err(|reason| Wrong::new(reason).at("figure"))?,
-            photo: fields.nullable("photo").text("photo", LONGEST_ID)?,
-            crop,
-            faces,
-            plain: fields.nullable("plain").flag("plain")?,
-            locked: fields.nullable("locked").flag("locked")?,
-            edited: fields.nullable("edited").flag("edited")?,
-            rest: fields.rest(),
-        })
-    }
-
-    fn write(&self, out: &mut Writer) {
-        out.open(b'{');
-        match &self.photo {
-            Some(photo) => out.key("photo").text(photo),
-            None => out.key("photo").null(),
+    /// Checks ids, crops and faces.
+    ///
+    /// # Errors
+    /// Returns the location of the error.
+    fn validate(&self) -> Read<()> {
+        if let Some(photo) = &self.photo {
+            not_longer(photo, LONGEST_ID).map_err(|wrong| wrong.at("photo"))?;
         }
-        out.key("crop").put(&self.crop);
-        if !self.faces.is_empty() {
-            out.key("faces").list(&self.faces, &|out, face| out.put(face));
+        if let Some(crop) = &self.crop {
+            within_photo(crop).map_err(|wrong| wrong.at("crop"))?;
         }
-        if let Some(figure) = &self.figure {
-            out.key("figure").text(figure.text());
-        }
-        if self.plain {
-            out.key("plain").flag(true);
-        }
-        out.key("locked").flag(self.locked);
-        out.key("edited").flag(self.edited);
-        out.rest(&self.rest);
-        out.close(b'}');
+        at_most(self.faces.len(), MOST_FACES).map_err(|wrong| wrong.at("faces"))?;
+        // Faces may extend past the photo.
+        let limits = [(-1.0, 2.0), (0.0, 2.0)];
+        let faces = self.faces.iter().enumerate();
+        faces.map(|(i, face)| in_limits(face, limits).map_err(|wrong| wrong.in_list(i).at("faces"))).collect()
     }
 }
 
-/// The box of a face, which may extend past the photo.
-fn read_face(value: Value) -> Read<Crop> {
-    let mut fields = Fields::of(value)?;
-    let mut side = |name: &str, least: f64| {
-        fields.number(name, least, 2.0)?.ok_or_else(|| Wrong::new("is missing").at(name))
-    };
-    let (x, y, width, height) =
-        (side("x", -1.0)?, side("y", -1.0)?, side("width", 0.0)?, side("height", 0.0)?);
-    fields.done()?;
-    Ok(Crop { x, y, width, height })
-}
-
-/// A crop inside of its photo.
-fn read_crop(value: Value) -> Read<Crop> {
-    let mut fields = Fields::of(value)?;
-    let mut sides = [0.0; 4];
-    for (name, side) in ["x", "y", "width", "height"].into_iter().zip(&mut sides) {
-        let least = if name.len() == 1 { -SLACK } else { SLACK };
-        *side = fields.number(name, least, 1.0 + SLACK)?.ok_or_else(|| Wrong::new("is missing").at(name))?;
-    }
-    fields.done()?;
-    let [x, y, width, height] = sides;
-    if x + width > 1.0 + SLACK || y + height > 1.0 + SLACK {
+/// Checks that a crop is inside its photo.
+fn within_photo(crop: &Crop) -> Read<()> {
+    in_limits(crop, [(-SLACK, 1.0 + SLACK), (SLACK, 1.0 + SLACK)])?;
+    if crop.x + crop.width > 1.0 + SLACK || crop.y + crop.height > 1.0 + SLACK {
         return Err(Wrong::new("reaches beyond the photo"));
     }
-    Ok(Crop { x, y, width, height })
+    Ok(())
+}
+
+/// Checks the position and the size of a rectangle.
+fn in_limits(area: &Crop, [place, size]: [(f64, f64); 2]) -> Read<()> {
+    let sides = [
+        ("x", area.x, place),
+        ("y", area.y, place),
+        ("width", area.width, size),
+        ("height", area.height, size),
+    ];
+    match sides.iter().find(|(_, side, (least, most))| !(*least..=*most).contains(side)) {
+        None => Ok(()),
+        Some((name, _, (least, most))) => {
+            Err(Wrong::new(&format!("must be a number from {least} to {most}")).at(name))
+        }
+    }
 }
 
 /// A template by id, or one given in full.

@@ -197,7 +197,7 @@ fn with_closeup(candidate: &Candidate, plan: &Plan, photos: &Photos) -> Option<P
         .min_by(|&a, &b| photos.quality[photo(a)].total_cmp(&photos.quality[photo(b)]))?;
     // Other photos of people and animals come before a second crop of one.
     let shown = |photo: usize| {
-        plan.panels.iter().any(|panel| panel.photo == photo || photos.alike(panel.photo, photo))
+        plan.panels.iter().any(|panel| panel.photo == photo || photos.are_duplicates(panel.photo, photo))
     };
     let waits = |&other: &usize| {
         photos.kind(other) == Kind::Alive

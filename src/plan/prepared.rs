@@ -301,7 +301,7 @@ mod tests {
     use super::*;
 
     fn subject(label: &str, score: f64, [x, y, width, height]: [f64; 4]) -> Subject {
-        Subject { label: label.into(), score, x, y, width, height }
+        Subject { label: label.into(), score, x, y, width, height, points: None }
     }
 
     /// A photo of this size whose two commonest tones cover `flat` of it.

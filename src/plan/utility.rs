@@ -294,7 +294,15 @@ mod tests {
         let slots = slots(&resolve(find("grid-4").unwrap(), page.aspect(), &page), f64::from(page.width));
         let cut = |label: &str, top: f64, with_face: bool| {
             let mut photo = PhotoMeta::unmeasured("photo", 1000, 1000);
-            let body = Subject { label: label.into(), score: 0.95, x: 0.3, y: 0.1, width: 0.4, height: 0.8 };
+            let body = Subject {
+                label: label.into(),
+                score: 0.95,
+                x: 0.3,
+                y: 0.1,
+                width: 0.4,
+                height: 0.8,
+                points: None,
+            };
             let face = Subject { label: FACE.into(), y: 0.5, height: 0.2, ..body.clone() };
             photo.find([body].into_iter().chain(with_face.then_some(face)));
             let crop = Crop { x: 0.0, y: top, width: 1.0, height: 1.0 - top };

@@ -11,8 +11,8 @@ use inkpanel::output::shots::timecode::Pace;
 use inkpanel::output::shots::{ListedShot, ShotList};
 use inkpanel::page::Document;
 use inkpanel::page::breaking::{breaks, broken};
-use inkpanel::page::words::Letters;
 use inkpanel::page::words::given::GivenFonts;
+use inkpanel::page::words::{Letters, TextItem};
 use inkpanel::raster::decode::{Limits, decode};
 use inkpanel::raster::resize::{Region, resample_image};
 use inkpanel::raster::{Image, Matte, Plane};
@@ -138,9 +138,9 @@ fn plan_of(request: &motion::Request) -> Animatic {
 
 /// Renders the page of a clip at the size of the video, with its first `words` text items in reading order.
 fn drawn(project: &Path, (clip, page): (&Clip, &Document), words: usize) -> Image {
-    let mut document = Document::parse(&clip.picture.to_string()).unwrap();
+    let mut document = clip.picture.clone();
     let said = &clip.reading.as_ref().unwrap().said[..words];
-    let shown = |(i, word): (usize, &Value)| said.iter().any(|said| said.word == i).then(|| word.clone());
+    let shown = |(i, word): (usize, &TextItem)| said.iter().any(|said| said.word == i).then(|| word.clone());
     document.words = page.words.iter().enumerate().filter_map(shown).collect();
     let mut saved = Saved::read(fs::read(project).unwrap()).unwrap().unwrap();
     let photo = |id: String| {
@@ -527,8 +527,7 @@ fn the_camera_keeps_faces_and_stays_inside_of_the_crop() {
     request.pictures[1].subjects = vec![subject(FACE, 0.02, 0.5, 0.2), subject(FACE, 0.8, 0.2, 0.15)];
     let plan = request.planned().unwrap();
     for (clip, picture) in plan.clips.iter().zip(&request.pictures) {
-        let page = &clip.picture["panels"][0]["crop"];
-        let seen: Crop = serde_json::from_value(page.clone()).unwrap();
+        let seen = clip.picture.panels[0].crop.unwrap();
         for frame in clip.from..clip.to {
             let view = clip.view(frame);
             let of = |part: f64, from: f64, length: f64| from + part * length;
@@ -555,14 +554,11 @@ fn without_a_move_a_picture_is_a_frame() {
     let whole = Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
     for clip in &plan.clips {
         assert_eq!((clip.first, clip.last), (whole, whole));
-        assert_eq!(
-            (&clip.picture["page"]["width"], &clip.picture["page"]["height"]),
-            (&json!(1920), &json!(1080))
-        );
-        assert!(clip.caption.is_null());
+        assert_eq!((clip.picture.page.width, clip.picture.page.height), (1920, 1080));
+        assert_eq!(clip.caption, None);
     }
     let plan = Request { captions: true, ..request(&[None]) }.planned().unwrap();
-    assert_eq!(plan.clips[0].caption["words"][0]["text"], "Who is there?");
+    assert_eq!(plan.clips[0].caption.as_ref().unwrap().words[0].text, "Who is there?");
 }
 
 #[test]

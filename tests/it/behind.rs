@@ -1,8 +1,8 @@
 //! Sound effects behind the subject of their panel.
 
 use inkpanel::native::{self, Photo, Photos};
-use inkpanel::page::words::Letters;
 use inkpanel::page::words::given::GivenFonts;
+use inkpanel::page::words::{Letters, TextItem, TextKind};
 use inkpanel::page::{Document, Scene, compose, pdf};
 use inkpanel::raster::{Image, Matte, Plane};
 use inkpanel::style::Context;
@@ -137,10 +137,12 @@ fn without_a_mask_the_effect_stands_before_the_photo() {
     assert_eq!(drawn(&page(true), false), drawn(&page(false), false));
     assert!(halves(&drawn(&page(true), false), middle).0 > 500);
     // Also on a panel that the page does not have, and for a text item that is not a sound effect.
-    for (key, value) in [("panel", json!(7)), ("kind", json!("caption"))] {
-        let mut other = page(true);
-        other.words[0][key] = value;
-        assert!(other.fronts().is_empty(), "{key}");
+    let word = &page(true).words[0];
+    let far = TextItem { panel: Some(7), ..word.clone() };
+    let caption = TextItem { kind: TextKind::Caption, ..word.clone() };
+    for word in [far, caption] {
+        let other = Document { words: vec![word], ..page(true) };
+        assert!(other.fronts().is_empty(), "{other:?}");
     }
 }
 
@@ -149,7 +151,7 @@ fn other_words_lie_over_figure_and_effect() {
     let mut both = page(true);
     let caption = json!({ "kind": "caption", "text": "MEANWHILE", "panel": 0, "x": 0.25, "y": 0.5, "width": 0.3,
         "fill": "#00ff00", "color": "#000000" });
-    both.words.insert(0, caption);
+    both.words.insert(0, TextItem::read(caption).unwrap());
     let middle = edge(&both);
     let pixels = drawn(&both, true);
     let green = |pixel: &[u8; 3]| *pixel == [0, 255, 0];

@@ -65,7 +65,7 @@ fn a_plain_picture_is_that_photo_to_the_pixel_in_any_style() {
 
 fn request(logo: bool) -> Request {
     let shot = |number: &str| ListedShot { number: number.into(), ..ListedShot::default() };
-    let picture = |photo: &str| PictureOf { photo: photo.into(), faces: json!([]), ..PictureOf::default() };
+    let picture = |photo: &str| PictureOf { photo: photo.into(), ..PictureOf::default() };
     Request {
         list: ShotList { title: "Night".into(), shots: vec![shot("1"), shot("2")], ..ShotList::default() },
         pictures: vec![picture("a"), picture("b")],

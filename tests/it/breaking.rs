@@ -10,7 +10,7 @@ use inkpanel::page::mask::PixelRect;
 use inkpanel::page::request::Request;
 use inkpanel::page::shuffle::plan;
 use inkpanel::page::words::given::GivenFonts;
-use inkpanel::page::words::{Letters, draw};
+use inkpanel::page::words::{Letters, TextItem, draw};
 use inkpanel::page::{Document, Scene, compose, mask, pdf};
 use inkpanel::raster::guided::softened;
 use inkpanel::raster::{Image, Matte, Plane};
@@ -104,12 +104,13 @@ fn faces(scene: &Scene, count: usize, but: usize) -> Vec<Bounds> {
 }
 
 /// A caption and a balloon in the middle of a subject that breaks its border.
-fn words_on(area: PixelRect, height: usize) -> Vec<Value> {
+fn words_on(area: PixelRect, height: usize) -> Vec<TextItem> {
     let middle = (area.x as f64 + area.width as f64 / 2.0, area.y as f64 + area.height as f64 / 2.0);
     let x = (middle.0 / WIDTH as f64).clamp(0.2, 0.8);
     let word = |kind: &str, down: f64, fill: &str| {
         let y = ((middle.1 + down) / WIDTH as f64).clamp(0.1, height as f64 / WIDTH as f64 - 0.1);
-        json!({ "kind": kind, "text": "HERE", "x": x, "y": y, "size": 0.03, "fill": fill, "color": "#000000" })
+        let word = json!({ "kind": kind, "text": "HERE", "x": x, "y": y, "size": 0.03, "fill": fill, "color": "#000000" });
+        TextItem::read(word).unwrap()
     };
     vec![word("caption", -20.0, "#00ff00"), word("balloon", 20.0, "#ffff00")]
 }

@@ -17,6 +17,8 @@ use inkpanel::layout::{self, PageSettings};
 use inkpanel::page::Document;
 use inkpanel::page::request::{Keep, Mode, Request};
 use inkpanel::page::shuffle;
+use inkpanel::page::words::model::NewText;
+use inkpanel::page::words::{TextItem, TextKind};
 use inkpanel::raster::Matte;
 use oorandom::Rand64;
 use serde_json::{Map, Value, json};
@@ -406,8 +408,9 @@ fn board(id: u64, on: bool) -> Board {
 }
 
 /// A text item of a photo, made of a subtitle.
-fn word_of(photo: &str, text: &str) -> Value {
-    json!({ "kind": "balloon", "text": text, "panel": 0, "photo": photo, "auto": true, "cue": format!("film {text}") })
+fn word_of(photo: &str, text: &str) -> NewText {
+    let word = json!({ "kind": "balloon", "text": text, "panel": 0, "photo": photo, "auto": true, "cue": format!("film {text}") });
+    NewText::read(word).unwrap()
 }
 
 fn own_styles() -> List<Value> {
@@ -778,8 +781,8 @@ fn spreading_takes_the_wanted_number_of_panels_or_the_locked_layout_and_keeps_wo
     editor.apply(&Edit::WantPanels { count: Some(4) }, &How::default());
     let mut page = Document::clone(editor.project().page.as_ref().unwrap());
     page.words = vec![
-        json!({ "kind": "caption", "text": "Here", "panel": 5 }),
-        json!({ "kind": "effect", "text": "BAM" }),
+        TextItem { panel: Some(5), ..TextItem::new(TextKind::Caption, "Here") },
+        TextItem::new(TextKind::Effect, "BAM"),
     ];
     let (here, first) = (page.panels[5].photo.clone(), page.panels[0].photo.clone());
     editor.apply(&Edit::ChangePage { page: Arc::new(page) }, &How::default());
@@ -791,14 +794,8 @@ fn spreading_takes_the_wanted_number_of_panels_or_the_locked_layout_and_keeps_wo
         .sheets()
         .iter()
         .flat_map(|sheet| {
-            let on =
-                |word: &Value| sheet.page.panels[word["panel"].as_u64().unwrap_or(0) as usize].photo.clone();
-            sheet
-                .page
-                .words
-                .iter()
-                .map(|word| (word["text"].as_str().unwrap().to_owned(), on(word)))
-                .collect::<Vec<_>>()
+            let on = |word: &TextItem| sheet.page.panels[word.panel.unwrap_or(0)].photo.clone();
+            sheet.page.words.iter().map(|word| (word.text.clone(), on(word))).collect::<Vec<_>>()
         })
         .collect();
     assert!(words.contains(&("Here".into(), here)) && words.len() == 2, "{words:?}");
@@ -814,10 +811,10 @@ fn spreading_takes_the_wanted_number_of_panels_or_the_locked_layout_and_keeps_wo
 /// Returns the place of each text item with a photo: its text, and the photo of its panel, or `None` if it is
 /// unplaced.
 fn homes(project: &Project) -> Vec<(String, Option<String>)> {
-    let text = |word: &Value| word["text"].as_str().unwrap().to_owned();
+    let text = |word: &TextItem| word.text.clone();
     let sheets = project.sheets();
     let shown = sheets.iter().flat_map(|sheet| {
-        let on = |word: &Value| sheet.page.panels[word["panel"].as_u64().unwrap() as usize].photo.clone();
+        let on = |word: &TextItem| sheet.page.panels[word.panel.unwrap()].photo.clone();
         sheet.page.words.iter().map(move |word| (text(word), on(word)))
     });
     let mut all: Vec<_> = shown.chain(project.waiting.iter().map(|word| (text(word), None))).collect();
@@ -900,8 +897,7 @@ fn a_word_that_was_removed_by_hand_stays_away_and_one_moved_to_another_photo_is_
     editor.apply(&Edit::AddWords { words: vec![word_of(&one, "a"), word_of(&one, "b")] }, &How::default());
     let mut changed = page(&editor);
     changed.words.remove(0);
-    changed.words[0]["panel"] = json!(1);
-    changed.words[0]["photo"] = Value::Null;
+    (changed.words[0].panel, changed.words[0].photo) = (Some(1), None);
     editor.apply(&Edit::ChangePage { page: Arc::new(changed) }, &How::default());
     assert_eq!(homes(editor.project()), [("b".to_owned(), Some(two.clone()))]);
     // One photo replaces another, and takes over its dialogue.
@@ -909,17 +905,14 @@ fn a_word_that_was_removed_by_hand_stays_away_and_one_moved_to_another_photo_is_
     assert_eq!(homes(editor.project()), [("b".to_owned(), Some("new".into()))]);
     // Long speech is split into linked balloons of one speaker. Speech of another speaker is not linked.
     let mut parts = vec![word_of(&one, "c"), word_of(&one, "d"), word_of(&one, "e"), word_of(&one, "f")];
-    parts[1]["joins"] = json!(true);
-    parts[3]["by"] = json!("anna");
+    parts[1].joins = true;
+    parts[3].item.by = Some("anna".into());
     editor.apply(&Edit::AddWords { words: parts }, &How::default());
     let words = page(&editor).words;
     let said = &words[words.len() - 4..];
-    assert!(said[0]["by"].is_string() && said[0]["by"] == said[1]["by"], "{said:?}");
-    assert_eq!((&said[2]["by"], &said[3]["by"]), (&Value::Null, &json!("anna")));
-    assert!(
-        said.iter().all(|word| word["joined"].is_null()),
-        "where they hang is found when they are placed"
-    );
+    assert!(said[0].by.is_some() && said[0].by == said[1].by, "{said:?}");
+    assert_eq!((&said[2].by, said[3].by.as_deref()), (&None, Some("anna")));
+    assert!(said.iter().all(|word| word.joined.is_none()), "where they hang is found when they are placed");
 }
 
 #[test]
@@ -935,7 +928,7 @@ fn no_page_is_a_leftover() {
 
 /// A page with `count` text items on its first panel.
 fn worded(page: &Document, count: usize) -> Arc<Document> {
-    let word = json!({ "kind": "caption", "text": "x", "panel": 0 });
+    let word = TextItem { panel: Some(0), ..TextItem::new(TextKind::Caption, "x") };
     Arc::new(Document { words: vec![word; count], ..page.clone() })
 }
 
@@ -981,14 +974,15 @@ fn two_pages() -> (Vec<PhotoMeta>, Editor) {
 fn words_that_no_page_has_room_for_are_unplaced_and_saved() {
     let (_, mut editor) = two_pages();
     let sheet = editor.project().sheets()[0].sheet;
-    let on_panel = |i| json!({ "kind": "balloon", "text": format!("{i}"), "panel": 0, "sheet": sheet });
-    let loose = |i| json!({ "kind": "balloon", "text": format!("loose {i}") });
+    let new = |word: Value| NewText::read(word).unwrap();
+    let on_panel = |i| new(json!({ "kind": "balloon", "text": format!("{i}"), "panel": 0, "sheet": sheet }));
+    let loose = |i| new(json!({ "kind": "balloon", "text": format!("loose {i}") }));
     let over = 50;
     let words = (0..limits::MOST_WORDS + over).map(on_panel).chain((0..limits::MOST_WAITING).map(loose));
     assert!(editor.apply(&Edit::AddWords { words: words.collect() }, &How::default()));
     let project = editor.project();
     assert_eq!(project.sheets()[0].page.words.len(), limits::MOST_WORDS);
-    let waiting: Vec<&str> = project.waiting.iter().map(|word| word["text"].as_str().unwrap()).collect();
+    let waiting: Vec<&str> = project.waiting.iter().map(|word| word.text.as_str()).collect();
     assert_eq!(waiting.len(), limits::MOST_WAITING);
     let on_page = waiting.iter().filter(|text| !text.starts_with("loose")).count();
     assert_eq!(on_page, over);

@@ -11,7 +11,7 @@ use inkpanel::framing::{PhotoMeta, Subject};
 use inkpanel::layout::Point;
 use inkpanel::page::words::layout::{Chain, Ground, lay_all, measured};
 use inkpanel::page::words::place::{self, Known};
-use inkpanel::page::words::{Letters, draw};
+use inkpanel::page::words::{Letters, TextItem, draw};
 use inkpanel::page::{Document, Scene, compose, png};
 use inkpanel::raster::decode::{Limits, decode};
 use inkpanel::raster::{Matte, Plane};
@@ -128,7 +128,11 @@ fn a_mask_that_is_none_changes_no_place() {
 }
 
 /// Returns the text items of a page with their positions. Each panel shows a photo with the given subjects.
-fn placed_by(words: &[Value], subjects: &[Subject], shares: Option<fn(f64, f64) -> bool>) -> Vec<Value> {
+fn placed_by(
+    words: &[TextItem],
+    subjects: &[Subject],
+    shares: Option<fn(f64, f64) -> bool>,
+) -> Vec<TextItem> {
     let mask = shares.map(|within| {
         let pixel = |x: usize, y: usize| within((x as f64 + 0.5) / 120.0, (y as f64 + 0.5) / 100.0);
         Matte::new(&Plane::from_fn(120, 100, |x, y| if pixel(x, y) { 255 } else { 0 }), (120, 100))
@@ -146,13 +150,13 @@ fn of_places_otherwise_alike_the_one_with_least_of_the_figure_is_taken() {
     // Nothing was detected in the photo. Its subject fills the upper left, the usual place of text.
     let corner: fn(f64, f64) -> bool = |x, y| x < 0.5 && y < 0.5;
     for kind in ["balloon", "caption", "effect"] {
-        let word = [json!({ "kind": kind, "craft": 2, "text": "Look!", "panel": 1 })];
-        let at = |words: Vec<Value>| [&words[0]["x"], &words[0]["y"]].map(|part| part.as_f64().unwrap());
+        let word = [item(json!({ "kind": kind, "craft": 2, "text": "Look!", "panel": 1 }))];
+        let at = |words: Vec<TextItem>| [words[0].x.unwrap(), words[0].y.unwrap()];
         let [x, y] = at(placed_by(&word, &[], Some(corner)));
         assert!(x > 0.5 || y > 0.5, "{kind}: {x}, {y}");
         // The positions of text items in pages of version 1 do not change.
-        let word = [json!({ "kind": kind, "text": "Look!", "panel": 1 })];
-        let stood = |words: Vec<Value>| [words[0]["x"].clone(), words[0]["y"].clone()];
+        let word = [item(json!({ "kind": kind, "text": "Look!", "panel": 1 }))];
+        let stood = |words: Vec<TextItem>| [words[0].x, words[0].y];
         assert_eq!(stood(placed_by(&word, &[], Some(corner))), stood(placed_by(&word, &[], None)), "{kind}");
     }
 }
@@ -171,11 +175,15 @@ fn joined_balloons_are_one_shape_with_one_tail() {
     assert_eq!(patch.rgba[3], 0);
     // Without the other it is a balloon like any.
     let mut alone = document.clone();
-    alone.words[later]["joined"] = json!("nobody");
+    alone.words[later].joined = Some("nobody".into());
     assert!(lay_all(&alone, &letters()).unwrap().iter().all(|laid| laid.chain == Chain::None));
 }
 
-fn page_of(words: &[Value]) -> Document {
+fn item(value: Value) -> TextItem {
+    TextItem::read(value).unwrap()
+}
+
+fn page_of(words: &[TextItem]) -> Document {
     let mut document = every_kind();
     document.words = words.to_vec();
     document
@@ -200,10 +208,10 @@ fn odd_text_gets_an_answer_and_nothing_of_it_is_lost() {
     ];
     for text in texts {
         for kind in ["caption", "balloon", "effect"] {
-            let mut page =
-                page_of(&[json!({ "kind": kind, "craft": 2, "text": text, "panel": 1, "language": "en" })]);
+            let word = json!({ "kind": kind, "craft": 2, "text": text, "panel": 1, "language": "en" });
+            let mut page = page_of(&[item(word)]);
             place::settle(&mut page, |_| Known::default(), &letters).unwrap();
-            assert_eq!(page.words[0]["text"], json!(text), "it is kept as it was written");
+            assert_eq!(page.words[0].text, text, "it is kept as it was written");
             let boxes = measured(&page, &letters).unwrap();
             assert!(boxes[0].width <= 1.0 && boxes[0].height <= 1754.0 / 1240.0, "{kind} {text:.20}");
             assert!(!draw::render(&page, 0, 300, &letters).unwrap().rgba.is_empty());
@@ -213,8 +221,9 @@ fn odd_text_gets_an_answer_and_nothing_of_it_is_lost() {
 
 #[test]
 fn two_hundred_words_of_a_page_are_placed_on_it() {
-    let word =
-        |i: usize| json!({ "kind": "balloon", "craft": 2, "text": format!("Number {i}"), "panel": i % 2 });
+    let word = |i: usize| {
+        item(json!({ "kind": "balloon", "craft": 2, "text": format!("Number {i}"), "panel": i % 2 }))
+    };
     let mut page = page_of(&(0..200).map(word).collect::<Vec<_>>());
     place::settle(&mut page, |_| Known::default(), &letters()).unwrap();
     let boxes = measured(&page, &letters()).unwrap();
@@ -224,7 +233,7 @@ fn two_hundred_words_of_a_page_are_placed_on_it() {
 
 #[test]
 fn words_go_on_to_stand_where_they_were_placed() {
-    let word = |text: &str| json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 0 });
+    let word = |text: &str| item(json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 0 }));
     let mut page = page_of(&[word("Who goes there?"), word("Nobody, sir, but me and my dog.")]);
     let letters = letters();
     place::settle(&mut page, |_| Known::default(), &letters).unwrap();
@@ -245,15 +254,16 @@ fn turned(x: f64, y: f64) -> Subject {
 }
 
 /// Returns placed balloons on one panel with the given texts and speakers, around faces.
-fn said(lines: &[(&str, Option<&str>)], faces: &[Subject]) -> Vec<Value> {
-    let word = |(text, by): &(&str, Option<&str>)| json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 0, "by": by });
+fn said(lines: &[(&str, Option<&str>)], faces: &[Subject]) -> Vec<TextItem> {
+    let word = |(text, by): &(&str, Option<&str>)| {
+        item(json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 0, "by": by }))
+    };
     placed_by(&lines.iter().map(word).collect::<Vec<_>>(), faces, None)
 }
 
 /// Returns the number of the balloon that each text item was linked to.
-fn links(words: &[Value]) -> Vec<Option<usize>> {
-    let of =
-        |word: &Value| words.iter().position(|other| other["id"] == word["linked"] && !other["id"].is_null());
+fn links(words: &[TextItem]) -> Vec<Option<usize>> {
+    let of = |word: &TextItem| words.iter().position(|other| other.id == word.linked && other.id.is_some());
     words.iter().map(of).collect()
 }
 
@@ -261,7 +271,7 @@ fn links(words: &[Value]) -> Vec<Option<usize>> {
 fn balloons_of_one_mouth_hang_together_by_themselves_and_the_first_has_the_tail() {
     let words = said(&[("Did you hear that?", None), ("It came from below.", None)], &[face(0.3, 0.6)]);
     assert_eq!(links(&words), [None, Some(0)]);
-    assert!(!words[0]["tail"].is_null() && words[1]["tail"].is_null(), "{words:?}");
+    assert!(words[0].tail.is_some() && words[1].tail.is_none(), "{words:?}");
     let all = lay_all(&page_of(&words), &letters()).unwrap();
     assert!(matches!(&all[0].chain, Chain::First { bodies, necks } if bodies.len() == 1 && necks.len() == 1));
     // Down, and aside.
@@ -284,7 +294,7 @@ fn a_tail_points_to_the_mouth_that_was_found() {
         let (dx, dy) = (tip.x - middle.x, tip.y - middle.y);
         let aside = ((mouth.x - middle.x) * dy - (mouth.y - middle.y) * dx).abs() / dx.hypot(dy);
         assert!(aside < 0.1 * face.height * frame.height, "{aside} beside the lips");
-        tails.push(words[0]["tail"].clone());
+        tails.push(words[0].tail);
     }
     assert_ne!(tails[0], tails[1]);
 }
@@ -299,7 +309,7 @@ fn balloons_of_others_stay_apart() {
     let word = |more: Value| {
         let mut word = json!({ "kind": "balloon", "craft": 2, "text": "Me.", "panel": 0 });
         word.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
-        word
+        item(word)
     };
     for second in [json!({ "apart": true }), json!({ "shape": "shout" }), json!({ "fill": "#ffcccc" })] {
         let words = placed_by(&[word(json!({})), word(second.clone())], &faces, None);
@@ -323,7 +333,7 @@ fn no_more_than_three_balloons_hang_together() {
             length = if link.is_some() { length + 1 } else { 1 };
             longest = longest.max(length);
             // Only the first balloon of a chain has a tail.
-            assert_eq!(words[i]["tail"].is_null(), link.is_some(), "{words:?}");
+            assert_eq!(words[i].tail.is_none(), link.is_some(), "{words:?}");
         }
     }
     assert_eq!(longest, 3);
@@ -333,25 +343,25 @@ fn no_more_than_three_balloons_hang_together() {
 fn a_balloon_that_hangs_on_one_that_stays_comes_beside_it() {
     let mut words = said(&[("Did you hear that?", None), ("It came from below.", None)], &[face(0.3, 0.6)]);
     let stands = words[0].clone();
-    words[0]["auto"] = json!(false);
-    words[1]["text"] = json!("It came from down there.");
+    words[0].auto = Some(false);
+    words[1].text = "It came from down there.".into();
     let again = placed_by(&words, &[face(0.3, 0.6)], None);
-    assert_eq!((&again[0]["x"], &again[0]["y"]), (&stands["x"], &stands["y"]));
+    assert_eq!((again[0].x, again[0].y), (stands.x, stands.y));
     assert_eq!(links(&again), [None, Some(0)]);
     let boxes = measured(&page_of(&again), &letters()).unwrap();
     let gap = boxes[1].y - boxes[0].y - boxes[0].height;
     assert!(gap < 0.02, "{gap}");
     // Without the other balloon, it has a separate tail.
     let alone = placed_by(&words[1..], &[face(0.3, 0.6)], None);
-    assert!(alone[0]["linked"].is_null() && !alone[0]["tail"].is_null(), "{alone:?}");
+    assert!(alone[0].linked.is_none() && alone[0].tail.is_some(), "{alone:?}");
 }
 
 #[test]
 fn names_of_balloons_are_found_anew_where_two_have_the_same() {
     let other = json!({ "kind": "balloon", "craft": 2, "text": "Far.", "panel": 1, "id": "b1" });
-    let mut words = vec![other];
+    let mut words = vec![item(other)];
     for text in ["Did you hear that?", "It came from below."] {
-        words.push(json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 0, "id": "b1" }));
+        words.push(item(json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 0, "id": "b1" })));
     }
     let words = placed_by(&words, &[face(0.3, 0.6)], None);
     assert_eq!(links(&words), [None, None, Some(1)], "{words:?}");

@@ -9,7 +9,6 @@ use inkpanel::framing::PhotoMeta;
 use inkpanel::layout::{self, PageSettings};
 use inkpanel::page::document::Document;
 use inkpanel::page::request::Request;
-use inkpanel::page::words::Word;
 use inkpanel::page::{Scene, shuffle};
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -100,7 +99,8 @@ fn refused(change: impl FnOnce(&mut Value)) -> String {
     message
 }
 
-/// Adds the photo of each text item. The default is the photo of its panel.
+/// Adds the photo of each text item. The default is the photo of its panel. An automatic size is written as
+/// a missing size.
 fn tell_photos_of_words(value: &mut Value) {
     match value {
         Value::Array(list) => list.iter_mut().for_each(tell_photos_of_words),
@@ -108,8 +108,12 @@ fn tell_photos_of_words(value: &mut Value) {
             let panels = map.get("panels").cloned().unwrap_or_default();
             for word in map.get_mut("words").and_then(Value::as_array_mut).into_iter().flatten() {
                 let photo = word["panel"].as_u64().map(|panel| &panels[panel as usize]["photo"]);
-                if let (Some(Value::String(photo)), Some(word)) = (photo, word.as_object_mut()) {
+                let Some(word) = word.as_object_mut() else { continue };
+                if let Some(Value::String(photo)) = photo {
                     word.entry("photo").or_insert(json!(photo));
+                }
+                if word.get("size") == Some(&json!("auto")) {
+                    word.remove("size");
                 }
             }
             map.values_mut().for_each(tell_photos_of_words);
@@ -238,8 +242,8 @@ fn what_is_wrong_is_refused_with_its_place() {
     let long = "x".repeat(11_000);
     let many = |count: usize| vec![json!({ "kind": "caption", "text": "x" }); count];
     let cases: Vec<(&str, Value, &str)> = vec![
-        ("/history/present/page/words", json!([null]), "present.page.words[0].kind: "),
-        ("/history/present/page/words/1/text", json!(7), "present.page.words[1].text: is not text"),
+        ("/history/present/page/words", json!([null]), "present.page.words[0]: must be an object"),
+        ("/history/present/page/words/1/text", json!(7), "present.page.words[1].text: must be a string"),
         (
             "/history/present/page/words/1/text",
             json!(long),
@@ -539,7 +543,7 @@ fn every_kind_of_saved_project_opens_as_it_was() {
             let shown = pages.iter().flat_map(|sheet| &sheet.page.panels);
             let shown: Vec<_> = shown.map(|panel| panel.photo.as_deref().and_then(of)).collect();
             let waiting = file.history.present.waiting.iter();
-            (shown, waiting.map(|word| of(word["photo"].as_str().unwrap())).collect::<Vec<_>>())
+            (shown, waiting.map(|word| of(word.photo.as_deref().unwrap())).collect::<Vec<_>>())
         };
         assert_eq!(photo(&opened), photo(&project), "{kind}");
         usable(&opened);
@@ -680,7 +684,7 @@ fn usable(project: &ProjectFile) {
         .chain(shown.iter().map(|shown| &shown.page));
     for page in pages {
         Scene::new(page, 300).unwrap();
-        Word::parse_all(&page.words).unwrap();
+        assert!(page.words.iter().all(|word| word.validate().is_ok()));
         let template = page.template().unwrap();
         assert_eq!(layout::resolve(&template, page.page.aspect(), &page.page).len(), page.panels.len());
         let keep = json!({ "layout": true, "style": true, "photos": true });

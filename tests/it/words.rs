@@ -8,7 +8,7 @@ use inkpanel::framing::Subject;
 use inkpanel::layout::Point;
 use inkpanel::page::words::given::{GivenFonts, missing};
 use inkpanel::page::words::wording;
-use inkpanel::page::words::{Letters, Word, draw, layout, place};
+use inkpanel::page::words::{Letters, TextItem, draw, layout, place};
 use inkpanel::page::{Document, Scene, compose, png};
 use inkpanel::raster::decode::{Limits, decode};
 use inkpanel::raster::resize::{Region, resample_image};
@@ -19,6 +19,11 @@ use serde_json::{Value, json};
 
 fn letters() -> Letters {
     Letters::bundled().unwrap()
+}
+
+/// A text item as a list.
+fn items(word: Value) -> Vec<TextItem> {
+    vec![TextItem::read(word).unwrap()]
 }
 
 fn document(words: &Value) -> Document {
@@ -94,7 +99,7 @@ fn given_fonts_are_shaped_as_harfbuzz_does() {
     let rows: Value = serde_json::from_slice(&font_file("shaped.json")).unwrap();
     for row in rows.as_array().unwrap() {
         let word = row["word"].as_str().unwrap();
-        let letters = fonts(&[row["file"].as_str().unwrap()]).letters([&said(word)]).unwrap();
+        let letters = fonts(&[row["file"].as_str().unwrap()]).letters(&items(said(word))).unwrap();
         let font = letters.font("comic-neue").unwrap();
         let run = letters.cleaned(word);
         assert_eq!(run.len(), 1, "{word} is one letter by now");
@@ -139,7 +144,7 @@ fn letters_of_columns_have_the_forms_that_their_font_has_for_them() {
     }
     for row in &rows {
         let letter = row["letter"].as_str().unwrap();
-        let letters = fonts(&["japanese.ttf"]).letters([&columns(letter, &json!({}))]).unwrap();
+        let letters = fonts(&["japanese.ttf"]).letters(&items(columns(letter, &json!({})))).unwrap();
         let font = letters.font("comic-neue").unwrap();
         if letters.cleaned(letter).iter().all(|&own| letters.learnt(own).is_none()) {
             continue;
@@ -158,15 +163,17 @@ fn letters_of_columns_have_the_forms_that_their_font_has_for_them() {
 #[test]
 fn forms_for_columns_are_for_columns_alone() {
     let text = "「っ」";
-    let lying = fonts(&["japanese.ttf"]).letters([&said(text)]).unwrap();
-    let both = fonts(&["japanese.ttf"]).letters([&columns(text, &json!({}))]).unwrap();
+    let lying = fonts(&["japanese.ttf"]).letters(&items(said(text))).unwrap();
+    let both = fonts(&["japanese.ttf"]).letters(&items(columns(text, &json!({})))).unwrap();
     let word = document(&json!([said(text)]));
     let [one, other] = [&lying, &both].map(|letters| draw::render(&word, 0, 600, letters).unwrap().rgba);
     assert_eq!(one, other);
     // Characters without a vertical form in the font are rotated and moved as before.
     let columned = document(&json!([columns("漢字", &json!({}))]));
     let [one, other] = [said("漢字"), columns("漢字", &json!({}))].map(|word| {
-        draw::render(&columned, 0, 600, &fonts(&["japanese.ttf"]).letters([&word]).unwrap()).unwrap().rgba
+        draw::render(&columned, 0, 600, &fonts(&["japanese.ttf"]).letters(&items(word)).unwrap())
+            .unwrap()
+            .rgba
     });
     assert_eq!(one, other);
 }
@@ -262,7 +269,7 @@ fn readings_touch_neither_each_other_nor_their_letters_nor_the_next_line() {
 #[test]
 fn cubic_outlines_are_those_of_quadratic_ones() {
     let ink = |file: &str| {
-        let letters = fonts(&[file]).letters([&said("漢字")]).unwrap();
+        let letters = fonts(&[file]).letters(&items(said("漢字"))).unwrap();
         let font = letters.font("comic-neue").unwrap();
         let area = |line: &[Point]| {
             line.iter().zip(line.iter().cycle().skip(1)).map(|(a, b)| a.x * b.y - b.x * a.y).sum::<f64>()
@@ -280,12 +287,12 @@ fn cubic_outlines_are_those_of_quadratic_ones() {
 
 #[test]
 fn the_first_font_that_has_a_letter_gives_it_and_what_none_has_is_named() {
-    let word = said("مرحبا 漢字 ок 😀 \u{e000}");
+    let word = items(said("مرحبا 漢字 ок 😀 \u{e000}"));
     let both = fonts(&["arabic.ttf", "cubic.otf", "japanese.ttf"]);
-    let letters = both.letters([&word]).unwrap();
-    assert_eq!(missing(&letters, [&word]), ["😀", "U+E000"]);
-    let none = GivenFonts::default().letters([&word]).unwrap();
-    assert_eq!(missing(&none, [&word]).len(), 9);
+    let letters = both.letters(&word).unwrap();
+    assert_eq!(missing(&letters, &word), ["😀", "U+E000"]);
+    let none = GivenFonts::default().letters(&word).unwrap();
+    assert_eq!(missing(&none, &word).len(), 9);
 }
 
 #[test]
@@ -501,9 +508,9 @@ fn two_balloons_have_two_speakers_and_what_was_moved_stays() {
     ]);
     let document = settled(&words, &[face(0.05, 0.6), face(0.7, 0.6)]);
     let [one, two, mine] = &document.words[..] else { panic!() };
-    assert!(one["tail"]["x"].as_f64().unwrap() + 0.2 < two["tail"]["x"].as_f64().unwrap());
-    assert_eq!((&mine["x"], &mine["tail"]), (&json!(0.5), &Value::Null));
-    assert!(Word::parse(one, 0).unwrap().auto, "it goes on to follow the faces");
+    assert!(one.tail.unwrap().x + 0.2 < two.tail.unwrap().x);
+    assert_eq!((mine.x, mine.tail), (Some(0.5), None));
+    assert!(one.is_auto(), "it goes on to follow the faces");
 }
 
 #[test]

@@ -765,7 +765,7 @@ export type PageDocument = {
   page: PageSettings,
   /** The photos get one white point. Pages that were saved before this field have the colours of each photo. */
   balanced?: boolean,
-  /** Text items on the page, see `Word`(super::words::Word), in paint order. The renderer checks them. */
+  /** Text items on the page, in paint order. */
   words: ReadonlyArray<Word>,
 };
 
@@ -844,38 +844,44 @@ export type Crop = {
  * A caption, a balloon or a sound effect. Omitted fields have defaults. Positions are fractions of the
  * bounds of its panel, or of the page without a panel.
  */
-export type Word = { kind: 'caption' | 'balloon' | 'effect',
-  /** Text. */
+export type Word = {
+  /** Kind. */
+  kind: "caption" | "balloon" | "effect",
+  /** Text; `\n` ends a line. */
   text: string,
-  /** The outline of a balloon. */
-  shape?: 'oval' | 'thought' | 'shout' | 'whisper' | 'radio',
-  /** Its panel. */
-  panel?: number | null, x?: number, y?: number,
-  /** Width in page widths; null fits the text. */
+  /** The outline of a balloon. Default: oval. */
+  shape?: "oval" | "thought" | "shout" | "whisper" | "radio",
+  /** Its panel. Default: positions are fractions of the page. */
+  panel?: number | null,
+  /** Its middle from the left. Default: 0.5. */
+  x?: number,
+  /** Its middle from the top. Default: 0.5. */
+  y?: number,
+  /** Width of the box or balloon in page widths. Default: fits the text. */
   width?: number | null,
-  /** Height of an em in page widths; `auto` or null fits the text. */
+  /** Height of an em in page widths. Default: as large as fits, between two limits. */
   size?: number | 'auto' | null,
-  /** Target of the tail of a balloon. */
+  /** End of the tail of a balloon. */
   tail?: Focus | null,
   /** Id of a font. */
   font?: string,
-  /** Text colour. */
+  /** Text colour, and outline colour of a balloon, `#rrggbb`. Default: follows the style. */
   color?: string,
-  /** Colour of the box. */
+  /** Fill colour of a balloon or a box; outline colour of an effect, `#rrggbb`. Default: follows the style. */
   fill?: string,
   /** Degrees that an effect is turned clockwise. */
   angle?: number,
-  /** How far the line of an effect bends, -1 to 1. */
+  /** Arc of a sound effect: 1 bends up by a third of a circle, -1 bends down by the same angle. */
   arc?: number,
-  /** Whether the item is placed automatically, away from faces. */
+  /** Whether the item is placed automatically, away from faces. Default: true without a position. */
   auto?: boolean,
-  /** Shuffle made it: the next shuffle replaces it. */
+  /** Whether a shuffle made it. The next shuffle replaces it. */
   made?: boolean,
-  /** It belongs to a book: a shuffle keeps it, another book replaces it. */
+  /** Whether it belongs to a book. A shuffle keeps it, another book replaces it. */
   book?: boolean,
-  /** It is a page number, which follows the position of the page. */
+  /** Whether it is a page number, which follows the position of the page. */
   number?: boolean,
-  /** The photo that it belongs to. The item follows this photo. Null names the one on its panel. */
+  /** The photo that it belongs to. The item follows this photo. Default: the photo on its panel. */
   photo?: string | null,
   /** The subtitle of origin, so that it is not added twice. */
   cue?: string | null,
@@ -884,31 +890,35 @@ export type Word = { kind: 'caption' | 'balloon' | 'effect',
    * and keep their look.
    */
   craft?: 1 | 2,
-  /** A caption without a box. */
+  /** Whether a caption has no box. Its text is on the image, with an outline. */
   boxless?: boolean,
-  /** Whether it is set in capitals; null is as its conventions have it. */
+  /** Whether the caption is only left-aligned text from the top of its area. */
+  plain?: boolean,
+  /** Whether ruled lines replace the text of a caption. */
+  ruled?: boolean,
+  /** Whether it is set in capitals. Default: true by the rules of letterers, except effects. */
   capitals?: boolean | null,
   /** Slant of a sound effect in degrees to the right, -45 to 45. */
   slant?: number,
-  /** Half the width of the outline of a sound effect, in ems, 0 to 0.4. Default if null. */
+  /** Half the width of the outline of a sound effect, in ems, 0 to 0.4. */
   outline?: number | null,
-  /** Whether an effect is behind the subjects. */
+  /** Whether an effect is behind the subject of its panel, if the subject is known. */
   behind?: boolean,
   /** Id, for links of other balloons. */
   id?: string | null,
-  /** The name of the balloon that this one is joined to. */
+  /** The id of the balloon that this one is linked to; both have one speaker. */
   joined?: string | null,
-  /** Automatically linked balloon. */
+  /** Automatically linked balloon. It is found again at each automatic placement. */
   linked?: string | null,
   /** Whether this balloon is never linked automatically. */
   apart?: boolean,
-  /** Name of the speaker, if known. */
+  /** Name of the speaker, if known. Balloons of different speakers are never linked automatically. */
   by?: string,
-  /** The language of its text, for hyphenation. */
+  /** Language of the text, such as `en` or `pt-BR`, for hyphenation. Default: no hyphenation. */
   language?: string | null,
   /** Its lines are columns, read from the top down and from right to left. */
   vertical?: boolean,
-  /** Width and height in page widths, fixed when it was placed. */
+  /** Width and height in page widths for an item without a set width, found during placement. */
   room?: readonly [width: number, height: number] | null,
 };
 

@@ -3,6 +3,7 @@
 use inkpanel::document::script;
 use inkpanel::document::speech::Taking;
 use inkpanel::document::subtitles::{self, Frame};
+use inkpanel::page::words::TextKind;
 use inkpanel::texts::{self, Text};
 use wasm_bindgen::prelude::*;
 
@@ -57,6 +58,11 @@ pub fn names(bytes: &[u8], ends: &[u32], language: &str) -> Vec<String> {
     texts::names(&starts.zip(ends).map(name).collect::<Vec<_>>(), language)
 }
 
+/// The kind of the text items by its name.
+fn kind_of(name: &str) -> TextKind {
+    if name == "caption" { TextKind::Caption } else { TextKind::Balloon }
+}
+
 /// Matches subtitles with frames, or places them on `panels` in order; see `document::subtitles::told`.
 /// `frames` has two numbers per frame: its time in seconds, and 1 if a page shows it. `sounds` become
 /// effects, or are left out.
@@ -65,7 +71,7 @@ pub fn names(bytes: &[u8], ends: &[u32], language: &str) -> Vec<String> {
 pub fn subtitles(text: &str, vtt: bool, frames: &[f64], panels: usize, kind: &str, sounds: bool) -> String {
     let (frames, _) = frames.as_chunks::<2>();
     let frames: Vec<Frame> = frames.iter().map(|&[time, shown]| Frame { time, shown: shown > 0.0 }).collect();
-    subtitles::told(text, vtt, &frames, panels, Taking { kind, sounds })
+    subtitles::told(text, vtt, &frames, panels, Taking { kind: kind_of(kind), sounds })
 }
 
 /// The middle of each subtitle in seconds; see `document::subtitles::middles`.
@@ -79,5 +85,5 @@ pub fn middles(text: &str, vtt: bool) -> Vec<f64> {
 #[wasm_bindgen]
 #[must_use]
 pub fn script(text: &str, panels: usize, kind: &str, sounds: bool) -> String {
-    script::told(text, panels, Taking { kind, sounds })
+    script::told(text, panels, Taking { kind: kind_of(kind), sounds })
 }

@@ -16,7 +16,6 @@ use inkpanel::page::words::{draw, layout};
 use inkpanel::page::{Document, Patch};
 use inkpanel::raster::Matte;
 use serde::Deserialize;
-use serde_json::Value;
 use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
 
@@ -33,7 +32,7 @@ impl Lettering {
         let known = |id: &str| told.get(id).map(Told::known).unwrap_or_default();
         let settle = if again { place::resettle } else { place::settle };
         settle(&mut document, known, self.letters())?;
-        Ok(Value::Array(document.words).to_string())
+        Ok(document.words_json())
     }
 
     /// Bounds of the text items of a document; see `page::words::layout::measured`.

@@ -12,6 +12,7 @@ use super::document::template_of;
 use super::fill::faces_of;
 use super::request::{Avoid, Request};
 use super::shuffle::{Planned, planned};
+use super::words::TextItem;
 use crate::error::{Error, Result};
 use crate::framing::{FACE, PhotoMeta, Subject, Target, closeup};
 use crate::layout;
@@ -22,7 +23,7 @@ use crate::plan::{Shelf, slots};
 use narration::Told;
 use phrases::Phrases;
 use serde::Deserialize;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::collections::HashMap;
 
 /// Layouts of the cover and of full pages, of other pages with one photo, and of the end page.
@@ -230,11 +231,11 @@ impl Book {
         self.styles.values().filter_map(id).collect()
     }
 
-    fn words(&self, at: usize, page: &Document) -> Vec<Value> {
+    fn words(&self, at: usize, page: &Document) -> Vec<TextItem> {
         let (leaf, language) = (&self.outline.leaves[at], self.wish.language.as_str());
         let photo = &self.request.photos[leaf.photos[0]];
         let told = self.captions[at].iter();
-        let mut words: Vec<Value> = told
+        let mut words: Vec<TextItem> = told
             .filter_map(|(photo, text, begins)| {
                 let own = (*photo != leaf.photos[0]).then(|| self.request.photos[*photo].id.as_str());
                 narration::caption(page, own, (text, *begins), language)
@@ -317,17 +318,17 @@ fn in_time(request: &Request) -> Vec<usize> {
 }
 
 /// Removes the texts of a book from a page.
-pub fn without_texts(words: &mut Vec<Value>) {
-    words.retain(|word| word["book"] != json!(true));
+pub fn without_texts(words: &mut Vec<TextItem>) {
+    words.retain(|word| !word.book);
 }
 
 /// Sets the number of a page of a book, from 1. Returns whether the text changed.
 pub fn renumber(page: &mut Document, number: usize) -> bool {
-    let text = json!(number.to_string());
+    let text = number.to_string();
     let mut changed = false;
-    for word in page.words.iter_mut().filter(|word| word["number"] == json!(true)) {
-        changed |= word["text"] != text;
-        word["text"] = text.clone();
+    for word in page.words.iter_mut().filter(|word| word.number) {
+        changed |= word.text != text;
+        word.text.clone_from(&text);
     }
     changed
 }
@@ -374,7 +375,7 @@ mod tests {
     }
 
     fn texts(page: &BookPage) -> Vec<&str> {
-        page.planned.document.words.iter().filter_map(|word| word["text"].as_str()).collect()
+        page.planned.document.words.iter().map(|word| word.text.as_str()).collect()
     }
 
     #[test]
@@ -402,7 +403,7 @@ mod tests {
         assert_eq!(cast, 3);
         for pair in pages[1..].windows(2) {
             let [a, b] = [0, 1].map(|i| &pair[i].planned.document.layout);
-            assert!(a != b || *a == json!(SINGLE), "{a}");
+            assert!(a != b || *a == SINGLE, "{a}");
         }
     }
 
@@ -448,7 +449,7 @@ mod tests {
     fn numbers_follow_their_pages() {
         let mut page = made(request(12), Wish::default()).swap_remove(1).planned.document;
         assert!(renumber(&mut page, 7) && !renumber(&mut page, 7));
-        assert!(page.words.iter().any(|word| word["text"] == "7"));
+        assert!(page.words.iter().any(|word| word.text == "7"));
         without_texts(&mut page.words);
         assert!(page.words.is_empty());
     }

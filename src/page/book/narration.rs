@@ -3,9 +3,9 @@
 use super::phrases::Phrases;
 use crate::framing::{PhotoMeta, Subject};
 use crate::page::Document;
+use crate::page::words::model::{Craft, TextItem, TextKind};
 use crate::plan::book::{Outline, Role};
 use crate::plan::moments::Moment;
-use serde_json::{Value, json};
 use std::collections::HashMap;
 
 /// Maximum number of captions of a page.
@@ -135,26 +135,45 @@ pub(super) fn caption(
     photo: Option<&str>,
     (text, begins): (&str, bool),
     language: &str,
-) -> Option<Value> {
+) -> Option<TextItem> {
     let panel = match photo {
         Some(photo) => page.panels.iter().position(|panel| panel.photo.as_deref() == Some(photo))?,
         None => *page.reading_order().first()?,
     };
     let photo = page.panels.get(panel)?.photo.as_deref()?;
-    Some(json!({
-        "kind": "caption", "text": text, "panel": panel, "photo": photo, "auto": true, "craft": 2,
-        "made": true, "book": true, "language": language, "size": if begins { HEADING } else { CAPTION },
-    }))
+    Some(TextItem {
+        panel: Some(panel),
+        photo: Some(photo.to_owned()),
+        auto: Some(true),
+        language: in_language(language),
+        size: Some(if begins { HEADING } else { CAPTION }),
+        ..of_book(text)
+    })
+}
+
+/// A caption of a book.
+fn of_book(text: &str) -> TextItem {
+    let item = TextItem::new(TextKind::Caption, text);
+    TextItem { craft: Craft::Letterer, made: true, book: true, ..item }
+}
+
+fn in_language(language: &str) -> Option<String> {
+    (!language.is_empty()).then(|| language.to_owned())
 }
 
 /// The number of a page, from 1, at its lower edge.
-pub(super) fn number(page: &Document, number: usize) -> Value {
+pub(super) fn number(page: &Document, number: usize) -> TextItem {
     let aspect = page.page.aspect();
     let middle = (page.page.margin / 2.0).max(NUMBER * 0.7);
-    json!({
-        "kind": "caption", "text": number.to_string(), "x": 0.5, "y": 1.0 - middle * aspect, "size": NUMBER,
-        "boxless": true, "auto": false, "craft": 2, "made": true, "book": true, "number": true,
-    })
+    TextItem {
+        x: Some(0.5),
+        y: Some(1.0 - middle * aspect),
+        size: Some(NUMBER),
+        boxless: true,
+        auto: Some(false),
+        number: true,
+        ..of_book(&number.to_string())
+    }
 }
 
 /// A large text and a smaller one below it, at the upper or the lower edge of the page, wherever they hide less of the
@@ -164,7 +183,7 @@ pub(super) fn title(
     photo: &PhotoMeta,
     (text, below): (&str, &str),
     (language, low): (&str, bool),
-) -> Vec<Value> {
+) -> Vec<TextItem> {
     let aspect = page.page.aspect();
     let (size, lines) = fitted(text);
     let smaller = if below.is_empty() { 0.0 } else { SUBTITLE };
@@ -173,11 +192,16 @@ pub(super) fn title(
     let hidden = |from: f64, to: f64| -> f64 { covered(page, photo, from, to) };
     let top = low || hidden(0.0, band) <= hidden(1.0 - band, 1.0);
     let start = if top { EDGE * aspect } else { 1.0 - (high + EDGE) * aspect };
-    let word = |text: &str, y: f64, size: f64, font: &str| {
-        json!({
-            "kind": "caption", "text": text, "x": 0.5, "y": y, "width": WIDTH, "size": size, "font": font,
-            "boxless": true, "auto": false, "craft": 2, "made": true, "book": true, "language": language,
-        })
+    let word = |text: &str, y: f64, size: f64, font: &str| TextItem {
+        x: Some(0.5),
+        y: Some(y),
+        width: Some(WIDTH),
+        size: Some(size),
+        font: Some(font.to_owned()),
+        boxless: true,
+        auto: Some(false),
+        language: in_language(language),
+        ..of_book(text)
     };
     let middle = start + lines as f64 * size * LINE / 2.0 * aspect;
     let mut words = vec![word(text, middle, size, "bangers")];

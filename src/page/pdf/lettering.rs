@@ -79,32 +79,32 @@ impl Lettering<'_> {
         content.set_line_width(short(if united { 4.0 } else { 2.0 } * half));
         if ringed {
             if half > 0.0 {
-                stroke(content, &text, (colours, laid.word.fill));
+                stroke(content, &text, (colours, laid.fill));
             }
         } else if united {
             if let Some((on, off)) = dash {
                 content.set_dash_pattern([short(on), short(off)], 0.0);
             }
-            stroke(content, &body, (colours, laid.word.color));
-            fill(content, &body, (colours, laid.word.fill));
+            stroke(content, &body, (colours, laid.color));
+            fill(content, &body, (colours, laid.fill));
         } else {
-            fill(content, &body, (colours, laid.word.fill));
+            fill(content, &body, (colours, laid.fill));
             if let Some((on, off)) = dash {
                 content.set_dash_pattern([short(on), short(off)], 0.0);
             }
-            stroke(content, &body, (colours, laid.word.color));
+            stroke(content, &body, (colours, laid.color));
         }
         end(content);
         tags.paragraph(content, (self.ground.number, rank), &read(&laid.word), id);
         let bend = Bend::new(laid, width);
         if !heavy.0.is_empty() {
             content.set_dash_pattern([], 0.0).set_line_width(short(2.0 * heavy.1));
-            stroke(content, &heavy.0, (colours, laid.word.color));
+            stroke(content, &heavy.0, (colours, laid.color));
         }
         if bend.is_arc() {
-            fill(content, &text, (colours, laid.word.color));
+            fill(content, &text, (colours, laid.color));
         }
-        colours.fill(content, laid.word.color);
+        colours.fill(content, laid.color);
         self.text(content, laid, width, &bend);
         end(content);
         content.restore_state();
@@ -123,7 +123,7 @@ impl Lettering<'_> {
             // Search functions split text on arched lines, so its text is stored separately. They do not turn that text
             // around, so text from right to left is not.
             let leftward = row.letters.iter().any(|&(letter, _)| self.letters.is_leftward(letter));
-            let level = laid.word.kind != Kind::Effect || leftward;
+            let level = laid.word.kind() != Kind::Effect || leftward;
             if !level {
                 let says: String =
                     row.letters.iter().map(|&(letter, _)| self.letters.text_of(letter)).collect();

@@ -4,7 +4,7 @@ use super::balloons::neck;
 use super::bidi::Seen;
 use super::layout::{Body, Chain, Ground, Laid, lay_all};
 use super::letters::{Font, Letters};
-use super::model::{Craft, Kind, Shape, Word};
+use super::model::{Craft, Kind, Shape};
 use super::ruby;
 use super::setting::Setting;
 use super::shapes;
@@ -47,8 +47,7 @@ pub fn render(document: &Document, index: usize, width: usize, letters: &Letters
         return Err(invalid("page".into(), "cannot be rendered at this size"));
     }
     let missing = || invalid(format!("words[{index}]"), "there is no such word");
-    let value = document.words.get(index).ok_or_else(missing)?;
-    let word = Word::parse(value, index)?;
+    let word = document.words.get(index).ok_or_else(missing)?.effective();
     // Linked balloons are drawn with the first one, which needs all of them.
     if word.id.is_some() || word.hangs_on().is_some() {
         let all = lay_all(document, letters)?;
@@ -128,7 +127,7 @@ pub(in crate::page) struct Lines {
 /// Vector shapes of a text item on a page of `width` pixels.
 pub(in crate::page) fn lines(laid: &Laid, width: f64, letters: &Letters) -> Lines {
     let word = &laid.word;
-    let ringed = word.kind == Kind::Effect || word.boxless;
+    let ringed = word.kind() == Kind::Effect || word.boxless;
     let outline = |body: &Body| {
         let scaled = |point: Point| Point::new(point.x * width, point.y * width);
         let middle = scaled(body.middle);
@@ -137,7 +136,13 @@ pub(in crate::page) fn lines(laid: &Laid, width: f64, letters: &Letters) -> Line
     };
     let own = || {
         let Laid { middle, tip, setting, .. } = laid;
-        outline(&Body { kind: word.kind, craft: word.craft, middle: *middle, half: setting.half, tip: *tip })
+        outline(&Body {
+            kind: word.kind(),
+            craft: word.craft,
+            middle: *middle,
+            half: setting.half,
+            tip: *tip,
+        })
     };
     if word.plain {
         return plain(laid, width, letters);
@@ -150,13 +155,13 @@ pub(in crate::page) fn lines(laid: &Laid, width: f64, letters: &Letters) -> Line
         body.extend(necks.iter().map(|tie| neck(scaled(tie.from), scaled(tie.to), tie.half * width)));
     }
     let size = laid.setting.size;
-    let half = match word.kind {
+    let half = match word.kind() {
         Kind::Effect => word.outline.unwrap_or(RING) * size,
         _ if word.boxless => HALO * size,
         _ if word.craft == Craft::Letterer => FINER,
         _ => LINE,
     };
-    let dash = (word.kind == Kind::Balloon(Shape::Whisper)).then_some((DASH.0 * width, DASH.1 * width));
+    let dash = (word.kind() == Kind::Balloon(Shape::Whisper)).then_some((DASH.0 * width, DASH.1 * width));
     let (text, heavy) = contours(laid, width, letters);
     let heavy = (heavy, HEAVIER * size * width);
     Lines { body, united, text, heavy, ringed, half: half * width, dash }
@@ -192,23 +197,22 @@ pub fn draw(laid: &Laid, width: f64, letters: &Letters) -> Patch {
         }
         mask
     };
-    let word = &laid.word;
     if ringed {
         // A line width of 0 draws no outline.
         if line > 0.0 {
-            lay_over(&mut rgba, &ring(&text, line, None), word.fill);
+            lay_over(&mut rgba, &ring(&text, line, None), laid.fill);
         }
     } else if united {
-        lay_over(&mut rgba, &ring(&body, 2.0 * line, dash), word.color);
-        lay_over(&mut rgba, &filled(&body), word.fill);
+        lay_over(&mut rgba, &ring(&body, 2.0 * line, dash), laid.color);
+        lay_over(&mut rgba, &filled(&body), laid.fill);
     } else {
-        lay_over(&mut rgba, &filled(&body), word.fill);
-        lay_over(&mut rgba, &ring(&body, line, dash), word.color);
+        lay_over(&mut rgba, &filled(&body), laid.fill);
+        lay_over(&mut rgba, &ring(&body, line, dash), laid.color);
     }
     if !heavy.0.is_empty() {
-        lay_over(&mut rgba, &ring(&heavy.0, heavy.1, None), word.color);
+        lay_over(&mut rgba, &ring(&heavy.0, heavy.1, None), laid.color);
     }
-    lay_over(&mut rgba, &filled(&text), word.color);
+    lay_over(&mut rgba, &filled(&text), laid.color);
     Patch { area, rgba }
 }
 
@@ -241,7 +245,7 @@ impl Row<'_> {
 
 /// Returns the lines of a text item on a page of `width` pixels, with ruby readings.
 pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -> Vec<Row<'a>> {
-    let Some(font) = letters.font(&laid.word.font) else { return Vec::new() };
+    let Some(font) = letters.font(laid.word.font()) else { return Vec::new() };
     if laid.word.vertical {
         return columns(laid, width, (letters, font));
     }
@@ -276,7 +280,7 @@ pub(in crate::page) fn rows<'a>(laid: &Laid, width: f64, letters: &'a Letters) -
                 letters: Vec::with_capacity(alike),
                 font,
                 strong: strong(at),
-                heavy: strong(at) && font.id() == laid.word.font,
+                heavy: strong(at) && font.id() == laid.word.font(),
                 scale: 1.0,
             };
             for i in at..at + alike {
@@ -360,7 +364,7 @@ fn columns<'a>(laid: &Laid, width: f64, (letters, font): (&'a Letters, &'a Font)
             &apart,
             |at| {
                 let font = if strong(at) { bold } else { font };
-                Row { heavy: strong(at) && font.id() == laid.word.font, scale: 1.0, ..small(font, 0.0) }
+                Row { heavy: strong(at) && font.id() == laid.word.font(), scale: 1.0, ..small(font, 0.0) }
             },
             font,
             &mut rows,
@@ -503,7 +507,7 @@ pub(in crate::page) struct Bend {
 impl Bend {
     /// On a page of `width` pixels.
     pub(in crate::page) fn new(laid: &Laid, width: f64) -> Self {
-        let effect = laid.word.kind == Kind::Effect;
+        let effect = laid.word.kind() == Kind::Effect;
         let (sin, cos) = if effect { laid.word.angle.to_radians().sin_cos() } else { (0.0, 1.0) };
         // The line covers a third of the circle at most.
         let turn = laid.word.arc * std::f64::consts::FRAC_PI_3;

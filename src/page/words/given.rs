@@ -8,6 +8,7 @@
 //!
 //! No wasm module contains this code.
 
+use super::TextItem;
 use super::bidi;
 use super::learning::number;
 use super::letters::{Contour, Letters};
@@ -16,7 +17,6 @@ use crate::error::Result;
 use crate::layout::Point;
 use rustybuzz::ttf_parser::{GlyphId, OutlineBuilder, fonts_in_collection};
 use rustybuzz::{Direction, Face, GlyphBuffer, UnicodeBuffer};
-use serde_json::Value;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
@@ -94,19 +94,18 @@ impl GivenFonts {
     ///
     /// # Errors
     /// Only if the build is broken.
-    pub fn letters<'w>(&self, words: impl IntoIterator<Item = &'w Value>) -> Result<Letters> {
+    pub fn letters<'w>(&self, words: impl IntoIterator<Item = &'w TextItem>) -> Result<Letters> {
         let mut letters = Letters::bundled()?;
         if self.files.is_empty() {
             return Ok(letters);
         }
         let mut faces: Vec<Option<Face<'_>>> = self.files.iter().map(|file| face(file)).collect();
         for word in words {
-            let Some(text) = word["text"].as_str() else { continue };
-            for said in text.split_whitespace() {
+            for said in word.text.split_whitespace() {
                 for stretch in stretches(&letters, said) {
                     learn(&mut letters, &mut faces, &stretch);
                 }
-                if word["vertical"] == true {
+                if word.vertical {
                     stand(&mut letters, &faces, said);
                 }
             }
@@ -117,11 +116,11 @@ impl GivenFonts {
 
 /// Characters of text items that no font has, without duplicates, in display form.
 #[must_use]
-pub fn missing<'w>(letters: &Letters, words: impl IntoIterator<Item = &'w Value>) -> Vec<String> {
+pub fn missing<'w>(letters: &Letters, words: impl IntoIterator<Item = &'w TextItem>) -> Vec<String> {
     let Some(font) = letters.font(OWN) else { return Vec::new() };
     let mut all: Vec<char> = Vec::new();
-    for text in words.into_iter().filter_map(|word| word["text"].as_str()) {
-        for letter in letters.missing(text, font) {
+    for word in words {
+        for letter in letters.missing(&word.text, font) {
             if !all.contains(&letter) {
                 all.push(letter);
             }

@@ -1,7 +1,7 @@
 //! Positions and sizes of the text items of a document. Lengths are in page widths.
 
 use super::letters::Letters;
-use super::model::{Craft, Kind, Word};
+use super::model::{Craft, Kind, TextItem};
 use super::palette::{self, Palette};
 use super::setting::{Setting, Wish, set};
 use super::shapes::reach;
@@ -13,8 +13,12 @@ use serde::Serialize;
 
 /// A text item with its position.
 pub struct Laid {
-    /// The text item.
-    pub word: Word,
+    /// The text item, see [`TextItem::effective`].
+    pub word: TextItem,
+    /// Text colour, and outline colour of a balloon.
+    pub color: [u8; 3],
+    /// Fill colour of a balloon or a box; outline colour of an effect.
+    pub fill: [u8; 3],
     /// Its text in lines.
     pub setting: Setting,
     /// Its middle.
@@ -116,39 +120,40 @@ impl Ground {
     /// The bounds for relative positions: the item's panel, the last panel if the page has fewer, or the
     /// page.
     #[must_use]
-    pub fn frame(&self, word: &Word) -> Bounds {
+    pub fn frame(&self, word: &TextItem) -> Bounds {
         let panel = word.panel.and_then(|panel| self.panels.get(panel).or_else(|| self.panels.last()));
         panel.map_or(Bounds { x: 0.0, y: 0.0, width: 1.0, height: self.height }, |panel| panel.bounds)
     }
 
-    /// A text item with the colours of the page for unset colours.
-    fn coloured(&self, mut word: Word) -> Word {
+    /// The text colour and the fill colour of an item, with the colours of the page for unset colours.
+    fn colors(&self, word: &TextItem) -> ([u8; 3], [u8; 3]) {
+        let own = word.colors();
         if word.craft == Craft::Letterer {
             let Palette { ink, paper, note, accent, edge } = self.palette;
-            let (color, fill) = match word.kind {
+            let (color, fill) = match word.kind() {
                 Kind::Caption if word.boxless => (ink, paper),
                 Kind::Caption => (ink, note),
                 Kind::Balloon(_) => (ink, paper),
                 Kind::Effect => (accent, edge),
             };
             // A colour of the style is used only if it is readable with the custom colour.
-            match word.chosen {
-                (false, false) => (word.color, word.fill) = (color, fill),
-                (true, false) if palette::contrast(word.color, fill) > 3.0 => word.fill = fill,
-                (false, true) if palette::contrast(color, word.fill) > 3.0 => word.color = color,
-                _ => {}
-            }
+            return match (word.color.is_some(), word.fill.is_some()) {
+                (false, false) => (color, fill),
+                (true, false) if palette::contrast(own.0, fill) > 3.0 => (own.0, fill),
+                (false, true) if palette::contrast(color, own.1) > 3.0 => (color, own.1),
+                _ => own,
+            };
         }
-        word
+        own
     }
 
-    /// Sets a text item and computes its position. It never leaves the page.
+    /// Sets a text item, see [`TextItem::effective`], and computes its position. It never leaves the page.
     #[must_use]
-    pub fn lay(&self, word: Word, letters: &Letters) -> Laid {
-        let word = self.coloured(word);
+    pub fn lay(&self, word: TextItem, letters: &Letters) -> Laid {
+        let (color, fill) = self.colors(&word);
         let frame = self.frame(&word);
         let point = |(x, y): (f64, f64)| Point::new(frame.x + x * frame.width, frame.y + y * frame.height);
-        let reach = reach(word.kind);
+        let reach = reach(word.kind());
         let share = match (word.panel.is_some(), word.craft) {
             (false, _) => (0.5, 0.3),
             (true, Craft::First) => (0.84, 0.62),
@@ -158,7 +163,7 @@ impl Ground {
         let part = |(across, down): (f64, f64)| (across * frame.width / reach, down * frame.height / reach);
         let own = word.room.map(|(width, height)| (width / reach, height / reach));
         let wish = Wish {
-            kind: word.kind,
+            kind: word.kind(),
             craft: word.craft,
             vertical: word.vertical,
             plain: word.plain,
@@ -174,7 +179,7 @@ impl Ground {
         let room = width.map_or(wish.room, |_| (wish.page.0, wish.room.1));
         let most = width.map_or(wish.most, |_| (wish.page.0, wish.most.1));
         let wish = Wish { room, most, ..wish };
-        let setting = match letters.font(&word.font) {
+        let setting = match letters.font(word.font()) {
             Some(font) => {
                 set(letters, font, (&marks(&word, letters, font), &readings(&word, letters)), &wish)
             }
@@ -192,23 +197,23 @@ impl Ground {
         };
         let half = extent(&word, &setting);
         let inside = |at: f64, half: f64, length: f64| at.max(half).min((length - half).max(length / 2.0));
-        let middle = point(word.at);
+        let middle = point(word.at());
         let middle = if word.plain { Point::new(middle.x + half.0, middle.y + half.1) } else { middle };
         let middle = Point::new(inside(middle.x, half.0, 1.0), inside(middle.y, half.1, self.height));
         let tip = word
             .tail
-            .map(point)
+            .map(|tail| point((tail.x, tail.y)))
             .map(|tip| Point::new(inside(tip.x, 0.0, 1.0), inside(tip.y, 0.0, self.height)));
-        Laid { word, setting, middle, tip, chain: Chain::None }
+        Laid { word, color, fill, setting, middle, tip, chain: Chain::None }
     }
 }
 
 /// Half the width and height of a text item on the page, without its tail.
 #[must_use]
-pub fn extent(word: &Word, setting: &Setting) -> (f64, f64) {
-    let reach = reach(word.kind);
+pub fn extent(word: &TextItem, setting: &Setting) -> (f64, f64) {
+    let reach = reach(word.kind());
     let (a, b) = (setting.half.0 * reach, setting.half.1 * reach);
-    if word.kind != Kind::Effect {
+    if word.kind() != Kind::Effect {
         return (a, b);
     }
     // The bow of an arched line is up to a quarter of its width high.
@@ -222,26 +227,26 @@ pub fn extent(word: &Word, setting: &Setting) -> (f64, f64) {
 /// Lays out all text items of a document.
 ///
 /// # Errors
-/// `invalid-document` for an invalid text item; layout errors.
+/// Layout errors.
 pub fn lay_all(document: &Document, letters: &Letters) -> Result<Vec<Laid>> {
     if document.words.is_empty() {
         return Ok(Vec::new());
     }
     let ground = Ground::new(document)?;
     let mut all: Vec<Laid> =
-        Word::parse_all(&document.words)?.into_iter().map(|word| ground.lay(word, letters)).collect();
+        document.effective_words().into_iter().map(|word| ground.lay(word, letters)).collect();
     join(&mut all);
     Ok(all)
 }
 
 /// Returns the balloon that each text item is linked to.
-pub(super) fn joined<'w>(words: &(impl Iterator<Item = &'w Word> + Clone)) -> Vec<Option<usize>> {
+pub(super) fn joined<'w>(words: &(impl Iterator<Item = &'w TextItem> + Clone)) -> Vec<Option<usize>> {
     let place = |name: &String| {
         let mut balloons =
-            words.clone().enumerate().filter(|(_, word)| matches!(word.kind, Kind::Balloon(_)));
+            words.clone().enumerate().filter(|(_, word)| matches!(word.kind(), Kind::Balloon(_)));
         balloons.find(|(_, word)| word.id.as_ref() == Some(name)).map(|(place, _)| place)
     };
-    let of = |(i, word): (usize, &Word)| word.hangs_on().and_then(place).filter(|place| *place != i);
+    let of = |(i, word): (usize, &TextItem)| word.hangs_on().and_then(place).filter(|place| *place != i);
     words.clone().enumerate().map(of).collect()
 }
 
@@ -260,7 +265,7 @@ fn join(all: &mut [Laid]) {
         }
         let body = |&i: &usize| {
             let Laid { word, middle, tip, setting, .. } = &all[i];
-            Body { kind: word.kind, craft: word.craft, middle: *middle, half: setting.half, tip: *tip }
+            Body { kind: word.kind(), craft: word.craft, middle: *middle, half: setting.half, tip: *tip }
         };
         let bodies = others.iter().map(body).collect();
         let neck = |&i: &usize| {
@@ -318,9 +323,9 @@ pub fn measured(document: &Document, letters: &Letters) -> Result<Vec<WordBox>> 
             tip: laid.tip,
             size: laid.setting.size,
             cut: laid.setting.cut,
-            color: hexadecimal(laid.word.color),
-            fill: hexadecimal(laid.word.fill),
-            font: laid.word.font,
+            color: hexadecimal(laid.color),
+            fill: hexadecimal(laid.fill),
+            font: laid.word.font().to_owned(),
         }
     });
     Ok(boxes.collect())

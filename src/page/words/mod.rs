@@ -47,4 +47,4 @@ mod vertical;
 pub mod wording;
 
 pub use letters::Letters;
-pub use model::Word;
+pub use model::{TextItem, TextKind};

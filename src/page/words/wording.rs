@@ -4,7 +4,7 @@
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); the patterns of `TeX` by way of `hypher`.
 
 use super::letters::{Font, Letters, STEM};
-use super::model::{Craft, Word};
+use super::model::{Craft, TextItem};
 use super::ruby;
 use super::vertical;
 use hypher::Lang;
@@ -48,7 +48,7 @@ impl Mark {
 
 /// The characters of a text item, by its lettering rules.
 #[must_use]
-pub fn marks(word: &Word, letters: &Letters, font: &Font) -> Vec<Mark> {
+pub fn marks(word: &TextItem, letters: &Letters, font: &Font) -> Vec<Mark> {
     if word.craft == Craft::First {
         return letters.cleaned(&word.text).into_iter().map(Mark::plain).collect();
     }
@@ -57,7 +57,7 @@ pub fn marks(word: &Word, letters: &Letters, font: &Font) -> Vec<Mark> {
     quotes(&mut marks, &language);
     parts(&mut marks, &language);
     beside(&mut marks, letters);
-    if word.capitals {
+    if word.in_capitals() {
         marks = capitals(&marks, &language, font);
     }
     marks
@@ -65,12 +65,12 @@ pub fn marks(word: &Word, letters: &Letters, font: &Font) -> Vec<Mark> {
 
 /// The readings of a text item, by number minus one.
 #[must_use]
-pub fn readings(word: &Word, letters: &Letters) -> Vec<Vec<char>> {
+pub fn readings(word: &TextItem, letters: &Letters) -> Vec<Vec<char>> {
     if word.craft == Craft::First || !word.text.contains('《') {
         return Vec::new();
     }
     let (_, mut readings) = read_apart(written(word, letters), letters);
-    if word.capitals {
+    if word.in_capitals() {
         for reading in &mut readings {
             *reading = reading.iter().flat_map(|letter| letter.to_uppercase()).collect();
         }
@@ -79,7 +79,7 @@ pub fn readings(word: &Word, letters: &Letters) -> Vec<Vec<char>> {
 }
 
 /// Returns the characters of a text item as they are written, with emphasis.
-fn written(word: &Word, letters: &Letters) -> Vec<Mark> {
+fn written(word: &TextItem, letters: &Letters) -> Vec<Mark> {
     let own = |letter: char| if matches!(letter, STEM | SOFT) { '\u{fffd}' } else { letter };
     let text: String =
         word.text.chars().map(|letter| if letter == '\u{ad}' { SOFT } else { own(letter) }).collect();
@@ -109,7 +109,7 @@ fn read_apart(marks: Vec<Mark>, letters: &Letters) -> (Vec<Mark>, Vec<Vec<char>>
 /// Text of a text item for screen readers and copying: without emphasis marks, in the original case, with
 /// readings in brackets.
 #[must_use]
-pub fn read(word: &Word) -> String {
+pub fn read(word: &TextItem) -> String {
     let said = |(base, reading): (String, Option<String>)| match reading {
         Some(reading) => format!("{base}（{reading}）"),
         None => base,
@@ -119,7 +119,7 @@ pub fn read(word: &Word) -> String {
 
 /// Text of a text item in segments, with a reading for segments that have one.
 #[must_use]
-pub fn said_apart(word: &Word) -> Vec<(String, Option<String>)> {
+pub fn said_apart(word: &TextItem) -> Vec<(String, Option<String>)> {
     if word.craft == Craft::First {
         return vec![(word.text.clone(), None)];
     }
@@ -329,8 +329,8 @@ mod tests {
         let letters = Letters::bundled().unwrap();
         let word =
             json!({ "kind": "balloon", "craft": 2, "text": text, "language": language, "capitals": false });
-        let word = Word::parse(&word, 0).unwrap();
-        marks(&word, &letters, letters.font(&word.font).unwrap())
+        let word = TextItem::read(word).unwrap();
+        marks(&word, &letters, letters.font(word.font()).unwrap())
     }
 
     fn text(marks: &[Mark]) -> String {
@@ -393,8 +393,8 @@ mod tests {
     fn the_i_with_bars_is_the_pronoun() {
         let letters = Letters::bundled().unwrap();
         let word =
-            Word::parse(&json!({ "kind": "balloon", "craft": 2, "text": "I’m in it, am I?" }), 0).unwrap();
-        let set = marks(&word, &letters, letters.font(&word.font).unwrap());
+            TextItem::read(json!({ "kind": "balloon", "craft": 2, "text": "I’m in it, am I?" })).unwrap();
+        let set = marks(&word, &letters, letters.font(word.font()).unwrap());
         assert_eq!(text(&set), format!("I’M {STEM}N {STEM}T, AM I?"));
     }
 }

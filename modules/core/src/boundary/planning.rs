@@ -47,7 +47,7 @@ impl Editor {
             out.open(b'[');
             for sheet in planning.project.sheets() {
                 out.item();
-                planning.on_paper(&sheet.page, &request.page)?.write(&mut out);
+                out.put(&planning.on_paper(&sheet.page, &request.page)?);
             }
             out.close(b']');
             Ok(out.finish())

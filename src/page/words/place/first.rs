@@ -5,7 +5,7 @@
 use super::{INSET, Seen, center, contains, covered, gap, shared};
 use crate::layout::{Bounds, Point, ResolvedShape};
 use crate::page::words::layout::Laid;
-use crate::page::words::model::{Kind, Word};
+use crate::page::words::model::{Kind, TextItem};
 
 /// Places that are tried along each side of a panel.
 const STEPS: usize = 9;
@@ -25,13 +25,13 @@ pub(super) fn place(
     let speaker = speaker(&laid.word, seen, spoken);
     spoken.extend(speaker.map(center));
     let area = best(laid, frame, shape, seen, speaker, taken);
-    let tip = matches!(laid.word.kind, Kind::Balloon(_)).then(|| tip(area, speaker, seen, frame));
+    let tip = matches!(laid.word.kind(), Kind::Balloon(_)).then(|| tip(area, speaker, seen, frame));
     (area, tip)
 }
 
 /// The speaking face: the one with the fewest balloons so far, from left to right.
-fn speaker(word: &Word, seen: &[Seen], spoken: &[Point]) -> Option<Bounds> {
-    if !matches!(word.kind, Kind::Balloon(_)) {
+fn speaker(word: &TextItem, seen: &[Seen], spoken: &[Point]) -> Option<Bounds> {
+    if !matches!(word.kind(), Kind::Balloon(_)) {
         return None;
     }
     let said = |face: &Bounds| spoken.iter().filter(|point| center(*face).distance(**point) < 1e-6).count();
@@ -91,7 +91,7 @@ fn best(
             cost += 8.0 * corners.into_iter().filter(|corner| !inside(*corner)).count() as f64;
         }
         let corner = right.min(1.0 - right).hypot(low.min(1.0 - low));
-        cost + match laid.word.kind {
+        cost + match laid.word.kind() {
             // The corner that is farthest from faces, or the upper left one without faces.
             Kind::Caption => 3.0 * corner - 2.0 * nearest / size + 0.3 * low + 0.1 * right,
             Kind::Balloon(_) => {

@@ -18,7 +18,7 @@ use super::{Figure, INSET, Scenery, Seen, above, center, contains, covered, gap,
 use crate::layout::{Bounds, Point, ResolvedPanel};
 use crate::page::words::layout::{Ground, Laid};
 use crate::page::words::letters::Letters;
-use crate::page::words::model::{Craft, Kind, Word};
+use crate::page::words::model::{Craft, Kind, TextItem};
 use crate::page::words::setting::LEGIBLE_ON_SCREENS;
 
 /// Candidate positions along each side of a panel.
@@ -81,10 +81,10 @@ pub(super) struct Place {
 }
 
 /// Text items that are placed together: the automatic ones of each panel, in order.
-pub(super) fn groups(words: &[Word], ground: &Ground) -> Vec<Vec<usize>> {
+pub(super) fn groups(words: &[TextItem], ground: &Ground) -> Vec<Vec<usize>> {
     let mut groups: Vec<(Option<usize>, Vec<usize>)> = Vec::new();
     for (i, word) in words.iter().enumerate() {
-        if !word.auto || word.craft == Craft::First {
+        if !word.is_auto() || word.craft == Craft::First {
             continue;
         }
         let panel = panel_of(word, ground);
@@ -100,7 +100,7 @@ pub(super) fn groups(words: &[Word], ground: &Ground) -> Vec<Vec<usize>> {
 #[derive(Clone, Copy)]
 pub(super) struct Page<'a> {
     /// All text items of the document.
-    pub(super) words: &'a [Word],
+    pub(super) words: &'a [TextItem],
     /// Link of each item: set manually, or to a balloon with a fixed position.
     pub(super) joins: &'a [Option<usize>],
     /// Occupied areas, with the index of the item.
@@ -162,13 +162,13 @@ pub(super) fn place(
 
 /// Returns pairs of consecutive balloons of a group, the later one first. No other balloon of the panel is
 /// between them, and both have one look.
-fn pairs(words: &[Word], group: &[usize], here: impl Fn(&Word) -> bool) -> Vec<(usize, usize)> {
-    let is_balloon = |word: &Word| matches!(word.kind, Kind::Balloon(_)) && here(word);
+fn pairs(words: &[TextItem], group: &[usize], here: impl Fn(&TextItem) -> bool) -> Vec<(usize, usize)> {
+    let is_balloon = |word: &TextItem| matches!(word.kind(), Kind::Balloon(_)) && here(word);
     let before = |&later: &usize| {
         let before = (0..later).rev().find(|&before| is_balloon(&words[before]))?;
         let (one, other) = (&words[before], &words[later]);
-        let alike = one.kind == other.kind
-            && (one.color, one.fill, one.vertical) == (other.color, other.fill, other.vertical);
+        let alike =
+            one.kind() == other.kind() && (one.colors(), one.vertical) == (other.colors(), other.vertical);
         (alike && !other.apart && group.contains(&before)).then_some((later, before))
     };
     group.iter().filter(|&&later| is_balloon(&words[later])).filter_map(before).collect()
@@ -189,7 +189,7 @@ fn chain(joins: &[Option<usize>], one: usize) -> usize {
 }
 
 /// Whether two balloons have the same speaker: by name, or by the assigned face.
-fn one_mouth(one: (&Word, &Place), other: (&Word, &Place), speakers: &[(usize, f64)]) -> bool {
+fn one_mouth(one: (&TextItem, &Place), other: (&TextItem, &Place), speakers: &[(usize, f64)]) -> bool {
     match (&one.0.by, &other.0.by) {
         (Some(name), Some(second)) => name == second,
         _ => speakers.is_empty() || one.1.speaker.is_some() && one.1.speaker == other.1.speaker,
@@ -335,15 +335,15 @@ impl Room<'_> {
     fn weighed(&self, index: usize, rank: usize) -> Vec<Spot> {
         let Page { words, ground, letters, .. } = self.page;
         let word = &words[index];
-        let usual = ground.lay(Word { room: None, ..word.clone() }, letters);
+        let usual = ground.lay(TextItem { room: None, ..word.clone() }, letters);
         let mut shapes = vec![(None, usual)];
         // A custom size or width does not change.
-        if word.kind != Kind::Effect && word.width.is_none() && self.count <= CROWD {
+        if word.kind() != Kind::Effect && word.width.is_none() && self.count <= CROWD {
             for (across, down) in
                 [(0.94, 0.2), (0.94, 0.3), (0.22, 0.8), (0.34, 0.8), (0.46, 0.34), (0.3, 0.3)]
             {
                 let room = (across * self.frame.width, down * self.frame.height);
-                let laid = ground.lay(Word { room: Some(room), ..word.clone() }, letters);
+                let laid = ground.lay(TextItem { room: Some(room), ..word.clone() }, letters);
                 let other = |(_, shape): &(_, Laid)| shape.setting != laid.setting;
                 if shapes.iter().all(other) {
                     shapes.push((Some(room), laid));
@@ -354,7 +354,7 @@ impl Room<'_> {
         // A narrow column next to a body is useless if its text is too small.
         let legible = if ground.screens { LEGIBLE_ON_SCREENS } else { LEGIBLE };
         shapes.retain(|(_, laid)| laid.setting.size >= legible.min(largest));
-        let round = matches!(word.kind, Kind::Balloon(_));
+        let round = matches!(word.kind(), Kind::Balloon(_));
         let mut all = Vec::new();
         for (room, laid) in &shapes {
             // Letters that are smaller than others of the page are a last resort, all the more where the end is missing.
@@ -395,7 +395,7 @@ impl Room<'_> {
     fn spots(&self, laid: &Laid) -> Vec<Bounds> {
         let Bounds { width, height, .. } = covered(laid);
         // A caption shares its border with its panel.
-        let inset = if laid.word.kind == Kind::Caption { 0.0 } else { INSET };
+        let inset = if laid.word.kind() == Kind::Caption { 0.0 } else { INSET };
         let along = |start: f64, length: f64, size: f64| -> Vec<f64> {
             let room = length - size - 2.0 * inset;
             if room <= 0.0 {
@@ -410,7 +410,7 @@ impl Room<'_> {
 
     /// Cost of a position without the tail.
     fn cost(&self, index: usize, laid: &Laid, area: Bounds, rank: usize) -> f64 {
-        let round = matches!(laid.word.kind, Kind::Balloon(_));
+        let round = matches!(laid.word.kind(), Kind::Balloon(_));
         let mut cost = self.outside(area, round);
         let part = hidden(area, round, &self.above);
         if part > 0.0 {
@@ -446,7 +446,7 @@ impl Room<'_> {
             let part = figure.under(area, round);
             cost += weight * (part / own + 4.0 * part / figure.area);
         }
-        cost + self.manners(laid.word.kind, area, rank, nearest / size)
+        cost + self.manners(laid.word.kind(), area, rank, nearest / size)
     }
 
     /// Cost of unusual positions. Usual are captions in corners, high balloons, and sounds in free areas.
@@ -577,7 +577,12 @@ impl Room<'_> {
 
 /// Cost of two items of a panel together. The first precedes the second in the text, directly if they
 /// `follow`. `rtl`: the page is read from right to left.
-fn together(one: (&Word, &Place), other: (&Word, &Place), (joined, rtl): (bool, bool), follow: bool) -> f64 {
+fn together(
+    one: (&TextItem, &Place),
+    other: (&TextItem, &Place),
+    (joined, rtl): (bool, bool),
+    follow: bool,
+) -> f64 {
     let ((said, first), (says, second)) = (one, other);
     let (a, b) = (first.area, second.area);
     let mut cost = 0.0;
@@ -598,7 +603,7 @@ fn together(one: (&Word, &Place), other: (&Word, &Place), (joined, rtl): (bool, 
     {
         cost += FORBIDDEN;
     }
-    let sound = said.kind == Kind::Effect || says.kind == Kind::Effect;
+    let sound = said.kind() == Kind::Effect || says.kind() == Kind::Effect;
     if !sound && !reads_after(turned(a, rtl), turned(b, rtl)) {
         cost += FORBIDDEN;
     }

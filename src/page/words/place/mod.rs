@@ -10,14 +10,13 @@ mod letterer;
 
 use super::layout::{Ground, Laid, extent, joined};
 use super::letters::Letters;
-use super::model::{Craft, Word};
+use super::model::{Craft, Tail, TextItem};
 use crate::error::Result;
 use crate::framing::{Crop, FACE, LETTERING, PhotoMeta, Subject};
 use crate::layout::{Bounds, Point, ResolvedPanel, ResolvedShape};
 use crate::page::Document;
 use crate::raster::Matte;
 use figure::Figure;
-use serde_json::{Value, json};
 
 /// Distance between a text item and the edge of its panel, in page widths.
 const INSET: f64 = 0.008;
@@ -81,15 +80,13 @@ struct Scenery {
 /// As [`settle`].
 pub fn add<'s>(
     document: &mut Document,
-    words: Vec<Value>,
+    words: Vec<TextItem>,
     known: impl Fn(&str) -> Known<'s>,
     letters: &Letters,
 ) -> Result<()> {
     document.words = words;
-    for word in document.words.iter_mut().filter_map(Value::as_object_mut) {
-        if !["x", "y", "craft"].iter().any(|field| word.contains_key(*field)) {
-            word.insert("craft".to_owned(), 2.into());
-        }
+    for word in document.words.iter_mut().filter(|word| word.x.is_none() && word.y.is_none()) {
+        word.craft = Craft::Letterer;
     }
     settle(document, known, letters)
 }
@@ -127,12 +124,12 @@ fn placed_on<'s>(
     letters: &Letters,
     again: bool,
 ) -> Result<()> {
-    let mut words = Word::parse_all(&document.words)?;
-    if !again && !words.iter().any(|word| word.auto) {
+    let mut words = document.effective_words();
+    if !again && !words.iter().any(|word| word.is_auto()) {
         return Ok(());
     }
     let ground = Ground::new(document)?;
-    let scenery = |word: &Word| {
+    let scenery = |word: &TextItem| {
         let panels = match panel_of(word, &ground) {
             Some(panel) => panel..panel + 1,
             None => 0..ground.panels.len(),
@@ -146,7 +143,7 @@ fn placed_on<'s>(
     let mut wanted: Vec<(usize, Point)> = Vec::new();
     if again {
         let by_hand =
-            words.iter().enumerate().filter(|(_, word)| !word.auto && word.craft == Craft::Letterer);
+            words.iter().enumerate().filter(|(_, word)| !word.is_auto() && word.craft == Craft::Letterer);
         for (i, word) in by_hand {
             let laid = ground.lay(word.clone(), letters);
             if is_in_the_way(covered(&laid), &scenery(word), &above(word, &ground)) {
@@ -154,9 +151,9 @@ fn placed_on<'s>(
             }
         }
         for (i, _) in &wanted {
-            words[*i].auto = true;
+            words[*i].auto = Some(true);
         }
-        if !words.iter().any(|word| word.auto) {
+        if !words.iter().any(|word| word.is_auto()) {
             return Ok(());
         }
     }
@@ -165,12 +162,13 @@ fn placed_on<'s>(
     let mut taken: Vec<(usize, Bounds)> = words
         .iter()
         .enumerate()
-        .filter(|(_, word)| !word.auto)
+        .filter(|(_, word)| !word.is_auto())
         .map(|(i, word)| (i, covered(&ground.lay(word.clone(), letters))))
         .collect();
     let mut spoken: Vec<Point> = Vec::new();
-    let mut news: Vec<(usize, Value)> = Vec::new();
-    for (i, word) in words.iter().enumerate().filter(|(_, word)| word.auto && word.craft == Craft::First) {
+    let mut news: Vec<(usize, Spot)> = Vec::new();
+    for (i, word) in words.iter().enumerate().filter(|(_, word)| word.is_auto() && word.craft == Craft::First)
+    {
         let (frame, Scenery { seen, .. }) = (ground.frame(word), scenery(word));
         let shape =
             panel_of(word, &ground).and_then(|panel| ground.panels.get(panel)).map(|panel| &panel.shape);
@@ -193,88 +191,76 @@ fn placed_on<'s>(
             letters,
         };
         for (i, place, link) in letterer::place(page, &group, &scenery) {
-            let mut value = placed(ground.frame(&words[i]), center(place.area), place.tip);
-            value["room"] = match place.room {
-                Some((width, height)) => json!([rounded(width), rounded(height)]),
-                None => Value::Null,
-            };
+            let spot = placed(ground.frame(&words[i]), center(place.area), place.tip);
+            let room = place.room.map(|(width, height)| (rounded(width), rounded(height)));
             taken.push((i, place.area));
-            news.push((i, value));
+            news.push((i, Spot { room: Some(room), ..spot }));
             links.extend(link.map(|to| (i, to)));
         }
     }
-    for (i, mut value) in news {
+    for (i, spot) in news {
         let by_hand = wanted.iter().any(|(other, _)| *other == i);
-        if by_hand && words[i].tail.is_none() {
-            value["tail"] = Value::Null;
-        }
         let word = &mut document.words[i];
-        set_place(word, &value);
-        word["auto"] = json!(!by_hand);
+        (word.x, word.y) = (Some(spot.x), Some(spot.y));
+        word.tail = spot.tail.filter(|_| !by_hand || words[i].tail.is_some());
+        if let Some(room) = spot.room {
+            word.room = room;
+        }
+        word.linked = None;
+        word.auto = Some(!by_hand);
     }
     for (later, before) in links {
         let name = named(&mut document.words, before);
-        document.words[later]["linked"] = json!(name);
+        document.words[later].linked = Some(name);
     }
     Ok(())
 }
 
-/// Writes a place into the JSON of a text item, and removes its link.
-fn set_place(word: &mut Value, place: &Value) {
-    let Some(fields) = word.as_object_mut() else { return };
-    fields.remove("linked");
-    for name in ["x", "y", "tail", "room"] {
-        match place.get(name) {
-            // Items without this field omit it, for compatibility.
-            Some(Value::Null) if name == "room" => {
-                fields.remove(name);
-            }
-            Some(value) => {
-                fields.insert(name.to_owned(), value.clone());
-            }
-            None => {}
-        }
-    }
+/// A new place of a text item, in fractions of its frame.
+struct Spot {
+    x: f64,
+    y: f64,
+    tail: Option<Tail>,
+    /// The new room. `None`: the room stays.
+    room: Option<Option<(f64, f64)>>,
 }
 
 /// Removes automatic links, except to balloons with a fixed position.
-fn unlink(words: &mut [Word]) {
+fn unlink(words: &mut [TextItem]) {
     let targets = joined(&words.iter());
     let free: Vec<bool> =
-        targets.iter().map(|to| to.is_none_or(|to| words.get(to).is_none_or(|to| to.auto))).collect();
+        targets.iter().map(|to| to.is_none_or(|to| words.get(to).is_none_or(TextItem::is_auto))).collect();
     for (word, free) in words.iter_mut().zip(free) {
-        if word.auto && free {
+        if word.is_auto() && free {
             word.linked = None;
         }
     }
 }
 
 /// The id of a text item for links, unique on the page.
-fn named(words: &mut [Value], index: usize) -> String {
-    let holder = |name: &str| words.iter().position(|word| word["id"] == name);
-    let own = words[index]["id"].as_str().filter(|name| !name.is_empty());
-    if let Some(own) = own.filter(|name| holder(name) == Some(index)) {
-        return own.to_owned();
+fn named(words: &mut [TextItem], index: usize) -> String {
+    let holder = |name: &str| words.iter().position(|word| word.id.as_deref() == Some(name));
+    if let Some(own) = words[index].id.clone().filter(|name| holder(name) == Some(index)) {
+        return own;
     }
     // One more name than text items, so that one is free.
     let free = (1..=words.len() + 1).map(|number| format!("b{number}")).find(|name| holder(name).is_none());
     let name = free.unwrap_or_default();
-    words[index]["id"] = json!(name);
+    words[index].id = Some(name.clone());
     name
 }
 
 /// The panel of a text item: the last one if the page has fewer.
-fn panel_of(word: &Word, ground: &Ground) -> Option<usize> {
+fn panel_of(word: &TextItem, ground: &Ground) -> Option<usize> {
     word.panel.map(|panel| panel.min(ground.panels.len().saturating_sub(1)))
 }
 
-/// Stored fields of a placement.
-fn placed(frame: Bounds, middle: Point, tip: Option<Point>) -> Value {
+/// A place in fractions of a frame.
+fn placed(frame: Bounds, middle: Point, tip: Option<Point>) -> Spot {
     let part =
         |at: Point| (rounded((at.x - frame.x) / frame.width), rounded((at.y - frame.y) / frame.height));
     let (x, y) = part(middle);
-    let tail = tip.map(part).map_or(Value::Null, |(x, y)| json!({ "x": x, "y": y }));
-    json!({ "x": x, "y": y, "tail": tail })
+    Spot { x, y, tail: tip.map(part).map(|(x, y)| Tail { x, y }), room: None }
 }
 
 /// Finer than any pixel, and short as text.
@@ -371,7 +357,7 @@ fn reaches(shape: &ResolvedShape, point: Point, ring: f64) -> bool {
 }
 
 /// Returns the panels above the panel of a text item.
-fn above<'g>(word: &Word, ground: &'g Ground) -> Vec<&'g ResolvedPanel> {
+fn above<'g>(word: &TextItem, ground: &'g Ground) -> Vec<&'g ResolvedPanel> {
     let own = panel_of(word, ground).unwrap_or(ground.panels.len());
     ground.panels.iter().skip(own + 1).filter(|panel| panel.overlay).collect()
 }
@@ -408,6 +394,7 @@ fn is_in_the_way(area: Bounds, scenery: &Scenery, above: &[&ResolvedPanel]) -> b
 mod tests {
     use super::*;
     use crate::page::words::layout::measured;
+    use serde_json::{Value, json};
 
     fn page(layout: &str, panels: usize, words: &Value, settings: &Value) -> Document {
         let photo = json!({ "photo": "a" });
@@ -422,9 +409,9 @@ mod tests {
         json!({ "kind": "balloon", "text": text, "panel": panel, "craft": 2, "auto": true })
     }
 
-    fn placed_words(document: &Document, letters: &Letters) -> Vec<(Word, Bounds)> {
+    fn placed_words(document: &Document, letters: &Letters) -> Vec<(TextItem, Bounds)> {
         let ground = Ground::new(document).unwrap();
-        let words = Word::parse_all(&document.words).unwrap();
+        let words = document.effective_words();
         words.into_iter().map(|word| (word.clone(), covered(&ground.lay(word, letters)))).collect()
     }
 
@@ -469,8 +456,8 @@ mod tests {
         settle(&mut document, known, &letters).unwrap();
         assert_eq!(document.words, before);
         resettle(&mut document, known, &letters).unwrap();
-        assert_eq!(document.words[0]["auto"], false);
-        assert_eq!(document.words[0]["tail"], Value::Null);
+        assert_eq!(document.words[0].auto, Some(false));
+        assert_eq!(document.words[0].tail, None);
         let [(word, area)] = &placed_words(&document, &letters)[..] else { panic!() };
         let frame = Ground::new(&document).unwrap().frame(word);
         let seen = Bounds {
