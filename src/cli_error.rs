@@ -1,5 +1,7 @@
 //! Errors of the command line: a message for people, and a stable code for programs.
 
+#![allow(clippy::needless_pass_by_value, reason = "it is what map_err and callers hand over")]
+
 use inkpanel::{Error, Failure};
 use std::fmt::{self, Display};
 use std::io::{self, ErrorKind};

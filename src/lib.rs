@@ -27,6 +27,7 @@
 //! | draw pages | [`Page`], [`Pixels`], [`pdf`] |
 //! | draw any picture in a style | [`Style::draw`] |
 //! | find the reason of an error | [`Failure`] |
+//! | read warnings | [`Note`] |
 //!
 //! The same photos and options make the same pixels, on every machine and in the browser. The crate has no
 //! global state, no clock, and no randomness except from the caller's seed. Work uses all cores, or the

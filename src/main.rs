@@ -508,8 +508,9 @@ fn wrong_usage(error: &clap::Error) -> ExitCode {
         error.exit();
     }
     let text = error.render().to_string();
-    let message = text.lines().next().unwrap_or_default();
-    failed(&message.strip_prefix("error: ").unwrap_or(message).into(), USAGE)
+    let lines: Vec<&str> = text.lines().map(str::trim).take_while(|line| !line.is_empty()).collect();
+    let message = lines.join(" ");
+    failed(&message.strip_prefix("error: ").unwrap_or(&message).into(), USAGE)
 }
 
 /// Whether the arguments ask for progress as JSON. Errors of the arguments follow the format as well.

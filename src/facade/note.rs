@@ -1,5 +1,7 @@
 //! Warnings of the public API.
 
+#![allow(clippy::needless_pass_by_value, reason = "callers make the text for it")]
+
 use std::fmt;
 
 /// A warning: a damaged or skipped photo, or characters without a glyph.

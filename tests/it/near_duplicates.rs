@@ -13,9 +13,9 @@ use inkpanel::document::project::Project;
 use inkpanel::framing::PhotoMeta;
 use inkpanel::page::jpeg;
 use inkpanel::page::request::Request;
-use inkpanel::raster::Image;
 use inkpanel::raster::decode::{Limits, decode_fit};
 use inkpanel::raster::resize::{Region, resample};
+use inkpanel::raster::{Image, Plane};
 use inkpanel::select::fingerprint::{distance, fingerprint};
 use inkpanel::select::{DUPLICATE_THRESHOLD, sharpness};
 use inkpanel::simd::point::luma_plane;
@@ -105,14 +105,17 @@ fn the_sharpest_of_a_group_is_the_one_that_was_not_blurred() {
     assert_eq!(right, photos.len());
 }
 
-/// Writes a photo, a near-duplicate and another photo to a folder. Returns the files, and the distance of the first two.
+/// Writes a photo, a near-duplicate and a gradient to a folder. Returns the files, and the distance of the first two.
 fn near_album(folder: &Path) -> ([PathBuf; 3], u32) {
     let photos = photos();
-    let [photo, other] = [&photos[0], &photos[1]];
+    let photo = &photos[0];
+    let (width, height) = (photo.width(), photo.height());
+    let ramp = Plane::from_fn(width, height, |x, _| (x * 255 / width) as u8);
+    let gradient = Image::from_rgb([ramp.clone(), ramp.clone(), ramp]).unwrap();
     let far = |copy: &Image| distance(bits_of(photo), bits_of(copy));
     let copies = variants(photo).into_iter().map(|(_, copy)| copy);
     let copy = copies.filter(|copy| (3..=DUPLICATE_THRESHOLD).contains(&far(copy))).max_by_key(far).unwrap();
-    let files = [("a.jpg", photo), ("b.jpg", &copy), ("c.jpg", other)].map(|(name, image)| {
+    let files = [("a.jpg", photo), ("b.jpg", &copy), ("c.jpg", &gradient)].map(|(name, image)| {
         let file = jpeg::encode_rgb(image.width(), image.height(), &image.to_rgb(), 96, 95).unwrap();
         fs::write(folder.join(name), file).unwrap();
         folder.join(name)
