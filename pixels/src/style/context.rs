@@ -32,7 +32,7 @@ pub struct Context<'a> {
     cancelled: Option<&'a dyn Fn() -> bool>,
 }
 
-/// What a block measures in a whole picture.
+/// Measurement of a block in a whole picture.
 #[derive(Clone)]
 pub(in crate::style) enum Measured {
     /// The operation of a block that looks at tones.
@@ -62,7 +62,7 @@ enum Steady {
     Off,
     /// The statistics of the first frame so far.
     First(Vec<Arc<Norms>>),
-    /// The statistics of the first frame, and the number of those that this frame used.
+    /// The statistics of the first frame, and how many of them this frame used.
     Later(Vec<Arc<Norms>>, usize),
 }
 

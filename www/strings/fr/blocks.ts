@@ -123,7 +123,7 @@ export const parameters: Record<string, [string, string]> = {
   'kuwahara.sharpness': ['Netteté', 'À quel point les touches finissent net.'],
   'kuwahara.stretch': ['Étirement', 'De combien les touches s’allongent le long des bords.'],
   'kuwahara.passes': ['Passages', 'Combien de fois on repeint.'],
-  'painter.painter': ['Peintre', 'Numéro du peintre ; une valeur entre deux numéros mélange les deux.'],
+  'painter.painter': ['Peintre', 'Numéro du peintre ; une valeur entre deux numéros mélange les deux.'],
   'painter.brush': ['Pinceau', 'Taille d’une touche.'],
   'painter.strength': ['Intensité', 'Ce que la peinture remplace de la photo.'],
   'painter.colours': ['Couleurs de la photo', 'Ce qui reste des couleurs de la photo.'],

@@ -38,8 +38,8 @@ impl Painters {
         self.0.painters()
     }
 
-    /// Paints a colour image. Width and height must be multiples of 4 and at least 16. `norms` are the statistics of
-    /// an image of which this image is a part or a later frame; `None` measures this image. Calls `check` between
+    /// Paints a colour image. Width and height must be multiples of 4 and at least 16. `norms` are known
+    /// statistics, for a part of a measured image or for a later frame; `None` measures this image. Calls `check` between
     /// rows. Returns the picture and its statistics.
     ///
     /// # Errors
