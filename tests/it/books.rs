@@ -158,7 +158,7 @@ fn gps_data_names_places_and_stays_in_its_file() {
     let without = texts(&plan(folder.path(), &["--models", models, "--no-places"]));
     assert!(!without.iter().any(|text| text.contains("Sintra")), "{without:?}");
     // No book has the location.
-    for file in ["b.html", "b.pdf", "b.cbz"] {
+    for file in ["b.html", "b.pdf"] {
         let output = book(folder.path(), &["--models", models, "--style", "noir", "-o", file]);
         assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
         let bytes = fs::read(folder.path().join(file)).unwrap();
