@@ -68,7 +68,9 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
     let candidates: Vec<&Candidate> = stages.iter().map(|stage| &stage.candidate).collect();
     let free = request.mode == Mode::Photos || !request.ordered.unwrap_or_else(|| is_dated(&request.photos));
     let order = if free { Order::Free } else { Order::Kept };
-    let usual = if current.is_none() { FIRST_HEAT } else { 1.0 };
+    // Merged panels come by chance, which needs a free choice.
+    let merges = stages.iter().any(|stage| !stage.merges.is_empty());
+    let usual = if current.is_none() && !merges { FIRST_HEAT } else { 1.0 };
     let heat = request.surprise.filter(|heat| heat.is_finite()).map_or(usual, |heat| heat.clamp(0.0, 4.0));
     let plan =
         compose(&candidates, &photos, order, (heat, request.prefer.as_ref().map(|_| DRAWN)), &mut random)

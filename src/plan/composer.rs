@@ -287,7 +287,7 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
         missing: missing(chosen, photos),
         dull: dull.sum(),
         turns: 0.4 * turns.sum::<f64>(),
-        prior: 0.15 * candidate.prior,
+        prior: 0.4 * candidate.prior,
         rhythm: 0.06 * rhythm(seen),
     }
 }
