@@ -31,9 +31,9 @@ export async function pictureEnds(file: Blob & { name?: string }): Promise<numbe
 }
 
 /**
- * Whether the head of a file is that of a WebP file without animation. Only the extended format (`VP8X`) has animations, and a
- * flag for them.
- * @param head the first bytes of a file
+ * Returns whether a file is a still WebP image. Only the extended format (`VP8X`) can contain animations, and it has a flag
+ * for them.
+ * @param head the first bytes of the file
  */
 function isStillWebp(head: Uint8Array): boolean {
   const text = (from: number, to: number) => String.fromCharCode(...head.subarray(from, to));
