@@ -616,7 +616,7 @@ mod tests {
         })
     }
 
-    /// The file of the subtitles, and the words of those with valid times.
+    /// The file of the subtitles, and the words of the subtitles with valid times.
     fn file(all: &[Written], vtt: bool, numbered: bool, end: &str) -> (String, Vec<String>, usize) {
         let mut lines: Vec<String> = if vtt { vec!["WEBVTT".into(), String::new()] } else { Vec::new() };
         let (mut words, mut bad) = (Vec::new(), 0);

@@ -149,7 +149,7 @@ impl Album {
         }
     }
 
-    /// Names the places of photos by the GPS data of their files, for the captions of books. Only the names are kept.
+    /// Names the places of photos by the GPS data of their files, for the captions of books. Only the names are stored.
     pub fn locate(&mut self, names: &PlaceNames) {
         let named = |(place, _): &(usize, Imported)| Some((id(*place), self.photos[*place].place(&names.0)?));
         self.located = self.read.par_iter().filter_map(named).collect();

@@ -290,7 +290,7 @@ mod tests {
             assert!(part(&panel.crop.unwrap()) > 0.9, "{panel:?}");
         }
         let ids = |page: &Document| page.panels.iter().map(|panel| panel.photo.clone()).collect::<Vec<_>>();
-        // Another style leaves the layout as it is.
+        // Another style does not change the layout.
         let keep = Keep { layout: true, style: false, photos: true };
         let again = plan(&Request { current: Some(page.clone()), keep, seed: 4, ..wanted.clone() }).unwrap();
         assert_eq!((&again.layout, ids(&again)), (&page.layout, ids(&page)));
