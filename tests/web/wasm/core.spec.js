@@ -6,7 +6,7 @@ import { inkpanel, picture, SIZE, stylizeNatively } from './native.js';
 /** @typedef {{ id: string, input: string, params: object[] }} Block */
 /** The objects that `openCore` and a test stored in the page. @type {any} */
 let core;
-/** @type {Uint8Array} */
+/** @type {any} */
 let painters;
 
 test.beforeEach(async ({ page }) => openCore(page));
