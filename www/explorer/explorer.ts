@@ -34,6 +34,8 @@ export type Explorer = ReturnType<typeof createExplorer>;
 /** Styles that the wall opens with, and that one press invents. For some photos only few styles are good, so more are tried. */
 export const FIRST = 96;
 const FIRST_TRIES = 6 * FIRST;
+/** Points of favourites on the first wall: more than any score. Favourites keep their order. */
+const ABOVE_ALL = 1e6;
 export const ROUND = 240;
 /** Number of children of two styles, and of variations of one style. `TRIES` limits the attempts. */
 export const LITTER = 12;
@@ -148,8 +150,10 @@ export function createExplorer({
     const missing = ownStyles.favourites.peek().filter(({ id }) => !wall.pictures.has(id));
     if (missing.length > 0 && !(await run(photo, missing.length, (i) => missing[i], { choosy: false }))) return;
     if (!(await redraw(photo))) return;
-    if (wall.items.peek().every(({ style }) => ownStyles.isFavourite(style.id)))
-      await invent(photo, FIRST_TRIES, FIRST);
+    if (!wall.items.peek().every(({ style }) => ownStyles.isFavourite(style.id))) return;
+    // The first wall shows its best styles first. Later rounds leave all styles in their places.
+    if (await invent(photo, FIRST_TRIES, FIRST))
+      wall.sort((item) => (ownStyles.isFavourite(item.style.id) ? ABOVE_ALL : scores.points(item)));
   }
 
   /** Invents another round. */

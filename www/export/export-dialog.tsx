@@ -22,11 +22,14 @@ import { CleanChoice } from '../storage/clean-choice.tsx';
 import { PrintOptions } from './print-options.tsx';
 import type { PageDocument } from '../engine/types.ts';
 import type { Choice } from './export-choice.ts';
+import type { Format } from './formats.ts';
 import type { Print } from './print.ts';
 
 const PREVIEW = 330;
 /** Lower resolutions, in DPI, are for screens. */
 const COARSE_FROM = 150;
+/** Formats of one picture, which the clipboard can hold. */
+const PICTURES: readonly Format[] = ['png', 'jpeg', 'webp'];
 /** Page sizes of countries that print on letter paper. */
 const AMERICAN = /letter|legal|tabloid|^us-/;
 /** The sizes with a picture, in their order; the others are in a list. */
@@ -201,7 +204,7 @@ export function ExportDialog() {
                   <span>{strings.pixels(width, height)}</span>
                   <FileSize wish={wish} />
                 </p>
-                <ExportActions wish={wish} page={document} close={close} />
+                <ExportActions wish={wish} page={PICTURES.includes(format) ? document : null} close={close} />
               </>
             )}
           </div>

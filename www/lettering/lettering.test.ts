@@ -56,7 +56,6 @@ describe('words', () => {
         language: 'en',
         x: 0.25,
         y: 0.25,
-        tail: null,
       },
     ]);
     expect([lettering.chosen.value, past() - before]).toEqual([0, 1]);
@@ -92,7 +91,7 @@ describe('words', () => {
     pages.shuffle('all');
     expect(lettering.words.value[0]).toMatchObject({ x: 0.6, y: 0.7 });
     lettering.point(0, null);
-    expect(lettering.words.value[0].tail).toBeNull();
+    expect(lettering.words.value[0].tail ?? null).toBeNull();
     lettering.settleOne(0);
     expect(lettering.words.value[0]).toMatchObject({ x: 0.25, auto: true });
   });

@@ -131,7 +131,7 @@ export const helpStrings = {
     },
     privacy: {
       title: 'Offline und privat',
-      text: `Deine Fotos verlassen dieses Gerät nie: Alle Arbeit geschieht in diesem Browser, und nichts wird irgendwohin geschickt. Gesichter werden gefunden, damit Panels sie nicht abschneiden; niemand wird erkannt. Der Ort in einem Foto wird nur gelesen, um ihn in Texten zu nennen, mit einer Tabelle von GeoNames (CC BY 4.0). Exportierte Seiten enthalten ihn nie. Projektdateien enthalten deine Originalfotos, außer du wählst „${pngStrings.removeMetadata}“. Nach dem ersten Besuch geht Inkpanel auch ohne Verbindung. Wo der Browser es kann, gibt „${offlineStrings.install}“ ihm ein eigenes Fenster.`,
+      text: `Deine Fotos verlassen dieses Gerät nie: Alle Arbeit geschieht in diesem Browser, und nichts wird irgendwohin geschickt. Gesichter werden gefunden, damit Panels sie nicht abschneiden; niemand wird erkannt. Der Ort in einem Foto wird nur gelesen, um ihn in Texten zu nennen, mit einer Tabelle von GeoNames (CC BY 4.0); exportierte Seiten enthalten ihn nie. Nach dem ersten Besuch geht Inkpanel auch ohne Verbindung. Wo der Browser es kann, gibt „${offlineStrings.install}“ ihm ein eigenes Fenster.`,
     },
     keyboard: {
       title: 'Mit der Tastatur',

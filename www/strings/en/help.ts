@@ -132,7 +132,7 @@ export const helpStrings = {
     },
     privacy: {
       title: 'Offline and private',
-      text: `Your photos never leave this device: all work is done in this browser, and nothing is sent anywhere. Inkpanel locates faces so that panels do not cut them. It recognises nobody. The location in a photo is read only to name its place in captions, with a table of GeoNames (CC BY 4.0). Exported pages never contain it. Project files contain your original photos, unless you select “${pngStrings.removeMetadata}”. After the first visit Inkpanel also works offline. If the browser supports it, “${offlineStrings.install}” opens Inkpanel in a separate window.`,
+      text: `Your photos never leave this device: all work is done in this browser, and nothing is sent anywhere. Inkpanel locates faces so that panels do not cut them, and recognises nobody. The location in a photo is read only to name its place in captions, with a table of GeoNames (CC BY 4.0); exported pages never contain it. After the first visit Inkpanel also works offline. If the browser supports it, “${offlineStrings.install}” opens Inkpanel in a separate window.`,
     },
     keyboard: {
       title: 'Keyboard',

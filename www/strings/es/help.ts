@@ -130,7 +130,7 @@ export const helpStrings = {
     },
     privacy: {
       title: 'Sin conexión y en privado',
-      text: `Tus fotos nunca salen de este dispositivo: todo el trabajo se hace en este navegador y no se envía nada a ningún sitio. Las caras se localizan para que las viñetas no las corten; no se reconoce a nadie. La ubicación de una foto solo se lee para nombrar su lugar en los textos, con una tabla de GeoNames (CC BY 4.0). Las páginas exportadas nunca la contienen. Los archivos de proyecto contienen tus fotos originales, salvo que elijas «${pngStrings.removeMetadata}». Después de la primera visita, Inkpanel también funciona sin conexión. Si el navegador puede, «${offlineStrings.install}» le da una ventana propia.`,
+      text: `Tus fotos nunca salen de este dispositivo: todo el trabajo se hace en este navegador y no se envía nada a ningún sitio. Las caras se localizan para que las viñetas no las corten; no se reconoce a nadie. La ubicación de una foto solo se lee para nombrar su lugar en los textos, con una tabla de GeoNames (CC BY 4.0); las páginas exportadas nunca la contienen. Después de la primera visita, Inkpanel también funciona sin conexión. Si el navegador puede, «${offlineStrings.install}» le da una ventana propia.`,
     },
     keyboard: {
       title: 'Con el teclado',

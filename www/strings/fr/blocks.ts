@@ -148,7 +148,7 @@ export const parameters: Record<string, [string, string]> = {
   'plates.shift': ['Décalage', 'À quel point les plaques se manquent.'],
   'plates.grain': ['Grain', 'À quel point l’encre est grossière et lacunaire.'],
   'plates.pitch': ['Points', 'Distance entre les points de la trame ; sous 3 il n’y en a pas.'],
-  'plates.steps': ['Niveaux', 'Tons d’une plaque, papier compris ; 1 les garde tous.'],
+  'plates.steps': ['Niveaux', 'Tons d’une plaque, papier compris ; 1 les garde tous.'],
   'plates.density': ['Densité', 'Combien d’encre est posée.'],
   'plates.seed': ['Hasard', 'Un autre nombre décale les plaques autrement.'],
   'paper.sheet': ['Feuille', 'Comment est la surface.'],

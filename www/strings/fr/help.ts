@@ -130,7 +130,7 @@ export const helpStrings = {
     },
     privacy: {
       title: 'Hors connexion et privé',
-      text: `Vos photos ne quittent jamais cet appareil : tout le travail se fait dans ce navigateur, et rien n’est envoyé nulle part. Les visages sont localisés pour que les cases ne les coupent pas ; personne n’est reconnu. La position d’une photo n’est lue que pour nommer son lieu dans les textes, avec une table de GeoNames (CC BY 4.0). Les pages exportées ne la contiennent jamais. Les fichiers de projet contiennent vos photos d’origine, sauf si vous choisissez « ${pngStrings.removeMetadata} ». Après la première visite, Inkpanel marche aussi sans connexion. Là où le navigateur le peut, « ${offlineStrings.install} » lui donne sa propre fenêtre.`,
+      text: `Vos photos ne quittent jamais cet appareil : tout le travail se fait dans ce navigateur, et rien n’est envoyé nulle part. Les visages sont localisés pour que les cases ne les coupent pas ; personne n’est reconnu. La position d’une photo n’est lue que pour nommer son lieu dans les textes, avec une table de GeoNames (CC BY 4.0) ; les pages exportées ne la contiennent jamais. Après la première visite, Inkpanel marche aussi sans connexion. Là où le navigateur le peut, « ${offlineStrings.install} » lui donne sa propre fenêtre.`,
     },
     keyboard: {
       title: 'Au clavier',

@@ -130,7 +130,7 @@ export const helpStrings = {
     },
     privacy: {
       title: 'Sem conexão e em particular',
-      text: `Suas fotos nunca saem deste aparelho: todo o trabalho é feito neste navegador, e nada é enviado a lugar nenhum. Os rostos são localizados para que os quadros não os cortem; ninguém é reconhecido. A localização de uma foto só é lida para dar nome ao lugar nos textos, com uma tabela do GeoNames (CC BY 4.0). As páginas exportadas nunca a contêm. Os arquivos de projeto contêm suas fotos originais, a menos que você escolha “${pngStrings.removeMetadata}”. Depois da primeira visita, o Inkpanel também funciona sem conexão. Onde o navegador permite, “${offlineStrings.install}” dá a ele uma janela própria.`,
+      text: `Suas fotos nunca saem deste aparelho: todo o trabalho é feito neste navegador, e nada é enviado a lugar nenhum. Os rostos são localizados para que os quadros não os cortem; ninguém é reconhecido. A localização de uma foto só é lida para dar nome ao lugar nos textos, com uma tabela do GeoNames (CC BY 4.0); as páginas exportadas nunca a contêm. Depois da primeira visita, o Inkpanel também funciona sem conexão. Onde o navegador permite, “${offlineStrings.install}” dá a ele uma janela própria.`,
     },
     keyboard: {
       title: 'Pelo teclado',
