@@ -4,9 +4,11 @@
 //!     cargo run --release --example style_tones
 
 use std::fmt::Write as _;
+use std::sync::Arc;
 
 use inkpanel::plan::tones;
 use inkpanel::raster::{Image, Plane};
+use inkpanel::style::painters::Painters;
 use inkpanel::style::{Context, catalogue, stylize};
 
 /// Patches of the card across and down, and the side of a patch.
@@ -22,10 +24,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         (tone + wave as i32 + grain / 2).clamp(0, 255) as u8
     });
     let card = Image::from_rgb([card.clone(), card.clone(), card])?;
+    let painters = Arc::new(Painters::new(&std::fs::read("www/models/painters.onnx")?)?);
     let mut lines = Vec::new();
     for style in catalogue::catalogue() {
         let mut context = Context::default();
         context.set_scale(0.7);
+        context.show_painters(Some(painters.clone()));
         let drawn = stylize(&card, style, &mut context)?.to_rgb();
         let mut response = String::new();
         for patch in 0..PATCHES * PATCHES {

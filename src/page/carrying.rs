@@ -53,11 +53,13 @@ pub fn carried(words: &[TextItem], panels: &[PanelContent]) -> (Vec<TextItem>, V
         let word = tied(word, panels);
         let named = word.panel.and(word.photo.as_deref());
         match named {
-            // A photo may be on several panels.
-            Some(photo) if on_panel(&word, panels) != Some(photo) => match belongs(&word, panels) {
-                Some(word) => stay.push(word),
-                None => leave.push(word),
-            },
+            // A photo may be on several panels. A layout with fewer panels lacks the panel of the item.
+            Some(photo) if on_panel(&word, panels) != Some(photo) || word.panel >= Some(panels.len()) => {
+                match belongs(&word, panels) {
+                    Some(word) => stay.push(word),
+                    None => leave.push(word),
+                }
+            }
             _ => stay.push(word),
         }
     }
@@ -92,7 +94,10 @@ mod tests {
         assert_eq!(carried(std::slice::from_ref(&word), &panels(&["a", "c"])).1, std::slice::from_ref(&word));
         // It does not move between two panels of one photo, and an item of the whole page does not move
         // either.
-        assert_eq!(carried(std::slice::from_ref(&word), &panels(&["b", "b"])).0, [word]);
+        assert_eq!(carried(std::slice::from_ref(&word), &panels(&["b", "b"])).0, std::slice::from_ref(&word));
+        // With fewer panels, the panel of its photo is another one.
+        let last = TextItem { panel: Some(4), ..word.clone() };
+        assert_eq!(carried(&[last], &panels(&["a", "b"])).0[0].panel, Some(1));
         let page = item(json!({ "kind": "caption", "text": "Title", "photo": "a" }));
         assert_eq!(carried(std::slice::from_ref(&page), &panels(&["c"])).0, [page]);
     }

@@ -51,6 +51,8 @@ fn seeds(name: &str) -> Vec<Vec<u8>> {
             .collect(),
         "style" => some("styles"),
         "layout" => some("layouts"),
+        // The model is not in git. `cargo xtask models` makes it.
+        "painters" => vec![fs::read(crate::root("www/models/painters.onnx")).unwrap()],
         _ => files(&format!("fuzz/seeds/{name}")),
     }
 }

@@ -1790,4 +1790,5 @@ export type ErrorCode =
 | 'plain-photo'
 | 'cancelled'
 | 'detector'
+| 'invalid-painters'
 | 'encode';

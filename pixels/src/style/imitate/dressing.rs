@@ -104,7 +104,7 @@ pub(super) fn dressed(style: &Style, dress: Dress, wanted: &Wanted) -> Option<St
         }
         Dress::Flats | Dress::Painted => {
             let mut kept = body(&style.background, false, &["halftone", "strokes"])?;
-            let brush = kept.iter().rposition(|step| ["kuwahara", "etf"].contains(&step.block.id));
+            let brush = kept.iter().rposition(|step| ["kuwahara", "etf", "painter"].contains(&step.block.id));
             let flat = flats(&wanted.features.palette)?;
             match (dress, brush) {
                 (Dress::Flats, _) => kept.push(flat),
