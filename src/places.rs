@@ -1,4 +1,4 @@
-//! Names of places by location, from a table of GeoNames. No request leaves the device.
+//! Names of places by location, from a table of `GeoNames`. No request leaves the device.
 //!
 //! `cargo xtask models` makes the table (`tools/models/src/places.rs`). It is compressed with zlib and contains:
 //!

@@ -5,7 +5,7 @@ use crate::places::Places;
 use std::path::Path;
 
 /// A table of places, which names where photos were taken. It is loaded once for any number of albums. Its file is
-/// `places.bin`. `cargo xtask models` makes it from GeoNames (CC BY 4.0), and releases have it next to the command line.
+/// `places.bin`. `cargo xtask models` makes it from `GeoNames` (CC BY 4.0), and releases have it next to the command line.
 pub struct PlaceNames(pub(super) Places);
 
 impl PlaceNames {

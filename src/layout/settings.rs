@@ -23,6 +23,7 @@ const SCREEN: f64 = 1280.0;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+#[allow(clippy::struct_excessive_bools, reason = "each is a separate field of the file")]
 pub struct PageSettings {
     /// Width of the exported page in pixels, 64..=14000.
     #[serde(deserialize_with = "typed::whole::<_, _, 0, MOST_WHOLE>")]

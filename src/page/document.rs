@@ -325,8 +325,8 @@ impl PanelContent {
         at_most(self.faces.len(), MOST_FACES).map_err(|wrong| wrong.at("faces"))?;
         // Faces may extend past the photo.
         let limits = [(-1.0, 2.0), (0.0, 2.0)];
-        let faces = self.faces.iter().enumerate();
-        faces.map(|(i, face)| in_limits(face, limits).map_err(|wrong| wrong.in_list(i).at("faces"))).collect()
+        let mut faces = self.faces.iter().enumerate();
+        faces.try_for_each(|(i, face)| in_limits(face, limits).map_err(|wrong| wrong.in_list(i).at("faces")))
     }
 }
 

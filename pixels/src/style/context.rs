@@ -34,6 +34,7 @@ pub struct Context<'a> {
 
 /// Measurement of a block in a whole picture.
 #[derive(Clone)]
+#[allow(clippy::large_enum_variant, reason = "a style has few of them")]
 pub(in crate::style) enum Measured {
     /// The operation of a block that looks at tones.
     Tones(PointOp),

@@ -65,6 +65,7 @@ pub fn places<'a>(folders: impl Iterator<Item = (&'a str, &'a str)>) -> HashMap<
 }
 
 /// Adds places to photos without a place. `located`: id of a photo, and the place where it was taken.
+#[allow(clippy::implicit_hasher, reason = "the map of `places`")]
 pub fn add_located(places: &mut HashMap<String, String>, located: impl Iterator<Item = (String, String)>) {
     for (photo, place) in located {
         let known = places.entry(photo).or_default();

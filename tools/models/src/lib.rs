@@ -238,7 +238,7 @@ fn painters(package: &Path) -> Result<Vec<u8>> {
     painters::convert(&bytes, &CHOSEN)
 }
 
-/// The table of places: the file of GeoNames.
+/// The table of places: the file of `GeoNames`.
 fn places(package: &Path) -> Result<Vec<u8>> {
     let file = "dist/cities500.txt";
     places::convert(&fs::read_to_string(package.join(file)).with_context(|| format!("cannot read {file}"))?)

@@ -1,4 +1,4 @@
-//! The table of places, from the tab-separated file `cities500` of GeoNames (CC BY 4.0, <https://www.geonames.org>).
+//! The table of places, from the tab-separated file `cities500` of `GeoNames` (CC BY 4.0, <https://www.geonames.org>).
 //! `src/places.rs` of the crate defines its format.
 
 use std::io::Write;
@@ -9,7 +9,7 @@ use flate2::{Compression, write::ZlibEncoder};
 const MARK: &[u8] = b"inkpanel places 1\n";
 /// Places with fewer inhabitants are left out, except seats of government.
 const LEAST: u32 = 1000;
-/// Codes of GeoNames: places, and places that are seats. Sections of cities, and former, destroyed and historical places
+/// Codes of `GeoNames`: places, and places that are seats. Sections of cities, and former, destroyed and historical places
 /// are left out.
 const KINDS: [&str; 4] = ["PPL", "PPLL", "PPLS", "STLMT"];
 const SEATS: [&str; 5] = ["PPLC", "PPLG", "PPLA", "PPLA2", "PPLA3"];
@@ -33,7 +33,7 @@ struct Place<'a> {
 /// Converts the file to the compressed table.
 ///
 /// # Errors
-/// If a line is not a place of GeoNames.
+/// If a line is not a place of `GeoNames`.
 pub(crate) fn convert(file: &str) -> Result<Vec<u8>> {
     let mut places = Vec::new();
     for (number, line) in file.lines().enumerate().filter(|(_, line)| !line.is_empty()) {

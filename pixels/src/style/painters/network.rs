@@ -349,7 +349,7 @@ impl Tensor {
 /// Position in a row of `length` pixels, mirrored at its ends, without its ends. `at` counts from the start of the
 /// padding.
 fn mirrored(at: usize, pad: usize, length: usize) -> usize {
-    let inner = if at < pad { pad - at } else { at - pad };
+    let inner = pad.abs_diff(at);
     let inner = if inner >= length { (2 * length).saturating_sub(2 + inner) } else { inner };
     inner.min(length - 1)
 }

@@ -120,6 +120,7 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
+    #[allow(clippy::too_many_lines, reason = "one arm for each operator")]
     fn node(&mut self, node: &Message<'a>) -> Result<()> {
         let operator = node.text(4);
         let inputs = node.texts(1);

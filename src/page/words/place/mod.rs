@@ -125,7 +125,7 @@ fn placed_on<'s>(
     again: bool,
 ) -> Result<()> {
     let mut words = document.effective_words();
-    if !again && !words.iter().any(|word| word.is_auto()) {
+    if !again && !words.iter().any(TextItem::is_auto) {
         return Ok(());
     }
     let ground = Ground::new(document)?;
@@ -153,7 +153,7 @@ fn placed_on<'s>(
         for (i, _) in &wanted {
             words[*i].auto = Some(true);
         }
-        if !words.iter().any(|word| word.is_auto()) {
+        if !words.iter().any(TextItem::is_auto) {
             return Ok(());
         }
     }
@@ -222,6 +222,7 @@ struct Spot {
     y: f64,
     tail: Option<Tail>,
     /// The new room. `None`: the room stays.
+    #[allow(clippy::option_option, reason = "unchanged, removed, or a new value")]
     room: Option<Option<(f64, f64)>>,
 }
 
