@@ -22,7 +22,7 @@ const TRIED: [usize; 2] = [3600, 40_000];
 const STARTS: [usize; 2] = [2, 24];
 /// Temperature of the annealing at the beginning, and at the end of each start.
 const HEAT: [f64; 2] = [0.3, 0.003];
-/// Part of the page from which a larger part is not better, and the cost of less.
+/// Share of the page that counts as full, and the cost of a smaller share.
 const FILLED: f64 = 0.98;
 const EMPTY: f64 = 40.0;
 /// Weight of the area of a starred photo, compared with all others together.

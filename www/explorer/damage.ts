@@ -27,7 +27,7 @@ const LEAST_DEVIATION = 40;
 /** Lightness of midtones, and the part of the midtones that may become black or white. */
 const MIDTONES = [45, 215];
 const CLIPPED = 0.2;
-/** Lightness of black, and minimum channel value of white, after which a midtone is lost. */
+/** A midtone is lost below this lightness, or if all channels are above this value. */
 const [LOST_BLACK, LOST_WHITE] = [22, 236];
 /** Minimum roughness of a face, in roughnesses of the face in the photo; of a face that became lighter; and the steps of that. */
 const [FEATURES, LIGHT_FEATURES, LIGHTER] = [0.6, 0.8, 10];
