@@ -122,10 +122,26 @@ fn the_command_line_warns_of_damage_and_refuses_it_with_strict() {
     assert!(render(&bytes, &["--strict"]).status.success());
 }
 
+/// Transparency with a wrong checksum is skipped, unless the pixels are damaged as well: then checksums are
+/// ignored, and the same file has a fourth channel.
+#[test]
+fn a_damaged_png_may_have_damaged_transparency() {
+    let mut bytes = file("png-palette-clear.png");
+    let chunk = |bytes: &[u8], name: &[u8; 4]| bytes.windows(4).position(|four| four == name).unwrap();
+    let transparency = chunk(&bytes, b"tRNS");
+    bytes[transparency + 4 + 4] ^= 1;
+    let end = chunk(&bytes, b"IEND");
+    bytes[end - 20] ^= 1;
+    let found = decoded(&bytes);
+    assert!(found.damage.is_some());
+}
+
 #[test]
 fn random_damage_never_panics() {
     let mut random = oorandom::Rand64::new(6);
-    for name in ["jpeg-444.jpg", "jpeg-progressive.jpg", "jpeg-restarts.jpg", "png-grey.png"] {
+    for name in
+        ["jpeg-444.jpg", "jpeg-progressive.jpg", "jpeg-restarts.jpg", "png-grey.png", "png-palette-clear.png"]
+    {
         let bytes = file(name);
         for _ in 0..crate::trials(60, 600) {
             let mut damaged = bytes.clone();

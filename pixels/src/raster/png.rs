@@ -8,7 +8,7 @@ use std::io::Cursor;
 
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 use png::{
-    BitDepth, ColorType, Decoder, DecodingError, InterlaceInfo, Transformations, splat_interlaced_row,
+    BitDepth, ColorType, Decoder, DecodingError, InterlaceInfo, Reader, Transformations, splat_interlaced_row,
 };
 
 use super::decode::{Damage, Limits, MOST_PROFILE, check_memory, out_of_memory};
@@ -25,40 +25,42 @@ pub(super) fn read(file: &[u8], name: &'static str, limits: &Limits) -> Result<(
     let failed = |error| explained(error, name);
     let (width, height) = decoder.read_header_info().map_err(failed)?.size();
     limits.check(width, height, name)?;
-    let mut reader = decoder.read_info().map_err(failed)?;
-    let (color, depth) = reader.output_color_type();
     let size = (width as usize, height as usize);
-    let bytes = if depth == BitDepth::Sixteen { 2 } else { 1 };
-    check_memory(size, (color.samples() * bytes) as u64, limits)?;
-    let length = reader.output_buffer_size().ok_or_else(|| out_of_memory(size, limits))?;
-    let mut samples = vec![0; length];
-    let damage = match reader.next_frame(&mut samples) {
+    let mut reader = decoder.read_info().map_err(failed)?;
+    let mut samples = Samples::new(&reader, size, limits)?;
+    let damage = match reader.next_frame(&mut samples.bytes) {
         Err(DecodingError::IoError(_) | DecodingError::Format(_)) => {
-            let mut rows = |decoder: Decoder<Cursor<&[u8]>>| {
-                grey(&mut samples, color, bytes);
-                read_rows(decoder, &mut samples, size.1, color.samples() * bytes)
+            let rows = |decoder: Decoder<Cursor<&[u8]>>| {
+                let mut reader = decoder.read_info().map_err(failed)?;
+                let mut samples = Samples::grey(&reader, size, limits)?;
+                let damage = samples.read(&mut reader);
+                Ok((samples, damage))
             };
-            match rows(self::decoder(before_damage(file))) {
-                Ok(damage) if damage.checked(name).is_ok() => damage.checked(name)?,
+            let intact = rows(self::decoder(before_damage(file)))
+                .and_then(|(samples, damage)| Ok((samples, damage.checked(name)?)));
+            let (rescued, damage) = if let Ok(rescued) = intact {
+                rescued
+            } else {
                 // A file of few chunks: their checksums do not locate the damage.
-                _ => {
-                    let mut unchecked = self::decoder(file);
-                    unchecked.ignore_checksums(true);
-                    let Damage { missing, coarse } = rows(unchecked).map_err(failed)?;
-                    Damage { missing: missing.max(1.0 / f64::from(height)), coarse }.checked(name)?
-                }
-            }
+                let mut unchecked = self::decoder(file);
+                unchecked.ignore_checksums(true);
+                let (samples, Damage { missing, coarse }) = rows(unchecked)?;
+                let damage = Damage { missing: missing.max(1.0 / f64::from(height)), coarse };
+                (samples, damage.checked(name)?)
+            };
+            samples = rescued;
+            damage
         }
         whole => whole.map(|_| None).map_err(failed)?,
     };
+    let Samples { mut bytes, color, depth, .. } = samples;
     if depth == BitDepth::Sixteen {
-        samples =
-            samples.as_chunks().0.iter().map(|&two| samples::of_16_bits(u16::from_be_bytes(two))).collect();
+        bytes = bytes.as_chunks().0.iter().map(|&two| samples::of_16_bits(u16::from_be_bytes(two))).collect();
     }
     let alpha = if color.samples() % 2 == 0 { Alpha::Straight } else { Alpha::None };
     let channels = if color.samples() < 3 { Channels::Grey } else { Channels::Rgb };
     let Records { profile, exif } = records(file);
-    let pixels = Pixels::flattened(size, samples, channels, alpha).with_profile(profile);
+    let pixels = Pixels::flattened(size, bytes, channels, alpha).with_profile(profile);
     Ok((Pixels { damage, ..pixels }, exif))
 }
 
@@ -70,43 +72,67 @@ fn decoder(file: &[u8]) -> Decoder<Cursor<&[u8]>> {
     decoder
 }
 
-/// Makes all pixels grey and opaque.
-fn grey(samples: &mut [u8], color: ColorType, bytes: usize) {
-    samples.fill(128);
-    if matches!(color, ColorType::GrayscaleAlpha | ColorType::Rgba) {
-        for pixel in samples.chunks_mut(color.samples() * bytes) {
-            let alpha = pixel.len() - bytes;
-            pixel[alpha..].fill(255);
+/// Samples of a picture in rows, without padding. Samples of 16 bits are big-endian.
+///
+/// Two decoders of one damaged file can have different types: a transparency chunk with a wrong checksum is
+/// skipped unless checksums are ignored.
+struct Samples {
+    bytes: Vec<u8>,
+    color: ColorType,
+    depth: BitDepth,
+    height: usize,
+}
+
+impl Samples {
+    /// Black samples in the type of a reader.
+    fn new(reader: &Reader<Cursor<&[u8]>>, size: (usize, usize), limits: &Limits) -> Result<Self> {
+        let (color, depth) = reader.output_color_type();
+        check_memory(size, (color.samples() * bytes_of(depth)) as u64, limits)?;
+        let length = reader.output_buffer_size().ok_or_else(|| out_of_memory(size, limits))?;
+        Ok(Self { bytes: vec![0; length], color, depth, height: size.1 })
+    }
+
+    /// Grey and opaque samples in the type of a reader.
+    fn grey(reader: &Reader<Cursor<&[u8]>>, size: (usize, usize), limits: &Limits) -> Result<Self> {
+        let mut grey = Self::new(reader, size, limits)?;
+        grey.bytes.fill(128);
+        if matches!(grey.color, ColorType::GrayscaleAlpha | ColorType::Rgba) {
+            let bytes = bytes_of(grey.depth);
+            for pixel in grey.bytes.chunks_mut(grey.color.samples() * bytes) {
+                let alpha = pixel.len() - bytes;
+                pixel[alpha..].fill(255);
+            }
         }
+        Ok(grey)
+    }
+
+    /// Reads the rows up to the first damage.
+    fn read(&mut self, reader: &mut Reader<Cursor<&[u8]>>) -> Damage {
+        let stride = self.bytes.len() / self.height;
+        let bits = 8 * (self.color.samples() * bytes_of(self.depth)) as u8;
+        let (mut read, mut covered) = (0, 0);
+        while let Ok(Some(row)) = reader.next_interlaced_row() {
+            read += row.data().len();
+            match row.interlace() {
+                InterlaceInfo::Null(_) => {
+                    self.bytes[covered * stride..][..stride].copy_from_slice(row.data());
+                    covered += 1;
+                }
+                InterlaceInfo::Adam7(pass) => {
+                    splat_interlaced_row(&mut self.bytes, stride, row.data(), pass, bits);
+                    // A row of the first pass covers eight rows.
+                    covered = (covered + 8).min(self.height);
+                }
+            }
+        }
+        let [covered, read] = [covered as f64 / self.height as f64, read as f64 / self.bytes.len() as f64];
+        Damage { missing: 1.0 - covered, coarse: covered - read }
     }
 }
 
-/// Decodes the rows of a file up to its first damage. It has `height` rows, and its pixels take `bytes` each.
-fn read_rows(
-    decoder: Decoder<Cursor<&[u8]>>,
-    samples: &mut [u8],
-    height: usize,
-    bytes: usize,
-) -> std::result::Result<Damage, DecodingError> {
-    let mut reader = decoder.read_info()?;
-    let stride = samples.len() / height;
-    let (mut read, mut covered) = (0, 0);
-    while let Ok(Some(row)) = reader.next_interlaced_row() {
-        read += row.data().len();
-        match row.interlace() {
-            InterlaceInfo::Null(_) => {
-                samples[covered * stride..][..stride].copy_from_slice(row.data());
-                covered += 1;
-            }
-            InterlaceInfo::Adam7(pass) => {
-                splat_interlaced_row(samples, stride, row.data(), pass, 8 * bytes as u8);
-                // A row of the first pass covers eight rows.
-                covered = (covered + 8).min(height);
-            }
-        }
-    }
-    let [covered, read] = [covered as f64 / height as f64, read as f64 / samples.len() as f64];
-    Ok(Damage { missing: 1.0 - covered, coarse: covered - read })
+/// Bytes of a sample.
+fn bytes_of(depth: BitDepth) -> usize {
+    if depth == BitDepth::Sixteen { 2 } else { 1 }
 }
 
 /// A file up to its first chunk of pixels with a wrong checksum.
