@@ -129,7 +129,13 @@ fn names(photos: &Photos, folder: &Path) -> Vec<PathBuf> {
     let name = |(path, _): (&Path, &Imported)| {
         let stem = path.file_stem().map_or_else(|| "photo".into(), |stem| stem.to_string_lossy());
         let numbered = |n: usize| if n < 2 { stem.to_string() } else { format!("{stem}-{n}") };
-        let free = (1..).map(numbered).find(|name| taken.insert(name.clone())).unwrap_or_default();
+        let mut free = numbered(1);
+        for n in 2.. {
+            if taken.insert(free.clone()) {
+                break;
+            }
+            free = numbered(n);
+        }
         folder.join(format!("{free}.png"))
     };
     photos.iter().map(name).collect()

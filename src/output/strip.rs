@@ -384,7 +384,7 @@ mod tests {
         }
     }
 
-    fn page(photos: &[&str], words: Value) -> Document {
+    fn page(photos: &[&str], words: &Value) -> Document {
         let panels: Vec<Value> = photos
             .iter()
             .map(|photo| json!({ "photo": photo, "crop": { "x": 0, "y": 0, "width": 1, "height": 1 }, "locked": false, "edited": false }))
@@ -413,7 +413,7 @@ mod tests {
             };
             Some(time.to_owned())
         };
-        let pages = [page(&["a", "b", "c", "d"], words)];
+        let pages = [page(&["a", "b", "c", "d"], &words)];
         let blocks = blocks(&pages, taken, |_| Known::default(), &letters).unwrap();
         assert_eq!(blocks.iter().map(|block| block.gap).collect::<Vec<_>>(), [0, GAP, PAUSE, PAUSE]);
         let texts: Vec<usize> = blocks.iter().map(|block| block.page.words.len()).collect();

@@ -308,7 +308,7 @@ mod tests {
     fn photo(width: u32, height: u32, flat: u8) -> PhotoMeta {
         let rest = (255 - flat) / 14;
         let tones: [u8; 16] = std::array::from_fn(|i| if i < 2 { flat / 2 } else { rest });
-        let digits: String = tones.iter().map(|share| format!("{share:02x}")).collect();
+        let digits = tones.map(|share| format!("{share:02x}")).concat();
         let facts = serde_json::from_str(&format!("\"{digits}606018808080808080\"")).unwrap();
         PhotoMeta { facts: Some(facts), ..PhotoMeta::unmeasured("photo", width, height) }
     }

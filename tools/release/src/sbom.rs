@@ -3,6 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
 use cyclonedx_bom::external_models::date_time::DateTime;
@@ -159,7 +160,7 @@ fn nets(items: &mut Items) {
             _ => continue,
         };
         let version = purl.rsplit_once('@').map_or("", |(_, version)| version).to_owned();
-        let (class, licence) = if file.ends_with(".onnx") {
+        let (class, licence) = if Path::new(file).extension().is_some_and(|ending| ending == "onnx") {
             (Classification::MachineLearningModel, "Apache-2.0")
         } else {
             (Classification::Data, "CC-BY-4.0")
