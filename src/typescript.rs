@@ -501,7 +501,7 @@ fn written() -> String {
     let wanted = json!({ "seed": 7, "photos": [photo], "page": settings, "current": null, "keep": { "layout": false }, "panels": 4, "mode": "photos", "merge": false, "taste": { "families": { "grid": 0.5 } }, "avoid": { "layouts": ["grid-4"] }, "within": { "layouts": ["grid"], "styles": ["ink"] }, "styling": { "extra": [], "invented": 0.5 }, "surprise": 1 });
     let planned = shuffle::plan(&serde_json::from_value(wanted.clone()).unwrap()).unwrap();
     let mut page: Value = serde_json::from_str(&planned.to_json()).unwrap();
-    page["words"] = json!([{ "kind": "balloon", "text": "Hi", "shape": "shout", "panel": 0, "x": 0.5, "y": 0.25, "width": 0.25, "size": "auto", "tail": { "x": 0.5, "y": 0.5 }, "font": "bangers", "color": "#111111", "fill": "#ffffff", "angle": 5, "arc": 0.5, "auto": true, "craft": 2, "boxless": false, "capitals": true, "slant": 5, "outline": 0.1, "behind": false, "id": "b", "joined": "a", "linked": "a", "apart": false, "by": "Anna", "language": "en", "vertical": false, "room": [0.5, 0.25], "photo": "a", "cue": "1.000/0" }]);
+    page["words"] = json!([{ "kind": "balloon", "text": "Hi", "shape": "shout", "panel": 0, "x": 0.5, "y": 0.25, "width": 0.25, "size": "auto", "tail": { "x": 0.5, "y": 0.5 }, "font": "bangers", "color": "#111111", "fill": "#ffffff", "angle": 5, "arc": 0.5, "auto": true, "boxless": false, "capitals": true, "slant": 5, "outline": 0.1, "behind": false, "id": "b", "joined": "a", "linked": "a", "apart": false, "by": "Anna", "language": "en", "vertical": false, "room": [0.5, 0.25], "photo": "a", "cue": "1.000/0" }]);
     let mut editor = Editor::default();
     let differences: Vec<_> =
         edits(&page).iter().map(|edit| editor.apply_json(&edit.to_string()).unwrap()).collect();

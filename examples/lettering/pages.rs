@@ -3,7 +3,6 @@
 use inkpanel::Error;
 use inkpanel::framing::{PhotoMeta, Subject};
 use inkpanel::page::Document;
-use inkpanel::page::words::model::Craft;
 use inkpanel::page::words::place::{self, Known as Of};
 use inkpanel::page::words::{Letters, TextItem, TextKind};
 use serde::{Deserialize, Serialize};
@@ -96,7 +95,7 @@ pub(crate) fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkp
         let text = SPEECHES[(start * BALLOONS + i) % SPEECHES.len()];
         let item = TextItem::new(TextKind::Balloon, text);
         let language = Some("en".into());
-        TextItem { craft: Craft::Letterer, panel: Some(*panel), language, ..item }
+        TextItem { panel: Some(*panel), language, ..item }
     });
     page.words = words.collect();
     place::settle(&mut page, of, letters)?;

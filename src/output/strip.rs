@@ -399,8 +399,8 @@ mod tests {
     #[test]
     fn panels_become_blocks_with_their_text() {
         let words = json!([
-            { "kind": "caption", "text": "Second day. Sintra.", "panel": 1, "x": 0.2, "y": -0.05, "auto": false, "craft": 2 },
-            { "kind": "balloon", "text": "Look!", "panel": 2, "auto": true, "craft": 2 },
+            { "kind": "caption", "text": "Second day. Sintra.", "panel": 1, "x": 0.2, "y": -0.05, "auto": false },
+            { "kind": "balloon", "text": "Look!", "panel": 2, "auto": true },
             { "kind": "caption", "text": "7", "x": 0.5, "y": 0.98, "number": true },
         ]);
         let letters = Letters::bundled().unwrap();

@@ -203,7 +203,7 @@ fn html_tells_every_panel_in_order_and_is_small() {
 
 #[test]
 fn readings_are_ruby_where_there_is_ruby_and_in_brackets_elsewhere() {
-    let words = json!([{ "kind": "balloon", "craft": 2, "text": "*漢字*《かんじ》だ", "panel": 0, "x": 0.5, "y": 0.5 }]);
+    let words = json!([{ "kind": "balloon", "text": "*漢字*《かんじ》だ", "panel": 0, "x": 0.5, "y": 0.5 }]);
     let comic = comic(vec![document("grid-6", (1240, 1754), &words)]);
     let ruby = "<ruby>漢字<rp>（</rp><rt>かんじ</rt><rp>）</rp></ruby>だ";
     assert!(page_of(&comic).contains(ruby));

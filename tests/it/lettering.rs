@@ -150,7 +150,7 @@ fn of_places_otherwise_alike_the_one_with_least_of_the_figure_is_taken() {
     // Nothing was detected in the photo. Its subject fills the upper left, the usual place of text.
     let corner: fn(f64, f64) -> bool = |x, y| x < 0.5 && y < 0.5;
     for kind in ["balloon", "caption", "effect"] {
-        let word = [item(json!({ "kind": kind, "craft": 2, "text": "Look!", "panel": 1 }))];
+        let word = [item(json!({ "kind": kind, "text": "Look!", "panel": 1 }))];
         let at = |words: Vec<TextItem>| [words[0].x.unwrap(), words[0].y.unwrap()];
         let [x, y] = at(placed_by(&word, &[], Some(corner)));
         assert!(x > 0.5 || y > 0.5, "{kind}: {x}, {y}");
@@ -208,7 +208,7 @@ fn odd_text_gets_an_answer_and_nothing_of_it_is_lost() {
     ];
     for text in texts {
         for kind in ["caption", "balloon", "effect"] {
-            let word = json!({ "kind": kind, "craft": 2, "text": text, "panel": 1, "language": "en" });
+            let word = json!({ "kind": kind, "text": text, "panel": 1, "language": "en" });
             let mut page = page_of(&[item(word)]);
             place::settle(&mut page, |_| Known::default(), &letters).unwrap();
             assert_eq!(page.words[0].text, text, "it is kept as it was written");
@@ -221,9 +221,7 @@ fn odd_text_gets_an_answer_and_nothing_of_it_is_lost() {
 
 #[test]
 fn two_hundred_words_of_a_page_are_placed_on_it() {
-    let word = |i: usize| {
-        item(json!({ "kind": "balloon", "craft": 2, "text": format!("Number {i}"), "panel": i % 2 }))
-    };
+    let word = |i: usize| item(json!({ "kind": "balloon", "text": format!("Number {i}"), "panel": i % 2 }));
     let mut page = page_of(&(0..200).map(word).collect::<Vec<_>>());
     place::settle(&mut page, |_| Known::default(), &letters()).unwrap();
     let boxes = measured(&page, &letters()).unwrap();
@@ -233,7 +231,7 @@ fn two_hundred_words_of_a_page_are_placed_on_it() {
 
 #[test]
 fn words_go_on_to_stand_where_they_were_placed() {
-    let word = |text: &str| item(json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 0 }));
+    let word = |text: &str| item(json!({ "kind": "balloon", "text": text, "panel": 0 }));
     let mut page = page_of(&[word("Who goes there?"), word("Nobody, sir, but me and my dog.")]);
     let letters = letters();
     place::settle(&mut page, |_| Known::default(), &letters).unwrap();
@@ -256,7 +254,7 @@ fn turned(x: f64, y: f64) -> Subject {
 /// Returns placed balloons on one panel with the given texts and speakers, around faces.
 fn said(lines: &[(&str, Option<&str>)], faces: &[Subject]) -> Vec<TextItem> {
     let word = |(text, by): &(&str, Option<&str>)| {
-        item(json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 0, "by": by }))
+        item(json!({ "kind": "balloon", "text": text, "panel": 0, "by": by }))
     };
     placed_by(&lines.iter().map(word).collect::<Vec<_>>(), faces, None)
 }
@@ -307,7 +305,7 @@ fn balloons_of_others_stay_apart() {
     assert_eq!(names(Some("anna"), Some("ben")), [None, None]);
     // The user can separate them. A different look means another voice.
     let word = |more: Value| {
-        let mut word = json!({ "kind": "balloon", "craft": 2, "text": "Me.", "panel": 0 });
+        let mut word = json!({ "kind": "balloon", "text": "Me.", "panel": 0 });
         word.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
         item(word)
     };
@@ -358,10 +356,10 @@ fn a_balloon_that_hangs_on_one_that_stays_comes_beside_it() {
 
 #[test]
 fn names_of_balloons_are_found_anew_where_two_have_the_same() {
-    let other = json!({ "kind": "balloon", "craft": 2, "text": "Far.", "panel": 1, "id": "b1" });
+    let other = json!({ "kind": "balloon", "text": "Far.", "panel": 1, "id": "b1" });
     let mut words = vec![item(other)];
     for text in ["Did you hear that?", "It came from below."] {
-        words.push(item(json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 0, "id": "b1" })));
+        words.push(item(json!({ "kind": "balloon", "text": text, "panel": 0, "id": "b1" })));
     }
     let words = placed_by(&words, &[face(0.3, 0.6)], None);
     assert_eq!(links(&words), [None, None, Some(1)], "{words:?}");

@@ -91,7 +91,7 @@ fn fonts(files: &[&str]) -> GivenFonts {
 }
 
 fn said(text: &str) -> Value {
-    json!({ "kind": "balloon", "craft": 2, "text": text, "panel": 1, "x": 0.5, "y": 0.5 })
+    json!({ "kind": "balloon", "text": text, "panel": 1, "x": 0.5, "y": 0.5 })
 }
 
 #[test]
@@ -210,10 +210,6 @@ fn readings_make_their_balloon_larger_and_are_read_behind_their_letters() {
         assert!(area(&with) > 1.1 * area(&without), "{} {}", area(&with), area(&without));
         assert_eq!(wording::read(&with.word), "漢字（そうか）でも縦書き");
     }
-    // Text items of version 1 and invalid ruby notations do not change.
-    let (first, letters) = ruby_page("漢字《そうか》", &json!({ "craft": 1 }));
-    let line: String = first.setting.lines[0].0.iter().map(|&letter| letters.text_of(letter)).collect();
-    assert!(line.contains('《'), "{line}");
 }
 
 #[test]

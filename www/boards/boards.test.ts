@@ -33,7 +33,7 @@ test('the shots follow the pages, with their balloons and captions as dialogue, 
   const [a, b, c, d] = store.photos.value.map(({ id }) => id);
   const page = store.page.value as PageDocument;
   const words = [
-    { kind: 'balloon', text: 'And *you*?', panel: 0, x: 0.5, y: 0.8, craft: 2 },
+    { kind: 'balloon', text: 'And *you*?', panel: 0, x: 0.5, y: 0.8 },
     { kind: 'caption', text: 'Later', panel: 0, x: 0.2, y: 0.1 },
     { kind: 'effect', text: 'BANG', panel: 0, x: 0.5, y: 0.5 },
     { kind: 'balloon', text: 'Me?', panel: 1, x: 0.5, y: 0.5, by: 'Ann' },

@@ -25,9 +25,9 @@ function saidIn({ words = [] }: PageDocument, panel: number): string[] {
   return words
     .filter((word) => word.panel === panel && word.kind !== 'effect')
     .sort((a, b) => place(a) - place(b))
-    .map(({ text, by, craft }) => {
+    .map(({ text, by }) => {
       // Stars are emphasis.
-      const plain = (craft === 2 ? text.replaceAll('*', '') : text).replace(/\s+/g, ' ').trim();
+      const plain = text.replaceAll('*', '').replace(/\s+/g, ' ').trim();
       return by ? `${by}: ${plain}` : plain;
     });
 }

@@ -885,11 +885,6 @@ export type Word = {
   photo?: string | null,
   /** The subtitle of origin, so that it is not added twice. */
   cue?: string | null,
-  /**
-   * Lettering rules: 2 for the rules of letterers, for all new items. Items without it are from old pages
-   * and keep their look.
-   */
-  craft?: 1 | 2,
   /** Whether a caption has no box. Its text is on the image, with an outline. */
   boxless?: boolean,
   /** Whether the caption is only left-aligned text from the top of its area. */

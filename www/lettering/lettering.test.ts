@@ -52,7 +52,6 @@ describe('words', () => {
         panel: 0,
         photo,
         auto: true,
-        craft: 2,
         language: 'en',
         x: 0.25,
         y: 0.25,
@@ -114,7 +113,7 @@ describe('words', () => {
     const steps = past();
     expect(lettering.lay(fresh)).toEqual({ shown: 1, waiting: 1 });
     expect(past() - steps).toBe(1);
-    expect(lettering.words.value[0]).toMatchObject({ text: 'one', panel: 1, x: 0.25, craft: 2 });
+    expect(lettering.words.value[0]).toMatchObject({ text: 'one', panel: 1, x: 0.25 });
     expect(lettering.lay(fresh)).toEqual({ shown: 0, waiting: 0 });
     // An unplaced item is placed on the page, and undo reverts that.
     lettering.take(0);
@@ -171,7 +170,7 @@ describe('words', () => {
 
   test('a page that comes with words keeps their places when the letters are there', async () => {
     const page = store.page.value as PageDocument;
-    const words: Word[] = [{ kind: 'caption', text: 'Later', panel: 0, auto: true, craft: 2, x: 0.7, y: 0.8 }];
+    const words: Word[] = [{ kind: 'caption', text: 'Later', panel: 0, auto: true, x: 0.7, y: 0.8 }];
     store.change({ type: 'change-page', page: { ...page, words } });
     await lettering.ready();
     await Promise.resolve();
@@ -180,7 +179,7 @@ describe('words', () => {
 
   test('the letters of a page that comes with words are told to be loading until they are there', async () => {
     const page = store.page.value as PageDocument;
-    const words: Word[] = [{ kind: 'caption', text: 'Later', panel: 0, auto: true, craft: 2, x: 0.7, y: 0.8 }];
+    const words: Word[] = [{ kind: 'caption', text: 'Later', panel: 0, auto: true, x: 0.7, y: 0.8 }];
     expect(lettering.loading.value).toBe(false);
     store.change({ type: 'change-page', page: { ...page, words } });
     expect([lettering.loading.value, lettering.boxes.value.length]).toEqual([true, 0]);
@@ -190,7 +189,7 @@ describe('words', () => {
 
   test('words of a page that was planned before the letters were there are placed when they are', async () => {
     const page = store.page.value as PageDocument;
-    const words: Word[] = [{ kind: 'caption', text: 'Later', panel: 0, auto: true, craft: 2, x: 0.7, y: 0.8 }];
+    const words: Word[] = [{ kind: 'caption', text: 'Later', panel: 0, auto: true, x: 0.7, y: 0.8 }];
     store.change({ type: 'change-page', page: lettering.settled({ ...page, words }) });
     await lettering.ready();
     await Promise.resolve();

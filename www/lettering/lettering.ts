@@ -139,7 +139,7 @@ export function createLettering({
     const before = words.peek();
     const some = fresh
       .slice(0, Math.max(0, MOST.words - before.length))
-      .map((word): Word => ({ craft: 2, language, ...word, text: bounded(word.text) }));
+      .map((word): Word => ({ language, ...word, text: bounded(word.text) }));
     if (some.length < fresh.length) messages.alert(strings.wordsFull(MOST.words));
     if (some.length === 0) return 0;
     const all = [...before, ...some];
@@ -160,7 +160,7 @@ export function createLettering({
     });
     const before = count();
     // The language of a video may differ from the language of the page, so its words are not hyphenated.
-    const laid = fresh.slice(0, MOST.added).map((word): AddedWord => ({ craft: 2, ...word, text: bounded(word.text) }));
+    const laid = fresh.slice(0, MOST.added).map((word): AddedWord => ({ ...word, text: bounded(word.text) }));
     store.change({ type: 'add-words', words: laid });
     const after = count();
     return { shown: after.shown - before.shown, waiting: after.waiting - before.waiting };

@@ -92,5 +92,5 @@ function captionsOf(photos: readonly string[], { title, moments, language, day, 
 }
 
 function word(text: string, panel: number, photos: readonly string[], language: string): Word {
-  return { kind: 'caption', text, panel, photo: photos[panel], auto: true, craft: 2, made: true, language };
+  return { kind: 'caption', text, panel, photo: photos[panel], auto: true, made: true, language };
 }

@@ -26,8 +26,8 @@ type AmountProps = {
 export const USUAL_OUTLINE = 0.06;
 
 /** Whether a text item is set in capitals. By default, letterers do so except for sound effects. */
-export function capitals({ capitals, craft, kind }: Word): boolean {
-  return capitals ?? (craft === 2 && kind !== 'effect');
+export function capitals({ capitals, kind }: Word): boolean {
+  return capitals ?? kind !== 'effect';
 }
 
 /** Limits of the width, in page widths. */

@@ -57,7 +57,7 @@ export function createWordPainter(
       layout,
       page,
       width,
-      word.craft && style,
+      style,
       (word.id || word.joined || word.linked) && joined,
       standsBehind(word) !== null && before,
     ];

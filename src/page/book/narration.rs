@@ -3,7 +3,7 @@
 use super::phrases::Phrases;
 use crate::framing::{PhotoMeta, Subject};
 use crate::page::Document;
-use crate::page::words::model::{Craft, TextItem, TextKind};
+use crate::page::words::model::{TextItem, TextKind};
 use crate::plan::book::{Outline, Role};
 use crate::plan::moments::Moment;
 use std::collections::HashMap;
@@ -154,7 +154,7 @@ pub(super) fn caption(
 /// A caption of a book.
 fn of_book(text: &str) -> TextItem {
     let item = TextItem::new(TextKind::Caption, text);
-    TextItem { craft: Craft::Letterer, made: true, book: true, ..item }
+    TextItem { made: true, book: true, ..item }
 }
 
 fn in_language(language: &str) -> Option<String> {

@@ -4,7 +4,7 @@ use super::balloons::neck;
 use super::bidi::Seen;
 use super::layout::{Body, Chain, Ground, Laid, lay_all};
 use super::letters::{Font, Letters};
-use super::model::{Craft, Kind, Shape};
+use super::model::{Kind, Shape};
 use super::ruby;
 use super::setting::Setting;
 use super::shapes;
@@ -17,10 +17,8 @@ use crate::page::coverage::{Contour, coverage};
 use crate::page::mask::PixelRect;
 use crate::page::scene::MAX_SIDE;
 
-/// Half the width of outlines, in page widths.
-const LINE: f64 = 0.0014;
-/// Width of the outline by the rules of letterers, about half a millimetre in total on A4.
-const FINER: f64 = 0.0011;
+/// Half the width of outlines, in page widths: about half a millimetre in total on A4.
+const LINE: f64 = 0.0011;
 /// Outline of the glyphs of a caption without a box, in ems.
 const HALO: f64 = 0.1;
 /// Slant of emphasised glyphs, as a fraction of their height.
@@ -132,17 +130,11 @@ pub(in crate::page) fn lines(laid: &Laid, width: f64, letters: &Letters) -> Line
         let scaled = |point: Point| Point::new(point.x * width, point.y * width);
         let middle = scaled(body.middle);
         let half = (body.half.0 * width, body.half.1 * width);
-        shapes::outline(body.kind, body.craft, (middle.x, middle.y), half, body.tip.map(scaled))
+        shapes::outline(body.kind, (middle.x, middle.y), half, body.tip.map(scaled))
     };
     let own = || {
         let Laid { middle, tip, setting, .. } = laid;
-        outline(&Body {
-            kind: word.kind(),
-            craft: word.craft,
-            middle: *middle,
-            half: setting.half,
-            tip: *tip,
-        })
+        outline(&Body { kind: word.kind(), middle: *middle, half: setting.half, tip: *tip })
     };
     if word.plain {
         return plain(laid, width, letters);
@@ -158,7 +150,6 @@ pub(in crate::page) fn lines(laid: &Laid, width: f64, letters: &Letters) -> Line
     let half = match word.kind() {
         Kind::Effect => word.outline.unwrap_or(RING) * size,
         _ if word.boxless => HALO * size,
-        _ if word.craft == Craft::Letterer => FINER,
         _ => LINE,
     };
     let dash = (word.kind() == Kind::Balloon(Shape::Whisper)).then_some((DASH.0 * width, DASH.1 * width));

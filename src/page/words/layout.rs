@@ -1,7 +1,7 @@
 //! Positions and sizes of the text items of a document. Lengths are in page widths.
 
 use super::letters::Letters;
-use super::model::{Craft, Kind, TextItem};
+use super::model::{Kind, TextItem};
 use super::palette::{self, Palette};
 use super::setting::{Setting, Wish, set};
 use super::shapes::reach;
@@ -52,7 +52,6 @@ pub struct Body {
     /// Which one.
     pub kind: Kind,
     /// Lettering rules.
-    pub craft: Craft,
     /// Its middle.
     pub middle: Point,
     /// Half the width and height of the shape around its text.
@@ -128,23 +127,20 @@ impl Ground {
     /// The text colour and the fill colour of an item, with the colours of the page for unset colours.
     fn colors(&self, word: &TextItem) -> ([u8; 3], [u8; 3]) {
         let own = word.colors();
-        if word.craft == Craft::Letterer {
-            let Palette { ink, paper, note, accent, edge } = self.palette;
-            let (color, fill) = match word.kind() {
-                Kind::Caption if word.boxless => (ink, paper),
-                Kind::Caption => (ink, note),
-                Kind::Balloon(_) => (ink, paper),
-                Kind::Effect => (accent, edge),
-            };
-            // A colour of the style is used only if it is readable with the custom colour.
-            return match (word.color.is_some(), word.fill.is_some()) {
-                (false, false) => (color, fill),
-                (true, false) if palette::contrast(own.0, fill) > 3.0 => (own.0, fill),
-                (false, true) if palette::contrast(color, own.1) > 3.0 => (color, own.1),
-                _ => own,
-            };
+        let Palette { ink, paper, note, accent, edge } = self.palette;
+        let (color, fill) = match word.kind() {
+            Kind::Caption if word.boxless => (ink, paper),
+            Kind::Caption => (ink, note),
+            Kind::Balloon(_) => (ink, paper),
+            Kind::Effect => (accent, edge),
+        };
+        // A colour of the style is used only if it is readable with the custom colour.
+        match (word.color.is_some(), word.fill.is_some()) {
+            (false, false) => (color, fill),
+            (true, false) if palette::contrast(own.0, fill) > 3.0 => (own.0, fill),
+            (false, true) if palette::contrast(color, own.1) > 3.0 => (color, own.1),
+            _ => own,
         }
-        own
     }
 
     /// Sets a text item, see [`TextItem::effective`], and computes its position. It never leaves the page.
@@ -154,17 +150,15 @@ impl Ground {
         let frame = self.frame(&word);
         let point = |(x, y): (f64, f64)| Point::new(frame.x + x * frame.width, frame.y + y * frame.height);
         let reach = reach(word.kind());
-        let share = match (word.panel.is_some(), word.craft) {
-            (false, _) => (0.5, 0.3),
-            (true, Craft::First) => (0.84, 0.62),
-            (true, Craft::Letterer) if word.vertical => (0.5, 0.62),
-            (true, Craft::Letterer) => (0.66, 0.4),
+        let share = match word.panel {
+            None => (0.5, 0.3),
+            Some(_) if word.vertical => (0.5, 0.62),
+            Some(_) => (0.66, 0.4),
         };
         let part = |(across, down): (f64, f64)| (across * frame.width / reach, down * frame.height / reach);
         let own = word.room.map(|(width, height)| (width / reach, height / reach));
         let wish = Wish {
             kind: word.kind(),
-            craft: word.craft,
             vertical: word.vertical,
             plain: word.plain,
             screens: self.screens,
@@ -265,7 +259,7 @@ fn join(all: &mut [Laid]) {
         }
         let body = |&i: &usize| {
             let Laid { word, middle, tip, setting, .. } = &all[i];
-            Body { kind: word.kind(), craft: word.craft, middle: *middle, half: setting.half, tip: *tip }
+            Body { kind: word.kind(), middle: *middle, half: setting.half, tip: *tip }
         };
         let bodies = others.iter().map(body).collect();
         let neck = |&i: &usize| {

@@ -351,7 +351,7 @@ impl Goal {
 #[cfg(test)]
 mod tests {
     use crate::page::words::Letters;
-    use crate::page::words::model::{Craft, Kind, Shape, TextItem};
+    use crate::page::words::model::{Kind, Shape, TextItem};
     use crate::page::words::setting::{FULLNESS, Setting, Wish, set};
     use crate::page::words::wording::marks;
     use serde_json::json;
@@ -359,14 +359,13 @@ mod tests {
     fn setting(text: &str, kind: Kind, width: Option<f64>) -> Setting {
         let letters = Letters::bundled().unwrap();
         let name = if kind == Kind::Caption { "caption" } else { "balloon" };
-        let word = json!({ "kind": name, "craft": 2, "text": text, "language": "en" });
+        let word = json!({ "kind": name, "text": text, "language": "en" });
         let word = TextItem::read(word).unwrap();
         let font = letters.font(word.font()).unwrap();
-        let (craft, room) = (Craft::Letterer, (0.3, 0.22));
+        let room = (0.3, 0.22);
         let vertical = false;
         let wish = Wish {
             kind,
-            craft,
             vertical,
             plain: false,
             screens: false,

@@ -65,38 +65,6 @@ pub enum Shape {
     Radio,
 }
 
-/// Lettering rules: how text items are set, drawn and placed. Items of old pages keep their look.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize, Deserialize)]
-#[serde(try_from = "f64", into = "u8")]
-pub enum Craft {
-    /// The first rules: `craft` is missing, or 1.
-    #[default]
-    First,
-    /// The rules of letterers: 2, for all new items.
-    Letterer,
-}
-
-impl TryFrom<f64> for Craft {
-    type Error = &'static str;
-
-    fn try_from(number: f64) -> Result<Self, Self::Error> {
-        match number {
-            1.0 => Ok(Self::First),
-            2.0 => Ok(Self::Letterer),
-            _ => Err("must be 1 or 2"),
-        }
-    }
-}
-
-impl From<Craft> for u8 {
-    fn from(craft: Craft) -> Self {
-        match craft {
-            Craft::First => 1,
-            Craft::Letterer => 2,
-        }
-    }
-}
-
 /// The end of a tail, in fractions of the frame of its text item.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Tail {
@@ -192,11 +160,6 @@ pub struct TextItem {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(all(test, feature = "cli"), ts(optional = nullable))]
     pub cue: Option<String>,
-    /// Lettering rules: 2 for the rules of letterers, for all new items. Items without it are from old pages
-    /// and keep their look.
-    #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
-    #[cfg_attr(all(test, feature = "cli"), ts(type = "1 | 2", optional))]
-    pub craft: Craft,
     /// Whether a caption has no box. Its text is on the image, with an outline.
     #[serde(default, deserialize_with = "nullable", skip_serializing_if = "is_default")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
@@ -465,7 +428,7 @@ impl TextItem {
     #[must_use]
     pub fn in_capitals(&self) -> bool {
         // Letterers write everything in capitals, except sound effects.
-        self.capitals.unwrap_or(self.craft == Craft::Letterer && self.kind != TextKind::Effect)
+        self.capitals.unwrap_or(self.kind != TextKind::Effect)
     }
 
     /// Id of the balloon that it is linked to, manually or automatically.
@@ -513,16 +476,16 @@ mod tests {
                 .unwrap();
         assert_eq!((word.kind(), word.at(), word.size), (Kind::Balloon(Shape::Shout), (0.5, 0.5), None));
         assert_eq!((word.colors().1, word.font()), ([255; 3], "comic-neue-bold"));
-        assert_eq!((word.craft, word.in_capitals(), word.outline), (Craft::First, false, None));
+        assert_eq!((word.in_capitals(), word.outline), (true, None));
         assert_eq!((word.joined.is_none(), word.is_auto()), (true, true));
     }
 
     #[test]
-    fn new_words_are_a_letterers() {
+    fn only_effects_keep_their_case() {
         let word = |value: Value| TextItem::read(value).unwrap().effective();
-        assert!(word(json!({ "kind": "balloon", "craft": 2 })).in_capitals());
-        assert!(!word(json!({ "kind": "balloon", "craft": 2, "capitals": false })).in_capitals());
-        assert!(!word(json!({ "kind": "effect", "craft": 2 })).in_capitals());
+        assert!(word(json!({ "kind": "balloon" })).in_capitals());
+        assert!(!word(json!({ "kind": "balloon", "capitals": false })).in_capitals());
+        assert!(!word(json!({ "kind": "effect" })).in_capitals());
         let joined =
             word(json!({ "kind": "balloon", "shape": "radio", "id": "b", "joined": "a", "boxless": true }));
         assert_eq!((joined.id.as_deref(), joined.joined.as_deref()), (Some("b"), Some("a")));
@@ -539,7 +502,6 @@ mod tests {
             (json!({ "kind": "caption", "text": "x".repeat(10_001) }), "text"),
             (json!({ "kind": "caption", "boxless": 1 }), "boxless"),
             (json!({ "kind": "caption", "capitals": "yes" }), "capitals"),
-            (json!({ "kind": "caption", "craft": 1.5 }), "craft"),
             (json!({ "kind": "effect", "slant": 60 }), "slant"),
             (json!({ "kind": "effect", "outline": -1 }), "outline"),
             (json!({ "kind": "effect", "behind": 0 }), "behind"),
@@ -569,7 +531,7 @@ mod tests {
             "kind": "balloon", "text": "Hi", "shape": "thought", "panel": 2, "x": 0.25, "y": 0.5, "width": 0.5,
             "size": 0.25, "tail": { "x": 0.5, "y": 0.25 }, "font": "bangers", "color": "#101010",
             "fill": "#ffffff", "angle": 5.5, "arc": 0.5, "auto": false, "made": true, "book": true,
-            "number": true, "photo": "p", "cue": "1.0/0", "craft": 2, "boxless": true, "plain": true,
+            "number": true, "photo": "p", "cue": "1.0/0", "boxless": true, "plain": true,
             "ruled": true, "capitals": false, "slant": 5.5, "outline": 0.25, "behind": true, "id": "a",
             "joined": "b", "linked": "c", "apart": true, "by": "anna", "language": "en", "vertical": true,
             "room": [0.5, 0.25], "fresh": { "a": [1, 2] },

@@ -6,7 +6,7 @@
 
 use super::lens;
 use super::letters::{Font, Letters};
-use super::model::{Craft, Kind, Shape};
+use super::model::{Kind, Shape};
 use super::ruby::{self, Under};
 use super::vertical;
 use super::wording::Mark;
@@ -22,8 +22,6 @@ pub(super) const PITCH: f64 = 1.12;
 pub struct Wish {
     /// Kind of the text item.
     pub kind: Kind,
-    /// Lettering rules.
-    pub craft: Craft,
     /// Its lines are columns, from right to left.
     pub vertical: bool,
     /// Whether the text is only left-aligned lines.
@@ -78,52 +76,25 @@ pub(super) struct Manner {
     smallest: f64,
 }
 
-fn manner(kind: Kind, craft: Craft, width: Option<f64>, screens: bool) -> Manner {
-    let first = match kind {
-        Kind::Caption => Manner {
-            round: false,
-            pad: (0.55, 0.5),
-            aspect: 3.2,
-            largest: 0.0195,
-            readable: 0.0195,
-            smallest: 0.008,
-        },
-        Kind::Balloon(_) => Manner {
-            round: true,
-            pad: (0.46, 0.44),
-            aspect: 1.6,
-            largest: 0.021,
-            readable: 0.021,
-            smallest: 0.008,
-        },
-        Kind::Effect => {
-            let largest = if width.is_some() { 0.4 } else { 0.085 };
-            Manner {
-                round: false,
-                pad: (0.14, 0.14),
-                aspect: 20.0,
-                largest,
-                readable: largest,
-                smallest: 0.012,
-            }
-        }
-    };
-    if craft == Craft::First || kind == Kind::Effect {
-        return first;
+fn manner(kind: Kind, width: Option<f64>, screens: bool) -> Manner {
+    if kind == Kind::Effect {
+        let largest = if width.is_some() { 0.4 } else { 0.085 };
+        let pad = (0.14, 0.14);
+        return Manner { round: false, pad, aspect: 20.0, largest, readable: largest, smallest: 0.012 };
     }
-    // On A4, 210 mm wide, 0.0168 are 10 points and 0.0134 are 8; a shout is louder, a whisper is not.
+    let round = kind != Kind::Caption;
+    let (pad, aspect) = if round { ((0.5, 0.46), 1.5) } else { ((0.6, 0.52), 3.2) };
+    // On A4, 210 mm wide, 0.0168 are 10 points and 0.0134 are 8. Shouts are larger, whispers are smaller.
     let loud: f64 = match kind {
         Kind::Balloon(Shape::Shout) => 1.15,
         Kind::Balloon(Shape::Whisper) | Kind::Caption => 0.95,
         _ => 1.0,
     };
-    let pad = if first.round { (0.5, 0.46) } else { (0.6, 0.52) };
-    let aspect = if first.round { 1.5 } else { first.aspect };
     if screens {
         let [largest, readable] = ON_SCREENS.map(|size| size * loud.max(1.0));
-        return Manner { pad, aspect, largest, readable, smallest: LEGIBLE_ON_SCREENS, ..first };
+        return Manner { round, pad, aspect, largest, readable, smallest: LEGIBLE_ON_SCREENS };
     }
-    Manner { pad, aspect, largest: 0.0168 * loud, readable: 0.0134 * loud, smallest: 0.0098, ..first }
+    Manner { round, pad, aspect, largest: 0.0168 * loud, readable: 0.0134 * loud, smallest: 0.0098 }
 }
 
 /// Sizes of text for screens: the usual one, and the smallest one of a short text. On a page that is 435 pixels wide, as in
@@ -140,7 +111,7 @@ const MOST_LINES: usize = 60;
 /// Sets a text of [`marks`](super::wording::marks), with its [`readings`](super::wording::readings).
 #[must_use]
 pub fn set(letters: &Letters, font: &Font, text: (&[Mark], &[Vec<char>]), wish: &Wish) -> Setting {
-    let mut manner = manner(wish.kind, wish.craft, wish.width, wish.screens);
+    let mut manner = manner(wish.kind, wish.width, wish.screens);
     if wish.plain {
         manner.pad = (0.0, 0.0);
     }
@@ -182,7 +153,7 @@ fn lines(
     if wish.plain {
         return plain(&setter);
     }
-    let lens = (wish.craft == Craft::Letterer && wish.kind != Kind::Effect).then(|| lens::Lens::new(&setter));
+    let lens = (wish.kind != Kind::Effect).then(|| lens::Lens::new(&setter));
     let lens = lens.filter(lens::Lens::is_short);
     let at = |setter: &Setter, size: f64, room: (f64, f64)| match &lens {
         Some(lens) => lens.at(size, room, setter.wish.width),
@@ -193,8 +164,7 @@ fn lines(
     let readable = wish.size.unwrap_or(manner.readable);
     let stages =
         [(wish.room, wish.size.unwrap_or(manner.largest), readable), (wish.most, readable, smallest)];
-    let stages = if wish.craft == Craft::First { [(stages[0].0, stages[0].1, smallest); 2] } else { stages };
-    for (room, largest, smallest) in &stages[..if wish.craft == Craft::First { 1 } else { 2 }] {
+    for (room, largest, smallest) in &stages {
         let mut size = *largest;
         loop {
             if setter.may_fit(size, *room)
@@ -507,10 +477,9 @@ mod tests {
     use crate::page::words::model::Shape;
 
     fn wish(kind: Kind) -> Wish {
-        let (craft, room) = (Craft::First, (0.42, 0.3));
+        let room = (0.42, 0.3);
         Wish {
             kind,
-            craft,
             vertical: false,
             plain: false,
             screens: false,

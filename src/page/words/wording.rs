@@ -4,7 +4,7 @@
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); the patterns of `TeX` by way of `hypher`.
 
 use super::letters::{Font, Letters, STEM};
-use super::model::{Craft, TextItem};
+use super::model::TextItem;
 use super::ruby;
 use super::vertical;
 use hypher::Lang;
@@ -46,12 +46,9 @@ impl Mark {
     }
 }
 
-/// The characters of a text item, by its lettering rules.
+/// The characters of a text item.
 #[must_use]
 pub fn marks(word: &TextItem, letters: &Letters, font: &Font) -> Vec<Mark> {
-    if word.craft == Craft::First {
-        return letters.cleaned(&word.text).into_iter().map(Mark::plain).collect();
-    }
     let language = word.language.as_deref().unwrap_or_default().get(..2).unwrap_or_default().to_lowercase();
     let (mut marks, _) = read_apart(written(word, letters), letters);
     quotes(&mut marks, &language);
@@ -66,7 +63,7 @@ pub fn marks(word: &TextItem, letters: &Letters, font: &Font) -> Vec<Mark> {
 /// The readings of a text item, by number minus one.
 #[must_use]
 pub fn readings(word: &TextItem, letters: &Letters) -> Vec<Vec<char>> {
-    if word.craft == Craft::First || !word.text.contains('《') {
+    if !word.text.contains('《') {
         return Vec::new();
     }
     let (_, mut readings) = read_apart(written(word, letters), letters);
@@ -120,9 +117,6 @@ pub fn read(word: &TextItem) -> String {
 /// Text of a text item in segments, with a reading for segments that have one.
 #[must_use]
 pub fn said_apart(word: &TextItem) -> Vec<(String, Option<String>)> {
-    if word.craft == Craft::First {
-        return vec![(word.text.clone(), None)];
-    }
     let text: Vec<char> = word.text.chars().filter(|&letter| letter != '\u{ad}').collect();
     ruby::stretches(&emphasised(&text).into_iter().map(|mark| mark.letter).collect::<String>())
 }
@@ -327,8 +321,7 @@ mod tests {
 
     fn marked(text: &str, language: &str) -> Vec<Mark> {
         let letters = Letters::bundled().unwrap();
-        let word =
-            json!({ "kind": "balloon", "craft": 2, "text": text, "language": language, "capitals": false });
+        let word = json!({ "kind": "balloon", "text": text, "language": language, "capitals": false });
         let word = TextItem::read(word).unwrap();
         marks(&word, &letters, letters.font(word.font()).unwrap())
     }
@@ -392,8 +385,7 @@ mod tests {
     #[test]
     fn the_i_with_bars_is_the_pronoun() {
         let letters = Letters::bundled().unwrap();
-        let word =
-            TextItem::read(json!({ "kind": "balloon", "craft": 2, "text": "I’m in it, am I?" })).unwrap();
+        let word = TextItem::read(json!({ "kind": "balloon", "text": "I’m in it, am I?" })).unwrap();
         let set = marks(&word, &letters, letters.font(word.font()).unwrap());
         assert_eq!(text(&set), format!("I’M {STEM}N {STEM}T, AM I?"));
     }

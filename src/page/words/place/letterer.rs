@@ -18,7 +18,7 @@ use super::{Figure, INSET, Scenery, Seen, above, center, contains, covered, gap,
 use crate::layout::{Bounds, Point, ResolvedPanel};
 use crate::page::words::layout::{Ground, Laid};
 use crate::page::words::letters::Letters;
-use crate::page::words::model::{Craft, Kind, TextItem};
+use crate::page::words::model::{Kind, TextItem};
 use crate::page::words::setting::LEGIBLE_ON_SCREENS;
 
 /// Candidate positions along each side of a panel.
@@ -84,7 +84,7 @@ pub(super) struct Place {
 pub(super) fn groups(words: &[TextItem], ground: &Ground) -> Vec<Vec<usize>> {
     let mut groups: Vec<(Option<usize>, Vec<usize>)> = Vec::new();
     for (i, word) in words.iter().enumerate() {
-        if !word.is_auto() || word.craft == Craft::First {
+        if !word.is_auto() {
             continue;
         }
         let panel = panel_of(word, ground);

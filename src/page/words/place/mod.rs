@@ -1,16 +1,12 @@
-//! Automatic placement of text items.
-//!
-//! Items of old pages use the rules in `first`. Items of letterers use the rules in `letterer`, which avoid
-//! the subjects of photos (`figure`) if masks exist. Both return fractions of the panel's bounds, which the
-//! document stores.
+//! Automatic placement of text items, by the rules in `letterer`. They avoid the subjects of photos
+//! (`figure`). The document stores positions as fractions of the panel's bounds.
 
 mod figure;
-mod first;
 mod letterer;
 
 use super::layout::{Ground, Laid, extent, joined};
 use super::letters::Letters;
-use super::model::{Craft, Tail, TextItem};
+use super::model::{Tail, TextItem};
 use crate::error::Result;
 use crate::framing::{Crop, FACE, LETTERING, PhotoMeta, Subject};
 use crate::layout::{Bounds, Point, ResolvedPanel, ResolvedShape};
@@ -73,8 +69,8 @@ struct Scenery {
     figures: Vec<Figure>,
 }
 
-/// Adds text items to a page. Items without a position get the rules of letterers and are placed away from
-/// faces. `known` returns the properties of a photo.
+/// Adds text items to a page. Items without a position are placed away from faces. `known` returns the
+/// properties of a photo.
 ///
 /// # Errors
 /// As [`settle`].
@@ -85,15 +81,11 @@ pub fn add<'s>(
     letters: &Letters,
 ) -> Result<()> {
     document.words = words;
-    for word in document.words.iter_mut().filter(|word| word.x.is_none() && word.y.is_none()) {
-        word.craft = Craft::Letterer;
-    }
     settle(document, known, letters)
 }
 
 /// Places every automatic text item of a document. Items hide no face, and as little of bodies as possible.
-/// `known` returns the properties of a photo. Items of old pages ignore masks, so their positions do not
-/// change.
+/// `known` returns the properties of a photo.
 ///
 /// # Errors
 /// `invalid-document` for an invalid text item; layout errors.
@@ -136,15 +128,13 @@ fn placed_on<'s>(
         };
         let mut scenery = Scenery::default();
         for panel in panels {
-            see(document, &ground, panel, &known, word.craft, &mut scenery);
+            see(document, &ground, panel, &known, &mut scenery);
         }
         scenery
     };
     let mut wanted: Vec<(usize, Point)> = Vec::new();
     if again {
-        let by_hand =
-            words.iter().enumerate().filter(|(_, word)| !word.is_auto() && word.craft == Craft::Letterer);
-        for (i, word) in by_hand {
+        for (i, word) in words.iter().enumerate().filter(|(_, word)| !word.is_auto()) {
             let laid = ground.lay(word.clone(), letters);
             if is_in_the_way(covered(&laid), &scenery(word), &above(word, &ground)) {
                 wanted.push((i, laid.middle));
@@ -165,19 +155,7 @@ fn placed_on<'s>(
         .filter(|(_, word)| !word.is_auto())
         .map(|(i, word)| (i, covered(&ground.lay(word.clone(), letters))))
         .collect();
-    let mut spoken: Vec<Point> = Vec::new();
     let mut news: Vec<(usize, Spot)> = Vec::new();
-    for (i, word) in words.iter().enumerate().filter(|(_, word)| word.is_auto() && word.craft == Craft::First)
-    {
-        let (frame, Scenery { seen, .. }) = (ground.frame(word), scenery(word));
-        let shape =
-            panel_of(word, &ground).and_then(|panel| ground.panels.get(panel)).map(|panel| &panel.shape);
-        let laid = ground.lay(word.clone(), letters);
-        let stands: Vec<Bounds> = taken.iter().map(|(_, area)| *area).collect();
-        let (area, tip) = first::place(&laid, frame, shape, &seen, &stands, &mut spoken);
-        taken.push((i, area));
-        news.push((i, placed(frame, center(area), tip)));
-    }
     let joins = joined(&words.iter());
     let mut links: Vec<(usize, usize)> = Vec::new();
     for group in letterer::groups(&words, &ground) {
@@ -278,13 +256,12 @@ fn covered(laid: &Laid) -> Bounds {
     Bounds { x: laid.middle.x - a, y: laid.middle.y - b, width: 2.0 * a, height: 2.0 * b }
 }
 
-/// Adds the visible subjects of a panel, and its mask for items with lettering rules.
+/// Adds the visible subjects and the mask of a panel.
 fn see<'s>(
     document: &Document,
     ground: &Ground,
     panel: usize,
     known: &impl Fn(&str) -> Known<'s>,
-    craft: Craft,
     scenery: &mut Scenery,
 ) {
     let group = document.merge_of(panel).unwrap_or(&[]);
@@ -302,9 +279,7 @@ fn see<'s>(
         width: width * across,
         height: height * down,
     };
-    let mut figure = mask
-        .filter(|_| craft != Craft::First)
-        .and_then(|mask| Figure::of(mask, place(0.0, 0.0, 1.0, 1.0), own));
+    let mut figure = mask.and_then(|mask| Figure::of(mask, place(0.0, 0.0, 1.0, 1.0), own));
     for subject in subjects {
         let bounds = place(subject.x, subject.y, subject.width, subject.height);
         let seen = shared(bounds, own);
@@ -407,7 +382,7 @@ mod tests {
     }
 
     fn balloon(panel: usize, text: &str) -> Value {
-        json!({ "kind": "balloon", "text": text, "panel": panel, "craft": 2, "auto": true })
+        json!({ "kind": "balloon", "text": text, "panel": panel, "auto": true })
     }
 
     fn placed_words(document: &Document, letters: &Letters) -> Vec<(TextItem, Bounds)> {
@@ -450,7 +425,7 @@ mod tests {
         let subjects = [face];
         let known = |_: &str| Known::from(&subjects[..]);
         let by_hand = json!({
-            "kind": "balloon", "text": "Hello!", "panel": 0, "craft": 2, "auto": false, "x": 0.5, "y": 0.45,
+            "kind": "balloon", "text": "Hello!", "panel": 0, "auto": false, "x": 0.5, "y": 0.45,
         });
         let mut document = page("grid-4", 4, &json!([by_hand]), &json!({}));
         let before = document.words.clone();
