@@ -457,6 +457,13 @@ mod tests {
         assert_eq!(texts(no, false), ["No.", "No."]);
     }
 
+    /// Editors on Windows put marks of direction around the punctuation of Arabic and Hebrew.
+    #[test]
+    fn marks_of_direction_are_kept() {
+        let srt = "1\n00:00:01,000 --> 00:00:02,000\n\u{200f}שלום!\u{200f}\n\u{200e}\n";
+        assert_eq!(cues(srt, false)[0].2, "\u{200f}שלום!\u{200f}");
+    }
+
     #[test]
     fn times_of_subtitles_are_their_middles() {
         assert_eq!(middles(SRT, false), [1.75, 1830.875]);

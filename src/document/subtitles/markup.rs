@@ -90,8 +90,9 @@ pub(super) fn plain(text: &str, dialect: Dialect) -> (Vec<String>, bool) {
     let out: String = html_escape::decode_html_entities(&out).chars().map(from_windows).collect();
     let bare =
         |line: &str| line.split(is_space).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ");
-    let lines = lines(&out).into_iter().map(|line| bare(&line.replace(['\u{200e}', '\u{200f}'], "")));
-    (lines.filter(|line| !line.is_empty()).collect(), stamped)
+    let lines = lines(&out).into_iter().map(bare);
+    let is_mark = |letter: char| matches!(letter, '\u{200e}' | '\u{200f}');
+    (lines.filter(|line| !line.chars().all(is_mark)).collect(), stamped)
 }
 
 /// The characters of Windows-1252 from 0x80. As HTML has it, references to control characters mean these.
