@@ -10,7 +10,6 @@ use crate::page::document::style_of;
 use crate::raster::color::parse_hex;
 use crate::style::Style;
 use crate::style::blocks::{self, Block, Channels};
-use crate::style::earlier;
 use crate::style::file::Step;
 use crate::style::params::Kind;
 use crate::style::part::{Part, Parts};
@@ -239,9 +238,7 @@ impl Draft {
             let step = |(step, wrong): (&DraftStep, Option<Misfit>)| {
                 let mut file = Map::from_iter([("block".to_owned(), json!(step.block))]);
                 let usual = defaults(&step.block);
-                let told = step.values.iter().filter(|(name, value)| {
-                    usual.get(*name) != Some(value) || earlier::is_always_told(&step.block, name)
-                });
+                let told = step.values.iter().filter(|(name, value)| usual.get(*name) != Some(value));
                 file.extend(told.map(|(name, value)| (name.clone(), value.clone())));
                 if step.bypass || wrong.is_some() {
                     file.insert("bypass".into(), json!(true));

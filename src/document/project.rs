@@ -14,7 +14,7 @@ use crate::raster::color::parse_hex;
 use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
 use crate::select::DUPLICATE_THRESHOLD;
 use crate::style::part::{Part, Parts as LayerParts};
-use crate::style::{Style, blocks, earlier};
+use crate::style::{Style, blocks};
 use serde_json::{Map, Value};
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -354,7 +354,6 @@ pub(super) fn tray(mut items: Vec<Arc<TrayItem>>) -> List<TrayItem> {
 /// Reads a custom style: a style file with an id.
 pub(super) fn style(value: Value) -> Read<Arc<Value>> {
     identified(&value)?;
-    let value = earlier::told(value);
     Style::from_value("style", &value).map_err(Wrong::of)?;
     Ok(Arc::new(value))
 }
@@ -570,7 +569,6 @@ impl DraftStep {
             Some(Value::Object(values)) => values,
             Some(_) => return Err(Wrong::new("must be an object").at("values")),
         };
-        earlier::complete(&id, &mut values);
         for (name, value) in &mut values {
             let wrong = |reason: &str| Wrong::new(reason).at(name).at("values");
             let param = block.params.iter().find(|param| param.id == name);

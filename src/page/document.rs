@@ -9,7 +9,7 @@ use crate::json::typed::{self, is_default, nullable, typed_by};
 use crate::json::{Read, Writer, Wrong};
 use crate::layout::{self, PageSettings, Template};
 use crate::raster::Matte;
-use crate::style::{Style, catalogue, earlier};
+use crate::style::{Style, catalogue};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
@@ -214,7 +214,6 @@ impl Document {
         // A panel shares its image with others, or with none.
         self.merges.retain(|group| group.len() > 1);
         self.check_merges().map_err(|wrong| wrong.at("merges"))?;
-        self.style = earlier::told(self.style);
         Ok(self)
     }
 

@@ -38,7 +38,7 @@ use inkpanel::raster::{Image, Matte, Plane};
 use inkpanel::style::context::scale_of;
 use inkpanel::style::painters::Painters;
 use inkpanel::style::part::subject_in;
-use inkpanel::style::{Context, Style, earlier, stylize};
+use inkpanel::style::{Context, Style, stylize};
 use serde::Serialize;
 use serde_json::Value;
 use std::collections::HashMap;
@@ -83,15 +83,10 @@ fn listed(list: &impl Serialize) -> String {
     serde_json::to_string(list).unwrap_or_default()
 }
 
-/// Checks a style file and returns it normalised. A style that the app saved before blocks had a choice
-/// retains its look. Throws `invalid-style`.
+/// Checks a style file and returns it normalised. Throws `invalid-style`.
 #[wasm_bindgen]
 pub fn check_style(json: &str, file: &str) -> Result<String> {
-    match serde_json::from_str::<Value>(json) {
-        Ok(value) if earlier::is_of_the_page(&value) => Style::from_value(file, &earlier::told(value)),
-        _ => Style::parse(file, json),
-    }
-    .map(|style| style.to_value().to_string())
+    Style::parse(file, json).map(|style| style.to_value().to_string())
 }
 
 /// Checks a layout file and returns it normalised. Throws `invalid-layout`.

@@ -4,7 +4,6 @@
 //! out of range is an error that names the file, the block's position and the parameter.
 
 use super::blocks::{self, Block, Channels};
-use super::earlier;
 use super::faces;
 use super::params::{Kind, Param, colour_of, colour_value};
 use super::part::{Part, Parts};
@@ -185,9 +184,7 @@ impl Step {
         for (param, &value) in self.block.params.iter().zip(&self.values) {
             if matches!(param.kind, Kind::Texture) {
                 map.extend(self.texture.iter().map(|texture| (param.id.to_owned(), json!(texture.url()))));
-            } else if (value - param.kind.default()).abs() > f32::EPSILON
-                || earlier::is_always_told(self.block.id, param.id)
-            {
+            } else if (value - param.kind.default()).abs() > f32::EPSILON {
                 map.insert(param.id.into(), param.value_to_json(value));
             }
         }

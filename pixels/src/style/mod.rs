@@ -13,7 +13,6 @@
 //! | [`tangents`] | the direction of edges everywhere, and averages along it |
 //! | [`context`] | scale, scratch memory and cancellation that a run gives to its blocks |
 //! | [`catalogue`] | the designed styles that ship in `styles/` |
-//! | [`earlier`] | compatibility of saved styles with blocks that later got a choice |
 //! | [`texture`] | custom texture for Pattern Filling |
 //! | [`grain`] | noise of a given size, the same everywhere |
 //! | [`stages`] | a chain that keeps the picture after every block, for the designer |
@@ -30,7 +29,6 @@ pub mod breeding;
 pub mod catalogue;
 pub mod chain;
 pub mod context;
-pub mod earlier;
 pub mod faces;
 pub mod file;
 pub mod grain;
