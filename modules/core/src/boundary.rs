@@ -40,7 +40,6 @@ use inkpanel::style::painters::Painters;
 use inkpanel::style::part::subject_in;
 use inkpanel::style::{Context, Style, stylize};
 use serde::Serialize;
-use serde_json::Value;
 use std::collections::HashMap;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
