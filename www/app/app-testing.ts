@@ -27,7 +27,7 @@ const PHOTOS = Array.from({ length: 12 }, (_, i) => `${i}.jpg`);
 
 /** The parts, with a page on the board. */
 export async function fakeParts(): Promise<Parts> {
-  const { store, pages, messages, reading, files } = fakeApp();
+  const { store, pages, messages, reading, files, scheduler } = fakeApp();
   const engine = {} as any;
   const ui = createUi({
     document: { documentElement: { dataset: {} }, querySelectorAll: () => [] },
@@ -69,7 +69,7 @@ export async function fakeParts(): Promise<Parts> {
       album: { title: () => '', moments: () => new Map() },
       settled: (page) => page,
     }),
-    lettering: createLettering({ store, messages, selection, load: () => new Promise(() => {}) }),
+    lettering: createLettering({ store, messages, selection, load: () => new Promise(() => {}), scheduler }),
     ownLayouts: createOwnLayouts({ store, pages, messages }),
     explorer: createExplorer({ store, engine, messages, ownStyles, seed: () => 1, judged: false }),
     imitation: createImitation({ store, engine, messages, ui, seed: () => 1, freshId: () => 'mine' }),

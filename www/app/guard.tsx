@@ -2,6 +2,7 @@
 
 import { Component } from 'preact';
 import { useApp } from '../ui/context.ts';
+import { nextTask, pause } from '../engine/scheduler.ts';
 import type { Ui } from './ui.ts';
 import type { ComponentChildren } from 'preact';
 
@@ -45,18 +46,9 @@ class Catcher extends Component<Caught> {
  * @returns rejects with the error that the views threw
  */
 export async function drawn(ui: Ui): Promise<void> {
-  await new Promise((resolve) => {
-    // A tab in the background draws no frames; its views are made all the same.
-    const patience = setTimeout(resolve, PATIENCE);
-    requestAnimationFrame(() =>
-      requestAnimationFrame(() =>
-        setTimeout(() => {
-          clearTimeout(patience);
-          resolve(undefined);
-        }),
-      ),
-    );
-  });
+  const frames = new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))).then(nextTask);
+  // A tab in the background draws no frames; its views are made all the same.
+  await Promise.race([frames, pause(PATIENCE)]);
   const error = ui.failed.peek();
   if (error !== null) throw error;
 }

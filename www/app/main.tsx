@@ -8,6 +8,7 @@ import './framed.ts';
 import { computed, effect, untracked } from '@preact/signals';
 import { render } from 'preact';
 import { createEngine } from '../engine/engine.ts';
+import { createScheduler } from '../engine/scheduler.ts';
 import { unreadMeta } from '../document/album.ts';
 import { createAhead } from '../page/ahead.ts';
 import { createAlternatives } from '../page/alternatives.ts';
@@ -74,7 +75,8 @@ import { enlarged } from '../page/panels/enlarging.ts';
 import { explain } from '../ui/explain.ts';
 import type { Parts } from '../ui/context.ts';
 
-const engine = createEngine({ sparing: isHandheld(window) });
+const scheduler = createScheduler();
+const engine = createEngine({ sparing: isHandheld(window), scheduler });
 const ui = createUi(window);
 const messages = createMessages();
 const store = createStore({ onRefused: (error) => void messages.alert(strings.notDone(explain(error))) });
@@ -104,7 +106,7 @@ const narrating = createNarrating({
   album: reading,
   settled: (page, only) => lettering.settled(page, only),
 });
-const lettering = createLettering({ store, messages, selection, load: engine.lettering });
+const lettering = createLettering({ store, messages, selection, load: engine.lettering, scheduler });
 const subtitling = createSubtitling({ store, lettering, messages });
 const filmSounds = createFilmSounds({ store, engine, lettering, messages });
 const merging = createMerging({ store, pages, selection });
@@ -128,6 +130,7 @@ const keeping = createKeeping({
   store,
   reading,
   engine,
+  scheduler,
   shelves,
   messages,
   window,
@@ -140,15 +143,17 @@ const imitation = createImitation({ store, engine, messages, ui, seed: freshSeed
 const inventions = createInventions({
   store,
   engine,
+  scheduler,
   seed: freshSeed,
   judged: ui.detects,
-  // After the subjects: two models at a time exceed the memory of a tab on small devices.
+  // After the subjects, because the page shows those.
   idle: () => ui.painted.value === store.page.value && subjects.settled.value && masks.settled.value,
 });
 const styling = createStyling({ store, ownStyles, inventions: () => inventions.ready.peek() });
 const crops = createBetterCrops({ store, pages, ui });
 const subjects = createSubjects({
   store,
+  scheduler,
   messages,
   engine,
   painted: () => ui.painted.value === store.page.value,
@@ -194,7 +199,7 @@ const download = createDownload({
 });
 const exportChoice = createExportChoice(() => window.localStorage);
 const alternatives = createAlternatives({ store, pages });
-const ahead = createAhead({ store, pages, ui });
+const ahead = createAhead({ store, pages, ui, scheduler });
 const installing = createInstalling(window);
 const {
   take: intake,
@@ -222,7 +227,7 @@ engine.ready.then(
     shelves.recall();
     void begun.then(openLink);
     void begun.then(arrivals.begin);
-    setTimeout(warmUp);
+    scheduler.background(warmUp, { rest: 0 });
   },
   (error) => {
     keeping.running.value = false;
@@ -284,6 +289,7 @@ const parts: Parts = {
   messages,
   ui,
   engine,
+  scheduler,
 };
 const actions = createActions(parts);
 window.addEventListener(
@@ -322,7 +328,14 @@ const busy = () =>
   keeping.files.progress.value !== null ||
   taking.value;
 if (import.meta.env.PROD)
-  createOffline({ window, messages, keeping, script: import.meta.url, busy: () => busy() || !subjects.settled.value });
+  createOffline({
+    window,
+    messages,
+    keeping,
+    scheduler,
+    script: import.meta.url,
+    busy: () => busy() || !subjects.settled.value,
+  });
 
 window.addEventListener('hashchange', openLink);
 window.addEventListener('storage', shelves.hear);
@@ -359,10 +372,10 @@ effect(() => {
 effect(() => {
   const page = store.page.value;
   const drawing = page !== null && ui.painted.value !== page && ui.failed.value === null;
-  engine.hold(reading.near.value || drawing);
+  scheduler.hold(reading.near.value || drawing);
 });
 
-keepBook({ store, pages });
+keepBook({ store, pages, scheduler });
 // Unfinished edits of a page end when another page opens.
 book.sheet.subscribe(() => untracked(leavePage));
 

@@ -7,6 +7,7 @@ import { fetchAsset } from './assets.ts';
 import { expanded, interned } from './interned.ts';
 import { failure } from './protocol.ts';
 import { SHARES_CODE } from './shared-code.ts';
+import { nextTask, pause } from './scheduler.ts';
 import type { Program } from './protocol.ts';
 import type {
   Block,
@@ -54,10 +55,8 @@ const UNPAINTED = 50;
 
 /** Waits for the first paint, which downloads and compilation would delay, by seconds on a phone. */
 function painted(): Promise<void> {
-  return new Promise((done) => {
-    setTimeout(done, UNPAINTED);
-    globalThis.requestAnimationFrame?.(() => setTimeout(done));
-  });
+  const frame = new Promise((done) => globalThis.requestAnimationFrame?.(done)).then(nextTask);
+  return Promise.race([frame, pause(UNPAINTED)]);
 }
 
 async function load(): Promise<Program> {

@@ -15,9 +15,9 @@
  */
 
 import { createPace } from './pace.ts';
-import { patience } from './patience.ts';
 import { TRAP, cancelled, failure, lost } from './protocol.ts';
 import { Priority, createQueue } from './queue.ts';
+import { after, timeLimit } from './scheduler.ts';
 import type { Operations, Reply, Sign, Table } from './protocol.ts';
 
 /** `photo` is the name to blame; `holds` are the photo keys that the job needs and leaves in the worker */
@@ -73,8 +73,6 @@ const LAST_CHANCE = 2;
  * are not noticeable.
  */
 const GRACE = 50;
-/** Milliseconds that work may be held. */
-const LONGEST_HOLD = 3_000;
 const HIGH_WATER = 512 * 2 ** 20;
 
 export function createPool<Ops extends Table = Operations>({
@@ -91,7 +89,6 @@ export function createPool<Ops extends Table = Operations>({
   const queue: ReturnType<typeof createQueue<Entry>> = createQueue();
   const pace = createPace();
   const slots: Slot[] = [];
-  let holding: ReturnType<typeof setTimeout> | undefined;
   let [nextId, reserved, held, closed] = [1, 0, false, false];
 
   for (let i = 0; i < size; i += 1) slots.push(open({}));
@@ -103,15 +100,9 @@ export function createPool<Ops extends Table = Operations>({
     dispatch();
   }
 
-  /**
-   * Holds low-priority work until the page is drawn. A worker that reads a large photo would be available too late. A
-   * time limit ends the hold.
-   */
+  /** Holds low-priority work until the page is drawn. A worker that reads a large photo would be available too late. */
   function hold(on: boolean) {
-    if (on === held) return;
-    clearTimeout(holding);
     held = on;
-    if (on) holding = setTimeout(() => hold(false), LONGEST_HOLD);
     dispatch();
   }
 
@@ -122,7 +113,7 @@ export function createPool<Ops extends Table = Operations>({
     return new Promise((resolve, reject) => {
       const abort = () => {
         drop(entry);
-        if (entry.priority === Priority.PAGE) setTimeout(() => stop(entry), GRACE);
+        if (entry.priority === Priority.PAGE) after(GRACE, () => stop(entry));
       };
       const entry: Entry = {
         ...job,
@@ -192,7 +183,7 @@ export function createPool<Ops extends Table = Operations>({
   function wait(slot: Slot, ms: number) {
     slot.relax();
     const last = slot.entry && !mayTryAgain(slot.entry);
-    slot.relax = patience(slot.here && last ? LAST_CHANCE * ms : ms, () => lose(slot));
+    slot.relax = timeLimit(slot.here && last ? LAST_CHANCE * ms : ms, () => lose(slot));
   }
 
   function hear(slot: Slot, news: Reply | Sign) {
@@ -285,7 +276,6 @@ export function createPool<Ops extends Table = Operations>({
 
   function dispose() {
     closed = true;
-    clearTimeout(holding);
     const left = [...queue.clear(), ...slots.flatMap((slot) => slot.entry ?? [])];
     for (const slot of slots) {
       slot.relax();

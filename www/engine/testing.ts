@@ -1,6 +1,7 @@
 /** Workers without threads, for the tests of the pool. */
 
 import { Priority } from './queue.ts';
+import { createScheduler } from './scheduler.ts';
 
 /** Jobs that are their names, and whose answers are these. */
 export type Named = Record<string, { args: string; ok: string }>;
@@ -46,3 +47,11 @@ export const caught = (promise: Promise<any>) =>
     () => 'done',
     (error) => error.code,
   );
+
+/** A scheduler without delays. */
+export function eagerScheduler() {
+  const scheduler = createScheduler();
+  const background: typeof scheduler.background = (task, { signal } = {}) =>
+    scheduler.background(task, { rest: 0, signal });
+  return { ...scheduler, background };
+}

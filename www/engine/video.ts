@@ -5,7 +5,7 @@
  */
 
 import { pictureEnds } from './animation-times.ts';
-import { patience } from './patience.ts';
+import { timeLimit } from './scheduler.ts';
 import { cancelled, failure } from './protocol.ts';
 import { readByElement } from './video-element.ts';
 
@@ -100,7 +100,7 @@ function readByWorker(worker: Worker, first: object, { signal, onAbout, onFrame 
     const stopped = () => reject(failure('video-worker', 'Its reader stopped.'));
     const listen = () => {
       relax();
-      relax = dealing > 0 ? () => {} : patience(SILENCE, stopped);
+      relax = dealing > 0 ? () => {} : timeLimit(SILENCE, stopped);
     };
     worker.onerror = (event) => {
       event.preventDefault();

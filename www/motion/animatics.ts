@@ -5,7 +5,7 @@
 
 import { ANIMATIC_SIZES } from '../engine/bounds.ts';
 import { LIVING } from '../engine/living.ts';
-import { patience } from '../engine/patience.ts';
+import { timeLimit } from '../engine/scheduler.ts';
 import { cancelled, failure } from '../engine/protocol.ts';
 import { drawsParts } from '../page/subjects-of.ts';
 import { bitmapsOf } from './frames.ts';
@@ -228,7 +228,7 @@ export function createAnimatics({
         const lost = () => reject(failure('animatic-encoder', 'What makes the film stopped.'));
         const listen = () => {
           relax();
-          relax = patience(SILENCE, lost);
+          relax = timeLimit(SILENCE, lost);
         };
         signal.addEventListener('abort', () => reject(cancelled()), { once: true });
         worker.onerror = (event) => {

@@ -29,16 +29,13 @@ export function Alternatives() {
     return page ? lettering.on(page) : null;
   });
 
-  // Both run in separate tasks: scrolling forces a layout of the page, and planning pages takes as long as rendering
-  // the change.
+  // In a separate task, because scrolling forces a layout of the page.
   useEffect(() => {
     const frame = requestAnimationFrame(() => strip.current?.scrollTo({ left: 0 }));
     return () => cancelAnimationFrame(frame);
   }, [basis]);
   useEffect(() => {
-    if (!open || basis === '' || (!atEnd && items.length > 0)) return undefined;
-    const task = setTimeout(() => alternatives.more(BATCH));
-    return () => clearTimeout(task);
+    if (open && basis !== '' && (atEnd || items.length === 0)) void alternatives.more(BATCH);
   }, [open, basis, atEnd, items]);
 
   function onWheel(event: WheelEvent) {

@@ -10,6 +10,7 @@ import type { Designer } from '../designer/designer.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
+import type { Scheduler } from '../engine/scheduler.ts';
 import type { Explorer } from '../explorer/explorer.ts';
 import type { Download } from '../export/download.ts';
 import type { ExportChoice } from '../export/export-choice.ts';
@@ -86,6 +87,7 @@ export type Parts = {
   messages: Messages;
   ui: Ui;
   engine: Engine;
+  scheduler: Scheduler;
 };
 
 export type App = Parts & { actions: Actions };
