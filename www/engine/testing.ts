@@ -32,7 +32,7 @@ export function fakeWorkers() {
     worker.onmessage({ data: { id, memory: 0, ...reply } });
   };
   /** Sends a progress report of a worker. */
-  const tell = (name: string, sign: { expects: number } | { waits: number }) => {
+  const tell = (name: string, sign: { slow: true }) => {
     const worker = holding(name);
     worker.onmessage({ data: { id: worker.request.id, ...sign } });
   };

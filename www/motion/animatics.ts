@@ -5,7 +5,7 @@
 
 import { ANIMATIC_SIZES } from '../engine/bounds.ts';
 import { LIVING } from '../engine/living.ts';
-import { timeLimit } from '../engine/scheduler.ts';
+import { stream } from '../engine/streaming.ts';
 import { cancelled, failure } from '../engine/protocol.ts';
 import { drawsParts } from '../page/subjects-of.ts';
 import { bitmapsOf } from './frames.ts';
@@ -61,9 +61,6 @@ const PAGES_FPS = 24;
 /** Pixels of all pictures of all panels of a clip that move, in the preview and in a file. */
 const PREVIEW_PIXELS = 16e6;
 const FILM_PIXELS = 48e6;
-
-/** Milliseconds between two signs of life of the encoder; one frame of a slow device is a fraction of it. */
-const SILENCE = 60_000;
 
 export function createAnimatics({
   store,
@@ -222,42 +219,29 @@ export function createAnimatics({
       type: 'module',
       name: 'inkpanel-animatic',
     });
-    let relax = () => {};
-    try {
-      return await new Promise<Blob>((resolve, reject) => {
-        const lost = () => reject(failure('animatic-encoder', 'What makes the film stopped.'));
-        const listen = () => {
-          relax();
-          relax = timeLimit(SILENCE, lost);
-        };
-        signal.addEventListener('abort', () => reject(cancelled()), { once: true });
-        worker.onerror = (event) => {
-          event.preventDefault();
-          lost();
-        };
-        worker.onmessage = ({ data }: MessageEvent<FromEncoder>) => {
-          listen();
-          if ('wants' in data) {
-            // Drawing a picture from its photo has no time limit.
-            relax();
-            draw(plan, data.wants, drawing).then((drawn) => {
-              listen();
-              const message: ToEncoder = { ...drawn, clip: data.wants };
-              worker.postMessage(message, bitmapsOf(drawn));
-            }, reject);
-          } else if ('done' in data) onProgress(data.done, plan.frames);
-          else if ('file' in data) resolve(new Blob([data.file], { type: KINDS[wish.kind].type }));
-          else reject(failure(data.error.code, data.error.message));
-        };
-        listen();
-        const { width, height } = sizeOf(wish);
-        const begin: ToEncoder = { kind: wish.kind, width, height, rate: plan.rate, table, sound };
-        worker.postMessage(begin, sound ? sound.channels.map(({ buffer }) => buffer) : []);
-      });
-    } finally {
-      relax();
-      stop.abort();
-      worker.terminate();
+    const { width, height } = sizeOf(wish);
+    const message: ToEncoder = { kind: wish.kind, width, height, rate: plan.rate, table, sound };
+    const transfer = sound ? sound.channels.map(({ buffer }) => buffer) : [];
+    const encoded = stream<FromEncoder, Blob>(
+      worker,
+      { message, transfer },
+      {
+        signal,
+        lost: () => failure('animatic-encoder', 'What makes the film stopped.'),
+        onMessage(news, { resolve, reject }) {
+          if ('wants' in news) return picture(news.wants);
+          if ('done' in news) onProgress(news.done, plan.frames);
+          else if ('file' in news) resolve(new Blob([news.file], { type: KINDS[wish.kind].type }));
+          else reject(failure(news.error.code, news.error.message));
+          return undefined;
+        },
+      },
+    );
+    return encoded.finally(() => stop.abort());
+
+    async function picture(clip: number) {
+      const drawn = await draw(plan, clip, drawing);
+      return { message: { ...drawn, clip } satisfies ToEncoder, transfer: bitmapsOf(drawn) };
     }
   }
 
