@@ -2,8 +2,6 @@
 
 import { Component } from 'preact';
 import { useApp } from '../ui/context.ts';
-import { nextTask, pause } from '../engine/scheduler.ts';
-import type { Ui } from './ui.ts';
 import type { ComponentChildren } from 'preact';
 
 export function Guard({ children, instead }: { children: ComponentChildren; instead: ComponentChildren }) {
@@ -40,18 +38,3 @@ class Catcher extends Component<Caught> {
     return failed ? instead : children;
   }
 }
-
-/**
- * Waits until the views have drawn what is in the store now.
- * @returns rejects with the error that the views threw
- */
-export async function drawn(ui: Ui): Promise<void> {
-  const frames = new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))).then(nextTask);
-  // A tab in the background draws no frames; its views are made all the same.
-  await Promise.race([frames, pause(PATIENCE)]);
-  const error = ui.failed.peek();
-  if (error !== null) throw error;
-}
-
-/** Milliseconds. */
-const PATIENCE = 150;

@@ -13,9 +13,9 @@ import { StylesList } from '../styles/styles-list.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { WordTools } from '../lettering/word-tools.tsx';
-import { SIDE_TABS } from './ui.ts';
+import { SIDE_TABS } from '../ui/ui.ts';
 import type { ComponentChildren } from 'preact';
-import type { SideTab } from './ui.ts';
+import type { SideTab } from '../ui/ui.ts';
 
 const ICONS = { styles: 'style', layouts: 'layout', words: 'balloon', page: 'settings' } as const;
 

@@ -14,11 +14,18 @@ import { createLoops } from './loops.ts';
 import { createMovingPictures } from './moving-pictures.ts';
 import { soundOf } from './sound.ts';
 import { GIF, KINDS, gifSize } from './kinds.ts';
-import type { Boards } from '../boards/boards.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
-import type { Animatic, AnimaticClip, AnimaticRequest, MotionRequest, PageDocument, Subject } from '../engine/types.ts';
-import type { Work } from '../export/page-making.ts';
+import type {
+  Animatic,
+  AnimaticClip,
+  AnimaticRequest,
+  MotionRequest,
+  PageDocument,
+  ShotList,
+  Subject,
+} from '../engine/types.ts';
+import type { ReadonlySignal } from '@preact/signals';
 import type { FromEncoder, ToEncoder } from './encode-worker.ts';
 import type { Drawn, DrawnLoop, DrawnWord } from './frames.ts';
 import type { Kind } from './kinds.ts';
@@ -81,7 +88,7 @@ export function createAnimatics({
     | 'givesWebp'
     | 'losslessPicture'
   >;
-  boards: Pick<Boards, 'rows' | 'shotList'>;
+  boards: { rows: ReadonlySignal<readonly { id: string }[]>; shotList: () => ShotList };
 }) {
   const loops = createLoops({ store, engine });
 
@@ -207,7 +214,10 @@ export function createAnimatics({
    * one.
    * @throws as `failure`: `animatic-empty`, `animatic-encoder`, `animatic-long`, `sound-unread`, and errors of photos
    */
-  async function film(wish: AnimaticWish, { signal, onProgress }: Work): Promise<Blob> {
+  async function film(
+    wish: AnimaticWish,
+    { signal, onProgress }: { signal: AbortSignal; onProgress: (done: number, total: number) => void },
+  ): Promise<Blob> {
     const { plan, table } = await planned(wish, { signal });
     if (wish.kind === 'gif' && plan.frames > GIF.fps * GIF.mostSeconds)
       throw failure('animatic-long', 'A GIF file is for up to a minute.');

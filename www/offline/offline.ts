@@ -8,7 +8,6 @@ import { pause } from '../engine/scheduler.ts';
 import { strings } from '../strings/strings.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Scheduler } from '../engine/scheduler.ts';
-import type { Keeping } from '../storage/storage.ts';
 
 /** Minimum milliseconds without work before the files are downloaded, so that they do not delay the first page. */
 const DELAY = 2_000;
@@ -33,7 +32,7 @@ export function createOffline({
 }: {
   window: Window;
   messages: Pick<Messages, 'offer' | 'alert'>;
-  keeping: Pick<Keeping, 'flush' | 'isSafe'> & { files: Pick<Keeping['files'], 'save'> };
+  keeping: { flush: () => Promise<unknown>; isSafe: () => boolean; files: { save: () => unknown } };
   script: string;
   busy: () => boolean;
   scheduler: Pick<Scheduler, 'background'>;

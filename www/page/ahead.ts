@@ -5,7 +5,7 @@
 
 import { effect, signal } from '@preact/signals';
 import type { Scheduler } from '../engine/scheduler.ts';
-import type { Ui } from '../app/ui.ts';
+import type { Ui } from '../ui/ui.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';

@@ -3,6 +3,7 @@
  */
 
 import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { after } from '../engine/scheduler.ts';
 import { strings } from '../strings/strings.ts';
 import { usePageGlimpse } from '../ui/glimpse.tsx';
 import { pointing } from '../ui/pointing.ts';
@@ -29,13 +30,15 @@ export function Alternatives() {
     return page ? lettering.on(page) : null;
   });
 
-  // In a separate task, because scrolling forces a layout of the page.
+  // Both run in separate tasks: scrolling forces a layout of the page, and planning pages takes as long as rendering
+  // the change.
   useEffect(() => {
     const frame = requestAnimationFrame(() => strip.current?.scrollTo({ left: 0 }));
     return () => cancelAnimationFrame(frame);
   }, [basis]);
   useEffect(() => {
-    if (open && basis !== '' && (atEnd || items.length === 0)) void alternatives.more(BATCH);
+    if (!open || basis === '' || (!atEnd && items.length > 0)) return undefined;
+    return after(0, () => void alternatives.more(BATCH));
   }, [open, basis, atEnd, items]);
 
   function onWheel(event: WheelEvent) {

@@ -61,8 +61,8 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
       const now = basis.peek();
       const goal = current(now).items.length + count;
       while (now !== '' && basis.peek() === now && !current(now).over && current(now).items.length < goal) {
+        stretch(now, goal);
         await nextTask();
-        if (basis.peek() === now) stretch(now, goal);
       }
     } finally {
       running = false;

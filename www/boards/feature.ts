@@ -1,0 +1,17 @@
+/** Storyboards. */
+
+import { createBoards } from './boards.ts';
+import type { Boards } from './boards.ts';
+import type { Feature } from '../ui/context.ts';
+
+type Parts = {
+  boards: Boards;
+};
+
+declare module '../ui/context.ts' {
+  interface App extends Parts {}
+}
+
+export const boardsFeature: Feature<Parts> = {
+  install: (app) => ({ boards: createBoards({ ...app, chooseStyle: app.pages.chooseStyle }) }),
+};
