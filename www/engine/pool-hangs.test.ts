@@ -56,7 +56,7 @@ test('a job that downloads a file or paints has five minutes', async () => {
 });
 
 test('every operation has a limit, and files have more time than panels', () => {
-  expect([limitOf('panel'), limitOf('import'), limitOf('pdf')]).toEqual([20_000, 60_000, 300_000]);
+  expect([limitOf('panel'), limitOf('import'), limitOf('pdf')]).toEqual([20_000, 30_000, 300_000]);
 });
 
 test('a job that cannot be repeated has twice the time at once', () => {

@@ -9,8 +9,8 @@ type Operation = keyof (Operations & Looking & Making & Masking & Judging & Word
 
 /** One picture at the size of the screen. */
 const SHORT = 20_000;
-/** A photo, or many small pictures. */
-const MEDIUM = 60_000;
+/** A photo of up to 32 MB, or many small pictures. */
+const MEDIUM = 30_000;
 /** Pictures at full size, files, downloads on a slow connection, and painted pictures. */
 export const LONG = 300_000;
 
