@@ -63,6 +63,7 @@ const TABLES: readonly (keyof Actions)[] = [
 export function createApp(env: Env): App {
   const app = {
     env,
+    screens: Object.assign({}, ...FEATURES.map(({ screens }) => screens)),
     busy: () => FEATURES.some(({ busy }) => busy?.(app)),
     leavePage: () => batch(() => FEATURES.forEach(({ onLeavePage }) => onLeavePage?.(app))),
     leaveProject() {

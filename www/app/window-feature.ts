@@ -1,5 +1,6 @@
 /** State of the window, messages, and the engine with its scheduler. */
 
+import { lazy } from '../ui/lazy.tsx';
 import { createEngine } from '../engine/engine.ts';
 import { createScheduler } from '../engine/scheduler.ts';
 import { effect, untracked } from '@preact/signals';
@@ -46,6 +47,9 @@ export const windowFeature: Feature<Parts> = {
   onLeaveProject({ ui }) {
     ui.stack.value = null;
     ui.work.value = null;
+  },
+  screens: {
+    board: lazy(async () => (await import('./board.tsx')).Board, { close: () => {} }),
   },
   actions,
 };

@@ -1,5 +1,7 @@
 /** Storyboards. */
 
+import { strings } from '../strings/strings.ts';
+import { lazyWorkspace } from '../ui/lazy.tsx';
 import { createBoards } from './boards.ts';
 import type { Boards } from './boards.ts';
 import type { Feature } from '../ui/context.ts';
@@ -14,4 +16,7 @@ declare module '../ui/context.ts' {
 
 export const boardsFeature: Feature<Parts> = {
   install: (app) => ({ boards: createBoards({ ...app, chooseStyle: app.pages.chooseStyle }) }),
+  screens: {
+    boards: lazyWorkspace(async () => (await import('./boards-screen.tsx')).BoardsScreen, strings.boards.missing),
+  },
 };

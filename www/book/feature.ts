@@ -1,5 +1,6 @@
 /** The pages of a project. */
 
+import { lazyWorkspace } from '../ui/lazy.tsx';
 import { untracked } from '@preact/signals';
 import { createBook } from './book.ts';
 import { createBookActions } from './book-actions.ts';
@@ -44,6 +45,9 @@ export const bookFeature: Feature<Parts> = {
     keepBook(app);
     // Unfinished edits of a page end when another page opens.
     app.book.sheet.subscribe(() => untracked(app.leavePage));
+  },
+  screens: {
+    pages: lazyWorkspace(async () => (await import('./pages-wall.tsx')).PagesWall),
   },
   actions,
 };

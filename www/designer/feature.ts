@@ -1,5 +1,6 @@
 /** The editor of styles. */
 
+import { lazyWorkspace } from '../ui/lazy.tsx';
 import { freshStyleId } from '../styles/own-styles.ts';
 import { createDesigner } from './designer.ts';
 import { createDesignerActions } from './designer-actions.ts';
@@ -19,5 +20,8 @@ const actions = (app: App) => ({ designer: createDesignerActions(app) });
 
 export const designerFeature: Feature<Parts> = {
   install: (app) => ({ designer: createDesigner({ ...app, freshId: freshStyleId }) }),
+  screens: {
+    designer: lazyWorkspace(async () => (await import('./designer-screen.tsx')).Designer),
+  },
   actions,
 };

@@ -6,7 +6,7 @@
 import { createAesthetics } from './aesthetics.ts';
 import { DUPLICATE_THRESHOLD } from './bounds.ts';
 import { takeInHand } from './brush-module.ts';
-import { loadCore } from './core.ts';
+import { loadCore } from './core-loading.ts';
 import { createDesign } from './design.ts';
 import { createDetector } from './detector.ts';
 import { createExports } from './export.ts';

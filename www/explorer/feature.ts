@@ -1,5 +1,6 @@
 /** Invented styles: the explorer, and styles for Shuffle. */
 
+import { lazyWorkspace } from '../ui/lazy.tsx';
 import { freshSeed } from '../document/pages.ts';
 import { createExplorer } from './explorer.ts';
 import { createExplorerActions } from './explorer-actions.ts';
@@ -32,5 +33,8 @@ export const explorerFeature: Feature<Parts> = {
     };
   },
   onLeaveProject: ({ explorer }) => explorer.stop(),
+  screens: {
+    explorer: lazyWorkspace(async () => (await import('./explorer-screen.tsx')).Explorer),
+  },
   actions,
 };

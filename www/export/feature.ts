@@ -1,5 +1,6 @@
 /** Export of pages. */
 
+import { lazyDialog } from '../ui/lazy.tsx';
 import { createDownload } from './download.ts';
 import { createDownloadActions } from './download-actions.ts';
 import { createExportChoice } from './export-choice.ts';
@@ -30,5 +31,8 @@ export const exportFeature: Feature<Parts> = {
     }),
     exportChoice: createExportChoice(() => app.env.window.localStorage),
   }),
+  screens: {
+    export: lazyDialog(async () => (await import('./export-dialog.tsx')).ExportDialog),
+  },
   actions,
 };

@@ -1,5 +1,6 @@
 /** The search for the style of a picture. */
 
+import { lazyWorkspace } from '../ui/lazy.tsx';
 import { freshSeed } from '../document/pages.ts';
 import { freshStyleId } from '../styles/own-styles.ts';
 import { createImitation } from './imitation.ts';
@@ -21,5 +22,8 @@ const actions = (app: App) => ({ imitation: createImitationActions(app) });
 export const imitationFeature: Feature<Parts> = {
   install: (app) => ({ imitation: createImitation({ ...app, seed: freshSeed, freshId: freshStyleId }) }),
   onLeaveProject: ({ imitation }) => imitation.clear(),
+  screens: {
+    imitation: lazyWorkspace(async () => (await import('./imitation-screen.tsx')).ImitationScreen),
+  },
   actions,
 };

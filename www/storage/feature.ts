@@ -1,5 +1,6 @@
 /** Projects in the browser and in files. */
 
+import { lazyWorkspace } from '../ui/lazy.tsx';
 import { effect } from '@preact/signals';
 import { openFiles } from '../photos/file-input.tsx';
 import { drawn } from '../ui/drawn.ts';
@@ -39,4 +40,7 @@ export const storageFeature: Feature<Parts> = {
     });
   },
   busy: ({ keeping }) => keeping.running.value || keeping.turning.value || keeping.files.progress.value !== null,
+  screens: {
+    projects: lazyWorkspace(async () => (await import('./projects-dialog.tsx')).Projects),
+  },
 };

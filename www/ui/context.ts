@@ -6,6 +6,8 @@
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import type { Tables } from './action.ts';
+import type { LazyView } from './lazy.tsx';
+import type { Work } from './ui.ts';
 
 /** The environment of the app. `script`: the address of its first script. */
 export type Env = { window: Window; script: string };
@@ -14,12 +16,16 @@ export type Env = { window: Window; script: string };
 export interface App {
   env: Env;
   actions: Actions;
+  screens: Screens;
   /** Whether a feature does urgent work, which idle work must not delay. It reads signals. */
   busy: () => boolean;
   /** Ends everything that belongs to the open page, or to the open project. */
   leavePage: () => void;
   leaveProject: () => void;
 }
+
+/** Views that are loaded when they are first shown: the board, workspaces and dialogs. */
+export type Screens = Record<'board' | 'help' | 'export' | Work, LazyView>;
 
 /** The tables of actions. */
 // biome-ignore lint/suspicious/noEmptyInterface: the features add their tables.
@@ -35,6 +41,7 @@ export type Feature<Parts extends object> = {
   /** Connects its parts with the window and with other features. All features are installed. */
   start?: (app: App) => void;
   actions?: (app: App) => Tables;
+  screens?: Partial<Screens>;
   /** Whether it does urgent work. It reads signals. */
   busy?: (app: App) => boolean;
   /** Ends everything that belongs to the open page. */
