@@ -8,7 +8,13 @@
  * A task that has started sends jobs to workers, whose priorities are in `queue.ts`. Models take about a hundred
  * megabytes, so a task also needs a ticket (`createTicket`) before it loads one.
  *
- * Product code has no other timers: it uses the lanes, or the functions at the end of this file.
+ * Product code has no other timers. It uses `after`, `createTimer`, `pause` and `timeLimit` only for:
+ *
+ * - gestures: a long press, and the click after it (`pointing`, `list-drag`, `card-drag`);
+ * - previews of input at rest: hover previews, hints, file sizes, sheets, plans of videos, the designer, a resized page;
+ * - collected updates: autosave, imported photos, failed files, missing photos, pieces of long lists;
+ * - deadlines: of workers, files, videos, frames, faces for the first page, a new app version, an aborted job;
+ * - later steps: notes that close, released file addresses, cached models, another try to store a photo.
  */
 
 import { cancelled } from './protocol.ts';
