@@ -1,10 +1,10 @@
 import { describe, expect, it, test, vi } from 'vitest';
 import { keyLines } from '../help/key-lines.ts';
 import { inLanguage, translations } from '../strings/testing.ts';
-import { isEnabled, now } from '../ui/action.ts';
+import { everyAction, isEnabled, now } from '../ui/action.ts';
 import { Icon } from '../ui/icon.tsx';
 import { keyNames } from '../ui/shortcut.ts';
-import { createActions, everyAction } from './actions.ts';
+import { createActions } from './app.ts';
 import { fakeParts } from './app-testing.ts';
 import type { Action } from '../ui/action.ts';
 
@@ -27,14 +27,14 @@ const HELP = [
   ['?', 'This list'],
 ];
 
-const all = async () => everyAction(createActions(await fakeParts()));
+const all = async () => everyAction({ ...createActions(await fakeParts()) });
 
 describe.each(Object.keys(translations))('in %s', (language) => {
   it('every action has a label', async () => {
     vi.resetModules();
     vi.doMock('../strings/strings.ts', () => ({ language, strings: inLanguage(language) }));
-    const fresh = await import('./actions.ts');
-    const actions = fresh.everyAction(fresh.createActions(await fakeParts()));
+    const fresh = await import('./app.ts');
+    const actions = everyAction({ ...fresh.createActions(await fakeParts()) });
     vi.doUnmock('../strings/strings.ts');
     const label = ({ label }: Action) => now(label as Action['label']);
     expect(actions.length).toBeGreaterThan(50);
@@ -62,8 +62,8 @@ test('no two actions have a shortcut in common where both are heard', async () =
 
 test('every action with keys is in the list of keys', async () => {
   const actions = createActions(await fakeParts());
-  const lines = keyLines(actions);
-  const untold = everyAction(actions).filter(([, { keys, about, label }]) => {
+  const lines = keyLines({ ...actions });
+  const untold = everyAction({ ...actions }).filter(([, { keys, about, label }]) => {
     const line = lines.find(({ does }) => does === (about ?? now(label)));
     return keys && !keyNames(keys[0]).every((key) => line?.keys.includes(key));
   });
@@ -71,7 +71,7 @@ test('every action with keys is in the list of keys', async () => {
 });
 
 test('the list of keys has the keys that people know, in their order', async () => {
-  const lines = keyLines(createActions(await fakeParts())).map(({ keys, does }) => [keys.join(' '), does]);
+  const lines = keyLines({ ...createActions(await fakeParts()) }).map(({ keys, does }) => [keys.join(' '), does]);
   const known = new Set(HELP.map(String));
   expect(lines.filter((line) => known.has(String(line)))).toEqual(HELP);
 });
@@ -103,7 +103,7 @@ test.each(HERE)('%s counts in the undo as its mark says', async (id) => {
   parts.imitation.proposals.value = [{ id: 'like-1', name: 'Like a print', tags: [], background: [] }];
   parts.imitation.shown.value = 'like-1';
   if (id === 'imitation.stop') parts.imitation.progress.value = 0.5;
-  const action = new Map(everyAction(createActions(parts))).get(id);
+  const action = new Map(everyAction({ ...createActions(parts) })).get(id);
   const before = store.history.peek().past.length;
   if (action && isEnabled(action)) action.run();
   else expect.fail('it cannot be done here');

@@ -19,15 +19,15 @@ import { createSelection } from '../page/panels/selection.ts';
 import { createChoosing } from '../photos/choosing.ts';
 import { createScrubbing } from '../page/panels/scrubbing.ts';
 import { createOwnStyles } from '../styles/own-styles.ts';
-import { createUi } from './ui.ts';
-import type { Parts } from '../ui/context.ts';
+import { createUi } from '../ui/ui.ts';
+import type { App } from '../ui/context.ts';
 
 /** Photos of the album: enough for two pages. */
 const PHOTOS = Array.from({ length: 12 }, (_, i) => `${i}.jpg`);
 
 /** The parts, with a page on the board. */
-export async function fakeParts(): Promise<Parts> {
-  const { store, pages, messages, reading, files } = fakeApp();
+export async function fakeParts(): Promise<App> {
+  const { store, pages, messages, reading, files, scheduler } = fakeApp();
   const engine = {} as any;
   const ui = createUi({
     document: { documentElement: { dataset: {} }, querySelectorAll: () => [] },
@@ -69,7 +69,7 @@ export async function fakeParts(): Promise<Parts> {
       album: { title: () => '', moments: () => new Map() },
       settled: (page) => page,
     }),
-    lettering: createLettering({ store, messages, selection, load: () => new Promise(() => {}) }),
+    lettering: createLettering({ store, messages, selection, load: () => new Promise(() => {}), scheduler }),
     ownLayouts: createOwnLayouts({ store, pages, messages }),
     explorer: createExplorer({ store, engine, messages, ownStyles, seed: () => 1, judged: false }),
     imitation: createImitation({ store, engine, messages, ui, seed: () => 1, freshId: () => 'mine' }),

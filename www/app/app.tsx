@@ -1,20 +1,11 @@
-import { LazyBoards } from '../boards/lazy-boards.tsx';
 import { LazyBrush } from '../brush/lazy-brush.tsx';
 import { strings } from '../strings/strings.ts';
-import { Board } from './board.tsx';
 import { CarriedPhoto } from '../page/panels/carried-photo.tsx';
 import { useApp } from '../ui/context.ts';
-import { Designer } from '../designer/designer-screen.tsx';
 import { STYLE_ZONE, dragging, forStyle } from './drop.ts';
-import { Explorer } from '../explorer/explorer-screen.tsx';
-import { ImitationScreen } from '../imitation/imitation-screen.tsx';
-import { ExportDialog } from '../export/export-dialog.tsx';
 import { Broken } from '../storage/broken.tsx';
-import { PagesWall } from '../book/pages-wall.tsx';
-import { Projects } from '../storage/projects-dialog.tsx';
 import { Guard } from './guard.tsx';
 import { EncodingDialog } from '../ui/encoding-dialog.tsx';
-import { HelpDialog } from '../help/help-dialog.tsx';
 import { Start } from './start.tsx';
 import { Toasts } from './toasts.tsx';
 import { TopBar } from './top-bar.tsx';
@@ -30,7 +21,7 @@ export function App() {
 
 /** Replaces a project that the views cannot draw. */
 function Unshown() {
-  const { ui } = useApp();
+  const { ui, screens } = useApp();
   const projects = ui.work.value === 'projects';
   return (
     <div class="app" data-view="start" data-work={projects ? 'projects' : undefined}>
@@ -40,7 +31,7 @@ function Unshown() {
         </div>
       </header>
       {projects ? (
-        <Projects />
+        <screens.projects />
       ) : (
         <main class="start">
           <div class="start-body alone">
@@ -54,10 +45,12 @@ function Unshown() {
 }
 
 function Everything() {
-  const { store, ui, keeping } = useApp();
+  const { store, ui, keeping, screens } = useApp();
   const empty = store.tray.value.length === 0;
   const dialog = ui.dialog.value;
-  const projects = ui.work.value === 'projects';
+  const work = ui.work.value;
+  const projects = work === 'projects';
+  const Workspace = work !== null && (projects || !empty) ? screens[work] : null;
   return (
     <div
       class="app"
@@ -67,19 +60,14 @@ function Everything() {
       data-work={empty && !projects ? undefined : (ui.work.value ?? undefined)}
     >
       <TopBar />
-      {!empty ? <Board /> : keeping.running.value ? <Waiting /> : !projects && <Start />}
-      {!empty && ui.work.value === 'designer' && <Designer />}
-      {!empty && ui.work.value === 'explorer' && <Explorer />}
-      {!empty && ui.work.value === 'imitation' && <ImitationScreen />}
-      {!empty && ui.work.value === 'pages' && <PagesWall />}
-      {!empty && ui.work.value === 'boards' && <LazyBoards />}
-      {projects && <Projects />}
+      {!empty ? <screens.board /> : keeping.running.value ? <Waiting /> : !projects && <Start />}
+      {Workspace && <Workspace />}
       <CarriedPhoto />
       <Toasts />
       <EncodingDialog />
-      {dialog === 'help' && <HelpDialog />}
+      {dialog === 'help' && <screens.help />}
       {typeof dialog === 'object' && dialog !== null && <LazyBrush key={dialog.brush} id={dialog.brush} />}
-      {dialog === 'export' && store.page.value && <ExportDialog />}
+      {dialog === 'export' && store.page.value && <screens.export />}
       {dragging.value && (
         <div class="drop-veil" data-zones={!empty} data-for={forStyle.value ? 'style' : 'photos'}>
           <p>{strings.dropHere}</p>

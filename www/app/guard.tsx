@@ -2,7 +2,6 @@
 
 import { Component } from 'preact';
 import { useApp } from '../ui/context.ts';
-import type { Ui } from './ui.ts';
 import type { ComponentChildren } from 'preact';
 
 export function Guard({ children, instead }: { children: ComponentChildren; instead: ComponentChildren }) {
@@ -39,27 +38,3 @@ class Catcher extends Component<Caught> {
     return failed ? instead : children;
   }
 }
-
-/**
- * Waits until the views have drawn what is in the store now.
- * @returns rejects with the error that the views threw
- */
-export async function drawn(ui: Ui): Promise<void> {
-  await new Promise((resolve) => {
-    // A tab in the background draws no frames; its views are made all the same.
-    const patience = setTimeout(resolve, PATIENCE);
-    requestAnimationFrame(() =>
-      requestAnimationFrame(() =>
-        setTimeout(() => {
-          clearTimeout(patience);
-          resolve(undefined);
-        }),
-      ),
-    );
-  });
-  const error = ui.failed.peek();
-  if (error !== null) throw error;
-}
-
-/** Milliseconds. */
-const PATIENCE = 150;

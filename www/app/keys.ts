@@ -4,9 +4,9 @@
 
 import { isEnabled } from '../ui/action.ts';
 import { pressed } from '../ui/shortcut.ts';
-import { everyAction } from './actions.ts';
-import type { Ui } from './ui.ts';
-import type { Tables } from './actions.ts';
+import { everyAction } from '../ui/action.ts';
+import type { Ui } from '../ui/ui.ts';
+import type { Tables } from '../ui/action.ts';
 
 /** Elements that handle a key themselves when they have the focus. */
 const OWN_USE: Record<string, string> = {

@@ -13,12 +13,9 @@ import { StylesList } from '../styles/styles-list.tsx';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { WordTools } from '../lettering/word-tools.tsx';
-import { SIDE_TABS } from './ui.ts';
+import { SIDE_TABS } from '../ui/ui.ts';
 import type { ComponentChildren } from 'preact';
-import type { SideTab } from './ui.ts';
-
-/** Milliseconds from the first page to the content of inactive tabs. */
-const REST = 200;
+import type { SideTab } from '../ui/ui.ts';
 
 const ICONS = { styles: 'style', layouts: 'layout', words: 'balloon', page: 'settings' } as const;
 
@@ -109,12 +106,17 @@ function TabPanel({
   isDrawn: boolean;
   children: ComponentChildren;
 }) {
+  const { scheduler } = useApp();
   const [isMounted, setMounted] = useState(false);
   useEffect(() => {
     if (!isDrawn || isMounted) return undefined;
+    const stop = new AbortController();
     // Inactive tabs are as much work as the first page.
-    const task = setTimeout(() => setMounted(true), hidden ? REST : 0);
-    return () => clearTimeout(task);
+    scheduler.turn(hidden ? 'background' : 'visible', stop).then(
+      () => setMounted(true),
+      () => {},
+    );
+    return () => stop.abort();
   }, [isDrawn, isMounted, hidden]);
   return (
     <div

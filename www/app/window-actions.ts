@@ -5,11 +5,11 @@ import type { ReadonlySignal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import type { Action, OwnKeys } from '../ui/action.ts';
 import { ORIGINALS_KEYS } from '../page/originals.tsx';
-import type { Parts } from '../ui/context.ts';
-import { ZOOMS } from './ui.ts';
-import type { Sheet } from './ui.ts';
+import type { App } from '../ui/context.ts';
+import { ZOOMS } from '../ui/ui.ts';
+import type { Sheet } from '../ui/ui.ts';
 
-export function createWindowActions({ ui, designer }: Pick<Parts, 'ui' | 'designer'>) {
+export function createWindowActions({ ui, designer }: Pick<App, 'ui' | 'designer'>) {
   const drawer = (sheet: Sheet, icon: string, label: string) =>
     ({
       label,

@@ -44,7 +44,7 @@ export function BoardsScreen() {
 }
 
 function Tools() {
-  const { boards, download, messages, store, ui } = useApp();
+  const { boards, download, exportChoice, messages, store, ui } = useApp();
   const [format, setFormat] = useState(WAYS[0]);
   const busy = download.progress.value !== null;
   const none = boards.rows.value.length === 0;
@@ -65,7 +65,7 @@ function Tools() {
         class="button"
         disabled={none || store.page.value === null}
         onClick={() => {
-          ui.exportWay.value = 'animatic';
+          exportChoice.asked.value = 'animatic';
           ui.dialog.value = 'export';
         }}
       >

@@ -71,6 +71,7 @@ export function createBoards({
   const total = computed(() => rows.value.reduce((sum, { shot }) => sum + framesOf(shot), 0));
 
   return {
+    isComic,
     board,
     rows,
     columns,

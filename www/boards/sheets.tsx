@@ -8,6 +8,7 @@ import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { explain } from '../ui/explain.ts';
+import { after } from '../engine/scheduler.ts';
 
 /** Milliseconds without typing before the sheets are laid out again. */
 const REST_MS = 200;
@@ -25,7 +26,7 @@ export function Sheets() {
   useEffect(() => {
     let gone = false;
     setBusy(true);
-    const later = setTimeout(async () => {
+    const cancel = after(REST_MS, async () => {
       try {
         const made = await boards.sheets();
         if (!gone) setSheets((before) => made.map((sheet, i) => (same(before[i], sheet) ? before[i] : sheet)));
@@ -33,10 +34,10 @@ export function Sheets() {
         if (!gone) messages.alert(strings.boards.noSheets(explain(error)));
       }
       if (!gone) setBusy(false);
-    }, REST_MS);
+    });
     return () => {
       gone = true;
-      clearTimeout(later);
+      cancel();
     };
   }, [rows, board, style, name]);
 

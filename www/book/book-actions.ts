@@ -3,7 +3,7 @@
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import type { PageDocument } from '../engine/types.ts';
-import type { Parts } from '../ui/context.ts';
+import type { App } from '../ui/context.ts';
 import type { Action } from '../ui/action.ts';
 
 export function createBookActions({
@@ -12,7 +12,7 @@ export function createBookActions({
   bookMaking,
   messages,
   ui,
-}: Pick<Parts, 'store' | 'book' | 'bookMaking' | 'messages' | 'ui'>) {
+}: Pick<App, 'store' | 'book' | 'bookMaking' | 'messages' | 'ui'>) {
   const { at, several } = book;
   const last = computed(() => at.value === store.project.value.others.length);
   const whyNotAdd = computed(book.cannotAdd);

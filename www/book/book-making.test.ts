@@ -1,10 +1,11 @@
-import { expect, test } from 'vitest';
+import { signal } from '@preact/signals';
+import { expect, test, vi } from 'vitest';
+import { nextTask } from '../engine/scheduler.ts';
 import { createBookMaking } from './book-making.ts';
 import { opened } from './book-testing.ts';
 
 async function making(count: number, { searched = () => true }: { searched?: () => boolean } = {}) {
   const app = await opened(count);
-  const waits: number[] = [];
   const bookMaking = createBookMaking({
     store: app.store,
     book: app.book,
@@ -12,12 +13,8 @@ async function making(count: number, { searched = () => true }: { searched?: () 
     album: { title: () => 'Trip', moments: () => new Map() },
     searched,
     ready: () => Promise.resolve(),
-    wait: (ms) => {
-      waits.push(ms);
-      return Promise.resolve();
-    },
   });
-  return { ...app, bookMaking, waits };
+  return { ...app, bookMaking };
 }
 
 test('a book has every photo once behind its cover, and is one undo step', async () => {
@@ -52,17 +49,31 @@ test('page numbers follow a move, and a shuffle keeps the text of a book', async
 });
 
 test('a book waits for faces, and Cancel leaves the pages as they are', async () => {
-  let searched = false;
-  const { bookMaking, store, waits } = await making(14, { searched: () => searched });
+  const searched = signal(false);
+  const { bookMaking, store } = await making(14, { searched: () => searched.value });
   const before = store.sheets.peek();
   const made = bookMaking.make('one');
   expect(bookMaking.progress.peek()).toEqual({ done: 0, of: 0 });
   bookMaking.cancel();
   await made;
   expect(store.sheets.peek()).toEqual(before);
-  searched = false;
-  await bookMaking.make('one');
-  expect(waits.length).toBeGreaterThan(100);
+  const second = bookMaking.make('one');
+  await nextTask();
+  expect(store.sheets.peek()).toEqual(before);
+  searched.value = true;
+  await second;
+  expect(store.sheets.peek().length).toBeGreaterThan(3);
+});
+
+test('a book waits for faces no longer than fifteen seconds', async () => {
+  const { bookMaking, store } = await making(14, { searched: () => false });
+  vi.useFakeTimers();
+  const made = bookMaking.make('one');
+  await vi.advanceTimersByTimeAsync(14_900);
+  expect(store.sheets.peek()).toHaveLength(1);
+  await vi.advanceTimersByTimeAsync(1_000);
+  vi.useRealTimers();
+  await made;
   expect(store.sheets.peek().length).toBeGreaterThan(3);
 });
 

@@ -1,6 +1,7 @@
 /** Makes a book of all photos: cover, chapters by day, captions, page numbers, end page. One undo step. */
 
-import { signal } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
+import { timeLimit } from '../engine/scheduler.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import { language, strings } from '../strings/strings.ts';
 import type { Signal } from '@preact/signals';
@@ -13,11 +14,8 @@ export type BookMaking = ReturnType<typeof createBookMaking>;
 
 /** Maximum time in ms to wait for faces, which choose the cover. Crops follow later detections. */
 const PATIENCE = 15_000;
-/** Time in ms between two looks at the detection. */
-const LOOK = 100;
-
 /**
- * @param app `album`: the title of the album, and the places of its photos; `searched`: whether all photos were looked at;
+ * @param app `album`: the title of the album, and the places of its photos; `searched` reads signals: whether all photos were looked at;
  * `ready` loads what places text
  */
 export function createBookMaking({
@@ -27,10 +25,6 @@ export function createBookMaking({
   album,
   searched,
   ready,
-  wait = (ms) =>
-    new Promise((done) => {
-      setTimeout(done, ms);
-    }),
 }: {
   store: Store;
   book: Pick<Book, 'cannotSpread' | 'replace'>;
@@ -38,7 +32,6 @@ export function createBookMaking({
   album: { title: () => string; moments: () => ReadonlyMap<string, { place: string }> };
   searched: () => boolean;
   ready: () => Promise<unknown>;
-  wait?: (ms: number) => Promise<void>;
 }) {
   /** Pages that are planned, and their number, which is 0 while photos are looked at; null if no book is made. */
   const progress = signal(null) as Signal<{ done: number; of: number } | null>;
@@ -82,7 +75,14 @@ export function createBookMaking({
     stop?.abort();
   }
 
+  /** Waits until all photos are searched, within the time limit and until it is cancelled. */
   async function looked(signal: AbortSignal) {
-    for (let waited = 0; waited < PATIENCE && !searched() && !signal.aborted; waited += LOOK) await wait(LOOK);
+    const ends: (() => void)[] = [];
+    await new Promise<void>((resolve) => {
+      ends.push(timeLimit(PATIENCE, resolve));
+      ends.push(effect(() => void (searched() && resolve())));
+      signal.addEventListener('abort', () => resolve(), { once: true });
+    });
+    for (const end of ends) end();
   }
 }

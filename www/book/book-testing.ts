@@ -16,8 +16,9 @@ export async function opened(count: number, { byName = false }: { byName?: boole
   const app = fakeApp();
   if (byName) orderByName(app);
   const book = createBook(app);
-  const waiting: (() => void)[] = [];
-  keepBook({ store: app.store, pages: app.pages, later: (work) => waiting.push(work) });
+  const waiting: (() => unknown)[] = [];
+  const background = (work: () => unknown) => void waiting.push(work);
+  keepBook({ store: app.store, pages: app.pages, scheduler: { background } });
   await app.reading.addFiles(app.files(...names(count)));
   const ids = () => app.store.photos.value.map(({ id }) => id);
   const shown = () => app.store.sheets.value.map(photosOfPage);

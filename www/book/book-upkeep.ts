@@ -8,22 +8,22 @@ import { effect, untracked } from '@preact/signals';
 import { photosOn, sheetsOf } from '../engine/sheets.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
+import type { Scheduler } from '../engine/scheduler.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { PhotoMeta } from '../engine/types.ts';
 
 const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
-/** Time in ms without new detections until crops are updated. */
-const REST = 400;
+/** Minimum time in ms for further detections before crops are updated. */
+const DELAY = 400;
 
-/** @param app `later` runs low-priority work when nothing else is due */
 export function keepBook({
   store,
   pages,
-  later = whenIdle,
+  scheduler,
 }: {
   store: Store;
   pages: Pick<Pages, 'plan' | 'repaired'>;
-  later?: (work: () => void) => void;
+  scheduler: Pick<Scheduler, 'background'>;
 }) {
   /** Measurements of the photos of a page when its crops were made. */
   const known: WeakMap<PageDocument, string> = new WeakMap();
@@ -41,7 +41,7 @@ export function keepBook({
       if (page) known.set(page, essence(page, byId));
       if (stale && !waiting) {
         waiting = true;
-        later(refineOne);
+        scheduler.background(refineOne, { delay: DELAY });
       }
     });
   });
@@ -95,11 +95,4 @@ function essence({ panels }: PageDocument, photos: ReadonlyMap<string, PhotoMeta
       return [photo, width, height, subjects, focus];
     }),
   );
-}
-
-function whenIdle(work: () => void) {
-  setTimeout(() => {
-    if (globalThis.requestIdleCallback) globalThis.requestIdleCallback(work, { timeout: 10 * REST });
-    else work();
-  }, REST);
 }

@@ -7,6 +7,7 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { onEscape } from '../ui/on-escape.ts';
+import { after } from '../engine/scheduler.ts';
 import type { Layer, Place } from '../engine/types.ts';
 
 /** A card by its place, or a block of the palette by its id. */
@@ -91,17 +92,17 @@ export function useCardDrag(onDrop: (source: Source, to: Place) => void) {
       frame = requestAnimationFrame(scroll);
       point();
     };
-    const hold = ready ? undefined : setTimeout(lift, HOLD);
+    const cancelHold = ready ? () => {} : after(HOLD, lift);
     const end = () => {
       watch.abort();
-      clearTimeout(hold);
+      cancelHold();
       cancelAnimationFrame(frame);
       setCarried(null);
       cancel.current = () => {};
       // The click event of this gesture comes right after it.
-      setTimeout(() => {
+      after(50, () => {
         lifted.current = false;
-      }, 50);
+      });
     };
     cancel.current = end;
 

@@ -2,11 +2,11 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import type { Parts } from '../ui/context.ts';
+import type { App } from '../ui/context.ts';
 import type { Style } from '../engine/types.ts';
 import type { Action } from '../ui/action.ts';
 
-export function createDesignerActions({ store, designer, ownStyles }: Pick<Parts, 'store' | 'designer' | 'ownStyles'>) {
+export function createDesignerActions({ store, designer, ownStyles }: Pick<App, 'store' | 'designer' | 'ownStyles'>) {
   const { draft } = designer;
   const empty = computed(() => !draft.value || draft.value.background.length + draft.value.foreground.length === 0);
 

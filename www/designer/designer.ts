@@ -8,7 +8,7 @@ import { strings } from '../strings/strings.ts';
 import { MOST, wellFormed } from '../document/limits.ts';
 import { explain } from '../ui/explain.ts';
 import type { Messages } from '../ui/messages.ts';
-import type { Ui } from '../app/ui.ts';
+import type { Ui } from '../ui/ui.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { Draft, DraftEdit, DraftFacts, Layer, Place, Style } from '../engine/types.ts';

@@ -4,6 +4,7 @@
  * is drawn in full size.
  */
 
+import { createTimer } from '../engine/scheduler.ts';
 import type { Designed } from '../engine/design.ts';
 import type { Style } from '../engine/types.ts';
 import type { Subject } from './preview-subjects.ts';
@@ -39,27 +40,27 @@ export function createPreviewLoop({
   /** The last request. */
   let sent: Wish | null = null;
   let flying = 0;
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  const timer = createTimer();
   let stop = new AbortController();
 
   return {
     show(wish: Wish) {
       wanted = wish;
       stop.abort();
-      clearTimeout(timer);
+      timer.stop();
       onBusy(true);
       next();
     },
     dispose() {
       wanted = null;
       stop.abort();
-      clearTimeout(timer);
+      timer.stop();
     },
   };
 
   function next() {
     if (wanted && sent !== wanted && flying < AHEAD) void draw(wanted);
-    else if (wanted && flying === 0) timer = setTimeout(refine, REST);
+    else if (wanted && flying === 0) timer.start(REST, refine);
   }
 
   async function draw(wish: Wish) {

@@ -13,6 +13,7 @@ async function lettered() {
   const lettering = createLettering({
     store: app.store,
     messages: app.messages,
+    scheduler: app.scheduler,
     selection: { panels: { peek: () => [] } } as any,
     load: async () => letters as any,
   });

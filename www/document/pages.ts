@@ -1,5 +1,6 @@
 /** Page commands: shuffle, choose, lock, adjust, browse the page history. */
 
+import { nextTask } from '../engine/scheduler.ts';
 import { position, versions } from './history.ts';
 import { photosOn, sheetsOf } from '../engine/sheets.ts';
 import type { Draw, Wish } from '../engine/core.ts';
@@ -13,13 +14,6 @@ const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
 /** Number of seeds that are tried for another arrangement of photos. A single photo has only one arrangement. */
 const MOST_TRIES = 5;
-
-/** Lets the browser draw and the user act between two pages. */
-function turned(): Promise<void> {
-  return new Promise((done) => {
-    setTimeout(done);
-  });
-}
 
 /** @returns a seed that was likely never used */
 export function freshSeed(): number {
@@ -191,7 +185,7 @@ export function createPages(
     let more = maker.length > 0;
     for (let done = 0; more; done += 1) {
       told(done, maker.length);
-      await turned();
+      await nextTask();
       if (signal.aborted || store.project.peek().tray !== tray) {
         maker.stop();
         return null;

@@ -7,6 +7,7 @@ import { createPages } from './pages.ts';
 import { DEFAULT_SETTINGS } from './empty.ts';
 import { createReading } from '../photos/reading.ts';
 import { core } from '../engine/testing-core.ts';
+import { createScheduler } from '../engine/scheduler.ts';
 import { createStore } from './store.ts';
 import type { Wish } from '../engine/core.ts';
 import type { Layout, PageDocument, PhotoMeta } from '../engine/types.ts';
@@ -114,5 +115,5 @@ export function fakeApp(
   } as any;
   const reading = createReading({ store, pages, engine, messages });
   const files = (...names: string[]) => names.map((name) => new File(['x'], name, { lastModified: 0 }));
-  return { store, planner, pages, messages, engine, reading, files };
+  return { store, planner, pages, messages, engine, reading, files, scheduler: createScheduler() };
 }

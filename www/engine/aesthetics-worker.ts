@@ -2,18 +2,16 @@
 
 import { detach } from './blobs.ts';
 import { net } from './detector-module.ts';
-import { LOOKS } from './measured.ts';
-import { LOADING, serveJobs } from './serving.ts';
+import { serveJobs } from './serving.ts';
 import type { AestheticsNet } from '../pkg-detector/inkpanel.js';
 import type { Judging } from './protocol.ts';
 
 let judgeNet: { ready: () => Promise<AestheticsNet> } | undefined;
 
-serveJobs<Judging>(async (_, { width, height, data, net: address }, tell) => {
-  tell.waits(LOADING);
+serveJobs<Judging>(async (_, { width, height, data, net: address }, slow) => {
+  if (!judgeNet) slow();
   judgeNet ??= net(address, ({ AestheticsNet }, onnx) => new AestheticsNet(onnx));
   const judge = await judgeNet.ready();
-  tell.expects(LOOKS.judge);
   const ok = judge.score(width, height, new Uint8Array(data.buffer, data.byteOffset, data.length));
   detach(data);
   return { ok };

@@ -5,17 +5,26 @@
  */
 
 import { NET } from './aesthetics-net.ts';
+import { createModelPool } from './model-pool.ts';
 import { failure } from './protocol.ts';
 import { Priority } from './queue.ts';
-import { createRestingPool } from './resting-pool.ts';
 import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
 import type { Run } from './pool.ts';
 import type { Judging, PixelPatch } from './protocol.ts';
+import type { Lane, Scheduler } from './scheduler.ts';
 
-export function createAesthetics({ run, photos }: { run: Run; photos: ReturnType<typeof createPhotos> }) {
-  const pool = createRestingPool<Judging>(spawn);
-  return { judges: NET !== undefined, judgeStyle, hold: pool.hold, dispose: pool.dispose };
+export function createAesthetics({
+  run,
+  photos,
+  scheduler,
+}: {
+  run: Run;
+  photos: ReturnType<typeof createPhotos>;
+  scheduler: Scheduler;
+}) {
+  const pool = createModelPool<Judging>(scheduler, spawn);
+  return { judges: NET !== undefined, judgeStyle, dispose: pool.dispose };
 
   /**
    * The predicted mean rating of a photo in a style, from 1 to 10.
@@ -26,7 +35,7 @@ export function createAesthetics({ run, photos }: { run: Run; photos: ReturnType
     id: string,
     style: object,
     { width, height }: { width: number; height: number },
-    call?: Call,
+    { lane = 'requested', ...call }: Call & { lane?: Lane } = {},
   ): Promise<number> {
     if (!NET) throw failure('net-missing', 'The net that scores pictures is not part of this site.');
     const [photo] = photos.handles([id], 'small');
@@ -34,12 +43,12 @@ export function createAesthetics({ run, photos }: { run: Run; photos: ReturnType
     const args = { photo, style: JSON.stringify(style), width, height };
     const picture: PixelPatch = await run({ ...job, op: 'stylePixels', args, holds: [photo.key] });
     const { data } = picture;
-    return pool.run({
-      ...job,
-      op: 'judge',
-      args: { width, height, data, net: new URL(NET, document.baseURI).href },
-      transfer: [data.buffer],
-    });
+    const net = new URL(NET, document.baseURI).href;
+    const judge = async () => {
+      await scheduler.turn(lane, { rest: 0, signal: call.signal });
+      return pool.run({ ...job, op: 'judge', args: { width, height, data, net }, transfer: [data.buffer] });
+    };
+    return pool.use(judge, { lane, signal: call.signal });
   }
 }
 

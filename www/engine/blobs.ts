@@ -1,5 +1,7 @@
 /** Reliable blobs, and early release of buffers. */
 
+import { pause } from './scheduler.ts';
+
 /** Milliseconds between tries, each twice as long as the one before. */
 const WAIT = 100;
 /** Three seconds in all. */
@@ -29,9 +31,7 @@ export async function blobOf(
     } catch (cause) {
       if (tries === TRIES)
         throw Object.assign(new Error('The browser has no room for the photo.', { cause }), { code: 'no-room' });
-      await new Promise((resolve) => {
-        setTimeout(resolve, wait * 2 ** (tries - 1));
-      });
+      await pause(wait * 2 ** (tries - 1));
     }
   }
 }

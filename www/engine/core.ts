@@ -3,10 +3,8 @@
  */
 
 import initCore, * as core from '../pkg/inkpanel.js';
-import { fetchAsset } from './assets.ts';
 import { expanded, interned } from './interned.ts';
 import { failure } from './protocol.ts';
-import { SHARES_CODE } from './shared-code.ts';
 import type { Program } from './protocol.ts';
 import type {
   Block,
@@ -47,34 +45,10 @@ export type PlanRequest = Request &
 /** Photos no longer planned with that are remembered, since undo may bring them back. */
 const SPARE_PHOTOS = 500;
 
-const ADDRESS = new URL('../pkg/inkpanel_bg.wasm', import.meta.url);
-
-/** Maximum wait for the first paint, in milliseconds. A background tab never paints. */
-const UNPAINTED = 50;
-
-/** Waits for the first paint, which downloads and compilation would delay, by seconds on a phone. */
-function painted(): Promise<void> {
-  return new Promise((done) => {
-    setTimeout(done, UNPAINTED);
-    globalThis.requestAnimationFrame?.(() => setTimeout(done));
-  });
-}
-
-async function load(): Promise<Program> {
-  await painted();
-  const response = await fetchAsset(ADDRESS);
-  if (!response.ok) throw failure('core-missing', `The program could not be loaded (${response.status}).`);
-  // A static host may serve wasm under any content type, which streaming would refuse.
-  const streams = response.headers.get('content-type')?.startsWith('application/wasm');
-  if (SHARES_CODE && streams) return WebAssembly.compileStreaming(response);
-  const bytes = await response.arrayBuffer();
-  return SHARES_CODE ? WebAssembly.compile(bytes) : bytes;
-}
-
-export async function loadCore(): Promise<{ program: Program; planner: Planner }> {
-  const program = await load();
+/** Starts the core. @returns its functions for planning */
+export async function startCore(program: Program) {
   await initCore({ module_or_path: program });
-  return { program, planner: createPlanner() };
+  return createPlanner();
 }
 
 export type Planner = ReturnType<typeof createPlanner>;

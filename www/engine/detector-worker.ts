@@ -2,11 +2,10 @@
 
 import { detach } from './blobs.ts';
 import { net } from './detector-module.ts';
-import { LOOKS } from './measured.ts';
-import { LOADING, serveJobs } from './serving.ts';
+import { serveJobs } from './serving.ts';
 import type { Detection } from './types.ts';
 import type { Looking } from './protocol.ts';
-import type { Tell, Work } from './serving.ts';
+import type { Work } from './serving.ts';
 
 const faces = net(new URL('../models/faces.onnx', import.meta.url), ({ FaceDetector }, onnx) => new FaceDetector(onnx));
 const objects = net(
@@ -27,27 +26,19 @@ const OPERATIONS: Work<Looking> = {
       .ready()
       .then(() => null),
   }),
-  faces: async (args, tell) => ({ ok: await looked('faces', args, tell) }),
-  closer: async (args, tell) => ({ ok: await looked('closer', args, tell) }),
-  objects: async (args, tell) => ({ ok: await looked('objects', args, tell) }),
+  faces: async (args) => ({ ok: await looked('faces', args) }),
+  closer: async (args) => ({ ok: await looked('closer', args) }),
+  objects: async (args) => ({ ok: await looked('objects', args) }),
 };
 
-serveJobs<Looking>((op, args, tell) => {
-  tell.waits(LOADING);
-  return OPERATIONS[op](args, tell);
-});
+serveJobs<Looking>((op, args, slow) => OPERATIONS[op](args, slow));
 
 function named({ net }: Looking['load']['args']) {
   return net === 'faces' ? faces : objects;
 }
 
-async function looked<Op extends Look>(
-  look: Op,
-  { photo, boxes }: Looking[Op]['args'],
-  tell: Tell,
-): Promise<Looking[Op]['ok']> {
+async function looked<Op extends Look>(look: Op, { photo, boxes }: Looking[Op]['args']): Promise<Looking[Op]['ok']> {
   const [run, pixels] = await Promise.all([runner(look, boxes), photo.planes.arrayBuffer()]);
-  tell.expects(LOOKS[look]);
   const planes = new Uint8Array(pixels);
   const found = run(photo.width, photo.height, planes);
   detach(planes);

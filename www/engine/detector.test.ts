@@ -1,5 +1,6 @@
 import { afterEach, expect, test, vi } from 'vitest';
 import { createDetector } from './detector.ts';
+import { createScheduler } from './scheduler.ts';
 
 afterEach(() => {
   vi.useRealTimers();
@@ -31,12 +32,19 @@ function answeringWorkers({ offline = () => false }: { offline?: () => boolean }
   return { workers, live: () => workers.filter(({ ended }) => !ended).length };
 }
 
+/** A detector, and a ticket for another model. */
+function opened(linger = Infinity) {
+  const scheduler = createScheduler();
+  const other = scheduler.createTicket({ unload: () => {} });
+  return { detector: createDetector(photos, { scheduler, spare: () => {}, linger }), other };
+}
+
 const photos = { get: () => ({ name: 'a.jpg', work: {} }) } as any;
 
 test('where memory is short the nets are given up when all is looked at, and made anew for the next photo', async () => {
   vi.useFakeTimers();
   const { workers, live } = answeringWorkers();
-  const detector = createDetector(photos, () => {}, 5_000);
+  const { detector } = opened(5_000);
   await detector.findFaces('a');
   expect(live()).toBe(2);
   vi.advanceTimersByTime(4_000);
@@ -52,59 +60,55 @@ test('where memory is short the nets are given up when all is looked at, and mad
 test('while photos are chosen the net for faces looks at a blank picture, until there is one to look at', async () => {
   const { workers } = answeringWorkers();
   const looks = () => workers.flatMap(({ asked }) => asked.filter((op) => op === 'faces')).length;
-  const chosen = createDetector(photos, () => {});
+  const { detector: chosen } = opened();
   chosen.prepare();
   await vi.waitFor(() => expect(chosen.facesReady()).toBe(true));
   expect(looks()).toBe(0);
-  const choosing = createDetector(photos, () => {});
+  const { detector: choosing } = opened();
   choosing.prepare(true);
   choosing.prepare(true);
   await vi.waitFor(() => expect(looks()).toBe(12));
-  const quick = createDetector(photos, () => {});
+  const { detector: quick } = opened();
   quick.prepare(true);
   await quick.findFaces('a');
   expect(looks()).toBe(13);
 });
 
-test('they are given up when asked, but not while photos are looked at or on their way', async () => {
+test('the models are unloaded for another one, but not during a detection, nor before their files are stored', async () => {
   vi.useFakeTimers();
   const { live } = answeringWorkers();
-  const detector = createDetector(photos, () => {});
+  const { detector, other } = opened();
   const looking = detector.findFaces('a');
-  detector.rest();
+  const used = other.use(async () => {});
   await looking;
+  await vi.advanceTimersByTimeAsync(7_000);
   expect(live()).toBe(2);
-  detector.rest();
-  // The delay before unloading the models for the next visit has not passed.
-  vi.advanceTimersByTime(7_000);
-  expect(live()).toBe(2);
-  vi.advanceTimersByTime(2_000);
+  await vi.advanceTimersByTimeAsync(2_000);
+  await used;
   expect([live(), detector.facesReady()]).toEqual([0, false]);
-  detector.prepare();
-  detector.rest();
-  expect(live()).toBe(2);
 });
 
-test('nets that could be loaded long after their worker was started are kept, too', async () => {
+test('models that could be loaded long after their worker was started are stored, too', async () => {
   vi.useFakeTimers();
   let offline = true;
   const { live } = answeringWorkers({ offline: () => offline });
-  const detector = createDetector(photos, () => {});
+  const { detector, other } = opened();
   await expect(detector.findFaces('a')).rejects.toMatchObject({ code: 'net-missing' });
   vi.advanceTimersByTime(30_000);
   offline = false;
   await detector.findFaces('a');
-  detector.rest();
-  vi.advanceTimersByTime(7_000);
+  const used = other.use(async () => {});
+  await vi.advanceTimersByTimeAsync(7_000);
   expect(live()).toBe(2);
-  vi.advanceTimersByTime(2_000);
+  await vi.advanceTimersByTimeAsync(2_000);
+  await used;
   expect(live()).toBe(0);
 });
 
 test('elsewhere they stay', async () => {
   vi.useFakeTimers();
   const { live } = answeringWorkers();
-  await createDetector(photos, () => {}).findFaces('a');
+  await opened().detector.findFaces('a');
   vi.advanceTimersByTime(60_000);
   expect(live()).toBe(2);
 });

@@ -3,7 +3,7 @@
  * before by `prepare`.
  */
 
-import { KEEPING } from './kept.ts';
+import { STORED_AFTER } from './kept.ts';
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
 import type { Look } from './detector-worker.ts';
@@ -11,6 +11,7 @@ import type { Call } from './engine.ts';
 import type { createPhotos } from './photos.ts';
 import type { Pool } from './pool.ts';
 import type { Looking } from './protocol.ts';
+import type { Scheduler } from './scheduler.ts';
 import type { Detection, FirstLook } from './types.ts';
 
 type Net = 'faces' | 'objects';
@@ -20,14 +21,12 @@ const ROUNDS = 12;
 const BLANK = { width: 640, height: 480 };
 
 /**
- * @param spare the pool keeps this many other workers idle during low-priority work
- * @param idle milliseconds after the last detection until the models are unloaded, if ever: they take a hundred
- *   megabytes
+ * @param options `spare`: the pool keeps this many other workers idle during low-priority work. `linger`: milliseconds
+ *   after the last detection until the models are unloaded
  */
 export function createDetector(
   photos: ReturnType<typeof createPhotos>,
-  spare: (workers: number) => void,
-  idle?: number,
+  { scheduler, spare, linger }: { scheduler: Scheduler; spare: (workers: number) => void; linger: number },
 ) {
   const pools: Partial<Record<Net, Pool<Looking>>> = {};
   /** Models that are loaded or queued for loading. */
@@ -36,14 +35,10 @@ export function createDetector(
   let last: Promise<unknown> = Promise.resolve();
   let running = 0;
   let facesMade = false;
-  /** Time when the last worker was started or got its model. On a slow connection the model arrives much later. */
-  let opened = 0;
-  /** Photos are on their way. */
-  let expected = false;
   /** The user has not chosen photos yet. */
   let early = false;
   let rehearsal: Promise<void> | undefined;
-  let resting: ReturnType<typeof setTimeout> | undefined;
+  const ticket = scheduler.createTicket({ unload, linger, storing: STORED_AFTER });
 
   return {
     prepare,
@@ -53,8 +48,7 @@ export function createDetector(
     findFaces,
     findMoreFaces,
     findObjects,
-    rest,
-    dispose: () => Object.values(pools).forEach((pool) => pool.dispose()),
+    dispose: ticket.free,
   };
 
   /**
@@ -62,13 +56,13 @@ export function createDetector(
    * @param choosing whether the user still chooses photos, so that no urgent work is waiting
    */
   function prepare(choosing = false) {
-    expected = true;
     early = choosing;
-    make('faces')
-      .then(() => (rehearsal ??= choosing ? rehearse() : undefined))
-      .catch(() => {})
-      .then(() => make('objects'))
-      .catch(() => {});
+    const load = async () => {
+      await make('faces');
+      if (choosing) await (rehearsal ??= rehearse()).catch(() => {});
+      await make('objects');
+    };
+    ticket.use(load, { expected: true }).catch(() => {});
   }
 
   /**
@@ -125,30 +119,21 @@ export function createDetector(
     call?: Call,
   ): Promise<Looking[Op]['ok']> {
     const { name, work } = photos.get(id);
-    clearTimeout(resting);
-    expected = false;
     early = false;
-    spare((running += 1));
-    try {
-      await make(net);
-      return await open(net).run({ op, args: { photo: work, ...more }, photo: name, priority: Priority.REST, ...call });
-    } finally {
-      spare((running -= 1));
-      if (idle !== undefined && running === 0) resting = setTimeout(rest, idle);
-    }
+    const args = { photo: work, ...more };
+    return ticket.use(async () => {
+      spare((running += 1));
+      try {
+        await make(net);
+        return await open(net).run({ op, args, photo: name, priority: Priority.REST, ...call });
+      } finally {
+        spare((running -= 1));
+      }
+    }, call);
   }
 
-  /**
-   * Unloads the models if no detection is running or expected. The next detection loads them again in half a second.
-   */
-  function rest() {
-    clearTimeout(resting);
-    if (running > 0 || expected) return;
-    const early = opened + KEEPING - performance.now();
-    if (early > 0) {
-      resting = setTimeout(rest, early);
-      return;
-    }
+  /** The next detection loads the models again in half a second. */
+  function unload() {
     for (const net of ['faces', 'objects'] as const) {
       pools[net]?.dispose();
       delete pools[net];
@@ -169,7 +154,7 @@ export function createDetector(
       .catch(() => {})
       .then(() => order(net, 'make'))
       .then(() => {
-        opened = performance.now();
+        ticket.made();
         facesMade ||= net === 'faces';
       })
       .catch((error) => {
@@ -184,7 +169,6 @@ export function createDetector(
   }
 
   function open(net: Net) {
-    if (!pools[net]) opened = performance.now();
     return (pools[net] ??= createPool<Looking>({ size: 1, spawn }));
   }
 }

@@ -6,7 +6,7 @@
 import { createAesthetics } from './aesthetics.ts';
 import { DUPLICATE_THRESHOLD } from './bounds.ts';
 import { takeInHand } from './brush-module.ts';
-import { loadCore } from './core.ts';
+import { loadCore } from './core-loading.ts';
 import { createDesign } from './design.ts';
 import { createDetector } from './detector.ts';
 import { createExports } from './export.ts';
@@ -19,6 +19,7 @@ import { createPhotos } from './photos.ts';
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
 import { createRenders, nameOf } from './renders.ts';
+import { createScheduler } from './scheduler.ts';
 import { SHARES_CODE } from './shared-code.ts';
 import { hearFilm } from './sounds.ts';
 import { readVideo } from './video.ts';
@@ -28,6 +29,7 @@ import { createWords } from './words.ts';
 import type { Block, Detection, Layout, PageDocument, Style } from './types.ts';
 import type { Job, Pool } from './pool.ts';
 import type { Imported, Operations, PixelPatch, Program, Start } from './protocol.ts';
+import type { Scheduler } from './scheduler.ts';
 import type { About, Frame } from './video.ts';
 
 export type Call = { signal?: AbortSignal; priority?: number; key?: string };
@@ -39,7 +41,7 @@ const MB = 2 ** 20;
  * `nets`: milliseconds until the face detector is unloaded. A phone closes a tab that uses too much memory. Each worker
  * keeps the memory of its largest photo, and code that is compiled per worker needs much memory as well.
  */
-const USUAL = { workers: 8, photos: 256 * MB, least: 64 * MB, rest: undefined, nets: SHARES_CODE ? undefined : 30_000 };
+const USUAL = { workers: 8, photos: 256 * MB, least: 64 * MB, rest: undefined, nets: SHARES_CODE ? Infinity : 30_000 };
 const SPARING = { workers: 4, photos: 64 * MB, least: 16 * MB, rest: 64 * MB, nets: 5_000 };
 
 /**
@@ -54,13 +56,21 @@ function suitable(): number {
 
 /**
  * @param options `workers`: number of workers, at most 8 (default: depends on the device); `sparing`: for devices with
- *   little memory
+ *   little memory; `scheduler`: the scheduler of the app
  */
-export function createEngine({ workers = suitable(), sparing = false }: { workers?: number; sparing?: boolean } = {}) {
+export function createEngine({
+  workers = suitable(),
+  sparing = false,
+  scheduler = createScheduler(),
+}: {
+  workers?: number;
+  sparing?: boolean;
+  scheduler?: Scheduler;
+} = {}) {
   const most = sparing ? SPARING : USUAL;
   const size = Math.max(1, Math.min(most.workers, Math.floor(workers)));
   const photos = createPhotos();
-  const detector = createDetector(photos, (count) => pool?.spare(count), most.nets);
+  const detector = createDetector(photos, { scheduler, spare: (count) => pool?.spare(count), linger: most.nets });
   const design = createDesign(photos);
   const words = createWords();
   const files = createFiles();
@@ -78,8 +88,9 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
 
   const warming = createWarming(ask, SHARES_CODE ? 1 : size);
   const renders = createRenders({ run, photos, words });
-  const aesthetics = createAesthetics({ run, photos });
-  const masking = createMasking(photos);
+  const aesthetics = createAesthetics({ run, photos, scheduler });
+  const masking = createMasking(photos, scheduler);
+  const unfollow = scheduler.follow((on) => pool?.hold(on));
 
   return {
     /** Resolves to the planner, whose functions are synchronous. */
@@ -104,19 +115,13 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
     findObjects: detector.findObjects,
     /** Whether subject detection is available, and the detection for one photo. */
     masks: masking.masks,
-    // One model at a time: each takes a hundred megabytes.
-    findMask: (id: string, call?: Call) => {
-      detector.rest();
-      return masking.findMask(id, call);
-    },
+    findMask: masking.findMask,
     /** Sets the subject mask of a photo, for styles with a part. */
     knowMask: photos.know,
     /** Opens the mask editor for an imported photo. @param masks as text: corrected before, and detected */
     takeInHand: (id: string, masks: { own?: string; found?: string }) => takeInHand(photos.get(id).work, masks),
     forgetPhoto: photos.forget,
     warm: warming.warm,
-    /** While `on`, only work for the visible page starts. */
-    hold: (on: boolean) => [pool, masking, aesthetics].forEach((workers) => workers?.hold(on)),
     hasPhoto: photos.has,
     photos,
     lettering: words.lettering,
@@ -124,10 +129,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
     ...createLiving({ run }),
     ...createImitating({ run, photos }),
     judges: aesthetics.judges,
-    judgeStyle: (...asked: Parameters<typeof aesthetics.judgeStyle>) => {
-      masking.rest();
-      return aesthetics.judgeStyle(...asked);
-    },
+    judgeStyle: aesthetics.judgeStyle,
     drawDesign: design.draw,
     ...createExports({ run, photos, words, files }),
     ...createMeasures({ run, renders, files }),
@@ -301,6 +303,7 @@ export function createEngine({ workers = suitable(), sparing = false }: { worker
   }
 
   function dispose() {
+    unfollow();
     for (const part of [detector, design, aesthetics, masking, words, files]) part.dispose();
     // If the pool exists, it is disposed at once, so that later jobs are rejected.
     if (pool) pool.dispose();

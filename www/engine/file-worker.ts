@@ -18,15 +18,14 @@ import initFiles, {
 } from '../pkg-exports/inkpanel.js';
 import { blobOf } from './blobs.ts';
 import { loadLetters } from './letters.ts';
-import { fileMs } from './measured.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { failure } from './protocol.ts';
-import { LOADING, STORING, serveJobs } from './serving.ts';
+import { serveJobs } from './serving.ts';
 import { createShaping } from './shaping.ts';
 import { withDpi } from './webp.ts';
 import type { Making, Picture, PixelPatch } from './protocol.ts';
 import type { MotionRequest, StripRequest } from './types.ts';
-import type { Tell, Work } from './serving.ts';
+import type { Work } from './serving.ts';
 
 /** Errors if the module or the glyphs could not be loaded. */
 const MISSING = [
@@ -35,9 +34,6 @@ const MISSING = [
 ] as const;
 
 const MODULE = new URL('../pkg-exports/inkpanel_bg.wasm', import.meta.url);
-
-/** Milliseconds for a page of a PDF file, whose pictures are made by then. */
-const PAGE = 500;
 
 type Args<Op extends keyof Making> = Making[Op]['args'];
 
@@ -59,12 +55,11 @@ const OPERATIONS: Work<Making> = {
   motion,
 };
 
-serveJobs<Making>(async (op, args, tell) => {
-  tell.waits(LOADING);
+serveJobs<Making>(async (op, args, slow) => {
   // WebP is the browser's own work.
   if (op !== 'webp') started ??= start();
   const memory = await started;
-  const answer = await OPERATIONS[op](args, tell);
+  const answer = await OPERATIONS[op](args, slow);
   return { ...answer, memory: memory?.buffer.byteLength ?? 0 };
 });
 
@@ -80,27 +75,22 @@ async function start() {
 }
 
 /** The glyphs of one file, with separate traced glyphs. */
-async function lettering(tell: Tell) {
-  tell.waits(LOADING);
+async function lettering() {
   table ??= await loadLetters(MISSING);
   return new Lettering(table);
 }
 
-async function jpeg({ document, size, patches, quality }: Args<'jpeg'>, tell: Tell) {
-  tell.expects(fileMs(2 * size.width * size.height));
+async function jpeg({ document, size, patches, quality }: Args<'jpeg'>) {
   const bytes = printed(document, size, patches, (print) => print.jpeg(quality));
-  tell.waits(STORING);
   return { ok: await blobOf(bytes, { type: 'image/jpeg' }), transfer: [] };
 }
 
-async function losslessWebp({ document, size, patches, dpi }: Args<'losslessWebp'>, tell: Tell) {
-  tell.expects(fileMs(4 * size.width * size.height));
+async function losslessWebp({ document, size, patches, dpi }: Args<'losslessWebp'>) {
   const bytes = printed(document, size, patches, (print) => print.webp());
   return { ok: withDpi(bytes, { ...size, dpi }), transfer: [] };
 }
 
-async function losslessPicture({ width, height, data }: Args<'losslessPicture'>, tell: Tell) {
-  tell.expects(fileMs(4 * width * height));
+async function losslessPicture({ width, height, data }: Args<'losslessPicture'>) {
   const ok = losslessFile(width, height, bytesOf(data)) as Uint8Array<ArrayBuffer>;
   return { ok, transfer: [ok.buffer] };
 }
@@ -121,9 +111,8 @@ function printed(
   }
 }
 
-async function webp({ picture, quality, dpi }: Args<'webp'>, tell: Tell) {
+async function webp({ picture, quality, dpi }: Args<'webp'>) {
   const bitmap = await createImageBitmap(picture);
-  tell.expects(fileMs(4 * bitmap.width * bitmap.height));
   const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
   (canvas.getContext('2d') as OffscreenCanvasRenderingContext2D).drawImage(bitmap, 0, 0);
   bitmap.close();
@@ -135,14 +124,13 @@ async function webp({ picture, quality, dpi }: Args<'webp'>, tell: Tell) {
 }
 
 /** @param args `inks`: each panel has a separate image for each of them; null for one in colour */
-async function pictures({ document, patches, quality, inks }: Args<'pictures'>, tell: Tell) {
+async function pictures({ document, patches, quality, inks }: Args<'pictures'>) {
   const ok: Picture[] = [];
   const colours = Uint8Array.from(inks.flat());
   for (let ink = 0; ink < Math.max(1, inks.length); ink += 1) {
     const plate = inks.length > 0 ? new Plate(colours, ink) : null;
     try {
       for (const { index, x, y, width, height, data } of patches) {
-        tell.expects(fileMs(2 * width * height));
         const rgba = bytesOf(data);
         const cut = plate
           ? plate.cut(document, index, x, y, width, height, rgba, quality)
@@ -160,21 +148,18 @@ async function pictures({ document, patches, quality, inks }: Args<'pictures'>, 
   return { ok, transfer: ok.flatMap(({ jpeg: file, alpha }) => (alpha ? [file.buffer, alpha.buffer] : [file.buffer])) };
 }
 
-async function pdf({ pages, options }: Args<'pdf'>, tell: Tell) {
-  const letters = await lettering(tell);
+async function pdf({ pages, options }: Args<'pdf'>) {
+  const letters = await lettering();
   const book = new Book();
   const shape = createShaping(letters);
   try {
     for (const page of pages) {
       shape(JSON.parse(page.document));
-      tell.expects(PAGE);
       book.add_page(page.document, JSON.stringify(page.alts));
       for (const { index, x, y, width, height, jpeg: bytes, alpha } of page.pictures)
         book.add_picture(index, x, y, width, height, bytes, alpha);
     }
-    tell.expects(PAGE * pages.length);
     const bytes = book.finish(letters, JSON.stringify(options)) as Uint8Array<ArrayBuffer>;
-    tell.waits(STORING);
     return { ok: await blobOf(bytes, { type: 'application/pdf' }), transfer: [] };
   } finally {
     book.free();
@@ -183,9 +168,8 @@ async function pdf({ pages, options }: Args<'pdf'>, tell: Tell) {
 }
 
 /** The text of a comic; its pictures are put in where they are. */
-async function comic({ kind, comic: told }: Args<'comic'>, tell: Tell) {
-  const letters = await lettering(tell);
-  tell.expects(PAGE);
+async function comic({ kind, comic: told }: Args<'comic'>) {
+  const letters = await lettering();
   try {
     return { ok: comicFile(kind, told, letters), transfer: [] };
   } finally {
@@ -193,15 +177,13 @@ async function comic({ kind, comic: told }: Args<'comic'>, tell: Tell) {
   }
 }
 
-async function board({ request }: Args<'board'>, tell: Tell) {
-  tell.expects(PAGE);
+async function board({ request }: Args<'board'>) {
   return { ok: boardSheets(request), transfer: [] };
 }
 
-async function strip({ request }: Args<'strip'>, tell: Tell) {
-  const letters = await lettering(tell);
+async function strip({ request }: Args<'strip'>) {
+  const letters = await lettering();
   const { pages } = JSON.parse(request) as StripRequest;
-  tell.expects(PAGE * pages.length);
   const shape = createShaping(letters);
   try {
     for (const page of pages) shape(page);
@@ -211,20 +193,17 @@ async function strip({ request }: Args<'strip'>, tell: Tell) {
   }
 }
 
-async function shots({ ending, list }: Args<'shots'>, tell: Tell) {
-  tell.expects(PAGE);
+async function shots({ ending, list }: Args<'shots'>) {
   return { ok: shotFile(ending, list), transfer: [] };
 }
 
-async function animatic({ request }: Args<'animatic'>, tell: Tell) {
-  tell.expects(PAGE);
+async function animatic({ request }: Args<'animatic'>) {
   return laidOut(new AnimaticPlan(request));
 }
 
-async function motion({ request }: Args<'motion'>, tell: Tell) {
-  const letters = await lettering(tell);
+async function motion({ request }: Args<'motion'>) {
+  const letters = await lettering();
   const { pages } = JSON.parse(request) as MotionRequest;
-  tell.expects(PAGE * pages.length);
   const shape = createShaping(letters);
   try {
     for (const page of pages) shape(page);

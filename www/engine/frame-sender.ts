@@ -6,9 +6,11 @@
  */
 
 import { describe } from './protocol.ts';
-import type { Frame, Wish } from './video.ts';
+import type { About, Frame, Wish } from './video.ts';
 
 export type FileWish = Wish & { file: Blob };
+/** Messages of the worker. */
+export type FrameNews = { about?: About; frame?: Frame; done?: true; error?: { code: string; message: string } };
 
 /** Maximum number of frames in transit. */
 const AHEAD = 2;

@@ -4,14 +4,15 @@
  */
 
 import { fetchAsset } from './assets.ts';
+import { after } from './scheduler.ts';
 import type { AssetReader } from './assets.ts';
 
 /** The service worker throws away what no build of the site names any more (`offline/worker/versions.ts`). */
 const STORE = 'inkpanel-nets';
 /** Milliseconds until a loaded file is cached, so that caching does not delay its use. */
 const LATER = 5_000;
-/** Milliseconds after its start in which a worker may still store a file. */
-export const KEEPING = LATER + 3_000;
+/** Milliseconds after its first result in which a worker may still store a file. */
+export const STORED_AFTER = LATER + 3_000;
 /** A file name with a content hash from the build. Any other name may belong to an older file. */
 const HASHED = /-[\w-]{8}\.\w+$/;
 
@@ -32,7 +33,7 @@ export async function fetchKept(
   if (store && response.ok && !isPage(response)) {
     const copy = response.clone();
     // If storage is full, the file is downloaded again next time.
-    setTimeout(() => void keep(store, address, copy).catch(() => {}), later);
+    after(later, () => void keep(store, address, copy).catch(() => {}));
   }
   return response;
 }

@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 
 vi.mock('./subject-net.ts', () => ({ NET: '/subject.onnx' }));
+const { createScheduler } = await import('./scheduler.ts');
 const { createMasking } = await import('./masking.ts');
 
 /** Slices of work of a mask. */
@@ -46,18 +47,24 @@ afterEach(() => {
 
 test('a look is asked for in parts, and two photos are looked at one after the other', async () => {
   const { looks } = workers();
-  const masking = createMasking(photos);
-  expect(await Promise.all([masking.findMask('a'), masking.findMask('b')])).toEqual(['mask 1', 'mask 2']);
+  const scheduler = createScheduler();
+  const masking = createMasking(photos, scheduler);
+  const found = Promise.all([masking.findMask('a'), masking.findMask('b')]);
+  await vi.advanceTimersByTimeAsync(100);
+  expect(await found).toEqual(['mask 1', 'mask 2']);
   expect(looks).toEqual([1, 1, 1, 2, 2, 2]);
 });
 
 test('it rests while pages are drawn and a moment after, but not for ever', async () => {
   const { looks } = workers();
-  const masking = createMasking(photos);
-  await masking.findMask('a');
+  const scheduler = createScheduler();
+  const masking = createMasking(photos, scheduler);
+  const first = masking.findMask('a');
+  await vi.advanceTimersByTimeAsync(100);
+  expect(await first).toBe('mask 1');
   const drawn = (ms: number) => {
-    masking.hold(true);
-    masking.hold(false);
+    scheduler.hold(true);
+    scheduler.hold(false);
     return vi.advanceTimersByTimeAsync(ms);
   };
   await drawn(0);
@@ -78,13 +85,15 @@ test('it rests while pages are drawn and a moment after, but not for ever', asyn
 
 test('the net is given up a while after the last photo, and a look that is left is followed by the next', async () => {
   const { all } = workers();
-  const masking = createMasking(photos);
+  const scheduler = createScheduler();
+  const masking = createMasking(photos, scheduler);
   const leaving = new AbortController();
   const left = masking.findMask('a', { signal: leaving.signal });
   left.catch(() => {});
   const next = masking.findMask('b');
   leaving.abort();
   await expect(left).rejects.toMatchObject({ name: 'AbortError' });
+  await vi.advanceTimersByTimeAsync(100);
   expect(await next).toBe('mask 2');
   await vi.advanceTimersByTimeAsync(9_000);
   expect(all.map(({ ended }) => ended)).toEqual([false]);
@@ -92,16 +101,21 @@ test('the net is given up a while after the last photo, and a look that is left 
   expect(all.map(({ ended }) => ended)).toEqual([true]);
 });
 
-test('the net is given up for another one, but not in the middle of a look', async () => {
+test('the model is unloaded for another one, but not during a detection, nor before its file is stored', async () => {
   const { all } = workers();
-  const masking = createMasking(photos);
+  const scheduler = createScheduler();
+  const masking = createMasking(photos, scheduler);
+  const other = scheduler.createTicket({ unload: () => {} });
   const found = masking.findMask('a');
-  masking.rest();
-  expect(await found).toBe('mask 1');
   await vi.advanceTimersByTimeAsync(0);
-  masking.rest();
+  const used = vi.fn(async () => {});
+  const use = other.use(used);
+  await vi.advanceTimersByTimeAsync(100);
+  expect(await found).toBe('mask 1');
+  await vi.advanceTimersByTimeAsync(7_000);
   expect(all.map(({ ended }) => ended)).toEqual([false]);
-  await vi.advanceTimersByTimeAsync(8_500);
-  masking.rest();
+  expect(used).not.toHaveBeenCalled();
+  await vi.advanceTimersByTimeAsync(1_500);
+  await use;
   expect(all.map(({ ended }) => ended)).toEqual([true]);
 });

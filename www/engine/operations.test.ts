@@ -4,7 +4,7 @@ import { createOperations } from './operations.ts';
 import type { Studio } from '../pkg/inkpanel.js';
 import type { Imported } from './protocol.ts';
 
-const TELL = { waits: () => {}, expects: () => {} } as any;
+const slow = () => {};
 
 /** A studio that records its photos, each with a hundred bytes per copy. */
 function studio() {
@@ -32,15 +32,15 @@ it('holds few of the frames of a film that nobody shows, and those that are show
   const operations = createOperations(work as unknown as Studio, createLru(1000), createLru(400));
   const imported = async (id: string) => {
     const frame = { width: 5, height: 5, squareWidth: 5, squareHeight: 5, rotation: 0, data: new Uint8Array(100) };
-    return (await operations.importFrame({ id, frame }, TELL)).ok as Imported;
+    return (await operations.importFrame({ id, frame }, slow)).ok as Imported;
   };
   const shown = await imported('a');
-  await operations.front({ document: '{}', pictures: [0], width: 10, tier: 'work', photos: [shown.work] }, TELL);
+  await operations.front({ document: '{}', pictures: [0], width: 10, tier: 'work', photos: [shown.work] }, slow);
   for (const id of ['b', 'c', 'd', 'e', 'f']) await imported(id);
   expect([...work.there]).toEqual(['a/work', 'e/work', 'e/small', 'f/work', 'f/small']);
   // A removed photo is read again.
   const again = await imported('g');
   work.drop_photo('g/work');
-  await operations.front({ document: '{}', pictures: [0], width: 10, tier: 'work', photos: [again.work] }, TELL);
+  await operations.front({ document: '{}', pictures: [0], width: 10, tier: 'work', photos: [again.work] }, slow);
   expect(work.there.has('g/work')).toBe(true);
 });

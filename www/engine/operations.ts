@@ -4,22 +4,22 @@
  */
 
 import { blobOf, detach } from './blobs.ts';
-import { foreignKind } from './foreign.ts';
-import { fileMs, frameMs, pageMs, photoMs, pngMs, styleMs } from './measured.ts';
 import { buffersOf, failure } from './protocol.ts';
 import { reading } from './readable.ts';
-import { STORING, readingOf } from './serving.ts';
 import { createStyleOperations } from './style-operations.ts';
 import { createWarmUp } from './warm-up.ts';
 import { plates_of } from '../pkg/inkpanel.js';
 import type { Patch, Studio } from '../pkg/inkpanel.js';
 import type { createLru } from './lru.ts';
 import type { BitmapPatch, Imported, Operations, PhotoHandle, PixelPatch, Plates } from './protocol.ts';
-import type { Tell, Work } from './serving.ts';
+import type { Slow, Work } from './serving.ts';
 import type { ImportEntry, PixelSize } from './types.ts';
 
 /** Maximum size of a photo, so that a dropped video does not fill the memory. */
 const MOST_BYTES = 512 * 2 ** 20;
+
+/** Size of files whose reading takes long on a slow disk. */
+const LARGE = 32 * 2 ** 20;
 
 type Lru = ReturnType<typeof createLru>;
 
@@ -48,20 +48,18 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
     ...createStyleOperations({ studio, fetchPhotos, bitmap }),
   };
 
-  async function importPhoto({ id, file }: Operations['import']['args'], tell: Tell) {
-    tell.waits(readingOf(file));
+  async function importPhoto({ id, file }: Operations['import']['args'], slow: Slow) {
+    if (file.size > LARGE) slow();
     const bytes = await bytesOf(file);
-    const { entry, told } = await read(id, bytes, tell);
+    const { entry, told } = await read(id, bytes);
     detach(bytes);
-    tell.waits(STORING);
     const { meta, ...photo } = await kept(entry, held);
     evict([]);
     return { ok: { ...photo, meta: { ...meta, ...told } }, transfer: [] };
   }
 
   /** @param bytes of the file */
-  async function read(id: string, bytes: Uint8Array<ArrayBuffer>, tell: Tell) {
-    tell.expects(photoMs(bytes, foreignKind(bytes)));
+  async function read(id: string, bytes: Uint8Array<ArrayBuffer>) {
     const { value, told } = await reading(bytes, (file) => studio.import_photo(id, file));
     const entry: ImportEntry = JSON.parse(value);
     return { entry, told };
@@ -75,35 +73,31 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
     };
   }
 
-  async function importFrame(
-    { id, frame: { width, height, data, squareWidth, squareHeight, rotation } }: Operations['importFrame']['args'],
-    tell: Tell,
-  ) {
-    tell.expects(frameMs(width * height + squareWidth * squareHeight));
+  async function importFrame({
+    id,
+    frame: { width, height, data, squareWidth, squareHeight, rotation },
+  }: Operations['importFrame']['args']) {
     const entry: ImportEntry = JSON.parse(
       studio.import_frame(id, width, height, data, squareWidth, squareHeight, rotation),
     );
     detach(data);
     const png = studio.take_file() as Uint8Array<ArrayBuffer>;
-    tell.waits(STORING);
     const file = await blobOf(png, { type: 'image/png' });
     const ok = { ...(await kept(entry, passing)), file };
     evict([]);
     return { ok, transfer: [] };
   }
 
-  async function smallFrame(
-    { frame: { width, height, data, squareWidth, squareHeight, rotation }, longest }: Operations['smallFrame']['args'],
-    tell: Tell,
-  ) {
-    tell.expects(frameMs(width * height + squareWidth * squareHeight));
+  async function smallFrame({
+    frame: { width, height, data, squareWidth, squareHeight, rotation },
+    longest,
+  }: Operations['smallFrame']['args']) {
     const small = pixels(studio.small_frame(width, height, data, squareWidth, squareHeight, rotation, longest));
     detach(data);
     return small;
   }
 
-  async function living({ document, index, width, frames, still }: Operations['living']['args'], tell: Tell) {
-    tell.expects(frames.length * pageMs(document, width, 1));
+  async function living({ document, index, width, frames, still }: Operations['living']['args']) {
     for (const { width: across, height, data } of frames) {
       studio.add_living(across, height, new Uint8Array(data.buffer));
       detach(data);
@@ -113,47 +107,45 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
     return { ok: drawn, transfer: drawn.map((patch) => patch.bitmap) };
   }
 
-  async function panel(args: Operations['panel']['args'], tell: Tell) {
+  async function panel(args: Operations['panel']['args']) {
     const drawn: BitmapPatch[] = [];
-    for (const patch of await drawnPanel(args, tell)) drawn.push((await bitmap(patch)).ok);
+    for (const patch of await drawnPanel(args)) drawn.push((await bitmap(patch)).ok);
     return { ok: drawn, transfer: drawn.map((patch) => patch.bitmap) };
   }
 
-  async function front(args: Operations['front']['args'], tell: Tell) {
-    const ok = (await drawnPanel(args, tell)).map((patch) => pixels(patch).ok);
+  async function front(args: Operations['front']['args']) {
+    const ok = (await drawnPanel(args)).map((patch) => pixels(patch).ok);
     return { ok, transfer: buffersOf(ok) };
   }
 
-  async function drawnPanel(
-    { document, pictures, width, tier, photos }: Operations['panel']['args'],
-    tell: Tell,
-  ): Promise<Patch[]> {
-    await fetchPhotos(photos, tell);
-    tell.expects(pageMs(document, width, 1));
+  async function drawnPanel({
+    document,
+    pictures,
+    width,
+    tier,
+    photos,
+  }: Operations['panel']['args']): Promise<Patch[]> {
+    await fetchPhotos(photos);
     return studio.render_panel(document, Uint32Array.from(pictures), width, tier, true);
   }
 
-  async function page({ document, width, tier, photos }: Operations['page']['args'], tell: Tell) {
-    await fetchPhotos(photos, tell);
-    tell.expects(pageMs(document, width));
+  async function page({ document, width, tier, photos }: Operations['page']['args']) {
+    await fetchPhotos(photos);
     return bitmap(studio.compose(document, width, tier));
   }
 
-  async function compose({ document, width, tier, photos }: Operations['compose']['args'], tell: Tell) {
-    await fetchPhotos(photos, tell);
-    tell.expects(pageMs(document, width));
+  async function compose({ document, width, tier, photos }: Operations['compose']['args']) {
+    await fetchPhotos(photos);
     return pixels(studio.compose(document, width, tier));
   }
 
-  async function stylePhoto({ photo, style, width, height, crop }: Operations['stylePhoto']['args'], tell: Tell) {
-    await fetchPhotos([photo], tell);
-    tell.expects(styleMs(style, width * height));
+  async function stylePhoto({ photo, style, width, height, crop }: Operations['stylePhoto']['args']) {
+    await fetchPhotos([photo]);
     return bitmap(studio.stylize_photo(photo.key, style, width, height, crop));
   }
 
-  async function stylePixels({ photo, style, width, height }: Operations['stylePixels']['args'], tell: Tell) {
-    await fetchPhotos([photo], tell);
-    tell.expects(styleMs(style, width * height));
+  async function stylePixels({ photo, style, width, height }: Operations['stylePixels']['args']) {
+    await fetchPhotos([photo]);
     return pixels(studio.stylize_photo(photo.key, style, width, height, ''));
   }
 
@@ -162,8 +154,7 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
     return { ok, transfer: [] };
   }
 
-  async function stylize({ style, width, height, data }: Operations['stylize']['args'], tell: Tell) {
-    tell.expects(styleMs(style, width * height));
+  async function stylize({ style, width, height, data }: Operations['stylize']['args']) {
     const styled = studio.stylize(style, width, height, data) as Uint8Array<ArrayBuffer>;
     const ok = {
       x: 0,
@@ -176,21 +167,15 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
   }
 
   /** The panels that show one photo, from its original file at full size, so that it is decoded once for all. */
-  async function fullPanels(
-    { id, file, mask, document, panels, width, bordered }: Operations['fullPanels']['args'],
-    tell: Tell,
-  ) {
+  async function fullPanels({ id, file, mask, document, panels, width, bordered }: Operations['fullPanels']['args']) {
     if (file) {
-      tell.waits(readingOf(file));
       const bytes = await bytesOf(file);
-      tell.expects(photoMs(bytes, foreignKind(bytes)));
       await reading(bytes, (file) => studio.import_full(id, file));
       studio.know_subject(`${id}/full`, mask);
     }
     try {
       const ok = [];
       for (const pictures of panels) {
-        tell.expects(pageMs(document, width, 1));
         const drawn = studio.render_panel(document, Uint32Array.from(pictures), width, 'full', bordered);
         ok.push(...drawn.map((patch, at) => ({ ...pixels(patch).ok, index: pictures[at] })));
       }
@@ -201,31 +186,24 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
   }
 
   /** The subject of a photo, from its original file at full size. */
-  async function cutOut({ id, file, mask }: Operations['cutOut']['args'], tell: Tell) {
-    tell.waits(readingOf(file));
+  async function cutOut({ id, file, mask }: Operations['cutOut']['args']) {
     const bytes = await bytesOf(file);
-    tell.expects(2 * photoMs(bytes, foreignKind(bytes)));
     await reading(bytes, (original) => studio.import_full(id, original));
     try {
       const png = studio.cut_out(`${id}/full`, mask) as Uint8Array<ArrayBuffer> | undefined;
       if (!png) throw failure('no-mask', 'The subject of the photo is not known.');
-      tell.waits(STORING);
       return { ok: await blobOf(png, { type: 'image/png' }), transfer: [] };
     } finally {
       studio.drop_photo(`${id}/full`);
     }
   }
 
-  async function encode({ document, width, patches }: Operations['encode']['args'], tell: Tell) {
-    const drawn = patches.reduce((sum, patch) => sum + patch.width * patch.height, 0);
-    // The page has about the size of its patches.
-    tell.expects(fileMs(drawn) + pngMs(2 * drawn + width * width));
+  async function encode({ document, width, patches }: Operations['encode']['args']) {
     studio.begin_page(document, width);
     for (const { x, y, width: w, height: h, data } of patches) {
       studio.add_patch(x, y, w, h, new Uint8Array(data.buffer, data.byteOffset, data.length));
     }
     const png = studio.finish_png() as Uint8Array<ArrayBuffer>;
-    tell.waits(STORING);
     return { ok: await blobOf(png, { type: 'image/png' }), transfer: [] };
   }
 
@@ -237,8 +215,7 @@ export function createOperations(studio: Studio, held: Lru, passing: Lru): Work<
   }
 
   /** Reads missing photos into the studio. */
-  async function fetchPhotos(photos: PhotoHandle[], tell: Tell) {
-    if (photos.some(({ key }) => !studio.has_photo(key))) tell.waits(STORING);
+  async function fetchPhotos(photos: PhotoHandle[]) {
     await Promise.all(
       photos.map(async ({ key, width, height, planes, mask }) => {
         if (!studio.has_photo(key)) {

@@ -10,6 +10,7 @@ import { createEngine } from './engine.ts';
 import { isPng } from './png-chunks.ts';
 import { failure } from './protocol.ts';
 import { openProject } from './saved-project.ts';
+import { createTimer } from './scheduler.ts';
 import type { Engine } from './engine.ts';
 import type { SavedProject } from './saved-project.ts';
 import type { PageDocument } from './types.ts';
@@ -35,7 +36,7 @@ export class InkpanelPage extends HTMLElement {
   #project: SavedProject | null = null;
   #root = this.attachShadow({ mode: 'open' });
   #resized = new ResizeObserver(() => this.#later());
-  #timer: ReturnType<typeof setTimeout> | undefined;
+  #timer = createTimer();
   #drawn = '';
 
   connectedCallback() {
@@ -46,7 +47,7 @@ export class InkpanelPage extends HTMLElement {
 
   disconnectedCallback() {
     this.#resized.disconnect();
-    clearTimeout(this.#timer);
+    this.#timer.stop();
     this.#close();
   }
 
@@ -137,9 +138,9 @@ export class InkpanelPage extends HTMLElement {
   }
 
   #later() {
-    clearTimeout(this.#timer);
+    this.#timer.stop();
     const { signal } = this.#stop;
-    this.#timer = setTimeout(() => this.#show(signal).catch((error) => signal.aborted || this.#failed(error)), SETTLED);
+    this.#timer.start(SETTLED, () => this.#show(signal).catch((error) => signal.aborted || this.#failed(error)));
   }
 
   #failed(error: unknown) {

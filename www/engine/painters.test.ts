@@ -1,9 +1,6 @@
 import { afterEach, expect, test } from 'vitest';
 import { readAssetsWith } from './assets.ts';
-import { mentionsPainter, paintersLoader, slower } from './painters.ts';
-import type { Tell } from './serving.ts';
-
-const QUIET: Tell = { expects: () => {}, waits: () => {} };
+import { mentionsPainter, paintersLoader } from './painters.ts';
 
 afterEach(() => readAssetsWith((address) => fetch(address)));
 
@@ -37,16 +34,10 @@ test('the model is given once, and loaded again after a failure', async () => {
   });
   const given: number[] = [];
   const load = paintersLoader((onnx) => given.push(onnx.length));
-  await expect(load(QUIET)).rejects.toMatchObject({ code: 'painters-missing' });
-  await load(QUIET);
-  await load(QUIET);
+  await expect(load()).rejects.toMatchObject({ code: 'painters-missing' });
+  await load();
+  await load();
   expect(given).toEqual([3]);
   expect(asked).toHaveLength(2);
   expect(asked[0]).toContain('painters.onnx');
-});
-
-test('a job that paints may take longer', () => {
-  const expected: number[] = [];
-  slower({ ...QUIET, expects: (ms) => expected.push(ms) }).expects(100);
-  expect(expected[0]).toBeGreaterThan(5_000);
 });

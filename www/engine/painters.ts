@@ -6,19 +6,11 @@
 import { fetchKept, isPage } from './kept.ts';
 import { onceMore } from './once-more.ts';
 import { failure } from './protocol.ts';
-import { LOADING } from './serving.ts';
-import type { Tell } from './serving.ts';
 
 const MODEL = new URL('../models/painters.onnx', import.meta.url);
 
 /** The block, or the id of a built-in style with the block. */
 const MENTIONED = /(^|")painter(-|"|$)/;
-
-/**
- * Additional milliseconds for a part of a job that paints: a face is painted again at twice the size, and a page has up
- * to 16 panels.
- */
-const PAINTING = 8_000;
 
 /** @param args of an operation: styles and documents as JSON or as plain data; binary data is ignored */
 export function mentionsPainter(args: unknown): boolean {
@@ -26,11 +18,6 @@ export function mentionsPainter(args: unknown): boolean {
   if (Array.isArray(args)) return args.some(mentionsPainter);
   const plain = typeof args === 'object' && args !== null && Object.getPrototypeOf(args) === Object.prototype;
   return plain && Object.values(args).some(mentionsPainter);
-}
-
-/** Expects more time for each part. */
-export function slower(tell: Tell): Tell {
-  return { ...tell, expects: (ms) => tell.expects(ms + PAINTING) };
 }
 
 /** The file of the model. Rejects with `painters-missing`, and is loaded again at the next call. */
@@ -44,9 +31,5 @@ export const { get: paintersFile } = onceMore(async () => {
 
 /** Gives the model to a module that draws, once per module. */
 export function paintersLoader(give: (onnx: Uint8Array) => void) {
-  const { get } = onceMore(async () => give(await paintersFile()));
-  return async (tell: Tell) => {
-    tell.waits(LOADING);
-    await get();
-  };
+  return onceMore(async () => give(await paintersFile())).get;
 }

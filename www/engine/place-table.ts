@@ -1,6 +1,5 @@
 /** The table of places by location: one optional file, loaded with the first photo that has a location. */
 
-import { PlaceTable, has_location } from '../pkg/inkpanel.js';
 import { foreignKind } from './foreign.ts';
 import { moduleBytes } from './module-bytes.ts';
 
@@ -22,6 +21,7 @@ export async function locationOf(file: Blob): Promise<Uint8Array | null> {
   // The record of HEIC may be anywhere in the file.
   const whole = foreignKind(head) && file.size > HEAD && file.size <= MOST_BYTES;
   const bytes = whole ? new Uint8Array(await file.arrayBuffer()) : head;
+  const { has_location } = await import('../pkg/inkpanel.js');
   return has_location(bytes) ? bytes : null;
 }
 
@@ -31,6 +31,7 @@ export async function loadPlaces(): Promise<NameOf | null> {
   try {
     const packed = await moduleBytes(new URL(ADDRESS, import.meta.url), 'places', 'The places could not be loaded.');
     const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
+    const { PlaceTable } = await import('../pkg/inkpanel.js');
     const table = new PlaceTable(new Uint8Array(await new Response(unpacked).arrayBuffer()));
     return (bytes) => table.name_of(bytes);
   } catch {

@@ -63,19 +63,6 @@ describe('order', () => {
     expect(running()).toEqual(['rest', 'view']);
   });
 
-  test('nothing is held for long', () => {
-    vi.useFakeTimers();
-    const fakes = fakeWorkers();
-    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
-    pool.hold(true);
-    pool.run(job('rest', { priority: Priority.REST }));
-    vi.advanceTimersByTime(2_000);
-    pool.hold(true);
-    expect(!!fakes.holding('rest')).toBe(false);
-    vi.advanceTimersByTime(2_000);
-    expect(!!fakes.holding('rest')).toBe(true);
-  });
-
   test('as many jobs run at once as there are workers', () => {
     const fakes = fakeWorkers();
     const pool = createPool<Named>({ size: 2, spawn: fakes.spawn });

@@ -5,19 +5,18 @@
  * - An aborted job leaves the queue at once. A running job cannot be interrupted, because wasm does not receive
  *   messages. For long jobs (files, large photos: `Priority.PAGE`) its worker is replaced; otherwise its result is
  *   dropped.
- * - Before each part of a job, a worker reports the expected duration, or the resource it waits for (`serving.ts`). A
- *   worker without a report in time hangs. The limit is seconds for short work, and a minute for a large photo on a
- *   slow device.
+ * - Each operation has a constant time limit (`time-limits.ts`). A worker without a result in time hangs. Time in which
+ *   the device sleeps does not count.
  * - A worker that traps, crashes or hangs is terminated and replaced. The job is tried once more on a fresh worker, with
- *   more patience; when that fails too the job rejects with `worker-lost`, naming its photo.
+ *   twice the time; when that fails too the job rejects with `worker-lost`, naming its photo.
  * - wasm memory never shrinks: an idle worker whose memory is above the high-water mark is replaced. In idle pools the
  *   lower mark applies.
  */
 
-import { createPace } from './pace.ts';
-import { patience } from './patience.ts';
 import { TRAP, cancelled, failure, lost } from './protocol.ts';
 import { Priority, createQueue } from './queue.ts';
+import { after, timeLimit } from './scheduler.ts';
+import { LONG, limitOf } from './time-limits.ts';
 import type { Operations, Reply, Sign, Table } from './protocol.ts';
 
 /** `photo` is the name to blame; `holds` are the photo keys that the job needs and leaves in the worker */
@@ -51,7 +50,7 @@ type Entry = Omit<Job, 'op' | 'args'> & {
   over: boolean;
   release: () => void;
 };
-/** `here`: the worker is ready; `expected`: expected milliseconds of the current part, and `since`: its start. */
+/** `here`: the worker is ready. */
 type Slot = {
   worker: Worker;
   entry: Entry | null;
@@ -60,8 +59,6 @@ type Slot = {
   relax: () => void;
   dead: boolean;
   here: boolean;
-  expected: number;
-  since: number;
 };
 
 /** Maximum milliseconds until a worker is ready. Its script may arrive over a slow connection. */
@@ -73,8 +70,6 @@ const LAST_CHANCE = 2;
  * are not noticeable.
  */
 const GRACE = 50;
-/** Milliseconds that work may be held. */
-const LONGEST_HOLD = 3_000;
 const HIGH_WATER = 512 * 2 ** 20;
 
 export function createPool<Ops extends Table = Operations>({
@@ -89,9 +84,7 @@ export function createPool<Ops extends Table = Operations>({
   restWater?: number;
 }): Pool<Ops> {
   const queue: ReturnType<typeof createQueue<Entry>> = createQueue();
-  const pace = createPace();
   const slots: Slot[] = [];
-  let holding: ReturnType<typeof setTimeout> | undefined;
   let [nextId, reserved, held, closed] = [1, 0, false, false];
 
   for (let i = 0; i < size; i += 1) slots.push(open({}));
@@ -103,15 +96,9 @@ export function createPool<Ops extends Table = Operations>({
     dispatch();
   }
 
-  /**
-   * Holds low-priority work until the page is drawn. A worker that reads a large photo would be available too late. A
-   * time limit ends the hold.
-   */
+  /** Holds low-priority work until the page is drawn. A worker that reads a large photo would be available too late. */
   function hold(on: boolean) {
-    if (on === held) return;
-    clearTimeout(holding);
     held = on;
-    if (on) holding = setTimeout(() => hold(false), LONGEST_HOLD);
     dispatch();
   }
 
@@ -122,7 +109,7 @@ export function createPool<Ops extends Table = Operations>({
     return new Promise((resolve, reject) => {
       const abort = () => {
         drop(entry);
-        if (entry.priority === Priority.PAGE) setTimeout(() => stop(entry), GRACE);
+        if (entry.priority === Priority.PAGE) after(GRACE, () => stop(entry));
       };
       const entry: Entry = {
         ...job,
@@ -178,7 +165,7 @@ export function createPool<Ops extends Table = Operations>({
     slot.id = nextId;
     nextId += 1;
     for (const key of entry.holds ?? []) slot.held.add(key);
-    wait(slot, slot.here ? pace.patience(0) : STARTING);
+    wait(slot, slot.here ? limitOf(entry.op) : STARTING);
     try {
       slot.worker.postMessage({ id: slot.id, op: entry.op, args: entry.args }, entry.transfer ?? []);
     } catch (error) {
@@ -188,30 +175,21 @@ export function createPool<Ops extends Table = Operations>({
     }
   }
 
-  /** Sets the time limit for the next message of a worker. */
+  /** Sets the time limit of a worker. */
   function wait(slot: Slot, ms: number) {
     slot.relax();
     const last = slot.entry && !mayTryAgain(slot.entry);
-    slot.relax = patience(slot.here && last ? LAST_CHANCE * ms : ms, () => lose(slot));
+    slot.relax = timeLimit(slot.here && last ? LAST_CHANCE * ms : ms, () => lose(slot));
   }
 
   function hear(slot: Slot, news: Reply | Sign) {
     if (!slot.here) {
       slot.here = true;
-      if (slot.entry) wait(slot, pace.patience(0));
+      if (slot.entry) wait(slot, limitOf(slot.entry.op));
     }
     if (!slot.entry || news.id !== slot.id) return;
-    pace.took(slot.expected, performance.now() - slot.since);
-    slot.expected = 0;
-    if ('waits' in news) {
-      wait(slot, news.waits);
-    } else if ('expects' in news) {
-      slot.expected = news.expects;
-      slot.since = performance.now();
-      wait(slot, pace.patience(news.expects));
-    } else {
-      answer(slot, news);
-    }
+    if ('slow' in news) wait(slot, LONG);
+    else answer(slot, news);
   }
 
   function answer(slot: Slot, reply: Reply) {
@@ -231,7 +209,6 @@ export function createPool<Ops extends Table = Operations>({
     const entry = slot.entry as Entry;
     slot.relax();
     slot.entry = null;
-    slot.expected = 0;
     return entry;
   }
 
@@ -266,8 +243,6 @@ export function createPool<Ops extends Table = Operations>({
       relax: () => {},
       dead: false,
       here: false,
-      expected: 0,
-      since: 0,
     }) as Slot;
     const mine = () => filled.worker === worker && !closed;
     worker.onmessage = (event) => mine() && hear(filled, event.data);
@@ -285,7 +260,6 @@ export function createPool<Ops extends Table = Operations>({
 
   function dispose() {
     closed = true;
-    clearTimeout(holding);
     const left = [...queue.clear(), ...slots.flatMap((slot) => slot.entry ?? [])];
     for (const slot of slots) {
       slot.relax();

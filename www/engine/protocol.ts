@@ -2,13 +2,22 @@
  * Every message between the page and its workers, defined once.
  *
  * To a worker: optionally `{ start }`, then `{ id, op, args }`. Back: `{ id, ok, memory }` or `{ id, error: { code,
- * message }, memory }`, and before that the expected duration: `{ id, expects }` or `{ id, waits }`. A worker that is
- * ready sends `{ id: 0 }`. Pixels are transferred as buffers and bitmaps. Photos are blob handles, which are cheap to
+ * message }, memory }`, and before that `{ id, slow }` if the job takes long. A worker that is ready sends `{ id: 0 }`. Pixels are transferred as buffers and bitmaps. Photos are blob handles, which are cheap to
  * send.
  */
 
 import type { Designed } from './design.ts';
-import type { Bounds, Detection, FirstLook, ImportEntry, PageDocument, PdfOptions, PhotoMeta, Style } from './types.ts';
+import type {
+  Bounds,
+  Detection,
+  FirstLook,
+  ImportEntry,
+  PageDocument,
+  PdfOptions,
+  PhotoMeta,
+  SoundEvent,
+  Style,
+} from './types.ts';
 import type { Frame } from './video.ts';
 
 /**
@@ -78,6 +87,15 @@ export type Operations = {
 };
 
 type PanelJob = { document: string; pictures: number[]; width: number; tier: Tier; photos: PhotoHandle[] };
+
+/** The sound track of a video, in seconds. */
+export type SoundTrack = { begins: number; length: number };
+
+/** Operations of the worker that analyses the sound of a video. */
+export type Hearing = {
+  track: { args: { file: Blob }; ok: SoundTrack | null };
+  sounds: { args: { samples: Float32Array<ArrayBuffer>; rate: number }; ok: SoundEvent[] };
+};
 
 /** Operations of the worker that scores images, from 1 to 10; `net` is the address of its model. */
 export type Judging = {
@@ -191,8 +209,8 @@ export type Imported = {
 
 type Failure = { code: string; message: string };
 export type Reply = { id: number; ok?: unknown; error?: Failure; memory: number };
-/** Expected milliseconds of work on the reference machine, or of waiting for other resources. */
-export type Sign = { id: number; expects: number } | { id: number; waits: number };
+/** The job downloads a file or paints. */
+export type Sign = { id: number; slow: true };
 
 /** Buffers to transfer with pixels. */
 export function buffersOf(patches: readonly Pick<PixelPatch, 'data'>[]): ArrayBuffer[] {

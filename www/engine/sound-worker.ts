@@ -1,28 +1,22 @@
 /**
- * Analyses the sound of one video and ends. Audio decoders exist only on the main thread, so there are two steps: check
- * for a sound track, then analyse the decoded sound.
- *
- * In: `{ file }`, then `{ samples, rate }`.
- * Out: `{ sound: { begins, length } | null }`, in seconds, then `{ events }`; or `{ error: { code, message } }`.
+ * Analyses the sound of one video. Audio decoders exist only on the main thread, so there are two jobs: find the sound
+ * track, then analyse the decoded sound.
  */
 
 import { ALL_FORMATS, BlobSource, Input } from 'mediabunny';
 import { pictureEnds } from './animation-times.ts';
 import { filmModule } from './film-module.ts';
-import { describe, failure } from './protocol.ts';
-import type { SoundEvent } from './types.ts';
+import { failure } from './protocol.ts';
+import { serveJobs } from './serving.ts';
+import type { Work } from './serving.ts';
+import type { Hearing, SoundTrack } from './protocol.ts';
 
-export type SoundQuestion = { file: Blob } | { samples: Float32Array<ArrayBuffer>; rate: number };
-export type SoundTrack = { begins: number; length: number };
-
-globalThis.onmessage = async ({ data }: MessageEvent<SoundQuestion>) => {
-  try {
-    if ('file' in data) postMessage({ sound: await trackOf(data.file) });
-    else postMessage({ events: await heard(data) });
-  } catch (error) {
-    postMessage({ error: describe(error) });
-  }
+const OPERATIONS: Work<Hearing> = {
+  track: async ({ file }) => ({ ok: await trackOf(file) }),
+  sounds: async (args) => ({ ok: await heard(args) }),
 };
+
+serveJobs<Hearing>((op, args, slow) => OPERATIONS[op](args, slow));
 
 async function trackOf(file: Blob): Promise<SoundTrack | null> {
   // A picture that moves has no sound.
@@ -41,7 +35,7 @@ async function trackOf(file: Blob): Promise<SoundTrack | null> {
   }
 }
 
-async function heard({ samples, rate }: { samples: Float32Array; rate: number }): Promise<SoundEvent[]> {
+async function heard({ samples, rate }: Hearing['sounds']['args']): Promise<Hearing['sounds']['ok']> {
   const { soundEvents } = await filmModule();
   return JSON.parse(soundEvents(samples, rate));
 }

@@ -3,8 +3,10 @@
  * only complete files, so files that are too large or too long are skipped.
  */
 
+import { createPool } from './pool.ts';
 import { cancelled, failure } from './protocol.ts';
-import type { SoundQuestion, SoundTrack } from './sound-worker.ts';
+import { Priority } from './queue.ts';
+import type { Hearing } from './protocol.ts';
 import type { SoundEvent } from './types.ts';
 
 /** Sample rate in samples per second. Frequencies above 8 kHz do not help to distinguish sounds. */
@@ -15,12 +17,6 @@ export const MOST_SOUND = { bytes: 256e6, seconds: 20 * 60 };
 
 /** The current step. */
 export type SoundStage = 'decoding' | 'hearing';
-type Answer = {
-  sound?: SoundTrack | null;
-  events?: SoundEvent[];
-  error?: { code: string; message: string };
-};
-
 /**
  * @returns the sounds, in the order of time
  * @throws `sound-none`, `sound-long`, `sound-large`, `sound-undecodable`, or an error of the video
@@ -29,23 +25,25 @@ export async function hearFilm(
   file: Blob,
   { signal, onStage }: { signal: AbortSignal; onStage: (stage: SoundStage) => void },
 ): Promise<SoundEvent[]> {
-  const worker = new Worker(new URL('./sound-worker.ts', import.meta.url), { type: 'module', name: 'inkpanel-sound' });
+  const pool = createPool<Hearing>({ size: 1, spawn });
+  const call = { priority: Priority.PAGE, signal };
   try {
     onStage('decoding');
-    const { sound } = await asked(worker, { file }, signal);
+    const sound = await pool.run({ op: 'track', args: { file }, ...call });
     if (!sound) throw failure('sound-none', 'The video has no sound.');
     if (sound.length > MOST_SOUND.seconds) throw failure('sound-long', 'It is too long.');
     if (file.size > MOST_SOUND.bytes) throw failure('sound-large', 'It is too large.');
     const samples = await orStopped(decoded(file), signal);
     onStage('hearing');
-    const { events = [] } = await asked(worker, { samples, rate: RATE }, signal, [samples.buffer]);
+    const args = { samples, rate: RATE };
+    const events = await pool.run({ op: 'sounds', args, transfer: [samples.buffer], ...call });
     const at = (seconds: number) => Math.max(0, seconds + sound.begins);
     // A sound that ends before the first picture belongs to no frame.
     return events
       .map((event) => ({ ...event, start: at(event.start), end: at(event.end) }))
       .filter(({ end }) => end > 0);
   } finally {
-    worker.terminate();
+    pool.dispose();
   }
 }
 
@@ -64,21 +62,6 @@ async function decoded(file: Blob): Promise<Float32Array<ArrayBuffer>> {
   return samples;
 }
 
-function asked(worker: Worker, question: SoundQuestion, signal: AbortSignal, transfer: Transferable[] = []) {
-  const answer = new Promise<Answer>((resolve, reject) => {
-    worker.onerror = (event) => {
-      event.preventDefault();
-      reject(failure('video-worker', 'Its reader stopped.'));
-    };
-    worker.onmessage = ({ data }: MessageEvent<Answer>) => {
-      if (data.error) reject(failure(data.error.code, data.error.message));
-      else resolve(data);
-    };
-    worker.postMessage(question, transfer);
-  });
-  return orStopped(answer, signal);
-}
-
 function orStopped<Result>(work: Promise<Result>, signal: AbortSignal): Promise<Result> {
   return new Promise((resolve, reject) => {
     const stop = () => reject(cancelled());
@@ -86,4 +69,8 @@ function orStopped<Result>(work: Promise<Result>, signal: AbortSignal): Promise<
     signal.addEventListener('abort', stop, { once: true });
     work.then(resolve, reject).finally(() => signal.removeEventListener('abort', stop));
   });
+}
+
+function spawn() {
+  return new Worker(new URL('./sound-worker.ts', import.meta.url), { type: 'module', name: 'inkpanel-sound' });
 }

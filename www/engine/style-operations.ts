@@ -2,14 +2,12 @@
 
 import { FOREGROUND } from './design.ts';
 import { imitating } from './imitation-module.ts';
-import { blocksMs, styleMs } from './measured.ts';
 import { mentionsPainter, paintersFile } from './painters.ts';
-import { LOADING } from './serving.ts';
 import type { Sitter } from '../pkg-imitation/inkpanel.js';
 import type { Patch, Studio } from '../pkg/inkpanel.js';
 import type { Designed } from './design.ts';
 import type { BitmapPatch, Explored, Operations, PhotoHandle } from './protocol.ts';
-import type { Answer, Tell } from './serving.ts';
+import type { Answer } from './serving.ts';
 import type { Style } from './types.ts';
 
 export function createStyleOperations({
@@ -18,7 +16,7 @@ export function createStyleOperations({
   bitmap,
 }: {
   studio: Studio;
-  fetchPhotos: (photos: PhotoHandle[], tell: Tell) => Promise<void>;
+  fetchPhotos: (photos: PhotoHandle[]) => Promise<void>;
   bitmap: (patch: Patch) => Promise<{ ok: BitmapPatch; transfer: Transferable[] }>;
 }) {
   /** Duration of each block in its last run, by photo and size. */
@@ -27,17 +25,18 @@ export function createStyleOperations({
 
   return { design, explore, readLook, tryLooks };
 
-  async function design(
-    { photo, style, width, height, stages }: Operations['design']['args'],
-    tell: Tell,
-  ): Promise<Answer<Designed>> {
-    await fetchPhotos([photo], tell);
-    tell.expects(blocksMs(width * height, 1));
+  async function design({
+    photo,
+    style,
+    width,
+    height,
+    stages,
+  }: Operations['design']['args']): Promise<Answer<Designed>> {
+    await fetchPhotos([photo]);
     studio.design(photo.key, style, width, height);
     const { background, foreground = [] }: Style = JSON.parse(style);
     const places = [...background.map((_, i) => i), ...foreground.map((_, i) => FOREGROUND + i)];
-    const times = timed(`${photo.key} ${width} ${height}`, () => tell.expects(blocksMs(width * height, 1)));
-    tell.expects(blocksMs(width * height, 1) + blocksMs(stages * stages, stages > 0 ? places.length : 0));
+    const times = timed(`${photo.key} ${width} ${height}`);
     const whole = await bitmap(studio.design_result());
     const pictures = await Promise.all(
       (stages > 0 ? places : []).map(async (place) => {
@@ -50,17 +49,13 @@ export function createStyleOperations({
     return { ok, transfer: [...whole.transfer, ...pictures.map((picture) => picture.bitmap)] };
   }
 
-  /**
-   * Runs the remaining blocks of the design.
-   * @param begins called before each
-   */
-  function timed(name: string, begins: () => void): Map<number, number> {
+  /** Runs the remaining blocks of the design. */
+  function timed(name: string): Map<number, number> {
     const times = clocks.get(name) ?? new Map();
     // Only a few photos are active, so the clocks of others are removed.
     if (!clocks.has(name) && clocks.size > 16) clocks.clear();
     clocks.set(name, times);
     for (;;) {
-      begins();
       const start = performance.now();
       const place = studio.design_step();
       if (place < 0) return times;
@@ -69,22 +64,19 @@ export function createStyleOperations({
   }
 
   /** The look of a picture, as text that only the search reads. */
-  async function readLook({ photo, anyway }: Operations['readLook']['args'], tell: Tell): Promise<Answer<string>> {
-    tell.waits(LOADING);
+  async function readLook({ photo, anyway }: Operations['readLook']['args']): Promise<Answer<string>> {
     const { picture_look } = await imitating();
-    await fetchPhotos([photo], tell);
+    await fetchPhotos([photo]);
     const { key, width, height } = photo;
-    tell.expects(blocksMs(width * height, 4));
     return { ok: picture_look(width, height, studio.photo_planes(key), anyway), transfer: [] };
   }
 
   /** The photo for style trials; one at a time. */
-  async function sitterOf(photo: PhotoHandle, tell: Tell): Promise<Sitter> {
+  async function sitterOf(photo: PhotoHandle): Promise<Sitter> {
     const { key, width, height } = photo;
     if (sitting?.key !== key) {
-      tell.waits(LOADING);
       const { Sitter } = await imitating();
-      await fetchPhotos([photo], tell);
+      await fetchPhotos([photo]);
       sitting?.sitter.free();
       sitting = null;
       sitting = { key, sitter: new Sitter(width, height, studio.photo_planes(key)) };
@@ -93,16 +85,11 @@ export function createStyleOperations({
   }
 
   /** Looks of a photo in some styles. Styles that cannot be drawn are skipped. */
-  async function tryLooks(
-    { photo, asks }: Operations['tryLooks']['args'],
-    tell: Tell,
-  ): Promise<Answer<(string | null)[]>> {
-    const sitter = await sitterOf(photo, tell);
+  async function tryLooks({ photo, asks }: Operations['tryLooks']['args']): Promise<Answer<(string | null)[]>> {
+    const sitter = await sitterOf(photo);
     // The worker loaded the file before this job.
     if (mentionsPainter(asks)) sitter.know_painters(await paintersFile());
     const ok = asks.map((ask) => {
-      // The photo is reduced, drawn, and measured.
-      tell.expects(styleMs(JSON.stringify(ask.style), ask.area) + blocksMs(photo.width * photo.height, 2));
       try {
         return sitter.try_look(JSON.stringify(ask));
       } catch (error) {
@@ -115,14 +102,10 @@ export function createStyleOperations({
   }
 
   /** A photo in some styles, each with its score, look and signature. Styles with errors are skipped. */
-  async function explore(
-    { photo, styles, width, height }: Operations['explore']['args'],
-    tell: Tell,
-  ): Promise<Answer<Explored[]>> {
-    await fetchPhotos([photo], tell);
+  async function explore({ photo, styles, width, height }: Operations['explore']['args']): Promise<Answer<Explored[]>> {
+    await fetchPhotos([photo]);
     const ok = await Promise.all(
       styles.map(async (style, index) => {
-        tell.expects(styleMs(style, width * height));
         const found = studio.explore(photo.key, style, width, height);
         const { score, novelty, fault, look, signature } = found;
         const patch = found.patch();

@@ -5,11 +5,10 @@
 
 import { detach } from './blobs.ts';
 import { net } from './detector-module.ts';
-import { LOOKS } from './measured.ts';
-import { LOADING, serveJobs } from './serving.ts';
+import { serveJobs } from './serving.ts';
 import type { SubjectLook, SubjectNet } from '../pkg-detector/inkpanel.js';
+import type { Slow } from './serving.ts';
 import type { Masking } from './protocol.ts';
-import type { Tell } from './serving.ts';
 
 /**
  * Milliseconds of one slice of work. A slice ends with its current operator: most take less than 1 ms, the largest up
@@ -20,12 +19,11 @@ const PART = 25;
 let subjects: { ready: () => Promise<SubjectNet> } | undefined;
 let current: { look: number; steps: SubjectLook } | undefined;
 
-serveJobs<Masking>(async (_, args, tell) => {
+serveJobs<Masking>(async (_, args, slow) => {
   if (current?.look !== args.look) {
     leave();
-    current = { look: args.look, steps: await begun(args, tell) };
+    current = { look: args.look, steps: await begun(args, slow) };
   }
-  tell.expects(LOOKS.mask);
   const { steps } = current;
   const end = performance.now() + PART;
   try {
@@ -39,11 +37,10 @@ serveJobs<Masking>(async (_, args, tell) => {
   }
 });
 
-async function begun({ photo, net: address }: Masking['mask']['args'], tell: Tell): Promise<SubjectLook> {
-  tell.waits(LOADING);
+async function begun({ photo, net: address }: Masking['mask']['args'], slow: Slow): Promise<SubjectLook> {
+  if (!subjects) slow();
   subjects ??= net(address, ({ SubjectNet }, onnx) => new SubjectNet(onnx));
   const [subject, pixels] = await Promise.all([subjects.ready(), photo.planes.arrayBuffer()]);
-  tell.expects(LOOKS.mask);
   const planes = new Uint8Array(pixels);
   const steps = subject.begin(photo.width, photo.height, planes);
   detach(planes);

@@ -1,6 +1,7 @@
 /** Workers without threads, for the tests of the pool. */
 
 import { Priority } from './queue.ts';
+import { createScheduler } from './scheduler.ts';
 
 /** Jobs that are their names, and whose answers are these. */
 export type Named = Record<string, { args: string; ok: string }>;
@@ -31,7 +32,7 @@ export function fakeWorkers() {
     worker.onmessage({ data: { id, memory: 0, ...reply } });
   };
   /** Sends a progress report of a worker. */
-  const tell = (name: string, sign: { expects: number } | { waits: number }) => {
+  const tell = (name: string, sign: { slow: true }) => {
     const worker = holding(name);
     worker.onmessage({ data: { id: worker.request.id, ...sign } });
   };
@@ -46,3 +47,11 @@ export const caught = (promise: Promise<any>) =>
     () => 'done',
     (error) => error.code,
   );
+
+/** A scheduler without delays. */
+export function eagerScheduler() {
+  const scheduler = createScheduler();
+  const background: typeof scheduler.background = (task, { signal } = {}) =>
+    scheduler.background(task, { rest: 0, signal });
+  return { ...scheduler, background };
+}

@@ -6,6 +6,7 @@
 
 import { cancelled, failure } from './protocol.ts';
 import { runs, sampleTimes } from './sample-times.ts';
+import { after, pause } from './scheduler.ts';
 import type { Listener, Wish } from './video.ts';
 
 /** Maximum wait for a frame in milliseconds. After that the current image is used. */
@@ -68,10 +69,9 @@ async function wind(video: HTMLVideoElement, time: number) {
     const told = 'requestVideoFrameCallback' in video;
     if (told) video.requestVideoFrameCallback((_, { mediaTime }) => resolve(mediaTime));
     else (video as HTMLVideoElement).addEventListener('seeked', () => resolve(time), { once: true });
-    setTimeout(() => resolve(time), PATIENCE);
   });
   video.currentTime = time;
-  return shown;
+  return Promise.race([shown, pause(PATIENCE).then(() => time)]);
 }
 
 async function pixelsOf(video: HTMLVideoElement): Promise<{
@@ -98,6 +98,6 @@ function happens(video: HTMLVideoElement, event: string, patience: number): Prom
   return new Promise((resolve) => {
     video.addEventListener(event, () => resolve(true), { once: true });
     video.addEventListener('error', () => resolve(false), { once: true });
-    setTimeout(() => resolve(false), patience);
+    after(patience, () => resolve(false));
   });
 }

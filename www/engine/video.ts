@@ -5,9 +5,11 @@
  */
 
 import { pictureEnds } from './animation-times.ts';
-import { patience } from './patience.ts';
-import { cancelled, failure } from './protocol.ts';
+import { failure } from './protocol.ts';
+import { stream } from './streaming.ts';
 import { readByElement } from './video-element.ts';
+
+import type { FrameNews } from './frame-sender.ts';
 
 export { isVideo } from './is-video.ts';
 
@@ -50,12 +52,6 @@ export type Listener = {
   onFrame: (frame: Frame) => Promise<void>;
 };
 
-/**
- * Maximum milliseconds without a message of the reader. A slow device may decode hundreds of frames between two
- * messages.
- */
-const SILENCE = 60_000;
-
 /** Errors of files that the browser's player may still read. */
 const BY_ELEMENT = ['film-codec', 'film-empty', 'film-cut'];
 
@@ -85,47 +81,25 @@ export async function readVideo(file: Blob, wish: Wish, listener: Listener): Pro
   }
 }
 
-/**
- * @param worker which ends with it
- * @param first its first message
- */
-function readByWorker(worker: Worker, first: object, { signal, onAbout, onFrame }: Listener): Promise<void> {
+/** @param worker which ends with it */
+function readByWorker(worker: Worker, message: object, { signal, onAbout, onFrame }: Listener): Promise<void> {
   const busy: Promise<void>[] = [];
-  /** Frames that the page deals with: the reader waits for it meanwhile. */
-  let dealing = 0;
-  let relax = () => {};
-  const read = new Promise<void>((resolve, reject) => {
-    if (signal?.aborted) reject(cancelled());
-    signal?.addEventListener('abort', () => reject(cancelled()), { once: true });
-    const stopped = () => reject(failure('video-worker', 'Its reader stopped.'));
-    const listen = () => {
-      relax();
-      relax = dealing > 0 ? () => {} : patience(SILENCE, stopped);
-    };
-    worker.onerror = (event) => {
-      event.preventDefault();
-      stopped();
-    };
-    worker.onmessage = ({ data: { about, frame, done, error } }) => {
-      if (frame) dealing += 1;
-      listen();
-      if (about) onAbout(about);
-      if (error) reject(failure(error.code, error.message));
-      if (done) Promise.all(busy).then(() => resolve(), reject);
-      if (!frame) return;
-      const dealt = onFrame(frame);
-      busy.push(dealt);
-      dealt.then(() => {
-        dealing -= 1;
-        listen();
-        worker.postMessage({ next: true });
-      }, reject);
-    };
-    listen();
-    worker.postMessage(first);
-  });
-  return read.finally(() => {
-    relax();
-    worker.terminate();
-  });
+  const lost = () => failure('video-worker', 'Its reader stopped.');
+  return stream<FrameNews, void>(
+    worker,
+    { message },
+    {
+      signal,
+      lost,
+      onMessage({ about, frame, done, error }, { resolve, reject }) {
+        if (about) onAbout(about);
+        if (error) reject(failure(error.code, error.message));
+        if (done) resolve(Promise.all(busy).then(() => {}));
+        if (!frame) return undefined;
+        const dealt = onFrame(frame);
+        busy.push(dealt);
+        return dealt.then(() => ({ message: { next: true } }));
+      },
+    },
+  );
 }

@@ -1,10 +1,7 @@
 /** Warm-up of the wasm code with synthetic photos; see `warming.ts`. */
 
-import { pageMs, photoMs } from './measured.ts';
-import { STORING } from './serving.ts';
 import type { Studio } from '../pkg/inkpanel.js';
 import type { Operations } from './protocol.ts';
-import type { Tell } from './serving.ts';
 
 /** A size that is decoded completely, and one that is decoded at reduced size (`decode_reduced` in Rust). */
 const SIZES = [
@@ -20,12 +17,10 @@ export function createWarmUp(studio: Studio) {
   const photos: Promise<Uint8Array>[] = [];
   let round = 0;
 
-  return async ({ document }: Operations['warm']['args'], tell: Tell): Promise<{ ok: null }> => {
-    tell.waits(STORING);
+  return async ({ document }: Operations['warm']['args']): Promise<{ ok: null }> => {
     const which = round % SIZES.length;
     round += 1;
     const bytes = await (photos[which] ??= grainy(SIZES[which]));
-    tell.expects(photoMs(bytes, null) + pageMs(document, PAGE));
     studio.import_photo('warm', bytes);
     try {
       studio.compose(document, PAGE, 'work').free();

@@ -3,14 +3,13 @@
 import initWords, { Lettering } from '../pkg-words/inkpanel.js';
 import { WORDS_MISSING, loadLetters } from './letters.ts';
 import { frontsOf, paintOrder, standsBehind } from './figures.ts';
-import { wordMs } from './measured.ts';
 import { moduleBytes } from './module-bytes.ts';
 import { buffersOf } from './protocol.ts';
-import { LOADING, serveJobs } from './serving.ts';
+import { serveJobs } from './serving.ts';
 import { createShaping } from './shaping.ts';
 import type { Picture } from '../pkg-words/inkpanel.js';
 import type { PixelPatch, Wording } from './protocol.ts';
-import type { Tell, Work } from './serving.ts';
+import type { Work } from './serving.ts';
 import type { PageDocument, Word } from './types.ts';
 
 const MODULE = new URL('../pkg-words/inkpanel_bg.wasm', import.meta.url);
@@ -20,13 +19,13 @@ type Args<Op extends keyof Wording> = Wording[Op]['args'];
 /** After an error, the next job tries again. */
 let started: Promise<Work<Wording>> | undefined;
 
-serveJobs<Wording>(async (op, args, tell) => {
-  tell.waits(LOADING);
+serveJobs<Wording>(async (op, args, slow) => {
+  if (!started) slow();
   started ??= start().catch((error) => {
     started = undefined;
     throw error;
   });
-  return (await started)[op](args, tell);
+  return (await started)[op](args, slow);
 });
 
 async function start(): Promise<Work<Wording>> {
@@ -39,41 +38,37 @@ async function start(): Promise<Work<Wording>> {
     return args;
   };
   return {
-    word: (args, tell) => word(letters, shaped(args), tell),
-    words: (args, tell) => words(letters, shaped(args), tell),
-    over: (args, tell) => over(letters, shaped(args), tell),
+    word: (args) => word(letters, shaped(args)),
+    words: (args) => words(letters, shaped(args)),
+    over: (args) => over(letters, shaped(args)),
   };
 }
 
-async function word(letters: Lettering, { index, ...page }: Args<'word'>, tell: Tell) {
-  tell.expects(wordMs(page.width * page.width));
+async function word(letters: Lettering, { index, ...page }: Args<'word'>) {
   const { data, ...place } = pixels(letters, page, index, JSON.parse(page.document));
   const bitmap = await createImageBitmap(new ImageData(data, place.width, place.height));
   return { ok: { ...place, bitmap }, transfer: [bitmap] };
 }
 
-async function words(letters: Lettering, page: Args<'words'>, tell: Tell) {
-  const ok = all(letters, page, tell);
+async function words(letters: Lettering, page: Args<'words'>) {
+  const ok = all(letters, page);
   return { ok, transfer: buffersOf(ok) };
 }
 
-async function over(letters: Lettering, { bitmap, ...page }: Args<'over'>, tell: Tell) {
+async function over(letters: Lettering, { bitmap, ...page }: Args<'over'>) {
   const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
   const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D;
   context.drawImage(bitmap, 0, 0);
-  for (const { data, x, y, ...size } of all(letters, page, tell)) {
+  for (const { data, x, y, ...size } of all(letters, page)) {
     context.drawImage(await createImageBitmap(new ImageData(data, size.width, size.height)), x, y);
   }
   const drawn = canvas.transferToImageBitmap();
   return { ok: drawn, transfer: [drawn] };
 }
 
-function all(letters: Lettering, page: Args<'words'>, tell: Tell) {
+function all(letters: Lettering, page: Args<'words'>) {
   const document: PageDocument = JSON.parse(page.document);
-  return paintOrder(document).map((index) => {
-    tell.expects(wordMs(page.width * page.width));
-    return pixels(letters, page, index, document);
-  });
+  return paintOrder(document).map((index) => pixels(letters, page, index, document));
 }
 
 /** @param read the document of the page */

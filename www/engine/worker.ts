@@ -5,8 +5,8 @@
 import initCore, { Studio } from '../pkg/inkpanel.js';
 import { createLru } from './lru.ts';
 import { createOperations } from './operations.ts';
-import { mentionsPainter, paintersLoader, slower } from './painters.ts';
-import { STORING, serveJobs } from './serving.ts';
+import { mentionsPainter, paintersLoader } from './painters.ts';
+import { serveJobs } from './serving.ts';
 import type { Operations, Start } from './protocol.ts';
 import type { Work } from './serving.ts';
 
@@ -18,12 +18,13 @@ type Started = { studio: Studio; operations: Work<Operations>; loadPainters: Ret
 let started: Promise<Started> | undefined;
 
 serveJobs<Operations, Start>(
-  async (op, args, tell) => {
-    tell.waits(STORING);
+  async (op, args, slow) => {
     const { studio, operations, loadPainters } = await (started as NonNullable<typeof started>);
-    const paints = mentionsPainter(args);
-    if (paints) await loadPainters(tell);
-    const answer = await operations[op](args, paints ? slower(tell) : tell);
+    if (mentionsPainter(args)) {
+      slow();
+      await loadPainters();
+    }
+    const answer = await operations[op](args, slow);
     return { ...answer, memory: studio.memory() };
   },
   (told) => {

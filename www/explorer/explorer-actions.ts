@@ -2,10 +2,10 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import type { Parts } from '../ui/context.ts';
+import type { App } from '../ui/context.ts';
 import type { Action } from '../ui/action.ts';
 
-export function createExplorerActions({ explorer }: Pick<Parts, 'explorer'>) {
+export function createExplorerActions({ explorer }: Pick<App, 'explorer'>) {
   return {
     stop: {
       label: strings.stop,

@@ -1,6 +1,7 @@
 import { expect, it, vi } from 'vitest';
 import { createInventions } from './inventions.ts';
 import { fakeApp } from '../document/testing.ts';
+import { eagerScheduler } from '../engine/testing.ts';
 
 type Judge = (seed: number, photo: string) => { fault: string; score: number };
 
@@ -24,7 +25,14 @@ async function app(judge: Judge, { judges = false, judged = true, mean = (_: num
   };
   let seeds = 0;
   const seed = () => (seeds += 4) - 4;
-  const inventions = createInventions({ ...made, engine, seed, idle: () => true, judged, calm: 1 } as any);
+  const inventions = createInventions({
+    ...made,
+    engine,
+    seed,
+    idle: () => true,
+    judged,
+    scheduler: eagerScheduler(),
+  } as any);
   await made.reading.addFiles(made.files('a', 'b', 'c', 'd'));
   const ids = () => inventions.ready.value.map(seedOf);
   return { ...made, asked, ids };

@@ -9,6 +9,7 @@ import { coloured } from './colouring.ts';
 import { damageOf } from './damage.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
+import type { Scheduler } from '../engine/scheduler.ts';
 import type { Style } from '../engine/types.ts';
 
 export type Inventions = ReturnType<typeof createInventions>;
@@ -26,8 +27,8 @@ const TRIES = 48;
 /** Minimum score of a style, from 0 to 1 by simple measures, and from 1 to 10 by the model. */
 const LEAST = 0.5;
 const LEAST_JUDGED = 4.5;
-/** Time in milliseconds after the last page change until work begins. */
-const CALM = 3000;
+/** Milliseconds of rest before the work begins. It takes several seconds, and a later shuffle uses its result. */
+const REST = 3000;
 
 /** @param app `idle`: whether no other task is running; `judged`: whether to use the aesthetics model */
 export function createInventions({
@@ -36,18 +37,17 @@ export function createInventions({
   seed,
   idle,
   judged: wanted = true,
-  calm = CALM,
+  scheduler,
 }: {
   store: Store;
   engine: Pick<Engine, 'exploreStyles' | 'judges' | 'judgeStyle' | 'hasPhoto'>;
   seed: () => number;
   idle: () => boolean;
   judged?: boolean;
-  calm?: number;
+  scheduler: Scheduler;
 }) {
   const ready = signal([] as readonly Style[]);
-  let running: AbortController | null = null;
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  let stop = new AbortController();
 
   effect(() => {
     const page = store.page.value;
@@ -55,28 +55,25 @@ export function createInventions({
     // One that is on the page was drawn: the next shuffle has another.
     const shown = typeof page?.style === 'string' ? page.style : page?.style.id;
     if (ready.peek().some(({ id }) => id === shown)) ready.value = ready.peek().filter(({ id }) => id !== shown);
-    clearTimeout(timer);
-    running?.abort();
-    if (page && share > 0 && idle()) timer = setTimeout(() => void fill(), calm);
+    stop.abort();
+    if (!page || share === 0 || !idle()) return;
+    stop = new AbortController();
+    const { signal } = stop;
+    scheduler.background(() => fill(signal), { rest: REST, signal });
   });
 
   return { ready };
 
-  async function fill() {
-    if (ready.peek().length >= READY) return;
-    const mine = new AbortController();
-    running = mine;
+  async function fill(stop: AbortSignal) {
     const photos = tried();
     try {
       for (let count = 0; photos.length > 0 && count < TRIES && ready.peek().length < READY; count += PARCEL) {
-        const good = await parcel(photos, mine.signal);
-        if (mine.signal.aborted) return;
+        const good = await parcel(photos, stop);
+        if (stop.aborted) return;
         ready.value = [...ready.peek(), ...good];
       }
     } catch {
       // Stopped, or a photo went while it was tried: the next page tries again.
-    } finally {
-      if (running === mine) running = null;
     }
   }
 
@@ -102,7 +99,8 @@ export function createInventions({
     const judged: Style[] = [];
     for (const style of styles) {
       let sum = 0;
-      for (const photo of photos) sum += await engine.judgeStyle(photo.id, style, photo, { signal: stop });
+      for (const photo of photos)
+        sum += await engine.judgeStyle(photo.id, style, photo, { signal: stop, lane: 'background' });
       if (sum / photos.length >= LEAST_JUDGED) judged.push(style);
     }
     return judged;

@@ -2,10 +2,10 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import type { Parts } from '../ui/context.ts';
+import type { App } from '../ui/context.ts';
 import type { Action } from '../ui/action.ts';
 
-export function createDownloadActions({ store, download, ui }: Pick<Parts, 'store' | 'download' | 'ui'>) {
+export function createDownloadActions({ store, download, ui }: Pick<App, 'store' | 'download' | 'ui'>) {
   return {
     download: {
       label: strings.download,

@@ -6,6 +6,7 @@
 import { signal } from '@preact/signals';
 import { LISTS } from './formats.ts';
 import type { Format, Inside, Way } from './formats.ts';
+import type { Signal } from '@preact/signals';
 
 /** The first choice. `print` is a PDF file with bleed and marks, `more` has formats of editing programs. */
 export type Kind = 'image' | 'pdf' | 'print' | 'comic' | 'video' | 'project' | 'more';
@@ -55,6 +56,8 @@ export function createExportChoice(box: () => Pick<Storage, 'getItem' | 'setItem
   const choice = signal(read(box));
   return {
     choice,
+    /** The format that the user opened the dialog for. */
+    asked: signal(null) as Signal<Way | null>,
     choose(next: Choice) {
       choice.value = next;
       try {

@@ -39,10 +39,10 @@ export function ExportDialog() {
   const { store, download, engine, book, ui, exportChoice, keeping } = useApp();
   const page = store.page.value as PageDocument;
   const count = download.sheets().length;
-  const asked = ui.exportWay.value;
+  const asked = exportChoice.asked.value;
   const choice = asked ? withWay(exportChoice.choice.value, asked) : exportChoice.choice.value;
   const choose = (next: Choice) => {
-    ui.exportWay.value = null;
+    exportChoice.asked.value = null;
     exportChoice.choose(next);
   };
   const all = choice.every && count > 1;
@@ -90,7 +90,7 @@ export function ExportDialog() {
   const close = () => {
     // It tells that it was closed a moment later: another may be open by then.
     if (ui.dialog.peek() === 'export') ui.dialog.value = null;
-    ui.exportWay.value = null;
+    exportChoice.asked.value = null;
   };
   const drawnWidth = screenPixels(PREVIEW * Math.min(1, width / height));
   const saveProject = () => {

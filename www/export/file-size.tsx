@@ -3,6 +3,7 @@ import { estimated } from './estimate.ts';
 import { pictureIn } from './formats.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
+import { after } from '../engine/scheduler.ts';
 import type { Wish } from './page-making.ts';
 
 /** While a slider is dragged, nothing is measured. */
@@ -20,7 +21,7 @@ export function FileSize({ wish }: { wish: Wish }) {
   useEffect(() => {
     const stop = new AbortController();
     setBusy(true);
-    const later = setTimeout(async () => {
+    const cancel = after(REST_MS, async () => {
       const { pages, format, inside = 'png', quality = 0 } = wish;
       // The pictures are what counts in a file of several.
       const picture = pictureIn(format, inside, await engine.givesWebp());
@@ -31,9 +32,9 @@ export function FileSize({ wish }: { wish: Wish }) {
       if (stop.signal.aborted) return;
       setBytes(about === null ? null : about * (wish.print?.plates ? PLATES : 1) * (format === 'html' ? AS_TEXT : 1));
       setBusy(false);
-    }, REST_MS);
+    });
     return () => {
-      clearTimeout(later);
+      cancel();
       stop.abort();
     };
   }, [wish]);

@@ -15,7 +15,7 @@ const byHand = () => window.matchMedia('(pointer: coarse)').matches;
 export function HelpDialog() {
   const { ui, actions, hints } = useApp();
   const [sought, setSought] = useState('');
-  const { topics, lines } = searchHelp(sought, allTopics(), keyLines(actions));
+  const { topics, lines } = searchHelp(sought, allTopics(), keyLines({ ...actions }));
   const searching = sought.trim() !== '';
   const none = topics.length + lines.length === 0;
   const close = () => {

@@ -3,6 +3,7 @@
 import { useEffect } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
+import { createTimer } from '../engine/scheduler.ts';
 
 /** The pointer rests on a panel for this long, in ms, before the hint about photos appears. */
 const REST = 500;
@@ -28,17 +29,17 @@ function usePointedPanel() {
   useEffect(() => {
     if (!watches) return;
     const ended = new AbortController();
-    let timer: ReturnType<typeof setTimeout> | undefined;
+    const timer = createTimer();
     const over = ({ target, pointerType }: PointerEvent) => {
       const panel = pointerType === 'mouse' && target instanceof Element ? target.closest('.panels > .panel') : null;
-      clearTimeout(timer);
+      timer.stop();
       if (!panel) return hints.point(null);
       const at = [...(panel.parentElement?.children ?? [])].indexOf(panel);
-      timer = setTimeout(() => hints.point(at), REST);
+      timer.start(REST, () => hints.point(at));
     };
     window.addEventListener('pointerover', over, { signal: ended.signal });
     return () => {
-      clearTimeout(timer);
+      timer.stop();
       ended.abort();
     };
   }, [watches]);

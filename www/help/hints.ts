@@ -10,7 +10,7 @@ import type { Reshaping } from '../page/panels/reshaping.ts';
 import type { Selection } from '../page/panels/selection.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';
-import type { Ui } from '../app/ui.ts';
+import type { Ui } from '../ui/ui.ts';
 
 /** In the order in which they are given where several are due. */
 const HINTS = ['shuffle', 'crop', 'lock'] as const;

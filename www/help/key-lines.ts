@@ -2,7 +2,7 @@
 
 import { now } from '../ui/action.ts';
 import { keyNames } from '../ui/shortcut.ts';
-import type { Tables } from '../app/actions.ts';
+import type { Tables } from '../ui/action.ts';
 
 /** `keys`: each as the keyboard calls it */
 export type KeyLine = { keys: string[]; does: string };

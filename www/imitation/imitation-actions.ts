@@ -3,7 +3,7 @@
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import type { Action } from '../ui/action.ts';
-import type { Parts } from '../ui/context.ts';
+import type { App } from '../ui/context.ts';
 
 export function createImitationActions({
   imitation,
@@ -12,7 +12,7 @@ export function createImitationActions({
   designer,
   ownStyles,
   ui,
-}: Pick<Parts, 'imitation' | 'store' | 'pages' | 'designer' | 'ownStyles' | 'ui'>) {
+}: Pick<App, 'imitation' | 'store' | 'pages' | 'designer' | 'ownStyles' | 'ui'>) {
   const shown = computed(() => imitation.proposals.value.find(({ id }) => id === imitation.shown.value));
   const there = computed(() => shown.value !== undefined);
   return {

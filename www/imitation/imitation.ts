@@ -7,7 +7,7 @@ import { signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { codeOf, explain } from '../ui/explain.ts';
 import type { Signal } from '@preact/signals';
-import type { Ui } from '../app/ui.ts';
+import type { Ui } from '../ui/ui.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Style } from '../engine/types.ts';

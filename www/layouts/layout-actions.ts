@@ -2,7 +2,7 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import type { Parts } from '../ui/context.ts';
+import type { App } from '../ui/context.ts';
 import type { Action } from '../ui/action.ts';
 
 export function createLayoutActions({
@@ -10,7 +10,7 @@ export function createLayoutActions({
   reshaping,
   ownLayouts,
   ui,
-}: Pick<Parts, 'store' | 'reshaping' | 'ownLayouts' | 'ui'>) {
+}: Pick<App, 'store' | 'reshaping' | 'ownLayouts' | 'ui'>) {
   const there = computed(() => store.layoutFacts.value !== null);
   return {
     surprise: {

@@ -34,7 +34,8 @@ beforeEach(async () => {
   const app = fakeApp({}, { settled: (page) => lettering.settled(page) });
   ({ store, pages } = app);
   const selection = createSelection({ store });
-  lettering = createLettering({ store, messages: app.messages, selection, load: async () => letters as any });
+  const { messages, scheduler } = app;
+  lettering = createLettering({ store, messages, selection, scheduler, load: async () => letters as any });
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
 });
 
@@ -201,6 +202,7 @@ describe('words', () => {
     const failing = createLettering({
       store: app.store,
       messages: app.messages,
+      scheduler: app.scheduler,
       selection: createSelection({ store: app.store }),
       load: () => Promise.reject(new Error('offline')),
     });

@@ -12,6 +12,7 @@ import { createWordPlanning } from './word-planning.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument, Word, WordBox } from '../engine/types.ts';
+import type { Scheduler } from '../engine/scheduler.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Signal } from '@preact/signals';
 
@@ -33,13 +34,15 @@ export function createLettering({
   messages,
   selection,
   load,
+  scheduler,
 }: {
   store: Store;
   messages: Pick<Messages, 'alert' | 'note'>;
   selection: Pick<import('../page/panels/selection.ts').Selection, 'panels'>;
   load: Engine['lettering'];
+  scheduler: Scheduler;
 }) {
-  const planning = createWordPlanning({ store, messages, load });
+  const planning = createWordPlanning({ store, messages, load, scheduler });
   const { words, letters, ready, settled } = planning;
   const boxes = computed(() => {
     const page = store.page.value;

@@ -2,7 +2,7 @@
 
 import { narrated as withNarration, plain } from './narration.ts';
 import { strings, language } from '../strings/strings.ts';
-import type { Ui } from '../app/ui.ts';
+import type { Ui } from '../ui/ui.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Moment } from './narration.ts';

@@ -2,13 +2,13 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import type { Parts } from '../ui/context.ts';
+import type { App } from '../ui/context.ts';
 import type { Kind } from '../strings/en/words.ts';
 import type { Action } from '../ui/action.ts';
 import type { Mode } from './lettering.ts';
 import { LEAST_SIZE, MOST_SIZE } from './word-units.ts';
 
-export function createWordActions({ store, ui, lettering }: Pick<Parts, 'store' | 'ui' | 'lettering'>) {
+export function createWordActions({ store, ui, lettering }: Pick<App, 'store' | 'ui' | 'lettering'>) {
   const enabled = computed(() => store.page.value !== null);
 
   const added = (kind: Kind) =>
@@ -33,7 +33,7 @@ export function createWordActions({ store, ui, lettering }: Pick<Parts, 'store' 
 /** The text size changes by this factor with each press. */
 const GROWTH = 1.12;
 
-export function createTextActions({ ui, lettering }: Pick<Parts, 'ui' | 'lettering'>) {
+export function createTextActions({ ui, lettering }: Pick<App, 'ui' | 'lettering'>) {
   const { chosen, mode } = lettering;
   const word = computed(() => lettering.words.value[chosen.value]);
   const box = computed(() => lettering.boxes.value[chosen.value]);

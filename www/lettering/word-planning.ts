@@ -12,20 +12,23 @@ import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument, Word } from '../engine/types.ts';
 import type { Lettering as Letters } from '../engine/words.ts';
+import type { Scheduler } from '../engine/scheduler.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 
-/** Words are shown among the alternatives once a drag rests for this long, in ms. */
-const REST = 300;
+/** Minimum time in ms without a drag before the alternatives show the new text. */
+const DELAY = 300;
 
 /** @param app `load`: loads the glyphs */
 export function createWordPlanning({
   store,
   messages,
   load,
+  scheduler,
 }: {
   store: Store;
   messages: Pick<Messages, 'alert'>;
   load: () => Promise<Letters>;
+  scheduler: Pick<Scheduler, 'background'>;
 }) {
   const letters: Signal<Letters | null> = signal(null);
   const loading = signal(false);
@@ -36,14 +39,16 @@ export function createWordPlanning({
   /** A page was planned before the glyphs were loaded: its text items still have the positions of another page. */
   let owed = false;
 
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  let stop = new AbortController();
   effect(() => {
     const now = words.value;
-    clearTimeout(timer);
-    if (essence(now) !== essence(rested.peek()))
-      timer = setTimeout(() => {
-        rested.value = now;
-      }, REST);
+    stop.abort();
+    if (essence(now) === essence(rested.peek())) return;
+    stop = new AbortController();
+    const show = () => {
+      rested.value = now;
+    };
+    scheduler.background(show, { delay: DELAY, signal: stop.signal });
   });
   // A page that is opened with text, from a file or an earlier session, needs the glyphs too. Its text items do not
   // move, even if detection has found more.

@@ -14,6 +14,7 @@ import { USUAL } from './animatics.ts';
 import { clock } from './clock.ts';
 import { bytesOf, GIF, KINDS, kindsHere } from './kinds.ts';
 import './animatic.css';
+import { after } from '../engine/scheduler.ts';
 import type { ComponentChildren } from 'preact';
 import type { AnimaticWish, Planned, SizeId } from './animatics.ts';
 import type { Kind } from './kinds.ts';
@@ -177,15 +178,15 @@ function usePlan(wish: AnimaticWish): { planned: Planned | null; failed: string 
   const gif = wish.kind === 'gif';
   useEffect(() => {
     const stop = new AbortController();
-    const later = setTimeout(() => {
+    const cancel = after(REST_MS, () => {
       animatics.planned(wish, { signal: stop.signal }).then(
         (planned) => !stop.signal.aborted && setState({ planned, failed: null }),
         ({ code, message }) =>
           !stop.signal.aborted && setState({ planned: null, failed: strings.reasons[code ?? ''] ?? message }),
       );
-    }, REST_MS);
+    });
     return () => {
-      clearTimeout(later);
+      cancel();
       stop.abort();
     };
   }, [rows, board, style, sheets, of, size, seconds, dissolve, moves, captions, living, gif]);

@@ -5,7 +5,7 @@
 
 import { ANIMATIC_SIZES } from '../engine/bounds.ts';
 import { LIVING } from '../engine/living.ts';
-import { patience } from '../engine/patience.ts';
+import { stream } from '../engine/streaming.ts';
 import { cancelled, failure } from '../engine/protocol.ts';
 import { drawsParts } from '../page/subjects-of.ts';
 import { bitmapsOf } from './frames.ts';
@@ -14,11 +14,18 @@ import { createLoops } from './loops.ts';
 import { createMovingPictures } from './moving-pictures.ts';
 import { soundOf } from './sound.ts';
 import { GIF, KINDS, gifSize } from './kinds.ts';
-import type { Boards } from '../boards/boards.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
-import type { Animatic, AnimaticClip, AnimaticRequest, MotionRequest, PageDocument, Subject } from '../engine/types.ts';
-import type { Work } from '../export/page-making.ts';
+import type {
+  Animatic,
+  AnimaticClip,
+  AnimaticRequest,
+  MotionRequest,
+  PageDocument,
+  ShotList,
+  Subject,
+} from '../engine/types.ts';
+import type { ReadonlySignal } from '@preact/signals';
 import type { FromEncoder, ToEncoder } from './encode-worker.ts';
 import type { Drawn, DrawnLoop, DrawnWord } from './frames.ts';
 import type { Kind } from './kinds.ts';
@@ -62,9 +69,6 @@ const PAGES_FPS = 24;
 const PREVIEW_PIXELS = 16e6;
 const FILM_PIXELS = 48e6;
 
-/** Milliseconds between two signs of life of the encoder; one frame of a slow device is a fraction of it. */
-const SILENCE = 60_000;
-
 export function createAnimatics({
   store,
   engine,
@@ -84,7 +88,7 @@ export function createAnimatics({
     | 'givesWebp'
     | 'losslessPicture'
   >;
-  boards: Pick<Boards, 'rows' | 'shotList'>;
+  boards: { rows: ReadonlySignal<readonly { id: string }[]>; shotList: () => ShotList };
 }) {
   const loops = createLoops({ store, engine });
 
@@ -210,7 +214,10 @@ export function createAnimatics({
    * one.
    * @throws as `failure`: `animatic-empty`, `animatic-encoder`, `animatic-long`, `sound-unread`, and errors of photos
    */
-  async function film(wish: AnimaticWish, { signal, onProgress }: Work): Promise<Blob> {
+  async function film(
+    wish: AnimaticWish,
+    { signal, onProgress }: { signal: AbortSignal; onProgress: (done: number, total: number) => void },
+  ): Promise<Blob> {
     const { plan, table } = await planned(wish, { signal });
     if (wish.kind === 'gif' && plan.frames > GIF.fps * GIF.mostSeconds)
       throw failure('animatic-long', 'A GIF file is for up to a minute.');
@@ -222,42 +229,29 @@ export function createAnimatics({
       type: 'module',
       name: 'inkpanel-animatic',
     });
-    let relax = () => {};
-    try {
-      return await new Promise<Blob>((resolve, reject) => {
-        const lost = () => reject(failure('animatic-encoder', 'What makes the film stopped.'));
-        const listen = () => {
-          relax();
-          relax = patience(SILENCE, lost);
-        };
-        signal.addEventListener('abort', () => reject(cancelled()), { once: true });
-        worker.onerror = (event) => {
-          event.preventDefault();
-          lost();
-        };
-        worker.onmessage = ({ data }: MessageEvent<FromEncoder>) => {
-          listen();
-          if ('wants' in data) {
-            // Drawing a picture from its photo has no time limit.
-            relax();
-            draw(plan, data.wants, drawing).then((drawn) => {
-              listen();
-              const message: ToEncoder = { ...drawn, clip: data.wants };
-              worker.postMessage(message, bitmapsOf(drawn));
-            }, reject);
-          } else if ('done' in data) onProgress(data.done, plan.frames);
-          else if ('file' in data) resolve(new Blob([data.file], { type: KINDS[wish.kind].type }));
-          else reject(failure(data.error.code, data.error.message));
-        };
-        listen();
-        const { width, height } = sizeOf(wish);
-        const begin: ToEncoder = { kind: wish.kind, width, height, rate: plan.rate, table, sound };
-        worker.postMessage(begin, sound ? sound.channels.map(({ buffer }) => buffer) : []);
-      });
-    } finally {
-      relax();
-      stop.abort();
-      worker.terminate();
+    const { width, height } = sizeOf(wish);
+    const message: ToEncoder = { kind: wish.kind, width, height, rate: plan.rate, table, sound };
+    const transfer = sound ? sound.channels.map(({ buffer }) => buffer) : [];
+    const encoded = stream<FromEncoder, Blob>(
+      worker,
+      { message, transfer },
+      {
+        signal,
+        lost: () => failure('animatic-encoder', 'What makes the film stopped.'),
+        onMessage(news, { resolve, reject }) {
+          if ('wants' in news) return picture(news.wants);
+          if ('done' in news) onProgress(news.done, plan.frames);
+          else if ('file' in news) resolve(new Blob([news.file], { type: KINDS[wish.kind].type }));
+          else reject(failure(news.error.code, news.error.message));
+          return undefined;
+        },
+      },
+    );
+    return encoded.finally(() => stop.abort());
+
+    async function picture(clip: number) {
+      const drawn = await draw(plan, clip, drawing);
+      return { message: { ...drawn, clip } satisfies ToEncoder, transfer: bitmapsOf(drawn) };
     }
   }
 

@@ -1,6 +1,7 @@
 import { signal } from '@preact/signals';
 import { describe, expect, it, vi } from 'vitest';
 import { createMessages } from '../ui/messages.ts';
+import { eagerScheduler } from '../engine/testing.ts';
 import { createOffline } from './offline.ts';
 
 const settle = () =>
@@ -36,7 +37,7 @@ function app({
   const busy = signal(true);
   const messages = createMessages();
   const keeping = { flush: vi.fn(async () => {}), isSafe: () => safe, files: { save: vi.fn() } };
-  createOffline({ window, messages, keeping, script: 'x', busy: () => busy.value, calm: 1 });
+  createOffline({ window, messages, keeping, script: 'x', busy: () => busy.value, scheduler: eagerScheduler() });
   return { workers, waiting, active, registration, window, busy, messages, keeping };
 }
 

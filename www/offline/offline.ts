@@ -4,12 +4,13 @@
  */
 
 import { effect } from '@preact/signals';
+import { pause } from '../engine/scheduler.ts';
 import { strings } from '../strings/strings.ts';
 import type { Messages } from '../ui/messages.ts';
-import type { Keeping } from '../storage/storage.ts';
+import type { Scheduler } from '../engine/scheduler.ts';
 
-/** Milliseconds of rest before the files are downloaded, so that they do not delay the first page. */
-const CALM = 2_000;
+/** Minimum milliseconds without work before the files are downloaded, so that they do not delay the first page. */
+const DELAY = 2_000;
 /** Milliseconds between two checks for a new version, for a page that stays open. */
 const OFTEN = 3600_000;
 /** Maximum milliseconds to wait until a new version takes over. */
@@ -27,14 +28,14 @@ export function createOffline({
   keeping,
   script,
   busy,
-  calm = CALM,
+  scheduler,
 }: {
   window: Window;
   messages: Pick<Messages, 'offer' | 'alert'>;
-  keeping: Pick<Keeping, 'flush' | 'isSafe'> & { files: Pick<Keeping['files'], 'save'> };
+  keeping: { flush: () => Promise<unknown>; isSafe: () => boolean; files: { save: () => unknown } };
   script: string;
   busy: () => boolean;
-  calm?: number;
+  scheduler: Pick<Scheduler, 'background'>;
 }) {
   const { navigator, document } = window;
   const workers = navigator.serviceWorker;
@@ -47,14 +48,16 @@ export function createOffline({
     ?.request(`${PAGE_LOCK}${script}`, { mode: 'shared' }, () => new Promise(() => {}))
     .catch(() => {});
 
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  let wait = new AbortController();
   const stop = effect(() => {
-    clearTimeout(timer);
-    if (!busy())
-      timer = setTimeout(() => {
-        stop();
-        void begin();
-      }, calm);
+    wait.abort();
+    if (busy()) return;
+    wait = new AbortController();
+    const start = () => {
+      stop();
+      return begin();
+    };
+    scheduler.background(start, { delay: DELAY, signal: wait.signal });
   });
 
   async function begin() {
@@ -97,11 +100,11 @@ export function createOffline({
     }
     const { waiting } = registration ?? {};
     if (waiting) {
-      await new Promise((resolve) => {
+      const changed = new Promise((resolve) => {
         workers.addEventListener('controllerchange', resolve, { once: true });
-        setTimeout(resolve, PATIENCE);
-        waiting.postMessage({ op: 'take-over' });
       });
+      waiting.postMessage({ op: 'take-over' });
+      await Promise.race([changed, pause(PATIENCE)]);
     }
     window.location.reload();
   }

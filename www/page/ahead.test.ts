@@ -16,7 +16,7 @@ async function opened() {
 test('the next page is planned while this one is looked at, and is the one that Shuffle shows', async () => {
   const { ahead, pages, planner, store } = await opened();
   expect(ahead.page.value).toBeNull();
-  vi.runAllTimers();
+  await vi.runAllTimersAsync();
   const next = ahead.page.value;
   expect(next).not.toBeNull();
   const { length } = planner.wishes;
@@ -28,7 +28,7 @@ test('the next page is planned while this one is looked at, and is the one that 
 
 test('whatever changes makes it another', async () => {
   const { ahead, pages, store, painted } = await opened();
-  vi.runAllTimers();
+  await vi.runAllTimersAsync();
   const next = ahead.page.value;
   pages.lock('style', true);
   expect(ahead.page.value).toBeNull();
@@ -37,9 +37,9 @@ test('whatever changes makes it another', async () => {
   expect(store.page.value).not.toBe(next);
   expect(store.page.value?.style).toBe(style);
   // Not before the page is visible.
-  vi.runAllTimers();
+  await vi.runAllTimersAsync();
   expect(ahead.page.value).toBeNull();
   painted.value = store.page.value;
-  vi.runAllTimers();
+  await vi.runAllTimersAsync();
   expect(ahead.page.value?.style).toBe(style);
 });

@@ -4,7 +4,8 @@
  */
 
 import { effect, signal } from '@preact/signals';
-import type { Ui } from '../app/ui.ts';
+import type { Scheduler } from '../engine/scheduler.ts';
+import type { Ui } from '../ui/ui.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';
@@ -12,34 +13,33 @@ import type { ReadonlySignal, Signal } from '@preact/signals';
 
 export type Ahead = ReturnType<typeof createAhead>;
 
-/**
- * Milliseconds of rest before the next page is prepared. While the user shuffles quickly, the workers must stay free.
- */
-const REST = 350;
-
 export function createAhead({
   store,
   pages,
   ui,
+  scheduler,
 }: {
   store: Store;
   pages: Pick<Pages, 'prepare'>;
   ui: Pick<Ui, 'painted'>;
+  scheduler: Scheduler;
 }) {
   const page: Signal<PageDocument | null> = signal(null);
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  let stop = new AbortController();
 
   effect(() => {
     const { project, photos, reading, planner } = store;
     const now = project.value.page;
     // During an import, the page and its photos change automatically.
     const rests = photos.value.length > 0 && reading.value === null && planner.value && ui.painted.value === now;
-    clearTimeout(timer);
+    stop.abort();
     page.value = null;
-    if (now && rests)
-      timer = setTimeout(() => {
-        page.value = pages.prepare();
-      }, REST);
+    if (!now || !rests) return;
+    stop = new AbortController();
+    const prepare = () => {
+      page.value = pages.prepare();
+    };
+    scheduler.background(prepare, stop);
   });
 
   return { page: page as ReadonlySignal<PageDocument | null> };

@@ -3,6 +3,7 @@
  */
 
 import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { after } from '../engine/scheduler.ts';
 import { strings } from '../strings/strings.ts';
 import { usePageGlimpse } from '../ui/glimpse.tsx';
 import { pointing } from '../ui/pointing.ts';
@@ -37,8 +38,7 @@ export function Alternatives() {
   }, [basis]);
   useEffect(() => {
     if (!open || basis === '' || (!atEnd && items.length > 0)) return undefined;
-    const task = setTimeout(() => alternatives.more(BATCH));
-    return () => clearTimeout(task);
+    return after(0, () => void alternatives.more(BATCH));
   }, [open, basis, atEnd, items]);
 
   function onWheel(event: WheelEvent) {

@@ -4,6 +4,7 @@
  */
 
 import { computed, signal } from '@preact/signals';
+import { nextTask } from '../engine/scheduler.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';
@@ -61,9 +62,7 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
       const goal = current(now).items.length + count;
       while (now !== '' && basis.peek() === now && !current(now).over && current(now).items.length < goal) {
         stretch(now, goal);
-        await new Promise((resolve) => {
-          setTimeout(resolve);
-        });
+        await nextTask();
       }
     } finally {
       running = false;

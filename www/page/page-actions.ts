@@ -4,7 +4,7 @@ import { computed } from '@preact/signals';
 import { position, versions } from '../document/history.ts';
 import { strings } from '../strings/strings.ts';
 import { WALK_KEYS } from './panels/panel-keys.ts';
-import type { Parts } from '../ui/context.ts';
+import type { App } from '../ui/context.ts';
 import type { Part } from '../document/project.ts';
 import type { Action, OwnKeys } from '../ui/action.ts';
 
@@ -14,7 +14,7 @@ export function createPageActions({
   crops,
   shownPages,
   ui,
-}: Pick<Parts, 'store' | 'pages' | 'crops' | 'shownPages' | 'ui'>) {
+}: Pick<App, 'store' | 'pages' | 'crops' | 'shownPages' | 'ui'>) {
   const there = computed(() => store.page.value !== null);
   const at = computed(() => position(store.history.value));
   const count = computed(() => versions(store.history.value).length);

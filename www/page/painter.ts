@@ -8,6 +8,7 @@ import { drawPage, sheetSize } from './drawing.ts';
 import { panelOf, picturesOf } from '../engine/figures.ts';
 import { onlyMoved, sameLook, sameShape } from './likeness.ts';
 import { createPatches } from './patches.ts';
+import { createTimer } from '../engine/scheduler.ts';
 import type { ExifThumbnail } from '../engine/exif-thumbnail.ts';
 import type { Geometry, PageDocument } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
@@ -51,7 +52,7 @@ export function createPainter(
   /** Panels that are being drawn, by index. During a drag, the next picture of a panel waits for the current one. */
   const running: Map<number, string> = new Map();
   let frame = 0;
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  const timer = createTimer();
 
   return { show, prepare, forget: patches.forget, dispose };
 
@@ -70,11 +71,11 @@ export function createPainter(
     patches.keepOnly([...wanted, ...running.values()]);
     const slow = patches.expected(document, width) > COARSE_ABOVE;
     sheet.slots.forEach((slot, index) => request(sheet as Sheet, slot, index, slow));
-    clearTimeout(timer);
+    timer.stop();
     // A page that was drawn in advance appears in this frame, not in the one after the next.
     if (visible && !near && complete(sheet)) paint();
     else if (!visible || (moving && sameLook(visible.document, document)) || complete(sheet)) paintSoon();
-    else timer = setTimeout(paintSoon, PATIENCE);
+    else timer.start(PATIENCE, paintSoon);
     report();
   }
 
@@ -158,7 +159,7 @@ export function createPainter(
   }
 
   function paintSoon() {
-    clearTimeout(timer);
+    timer.stop();
     frame ||= requestAnimationFrame(paint);
   }
 
@@ -182,7 +183,7 @@ export function createPainter(
 
   function dispose() {
     cancelAnimationFrame(frame);
-    clearTimeout(timer);
+    timer.stop();
     patches.dispose();
     sheet = null;
   }

@@ -6,6 +6,7 @@
 import { batch, effect, signal } from '@preact/signals';
 import { chronological } from '../document/album.ts';
 import { USUAL_PANELS } from '../engine/bounds.ts';
+import { createTimer } from '../engine/scheduler.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { PhotoMeta } from '../engine/types.ts';
@@ -33,7 +34,7 @@ export function createFirstPage({
 }) {
   /** Whether its photos are being read, or planning is about to start. Not while photos replace others. */
   const near = signal(false);
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  const timer = createTimer();
   /** The page that is the sketch, and since when. */
   let sketched = '';
   let since = 0;
@@ -53,11 +54,8 @@ export function createFirstPage({
     const enough = read.size >= Math.min(USUAL_PANELS, store.tray.value.length);
     // The wait ends when all photos are read.
     const soon = restOf(read.size) <= PATIENCE;
-    if (enough) timer ??= setTimeout(compose, soon ? 2 * PATIENCE : facesReady() ? WAIT : LONGER_WAIT);
-    if (enough && (!soon || finishing) && [...read].every((id) => store.faced.value.has(id))) {
-      clearTimeout(timer);
-      timer = setTimeout(compose);
-    }
+    if (enough && !timer.runs) timer.start(soon ? 2 * PATIENCE : facesReady() ? WAIT : LONGER_WAIT, compose);
+    if (enough && (!soon || finishing) && [...read].every((id) => store.faced.value.has(id))) timer.start(0, compose);
     // Frames arrive in the order of their video, mixed with the frames of the page.
     const unread = page.panels.flatMap(({ photo }) => (photo !== null && !read.has(photo) ? [photo] : []));
     near.value = enough ? !soon : unread.length > 0 && unread.every((id) => store.originals.has(id));
@@ -93,7 +91,7 @@ export function createFirstPage({
     if (!detects || !store.sketch.peek() || known().every(({ id }) => faced.has(id))) return compose();
     end();
     finishing = true;
-    timer = setTimeout(compose, FACE_WAIT);
+    timer.start(FACE_WAIT, compose);
     return true;
   }
 
@@ -134,8 +132,7 @@ export function createFirstPage({
   }
 
   function end() {
-    clearTimeout(timer);
-    timer = undefined;
+    timer.stop();
     finishing = false;
   }
 }

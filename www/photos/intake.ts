@@ -10,6 +10,7 @@ import { reportFailure } from '../ui/importing.ts';
 import { reasonOfKind } from '../ui/reason-of-kind.ts';
 import { looksLike } from './identity.ts';
 import { emptyFrames } from './placeholder.ts';
+import { createTimer, nextTask } from '../engine/scheduler.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Fact } from '../document/album.ts';
 import type { Pages } from '../document/pages.ts';
@@ -46,7 +47,7 @@ export function createIntake({
 }) {
   let lastId = 0;
   let untold: (() => void)[] = [];
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  const timer = createTimer();
 
   return { freshIds, isShown, readPhoto, arrived, failed, leaveOut, count };
 
@@ -88,9 +89,7 @@ export function createIntake({
     });
     if (!last) return;
     // The next step is as much work as drawing the last photo, so it is a separate task.
-    await new Promise((resolve) => {
-      setTimeout(resolve);
-    });
+    await nextTask();
     count(1, 0);
   }
 
@@ -121,13 +120,12 @@ export function createIntake({
         resolve();
       });
       if (now || total - done <= CROWD) tellAll();
-      else timer ??= setTimeout(tellAll, TOGETHER);
+      else if (!timer.runs) timer.start(TOGETHER, tellAll);
     });
   }
 
   function tellAll() {
-    clearTimeout(timer);
-    timer = undefined;
+    timer.stop();
     const all = untold;
     untold = [];
     batch(() => all.forEach((tell) => tell()));

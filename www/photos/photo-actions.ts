@@ -2,10 +2,10 @@
 
 import { strings } from '../strings/strings.ts';
 import { openFiles } from './file-input.tsx';
-import type { Parts } from '../ui/context.ts';
+import type { App } from '../ui/context.ts';
 import type { Action } from '../ui/action.ts';
 
-export function createPhotoActions({ ui, masks }: Pick<Parts, 'ui' | 'masks'>) {
+export function createPhotoActions({ ui, masks }: Pick<App, 'ui' | 'masks'>) {
   return {
     subjects: {
       label: strings.showSubjects,

@@ -9,6 +9,7 @@ import { strings } from '../strings/strings.ts';
 import { photosOn } from '../engine/sheets.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Progress, Store } from '../document/store.ts';
+import type { Scheduler } from '../engine/scheduler.ts';
 import type { Detection } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Signal } from '@preact/signals';
@@ -19,8 +20,6 @@ export type Subjects = ReturnType<typeof createSubjects>;
 type Looked = { faces?: readonly Detection[]; objects?: readonly Detection[]; closer?: boolean };
 type Lane = 'faces' | 'objects';
 
-/** Milliseconds after a person brought another page, in which the cores are theirs: the next may follow. */
-const REST = 300;
 /** Without the detectors none of the other photos can be looked at. */
 const FATAL = new Set(['detector-missing', 'worker-lost', 'detector']);
 
@@ -35,6 +34,7 @@ export function createSubjects({
   painted,
   onFound,
   wanted = true,
+  scheduler,
   window = globalThis.window,
 }: {
   store: Store;
@@ -43,6 +43,7 @@ export function createSubjects({
   painted: () => boolean;
   onFound: () => void;
   wanted?: boolean;
+  scheduler: Pick<Scheduler, 'background'>;
   window?: Pick<Window, 'addEventListener' | 'navigator'>;
 }) {
   const known: Map<string, Looked> = new Map();
@@ -75,18 +76,20 @@ export function createSubjects({
   const searched = computed(() => off.value || store.page.value === null || !photos.value.some(unsearched));
 
   let shown = '';
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  let stop = new AbortController();
   effect(() => {
     const version = store.version.value;
     if (store.page.value === null || version === shown) return;
     const first = shown === '';
     shown = version;
     if (first) return;
-    clearTimeout(timer);
+    stop.abort();
+    stop = new AbortController();
     calm.value = false;
-    timer = setTimeout(() => {
+    const rest = () => {
       calm.value = true;
-    }, REST);
+    };
+    scheduler.background(rest, stop);
   });
 
   effect(() => {

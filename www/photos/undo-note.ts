@@ -1,12 +1,12 @@
 import { effect } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import type { Parts } from '../ui/context.ts';
+import type { App } from '../ui/context.ts';
 
 /**
  * Shows a message about the last action, with an undo button. The message closes after another step or undo, because
  * its button would undo something else.
  */
-export function noteWithUndo({ messages, store, pages }: Pick<Parts, 'messages' | 'store' | 'pages'>, text: string) {
+export function noteWithUndo({ messages, store, pages }: Pick<App, 'messages' | 'store' | 'pages'>, text: string) {
   const id = messages.note(text, { label: strings.undo, run: pages.undo });
   const { past } = store.history.peek();
   const stop = effect(() => {

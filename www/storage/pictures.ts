@@ -4,33 +4,37 @@ import { Priority } from '../engine/queue.ts';
 import type { PageDocument } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
+import type { Scheduler } from '../engine/scheduler.ts';
 import type { Database } from './database.ts';
 
-/** Milliseconds after the last saving. */
-const LATER = 1_500;
+/** Minimum milliseconds after the last saving. */
+const DELAY = 1_500;
 /** Pixels. */
 const WIDTH = 320;
 
 export function createPictures({
   store,
   engine,
+  scheduler,
   database,
   onDrawn,
 }: {
   store: Store;
   engine: Pick<Engine, 'renderPage' | 'hasPhoto'>;
+  scheduler: Pick<Scheduler, 'background'>;
   database: () => Promise<Database>;
   onDrawn: () => void;
 }) {
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  let stop = new AbortController();
   let drawn: unknown = null;
 
   return { later };
 
   /** Draws the page if it is another than the one drawn last. */
   function later() {
-    clearTimeout(timer);
-    timer = setTimeout(() => void draw().catch(() => {}), LATER);
+    stop.abort();
+    stop = new AbortController();
+    scheduler.background(() => draw().catch(() => {}), { delay: DELAY, signal: stop.signal });
   }
 
   async function draw() {

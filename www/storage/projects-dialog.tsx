@@ -2,6 +2,7 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { EXTENSION } from './files/project-file.ts';
+import { Picture } from './picture.tsx';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ChosenFiles } from '../photos/chosen-files.tsx';
@@ -164,14 +165,4 @@ function NewName({ id, name, title, close }: { id: string; name: string; title: 
       }}
     />
   );
-}
-
-export function Picture({ blob }: { blob: Blob }) {
-  const [address, setAddress] = useState('');
-  useEffect(() => {
-    const made = URL.createObjectURL(blob);
-    setAddress(made);
-    return () => URL.revokeObjectURL(made);
-  }, [blob]);
-  return address === '' ? null : <img src={address} alt="" />;
 }

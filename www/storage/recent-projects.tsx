@@ -1,7 +1,7 @@
 import { useEffect } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
-import { Picture } from './projects-dialog.tsx';
+import { Picture } from './picture.tsx';
 
 /** Projects that fit into one row of the start screen. */
 const SHOWN = 4;

@@ -19,6 +19,7 @@ import { PHOTOS_LOCK } from './locks.ts';
 import { adopt } from './orphans.ts';
 import { snapshotOf } from './snapshot.ts';
 import { VERSION } from '../engine/versions.ts';
+import { createTimer } from '../engine/scheduler.ts';
 import type { Fact } from '../document/album.ts';
 import type { Store } from '../document/store.ts';
 import type { History } from '../document/history.ts';
@@ -113,7 +114,7 @@ export function createSaving({
   let attempts = 0;
   /** Pending trial of a project, which may be reverted. */
   let trial: Promise<void> | null = null;
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  const timer = createTimer();
 
   effect(() => {
     const place = store.place.value;
@@ -160,7 +161,7 @@ export function createSaving({
   }
 
   function turnTo(place: Place) {
-    clearTimeout(timer);
+    timer.stop();
     ledger.status = status.peek();
     ledger = ledgerOf(place);
     attempts = 0;
@@ -192,10 +193,9 @@ export function createSaving({
     say(
       status.peek() === 'saved' || status.peek() === 'empty' || status.peek() === 'missing' ? 'saving' : status.peek(),
     );
-    clearTimeout(timer);
     // Photos are not in the journal.
     const quiet = store.album.peek().size > ledger.known && attempts === 0 ? 0 : QUIET;
-    timer = setTimeout(save, Math.max(0, Math.min(quiet, ledger.since + LONGEST - performance.now())));
+    timer.start(Math.max(0, Math.min(quiet, ledger.since + LONGEST - performance.now())), save);
   }
 
   /** Writes unsaved changes to the journal. */
@@ -215,7 +215,7 @@ export function createSaving({
 
   /** @returns when all that there is now was written, or could not be */
   async function flush(): Promise<void> {
-    clearTimeout(timer);
+    timer.stop();
     if (running) {
       if (ledger.dirty) ledger.due = moment();
       await running;
@@ -238,7 +238,7 @@ export function createSaving({
   }
 
   async function save(): Promise<void> {
-    clearTimeout(timer);
+    timer.stop();
     if (trial) {
       await trial;
       if (!ledger.dirty) return;
@@ -352,8 +352,7 @@ export function createSaving({
     onTrouble(why, error);
     // After a full storage or a conflict, only a change can help.
     if (why === 'full' || error.code === 'conflict') return;
-    clearTimeout(timer);
-    timer = setTimeout(save, Math.min(LONGEST_PAUSE, PAUSE * 2 ** attempts));
+    timer.start(Math.min(LONGEST_PAUSE, PAUSE * 2 ** attempts), save);
     attempts += 1;
   }
 

@@ -27,6 +27,7 @@ import { createDrawnStates } from './drawn-states.ts';
 import { createFileOpening } from './files/file-opening.ts';
 import { createJournal } from './journal.ts';
 import { createLastProject } from './last-project.ts';
+import { after } from '../engine/scheduler.ts';
 import { createLocks } from './locks.ts';
 import { createOpening } from './opening.ts';
 import { createPageFiles } from './files/page-files.ts';
@@ -40,6 +41,7 @@ import { sweep } from './sweeping.ts';
 import { explain } from '../ui/explain.ts';
 import type { Messages, Way } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
+import type { Scheduler } from '../engine/scheduler.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Reading } from '../photos/reading.ts';
 import type { Database } from './database.ts';
@@ -60,6 +62,7 @@ export function createKeeping({
   store,
   reading,
   engine,
+  scheduler,
   shelves,
   messages,
   window,
@@ -70,6 +73,7 @@ export function createKeeping({
   store: Store;
   reading: Reading;
   engine: Engine;
+  scheduler: Scheduler;
   shelves: Shelves;
   messages: Messages;
   window: Window;
@@ -81,7 +85,8 @@ export function createKeeping({
   const locks = createLocks(navigator.locks);
   const last = createLastProject({ tab: () => window.sessionStorage, browser: () => window.localStorage });
   const records = createPhotoRecords({ photos: engine.photos, originals: store.originals });
-  const pictures = createPictures({ store, engine, database, onDrawn: () => void projects.refresh().catch(() => {}) });
+  const onDrawn = () => void projects.refresh().catch(() => {});
+  const pictures = createPictures({ store, engine, scheduler, database, onDrawn });
   const drawnStates = createDrawnStates({ store });
   const journal = createJournal({ box: () => window.localStorage });
   const saving = createSaving({ store, records, journal, locks, database, drawnStates, onTrouble, onWritten, onSaved });
@@ -160,16 +165,14 @@ export function createKeeping({
   async function begin() {
     await opening.begin();
     await projects.refresh().catch(() => {});
-    setTimeout(
-      () =>
-        void database()
-          .then(async (base) => {
-            await sweep(base, locks);
-            await journal.tidy(async (id) => (await base.get('projects', id))?.stamp);
-          })
-          .catch(() => {}),
-      SWEEP_AFTER,
-    );
+    scheduler.background(() => tidy().catch(() => {}), { delay: SWEEP_AFTER });
+  }
+
+  /** Deletes unused data. */
+  async function tidy() {
+    const base = await database();
+    await sweep(base, locks);
+    await journal.tidy(async (id) => (await base.get('projects', id))?.stamp);
   }
 
   function ask(event: BeforeUnloadEvent) {
@@ -216,7 +219,7 @@ export function createKeeping({
    */
   function onClosed() {
     opened = null;
-    setTimeout(() => void look(), LOOK_AFTER);
+    after(LOOK_AFTER, () => void look());
   }
 
   function onWritten({ id }: Place) {

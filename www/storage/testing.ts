@@ -1,5 +1,6 @@
 /** A browser's storage for the tests of keeping: tabs that share tables, locks and small storages. */
 
+import { createScheduler } from '../engine/scheduler.ts';
 import 'fake-indexeddb/auto';
 import { IDBFactory } from 'fake-indexeddb';
 import { createPhotos } from '../engine/photos.ts';
@@ -163,7 +164,9 @@ export function fakeBrowser({
     }) as any;
     /** Whether the tab asks for confirmation before it closes. */
     const asks = () => !window.dispatchEvent(new Event('beforeunload', { cancelable: true }));
-    const keeping = createKeeping({ store, reading, engine, shelves, messages, window, leave: () => {}, views });
+    const scheduler = createScheduler();
+    const leave = () => {};
+    const keeping = createKeeping({ store, reading, engine, scheduler, shelves, messages, window, leave, views });
     prepare({ engine });
     const begun = keeping.begin();
     early({ keeping, reading });

@@ -10,7 +10,6 @@ import { save as saveFile } from '../ui/files.ts';
 import { importing } from '../ui/importing.ts';
 import { LONGEST_LINK, LONGEST_STYLE, isStyleLink, linkOf, textOfLink } from './style-link.ts';
 import type { Messages } from '../ui/messages.ts';
-import type { Designer } from '../designer/designer.ts';
 import type { Store } from '../document/store.ts';
 import type { Style } from '../engine/types.ts';
 
@@ -32,7 +31,7 @@ export function createOwnStyles({
 }: {
   store: Store;
   messages: Messages;
-  designer: Pick<Designer, 'open' | 'change'>;
+  designer: { open: (style: Style) => void };
   freshId: () => string;
 }) {
   const mine = computed(() => store.project.value.mine);

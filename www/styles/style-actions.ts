@@ -2,12 +2,12 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import type { Parts } from '../ui/context.ts';
+import type { App } from '../ui/context.ts';
 import type { Style } from '../engine/types.ts';
 import type { Action } from '../ui/action.ts';
 
 /** The style of the page in full. */
-export function styleOfPage({ store, ownStyles }: Pick<Parts, 'store' | 'ownStyles'>) {
+export function styleOfPage({ store, ownStyles }: Pick<App, 'store' | 'ownStyles'>) {
   const style = store.page.value?.style;
   if (typeof style !== 'string') return style as Style | undefined;
   return ownStyles.find(style) ?? store.styles.value.find(({ id }) => id === style);
@@ -18,7 +18,7 @@ export function createStyleActions({
   ownStyles,
   designer,
   ui,
-}: Pick<Parts, 'store' | 'ownStyles' | 'designer' | 'ui'>) {
+}: Pick<App, 'store' | 'ownStyles' | 'designer' | 'ui'>) {
   const style = computed(() => styleOfPage({ store, ownStyles }));
   return {
     edit: {

@@ -1,6 +1,6 @@
 /**
  * An action of the user, defined once. Its button, its shortcut and its entry in the shortcut list are made from it.
- * Each feature has a table of actions. `app/actions.ts` joins them.
+ * Each feature has a table of actions. `app/app.ts` joins them.
  */
 
 import { Signal } from '@preact/signals';
@@ -41,6 +41,18 @@ export type Action = {
 
 /** Keys that a part of the app handles separately, such as arrows on panels, for the shortcut list. */
 export type OwnKeys = Required<Pick<Action, 'keys' | 'about'>>;
+
+/** Actions by feature, as used by the list of shortcuts and the menus. */
+export type Tables = Record<string, Record<string, Action | OwnKeys>>;
+
+/** @returns each with its name, such as `page.shuffle` */
+export function everyAction(tables: Tables): [string, Action][] {
+  return Object.entries(tables).flatMap(([feature, table]) =>
+    Object.entries(table).flatMap(([name, action]): [string, Action][] =>
+      'run' in action ? [[`${feature}.${name}`, action]] : [],
+    ),
+  );
+}
 
 export function now<T>(value: Live<T>): T {
   return value instanceof Signal ? value.value : (value as T);

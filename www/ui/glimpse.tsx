@@ -8,6 +8,7 @@ import { strings } from '../strings/strings.ts';
 import { Bitmap, screenPixels } from './bitmap.tsx';
 import { useApp } from './context.ts';
 import { beside, inside } from './glimpse-place.ts';
+import { after } from '../engine/scheduler.ts';
 import type { Call } from '../engine/engine.ts';
 import type { PageDocument, Style } from '../engine/types.ts';
 import type { Point } from './pointing.ts';
@@ -45,8 +46,7 @@ export function useGlimpse(
       setGlimpsed(null);
       return undefined;
     }
-    const timer = setTimeout(() => setGlimpsed(make(pointed.id)), glimpsed ? 0 : rest);
-    return () => clearTimeout(timer);
+    return after(glimpsed ? 0 : rest, () => setGlimpsed(make(pointed.id)));
   }, [pointed?.id]);
 
   useEffect(() => {

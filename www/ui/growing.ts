@@ -1,6 +1,7 @@
 /** Long lists whose items are made a few at a time, so that the page answers in between. */
 
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { createTimer } from '../engine/scheduler.ts';
 
 /** Items per task: well below 50 ms, and more than the first screen shows. */
 const PIECE = 24;
@@ -17,14 +18,12 @@ export function useGrowing(keys: readonly string[]): ReadonlySet<string> {
   useEffect(() => {
     last.current = shown;
     if (shown.size === keys.length) return undefined;
-    let task = undefined as ReturnType<typeof setTimeout> | undefined;
+    const timer = createTimer();
     // After the frame that shows this piece.
-    const frame = requestAnimationFrame(() => {
-      task = setTimeout(() => again((n) => n + 1));
-    });
+    const frame = requestAnimationFrame(() => timer.start(0, () => again((n) => n + 1)));
     return () => {
       cancelAnimationFrame(frame);
-      clearTimeout(task);
+      timer.stop();
     };
   });
   return shown;

@@ -5,6 +5,7 @@
 
 import { useRef, useState } from 'preact/hooks';
 import { onEscape } from './on-escape.ts';
+import { after } from '../engine/scheduler.ts';
 
 /** The index of the dragged item, and the gap where it would land. */
 type Carried = { from: number; gap: number | null };
@@ -59,10 +60,10 @@ export function useListDrag({ list: listOf, item: itemOf }: Where, onDrop: (from
       point();
     };
     if (mouse) held.setPointerCapture(event.pointerId);
-    const timer = mouse ? 0 : setTimeout(begin, PRESS);
+    const cancel = mouse ? () => {} : after(PRESS, begin);
     const end = () => {
       watch.abort();
-      clearTimeout(timer);
+      cancel();
       cancelAnimationFrame(frame);
       setCarried(null);
     };

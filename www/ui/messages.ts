@@ -7,6 +7,7 @@
 import { batch, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import { byName } from './by-name.ts';
+import { after, createTimer } from '../engine/scheduler.ts';
 import type { Signal } from '@preact/signals';
 
 /** An action of a message; it closes the message unless it `stays`. */
@@ -48,7 +49,7 @@ export function createMessages() {
   /** All of them, by name and reason. */
   let failed: Map<string, Failure> = new Map();
   let beyond = 0;
-  let telling: ReturnType<typeof setTimeout> | undefined;
+  const telling = createTimer();
 
   /** @returns to close it by */
   function say(kind: Kind, text: string, way?: Way, more?: Way): number {
@@ -58,7 +59,7 @@ export function createMessages() {
       (message) => message.text !== text && (kind !== 'note' || message.kind !== 'note'),
     );
     list.value = bounded([...others, { id, kind, text, way, more }]);
-    if (kind === 'note') setTimeout(() => close(id), way ? WAY_MS : NOTE_MS);
+    if (kind === 'note') after(way ? WAY_MS : NOTE_MS, () => close(id));
     return id;
   }
 
@@ -81,8 +82,7 @@ export function createMessages() {
   }
 
   function forgetFiles() {
-    clearTimeout(telling);
-    telling = undefined;
+    telling.stop();
     [summary, beyond] = [0, 0];
     failed = new Map();
     failures.value = [];
@@ -102,18 +102,17 @@ export function createMessages() {
     const key = `${name}\n${why}`;
     if (failed.size >= MOST_NAMED && !failed.has(key)) beyond += 1;
     else failed.set(key, { name, why, text, way });
-    if (telling !== undefined) return;
+    if (telling.runs) return;
     tellOfFiles();
-    clearTimeout(telling);
-    telling = setTimeout(tellOfFiles, GATHER_MS);
+    telling.start(GATHER_MS, tellOfFiles);
   }
 
   function tellOfFiles() {
     const all = byName([...failed.values()]);
     const count = all.length + beyond;
     const fresh = count > failures.peek().length + unnamed.peek();
-    telling = fresh ? setTimeout(tellOfFiles, COUNT_MS) : undefined;
     if (!fresh) return;
+    telling.start(COUNT_MS, tellOfFiles);
     batch(() => {
       failures.value = all;
       unnamed.value = beyond;

@@ -3,6 +3,8 @@
  * not select it.
  */
 
+import { after } from '../engine/scheduler.ts';
+
 /** Receives the current choice, or null. */
 export type Point = (id: string | null, element?: Element) => void;
 
@@ -32,12 +34,12 @@ function hold({ clientX, clientY, currentTarget: element }: Of<PointerEvent>, id
   const watch = new AbortController();
   const { signal } = watch;
   let held = false;
-  const timer = setTimeout(() => {
+  const cancel = after(HOLD, () => {
     held = true;
     point(id, element);
-  }, HOLD);
+  });
   const end = () => {
-    clearTimeout(timer);
+    cancel();
     watch.abort();
     if (!held) return;
     point(null);
@@ -66,5 +68,5 @@ function swallowClick(element: HTMLElement) {
     },
     { signal: done.signal, capture: true },
   );
-  setTimeout(() => done.abort(), 50);
+  after(50, () => done.abort());
 }

@@ -7,7 +7,7 @@ import { SLANT_KEYS } from './cuts.tsx';
 import { SIZE_KEYS } from './insets.tsx';
 import { CHOOSE_KEYS, FRAME_KEYS } from './panel-keys.ts';
 import type { ReadonlySignal } from '@preact/signals';
-import type { Parts } from '../../ui/context.ts';
+import type { App } from '../../ui/context.ts';
 import type { Action, OwnKeys } from '../../ui/action.ts';
 
 /** The focused panel has additional keys. They affect only this panel, not the selection. */
@@ -40,7 +40,7 @@ export function createPanelActions({
   messages,
   ui,
 }: Pick<
-  Parts,
+  App,
   | 'store'
   | 'selection'
   | 'merging'

@@ -11,6 +11,7 @@ import { strings } from '../../strings/strings.ts';
 import { hashOf, looksLike } from '../../photos/identity.ts';
 import { absentOf } from '../../photos/placeholder.ts';
 import { renamed } from './project-json.ts';
+import { createTimer } from '../../engine/scheduler.ts';
 import type { Messages, Way } from '../../ui/messages.ts';
 import type { Absent, Fact } from '../../document/album.ts';
 import type { Store } from '../../document/store.ts';
@@ -52,7 +53,7 @@ export function createAbsentPhotos({
   const way = { label: strings.choosePhotos, run: chooseFiles };
   /** The current message, its frames and their number. */
   let told: { id: number; frames: ReadonlySet<string>; count: number; more?: Way } | null = null;
-  let telling: ReturnType<typeof setTimeout> | undefined;
+  const telling = createTimer();
 
   effect(() => {
     const frames = empty.value.map(({ id }) => id);
@@ -66,13 +67,13 @@ export function createAbsentPhotos({
    * @param frames that are empty now
    */
   function follow(frames: readonly string[]) {
-    clearTimeout(telling);
+    telling.stop();
     const { id = 0, count = 0 } = told ?? {};
     // Another project shows a new message.
     if (!frames.some((frame) => told?.frames.has(frame))) {
       messages.close(id);
       told = null;
-      if (frames.length > 0) telling = setTimeout(() => tell(strings.photosStillMissing(frames.length)), MORE_TO_SAY);
+      if (frames.length > 0) telling.start(MORE_TO_SAY, () => tell(strings.photosStillMissing(frames.length)));
     } else if (told && frames.length !== count) {
       told = { ...told, count: frames.length };
       messages.change(id, strings.photosStillMissing(frames.length), way, told.more);
@@ -84,7 +85,7 @@ export function createAbsentPhotos({
    * @param more another way than to choose them
    */
   function tell(text: string, more?: Way) {
-    clearTimeout(telling);
+    telling.stop();
     messages.close(told?.id ?? 0);
     const frames = empty.peek().map(({ id }) => id);
     told =

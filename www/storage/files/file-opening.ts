@@ -5,7 +5,7 @@
 
 import { signal } from '@preact/signals';
 import { PHOTOS_AT_ONCE, SILENCE } from '../../engine/limits.ts';
-import { patience } from '../../engine/patience.ts';
+import { timeLimit } from '../../engine/scheduler.ts';
 import { cancelled as stopped, failure } from '../../engine/protocol.ts';
 import { Priority } from '../../engine/queue.ts';
 import { strings } from '../../strings/strings.ts';
@@ -232,7 +232,7 @@ function silence(stop: AbortController): { beat: () => void; over: Promise<never
     if (performance.now() - since < SILENCE / 60) return;
     since = performance.now();
     relax();
-    relax = patience(SILENCE, () => stop.abort(failure('silent-project', 'Nothing of it came for a minute.')));
+    relax = timeLimit(SILENCE, () => stop.abort(failure('silent-project', 'Nothing of it came for a minute.')));
   };
   const over: Promise<never> = new Promise((_, reject) => {
     stop.signal.addEventListener('abort', () => reject(stop.signal.reason), { once: true });

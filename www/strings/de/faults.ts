@@ -66,6 +66,8 @@ export const faultStrings = {
   noSamples: 'Das Beispielalbum konnte nicht geladen werden. Prüfe die Verbindung und versuche es noch einmal.',
   noPhotosInUse: 'Kein Foto ist in Gebrauch. Hake unter Fotos eines an, um eine Seite zu bekommen.',
   panelFailed: (why: string) => `Ein Panel konnte nicht gezeichnet werden: ${why}`,
+  partMissing:
+    'Dieser Teil von Inkpanel konnte nicht geladen werden. Prüfe die Verbindung und versuche es noch einmal.',
   notDone: (why: string) => `Das ging nicht: ${why}`,
   coreFailed: (why: string) => `Inkpanel konnte nicht starten: ${why}`,
   locked: { layout: 'Das Layout ist fixiert.', style: 'Der Stil ist fixiert.', photos: 'Die Fotos sind fixiert.' },

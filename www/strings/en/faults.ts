@@ -41,6 +41,7 @@ export const faultStrings = {
   noSamples: 'The sample album could not be loaded. Check the connection and try again.',
   noPhotosInUse: 'No photo is in use. Tick one in Photos to get a page.',
   panelFailed: (why: string) => `A panel could not be drawn: ${why}`,
+  partMissing: 'This part of Inkpanel could not be loaded. Check your connection and try again.',
   notDone: (why: string) => `This could not be done: ${why}`,
   coreFailed: (why: string) => `Inkpanel could not start: ${why}`,
   locked: { layout: 'The layout is locked.', style: 'The style is locked.', photos: 'The photos are locked.' },

@@ -60,6 +60,7 @@ export const faultStrings = {
   noSamples: 'No se pudo cargar el álbum de muestra. Comprueba la conexión e inténtalo otra vez.',
   noPhotosInUse: 'No hay ninguna foto en uso. Marca una en Fotos para tener una página.',
   panelFailed: (why: string) => `No se pudo dibujar una viñeta: ${why}`,
+  partMissing: 'No se pudo cargar esta parte de Inkpanel. Comprueba la conexión e inténtalo de nuevo.',
   notDone: (why: string) => `Esto no se pudo hacer: ${why}`,
   coreFailed: (why: string) => `Inkpanel no pudo arrancar: ${why}`,
   locked: { layout: 'La plantilla está fijada.', style: 'El estilo está fijado.', photos: 'Las fotos están fijadas.' },

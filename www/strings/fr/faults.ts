@@ -61,6 +61,7 @@ export const faultStrings = {
   noSamples: 'L’album d’exemple n’a pas pu être chargé. Vérifiez la connexion et réessayez.',
   noPhotosInUse: 'Aucune photo n’est utilisée. Cochez-en une dans Photos pour avoir une page.',
   panelFailed: (why: string) => `Une case n’a pas pu être dessinée : ${why}`,
+  partMissing: 'Cette partie d’Inkpanel n’a pas pu être chargée. Vérifiez la connexion et réessayez.',
   notDone: (why: string) => `Cela n’a pas pu se faire : ${why}`,
   coreFailed: (why: string) => `Inkpanel n’a pas pu démarrer : ${why}`,
   locked: {

@@ -61,6 +61,7 @@ export const faultStrings = {
   noSamples: 'サンプルアルバムを読み込めませんでした。接続を確認してもう一度お試しください。',
   noPhotosInUse: '使っている写真がありません。「写真」で1枚チェックするとページができます。',
   panelFailed: (why: string) => `コマを描けませんでした：${why}`,
+  partMissing: 'Inkpanelのこの部分を読み込めませんでした。接続を確認してもう一度お試しください。',
   notDone: (why: string) => `できませんでした：${why}`,
   coreFailed: (why: string) => `Inkpanelを起動できませんでした：${why}`,
   locked: {

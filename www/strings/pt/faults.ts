@@ -61,6 +61,7 @@ export const faultStrings = {
   noSamples: 'Não foi possível carregar o álbum de exemplo. Verifique a conexão e tente de novo.',
   noPhotosInUse: 'Nenhuma foto está em uso. Marque uma em Fotos para ter uma página.',
   panelFailed: (why: string) => `Não foi possível desenhar um quadro: ${why}`,
+  partMissing: 'Não foi possível carregar esta parte do Inkpanel. Verifique a conexão e tente de novo.',
   notDone: (why: string) => `Não foi possível fazer isso: ${why}`,
   coreFailed: (why: string) => `O Inkpanel não conseguiu iniciar: ${why}`,
   locked: { layout: 'O layout está travado.', style: 'O estilo está travado.', photos: 'As fotos estão travadas.' },

@@ -155,6 +155,7 @@ test('keyboard: a style is built, saved, and edited after a reload', async ({ pa
   expect((await contents(page)).style).toBe('By keys');
   await (await reach(page, 'Edit By keys')).focus();
   await page.keyboard.press('Enter');
+  await expect(region(page)).toBeVisible();
   expect(await names(page)).toEqual(['Saturation', 'Posterization']);
   await page.keyboard.press('Escape');
   await expect(region(page)).toHaveCount(0);

@@ -45,6 +45,18 @@ test('a style with a painter is drawn after its model failed to load', async ({ 
   await expect(page.getByRole('alert')).toHaveText('');
 });
 
+test('a workspace opens after its script failed to load', async ({ page }) => {
+  const script = /designer-screen-[^/]*\.js$/;
+  await page.route(script, (route) => route.abort());
+  await openBoard(page);
+  const open = page.getByRole('button', { name: 'Style designer', exact: true });
+  await open.click();
+  await expect(page.getByRole('alert')).toContainText('This part of Inkpanel could not be loaded.');
+  await page.unroute(script);
+  await open.click();
+  await expect(page.getByRole('region', { name: 'Style designer' })).toBeVisible();
+});
+
 test('a file format loads only its own module, and can be saved after the loading failed', async ({ page }) => {
   /** @type {string[]} */
   const asked = [];

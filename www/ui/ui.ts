@@ -3,10 +3,9 @@
  */
 
 import { computed, signal } from '@preact/signals';
-import { mediaSignal } from '../ui/media.ts';
-import { remember, remembered, rememberedSwitch } from '../ui/remembered.ts';
-import { createTheme } from '../ui/theme.ts';
-import type { Way } from '../export/formats.ts';
+import { mediaSignal } from './media.ts';
+import { remember, remembered, rememberedSwitch } from './remembered.ts';
+import { createTheme } from './theme.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
@@ -68,8 +67,6 @@ export function createUi(window: Window) {
     sheet: signal(null) as Signal<Sheet | null>,
     /** The open tab next to the page on a large screen. */
     sideTab: signal('styles') as Signal<SideTab>,
-    /** The selected tab of the export dialog, if the user opened it for a specific export. */
-    exportWay: signal(null) as Signal<Way | null>,
     work,
     /** Opens a workspace, or closes the open one. */
     toggleWork(which: Work) {

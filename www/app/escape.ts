@@ -1,0 +1,18 @@
+/** Escape closes the mode that was opened last. */
+
+import type { App } from '../ui/context.ts';
+
+/** @returns the action of Escape; `undefined` if there is nothing to close */
+export function escapeOf({ ui, framing, lettering, selection, reshaping, hints }: App): (() => void) | undefined {
+  if (ui.originals.peek()) return () => void (ui.originals.value = false);
+  if (ui.preview.peek()) return () => void (ui.preview.value = false);
+  if (framing.placing.peek() !== null) return () => framing.place(null);
+  if (lettering.mode.peek()) return () => void (lettering.mode.value = null);
+  if (framing.mode.peek()) return () => void (framing.mode.value = null);
+  if (lettering.chosen.peek() >= 0) return () => lettering.choose(-1);
+  if (framing.cropping.peek() !== null) return () => void (framing.cropping.value = null);
+  if (selection.several.peek() || selection.panels.peek().length > 0) return () => selection.choose(false);
+  if (reshaping.editing.peek()) return () => void (reshaping.editing.value = false);
+  if (ui.sheet.peek()) return () => void (ui.sheet.value = null);
+  return hints.shown.peek() ? hints.close : undefined;
+}

@@ -1,0 +1,22 @@
+/** Storyboards. */
+
+import { strings } from '../strings/strings.ts';
+import { lazyWorkspace } from '../ui/lazy.tsx';
+import { createBoards } from './boards.ts';
+import type { Boards } from './boards.ts';
+import type { Feature } from '../ui/context.ts';
+
+type Parts = {
+  boards: Boards;
+};
+
+declare module '../ui/context.ts' {
+  interface App extends Parts {}
+}
+
+export const boardsFeature: Feature<Parts> = {
+  install: (app) => ({ boards: createBoards({ ...app, chooseStyle: app.pages.chooseStyle }) }),
+  screens: {
+    boards: lazyWorkspace(async () => (await import('./boards-screen.tsx')).BoardsScreen, strings.boards.missing),
+  },
+};

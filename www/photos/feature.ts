@@ -1,0 +1,47 @@
+/** Import of photos, and detection of their subjects. */
+
+import { loadPlaces, locationOf } from '../engine/place-table.ts';
+import { freshPhotoPrefix } from './intake.ts';
+import { createMasks } from './masks.ts';
+import { createPhotoActions } from './photo-actions.ts';
+import { createPlaceNames } from './place-names.ts';
+import { createReading } from './reading.ts';
+import { createSubjects } from './subjects.ts';
+import type { Masks } from './masks.ts';
+import type { Reading } from './reading.ts';
+import type { Subjects } from './subjects.ts';
+import type { Feature, App } from '../ui/context.ts';
+
+type Parts = {
+  placeNames: ReturnType<typeof createPlaceNames>;
+  reading: Reading;
+  subjects: Subjects;
+  masks: Masks;
+};
+
+declare module '../ui/context.ts' {
+  interface App extends Parts {}
+  interface Actions extends ReturnType<typeof actions> {}
+}
+
+const actions = (app: App) => ({ photos: createPhotoActions(app) });
+
+export const photosFeature: Feature<Parts> = {
+  install(app) {
+    const { store, ui, env } = app;
+    const placeNames = createPlaceNames({ locationOf, load: loadPlaces });
+    const wanted = ui.detects;
+    const reading = createReading({ ...app, prefix: freshPhotoPrefix(), detects: wanted, places: placeNames });
+    const painted = () => ui.painted.value === store.page.value;
+    const onFound = () => {
+      app.crops.found();
+      app.narrating.avoidFaces();
+    };
+    const subjects = createSubjects({ ...app, painted, onFound, wanted, window: env.window });
+    const ready = () =>
+      store.reading.value === null && painted() && subjects.settled.value && !app.droppedFiles.busy.value;
+    const masks = createMasks({ ...app, onFound: () => app.crops.found(), ready, wanted });
+    return { placeNames, reading, subjects, masks };
+  },
+  actions,
+};
