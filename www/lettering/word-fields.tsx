@@ -23,7 +23,7 @@ type AmountProps = {
 };
 
 /** Default outline of a sound effect, in ems; half the width of the line. */
-export const USUAL_OUTLINE = 0.06;
+const USUAL_OUTLINE = 0.06;
 
 /** Whether a text item is set in capitals. By default, letterers do so except for sound effects. */
 export function capitals({ capitals, craft, kind }: Word): boolean {

@@ -8,7 +8,6 @@ import { strings } from '../strings/strings.ts';
 import { subjectsOf, useSubjectsOf } from '../page/subjects-of.ts';
 import { useApp } from '../ui/context.ts';
 import { placed, pointOn, useWordHands } from './word-hands.ts';
-import { WordBar } from './word-bar.tsx';
 import { WordEditor } from './word-editor.tsx';
 import { createWordPainter } from './word-painter.ts';
 import type { Geometry, PageDocument, WordBox } from '../engine/types.ts';
@@ -21,7 +20,6 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
   const words = lettering.words.value;
   const boxes = lettering.boxes.value;
   const editing = lettering.editing.value;
-  const chosen = lettering.chosen.value;
 
   useEffect(() => {
     painter.current = createWordPainter(canvas.current as HTMLCanvasElement, {
@@ -48,7 +46,6 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
         {words.map(
           (_, i) => boxes[i] && i !== editing && <Word key={i} index={i} box={boxes[i]} height={geometry.height} />,
         )}
-        {boxes[chosen] && editing < 0 && !lettering.mode.value && <WordBar index={chosen} box={boxes[chosen]} />}
         {lettering.mode.value && <Aim />}
         {boxes[editing] && (
           <WordEditor key={`edit-${editing}`} index={editing} box={boxes[editing]} height={geometry.height} />

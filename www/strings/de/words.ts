@@ -19,6 +19,7 @@ export const wordStrings = {
   shape: 'Form',
   shapes: { oval: 'Rede', thought: 'Gedanke', shout: 'Schrei', whisper: 'Flüstern', radio: 'Funk' },
   editWord: 'Text ändern',
+  formatWord: 'Format',
   moveWord: 'Bewegen nach…',
   pointTail: 'Dorn zeigt auf…',
   removeTail: 'Dorn entfernen',

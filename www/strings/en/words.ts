@@ -21,6 +21,7 @@ export const wordStrings = {
   shape: 'Shape',
   shapes: { oval: 'Speech', thought: 'Thought', shout: 'Shout', whisper: 'Whisper', radio: 'Radio' },
   editWord: 'Edit text',
+  formatWord: 'Format',
   moveWord: 'Move to…',
   pointTail: 'Point tail at…',
   removeTail: 'Remove tail',

@@ -19,6 +19,7 @@ export const wordStrings = {
   shape: 'Forma',
   shapes: { oval: 'Habla', thought: 'Pensamiento', shout: 'Grito', whisper: 'Susurro', radio: 'Radio' },
   editWord: 'Editar texto',
+  formatWord: 'Formato',
   moveWord: 'Mover a…',
   pointTail: 'Apuntar el rabillo a…',
   removeTail: 'Quitar rabillo',

@@ -19,6 +19,7 @@ export const wordStrings = {
   shape: 'Forme',
   shapes: { oval: 'Parole', thought: 'Pensée', shout: 'Cri', whisper: 'Murmure', radio: 'Radio' },
   editWord: 'Modifier le texte',
+  formatWord: 'Format',
   moveWord: 'Déplacer vers…',
   pointTail: 'Pointer la queue vers…',
   removeTail: 'Retirer la queue',
