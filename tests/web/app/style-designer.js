@@ -24,10 +24,11 @@ export async function names(page, layer) {
   return headings.map((name) => name.replace(/^.* \((.*)\)$/, '$1'));
 }
 
-/** @param {Page} page */
+/** Opens the designer with a style without blocks. @param {Page} page */
 export async function openDesigner(page) {
   await openBoard(page, FOUR);
   await page.getByRole('button', { name: 'Style designer', exact: true }).click();
+  await region(page).getByRole('combobox', { name: 'Start from' }).selectOption({ label: 'An empty style' });
   await drawn(page);
 }
 

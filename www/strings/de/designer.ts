@@ -30,6 +30,7 @@ export const designerStrings = {
   designedStyles: 'Fertige Stile',
 
   layerName: { background: 'Farbebene', foreground: 'Linienebene' },
+  layerTitle: { background: 'Farben', foreground: 'Linien' },
   layerHelp: {
     background: 'Die Farben, von oben nach unten.',
     foreground: 'Die Linien: Was hier dunkel ist, wird mit Tusche über die Farben gezeichnet.',

@@ -32,6 +32,7 @@ export const designerStrings = {
   designedStyles: 'Designed styles',
 
   layerName: { background: 'Background layer', foreground: 'Foreground layer' },
+  layerTitle: { background: 'Colours', foreground: 'Lines' },
   layerHelp: {
     background: 'The colours, from top to bottom.',
     foreground: 'The lines: dark areas are drawn in ink over the colours.',

@@ -30,6 +30,7 @@ export const designerStrings = {
   designedStyles: 'Estilos diseñados',
 
   layerName: { background: 'Capa de fondo', foreground: 'Capa de líneas' },
+  layerTitle: { background: 'Colores', foreground: 'Líneas' },
   layerHelp: {
     background: 'Los colores, de arriba abajo.',
     foreground: 'Las líneas: lo oscuro de aquí se dibuja con tinta sobre los colores.',

@@ -30,6 +30,7 @@ export const designerStrings = {
   designedStyles: 'Styles fournis',
 
   layerName: { background: 'Calque de couleurs', foreground: 'Calque de lignes' },
+  layerTitle: { background: 'Couleurs', foreground: 'Lignes' },
   layerHelp: {
     background: 'Les couleurs, de haut en bas.',
     foreground: 'Les lignes : ce qui est sombre ici est tracé à l’encre sur les couleurs.',

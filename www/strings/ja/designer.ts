@@ -30,6 +30,7 @@ export const designerStrings = {
   designedStyles: '用意されたスタイル',
 
   layerName: { background: '色のレイヤー', foreground: '線のレイヤー' },
+  layerTitle: { background: '色', foreground: '線' },
   layerHelp: {
     background: '色です。上から順に処理します。',
     foreground: '線です。ここで暗い所が、色の上にインクで描かれます。',

@@ -30,6 +30,7 @@ export const designerStrings = {
   designedStyles: 'Estilos prontos',
 
   layerName: { background: 'Camada de cores', foreground: 'Camada de linhas' },
+  layerTitle: { background: 'Cores', foreground: 'Linhas' },
   layerHelp: {
     background: 'As cores, de cima para baixo.',
     foreground: 'As linhas: o que é escuro aqui é desenhado com nanquim sobre as cores.',
