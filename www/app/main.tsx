@@ -95,7 +95,7 @@ const reading = createReading({
   places: placeNames,
 });
 const book = createBook({ store, pages, messages, onKept: (page) => taste.learn(page) });
-const choosing = createChoosing({ store, pages, reading, enlarged });
+const choosing = createChoosing({ store, pages, reading, messages, enlarged });
 const scrubbing = createScrubbing({ store, pages, reading, engine, messages });
 const selection = createSelection({ store });
 const narrating = createNarrating({
@@ -110,7 +110,7 @@ const filmSounds = createFilmSounds({ store, engine, lettering, messages });
 const merging = createMerging({ store, pages, selection });
 const framing = createFraming({ store, pages });
 const reshaping = createReshaping({ store, pages, seed: freshSeed });
-const hints = createHints({ store, selection, framing, reshaping, ui, box: () => window.localStorage });
+const hints = createHints({ store, selection, lettering, framing, reshaping, ui, box: () => window.localStorage });
 const ownLayouts = createOwnLayouts({ store, pages, messages });
 const designer = createDesigner({ store, pages, messages, ui, freshId: freshStyleId });
 const ownStyles = createOwnStyles({ store, messages, designer, freshId: freshStyleId });
@@ -410,6 +410,12 @@ effect(() => {
 effect(() => {
   if (selection.panels.value.length === 0) return;
   untracked(() => lettering.choose(-1));
+});
+/** Keys act on a focused text item, so the focus leaves a text item that is not selected any more. */
+effect(() => {
+  if (lettering.chosen.value >= 0) return;
+  const focused = document.activeElement;
+  if (focused instanceof HTMLElement && focused.matches('.word, .word-tail, .word-handle')) focused.blur();
 });
 /** Modes of a panel end with its selection. */
 effect(() => {

@@ -5,6 +5,7 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { versions } from '../document/history.ts';
+import type { Lettering } from '../lettering/lettering.ts';
 import type { Framing } from '../page/panels/framing.ts';
 import type { Reshaping } from '../page/panels/reshaping.ts';
 import type { Selection } from '../page/panels/selection.ts';
@@ -25,6 +26,7 @@ const ENOUGH = 2;
 export function createHints({
   store,
   selection,
+  lettering,
   framing,
   reshaping,
   ui,
@@ -32,6 +34,7 @@ export function createHints({
 }: {
   store: Store;
   selection: Selection;
+  lettering: Pick<Lettering, 'chosen'>;
   framing: Framing;
   reshaping: Reshaping;
   ui: Pick<Ui, 'painted' | 'work' | 'sheet' | 'dialog' | 'preview'>;
@@ -63,21 +66,28 @@ export function createHints({
   const there = computed(
     () => store.page.value !== null && ui.painted.value === store.page.value && store.reading.value === null,
   );
+  /** Whether a panel or a text item is selected. */
+  const selects = computed(() => selection.panels.value.length > 0 || lettering.chosen.value >= 0);
   const locked = computed(() => Object.values(store.project.value.locks).some(Boolean));
 
   const due: Record<Hint, () => boolean> = {
     shuffle: () => shuffles.value === 0 && (again.value || versions(store.history.value).length === 1),
-    crop: () => panel.value !== null && framing.cropOf(panel.value) !== null && !framing.isLocked(panel.value),
-    lock: () => shuffles.value >= ENOUGH && !locked.value && selection.panels.value.length === 0,
+    crop: () =>
+      panel.value !== null &&
+      lettering.chosen.value < 0 &&
+      framing.cropOf(panel.value) !== null &&
+      !framing.isLocked(panel.value),
+    lock: () => shuffles.value >= ENOUGH && !locked.value && !selects.value,
   };
   const done: Record<Hint, () => boolean> = {
-    // A user who selects panels needs no hint for Shuffle.
-    shuffle: () => shuffles.value > 0 || selection.panels.value.length > 0,
-    // The hint ends if the user shuffles again.
+    // A user who selects something needs no hint for Shuffle.
+    shuffle: () => shuffles.value > 0 || selects.value,
+    // The hint ends if the user shuffles again, or works on a text item.
     crop: () =>
       shuffles.value > before ||
+      lettering.chosen.value >= 0 ||
       (cropsOf(store.page.value) !== crops && (store.page.value?.panels.some(({ edited }) => edited) ?? false)),
-    lock: () => locked.value || shuffles.value >= before + ENOUGH,
+    lock: () => locked.value || lettering.chosen.value >= 0 || shuffles.value >= before + ENOUGH,
   };
 
   effect(() => {

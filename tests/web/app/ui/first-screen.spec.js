@@ -115,6 +115,8 @@ test('a click next to the page, another version, full screen and Escape end each
     await expect(tools.getByRole('button', { name: 'Crop' })).toHaveCount(0);
     await end();
     await expect(bar).toHaveCount(0);
+    // Keys do not reach a text item that is not selected.
+    await expect(page.locator('.word:focus')).toHaveCount(0);
     await page.keyboard.press('Escape');
   }
 });
