@@ -195,7 +195,7 @@ export function ExportDialog() {
                       value={quality}
                       onInput={(event) => setQuality(Number(event.currentTarget.value))}
                     />
-                    <output aria-hidden="true">{quality}</output>
+                    <output aria-hidden="true">{strings.percent(quality / 100)}</output>
                   </label>
                 )}
                 {!all && <Sizes size={size} choose={setSize} />}

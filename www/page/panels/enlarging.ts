@@ -10,10 +10,10 @@ import type { Bounds, LayoutChoice, PageDocument } from '../../engine/types.ts';
 /** The panel grows to this multiple of its area. */
 const GOAL = 1.7;
 /** Minimum area of another panel, relative to its area before. */
-const FAIR = 0.4;
+const FAIR = 0.5;
 /** Distance that a cut moves at a time, in parts of its cell. */
-const STEP = 0.04;
-const MAX_STEPS = 16;
+const STEP = 0.02;
+const MAX_STEPS = 32;
 /** Maximum area of an inset, relative to the page, because it covers other panels. */
 const MOST_INSET = 0.3;
 /** Growth by one step that is worth it, as a part of the area at the start. */

@@ -23,6 +23,7 @@ export const designerStrings = {
   copyLink: 'Link kopieren',
   duplicateStyle: 'Stil duplizieren',
   deleteStyle: 'Stil löschen',
+  styleToolShort: { export: 'Export', import: 'Import', link: 'Link', duplicate: 'Kopie', delete: 'Löschen' },
   editStyle: (name: string) => `${name} bearbeiten`,
   edit: 'Bearbeiten',
   myStyles: 'Meine Stile',

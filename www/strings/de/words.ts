@@ -23,7 +23,7 @@ export const wordStrings = {
   moveWord: 'Bewegen nach…',
   pointTail: 'Dorn zeigt auf…',
   removeTail: 'Dorn entfernen',
-  placeWord: 'Automatisch platzieren',
+  placeWord: 'Auto-Position',
   removeWord: 'Text entfernen',
   wordX: 'X',
   wordY: 'Y',

@@ -25,6 +25,7 @@ export const designerStrings = {
   copyLink: 'Copy link',
   duplicateStyle: 'Duplicate style',
   deleteStyle: 'Delete style',
+  styleToolShort: { export: 'Export', import: 'Import', link: 'Link', duplicate: 'Duplicate', delete: 'Delete' },
   editStyle: (name: string) => `Edit ${name}`,
   edit: 'Edit',
   myStyles: 'My styles',

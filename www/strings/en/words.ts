@@ -25,7 +25,7 @@ export const wordStrings = {
   moveWord: 'Move to…',
   pointTail: 'Point tail at…',
   removeTail: 'Remove tail',
-  placeWord: 'Place automatically',
+  placeWord: 'Auto position',
   removeWord: 'Remove text',
   wordX: 'X',
   wordY: 'Y',

@@ -23,6 +23,7 @@ export const designerStrings = {
   copyLink: 'Copiar enlace',
   duplicateStyle: 'Duplicar estilo',
   deleteStyle: 'Borrar estilo',
+  styleToolShort: { export: 'Exportar', import: 'Importar', link: 'Enlace', duplicate: 'Duplicar', delete: 'Borrar' },
   editStyle: (name: string) => `Editar ${name}`,
   edit: 'Editar',
   myStyles: 'Mis estilos',

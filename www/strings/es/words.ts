@@ -23,7 +23,7 @@ export const wordStrings = {
   moveWord: 'Mover a…',
   pointTail: 'Apuntar el rabillo a…',
   removeTail: 'Quitar rabillo',
-  placeWord: 'Colocar automáticamente',
+  placeWord: 'Posición automática',
   removeWord: 'Quitar texto',
   wordX: 'X',
   wordY: 'Y',

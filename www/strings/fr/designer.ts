@@ -23,6 +23,7 @@ export const designerStrings = {
   copyLink: 'Copier le lien',
   duplicateStyle: 'Dupliquer le style',
   deleteStyle: 'Supprimer le style',
+  styleToolShort: { export: 'Exporter', import: 'Importer', link: 'Lien', duplicate: 'Dupliquer', delete: 'Supprimer' },
   editStyle: (name: string) => `Modifier ${name}`,
   edit: 'Modifier',
   myStyles: 'Mes styles',

@@ -23,7 +23,7 @@ export const wordStrings = {
   moveWord: 'Déplacer vers…',
   pointTail: 'Pointer la queue vers…',
   removeTail: 'Retirer la queue',
-  placeWord: 'Placer automatiquement',
+  placeWord: 'Position auto',
   removeWord: 'Retirer le texte',
   wordX: 'X',
   wordY: 'Y',

@@ -23,6 +23,7 @@ export const designerStrings = {
   copyLink: 'リンクをコピー',
   duplicateStyle: 'スタイルを複製',
   deleteStyle: 'スタイルを削除',
+  styleToolShort: { export: '書き出し', import: '読み込み', link: 'リンク', duplicate: '複製', delete: '削除' },
   editStyle: (name: string) => `${name}を編集`,
   edit: '編集',
   myStyles: 'マイスタイル',

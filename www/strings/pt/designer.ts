@@ -23,6 +23,7 @@ export const designerStrings = {
   copyLink: 'Copiar link',
   duplicateStyle: 'Duplicar estilo',
   deleteStyle: 'Excluir estilo',
+  styleToolShort: { export: 'Exportar', import: 'Importar', link: 'Link', duplicate: 'Duplicar', delete: 'Excluir' },
   editStyle: (name: string) => `Editar ${name}`,
   edit: 'Editar',
   myStyles: 'Meus estilos',
