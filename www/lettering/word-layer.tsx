@@ -57,10 +57,12 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
 
 /** @param props `height` of the page, in its widths */
 function Word({ index, box, height }: { index: number; box: WordBox; height: number }) {
-  const { lettering } = useApp();
+  const { lettering, ui } = useApp();
   const hands = useWordHands(index);
   const word = lettering.words.value[index];
   const chosen = lettering.chosen.value === index;
+  // Above a drawer, the page is too small for handles.
+  const held = chosen && (ui.wide.value || ui.sheet.value === null);
   const name = strings.word(word.kind, word.text);
   return (
     <>
@@ -74,7 +76,7 @@ function Word({ index, box, height }: { index: number; box: WordBox; height: num
         style={{ ...placed(box, height), '--wide': box.width, '--tall': box.height / height }}
         {...hands.body}
       />
-      {chosen && box.tip && (
+      {held && box.tip && (
         <button
           type="button"
           class="word-tail"
@@ -84,7 +86,7 @@ function Word({ index, box, height }: { index: number; box: WordBox; height: num
           {...hands.tail}
         />
       )}
-      {chosen && (
+      {held && (
         <button
           type="button"
           class="word-handle"
@@ -95,7 +97,7 @@ function Word({ index, box, height }: { index: number; box: WordBox; height: num
           {...hands.size}
         />
       )}
-      {chosen && word.kind === 'effect' && (
+      {held && word.kind === 'effect' && (
         <button
           type="button"
           class="word-handle"

@@ -95,7 +95,7 @@ export const storageStrings = {
   opensWhenFree: 'It opens here when you close the other tab.',
   openCopy: 'Open a copy',
 
-  // Pages shown
+  // Versions
   pagesShown: 'Page history',
   pagesShownAt: (n: number, of: number) => `Page history, ${n}/${of}`,
   pageNumber: (n: number) => `Page ${n}`,
