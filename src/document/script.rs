@@ -52,6 +52,8 @@ pub struct Paragraph {
     pub said: Vec<Said>,
     /// Number of panels before the panel of its heading, on all pages of the script. `None` without a numbered heading.
     pub panel: Option<usize>,
+    /// The same number of the first numbered heading after it.
+    pub next: Option<usize>,
 }
 
 /// Paragraphs of a script, each with its speeches.
@@ -68,16 +70,20 @@ pub fn read(text: &str) -> Vec<Paragraph> {
         if follows && (line.is_empty() || heading.is_some()) {
             paragraphs.push(Paragraph::default());
         }
-        let Some(paragraph) = paragraphs.last_mut() else { continue };
         let mut line = line;
-        if let Some(heading) = heading {
-            paragraph.panel = numbers.place(&heading);
+        if let (Some(heading), Some(paragraph)) = (heading, paragraphs.last_mut()) {
             line = if has_names { "" } else { heading.rest };
+            let place = numbers.place(&heading);
+            paragraph.panel = place;
+            let earlier = paragraphs.iter_mut().rev().filter(|before| !before.said.is_empty());
+            for before in earlier.take_while(|before| place.is_some() && before.next.is_none()) {
+                before.next = place;
+            }
         }
         if line.is_empty() {
             continue;
         }
-        let group = &mut paragraph.said;
+        let Some(Paragraph { said: group, .. }) = paragraphs.last_mut() else { continue };
         match voice(line) {
             Some(said) => group.push(said),
             // In scripts with names, a line without a name continues the speech before.
@@ -216,17 +222,14 @@ pub fn told(text: &str, panels: usize, taking: Taking) -> String {
 /// Returns the panel of each paragraph. One without a number goes to the panel after the paragraph before, but
 /// not as far as the next number.
 fn numbered(paragraphs: &[Paragraph]) -> Vec<usize> {
-    let mut next = 0;
-    let place = |(i, paragraph): (usize, &Paragraph)| {
-        let place = paragraph.panel.unwrap_or_else(|| {
-            let end = paragraphs[i..].iter().find_map(|after| after.panel).unwrap_or(usize::MAX);
-            let last = next.max(1) - 1;
-            next.min(end.saturating_sub(1)).max(last.min(end))
-        });
+    let mut next = 0_usize;
+    let place = |paragraph: &Paragraph| {
+        let last = paragraph.next.map_or(usize::MAX, |next| next.saturating_sub(1));
+        let place = paragraph.panel.unwrap_or(next.min(last.max(next.saturating_sub(1))));
         next = place + 1;
         place
     };
-    paragraphs.iter().enumerate().map(place).collect()
+    paragraphs.iter().map(place).collect()
 }
 
 /// Text items laid over panels.

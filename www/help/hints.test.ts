@@ -61,6 +61,16 @@ it('tells of photos when a panel is pointed at or selected, until one is moved',
   expect(shown()).toBe(null);
 });
 
+it('ends the hint about photos when its panel is not selected any more', async () => {
+  const { shown, draw, shuffle, selection } = await begun();
+  draw();
+  shuffle();
+  selection.set([0]);
+  expect(shown()).toBe('crop');
+  selection.clear();
+  expect(shown()).toBe(null);
+});
+
 it('ends the hint about photos when the next page comes, and the hint about locks after two more', async () => {
   const { shown, draw, shuffle, selection } = await begun();
   draw();

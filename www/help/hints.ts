@@ -51,6 +51,8 @@ export function createHints({
   /** The crops of the page and the number of shuffles when the hint about them was given. */
   let crops = '';
   let before = 0;
+  /** Whether the hint about photos is about a selected panel. */
+  let ofSelection = false;
 
   const panel = computed(() => selection.panels.value[0] ?? pointed.value);
   /** Whether no other element needs the user's attention. */
@@ -82,9 +84,10 @@ export function createHints({
   const done: Record<Hint, () => boolean> = {
     // A user who selects something needs no hint for Shuffle.
     shuffle: () => shuffles.value > 0 || selects.value,
-    // The hint ends if the user shuffles again, or works on a text item.
+    // The hint ends if the user shuffles again, works on a text item, or leaves the panel.
     crop: () =>
       shuffles.value > before ||
+      (ofSelection && selection.panels.value.length === 0) ||
       lettering.chosen.value >= 0 ||
       (cropsOf(store.page.value) !== crops && (store.page.value?.panels.some(({ edited }) => edited) ?? false)),
     lock: () => locked.value || lettering.chosen.value >= 0 || shuffles.value >= before + ENOUGH,
@@ -100,6 +103,7 @@ export function createHints({
     if (next === undefined) return;
     crops = cropsOf(store.page.peek());
     before = shuffles.peek();
+    ofSelection = selection.panels.peek().length > 0;
     current.value = next;
     remember(new Set([...seen.peek(), next]));
   });

@@ -224,7 +224,8 @@ for (const viewport of [
       const art = await page.locator('.page-canvas').boundingBox();
       const box = await message.first().boundingBox();
       if (!art || !box) throw new Error('no message or no page');
-      const isApart = box.x >= art.x + art.width || box.x + box.width <= art.x || box.y >= art.y + art.height;
+      const isBeside = box.x >= art.x + art.width || box.x + box.width <= art.x;
+      const isApart = isBeside || box.y >= art.y + art.height || box.y + box.height <= art.y;
       expect(isApart, JSON.stringify({ art, box })).toBe(true);
       expect(box.x + box.width).toBeLessThanOrEqual(viewport.width);
       expect(box.y + box.height).toBeLessThanOrEqual(viewport.height);
