@@ -178,12 +178,15 @@ struct Numbers {
     end: usize,
     /// The number of the heading before, on the same page.
     last: usize,
+    /// Whether headings of pages were found. Otherwise, a page begins with its first panel.
+    paged: bool,
 }
 
 impl Numbers {
     /// Returns the number of panels before the panel of a heading, over all pages.
     fn place(&mut self, heading: &Heading<'_>) -> Option<usize> {
-        let begins = heading.panel == Some(1) && self.last > 1;
+        self.paged |= heading.page;
+        let begins = heading.panel == Some(1) && self.last > 1 && !self.paged;
         if heading.page || begins {
             self.before = self.end;
             self.last = 0;
