@@ -32,7 +32,7 @@ const NARRATORS: [&str; 14] = [
 /// Names that mark a sound.
 const SOUNDS: [&str; 10] =
     ["SFX", "SOUND", "SOUND EFFECT", "GERÄUSCH", "SONIDO", "BRUIT", "SOM", "EFECTO", "EFFET", "効果音"];
-/// Words that begin the heading of a page. Headings are no dialogue.
+/// Words that begin the heading of a page. No text item is made of a heading.
 const PAGES: [&str; 5] = ["PAGE", "SEITE", "PÁGINA", "PLANCHE", "ページ"];
 /// Words that begin the heading of a panel.
 const PANELS: [&str; 7] = ["PANEL", "BILD", "VIÑETA", "CASE", "QUADRO", "VINHETA", "コマ"];
