@@ -1,4 +1,4 @@
-//! Scripts: one line `NAME: dialogue` per speech, and an empty line between panels.
+//! Scripts: one line `NAME: dialogue` per speech, and an empty line or a heading such as `Panel 3` between panels.
 
 use super::limits::MOST_WAITING;
 use super::speech::{self, Manner, Said, Taking, laid, named};
@@ -32,22 +32,12 @@ const NARRATORS: [&str; 14] = [
 /// Names that mark a sound.
 const SOUNDS: [&str; 10] =
     ["SFX", "SOUND", "SOUND EFFECT", "GERÄUSCH", "SONIDO", "BRUIT", "SOM", "EFECTO", "EFFET", "効果音"];
-/// Words that begin the heading of a page or a panel. Headings are skipped.
-const HEADINGS: [&str; 13] = [
-    "PAGE",
-    "PANEL",
-    "SCENE",
-    "SEITE",
-    "BILD",
-    "PÁGINA",
-    "VIÑETA",
-    "PLANCHE",
-    "CASE",
-    "QUADRO",
-    "VINHETA",
-    "ページ",
-    "コマ",
-];
+/// Words that begin the heading of a page. No text item is made of a heading.
+const PAGES: [&str; 5] = ["PAGE", "SEITE", "PÁGINA", "PLANCHE", "ページ"];
+/// Words that begin the heading of a panel.
+const PANELS: [&str; 7] = ["PANEL", "BILD", "VIÑETA", "CASE", "QUADRO", "VINHETA", "コマ"];
+/// Words that begin the heading of a scene.
+const SCENES: [&str; 1] = ["SCENE"];
 /// Manner of speech, by the beginning of a word in round brackets after the name.
 const MANNERS: [(Manner, &[&str]); 3] = [
     (Manner::Thought, &["think", "thought", "denk", "piens", "pens", "心"]),
@@ -55,19 +45,45 @@ const MANNERS: [(Manner, &[&str]); 3] = [
     (Manner::Shout, &["shout", "yell", "scream", "cri", "ruf", "schrei", "grit", "叫"]),
 ];
 
+/// A paragraph of a script.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Paragraph {
+    /// Speeches in order.
+    pub said: Vec<Said>,
+    /// Number of panels before the panel of its heading, on all pages of the script. `None` without a numbered heading.
+    pub panel: Option<usize>,
+    /// The same number of the first numbered heading after it.
+    pub next: Option<usize>,
+}
+
 /// Paragraphs of a script, each with its speeches.
 #[must_use]
-pub fn read(text: &str) -> Vec<Vec<Said>> {
+pub fn read(text: &str) -> Vec<Paragraph> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let lines: Vec<&str> = lines(text).into_iter().map(trimmed).collect();
-    let has_names = lines.iter().any(|line| voice(line).is_some());
-    let mut groups: Vec<Vec<Said>> = vec![Vec::new()];
+    let has_names = lines.iter().any(|line| heading(line).is_none() && voice(line).is_some());
+    let mut paragraphs = vec![Paragraph::default()];
+    let mut numbers = Numbers::default();
     for line in lines {
-        if line.is_empty() || is_heading(line) {
-            groups.push(Vec::new());
+        let heading = heading(line);
+        let follows = paragraphs.last().is_some_and(|last| !last.said.is_empty());
+        if follows && (line.is_empty() || heading.is_some()) {
+            paragraphs.push(Paragraph::default());
+        }
+        let mut line = line;
+        if let (Some(heading), Some(paragraph)) = (heading, paragraphs.last_mut()) {
+            line = if has_names { "" } else { heading.rest };
+            let place = numbers.place(&heading);
+            paragraph.panel = place;
+            let earlier = paragraphs.iter_mut().rev().filter(|before| !before.said.is_empty());
+            for before in earlier.take_while(|before| place.is_some() && before.next.is_none()) {
+                before.next = place;
+            }
+        }
+        if line.is_empty() {
             continue;
         }
-        let Some(group) = groups.last_mut() else { continue };
+        let Some(Paragraph { said: group, .. }) = paragraphs.last_mut() else { continue };
         match voice(line) {
             Some(said) => group.push(said),
             // In scripts with names, a line without a name continues the speech before.
@@ -83,14 +99,14 @@ pub fn read(text: &str) -> Vec<Vec<Said>> {
             },
         }
     }
-    for said in groups.iter_mut().flatten() {
-        said.text = trimmed(&said.text).to_owned();
+    for paragraph in &mut paragraphs {
+        for said in &mut paragraph.said {
+            said.text = trimmed(&said.text).to_owned();
+        }
+        paragraph.said.retain(|said| !said.text.is_empty());
     }
-    for group in &mut groups {
-        group.retain(|said| !said.text.is_empty());
-    }
-    groups.retain(|group| !group.is_empty());
-    groups
+    paragraphs.retain(|paragraph| !paragraph.said.is_empty());
+    paragraphs
 }
 
 /// Speaker, manner and text of a line. `None` without a name.
@@ -117,28 +133,106 @@ fn voice(line: &str) -> Option<Said> {
     Some(Said { manner, speaker: Some(name.to_owned()), text: text.to_owned(), turn: false })
 }
 
-/// `PAGE 2, PANEL 3`, with or without a colon.
-fn is_heading(line: &str) -> bool {
-    let loud = line.to_uppercase();
-    let Some(rest) = HEADINGS.iter().find_map(|word| loud.strip_prefix(word)) else { return false };
-    let rest = rest.trim_start();
-    rest.starts_with(|letter: char| letter.is_numeric())
-        && rest.chars().filter(|letter| letter.is_alphabetic()).count() <= 10
+/// A line such as `PAGE 2, PANEL 3` or `Panel 3: Run!`.
+struct Heading<'a> {
+    /// Whether it begins a page.
+    page: bool,
+    /// Number of the panel on its page, from 1.
+    panel: Option<usize>,
+    /// Text after the colon.
+    rest: &'a str,
+}
+
+/// Returns `None` for a line of dialogue.
+fn heading(line: &str) -> Option<Heading<'_>> {
+    let (front, rest) = line.split_once([':', '：']).unwrap_or((line, ""));
+    let loud = front.to_uppercase();
+    let starts = |words: &[&str]| words.iter().any(|word| number_after(&loud, word, true).is_some());
+    let page = starts(&PAGES);
+    if !page && !starts(&PANELS) && !starts(&SCENES) {
+        return None;
+    }
+    // A sentence such as `Page 3 of my diary is missing` is dialogue.
+    if front.chars().filter(|letter| letter.is_alphabetic()).count() > 15 {
+        return None;
+    }
+    let panel = PANELS.iter().find_map(|word| number_after(&loud, word, false)).filter(|&number| number > 0);
+    Some(Heading { page, panel, rest: trimmed(rest) })
+}
+
+/// Returns the number after a word. `start`: the word must be at the start of the line.
+fn number_after(line: &str, word: &str, start: bool) -> Option<usize> {
+    let after = if start { line.strip_prefix(word)? } else { &line[line.find(word)? + word.len()..] };
+    let after = after.trim_start();
+    let end = after.find(|letter: char| !letter.is_numeric()).unwrap_or(after.len());
+    // Digits of other scripts count as a number without a value.
+    (end > 0).then(|| after[..end].parse::<u16>().map_or(0, usize::from))
+}
+
+/// The numbering of panels in the headings of a script, which begins again on each page.
+#[derive(Default)]
+struct Numbers {
+    /// Panels of the pages before.
+    before: usize,
+    /// Panels up to the greatest number so far.
+    end: usize,
+    /// The number of the heading before, on the same page.
+    last: usize,
+    /// Whether headings of pages were found. Otherwise, a page begins with its first panel.
+    paged: bool,
+}
+
+impl Numbers {
+    /// Returns the number of panels before the panel of a heading, over all pages.
+    fn place(&mut self, heading: &Heading<'_>) -> Option<usize> {
+        self.paged |= heading.page;
+        let begins = heading.panel == Some(1) && self.last > 1 && !self.paged;
+        if heading.page || begins {
+            self.before = self.end;
+            self.last = 0;
+        }
+        let number = heading.panel?;
+        self.last = number;
+        self.end = self.end.max(self.before + number);
+        Some(self.before + number - 1)
+    }
 }
 
 /// Lays the paragraphs of a script over panels in order. Returns JSON, `{words, unplaced, lines}`: the text
-/// items, the number of text items without a panel, and the number of lines that were read. See [`placed`].
+/// items, the number of text items without a panel, and the number of lines that were read. A paragraph below the heading
+/// `Panel 3` goes to panel 3. See [`placed`] for a script without numbers.
 #[must_use]
 pub fn told(text: &str, panels: usize, taking: Taking) -> String {
     let text = text.char_indices().nth(MOST_SCRIPT).map_or(text, |(end, _)| &text[..end]);
-    let groups = read(text);
-    let placed = placed(&groups, (panels, MOST_OF_PANEL), taking);
+    let paragraphs = read(text);
+    let lines = paragraphs.iter().map(|paragraph| paragraph.said.len()).sum::<usize>();
+    let placed = if paragraphs.iter().any(|paragraph| paragraph.panel.is_some()) {
+        let places = numbered(&paragraphs);
+        let groups = paragraphs.iter().map(|paragraph| texts(&paragraph.said, taking));
+        set(groups.zip(places), (panels, MOST_OF_PANEL))
+    } else {
+        let groups: Vec<Vec<Said>> = paragraphs.into_iter().map(|paragraph| paragraph.said).collect();
+        placed(&groups, (panels, MOST_OF_PANEL), taking)
+    };
     let mut out = Writer::default();
     out.open(b'{');
     placed.write(&mut out);
-    out.key("lines").whole(groups.iter().map(Vec::len).sum::<usize>() as u64);
+    out.key("lines").whole(lines as u64);
     out.close(b'}');
     out.finish()
+}
+
+/// Returns the panel of each paragraph. One without a number goes to the panel after the paragraph before, but
+/// not as far as the next number.
+fn numbered(paragraphs: &[Paragraph]) -> Vec<usize> {
+    let mut next = 0_usize;
+    let place = |paragraph: &Paragraph| {
+        let last = paragraph.next.map_or(usize::MAX, |next| next.saturating_sub(1));
+        let place = paragraph.panel.unwrap_or(next.min(last.max(next.saturating_sub(1))));
+        next = place + 1;
+        place
+    };
+    paragraphs.iter().map(place).collect()
 }
 
 /// Text items laid over panels.
@@ -160,33 +254,42 @@ impl Placed {
 }
 
 /// Lays groups of speech over `panels` in order, with at most `most` text items on each panel. All panels share the groups
-/// evenly. A panel takes its groups until one does not fit; only a group that is larger than the panel is split.
-/// A single group is laid out line by line.
+/// evenly. A single group is laid out line by line.
 pub(super) fn placed(groups: &[Vec<Said>], (panels, most): (usize, usize), taking: Taking) -> Placed {
-    // Sounds with a name are never dropped.
-    let taking = |said: &Said| Taking { sounds: taking.sounds || said.speaker.is_some(), ..taking };
     let alone: Vec<&[Said]> = match groups {
         [one] => one.chunks(1).collect(),
         _ => groups.iter().map(Vec::as_slice).collect(),
     };
-    let groups: Vec<Vec<NewText>> = alone
-        .into_iter()
-        .map(|group| group.iter().flat_map(|said| speech::words(said, taking(said))).collect())
-        .filter(|words: &Vec<NewText>| !words.is_empty())
-        .collect();
+    let groups: Vec<Vec<NewText>> =
+        alone.into_iter().map(|group| texts(group, taking)).filter(|words| !words.is_empty()).collect();
+    let places = if panels == 0 { Vec::new() } else { laid(groups.len(), panels) };
+    set(groups.into_iter().zip(places), (panels, most))
+}
+
+/// The text items of a group of speech.
+fn texts(group: &[Said], taking: Taking) -> Vec<NewText> {
+    // Sounds with a name are never dropped.
+    let taking = |said: &Said| Taking { sounds: taking.sounds || said.speaker.is_some(), ..taking };
+    group.iter().flat_map(|said| speech::words(said, taking(said))).collect()
+}
+
+/// Puts each group on its panel. A panel takes its groups until one does not fit; only a group that is larger than the
+/// panel is split. Groups of panels that do not exist are unplaced.
+fn set(groups: impl Iterator<Item = (Vec<NewText>, usize)>, (panels, most): (usize, usize)) -> Placed {
     let mut all = Placed::default();
     if panels == 0 {
         return all;
     }
-    let places = laid(groups.len(), panels);
     let mut room = vec![most; panels];
-    for (words, place) in groups.into_iter().zip(places) {
-        if words.len() > room[place] && room[place] < most {
-            room[place] = 0;
+    for (words, place) in groups {
+        let mut none = 0;
+        let room = room.get_mut(place).unwrap_or(&mut none);
+        if words.len() > *room && *room < most {
+            *room = 0;
         }
         for mut word in words {
-            if room[place] > 0 {
-                room[place] -= 1;
+            if *room > 0 {
+                *room -= 1;
                 word.place = Some(place);
             } else {
                 all.unplaced += 1;
@@ -236,6 +339,29 @@ mod tests {
                 word("balloon", "Run!", 2),
             ]
         );
+    }
+
+    #[test]
+    fn a_numbered_heading_is_the_panel_of_its_paragraphs() {
+        let places = |text: &str, panels| -> Vec<(String, Option<u64>)> {
+            let told: Value = serde_json::from_str(&told(text, panels, TAKING)).unwrap();
+            let word = |word: &Value| (word["text"].as_str().unwrap().to_owned(), word["place"].as_u64());
+            told["words"].as_array().unwrap().iter().map(word).collect()
+        };
+        let at = |text: &str, place| (text.to_owned(), place);
+        assert_eq!(places("PANEL 3\nAnna: Hi", 6), [at("Hi", Some(2))]);
+        assert_eq!(places("Panel 2: Run!\nPanel 5: Stop!", 6), [at("Run!", Some(1)), at("Stop!", Some(4))]);
+        // Silent panels are panels, and paragraphs of one panel stay on it.
+        let script = "Panel 1\n\nA: One\n\nB: Two\n\nPanel 2\nPanel 3\nA: Three\n\nA: Four\nPanel 6\nA: Six";
+        let expected = [("One", 0), ("Two", 0), ("Three", 2), ("Four", 3), ("Six", 5)]
+            .map(|(text, place)| at(text, Some(place)));
+        assert_eq!(places(script, 6), expected);
+        // The next page continues after the last panel of the page before.
+        let pages =
+            "PAGE 1\nPanel 1\nA: One\nPanel 4\nPAGE 2, PANEL 2\nA: Six\nPanel 1\nA: Five\nBILD 9\nA: Gone";
+        let expected = [("One", Some(0)), ("Six", Some(5)), ("Five", Some(4)), ("Gone", None)];
+        assert_eq!(places(pages, 8), expected.map(|(text, place)| at(text, place)));
+        assert_eq!(places("A: First\nPanel 1\nA: Second", 3), [at("First", Some(0)), at("Second", Some(0))]);
     }
 
     #[test]

@@ -389,7 +389,7 @@ export async function personIn({ driver, downloads }, address) {
     async savedAs(format) {
       await this.openExport();
       await this.chooseFormat(format);
-      await this.select('Quality', '0.5');
+      await this.select('Resolution', '0.5');
       return saved(() => click('button', 'Download', ['dialog', 'Export']));
     },
 

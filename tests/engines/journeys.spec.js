@@ -95,7 +95,7 @@ test('the page becomes files of every kind, and goes to the clipboard', async ({
   expect(project.name).toMatch(/\.inkpanel$/);
   expect(project.bytes.subarray(0, 2).toString()).toBe('PK');
   await person.openExport();
-  await person.select('Quality', '0.5');
+  await person.select('Resolution', '0.5');
   await person.click('button', 'Copy to clipboard', ['dialog', 'Export']);
   await expect
     .poll(() => person.inPage(() => document.querySelector('[role=status]')?.textContent))

@@ -60,7 +60,7 @@ export async function fakeParts(): Promise<App> {
     shownPages: createShownPages({ store, pages }),
     merging: createMerging({ store, pages, selection }),
     framing: createFraming({ store, pages }),
-    choosing: createChoosing({ store, pages, reading, enlarged }),
+    choosing: createChoosing({ store, pages, reading, messages, enlarged }),
     reshaping: createReshaping({ store, pages, seed: () => 1 }),
     scrubbing: createScrubbing({ store, pages, reading, engine, messages }),
     narrating: createNarrating({

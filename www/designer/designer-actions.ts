@@ -24,9 +24,15 @@ export function createDesignerActions({ store, designer, ownStyles }: Pick<App, 
       run: withStyle(ownStyles.save),
       undo: 'step',
     },
-    exportStyle: { label: strings.exportStyle, icon: 'export', run: withStyle(ownStyles.exportFile) },
+    exportStyle: {
+      label: strings.exportStyle,
+      short: strings.styleToolShort.export,
+      icon: 'export',
+      run: withStyle(ownStyles.exportFile),
+    },
     copyLink: {
       label: strings.copyLink,
+      short: strings.styleToolShort.link,
       icon: 'link',
       run: withStyle(
         (style) =>
@@ -38,12 +44,14 @@ export function createDesignerActions({ store, designer, ownStyles }: Pick<App, 
     },
     duplicate: {
       label: strings.duplicateStyle,
+      short: strings.styleToolShort.duplicate,
       icon: 'duplicate',
       run: withStyle((style) => designer.begin(ownStyles.duplicate(style))),
       undo: 'step',
     },
     remove: {
       label: strings.deleteStyle,
+      short: strings.styleToolShort.delete,
       icon: 'bin',
       enabled: computed(() => ownStyles.mine.value.some(({ id }) => id === draft.value?.id)),
       run: () => ownStyles.remove(draft.peek()?.id ?? ''),

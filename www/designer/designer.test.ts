@@ -69,6 +69,25 @@ describe('the designer', () => {
     expect(designer.draft.value).toMatchObject({ id: 'my-1', name: 'Noir copy' });
   });
 
+  it('begins with the style of the page, until the draft is edited', async () => {
+    const { designer, store, reading, files, pages } = app();
+    await reading.addFiles(files('a', 'b', 'c'));
+    const page = () => store.page.value!;
+    const wear = (style: unknown) => pages.amend({ ...page(), style: style as 'noir' });
+    wear('noir');
+    designer.open();
+    expect(designer.draft.value).toMatchObject({ name: 'Noir copy', background: [{ block: 'gaussian' }] });
+    designer.close();
+    wear({ id: 'own', name: 'Own', tags: [], background: [{ block: 'saturation' }] });
+    designer.open();
+    expect(designer.draft.value).toMatchObject({ name: 'Own', background: [{ block: 'saturation' }] });
+    designer.change(add('gaussian'));
+    designer.close();
+    wear('noir');
+    designer.open();
+    expect(designer.draft.value?.name, 'the edited draft').toBe('Own');
+  });
+
   it('puts the page into its style, and the page follows from then on', async () => {
     const { designer, store, reading, files, pages, ui } = app();
     await reading.addFiles(files('a', 'b', 'c'));

@@ -44,6 +44,8 @@ export function createDesigner({
   /** The draft in the middle of a drag. */
   const held: Signal<Draft | null> = signal(null);
   let gestures = 0;
+  /** The draft of the page's style that the designer opened with. */
+  let opened: Draft | null = null;
 
   const draft = computed(() => held.value ?? store.project.value.draft);
   const facts = computed(() => (draft.value && store.planner.value?.draftFacts(draft.value)) ?? null);
@@ -84,10 +86,14 @@ export function createDesigner({
     checked,
   };
 
-  /** @param style the first style; default: the last draft */
+  /** @param style the first style; default: the last edited draft, or the style of the page */
   function open(style?: Style) {
+    const last = store.project.peek().draft;
     if (style) begin(style);
-    else if (!store.project.peek().draft) begin(null, { silent: true });
+    else if (!last || last === opened) {
+      begin(pageStyle(), { silent: true });
+      opened = store.project.peek().draft;
+    }
     ui.work.value = 'designer';
   }
 
@@ -114,15 +120,15 @@ export function createDesigner({
 
   /** A new draft of the style that the page has. */
   function beginWithPage() {
+    const style = pageStyle();
+    if (style) begin(style);
+  }
+
+  function pageStyle(): Style | null {
     const style = store.page.peek()?.style;
-    const known =
-      typeof style === 'object'
-        ? style
-        : store.planner
-            .peek()
-            ?.styles()
-            .find(({ id }) => id === style);
-    if (known) begin(known as Style);
+    if (typeof style === 'object') return style as Style;
+    const designed = store.planner.peek()?.styles() ?? [];
+    return designed.find(({ id }) => id === style) ?? null;
   }
 
   /** The facts of the draft as if that layer ended before this block. */

@@ -41,7 +41,7 @@ export function Lane({
   return (
     <section class="lane" data-layer={layer} onFocusIn={() => designer.turnTo(layer)}>
       <header class="lane-head">
-        <h3 title={strings.layerHelp[layer]}>{strings.layerName[layer]}</h3>
+        <h3 title={strings.layerHelp[layer]}>{strings.layerTitle[layer]}</h3>
         {layer === 'background' && (
           <label class="lane-faces" title={strings.careForFacesHelp}>
             <input

@@ -2,7 +2,6 @@
 
 import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
-import { IconButton } from '../ui/button.tsx';
 import { ChosenFiles, JSON_FILES } from '../photos/chosen-files.tsx';
 import { useApp } from '../ui/context.ts';
 import { ActionButton } from '../ui/action-button.tsx';
@@ -15,6 +14,13 @@ export function StyleBar() {
   const file = useRef(null as HTMLInputElement | null);
   const draft = designer.draft.value;
   if (!draft) return null;
+  const { exportStyle, copyLink, duplicate, remove } = actions.designer;
+  const importStyle = {
+    label: strings.importStyle,
+    short: strings.styleToolShort.import,
+    icon: 'open',
+    run: () => file.current?.click(),
+  };
   return (
     <div class="style-bar">
       <StartFrom />
@@ -29,11 +35,9 @@ export function StyleBar() {
       />
       <div class="style-tools">
         <ActionButton action={actions.designer.save} class="button" text />
-        <ActionButton action={actions.designer.exportStyle} />
-        <IconButton icon="open" label={strings.importStyle} onClick={() => file.current?.click()} />
-        <ActionButton action={actions.designer.copyLink} />
-        <ActionButton action={actions.designer.duplicate} />
-        <ActionButton action={actions.designer.remove} />
+        {[exportStyle, importStyle, copyLink, duplicate, remove].map((action) => (
+          <ActionButton key={action.label} action={action} class="tool" text />
+        ))}
         <ActionButton action={actions.designer.use} class="button strong" text />
       </div>
       <ChosenFiles input={file} accept={JSON_FILES} label={strings.styleFile} onFiles={ownStyles.open} />

@@ -14,7 +14,7 @@ import { ExportActions } from './export-actions.tsx';
 import { ExportProject } from './export-project.tsx';
 import { FileSize } from './file-size.tsx';
 import { FormatChoice, KindChoice } from './format-choice.tsx';
-import { enlarged, hasPlates, NO_PRINT } from './print.ts';
+import { enlarged, hasPlates, NO_PRINT, USUAL_PRINT } from './print.ts';
 import { LazyAnimatic } from '../motion/lazy-animatic.tsx';
 import { LivingChoice } from '../motion/living-choice.tsx';
 import { PrintCheck } from './print-check.tsx';
@@ -49,7 +49,7 @@ export function ExportDialog() {
   const [size, setSize] = useState(sizeId(page.page));
   const [factor, setFactor] = useState(1);
   const [quality, setQuality] = useState(USUAL_QUALITY);
-  const [print, setPrint] = useState(NO_PRINT);
+  const [print, setPrint] = useState(USUAL_PRINT);
   const [enlarge, setEnlarge] = useState(false);
   const [living, setLiving] = useState(true);
   const base = all ? page.page : (PAGE_SIZES.find(({ id }) => id === size) ?? page.page);
@@ -179,7 +179,7 @@ export function ExportDialog() {
                     onChange={(event) => setFactor(Number(event.currentTarget.value))}
                   >
                     <option value={1}>{strings.full(base.dpi)}</option>
-                    <option value={0.5}>{strings.half}</option>
+                    <option value={0.5}>{strings.half(base.dpi)}</option>
                   </select>
                 </label>
                 {format === 'html' && webpHasQuality && (
@@ -195,7 +195,7 @@ export function ExportDialog() {
                       value={quality}
                       onInput={(event) => setQuality(Number(event.currentTarget.value))}
                     />
-                    <output aria-hidden="true">{quality}</output>
+                    <output aria-hidden="true">{strings.percent(quality / 100)}</output>
                   </label>
                 )}
                 {!all && <Sizes size={size} choose={setSize} />}

@@ -17,6 +17,9 @@ export type Coarse = { panel: number; dpi: number };
 
 export const NO_PRINT: Print = { bleed: 'none', marks: false, sheets: 'none', paper: 'none', plates: false };
 
+/** The first choices for a print shop, which trims the sheet. */
+export const USUAL_PRINT: Print = { ...NO_PRINT, bleed: 'mm3', marks: true };
+
 /** Millimetres beyond the edge. */
 export const BLEEDS: Record<Bleed, number> = { none: 0, mm3: 3, inch: 25.4 / 8, mm5: 5 };
 /** Width and height in millimetres. */

@@ -1,3 +1,4 @@
+import { signal } from '@preact/signals';
 import { expect, it } from 'vitest';
 import { fakeParts } from '../app/app-testing.ts';
 import { createHints } from './hints.ts';
@@ -5,6 +6,7 @@ import { createHints } from './hints.ts';
 /** The hints over a page that was just made. */
 async function begun({ kept = {} as Record<string, string>, refuses = false } = {}) {
   const { store, pages, selection, framing, reshaping, ui } = await fakeParts();
+  const lettering = { chosen: signal(-1) };
   const box = () => {
     if (refuses) throw new DOMException('no storage', 'SecurityError');
     return {
@@ -12,7 +14,7 @@ async function begun({ kept = {} as Record<string, string>, refuses = false } = 
       setItem: (key: string, value: string) => void (kept[key] = value),
     } as unknown as Storage;
   };
-  const hints = createHints({ store, selection, framing, reshaping, ui, box });
+  const hints = createHints({ store, selection, lettering, framing, reshaping, ui, box });
   const draw = () => void (ui.painted.value = store.page.peek());
   const shuffle = () => {
     pages.shuffle('all');
@@ -23,7 +25,7 @@ async function begun({ kept = {} as Record<string, string>, refuses = false } = 
     framing.closer(0, 1.5);
     draw();
   };
-  return { hints, ui, draw, shuffle, drag, pages, selection, kept, shown: () => hints.shown.value };
+  return { hints, ui, draw, shuffle, drag, pages, selection, lettering, kept, shown: () => hints.shown.value };
 }
 
 it('tells of Shuffle once the page is drawn, until it is shuffled', async () => {
@@ -32,6 +34,17 @@ it('tells of Shuffle once the page is drawn, until it is shuffled', async () => 
   draw();
   expect(shown()).toBe('shuffle');
   shuffle();
+  expect(shown()).toBe(null);
+});
+
+it.each(['shuffle', 'crop', 'lock'] as const)('ends the hint %s when a text item is selected', async (hint) => {
+  const { hints, shown, draw, shuffle, lettering } = await begun();
+  draw();
+  if (hint !== 'shuffle') shuffle();
+  if (hint === 'crop') hints.point(0);
+  if (hint === 'lock') shuffle();
+  expect(shown()).toBe(hint);
+  lettering.chosen.value = 0;
   expect(shown()).toBe(null);
 });
 
@@ -45,6 +58,16 @@ it('tells of photos when a panel is pointed at or selected, until one is moved',
   selection.set([0]);
   expect(shown()).toBe('crop');
   drag();
+  expect(shown()).toBe(null);
+});
+
+it('ends the hint about photos when its panel is not selected any more', async () => {
+  const { shown, draw, shuffle, selection } = await begun();
+  draw();
+  shuffle();
+  selection.set([0]);
+  expect(shown()).toBe('crop');
+  selection.clear();
   expect(shown()).toBe(null);
 });
 

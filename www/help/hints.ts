@@ -5,6 +5,7 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { versions } from '../document/history.ts';
+import type { Lettering } from '../lettering/lettering.ts';
 import type { Framing } from '../page/panels/framing.ts';
 import type { Reshaping } from '../page/panels/reshaping.ts';
 import type { Selection } from '../page/panels/selection.ts';
@@ -25,6 +26,7 @@ const ENOUGH = 2;
 export function createHints({
   store,
   selection,
+  lettering,
   framing,
   reshaping,
   ui,
@@ -32,6 +34,7 @@ export function createHints({
 }: {
   store: Store;
   selection: Selection;
+  lettering: Pick<Lettering, 'chosen'>;
   framing: Framing;
   reshaping: Reshaping;
   ui: Pick<Ui, 'painted' | 'work' | 'sheet' | 'dialog' | 'preview'>;
@@ -48,6 +51,8 @@ export function createHints({
   /** The crops of the page and the number of shuffles when the hint about them was given. */
   let crops = '';
   let before = 0;
+  /** Whether the hint about photos is about a selected panel. */
+  let ofSelection = false;
 
   const panel = computed(() => selection.panels.value[0] ?? pointed.value);
   /** Whether no other element needs the user's attention. */
@@ -63,21 +68,29 @@ export function createHints({
   const there = computed(
     () => store.page.value !== null && ui.painted.value === store.page.value && store.reading.value === null,
   );
+  /** Whether a panel or a text item is selected. */
+  const selects = computed(() => selection.panels.value.length > 0 || lettering.chosen.value >= 0);
   const locked = computed(() => Object.values(store.project.value.locks).some(Boolean));
 
   const due: Record<Hint, () => boolean> = {
     shuffle: () => shuffles.value === 0 && (again.value || versions(store.history.value).length === 1),
-    crop: () => panel.value !== null && framing.cropOf(panel.value) !== null && !framing.isLocked(panel.value),
-    lock: () => shuffles.value >= ENOUGH && !locked.value && selection.panels.value.length === 0,
+    crop: () =>
+      panel.value !== null &&
+      lettering.chosen.value < 0 &&
+      framing.cropOf(panel.value) !== null &&
+      !framing.isLocked(panel.value),
+    lock: () => shuffles.value >= ENOUGH && !locked.value && !selects.value,
   };
   const done: Record<Hint, () => boolean> = {
-    // A user who selects panels needs no hint for Shuffle.
-    shuffle: () => shuffles.value > 0 || selection.panels.value.length > 0,
-    // The hint ends if the user shuffles again.
+    // A user who selects something needs no hint for Shuffle.
+    shuffle: () => shuffles.value > 0 || selects.value,
+    // The hint ends if the user shuffles again, works on a text item, or leaves the panel.
     crop: () =>
       shuffles.value > before ||
+      (ofSelection && selection.panels.value.length === 0) ||
+      lettering.chosen.value >= 0 ||
       (cropsOf(store.page.value) !== crops && (store.page.value?.panels.some(({ edited }) => edited) ?? false)),
-    lock: () => locked.value || shuffles.value >= before + ENOUGH,
+    lock: () => locked.value || lettering.chosen.value >= 0 || shuffles.value >= before + ENOUGH,
   };
 
   effect(() => {
@@ -90,6 +103,7 @@ export function createHints({
     if (next === undefined) return;
     crops = cropsOf(store.page.peek());
     before = shuffles.peek();
+    ofSelection = selection.panels.peek().length > 0;
     current.value = next;
     remember(new Set([...seen.peek(), next]));
   });

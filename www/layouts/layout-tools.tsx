@@ -15,7 +15,9 @@ export function LayoutTools() {
   return (
     <div class="layout-tools">
       <ActionButton action={surprise} class="button small" text />
-      {!ui.wide.value && <ActionButton action={edit} />}
+      {!ui.wide.value && (
+        <ActionButton action={{ ...edit, short: strings.editLayoutShort }} class="button small" text />
+      )}
       <ActionButton action={save} />
       <IconButton icon="open" label={strings.loadLayout} onClick={() => file.current?.click()} />
       {isEnabled(forget) && <ActionButton action={forget} />}

@@ -51,6 +51,12 @@ export const letteringFeature: Feature<Parts> = {
     effect(() => {
       if (selection.panels.value.length > 0) untracked(() => lettering.choose(-1));
     });
+    // Keys act on a focused text item, so the focus leaves a text item that is not selected any more.
+    effect(() => {
+      if (lettering.chosen.value >= 0) return;
+      const focused = document.activeElement;
+      if (focused instanceof HTMLElement && focused.matches('.word, .word-tail, .word-handle')) focused.blur();
+    });
     // Another version of the page, and the page in full screen, begin without a selection.
     const pageId = computed(() => store.project.value.pageId);
     effect(() => {

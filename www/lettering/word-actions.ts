@@ -62,6 +62,15 @@ export function createTextActions({ ui, lettering }: Pick<App, 'ui' | 'lettering
         if (!ui.wide.peek()) ui.sheet.value = null;
       },
     },
+    format: {
+      label: strings.formatWord,
+      icon: 'style',
+      enabled,
+      run: () => {
+        if (ui.wide.peek()) ui.sideTab.value = 'words';
+        else ui.sheet.value = 'words';
+      },
+    },
     smaller: { label: strings.barSmaller, icon: 'smaller', enabled, run: () => grow(1 / GROWTH), undo: 'step' },
     larger: { label: strings.barLarger, icon: 'larger', enabled, run: () => grow(GROWTH), undo: 'step' },
     pointTail: {

@@ -4,7 +4,6 @@ import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { ActionButton } from '../ui/action-button.tsx';
-import { isEnabled } from '../ui/action.ts';
 import { subjectOf } from '../page/subjects-of.ts';
 import type { Word } from '../engine/types.ts';
 import { balloonBefore, hangsOn } from './joining.ts';
@@ -23,7 +22,7 @@ type AmountProps = {
 };
 
 /** Default outline of a sound effect, in ems; half the width of the line. */
-export const USUAL_OUTLINE = 0.06;
+const USUAL_OUTLINE = 0.06;
 
 /** Whether a text item is set in capitals. By default, letterers do so except for sound effects. */
 export function capitals({ capitals, kind }: Word): boolean {
@@ -61,14 +60,12 @@ export function WordFields({ index }: { index: number }) {
 
   return (
     <div class="word-fields">
-      {/* On a large screen the bar next to the page has these tools. */}
+      {/* The bar next to the page has all tools. On a small screen, the drawer replaces it. */}
       {!ui.wide.value && (
         <div class="word-deeds">
-          {Object.values(actions.text)
-            .filter(isEnabled)
-            .map((action) => (
-              <ActionButton key={action.label} action={action} class="tool" text />
-            ))}
+          {[actions.text.edit, actions.text.place, actions.text.remove].map((action) => (
+            <ActionButton key={action.label} action={action} class="tool" text />
+          ))}
         </div>
       )}
       {lettering.mode.value && (

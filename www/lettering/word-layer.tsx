@@ -8,7 +8,6 @@ import { strings } from '../strings/strings.ts';
 import { subjectsOf, useSubjectsOf } from '../page/subjects-of.ts';
 import { useApp } from '../ui/context.ts';
 import { placed, pointOn, useWordHands } from './word-hands.ts';
-import { WordBar } from './word-bar.tsx';
 import { WordEditor } from './word-editor.tsx';
 import { createWordPainter } from './word-painter.ts';
 import type { Geometry, PageDocument, WordBox } from '../engine/types.ts';
@@ -21,7 +20,6 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
   const words = lettering.words.value;
   const boxes = lettering.boxes.value;
   const editing = lettering.editing.value;
-  const chosen = lettering.chosen.value;
 
   useEffect(() => {
     painter.current = createWordPainter(canvas.current as HTMLCanvasElement, {
@@ -48,7 +46,6 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
         {words.map(
           (_, i) => boxes[i] && i !== editing && <Word key={i} index={i} box={boxes[i]} height={geometry.height} />,
         )}
-        {boxes[chosen] && editing < 0 && !lettering.mode.value && <WordBar index={chosen} box={boxes[chosen]} />}
         {lettering.mode.value && <Aim />}
         {boxes[editing] && (
           <WordEditor key={`edit-${editing}`} index={editing} box={boxes[editing]} height={geometry.height} />
@@ -60,10 +57,12 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
 
 /** @param props `height` of the page, in its widths */
 function Word({ index, box, height }: { index: number; box: WordBox; height: number }) {
-  const { lettering } = useApp();
+  const { lettering, ui } = useApp();
   const hands = useWordHands(index);
   const word = lettering.words.value[index];
   const chosen = lettering.chosen.value === index;
+  // Above a drawer, the page is too small for handles.
+  const held = chosen && (ui.wide.value || ui.sheet.value === null);
   const name = strings.word(word.kind, word.text);
   return (
     <>
@@ -77,7 +76,7 @@ function Word({ index, box, height }: { index: number; box: WordBox; height: num
         style={{ ...placed(box, height), '--wide': box.width, '--tall': box.height / height }}
         {...hands.body}
       />
-      {chosen && box.tip && (
+      {held && box.tip && (
         <button
           type="button"
           class="word-tail"
@@ -87,7 +86,7 @@ function Word({ index, box, height }: { index: number; box: WordBox; height: num
           {...hands.tail}
         />
       )}
-      {chosen && (
+      {held && (
         <button
           type="button"
           class="word-handle"
@@ -98,7 +97,7 @@ function Word({ index, box, height }: { index: number; box: WordBox; height: num
           {...hands.size}
         />
       )}
-      {chosen && word.kind === 'effect' && (
+      {held && word.kind === 'effect' && (
         <button
           type="button"
           class="word-handle"

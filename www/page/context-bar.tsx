@@ -44,6 +44,7 @@ export function ContextBar({ bare = false }: { bare?: boolean }) {
       class="context-bar"
       role="toolbar"
       aria-label={lettering.chosen.value >= 0 ? strings.wordBar : strings.panelTools}
+      data-kind={found?.kind}
       data-open={open}
     >
       <p class="context-title" aria-live="polite">
@@ -91,7 +92,7 @@ function ModeHint() {
   );
 }
 
-/** Returns null on a small screen for a text item, which has its own bar there, and without a selection. */
+/** Returns null on a small screen without a selection. */
 function toolsFor({
   store,
   book: pages,
@@ -112,17 +113,17 @@ function toolsFor({
   if (!facts) return null;
   const word = lettering.words.value[lettering.chosen.value];
   if (word) {
-    const { edit, smaller, larger, pointTail, remove, place, move, removeTail } = actions.text;
+    const { edit, format, smaller, larger, pointTail, remove, place, move, removeTail } = actions.text;
     const tail = word.kind === 'balloon' ? [pointTail] : [];
     const more = word.kind === 'balloon' ? [removeTail] : [];
-    return wide
-      ? {
-          kind: 'text',
-          title: strings.word(word.kind, word.text),
-          tools: [edit, smaller, larger, ...tail, remove, place, move, ...more],
-          shown,
-        }
-      : null;
+    // On a large screen, the fields of the text item are next to the page already.
+    const tools = wide ? [edit, smaller, larger, ...tail, remove] : [edit, format, smaller, larger, remove, ...tail];
+    return {
+      kind: 'text',
+      title: strings.word(word.kind, word.text),
+      tools: [...tools, place, move, ...more],
+      shown: SHOWN.most,
+    };
   }
   const merged = isEnabled(panels.split) ? [panels.split] : [];
   if (reshaping.editing.value) {

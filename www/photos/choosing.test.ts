@@ -1,6 +1,7 @@
-import { expect, test } from 'vitest';
+import { expect, test, vi } from 'vitest';
 import { createChoosing, exchanged, resorted } from './choosing.ts';
 import { fakeApp } from '../document/testing.ts';
+import { strings } from '../strings/strings.ts';
 import { enlarged } from '../page/panels/enlarging.ts';
 import type { PageDocument } from '../document/project.ts';
 
@@ -62,6 +63,27 @@ test('to take another, to set how alike photos are and to order them are each on
   const { length } = app.store.history.value.past;
   choosing.setOrder('name');
   expect(app.store.history.value.past.length).toBe(length);
+});
+
+test('a star that cannot enlarge its panel says why', async () => {
+  const app = fakeApp();
+  const larger = vi.fn(() => null as any);
+  const choosing = createChoosing({ ...app, enlarged: larger });
+  await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
+  const notes = () => app.messages.list.value.map(({ text }) => text);
+  choosing.star('p1', true);
+  expect(notes()).toEqual([strings.starKeepsSize]);
+  choosing.star('p1', false);
+  app.pages.lock('layout', true);
+  choosing.star('p1', true);
+  expect(notes().at(-1)).toBe(strings.starLocked);
+  expect(larger).toHaveBeenCalledTimes(1);
+  app.pages.lock('layout', false);
+  larger.mockReturnValue('grid-3');
+  const { length } = notes();
+  choosing.star('p2', true);
+  expect(app.store.page.value?.layout).toBe('grid-3');
+  expect(notes()).toHaveLength(length);
 });
 
 test('the order is that of time only where the person wants it', async () => {

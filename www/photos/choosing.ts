@@ -3,6 +3,8 @@
  * at once, and each change is one step of the undo.
  */
 
+import { strings } from '../strings/strings.ts';
+import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Order } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
@@ -19,11 +21,13 @@ export function createChoosing({
   store,
   pages,
   reading,
+  messages,
   enlarged,
 }: {
   store: Store;
   pages: Pages;
   reading: Reading;
+  messages: Pick<Messages, 'note'>;
   enlarged: (planner: Planner, page: PageDocument, panel: number) => LayoutChoice | null;
 }) {
   let stars = 0;
@@ -67,7 +71,7 @@ export function createChoosing({
 
   /**
    * Shuffle shows a starred photo in a large panel. Its panel on this page is enlarged if the layout allows it; nothing else of
-   * the page changes.
+   * the page changes. A message says why a panel keeps its size.
    */
   function star(id: string, on: boolean) {
     stars += 1;
@@ -76,9 +80,11 @@ export function createChoosing({
       const { page, locks } = store.project.peek();
       const planner = store.planner.peek();
       const panel = page?.panels.findIndex(({ photo }) => photo === id) ?? -1;
-      if (!on || !page || !planner || locks.layout || panel < 0 || page.panels[panel].locked) return undefined;
-      const layout = enlarged(planner, page, panel);
+      if (!on || !page || !planner || panel < 0) return undefined;
+      const isLocked = locks.layout || page.panels[panel].locked;
+      const layout = isLocked ? null : enlarged(planner, page, panel);
       if (layout) pages.amend({ ...page, layout }, { gesture });
+      else messages.note(isLocked ? strings.starLocked : strings.starKeepsSize);
       return undefined;
     };
     reading.edit({ type: 'star-photo', id, on }, enlarge, gesture);

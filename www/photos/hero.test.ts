@@ -23,6 +23,15 @@ test('pictures of styles show the photo with the clearest face', () => {
   expect(hero([photo('a', '20'), photo('speck', '20', [face(0.02)]), photo('b', '20', [face(0.9)])])).toBe('a');
 });
 
+test('a gray photo comes after photos with colours, and is shown if all are gray', () => {
+  const toned = (id: string, chroma: string, subjects: Subject[] = []) => ({
+    ...photo(id, '40', subjects),
+    facts: '00'.repeat(18) + chroma + '00'.repeat(6),
+  });
+  expect(hero([toned('gray face', '02', [face(0.25)]), toned('garden', '40')])).toBe('garden');
+  expect(hero([toned('gray face', '02', [face(0.25)]), toned('gray', '00')])).toBe('gray face');
+});
+
 test('without faces, they show the largest photo of the page that is not among the busiest', () => {
   expect(hero([photo('stream', 'ff'), photo('bus', '60'), photo('sky', '10')])).toBe('bus');
   const cat = { ...face(0.6), label: 'cat' };

@@ -12,6 +12,9 @@ type Album = { store: Pick<Store, 'photos' | 'page' | 'geometry'>; engine: Pick<
 const [LEAST_FACE, MOST_FACE] = [0.01, 0.35];
 /** Minimum and maximum share of a photo that another subject should have. */
 const SUBJECT = [0.12, 0.8];
+/** Place of the chroma among the numbers of `facts`, and the chroma below which a photo is gray, 0 to 255. */
+const CHROMA = 18;
+const LEAST_CHROMA = 6;
 /** Minimum clearness of the best face. A single face with 1.5 % of the photo has about this clearness. */
 const LEAST_CLEAR = 0.1;
 
@@ -31,12 +34,13 @@ export function useHero(): string | null {
   return hero.current;
 }
 
-/** Returns 2 for a photo with a clear face, 1 with another subject, 0 for others. */
-const rankOf = (photo: PhotoMeta | undefined) => (faceIn(photo) > 0 ? 2 : Number(hasSubject(photo)));
+/** Returns 2 for a photo with a clear face, 1 with another subject, 0 for others, and -1 for a gray photo. */
+const rankOf = (photo: PhotoMeta | undefined) =>
+  isGray(photo) ? -1 : faceIn(photo) > 0 ? 2 : Number(hasSubject(photo));
 
 /**
  * The photo with the clearest face. Without one, the largest photo of the page that is not among the busiest, if possible with
- * a subject.
+ * a subject. Gray photos come last, because they do not show what a style does with colours.
  */
 export function heroOf(album: Album): string | null {
   const { page, geometry } = album.store;
@@ -46,8 +50,10 @@ export function heroOf(album: Album): string | null {
   const area = (i: number) => (boxes[i] ? boxes[i].bounds.width * boxes[i].bounds.height : 0);
   const order = panels.map((_, i) => i).sort((a, b) => area(b) - area(a));
   const onPage = order.flatMap((i) => panels[i].photo ?? []).filter((id) => usable.includes(id));
-  const all = [...new Set([...onPage, ...usable])];
   const known = new Map(album.store.photos.value.map((photo) => [photo.id, photo]));
+  const each = [...new Set([...onPage, ...usable])];
+  const coloured = each.filter((id) => !isGray(known.get(id)));
+  const all = coloured.length > 0 ? coloured : each;
   const faces = all.filter((id) => faceIn(known.get(id)) > 0);
   if (faces.length > 0) return faces.reduce((a, b) => (faceIn(known.get(b)) > faceIn(known.get(a)) ? b : a));
   const busy = all.map((id) => busyness(known.get(id))).sort((a, b) => b - a);
@@ -75,6 +81,11 @@ function hasSubject(photo: PhotoMeta | undefined): boolean {
     const size = width * height;
     return size >= SUBJECT[0] && size <= SUBJECT[1] && score >= 0.5;
   });
+}
+
+/** Whether a photo has hardly any colour. Photos that were not measured count as coloured. */
+function isGray(photo: PhotoMeta | undefined): boolean {
+  return Number.parseInt(photo?.facts?.slice(2 * CHROMA, 2 * CHROMA + 2) ?? '', 16) < LEAST_CHROMA;
 }
 
 /** How evenly a photo has details everywhere, as foliage and water do. */

@@ -69,7 +69,7 @@ export const download = (page) => saved(page, () => page.getByRole('button', { n
 export async function savedAs(page, format, { quality, half = true, project = false } = {}) {
   const dialog = await openExport(page);
   await chooseFormat(dialog, format);
-  if (half) await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+  if (half) await dialog.getByRole('combobox', { name: 'Resolution' }).selectOption('0.5');
   if (project) await dialog.getByRole('radio', { name: 'With project data' }).check();
   if (quality !== undefined) await dialog.getByRole('slider', { name: 'Image quality' }).fill(String(quality));
   return saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());

@@ -24,10 +24,16 @@ export async function names(page, layer) {
   return headings.map((name) => name.replace(/^.* \((.*)\)$/, '$1'));
 }
 
-/** @param {Page} page */
+/** Opens the designer with a style without blocks. @param {Page} page */
 export async function openDesigner(page) {
   await openBoard(page, FOUR);
   await page.getByRole('button', { name: 'Style designer', exact: true }).click();
+  await startEmpty(page);
+}
+
+/** Replaces the style of the page, which the designer opens with, by a style without blocks. @param {Page} page */
+export async function startEmpty(page) {
+  await region(page).getByRole('combobox', { name: 'Start from' }).selectOption({ label: 'An empty style' });
   await drawn(page);
 }
 

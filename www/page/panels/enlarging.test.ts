@@ -31,7 +31,23 @@ test.each([0, 1, 2, 3])('the panel %i becomes larger, and the other panels keep 
   const after = pageOf(grid, { layout: enlarged(core, before, panel) as any });
   const [small, large] = [areas(before), areas(after)];
   expect(large[panel]).toBeGreaterThan(1.2 * small[panel]);
-  for (const [i, area] of large.entries()) if (i !== panel) expect(area).toBeGreaterThan(0.39 * small[i]);
+  for (const [i, area] of large.entries()) if (i !== panel) expect(area).toBeGreaterThan(0.49 * small[i]);
+});
+
+test('an inset grows inside the margins up to a part of the page, and the other panels stay as they are', () => {
+  const { id, count } = core
+    .listLayouts({ page: paper as any, own: [] })
+    .find((layout) => core.layoutFacts(layout.id, settings).base < layout.count) as any;
+  const inset = count - 1;
+  let page = pageOf(id);
+  expect(core.geometry(id, settings).panels[inset].overlay).toBe(true);
+  const before = areas(page);
+  for (let i = 0; i < 8; i += 1) page = { ...page, layout: enlarged(core, page, inset) ?? page.layout };
+  const after = areas(page);
+  expect(after[inset]).toBeGreaterThan(1.2 * before[inset]);
+  expect(after[inset]).toBeLessThan(0.31 * (paper.height / paper.width));
+  expect(after.slice(0, inset)).toEqual(before.slice(0, inset));
+  expect(enlarged(core, page, inset)).toBe(null);
 });
 
 test('a locked panel keeps its size, and a layout without cuts stays as it is', () => {

@@ -1,26 +1,33 @@
 /**
  * A layout with one enlarged panel: the dividers next to it move in small steps, while the other panels retain a
- * reasonable size.
+ * reasonable size. An inset grows around its centre.
  */
 
 import { grown } from './merging.ts';
 import type { Planner } from '../../engine/core.ts';
-import type { LayoutChoice, PageDocument } from '../../engine/types.ts';
+import type { Bounds, LayoutChoice, PageDocument } from '../../engine/types.ts';
 
 /** The panel grows to this multiple of its area. */
 const GOAL = 1.7;
 /** Minimum area of another panel, relative to its area before. */
-const FAIR = 0.4;
+const FAIR = 0.5;
 /** Distance that a cut moves at a time, in parts of its cell. */
-const STEP = 0.04;
-const MAX_STEPS = 16;
+const STEP = 0.02;
+const MAX_STEPS = 32;
+/** Maximum area of an inset, relative to the page, because it covers other panels. */
+const MOST_INSET = 0.3;
 /** Growth by one step that is worth it, as a part of the area at the start. */
 const WORTH = 0.02;
 
 type Measures = Pick<Planner, 'changeLayout' | 'geometry' | 'layoutFacts'>;
 
-/** Returns null if no cut enlarges the panel. */
+/** Returns null if the layout cannot enlarge the panel. */
 export function enlarged(planner: Measures, page: PageDocument, panel: number): LayoutChoice | null {
+  const { panels, height } = planner.geometry(page.layout, page.page);
+  if (panels[panel]?.overlay) {
+    const bounds = enlargedInset(panels[panel].bounds, height, page.page.margin);
+    return bounds && planner.changeLayout(page.layout, { type: 'move-inset', panel, bounds });
+  }
   const group = grown([panel], page);
   const areas = (layout: LayoutChoice) =>
     planner.geometry(layout, page.page).panels.map(({ bounds }) => bounds.width * bounds.height);
@@ -44,6 +51,26 @@ export function enlarged(planner: Measures, page: PageDocument, panel: number): 
     reached = size(moves[0].of);
   }
   return layout === page.layout ? null : layout;
+}
+
+/** Returns null if the inset is as large as an inset may be. */
+function enlargedInset(from: Bounds, pageHeight: number, margin: number): Bounds | null {
+  const area = from.width * from.height;
+  const factor = Math.min(
+    Math.sqrt(Math.min(GOAL, (MOST_INSET * pageHeight) / area)),
+    (1 - 2 * margin) / from.width,
+    (pageHeight - 2 * margin) / from.height,
+  );
+  if (factor * factor < 1 + WORTH) return null;
+  const [width, height] = [from.width * factor, from.height * factor];
+  const within = (start: number, side: number, all: number) =>
+    Math.min(all - margin - side, Math.max(margin, start - side / 2));
+  return {
+    x: within(from.x + from.width / 2, width, 1),
+    y: within(from.y + from.height / 2, height, pageHeight),
+    width,
+    height,
+  };
 }
 
 /** The layouts with one divider moved by a step to either side. */

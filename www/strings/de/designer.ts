@@ -23,6 +23,7 @@ export const designerStrings = {
   copyLink: 'Link kopieren',
   duplicateStyle: 'Stil duplizieren',
   deleteStyle: 'Stil löschen',
+  styleToolShort: { export: 'Export', import: 'Import', link: 'Link', duplicate: 'Kopie', delete: 'Löschen' },
   editStyle: (name: string) => `${name} bearbeiten`,
   edit: 'Bearbeiten',
   myStyles: 'Meine Stile',
@@ -30,6 +31,7 @@ export const designerStrings = {
   designedStyles: 'Fertige Stile',
 
   layerName: { background: 'Farbebene', foreground: 'Linienebene' },
+  layerTitle: { background: 'Farben', foreground: 'Linien' },
   layerHelp: {
     background: 'Die Farben, von oben nach unten.',
     foreground: 'Die Linien: Was hier dunkel ist, wird mit Tusche über die Farben gezeichnet.',

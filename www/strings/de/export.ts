@@ -1,8 +1,8 @@
 export const exportStrings = {
   exportPage: 'Exportieren',
-  resolution: 'Qualität',
-  full: (dpi: number) => (dpi >= 150 ? `Druck, ${dpi} dpi` : 'Volle Größe'),
-  half: 'Halb, fürs Web',
+  resolution: 'Auflösung',
+  full: (dpi: number) => (dpi >= 150 ? `${dpi} dpi` : 'Volle Größe'),
+  half: (dpi: number) => (dpi >= 150 ? `${dpi / 2} dpi, halbe Größe` : 'Halbe Größe'),
   format: 'Format',
   exportKinds: {
     image: 'Bild',

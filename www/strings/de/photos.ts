@@ -12,6 +12,8 @@ export const photoStrings = {
   leftOut: (name: string) => `${name} wurde ausgeschlossen.`,
   starPhoto: (name: string) => `${name} hervorheben`,
   starLong: 'Das Panel dieses Fotos vergrößern und das Foto bei jedem Mischen groß zeigen',
+  starLocked: 'Foto mit Stern. Layout oder Panel ist gesperrt, darum behält das Panel seine Größe.',
+  starKeepsSize: 'Foto mit Stern. Dieses Layout hat keinen Platz für ein größeres Panel; Mischen zeigt das Foto groß.',
   removePhoto: (name: string) => `${name} entfernen`,
   photoMissing: 'Fehlt',
   addPhotos: 'Fotos hinzufügen',

@@ -29,6 +29,7 @@ export const sideStrings = {
   surprise: 'Neues Layout',
   surpriseShort: 'Neues Layout',
   editLayout: 'Layout bearbeiten',
+  editLayoutShort: 'Bearbeiten',
   saveLayout: 'Layout speichern',
   loadLayout: 'Layout laden',
   layoutFile: 'Layoutdatei',

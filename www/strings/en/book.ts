@@ -8,7 +8,7 @@ export const bookStrings = {
     page: (n: number, of: number) => `Page ${n} of ${of}`,
     add: 'Add page',
     addHelp: 'Insert a page after this one',
-    addMore: (left: number) => `Insert a page after this one: ${count(left, 'photo')} on no page yet`,
+    addMore: (left: number) => `Insert a page after this one: ${count(left, 'photo')} not used yet`,
     tools: 'Page tools',
     remove: 'Remove page',
     turnBack: 'Previous page',

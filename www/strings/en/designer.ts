@@ -25,6 +25,7 @@ export const designerStrings = {
   copyLink: 'Copy link',
   duplicateStyle: 'Duplicate style',
   deleteStyle: 'Delete style',
+  styleToolShort: { export: 'Export', import: 'Import', link: 'Link', duplicate: 'Duplicate', delete: 'Delete' },
   editStyle: (name: string) => `Edit ${name}`,
   edit: 'Edit',
   myStyles: 'My styles',
@@ -32,6 +33,7 @@ export const designerStrings = {
   designedStyles: 'Designed styles',
 
   layerName: { background: 'Background layer', foreground: 'Foreground layer' },
+  layerTitle: { background: 'Colours', foreground: 'Lines' },
   layerHelp: {
     background: 'The colours, from top to bottom.',
     foreground: 'The lines: dark areas are drawn in ink over the colours.',

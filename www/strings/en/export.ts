@@ -2,9 +2,9 @@
 
 export const exportStrings = {
   exportPage: 'Export',
-  resolution: 'Quality',
-  full: (dpi: number) => (dpi >= 150 ? `Print, ${dpi} dpi` : 'Full size'),
-  half: 'Half, for the web',
+  resolution: 'Resolution',
+  full: (dpi: number) => (dpi >= 150 ? `${dpi} dpi` : 'Full size'),
+  half: (dpi: number) => (dpi >= 150 ? `${dpi / 2} dpi, half size` : 'Half size'),
   format: 'Format',
   exportKinds: {
     image: 'Image',

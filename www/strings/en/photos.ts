@@ -14,6 +14,8 @@ export const photoStrings = {
   leftOut: (name: string) => `${name} was excluded.`,
   starPhoto: (name: string) => `Star ${name}`,
   starLong: 'Enlarge this photo’s panel, and show the photo large in every shuffle',
+  starLocked: 'Photo starred. The layout or the panel is locked, so the panel keeps its size.',
+  starKeepsSize: 'Photo starred. This layout has no space for a larger panel; Shuffle shows the photo large.',
   removePhoto: (name: string) => `Remove ${name}`,
   photoMissing: 'Missing',
   addPhotos: 'Add photos',

@@ -31,6 +31,7 @@ export const sideStrings = {
   surprise: 'New layout',
   surpriseShort: 'New layout',
   editLayout: 'Edit layout',
+  editLayoutShort: 'Edit',
   saveLayout: 'Save layout',
   loadLayout: 'Load layout',
   layoutFile: 'Layout file',

@@ -43,8 +43,8 @@ export const storageStrings = {
   projectName: 'Project name',
   untitled: 'Untitled',
   newProject: 'New project',
-  openProject: 'Open project',
-  saveProject: 'Save project',
+  openProject: 'Open project file',
+  saveProject: 'Save project file',
   projectFile: 'Project file',
   openNamed: (name: string) => `Open ${name}`,
   duplicateNamed: (name: string) => `Duplicate ${name}`,
@@ -66,7 +66,7 @@ export const storageStrings = {
     'too-large-project': 'it exceeds the limits of a project. Your page was not changed.',
     'silent-project': 'reading the file timed out after a minute. Check the drive and try again.',
     'newer-project': 'it was saved by a newer version of Inkpanel. Reload this tab to update.',
-    'not-saved': 'your current work is not saved. Save it to a file first (Save project).',
+    'not-saved': 'your current work is not saved. Save it to a file first (Save project file).',
     'missing-project': 'it was deleted.',
     'no-storage': 'this browser blocks site storage here.',
   } as Record<string, string>,
@@ -95,7 +95,7 @@ export const storageStrings = {
   opensWhenFree: 'It opens here when you close the other tab.',
   openCopy: 'Open a copy',
 
-  // Pages shown
+  // Versions
   pagesShown: 'Page history',
   pagesShownAt: (n: number, of: number) => `Page history, ${n}/${of}`,
   pageNumber: (n: number) => `Page ${n}`,

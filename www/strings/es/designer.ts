@@ -23,6 +23,7 @@ export const designerStrings = {
   copyLink: 'Copiar enlace',
   duplicateStyle: 'Duplicar estilo',
   deleteStyle: 'Borrar estilo',
+  styleToolShort: { export: 'Exportar', import: 'Importar', link: 'Enlace', duplicate: 'Duplicar', delete: 'Borrar' },
   editStyle: (name: string) => `Editar ${name}`,
   edit: 'Editar',
   myStyles: 'Mis estilos',
@@ -30,6 +31,7 @@ export const designerStrings = {
   designedStyles: 'Estilos diseñados',
 
   layerName: { background: 'Capa de fondo', foreground: 'Capa de líneas' },
+  layerTitle: { background: 'Colores', foreground: 'Líneas' },
   layerHelp: {
     background: 'Los colores, de arriba abajo.',
     foreground: 'Las líneas: lo oscuro de aquí se dibuja con tinta sobre los colores.',

@@ -1,8 +1,8 @@
 export const exportStrings = {
   exportPage: 'Exportar',
-  resolution: 'Calidad',
-  full: (dpi: number) => (dpi >= 150 ? `Impresión, ${dpi} ppp` : 'Tamaño completo'),
-  half: 'La mitad, para la web',
+  resolution: 'Resolución',
+  full: (dpi: number) => (dpi >= 150 ? `${dpi} ppp` : 'Tamaño completo'),
+  half: (dpi: number) => (dpi >= 150 ? `${dpi / 2} ppp, mitad de tamaño` : 'Mitad de tamaño'),
   format: 'Formato',
   exportKinds: {
     image: 'Imagen',

@@ -11,6 +11,8 @@ export const photoStrings = {
   leftOut: (name: string) => `${name} se ha excluido.`,
   starPhoto: (name: string) => `Destacar ${name}`,
   starLong: 'Amplía la viñeta de esta foto y la muestra grande en cada mezcla',
+  starLocked: 'Foto destacada. El diseño o la viñeta está bloqueada, así que conserva su tamaño.',
+  starKeepsSize: 'Foto destacada. Este diseño no tiene espacio para una viñeta mayor; al barajar, la foto sale grande.',
   removePhoto: (name: string) => `Quitar ${name}`,
   photoMissing: 'Falta',
   addPhotos: 'Añadir fotos',

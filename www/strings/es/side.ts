@@ -29,6 +29,7 @@ export const sideStrings = {
   surprise: 'Plantilla nueva',
   surpriseShort: 'Plantilla nueva',
   editLayout: 'Editar plantilla',
+  editLayoutShort: 'Editar',
   saveLayout: 'Guardar plantilla',
   loadLayout: 'Cargar plantilla',
   layoutFile: 'Archivo de plantilla',

@@ -23,6 +23,7 @@ export const designerStrings = {
   copyLink: 'Copier le lien',
   duplicateStyle: 'Dupliquer le style',
   deleteStyle: 'Supprimer le style',
+  styleToolShort: { export: 'Exporter', import: 'Importer', link: 'Lien', duplicate: 'Dupliquer', delete: 'Supprimer' },
   editStyle: (name: string) => `Modifier ${name}`,
   edit: 'Modifier',
   myStyles: 'Mes styles',
@@ -30,6 +31,7 @@ export const designerStrings = {
   designedStyles: 'Styles fournis',
 
   layerName: { background: 'Calque de couleurs', foreground: 'Calque de lignes' },
+  layerTitle: { background: 'Couleurs', foreground: 'Lignes' },
   layerHelp: {
     background: 'Les couleurs, de haut en bas.',
     foreground: 'Les lignes : ce qui est sombre ici est tracé à l’encre sur les couleurs.',

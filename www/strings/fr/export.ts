@@ -1,8 +1,8 @@
 export const exportStrings = {
   exportPage: 'Exporter',
-  resolution: 'Qualité',
-  full: (dpi: number) => (dpi >= 150 ? `Impression, ${dpi} ppp` : 'Taille réelle'),
-  half: 'Moitié, pour le web',
+  resolution: 'Résolution',
+  full: (dpi: number) => (dpi >= 150 ? `${dpi} ppp` : 'Taille réelle'),
+  half: (dpi: number) => (dpi >= 150 ? `${dpi / 2} ppp, demi-taille` : 'Demi-taille'),
   format: 'Format',
   exportKinds: {
     image: 'Image',

@@ -12,6 +12,9 @@ export const photoStrings = {
   leftOut: (name: string) => `${name} a été exclue.`,
   starPhoto: (name: string) => `Mettre ${name} en avant`,
   starLong: 'Agrandir la case de cette photo, et la montrer en grand à chaque mélange',
+  starLocked: 'Photo mise en avant. La mise en page ou la case est verrouillée, la case garde donc sa taille.',
+  starKeepsSize:
+    'Photo mise en avant. Cette mise en page n’a pas de place pour une case plus grande ; Mélanger montre la photo en grand.',
   removePhoto: (name: string) => `Retirer ${name}`,
   photoMissing: 'Absente',
   addPhotos: 'Ajouter des photos',

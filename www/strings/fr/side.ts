@@ -29,6 +29,7 @@ export const sideStrings = {
   surprise: 'Nouveau gabarit',
   surpriseShort: 'Nouveau gabarit',
   editLayout: 'Modifier le gabarit',
+  editLayoutShort: 'Modifier',
   saveLayout: 'Enregistrer le gabarit',
   loadLayout: 'Charger un gabarit',
   layoutFile: 'Fichier de gabarit',

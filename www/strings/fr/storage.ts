@@ -41,8 +41,8 @@ export const storageStrings = {
   projectName: 'Nom du projet',
   untitled: 'Sans titre',
   newProject: 'Nouveau projet',
-  openProject: 'Ouvrir un projet',
-  saveProject: 'Enregistrer le projet',
+  openProject: 'Ouvrir un fichier de projet',
+  saveProject: 'Enregistrer un fichier de projet',
   projectFile: 'Fichier de projet',
   openNamed: (name: string) => `Ouvrir ${name}`,
   duplicateNamed: (name: string) => `Dupliquer ${name}`,
@@ -65,7 +65,8 @@ export const storageStrings = {
     'silent-project': 'la lecture du fichier a été interrompue après une minute. Vérifiez le disque et réessayez.',
     'newer-project':
       'il a été enregistré avec une version plus récente d’Inkpanel. Rechargez cet onglet pour mettre à jour.',
-    'not-saved': 'votre travail n’est pas enregistré. Enregistrez-le d’abord dans un fichier (Enregistrer le projet).',
+    'not-saved':
+      'votre travail n’est pas enregistré. Enregistrez-le d’abord dans un fichier (Enregistrer un fichier de projet).',
     'missing-project': 'il a été supprimé.',
     'no-storage': 'ce navigateur bloque ici le stockage des sites.',
     'too-large': 'le fichier dépasserait 4 Go.',

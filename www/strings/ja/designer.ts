@@ -23,6 +23,7 @@ export const designerStrings = {
   copyLink: 'リンクをコピー',
   duplicateStyle: 'スタイルを複製',
   deleteStyle: 'スタイルを削除',
+  styleToolShort: { export: '書き出し', import: '読み込み', link: 'リンク', duplicate: '複製', delete: '削除' },
   editStyle: (name: string) => `${name}を編集`,
   edit: '編集',
   myStyles: 'マイスタイル',
@@ -30,6 +31,7 @@ export const designerStrings = {
   designedStyles: '用意されたスタイル',
 
   layerName: { background: '色のレイヤー', foreground: '線のレイヤー' },
+  layerTitle: { background: '色', foreground: '線' },
   layerHelp: {
     background: '色です。上から順に処理します。',
     foreground: '線です。ここで暗い所が、色の上にインクで描かれます。',

@@ -1,8 +1,8 @@
 export const exportStrings = {
   exportPage: '書き出し',
-  resolution: '品質',
-  full: (dpi: number) => (dpi >= 150 ? `印刷用、${dpi} dpi` : '原寸'),
-  half: '半分、ウェブ用',
+  resolution: '解像度',
+  full: (dpi: number) => (dpi >= 150 ? `${dpi} dpi` : '原寸'),
+  half: (dpi: number) => (dpi >= 150 ? `${dpi / 2} dpi、半分` : '半分'),
   format: '形式',
   exportKinds: {
     image: '画像',

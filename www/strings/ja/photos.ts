@@ -10,6 +10,9 @@ export const photoStrings = {
   leftOut: (name: string) => `${name}を除外しました。`,
   starPhoto: (name: string) => `${name}にスターを付ける`,
   starLong: 'この写真のコマを大きくし、シャッフルでも大きく見せます',
+  starLocked: '写真にスターを付けました。レイアウトまたはコマがロックされているため、コマの大きさは変わりません。',
+  starKeepsSize:
+    '写真にスターを付けました。このレイアウトではコマを大きくできません。シャッフルすると写真が大きく表示されます。',
   removePhoto: (name: string) => `${name}を削除`,
   photoMissing: 'なし',
   addPhotos: '写真を追加',

@@ -29,6 +29,7 @@ export const sideStrings = {
   surprise: '新しいレイアウト',
   surpriseShort: '新しいレイアウト',
   editLayout: 'レイアウトを編集',
+  editLayoutShort: '編集',
   saveLayout: 'レイアウトを保存',
   loadLayout: 'レイアウトを読み込む',
   layoutFile: 'レイアウトのファイル',

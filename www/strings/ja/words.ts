@@ -19,6 +19,7 @@ export const wordStrings = {
   shape: '形',
   shapes: { oval: 'せりふ', thought: '心の声', shout: '叫び', whisper: 'ささやき', radio: '無線' },
   editWord: '文字を編集',
+  formatWord: '書式',
   moveWord: '移動先を選ぶ…',
   pointTail: 'しっぽの先を選ぶ…',
   removeTail: 'しっぽを消す',

@@ -23,6 +23,7 @@ export const designerStrings = {
   copyLink: 'Copiar link',
   duplicateStyle: 'Duplicar estilo',
   deleteStyle: 'Excluir estilo',
+  styleToolShort: { export: 'Exportar', import: 'Importar', link: 'Link', duplicate: 'Duplicar', delete: 'Excluir' },
   editStyle: (name: string) => `Editar ${name}`,
   edit: 'Editar',
   myStyles: 'Meus estilos',
@@ -30,6 +31,7 @@ export const designerStrings = {
   designedStyles: 'Estilos prontos',
 
   layerName: { background: 'Camada de cores', foreground: 'Camada de linhas' },
+  layerTitle: { background: 'Cores', foreground: 'Linhas' },
   layerHelp: {
     background: 'As cores, de cima para baixo.',
     foreground: 'As linhas: o que é escuro aqui é desenhado com nanquim sobre as cores.',

@@ -1,8 +1,8 @@
 export const exportStrings = {
   exportPage: 'Exportar',
-  resolution: 'Qualidade',
-  full: (dpi: number) => (dpi >= 150 ? `Impressão, ${dpi} dpi` : 'Tamanho total'),
-  half: 'Metade, para a web',
+  resolution: 'Resolução',
+  full: (dpi: number) => (dpi >= 150 ? `${dpi} dpi` : 'Tamanho total'),
+  half: (dpi: number) => (dpi >= 150 ? `${dpi / 2} dpi, metade do tamanho` : 'Metade do tamanho'),
   format: 'Formato',
   exportKinds: {
     image: 'Imagem',

@@ -11,6 +11,8 @@ export const photoStrings = {
   leftOut: (name: string) => `${name} foi excluída.`,
   starPhoto: (name: string) => `Destacar ${name}`,
   starLong: 'Aumenta o quadro desta foto e a mostra grande em cada embaralhada',
+  starLocked: 'Foto destacada. O layout ou o quadro está bloqueado, por isso o quadro mantém o tamanho.',
+  starKeepsSize: 'Foto destacada. Este layout não tem espaço para um quadro maior; Embaralhar mostra a foto grande.',
   removePhoto: (name: string) => `Remover ${name}`,
   photoMissing: 'Faltando',
   addPhotos: 'Adicionar fotos',

@@ -29,6 +29,7 @@ export const sideStrings = {
   surprise: 'Novo layout',
   surpriseShort: 'Novo layout',
   editLayout: 'Editar layout',
+  editLayoutShort: 'Editar',
   saveLayout: 'Salvar layout',
   loadLayout: 'Carregar layout',
   layoutFile: 'Arquivo de layout',

@@ -19,6 +19,7 @@ export const wordStrings = {
   shape: 'Forma',
   shapes: { oval: 'Fala', thought: 'Pensamento', shout: 'Grito', whisper: 'Sussurro', radio: 'Rádio' },
   editWord: 'Editar texto',
+  formatWord: 'Formato',
   moveWord: 'Mover para…',
   pointTail: 'Apontar rabicho para…',
   removeTail: 'Remover rabicho',

@@ -3,6 +3,7 @@
 
 import { saved } from '../export-dialog.js';
 import { four } from '../panels.js';
+import { startEmpty } from '../style-designer.js';
 import {
   contents,
   expect,
@@ -183,6 +184,7 @@ test('a slider of the designer is moved, and the focus returns to the button of 
   await page.keyboard.press('Enter');
   // The button has the same name as the region.
   await expect(page.getByRole('region', { name: 'Style designer', exact: true })).toBeFocused();
+  await startEmpty(page);
   await tabTo(page, 'Add block');
   await page.keyboard.press('Enter');
   await page.keyboard.type('Posterization');

@@ -1,7 +1,18 @@
 // @ts-check
 /** The style designer: blocks, layers, sliders, preview and saved styles. */
 
-import { FOUR, addBlock, button, cards, drawn, names, openDesigner, preview, region } from '../style-designer.js';
+import {
+  FOUR,
+  addBlock,
+  button,
+  cards,
+  drawn,
+  names,
+  openDesigner,
+  preview,
+  region,
+  startEmpty,
+} from '../style-designer.js';
 import {
   accessible,
   contents,
@@ -58,6 +69,19 @@ test('mouse: blocks are added, moved, bypassed, duplicated, removed and undone, 
   expect((await contents(page)).style).toBe('Untitled style');
 });
 
+test('the designer opens with a copy of the page style, and its lanes say what they draw', async ({ page }) => {
+  await openBoard(page, FOUR);
+  const { style } = await contents(page);
+  await page.getByRole('button', { name: 'Style designer', exact: true }).click();
+  await drawn(page);
+  await expect(region(page).getByRole('textbox', { name: 'Style name' })).toHaveValue(`${style} copy`);
+  expect(await cards(page).count()).toBeGreaterThan(0);
+  await expect(region(page).locator('.lane').getByRole('heading', { level: 3 })).toHaveText(['Colours', 'Lines']);
+  // Each tool of the style has a name.
+  for (const name of ['Export', 'Import', 'Link', 'Duplicate', 'Delete'])
+    await expect(region(page).locator('.style-tools').getByText(name, { exact: true })).toBeVisible();
+});
+
 test('a slider updates the preview during a drag, and the drag is one undo step', async ({ page }) => {
   await openDesigner(page);
   await addBlock(page, 'Gaussian');
@@ -112,7 +136,7 @@ test('keyboard: a style is built, saved, and edited after a reload', async ({ pa
   await openBoard(page, FOUR);
   await page.getByRole('button', { name: 'Style designer', exact: true }).focus();
   await page.keyboard.press('Enter');
-  await drawn(page);
+  await startEmpty(page);
   await page.getByRole('button', { name: 'Add block' }).focus();
   await page.keyboard.press('Enter');
   // The palette stays open for the next block, and its search is empty again.

@@ -1,7 +1,7 @@
 // @ts-check
 /** Blocks inserted at any place of the style designer, their names, and the preview of the comic page. */
 
-import { FOUR, addBlock, button, cards, drawn, names, openDesigner, region } from '../style-designer.js';
+import { FOUR, addBlock, button, cards, drawn, names, openDesigner, region, startEmpty } from '../style-designer.js';
 import { accessible, expect, idle, openBoard, sharedBoardTest as test } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
@@ -134,7 +134,7 @@ test('a block is inserted before another in a small window', async ({ page }) =>
   await page.setViewportSize({ width: 390, height: 844 });
   await page.getByRole('button', { name: 'Menu', exact: true }).click();
   await page.getByRole('button', { name: 'Style designer', exact: true }).click();
-  await drawn(page);
+  await startEmpty(page);
   for (const name of ['Gaussian', 'Posterization']) await addBlock(page, name);
   await cards(page)
     .nth(1)

@@ -76,7 +76,7 @@ test('the export dialog saves a square', async ({ page }) => {
   await dialog.getByText('Page size: ').click();
   await dialog.getByRole('radio', { name: 'Square' }).check();
   await expect(dialog.locator('canvas[data-drawn=true]')).toBeVisible();
-  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+  await dialog.getByRole('combobox', { name: 'Resolution' }).selectOption('0.5');
   await expect(dialog.getByText('1200 × 1200 pixels')).toBeVisible();
   const file = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
   const png = PNG.sync.read(file.bytes);
@@ -129,7 +129,7 @@ test('the page is copied to the clipboard', async ({ page, context }) => {
   await openBoard(page);
   await makePageSmall(page);
   const dialog = await openExport(page);
-  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+  await dialog.getByRole('combobox', { name: 'Resolution' }).selectOption('0.5');
   await dialog.getByRole('button', { name: 'Copy to clipboard' }).click();
   await expect(page.getByRole('status')).toContainText('copied to the clipboard', { timeout: 60_000 });
   const size = await page.evaluate(async () => {

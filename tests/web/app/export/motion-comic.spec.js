@@ -153,7 +153,7 @@ test('an HTML comic moves, can be stopped, and respects reduced motion', { tag: 
   await styled(page);
   const dialog = await openExport(page);
   await chooseFormat(dialog, 'html');
-  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+  await dialog.getByRole('combobox', { name: 'Resolution' }).selectOption('0.5');
   // On a busy machine this takes more than half a minute.
   await expect(dialog.getByRole('checkbox', { name: 'Animate panels with video frames' })).toBeChecked({
     timeout: 120_000,

@@ -87,7 +87,7 @@ test('all pages are saved in one PDF file, and in one comic archive, which can b
   await chooseFormat(dialog, 'pdf');
   await dialog.getByRole('radio', { name: 'All 2 pages' }).check();
   await expect(dialog.getByRole('radio', { name: 'Square' })).toHaveCount(0);
-  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+  await dialog.getByRole('combobox', { name: 'Resolution' }).selectOption('0.5');
   const pdf = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
   expect(pdf.name).toMatch(/\d{4}\.pdf$/);
   expect((await run('pdfinfo', [pdf.path])).stdout).toMatch(/Pages: +2\n/);
@@ -98,7 +98,7 @@ test('all pages are saved in one PDF file, and in one comic archive, which can b
   await chooseFormat(dialog, 'cbz');
   await dialog.getByRole('radio', { name: 'All 2 pages' }).check();
   await expect(dialog.getByRole('radio', { name: 'CBZ' }), 'the format survives').toBeChecked();
-  await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+  await dialog.getByRole('combobox', { name: 'Resolution' }).selectOption('0.5');
   await dialog.getByRole('radio', { name: 'With project data' }).check();
   await dialog.getByRole('combobox', { name: 'Embedded images' }).selectOption('jpeg');
   const cbz = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());

@@ -54,6 +54,24 @@ test('a panel with a low resolution is upscaled if the box is checked, for this 
   expect(apart(plain, await savedPage(page, last))).toBe(0);
 });
 
+test('a file for print has bleed and crop marks, and the resolution names its unit', async ({ page }) => {
+  await openBoard(page, ['cat.jpg']);
+  const dialog = await openPrint(page);
+  await expect(dialog.getByRole('combobox', { name: 'Bleed' })).toHaveValue('mm3');
+  await expect(dialog.getByRole('checkbox', { name: 'Crop marks' })).toBeChecked();
+  const resolution = dialog.getByRole('combobox', { name: 'Resolution' }).getByRole('option');
+  await expect(resolution).toHaveText(['300 dpi', '150 dpi, half size']);
+  const { path } = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
+  const { stdout } = await run('pdfinfo', ['-box', path]);
+  const side = (/** @type {string} */ name) => {
+    const [left, , right] = (stdout.match(new RegExp(`${name}: +(.*)`))?.[1] ?? '').trim().split(/ +/).map(Number);
+    return right - left;
+  };
+  // Points. The sheet also has the marks.
+  expect(side('BleedBox') - side('TrimBox')).toBeCloseTo((2 * 3 * 72) / 25.4, 0);
+  expect(side('MediaBox')).toBeGreaterThan(side('BleedBox'));
+});
+
 test('only files for print have a check of the print resolution', async ({ page }) => {
   await openBoard(page, ['cat.jpg']);
   const dialog = await openPrint(page);

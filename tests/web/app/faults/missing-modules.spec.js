@@ -66,7 +66,7 @@ test('a file format loads only its own module, and can be saved after the loadin
   const format = async (/** @type {string} */ name) => {
     const dialog = await openExport(page);
     await chooseFormat(dialog, name);
-    await dialog.getByRole('combobox', { name: 'Quality' }).selectOption('0.5');
+    await dialog.getByRole('combobox', { name: 'Resolution' }).selectOption('0.5');
     return dialog.getByRole('button', { name: 'Download' });
   };
   const modules = /inkpanel_bg-[^/]*\.wasm$/;

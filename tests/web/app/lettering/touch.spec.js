@@ -102,6 +102,25 @@ test.describe('on a phone', () => {
     await expect(field(page)).toBeFocused();
   });
 
+  test('the tools of a selected text item have names, and Format has its shape', async ({ page }) => {
+    await openBoard(page);
+    await addBalloon(page);
+    await page.keyboard.type('Tools');
+    await page.keyboard.press('Enter');
+    await idle(page);
+    const tools = page.getByRole('toolbar', { name: 'Lettering tools' }).getByRole('button');
+    await expect(tools).toHaveText(['Edit text', 'Format', 'Smaller text', 'Larger text', 'Remove text', 'More']);
+    const rows = await tools.evaluateAll((all) => all.map((one) => one.getBoundingClientRect().top));
+    expect(new Set(rows).size, 'one row').toBe(1);
+    await tools.filter({ hasText: 'Format' }).tap();
+    await page.getByRole('combobox', { name: 'Shape' }).selectOption('Thought');
+    await idle(page);
+    await accessible(page);
+    await page.getByRole('button', { name: 'Close', exact: true }).tap();
+    await tools.filter({ hasText: 'Remove text' }).tap();
+    await expect(word(page, 'Balloon: Tools')).toHaveCount(0);
+  });
+
   test('the outline of a selected text item has the size of its text', async ({ page }) => {
     await openBoard(page);
     await page.getByRole('button', { name: 'Text', exact: true }).tap();

@@ -2,7 +2,7 @@
 /** Small screens: no control is covered, cut off, too small for a finger or outside of the window. */
 
 import { covered } from '../../covered.js';
-import { drawn, region } from '../style-designer.js';
+import { drawn, region, startEmpty } from '../style-designer.js';
 import { panel } from '../panels.js';
 import { SIX, drop, expect, idle, openBoard, reach, sharedBoardTest as test } from '../support.js';
 import { expectTouchTargets } from '../touch.js';
@@ -56,6 +56,7 @@ async function expectFreeAlert(page) {
 async function openSliders(page) {
   await button(page, 'Menu').tap();
   await button(page, 'Style designer').tap();
+  await startEmpty(page);
   await button(page, 'Add block').tap();
   await page.getByRole('searchbox', { name: 'Search blocks' }).fill('xdog');
   await page.getByRole('region', { name: 'Blocks to add' }).getByRole('listitem').getByRole('button').first().tap();

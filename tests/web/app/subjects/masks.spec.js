@@ -1,7 +1,7 @@
 // @ts-check
 /** Subject masks: subjects that break the panel border, text behind subjects, and blocks for the subject only. */
 
-import { addBlock, button, cards, drawn, preview, region } from '../style-designer.js';
+import { addBlock, button, cards, drawn, preview, region, startEmpty } from '../style-designer.js';
 import { savedAs } from '../export-dialog.js';
 import { expectSaved } from '../project-files.js';
 import {
@@ -80,6 +80,7 @@ test('subjects break the panel border, and blocks apply to the subject or the ba
 
   await step(page, 'a block applies to the background or the subject only, and each choice can be undone', async () => {
     await page.getByRole('button', { name: 'Style designer', exact: true }).click();
+    await startEmpty(page);
     // A photo in colour: another one is grey.
     await region(page).getByRole('button', { name: 'Preview macaw.jpg' }).click();
     await drawn(page);

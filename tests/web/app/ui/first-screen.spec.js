@@ -115,6 +115,8 @@ test('a click next to the page, another version, full screen and Escape end each
     await expect(tools.getByRole('button', { name: 'Crop' })).toHaveCount(0);
     await end();
     await expect(bar).toHaveCount(0);
+    // Keys do not reach a text item that is not selected.
+    await expect(page.locator('.word:focus')).toHaveCount(0);
     await page.keyboard.press('Escape');
   }
 });
@@ -198,6 +200,38 @@ test('a preview covers neither Shuffle nor the photos', async ({ page }) => {
   await strip.getByRole('button', { name: 'Suggestion 1', exact: true }).hover();
   await preview();
 });
+
+for (const viewport of [
+  { width: 1440, height: 900 },
+  { width: 1280, height: 720 },
+  { width: 820, height: 1180 },
+  { width: 390, height: 844 },
+  { width: 844, height: 390 },
+]) {
+  test.describe(`${viewport.width} x ${viewport.height} pixels`, () => {
+    test.use({ viewport });
+
+    test('a message does not cover the page', async ({ page }) => {
+      await openBoard(page);
+      const broken = { name: 'broken.jpg', mimeType: 'image/jpeg', buffer: Buffer.from('no photo') };
+      await page
+        .locator('input[type=file]')
+        .first()
+        .setInputFiles([broken, { ...broken, name: 'other.jpg' }]);
+      const message = page.locator('.toast');
+      await expect(message.first()).toBeVisible();
+      await idle(page);
+      const art = await page.locator('.page-canvas').boundingBox();
+      const box = await message.first().boundingBox();
+      if (!art || !box) throw new Error('no message or no page');
+      const isBeside = box.x >= art.x + art.width || box.x + box.width <= art.x;
+      const isApart = isBeside || box.y >= art.y + art.height || box.y + box.height <= art.y;
+      expect(isApart, JSON.stringify({ art, box })).toBe(true);
+      expect(box.x + box.width).toBeLessThanOrEqual(viewport.width);
+      expect(box.y + box.height).toBeLessThanOrEqual(viewport.height);
+    });
+  });
+}
 
 test('the start screen shows three pages, and the projects of a person who returns', async ({ page }) => {
   await openStart(page);
