@@ -224,6 +224,18 @@ mod tests {
     }
 
     #[test]
+    fn a_crop_is_narrower_rather_than_without_the_head_of_an_animal() {
+        for (x, y) in [(0.02, 0.0), (0.55, 0.35), (0.3, 0.0)] {
+            let dog = subject("dog", x, y, 0.3, 0.62);
+            for aspect in [0.6, 1.0, 2.2] {
+                let crop = frame(&photo(3000, 2000, vec![dog.clone()]), &Target::of_aspect(aspect), 0);
+                let head = Subject { height: 0.4 * dog.height, ..dog.clone() };
+                assert!(keeps(&crop, &head), "{aspect} {crop:?} cuts the head of {dog:?}");
+            }
+        }
+    }
+
+    #[test]
     fn a_group_is_kept_together_when_it_fits() {
         let faces = [0.1, 0.4, 0.7].map(|x| subject(FACE, x, 0.3, 0.1, 0.15));
         let crop = frame(&photo(4000, 3000, faces.to_vec()), &Target::of_aspect(1.4), 0);

@@ -337,6 +337,23 @@ mod tests {
     }
 
     #[test]
+    fn walls_need_no_panel() {
+        // Without edges and colours.
+        let mut wall = photo(1600, 1067, 120);
+        wall.facts = Some(serde_json::from_str(&format!("\"{}\"", "10".repeat(25))).unwrap());
+        let person = |i: u64| {
+            let mut person = photo(1600, 1067, 60);
+            person.fingerprint = (i + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            person.find([subject("person", 0.9, [0.3, 0.1, 0.3, 0.8])]);
+            person
+        };
+        let album: Vec<PhotoMeta> = (0..4).map(person).chain([wall.clone(), wall.clone()]).collect();
+        assert_eq!(care(&wall).1, Kind::Bare);
+        assert_eq!(worth_showing(&album, 4), 4);
+        assert_eq!(worth_showing(&[wall.clone(), wall.clone(), wall.clone(), wall], 4), FEWEST);
+    }
+
+    #[test]
     fn a_page_of_a_notebook_is_a_document_and_a_book_on_a_table_is_not() {
         let book = |flat: u8, side: f64| {
             let mut book = photo(1600, 1067, flat);

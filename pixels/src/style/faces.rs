@@ -706,6 +706,22 @@ mod tests {
     }
 
     #[test]
+    fn features_come_back_where_a_style_erases_them() {
+        // White everywhere, then a print in two colours.
+        let white = r#"{"background":[{"block":"brightness","gain":0,"channels":"each"},{"block":"hue","red":255,"green":255,"blue":255}]}"#;
+        let photo = portrait([190, 140, 110]);
+        let depth = |image: &Image| {
+            let luma = luma_plane(image);
+            i32::from(luma.at(168, 128)) - i32::from(luma.at(148, 108))
+        };
+        let (plain, cared) = (depth(&drawn(white, &photo, false)), depth(&drawn(white, &photo, true)));
+        assert!(plain == 0 && cared > 15, "{plain} {cared}");
+        // The background does not change.
+        let corner = |cares| luma_plane(&drawn(white, &photo, cares)).at(5, 5);
+        assert_eq!(corner(true), corner(false));
+    }
+
+    #[test]
     fn skin_has_no_green_areas() {
         let json = r#"{"background":[{"block":"posterize","levels":3}]}"#;
         let photo = portrait([168, 175, 130]);

@@ -14,8 +14,10 @@ const BODY: (f64, f64, f64) = (1.1, 0.6, 3.0);
 const LARGE: f64 = 0.62;
 /// Local luma below which an area is dark, and above which it is not.
 const DARK: (f32, f32) = (34.0, 84.0);
-/// Local mean deviation of luma of an area without detail, and of one with detail, in grey levels.
-const DETAIL: (f32, f32) = (1.1, 3.0);
+/// Minimum difference of a pixel from its surroundings, in grey levels, and its maximum luma. Such pixels are detail.
+const ACTIVE: (u8, u8) = (3, 110);
+/// Part of such pixels in an area without detail, such as the surroundings of an edge, and in one with detail.
+const DETAIL: (f32, f32) = (0.28, 0.55);
 /// Part of the bodies that may be dark, and the part from which all light is given.
 const SHARE: (f32, f32) = (0.05, 0.22);
 /// How near the tones of dark areas come to their square roots, for colours and for lines.
@@ -33,14 +35,14 @@ pub(super) fn lifted(photo: &Image, faces: &[FaceBox]) -> Option<(Image, Image)>
     let mean = |plane: &Plane, part: f32| softened(&softened(plane, radius(part)), radius(part));
     let base = mean(&luma, RADIUS.0);
     let fine = mean(&luma, RADIUS.1);
-    let off = Plane::from_fn(luma.width(), luma.height(), |x, y| {
-        // In quarters of a grey level.
-        4 * luma.at(x, y).abs_diff(fine.at(x, y)).min(63)
+    let active = Plane::from_fn(luma.width(), luma.height(), |x, y| {
+        let tone = luma.at(x, y);
+        if tone <= ACTIVE.1 && tone.abs_diff(fine.at(x, y)) >= ACTIVE.0 { 255 } else { 0 }
     });
-    let detail = mean(&off, RADIUS.0);
+    let detail = mean(&active, RADIUS.0);
     let dark = |x: usize, y: usize| {
         let there = 1.0 - step(DARK, f32::from(base.at(x, y)));
-        there * step(DETAIL, f32::from(detail.at(x, y)) / 4.0)
+        there * step(DETAIL, f32::from(detail.at(x, y)) / 255.0)
     };
     let all = step(SHARE, share(faces, (luma.width(), luma.height()), &dark));
     if all <= 0.0 {
