@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::photo::Crop;
 use super::sums::Sums;
 use crate::raster::Image;
 
@@ -78,6 +79,18 @@ impl EnergyMap {
     #[must_use]
     pub fn values(&self) -> &[u8] {
         &self.values
+    }
+
+    /// The cells of a part of the photo.
+    pub(super) fn part(&self, part: &Crop) -> Self {
+        let cells = |from: f64, length: f64, count: usize| {
+            let first = ((from * count as f64).round() as usize).min(count - 1);
+            (first, (((from + length) * count as f64).round() as usize).clamp(first + 1, count))
+        };
+        let (left, right) = cells(part.x, part.width, self.columns);
+        let (top, bottom) = cells(part.y, part.height, self.rows);
+        let row = |y: usize| self.values[y * self.columns + left..y * self.columns + right].iter().copied();
+        Self { columns: right - left, rows: bottom - top, values: (top..bottom).flat_map(row).collect() }
     }
 
     /// The summed-area table with the centre prior, for many questions about one photo.
@@ -188,7 +201,6 @@ impl TryFrom<Hexadecimal> for EnergyMap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::framing::Crop;
     use crate::raster::Plane;
 
     /// A gray image that is busy only inside x0..x1, y0..y1.

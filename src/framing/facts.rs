@@ -3,6 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::bars::bars;
 use super::energy::{luma, rgb};
 use crate::raster::Image;
 
@@ -15,7 +16,7 @@ const EDGE: u32 = 20;
 
 /// Facts about the pixels of a photo. Shares are in 255ths of the whole photo.
 ///
-/// As JSON a string of two hexadecimal digits for each of their 25 numbers, shares in 255ths.
+/// As JSON a string of two hexadecimal digits for each of their 25 numbers, shares in 255ths. The bars follow if there are any.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Facts {
@@ -28,6 +29,8 @@ pub struct Facts {
     /// Mean R, G and B of the upper and of the lower half. They distinguish scenes, such as a beach and a
     /// bar.
     pub colours: [u8; 6],
+    /// Widths of uniform bars at the left, top, right and bottom edge, in 255ths of the side.
+    pub bars: [u8; 4],
 }
 
 impl Facts {
@@ -70,6 +73,7 @@ impl Facts {
             edges: [share(fine), share(coarse)],
             chroma: (chroma / count.max(1)) as u8,
             colours: [mean(0, 0), mean(0, 1), mean(0, 2), mean(lower, 0), mean(lower, 1), mean(lower, 2)],
+            bars: bars(image),
         }
     }
 
@@ -88,9 +92,10 @@ impl Facts {
 
 impl From<Facts> for String {
     fn from(facts: Facts) -> Self {
-        let Facts { tones, edges, chroma, colours } = facts;
+        let Facts { tones, edges, chroma, colours, bars } = facts;
+        let bars = if bars == [0; 4] { Vec::new() } else { bars.to_vec() };
         let digit = |value: u8| char::from_digit(u32::from(value), 16).unwrap_or('0');
-        let bytes = tones.into_iter().chain(edges).chain([chroma]).chain(colours);
+        let bytes = tones.into_iter().chain(edges).chain([chroma]).chain(colours).chain(bars);
         bytes.flat_map(|value| [digit(value >> 4), digit(value & 15)]).collect()
     }
 }
@@ -99,16 +104,18 @@ impl TryFrom<String> for Facts {
     type Error = &'static str;
 
     fn try_from(text: String) -> Result<Self, Self::Error> {
-        const WRONG: &str = "photo metrics must have 50 hexadecimal digits";
+        const WRONG: &str = "photo metrics must have 50 or 58 hexadecimal digits";
         let digits: Option<Vec<u8>> =
             text.chars().map(|digit| digit.to_digit(16).map(|value| value as u8)).collect();
-        let digits = digits.filter(|digits| digits.len() == 2 * (TONES + 9)).ok_or(WRONG)?;
+        let lengths = [2 * (TONES + 9), 2 * (TONES + 13)];
+        let digits = digits.filter(|digits| lengths.contains(&digits.len())).ok_or(WRONG)?;
         let byte = |i: usize| digits[2 * i] << 4 | digits[2 * i + 1];
         Ok(Self {
             tones: std::array::from_fn(byte),
             edges: std::array::from_fn(|i| byte(TONES + i)),
             chroma: byte(TONES + 2),
             colours: std::array::from_fn(|i| byte(TONES + 3 + i)),
+            bars: std::array::from_fn(|i| if digits.len() > lengths[0] { byte(TONES + 9 + i) } else { 0 }),
         })
     }
 }

@@ -46,9 +46,12 @@ impl Target {
 ///
 /// `variant` 0 is the best crop. 1, 2, ... are the next best crops that differ from earlier ones, for a photo
 /// that is used again. They prefer a close crop of a face, other subjects, then another place or a closer crop. Without subjects and
-/// focus, the crop follows the energy of the photo. If possible, the edges and hidden parts of the panel cut no faces and no heads. The focus is always inside.
+/// focus, the crop follows the energy of the photo. Uniform bars at the edges of the photo stay outside. If possible, the edges and hidden parts of the panel cut no faces and no heads. The focus is always inside.
 #[must_use]
 pub fn frame(photo: &PhotoMeta, target: &Target, variant: u32) -> Crop {
+    if let Some((picture, part)) = photo.trimmed() {
+        return frame(&picture, target, variant).of(&part);
+    }
     let close = if variant > 0 { closeup(photo, target, variant as usize - 1) } else { None };
     if let Some(close) = close {
         return close;
@@ -76,6 +79,9 @@ pub fn frame(photo: &PhotoMeta, target: &Target, variant: u32) -> Crop {
 /// closer than the whole photo, or if the user set a focus point.
 #[must_use]
 pub fn closeup(photo: &PhotoMeta, target: &Target, turn: usize) -> Option<Crop> {
+    if let Some((picture, part)) = photo.trimmed() {
+        return Some(closeup(&picture, target, turn)?.of(&part));
+    }
     let view = View::new(photo, target);
     if view.focus.is_some() {
         return None;
@@ -113,6 +119,10 @@ pub fn closeup(photo: &PhotoMeta, target: &Target, turn: usize) -> Option<Crop> 
 /// crop is nearly as good, and good enough to choose photos.
 #[must_use]
 pub fn sketch(photo: &PhotoMeta, target: &Target) -> (Crop, f64) {
+    if let Some((picture, part)) = photo.trimmed() {
+        let (crop, energy) = sketch(&picture, target);
+        return (crop.of(&part), energy);
+    }
     let view = View::new(photo, target);
     let judge = Judge::new(photo, &view);
     let candidates = judge.admitted(all(&view, Search::Quick), true);
@@ -187,6 +197,42 @@ mod tests {
         let mask = Some(Matte::new(&haze, (320, 240)));
         let hazy = PhotoMeta { mask, ..photo(4000, 3000, Vec::new()) };
         assert_eq!(frame(&hazy, &target, 0), frame(&photo(4000, 3000, Vec::new()), &target, 0));
+    }
+
+    #[test]
+    fn bars_of_the_photo_stay_outside() {
+        let facts = |bars: &str| serde_json::from_str(&format!("\"{}{bars}\"", "10".repeat(25))).unwrap();
+        let face = subject(FACE, 0.4, 0.3, 0.1, 0.15);
+        let photo = photo(1000, 800, vec![face.clone()]);
+        let barred = PhotoMeta { facts: Some(facts("40003300")), ..photo };
+        for aspect in [0.5, 1.0, 2.0] {
+            for crop in [
+                frame(&barred, &Target::of_aspect(aspect), 0),
+                frame(&barred, &Target::of_aspect(aspect), 2),
+                sketch(&barred, &Target::of_aspect(aspect)).0,
+                frame(&barred, &Target::of_aspect(1.3 * aspect), 0).refitted(&barred, aspect),
+            ] {
+                assert!(crop.x >= 0.251 && crop.x + crop.width <= 0.8, "{aspect} {crop:?}");
+                let own = crop.width * 1000.0 / (crop.height * 800.0);
+                assert!((own / aspect - 1.0).abs() < 1e-6, "{aspect} {crop:?}");
+            }
+        }
+        assert!(keeps(&frame(&barred, &Target::of_aspect(1.0), 0), &face));
+        // An edited crop may show a bar.
+        let everything = Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
+        assert!(everything.refitted(&barred, 1.2).x < 0.2);
+    }
+
+    #[test]
+    fn a_crop_is_narrower_rather_than_without_the_head_of_an_animal() {
+        for (x, y) in [(0.02, 0.0), (0.55, 0.35), (0.3, 0.0)] {
+            let dog = subject("dog", x, y, 0.3, 0.62);
+            for aspect in [0.6, 1.0, 2.2] {
+                let crop = frame(&photo(3000, 2000, vec![dog.clone()]), &Target::of_aspect(aspect), 0);
+                let head = Subject { height: 0.4 * dog.height, ..dog.clone() };
+                assert!(keeps(&crop, &head), "{aspect} {crop:?} cuts the head of {dog:?}");
+            }
+        }
     }
 
     #[test]

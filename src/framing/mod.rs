@@ -4,6 +4,7 @@
 //! [`crate::plan`] gives every panel a photo, [`frame()`] finds the crop. Both are pure functions. Pixels are
 //! used only at import, in [`EnergyMap::of`], [`Facts::of`] and [`lettering()`].
 
+mod bars;
 mod candidates;
 pub mod energy;
 mod facts;

@@ -107,6 +107,50 @@ impl PhotoMeta {
         (!facts.is_vague() && !figure.is_scenery()).then_some(figure)
     }
 
+    /// The photo without the uniform bars at its edges, in whole pixels.
+    #[must_use]
+    pub fn picture(&self) -> Crop {
+        let bars = self.facts.as_ref().map_or([0; 4], |facts| facts.bars);
+        let span = |before: u8, after: u8, side: u32| {
+            let side = f64::from(side.max(1));
+            let pixels = |bar: u8| (f64::from(bar) / 255.0 * side).ceil();
+            let (from, to) = (pixels(before), side - pixels(after));
+            if to - from >= 1.0 { (from / side, (to - from) / side) } else { (0.0, 1.0) }
+        };
+        let ((x, width), (y, height)) =
+            (span(bars[0], bars[2], self.width), span(bars[1], bars[3], self.height));
+        Crop { x, y, width, height }
+    }
+
+    /// The photo cut to [`Self::picture`], and this part. `None` without bars.
+    pub(super) fn trimmed(&self) -> Option<(Self, Crop)> {
+        let part = self.picture();
+        if part.width >= 1.0 && part.height >= 1.0 {
+            return None;
+        }
+        let within = |s: Cow<Subject>| Subject {
+            x: (s.x - part.x) / part.width,
+            y: (s.y - part.y) / part.height,
+            width: s.width / part.width,
+            height: s.height / part.height,
+            ..s.into_owned()
+        };
+        let focus = self.focus.map(|focus| Focus {
+            x: ((focus.x - part.x) / part.width).clamp(0.0, 1.0),
+            y: ((focus.y - part.y) / part.height).clamp(0.0, 1.0),
+        });
+        let side = |part: f64, side: u32| (part * f64::from(side.max(1))).round().max(1.0) as u32;
+        let picture = Self {
+            width: side(part.width, self.width),
+            height: side(part.height, self.height),
+            energy: self.energy.part(&part),
+            subjects: self.marked().map(within).collect(),
+            focus,
+            ..Self::unmeasured(&self.id, 1, 1)
+        };
+        Some((picture, part))
+    }
+
     /// Width over height; sides of 0 count as 1.
     #[must_use]
     pub fn aspect(&self) -> f64 {
@@ -214,7 +258,7 @@ impl Subject {
     #[must_use]
     pub fn grown(&self) -> Self {
         let (above, around) = match self.label.as_str() {
-            FACE => (0.35, 0.1),
+            FACE => (0.45, 0.15),
             animal if ANIMALS.contains(&animal) => (0.08, 0.08),
             _ => (0.0, 0.0),
         };
@@ -272,11 +316,36 @@ impl Crop {
             return *self;
         }
         let wanted = (width * height * aspect).sqrt();
-        let width = wanted.min(sides.0).min(sides.1 * aspect);
+        // A crop without the bars of the photo stays without them.
+        let picture = photo.picture();
+        let all = Self { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
+        let limits = if picture.holds(self) { picture } else { all };
+        let width = wanted.min(limits.width * sides.0).min(limits.height * sides.1 * aspect);
         let (width, height) = ((width / sides.0).min(1.0), (width / aspect / sides.1).min(1.0));
-        let place = |middle: f64, length: f64| (middle - length / 2.0).clamp(0.0, 1.0 - length);
+        let place = |middle: f64, length: f64, (from, side): (f64, f64)| {
+            (middle - length / 2.0).min(from + side - length).max(from)
+        };
         let (x, y) = (self.x + self.width / 2.0, self.y + self.height / 2.0);
-        Self { x: place(x, width), y: place(y, height), width, height }
+        let (x, y) = (place(x, width, (limits.x, limits.width)), place(y, height, (limits.y, limits.height)));
+        Self { x, y, width, height }
+    }
+
+    /// This part of a part of a photo, as a part of the photo.
+    pub(super) fn of(self, part: &Self) -> Self {
+        Self {
+            x: part.x + self.x * part.width,
+            y: part.y + self.y * part.height,
+            width: self.width * part.width,
+            height: self.height * part.height,
+        }
+    }
+
+    /// Whether the other crop lies inside.
+    fn holds(&self, other: &Self) -> bool {
+        let within = |from: f64, length: f64, low: f64, side: f64| {
+            from >= low - 1e-9 && from + length <= low + side + 1e-9
+        };
+        within(other.x, other.width, self.x, self.width) && within(other.y, other.height, self.y, self.height)
     }
 
     /// The area that two crops share, over the area that either covers: 0 apart, 1 the same.

@@ -7,7 +7,7 @@
 use std::borrow::Cow;
 
 use super::candidates::{Area, View, reach};
-use super::photo::{Crop, FACE, PhotoMeta};
+use super::photo::{Crop, FACE, PhotoMeta, Subject};
 use super::sums::Sums;
 
 /// Maximum enlargement, unless nothing else fits.
@@ -21,6 +21,9 @@ const STRONG: f64 = 0.25;
 const LEAST_KEPT: f64 = 0.44;
 /// The least part of a photo that a subject covers which must not be cut.
 const SOME_SIZE: f64 = 0.01;
+/// The upper part of an animal, and of a person without a known face, that contains the head.
+const CROWN: f64 = 0.4;
+const PERSON_HEAD: f64 = 0.24;
 /// Share of the crop that a face in full profile is away from the middle, to leave room where it looks, and the
 /// cost of less room, in widths of the crop.
 pub(super) const ROOM: f64 = 0.14;
@@ -39,7 +42,7 @@ pub(super) struct Judge<'a> {
 impl<'a> Judge<'a> {
     pub(super) fn new(photo: &PhotoMeta, view: &'a View<'a>) -> Self {
         let whole = view.width * view.height;
-        let weight = |(area, subject): &(Area, Cow<super::photo::Subject>)| {
+        let weight = |(area, subject): &(Area, Cow<Subject>)| {
             let size = (area.width * area.height / whole).sqrt();
             let kind = match subject.label.as_str() {
                 FACE => 1.5,
@@ -53,17 +56,27 @@ impl<'a> Judge<'a> {
     }
 
     /// Returns the candidates that break the fewest rules. The rules: focus visible, a face included and none
-    /// cut, same for heads, no subject cut, enough of the photo if `wide`, limited enlargement.
+    /// cut, same for heads, also of animals and of people without a known face, no animal cut, enough of the photo if
+    /// `wide`, no subject cut, limited enlargement.
     pub(super) fn admitted(&self, candidates: Vec<Crop>, wide: bool) -> Vec<Crop> {
         let most = candidates.iter().map(|crop| crop.width * crop.height).fold(0.0, f64::max);
         let least = if wide { LEAST_KEPT.min(0.92 * most) } else { 0.0 };
         let (faces, heads): (Vec<Area>, Vec<Area>) =
             (self.view.faces().collect(), self.view.heads().collect());
-        let rules: [&dyn Fn(&Crop) -> bool; 7] = [
+        let animals: Vec<Area> = self.of_size(Subject::is_animal).map(|(_, grown)| grown).collect();
+        let upper = |area: Area, part: f64| Area { height: part * area.height, ..area };
+        let mut crowns: Vec<Area> = animals.iter().map(|area| upper(*area, CROWN)).collect();
+        if faces.is_empty() {
+            let people = self.of_size(|subject| subject.label == "person");
+            crowns.extend(people.map(|(_, grown)| upper(grown, PERSON_HEAD)));
+        }
+        let rules: [&dyn Fn(&Crop) -> bool; 9] = [
             &|crop| self.holds_focus(crop),
             &|crop| self.shows_focus(crop),
             &|crop| self.spares(crop, &faces),
             &|crop| self.spares(crop, &heads),
+            &|crop| self.spares(crop, &crowns),
+            &|crop| self.spares(crop, &animals),
             &|crop| crop.width * crop.height >= least,
             &|crop| self.spares_subjects(crop),
             &|crop| self.enlargement(crop) <= MOST_ENLARGED,
@@ -76,6 +89,17 @@ impl<'a> Judge<'a> {
             }
         }
         rest
+    }
+
+    /// The subjects of a kind that are not too small, and their boxes with surroundings.
+    fn of_size(&self, is: impl Fn(&Subject) -> bool) -> impl Iterator<Item = (Area, Area)> {
+        let whole = self.view.width * self.view.height;
+        let subjects = self.view.subjects.iter().zip(&self.view.grown);
+        subjects
+            .filter(move |((area, subject), _)| {
+                is(subject.as_ref()) && area.width * area.height >= SOME_SIZE * whole
+            })
+            .map(|((area, _), grown)| (*area, *grown))
     }
 
     /// The part of the photo's energy that a crop holds, 0 to 1.

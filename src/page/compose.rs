@@ -11,7 +11,7 @@ use super::stepping;
 use crate::error::{Error, Result};
 use crate::framing::Crop;
 use crate::layout::Bounds;
-use crate::raster::balance::Balance;
+use crate::raster::balance::{Balance, is_gray, toned};
 use crate::raster::enlarge::enlarged;
 use crate::raster::resize::{Region, resample_image};
 use crate::raster::{Image, Plane};
@@ -253,6 +253,9 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
         && let Some(balance) = Balance::of(photo)
     {
         balance.apply(&mut image);
+    }
+    if panel.toned && !panel.plain && scene.style.keeps_colours() && is_gray(photo) {
+        image = toned(image);
     }
     let size = (photo.width(), photo.height());
     let known = panel.subject.as_ref();

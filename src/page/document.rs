@@ -109,6 +109,10 @@ pub struct PanelContent {
     #[serde(deserialize_with = "nullable", skip_serializing_if = "is_default")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
     pub plain: bool,
+    /// Whether a gray photo gets a warm tone, because other photos of the page have colours.
+    #[serde(deserialize_with = "nullable", skip_serializing_if = "is_default")]
+    #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]
+    pub toned: bool,
     /// Whether every shuffle preserves the panel.
     #[serde(deserialize_with = "nullable")]
     #[cfg_attr(all(test, feature = "cli"), ts(as = "Option<_>", optional))]

@@ -6,6 +6,7 @@ use crate::framing::{Crop, PhotoMeta, Subject, Target, frame};
 use crate::json::Writer;
 use crate::layout::{FAMILIES, ResolvedPanel, Template, resolve};
 use crate::order::sort_by;
+use crate::plan::assign::is_gray;
 use crate::plan::slots::slot;
 use crate::plan::{Assignment, Candidate, Slot};
 use serde_json::Value;
@@ -119,6 +120,7 @@ pub(super) fn contents(
     let stays_broken = |i: usize| {
         before(i).is_some_and(|panel| panel.figure.is_some() && (request.keep.photos || panel.locked))
     };
+    let has_colours = assigned.iter().any(|panel| !is_gray(&photos[panel.photo]));
     let panels: Vec<PanelContent> = (0..stage.panels)
         .map(|i| {
             let head = heads.iter().position(|&head| head == leader_of(merges, i));
@@ -132,6 +134,7 @@ pub(super) fn contents(
                 // An empty panel may be locked too.
                 locked: head.is_some_and(|head| locked[head]) || before(i).is_some_and(|panel| panel.locked),
                 edited: assigned.is_some_and(|a| edited(leader_of(merges, i), &photos[a.photo].id)),
+                toned: has_colours && assigned.is_some_and(|a| is_gray(&photos[a.photo])),
                 plain: before(i).is_some_and(|panel| panel.plain),
                 rest: before(i).map(|panel| panel.rest.clone()).unwrap_or_default(),
             }

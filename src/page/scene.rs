@@ -87,6 +87,8 @@ pub struct ScenePanel {
     pub subject: Option<Matte>,
     /// The subject for a panel breakout, and the areas that it must not cover.
     pub figure: Option<(Matte, Around)>,
+    /// Whether a gray photo gets a warm tone.
+    pub toned: bool,
     /// Whether the photo has no style and no border.
     pub plain: bool,
 }
@@ -223,6 +225,7 @@ pub(super) fn panels(
             faces: document.panels[leader].faces.clone(),
             subject: None,
             figure: None,
+            toned: document.panels[leader].toned,
             plain: document.panels[leader].plain,
         }
     };

@@ -18,12 +18,20 @@ const NOISE: f64 = 0.12;
 /// Bonus of one of the best photos in the largest panel, and the quality gap at which the bonus ends.
 const HERO: f64 = 1.2;
 const GAP: f64 = 0.22;
-/// Cost of a bare photo in a panel above a fifth of the page, and of a document in any panel.
+/// Value of the quality of a photo in any panel, however small. A dull photo fits small panels well, so its fit is no
+/// reason to show it.
+const SHOWN: f64 = 0.9;
+/// Cost of a bare photo in a panel above a fifth of the page and in a smaller one, and of a document in any panel.
 const BARE: f64 = 3.0;
+const SMALL_BARE: f64 = 0.6;
 const DOCUMENT: f64 = 4.0;
 /// Minimum sharpness as a fraction of the sharpest photo, and minimum tonal range. Photos below lose quality.
 const LEAST_SHARP: f64 = 0.35;
 const LEAST_TONAL: f64 = 0.35;
+/// Mean distance of the largest to the smallest channel below which a photo is gray, and the factor of the quality of gray
+/// photos among photos with colours.
+const GRAY: u8 = 7;
+const GRAY_QUALITY: f64 = 0.7;
 /// Number of photos whose mean quality leads are compared with.
 const TOP: usize = 2;
 /// Maximum share of the page for a bare photo.
@@ -102,6 +110,8 @@ impl<'a> Photos<'a> {
             drawn.retain(|i| some.contains(i));
         }
         let mut quality = vec![0.0; all.len()];
+        // On a page with colours, a gray photo looks like an accident.
+        let colourful = 2 * drawn.iter().filter(|&&i| is_gray(&all[i])).count() < drawn.len();
         for &i in &drawn {
             let prepared = shelf.get(i, &all[i]);
             let (sharp, tonal) = (sharp(&all[i]), prepared.tonal);
@@ -109,7 +119,8 @@ impl<'a> Photos<'a> {
             let poor =
                 1.0 - 0.4 * (1.0 - sharp / LEAST_SHARP).max(0.0) - 0.4 * (1.0 - tonal / LEAST_TONAL).max(0.0);
             let text = if prepared.kind == Kind::Document { 0.3 } else { 1.0 };
-            quality[i] = text * poor * (0.72 * prepared.care + 0.16 * tonal + 0.12 * sharp);
+            let gray = if colourful && is_gray(&all[i]) { GRAY_QUALITY } else { 1.0 };
+            quality[i] = gray * text * poor * (0.72 * prepared.care + 0.16 * tonal + 0.12 * sharp);
         }
         let below = |q: f64| drawn.iter().filter(|&&other| quality[other] <= q).count();
         let mut rank = vec![0.0; all.len()];
@@ -158,6 +169,12 @@ impl<'a> Photos<'a> {
     pub fn are_duplicates(&self, a: usize, b: usize) -> bool {
         are_duplicates(&self.all[a], &self.all[b], self.duplicate_threshold)
     }
+}
+
+/// Whether a photo is gray.
+#[must_use]
+pub fn is_gray(photo: &PhotoMeta) -> bool {
+    photo.facts.as_ref().is_some_and(|facts| facts.chroma < GRAY)
 }
 
 /// The value of each photo in each open slot of a page.
@@ -269,10 +286,11 @@ pub(super) fn presence((size, largest, share): (f64, f64, f64), photo: usize, ph
     let spoken = if photos.all[photo].spoken { SPOKEN } else { 0.0 };
     let dull = match photos.kind(photo) {
         Kind::Bare if share > MOST_BARE => BARE,
+        Kind::Bare => SMALL_BARE,
         Kind::Document => DOCUMENT,
         _ => 0.0,
     };
-    1.4 * (size - 0.4) * photos.quality[photo] + photos.need(photo) + hero + star + spoken - dull
+    (1.4 * (size - 0.4) + SHOWN) * photos.quality[photo] + photos.need(photo) + hero + star + spoken - dull
 }
 
 /// Assigns a photo and a crop to every panel; empty without photos. The result depends only on the arguments.

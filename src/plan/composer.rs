@@ -69,7 +69,7 @@ pub struct Score {
     pub quality: f64,
     /// Strong photos without a panel, above all people; negative.
     pub missing: f64,
-    /// Large panels of bare photos, and documents; negative.
+    /// Panels of bare photos, large ones most, and documents; negative.
     pub dull: f64,
     /// Photos that recent pages did not show.
     pub turns: f64,
@@ -275,6 +275,7 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
     let quality = chosen.iter().enumerate().map(|(slot, &photo)| share(slot) * photos.quality[photo]);
     let dull = chosen.iter().enumerate().map(|(slot, &photo)| match photos.kind(photo) {
         Kind::Bare if share(slot) > MOST_BARE => -0.8,
+        Kind::Bare => -0.4,
         Kind::Document => -1.0,
         _ => 0.0,
     });
@@ -302,7 +303,7 @@ fn missing(chosen: &[usize], photos: &Photos) -> f64 {
     };
     let panels = chosen.len() as f64;
     let strong = cost(&|photo| photos.rank[photo] > 2.0 / 3.0, 0.7 * panels);
-    let alive = cost(&|photo| photos.kind(photo) == Kind::Alive, 0.7 * panels);
+    let alive = cost(&|photo| photos.kind(photo) == Kind::Alive, panels);
     -0.4 * strong - 1.4 * alive
 }
 

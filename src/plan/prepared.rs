@@ -17,6 +17,8 @@ const WIDEST: f64 = 3.0;
 const MOST_MARKS: usize = 16;
 /// Number of photos that fill any page.
 const MANY: usize = 24;
+/// Panels of a page with hardly anything to see.
+const FEWEST: usize = 3;
 /// Labels of vehicles.
 const VEHICLES: [&str; 8] = ["bicycle", "car", "motorcycle", "airplane", "bus", "train", "truck", "boat"];
 /// Minimum score of a small face without a person around it.
@@ -36,8 +38,8 @@ const FLAT: f64 = 0.5;
 const SHEET: (f64, f64) = (0.85, 0.65);
 /// Maximum aspect ratio of a screenshot of a phone, and its minimum flat part. Photos of phones are wider.
 const PHONE: (f64, f64) = (0.52, 0.7);
-/// The part of a body, from the top, that contains its head.
-const HEAD: f64 = 0.24;
+/// The part of a person and of an animal, from the top, that contains the head.
+const HEAD: (f64, f64) = (0.24, 0.38);
 /// The share of edges, and the chroma, below which a photo without subjects shows a wall or a grey sky.
 const BARE: f64 = 0.26;
 const GREY: f64 = 60.0;
@@ -198,7 +200,8 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
     (best.max(scene), Kind::Scene)
 }
 
-/// Counts the photos that differ from each other and are not documents. Counts all if every photo is a document.
+/// Counts the photos that differ from each other and show something: no documents, walls and gray skies. At least
+/// three, if there are so many, and all if every photo is a document.
 /// `duplicate_threshold`: maximum fingerprint distance of near-duplicates, in bits.
 #[must_use]
 pub fn worth_showing(photos: &[PhotoMeta], duplicate_threshold: u32) -> usize {
@@ -206,15 +209,18 @@ pub fn worth_showing(photos: &[PhotoMeta], duplicate_threshold: u32) -> usize {
         return photos.len();
     }
     let mut shown: Vec<&PhotoMeta> = Vec::new();
+    let mut bare = 0;
     for photo in photos {
         // A photo that was never measured is like no other.
         let known = photo.fingerprint != 0
             && shown.iter().any(|other| are_duplicates(other, photo, duplicate_threshold));
-        if !known && !is_document(photo) {
+        let kind = care(photo).1;
+        if !known && kind != Kind::Document {
             shown.push(photo);
+            bare += usize::from(kind == Kind::Bare);
         }
     }
-    if shown.is_empty() { photos.len() } else { shown.len() }
+    if shown.is_empty() { photos.len() } else { (shown.len() - bare).max(shown.len().min(FEWEST)) }
 }
 
 /// Whether two photos are near-duplicates: their fingerprints differ in at most `threshold` bits.
@@ -250,7 +256,7 @@ fn mark(s: &Subject, photo: &PhotoMeta) -> Option<Mark> {
         1.0
     };
     let head = (s.is_animal() || s.label == "person" && !portrait)
-        .then(|| Bounds { height: HEAD * s.height, ..bounds(s) });
+        .then(|| Bounds { height: if s.is_animal() { HEAD.1 } else { HEAD.0 } * s.height, ..bounds(s) });
     Some(Mark {
         head,
         grown: bounds(&grown),
@@ -328,6 +334,23 @@ mod tests {
         assert_eq!(care(&photo(785, 1600, 210)).1, Kind::Document, "a screenshot without lettering");
         assert_ne!(care(&photo(900, 1600, 210)).1, Kind::Document, "an upright photo of a phone");
         assert_ne!(care(&photo(785, 1600, 120)).1, Kind::Document, "a tall photo");
+    }
+
+    #[test]
+    fn walls_need_no_panel() {
+        // Without edges and colours.
+        let mut wall = photo(1600, 1067, 120);
+        wall.facts = Some(serde_json::from_str(&format!("\"{}\"", "10".repeat(25))).unwrap());
+        let person = |i: u64| {
+            let mut person = photo(1600, 1067, 60);
+            person.fingerprint = (i + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            person.find([subject("person", 0.9, [0.3, 0.1, 0.3, 0.8])]);
+            person
+        };
+        let album: Vec<PhotoMeta> = (0..4).map(person).chain([wall.clone(), wall.clone()]).collect();
+        assert_eq!(care(&wall).1, Kind::Bare);
+        assert_eq!(worth_showing(&album, 4), 4);
+        assert_eq!(worth_showing(&[wall.clone(), wall.clone(), wall.clone(), wall], 4), FEWEST);
     }
 
     #[test]

@@ -11,7 +11,7 @@ const SUBJECT_CUT: (f64, f64) = (0.08, 0.82);
 /// The part of a head without a known face that must be seen, its cost in cut faces, and the least part of the
 /// photo that its body takes.
 const HEAD_SEEN: f64 = 0.85;
-const HEAD_CUT: f64 = 0.5;
+const HEAD_CUT: f64 = 0.8;
 const HEAD_BODY: f64 = 0.03;
 /// The part of a photo that should be seen.
 const KEPT: f64 = 0.62;
@@ -106,7 +106,7 @@ impl Look {
                 let main = mark.bare.height >= OF_THE_GROUP * tallest;
                 let missed = main && !close;
                 let cut = in_one < FACE_CUT.1 && (missed || bare > FACE_CUT.0 || under_others(slot, inner));
-                let head = 0.35 * f64::from(u8::from(most < 0.85 && all > FACE_CUT.0));
+                let head = 0.5 * f64::from(u8::from(most < 0.85 && all > FACE_CUT.0));
                 look.faces_cut += if cut { 1.0 } else { head };
             } else if mark.bare.width * mark.bare.height >= SOME_SIZE
                 && all > SUBJECT_CUT.0

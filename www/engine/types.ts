@@ -781,6 +781,8 @@ export type PanelUse = {
   figure?: string,
   /** Whether the panel is a logo: no style, no border, and described as a logo. */
   plain?: boolean,
+  /** Whether a gray photo gets a warm tone, because other photos of the page have colours. */
+  toned?: boolean,
   /** Whether every shuffle preserves the panel. */
   locked?: boolean,
   /** Whether the crop is manual. It stays as long as the photo stays in this panel. */

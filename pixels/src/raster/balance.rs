@@ -6,6 +6,7 @@
 //! Source: Finlayson and Trezzi, "Shades of gray and colour constancy", 2004.
 
 use super::Image;
+use crate::simd::point::luma_plane;
 use crate::simd::table::Table;
 
 /// Pixels of the grid on the longer side, at most.
@@ -66,6 +67,45 @@ impl Balance {
     }
 }
 
+/// Mean distance of the largest to the smallest channel below which a photo is gray.
+const GRAY: f64 = 7.0;
+/// Shift of R, G and B in the middle tones of a toned picture, in grey levels. Its luma stays.
+const TONE: [f32; 3] = [26.0, -2.0, -42.0];
+
+/// Whether a photo has no colours.
+#[must_use]
+pub fn is_gray(photo: &Image) -> bool {
+    let [r, g, b] = photo.planes() else { return true };
+    let step = photo.width().max(photo.height()).div_ceil(GRID).max(1);
+    let (mut sum, mut count) = (0.0, 0_u32);
+    for y in (step / 2..photo.height()).step_by(step) {
+        for x in (step / 2..photo.width()).step_by(step) {
+            let rgb = [r, g, b].map(|plane| plane.at(x, y));
+            let (least, most) = rgb.iter().fold((255, 0), |(l, m), v| (*v.min(&l), *v.max(&m)));
+            sum += f64::from(most - least);
+            count += 1;
+        }
+    }
+    sum < GRAY * f64::from(count)
+}
+
+/// A gray picture in the warm tone of an old print.
+#[must_use]
+pub fn toned(picture: Image) -> Image {
+    let luma = luma_plane(&picture);
+    let toned = TONE.map(|shift| {
+        let mut plane = luma.clone();
+        Table::from_fn(|tone| {
+            let part = tone / 255.0;
+            tone + shift * 4.0 * part * (1.0 - part)
+        })
+        .apply(plane.samples_mut());
+        plane
+    });
+    // The three planes have one size, so this cannot fail.
+    Image::from_rgb(toned).unwrap_or(picture)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -110,6 +150,17 @@ mod tests {
         Balance::of(&image).unwrap().apply(&mut image);
         assert!(warmth(&image) > 2.2);
         assert!((luma(&image) / before - 1.0).abs() < 0.06);
+    }
+
+    #[test]
+    fn a_toned_gray_picture_is_warm_and_as_bright() {
+        let gray = photo([1.0; 3]);
+        assert!(is_gray(&gray) && !is_gray(&photo([1.3, 1.0, 0.8])));
+        let warm = toned(gray.clone());
+        assert!(warmth(&warm) > 1.3, "{}", warmth(&warm));
+        let (before, after) = (luma_plane(&gray), luma_plane(&warm));
+        let off = before.samples().iter().zip(after.samples()).map(|(a, b)| a.abs_diff(*b)).max();
+        assert!(off <= Some(3), "{off:?}");
     }
 
     #[test]

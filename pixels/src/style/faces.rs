@@ -10,6 +10,7 @@ use super::context::Context;
 use super::file::{Step, Style};
 use super::params::FaceLimit;
 use crate::error::Result;
+use crate::raster::guided::softened;
 use crate::raster::{Image, Plane};
 use crate::simd::point::luma_plane;
 
@@ -61,6 +62,27 @@ const LARGE: f32 = 420.0;
 const MOST_FACES: usize = 12;
 /// Room around a face that is drawn again, in parts of its size: its mask, and what filters look at.
 const ROOM: f64 = 0.5;
+
+/// Columns and rows of the grid on which a drawn face is compared with the photo. An eye has two columns.
+const GRID: (usize, usize) = (12, 15);
+/// Correlation of a drawn face with the photo at which it is hard to recognise, and at which it needs nothing.
+const LIKE: (f32, f32) = (0.45, 0.86);
+/// Correlation of a face in a negative.
+const NEGATIVE: f32 = -0.3;
+/// The contrast of a drawn face, relative to the photo, below which features are missing, and which needs nothing.
+const FEATURES: (f32, f32) = (0.4, 0.85);
+/// Contrast of a face, as a standard deviation in grey levels, and the range of its factor relative to the photo.
+const DEPTH: (f32, f32, f32) = (30.0, 0.8, 1.7);
+/// Farthest distance of the mean tone of a face from the photo, in grey levels.
+const FARTHEST: f32 = 52.0;
+/// Part of the missing tones that a face gets at most.
+const MENDED: f32 = 0.8;
+/// Radius of the smallest feature, in heights of a face.
+const FEATURE: f32 = 0.022;
+/// Minimum height of a face that can be compared, in pixels.
+const COMPARED: f64 = 12.0;
+/// Part of the picture that counts as its darkest and as its lightest colour.
+const ENDS: f32 = 0.04;
 
 /// Distances from the centre of a face at which its mask starts to fall and reaches 0, in half sides of its
 /// box.
@@ -174,6 +196,34 @@ impl<'a> Care<'a> {
         chain::run_owned(screens, drawn, context)
     }
 
+    /// Compares the drawn faces with the photo. Where features are missing, tones of the photo come back, as far as
+    /// necessary, in the colours of the picture.
+    pub(super) fn mend(&self, photo: &Image, drawn: &mut Image, recolours: bool) {
+        let (before, after) = (luma_plane(photo), luma_plane(drawn));
+        let mut ends = None;
+        for face in self.faces.iter().filter(|face| face.height >= COMPARED) {
+            let Some(fit) = Fit::of(&before, &after, face) else { continue };
+            let part = fit.missing();
+            if part < 0.05 {
+                continue;
+            }
+            let Some(room) = Room::around(face, photo) else { continue };
+            let (before, after) = (room.cut_plane(&before), room.cut_plane(&after));
+            // Only the tones of features and larger areas: hatching, dots and lines stay.
+            let radius = ((FEATURE * face.height as f32).round() as usize).max(1);
+            let (wanted, now) = (softened(&before, radius), softened(&after, radius));
+            let ends = *ends.get_or_insert_with(|| Ends::of(drawn, recolours));
+            each_pixel(face, photo.width(), photo.height(), |x, y, share| {
+                let (Some(i), Some(j)) = (x.checked_sub(room.x), y.checked_sub(room.y)) else { return };
+                if i >= room.width || j >= room.height {
+                    return;
+                }
+                let by = fit.wanted(f32::from(wanted.at(i, j))) - f32::from(now.at(i, j));
+                ends.shift(drawn, (x, y), share * part * by);
+            });
+        }
+    }
+
     /// Moves the colours in faces toward the photo, within the subject if there is one.
     fn hold(&self, photo: &Image, drawn: &mut Image, subject: Option<&Plane>) {
         if photo.is_luma() || drawn.is_luma() {
@@ -190,6 +240,139 @@ impl<'a> Care<'a> {
                     plane.row_mut(y)[x] = value.round().clamp(0.0, 255.0) as u8;
                 }
             });
+        }
+    }
+}
+
+/// How the tones of a drawn face follow those of the photo.
+struct Fit {
+    /// Correlation of both, -1 to 1.
+    likeness: f32,
+    /// Mean and standard deviation of luma in the photo, and in the drawing.
+    photo: (f32, f32),
+    drawn: (f32, f32),
+}
+
+impl Fit {
+    /// Compares means of the cells of a grid. `None` if the photo shows nothing there.
+    fn of(photo: &Plane, drawn: &Plane, face: &FaceBox) -> Option<Self> {
+        let mut cells = [[0.0_f32; 3]; GRID.0 * GRID.1];
+        let place = |at: f64, from: f64, side: f64, count: usize| {
+            let at = (at + 0.5 - from) / side * count as f64;
+            (at >= 0.0 && at < count as f64).then_some(at as usize)
+        };
+        let (width, height) = (photo.width(), photo.height());
+        each_pixel(face, width, height, |x, y, share| {
+            let column = place(x as f64, face.x, face.width, GRID.0);
+            let row = place(y as f64, face.y, face.height, GRID.1);
+            if let (Some(column), Some(row)) = (column, row)
+                && share >= 1.0
+            {
+                let cell = &mut cells[row * GRID.0 + column];
+                cell[0] += 1.0;
+                cell[1] += f32::from(photo.at(x, y));
+                cell[2] += f32::from(drawn.at(x, y));
+            }
+        });
+        let means: Vec<(f32, f32)> = cells
+            .iter()
+            .filter(|[count, ..]| *count > 0.0)
+            .map(|[count, photo, drawn]| (photo / count, drawn / count))
+            .collect();
+        let count = means.len() as f32;
+        if means.len() < GRID.0 * GRID.1 / 3 {
+            return None;
+        }
+        let sum = |f: &dyn Fn(&(f32, f32)) -> f32| means.iter().map(f).sum::<f32>() / count;
+        let (p, d) = (sum(&|cell| cell.0), sum(&|cell| cell.1));
+        let both = sum(&|cell| (cell.0 - p) * (cell.1 - d));
+        let (own, now) = (sum(&|cell| (cell.0 - p) * (cell.0 - p)), sum(&|cell| (cell.1 - d) * (cell.1 - d)));
+        let (own, now) = (own.sqrt(), now.sqrt());
+        (own > 2.0).then_some(Self {
+            likeness: both / (own * now).max(1.0),
+            photo: (p, own),
+            drawn: (d, now),
+        })
+    }
+
+    /// The part of the tones of the photo that the face needs.
+    fn missing(&self) -> f32 {
+        // A negative is meant.
+        if self.likeness < NEGATIVE {
+            return 0.0;
+        }
+        let short =
+            |(least, enough): (f32, f32), value: f32| ((enough - value) / (enough - least)).clamp(0.0, 1.0);
+        let far = (self.middle() - self.drawn.0).abs() / FARTHEST;
+        let unlike = short(LIKE, self.likeness).max(short(FEATURES, self.drawn.1 / self.photo.1.min(40.0)));
+        MENDED * unlike.max(far.min(1.0))
+    }
+
+    /// The mean tone of the face: that of the drawing, not too far from the photo.
+    fn middle(&self) -> f32 {
+        self.drawn.0.clamp(self.photo.0 - FARTHEST, self.photo.0 + FARTHEST)
+    }
+
+    /// The tone for one of the photo.
+    fn wanted(&self, tone: f32) -> f32 {
+        let factor = (self.drawn.1.max(DEPTH.0) / self.photo.1).clamp(DEPTH.1, DEPTH.2);
+        self.middle() + factor * (tone - self.photo.0)
+    }
+}
+
+/// The colours that tones of a face move to: black and white of the photo's colours, or the darkest and the lightest
+/// colour of a picture that has other colours.
+#[derive(Clone, Copy)]
+struct Ends {
+    ends: Option<[[f32; 3]; 2]>,
+}
+
+impl Ends {
+    fn of(drawn: &Image, recolours: bool) -> Self {
+        if drawn.is_luma() || !recolours {
+            return Self { ends: None };
+        }
+        let luma = luma_plane(drawn);
+        let mut counts = [(0.0_f32, [0.0_f32; 3]); 256];
+        for (i, &y) in luma.samples().iter().enumerate() {
+            let (count, sums) = &mut counts[usize::from(y)];
+            *count += 1.0;
+            for (sum, plane) in sums.iter_mut().zip(drawn.planes()) {
+                *sum += f32::from(plane.samples()[i]);
+            }
+        }
+        let least = ENDS * luma.samples().len() as f32;
+        let mean = |tones: &mut dyn Iterator<Item = &(f32, [f32; 3])>| {
+            let (mut all, mut sums) = (0.0_f32, [0.0_f32; 3]);
+            for (count, colour) in tones {
+                all += count;
+                for (sum, part) in sums.iter_mut().zip(colour) {
+                    *sum += part;
+                }
+                if all >= least {
+                    break;
+                }
+            }
+            sums.map(|sum| sum / all.max(1.0))
+        };
+        Self { ends: Some([mean(&mut counts.iter()), mean(&mut counts.iter().rev())]) }
+    }
+
+    /// Moves the luma of a pixel.
+    fn shift(&self, drawn: &mut Image, (x, y): (usize, usize), by: f32) {
+        let now: Vec<f32> = drawn.planes().iter().map(|plane| f32::from(plane.at(x, y))).collect();
+        let target = self.ends.map(|ends| ends[usize::from(by > 0.0)]);
+        let part = match (&target, now.as_slice()) {
+            (Some(target), &[r, g, b]) => {
+                let distance = luma(*target) - luma([r, g, b]);
+                // Never past the end.
+                if distance * by > 0.0 { (by / distance).min(1.0) } else { 0.0 }
+            }
+            _ => 0.0,
+        };
+        for (i, (plane, now)) in drawn.planes_mut().iter_mut().zip(now).enumerate() {
+            let value = target.map_or(now + by, |target| now + part * (target[i] - now));
+            plane.row_mut(y)[x] = value.round().clamp(0.0, 255.0) as u8;
         }
     }
 }
@@ -520,6 +703,22 @@ mod tests {
         let cheek = |cares: bool| luma_plane(&drawn(json, &photo, cares)).at(168, 128);
         let eye = luma_plane(&drawn(json, &photo, true)).at(148, 108);
         assert!(cheek(false) < 40 && cheek(true) > 120 && eye < 60, "{} {} {eye}", cheek(false), cheek(true));
+    }
+
+    #[test]
+    fn features_come_back_where_a_style_erases_them() {
+        // White everywhere, then a print in two colours.
+        let white = r#"{"background":[{"block":"brightness","gain":0,"channels":"each"},{"block":"hue","red":255,"green":255,"blue":255}]}"#;
+        let photo = portrait([190, 140, 110]);
+        let depth = |image: &Image| {
+            let luma = luma_plane(image);
+            i32::from(luma.at(168, 128)) - i32::from(luma.at(148, 108))
+        };
+        let (plain, cared) = (depth(&drawn(white, &photo, false)), depth(&drawn(white, &photo, true)));
+        assert!(plain == 0 && cared > 15, "{plain} {cared}");
+        // The background does not change.
+        let corner = |cares| luma_plane(&drawn(white, &photo, cares)).at(5, 5);
+        assert_eq!(corner(true), corner(false));
     }
 
     #[test]

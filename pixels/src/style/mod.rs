@@ -38,6 +38,7 @@ pub mod painters;
 pub mod params;
 pub mod part;
 pub mod procedural;
+mod shadows;
 pub mod stages;
 pub mod tangents;
 pub mod texture;
@@ -72,8 +73,12 @@ fn cared(image: &Image, style: &Style, context: &mut Context<'_>) -> Result<Imag
         return layered(style, (image, image), context, None);
     };
     let style = care.scaled(style, context.scale());
-    let (lit, lines) = (care.lit(image), care.lit_for_lines(image));
-    layered(&style, (&lit, &lines), context, Some(&care))
+    let lifted = shadows::lifted(image, &faces);
+    let (colours, lines) = lifted.as_ref().map_or((image, image), |(colours, lines)| (colours, lines));
+    let (lit, lines) = (care.lit(colours), care.lit_for_lines(lines));
+    let mut drawn = layered(&style, (&lit, &lines), context, Some(&care))?;
+    care.mend(&lit, &mut drawn, !style.keeps_colours());
+    Ok(drawn)
 }
 
 /// The layers of a style, each on its own light of the photo.
