@@ -25,6 +25,11 @@ const VEHICLES: [&str; 8] = ["bicycle", "car", "motorcycle", "airplane", "bus", 
 const SURE: f64 = 0.78;
 /// Labels that detectors give to pages of text and to screenshots.
 const SCREENS: [&str; 7] = ["cell phone", "tv", "laptop", "remote", "book", "keyboard", "refrigerator"];
+/// Labels of screens that show pictures, and the value of people on them, relative to others.
+const DISPLAYS: [&str; 3] = ["tv", "laptop", "cell phone"];
+const DISPLAYED: f64 = 0.25;
+/// Distance from the edge of a box that still counts as inside, in sides of the photo.
+const NEAR: f64 = 0.02;
 /// Minimum value of a person or animal in a photo of kind `Alive`.
 const ALIVE: f64 = 0.3;
 /// Bonus of the second and of the third face.
@@ -137,8 +142,23 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
     let side = |s: &Subject| (s.width * s.height).sqrt();
     let faces = || subjects.iter().filter(|s| s.label == FACE);
     let people = || subjects.iter().filter(|s| s.label == "person");
+    let displays = || subjects.iter().filter(|s| DISPLAYS.contains(&s.label.as_str()));
+    // A photo of a video call. The body of a person in front of a television is not inside of it.
+    let on_display = |s: &Subject| {
+        displays().any(|display| {
+            let inside = |s: &Subject| {
+                s.x >= display.x - NEAR
+                    && s.y >= display.y - NEAR
+                    && s.x + s.width <= display.x + display.width + NEAR
+                    && s.y + s.height <= display.y + display.height + NEAR
+            };
+            s.label != display.label
+                && inside(s)
+                && people().filter(|person| person.surrounds(s)).all(|person| inside(person))
+        })
+    };
     let value = |s: &Subject| {
-        let sure = s.score.clamp(0.0, 1.0).sqrt();
+        let sure = s.score.clamp(0.0, 1.0).sqrt() * if on_display(s) { DISPLAYED } else { 1.0 };
         let size = |full: f64| (side(s) / full).min(1.0);
         sure * match s.label.as_str() {
             // A face of a sixth of the photo's side is a portrait. A small face without a person can be a
@@ -351,6 +371,23 @@ mod tests {
         assert_eq!(care(&wall).1, Kind::Bare);
         assert_eq!(worth_showing(&album, 4), 4);
         assert_eq!(worth_showing(&[wall.clone(), wall.clone(), wall.clone(), wall], 4), FEWEST);
+    }
+
+    #[test]
+    fn people_on_a_display_are_no_people_of_the_photo() {
+        let call = |person: [f64; 4]| {
+            let mut call = photo(1600, 1067, 60);
+            call.find([
+                subject("tv", 0.9, [0.1, 0.1, 0.8, 0.7]),
+                subject("person", 0.95, person),
+                subject(FACE, 0.9, [0.4, 0.25, 0.2, 0.3]),
+            ]);
+            care(&call)
+        };
+        assert_eq!(call([0.3, 0.2, 0.4, 0.6]).1, Kind::Scene);
+        // In front of the television.
+        let (value, kind) = call([0.25, 0.2, 0.5, 0.8]);
+        assert!(kind == Kind::Alive && value > 0.7, "{value}");
     }
 
     #[test]
