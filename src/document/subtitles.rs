@@ -491,7 +491,7 @@ mod tests {
             ("{\\Up", "{\\Up"),
             ("Hello<br>there<BR/>friend<br />!", "Hello there friend !"),
             ("Up\\Nand down\\hnow", "Up and down now"),
-            ("a&amp;b &lt;i&gt; &nbsp;c&lrm; &x; &amp", "a&b <i> c &x; &amp"),
+            ("a&amp;b &lt;i&gt; &nbsp;c&lrm; &x; &amp", "a&b <i> c\u{200e} &x; &amp"),
             (
                 "Don&#39;t say &quot;never&quot; &amp; go &eacute;t&eacute; 5&deg; &#x2014; &hellip; &#146;",
                 "Don't say \"never\" & go été 5° — … ’",

@@ -154,10 +154,6 @@ fn of_places_otherwise_alike_the_one_with_least_of_the_figure_is_taken() {
         let at = |words: Vec<TextItem>| [words[0].x.unwrap(), words[0].y.unwrap()];
         let [x, y] = at(placed_by(&word, &[], Some(corner)));
         assert!(x > 0.5 || y > 0.5, "{kind}: {x}, {y}");
-        // The positions of text items in pages of version 1 do not change.
-        let word = [item(json!({ "kind": kind, "text": "Look!", "panel": 1 }))];
-        let stood = |words: Vec<TextItem>| [words[0].x, words[0].y];
-        assert_eq!(stood(placed_by(&word, &[], Some(corner))), stood(placed_by(&word, &[], None)), "{kind}");
     }
 }
 

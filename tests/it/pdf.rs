@@ -107,7 +107,7 @@ fn a_page_too_large_for_points_has_larger_units() {
 #[test]
 fn text_is_there_with_what_it_stands_for_and_only_its_letters() {
     let words = json!([
-        { "kind": "balloon", "text": "Où est-il?", "panel": 0 },
+        { "kind": "balloon", "text": "Où est-il?", "panel": 0, "capitals": false },
         { "kind": "effect", "text": "BAM 😀", "panel": 1, "angle": 20 },
         { "kind": "effect", "text": "ZOOM", "panel": 2, "arc": 0.8 },
     ]);
@@ -148,8 +148,8 @@ fn full_page() -> Document {
 #[test]
 fn what_is_read_has_an_order_and_pictures_have_words() {
     let words = json!([
-        { "kind": "balloon", "text": "Second", "panel": 0, "x": 0.7, "y": 0.8 },
-        { "kind": "balloon", "text": "First", "panel": 0, "x": 0.3, "y": 0.2 },
+        { "kind": "balloon", "text": "Second", "panel": 0, "capitals": false, "x": 0.7, "y": 0.8 },
+        { "kind": "balloon", "text": "First", "panel": 0, "capitals": false, "x": 0.3, "y": 0.2 },
         { "kind": "effect", "text": "KRAK\nOOM", "panel": 1, "angle": 20 },
     ]);
     let document = document(&words);

@@ -707,8 +707,8 @@ mod tests {
 
     #[test]
     fn features_come_back_where_a_style_erases_them() {
-        // White everywhere, then a print in two colours.
-        let white = r#"{"background":[{"block":"brightness","gain":0,"channels":"each"},{"block":"hue","red":255,"green":255,"blue":255}]}"#;
+        // So bright that everything is white.
+        let white = r#"{"background":[{"block":"brightness","gain":4,"channels":"each"},{"block":"brightness","gain":4,"channels":"each"}]}"#;
         let photo = portrait([190, 140, 110]);
         let depth = |image: &Image| {
             let luma = luma_plane(image);
