@@ -477,6 +477,7 @@ fn caption_page(text: &str, [width, height]: [u32; 2]) -> Option<Document> {
         x: Some(0.5),
         y: Some(0.7),
         auto: Some(false),
+        capitals: Some(false),
         font: Some("comic-neue-bold".into()),
         color: Some("#111111".into()),
         fill: Some("#ffffff".into()),

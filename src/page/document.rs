@@ -92,6 +92,7 @@ pub(crate) enum StyleChoice {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 #[cfg_attr(all(test, feature = "cli"), derive(ts_rs::TS), ts(rename = "PanelUse"))]
+#[allow(clippy::struct_excessive_bools, reason = "each is a separate field of the file")]
 pub struct PanelContent {
     /// Id of the photo; `None` for an empty panel.
     pub photo: Option<String>,

@@ -114,7 +114,7 @@ mod tests {
     /// A person in dark clothes on a bright wall, with folds of `depth` grey levels.
     fn photo(depth: u8) -> Image {
         let tone = |x: usize, y: usize| match (x, y) {
-            (100..200, 90..240) => 14 + if (x / 4 + y / 6) % 2 == 0 { depth } else { 0 },
+            (100..200, 90..240) => 14 + if (x / 4 + y / 6).is_multiple_of(2) { depth } else { 0 },
             (130..170, 40..90) => 150,
             _ => 200,
         };

@@ -127,6 +127,9 @@ impl Ground {
     /// The text colour and the fill colour of an item, with the colours of the page for unset colours.
     fn colors(&self, word: &TextItem) -> ([u8; 3], [u8; 3]) {
         let own = word.colors();
+        if word.plain {
+            return own;
+        }
         let Palette { ink, paper, note, accent, edge } = self.palette;
         let (color, fill) = match word.kind() {
             Kind::Caption if word.boxless => (ink, paper),

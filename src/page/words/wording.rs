@@ -46,9 +46,12 @@ impl Mark {
     }
 }
 
-/// The characters of a text item.
+/// The characters of a text item. A plain item is set as it is written.
 #[must_use]
 pub fn marks(word: &TextItem, letters: &Letters, font: &Font) -> Vec<Mark> {
+    if word.plain {
+        return letters.cleaned(&word.text).into_iter().map(Mark::plain).collect();
+    }
     let language = word.language.as_deref().unwrap_or_default().get(..2).unwrap_or_default().to_lowercase();
     let (mut marks, _) = read_apart(written(word, letters), letters);
     quotes(&mut marks, &language);
@@ -63,7 +66,7 @@ pub fn marks(word: &TextItem, letters: &Letters, font: &Font) -> Vec<Mark> {
 /// The readings of a text item, by number minus one.
 #[must_use]
 pub fn readings(word: &TextItem, letters: &Letters) -> Vec<Vec<char>> {
-    if !word.text.contains('《') {
+    if word.plain || !word.text.contains('《') {
         return Vec::new();
     }
     let (_, mut readings) = read_apart(written(word, letters), letters);
@@ -117,6 +120,9 @@ pub fn read(word: &TextItem) -> String {
 /// Text of a text item in segments, with a reading for segments that have one.
 #[must_use]
 pub fn said_apart(word: &TextItem) -> Vec<(String, Option<String>)> {
+    if word.plain {
+        return vec![(word.text.clone(), None)];
+    }
     let text: Vec<char> = word.text.chars().filter(|&letter| letter != '\u{ad}').collect();
     ruby::stretches(&emphasised(&text).into_iter().map(|mark| mark.letter).collect::<String>())
 }
@@ -328,6 +334,16 @@ mod tests {
 
     fn text(marks: &[Mark]) -> String {
         marks.iter().map(|mark| mark.letter).collect()
+    }
+
+    #[test]
+    fn plain_items_are_set_as_they_are_written() {
+        let letters = Letters::bundled().unwrap();
+        let text = "\"2*3*4\" 漢字《かんじ》";
+        let word = TextItem::read(json!({ "kind": "caption", "plain": true, "text": text })).unwrap();
+        let marks = marks(&word, &letters, letters.font(word.font()).unwrap());
+        assert_eq!(marks.iter().map(|mark| letters.text_of(mark.letter)).collect::<String>(), text);
+        assert!(readings(&word, &letters).is_empty() && read(&word) == text);
     }
 
     #[test]
