@@ -334,7 +334,8 @@ mod tests {
         fonts(&mut items);
         let list = listed(&items);
         let purls = purls(&list);
-        assert_eq!(purls.len(), 9);
+        assert_eq!(purls.len(), 10);
+        assert!(purls.iter().any(|purl| purl.ends_with("#painters.onnx")), "{purls:?}");
         assert!(
             purls.contains(&"pkg:npm/%40mediapipe/face_detection@0.4.1646425229#faces.onnx"),
             "{purls:?}"
