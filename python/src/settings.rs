@@ -131,7 +131,11 @@ impl Told {
             options = options.border_color(&colour)?;
         }
         let (merge, whole) = (self.flag("merge")?, self.flag("whole_photos")?);
-        Ok(options.merge(merge).whole_photos(whole).keep_all(self.flag("keep_all")?).as_given(self.flag("as_given")?))
+        Ok(options
+            .merge(merge)
+            .whole_photos(whole)
+            .keep_all(self.flag("keep_all")?)
+            .as_given(self.flag("as_given")?))
     }
 
     fn sized(&mut self, options: PageOptions) -> Done<PageOptions> {

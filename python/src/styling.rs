@@ -24,7 +24,8 @@ pub(crate) fn stylize(
         let style = style_of(&told)?;
         let style = seed.map_or_else(|| Ok(style.clone()), |seed| style.seeded(seed))?;
         // Not `Style::draw`, because gray images stay gray.
-        let drawn = inkpanel::style::stylize(&image, style.chain(), &mut native::context_for(style.chain(), &image))?;
+        let drawn =
+            inkpanel::style::stylize(&image, style.chain(), &mut native::context_for(style.chain(), &image))?;
         Ok(if is_gray && drawn.is_luma() {
             Pixels::Gray(drawn.into_parts().0.swap_remove(0).into_samples())
         } else {
