@@ -87,7 +87,7 @@ fn a_page_with_text_of_older_rules_keeps_its_pictures() {
     assert_eq!((drawn.width(), drawn.height()), (exported.width(), exported.height()));
     let (a, b) = (drawn.to_rgb(), exported.to_rgb());
     let same = a.iter().zip(&b).filter(|(a, b)| a.abs_diff(**b) <= 1).count() as f64 / a.len() as f64;
-    assert!(same > 0.8, "{same}");
+    assert!(same > 0.99, "{same}");
 }
 
 #[test]

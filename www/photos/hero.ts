@@ -40,7 +40,7 @@ const rankOf = (photo: PhotoMeta | undefined) =>
 
 /**
  * The photo with the clearest face. Without one, the largest photo of the page that is not among the busiest, if possible with
- * a subject. Gray photos come last, because they do not show what a style does with colours.
+ * a subject. Gray photos come last, because they hide the effect of a style on colours.
  */
 export function heroOf(album: Album): string | null {
   const { page, geometry } = album.store;

@@ -199,9 +199,13 @@ impl<'a> Care<'a> {
     /// Compares the drawn faces with the photo. Where features are missing, tones of the photo come back, as far as
     /// necessary, in the colours of the picture.
     pub(super) fn mend(&self, photo: &Image, drawn: &mut Image, recolours: bool) {
+        let faces = || self.faces.iter().filter(|face| face.height >= COMPARED);
+        if faces().next().is_none() {
+            return;
+        }
         let (before, after) = (luma_plane(photo), luma_plane(drawn));
         let mut ends = None;
-        for face in self.faces.iter().filter(|face| face.height >= COMPARED) {
+        for face in faces() {
             let Some(fit) = Fit::of(&before, &after, face) else { continue };
             let part = fit.missing();
             if part < 0.05 {

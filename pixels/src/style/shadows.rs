@@ -10,7 +10,7 @@ use crate::simd::point::luma_plane;
 
 /// A body below and beside a face, in sizes of the face: to each side, above and below.
 const BODY: (f64, f64, f64) = (1.1, 0.6, 3.0);
-/// Height of a face as a part of the picture above which the box is taken as the whole body.
+/// Height of a face as a part of the picture. The box of a larger face counts as the whole body.
 const LARGE: f64 = 0.62;
 /// Local luma below which an area is dark, and above which it is not.
 const DARK: (f32, f32) = (34.0, 84.0);
@@ -18,7 +18,7 @@ const DARK: (f32, f32) = (34.0, 84.0);
 const ACTIVE: (u8, u8) = (3, 110);
 /// Part of such pixels in an area without detail, such as the surroundings of an edge, and in one with detail.
 const DETAIL: (f32, f32) = (0.28, 0.55);
-/// Part of the bodies that may be dark, and the part from which all light is given.
+/// Dark parts of the bodies: the largest one that gets no light, and the smallest one that gets all light.
 const SHARE: (f32, f32) = (0.05, 0.22);
 /// How near the tones of dark areas come to their square roots, for colours and for lines.
 const CURVE: (f32, f32) = (0.55, 0.8);
