@@ -16,10 +16,13 @@ test('a fresh checkout makes a page of the sample album and detects faces', asyn
   await expect(page.locator('body')).toHaveAttribute('data-idle', 'true', { timeout: 120_000 });
   // The detector module is still being compiled when the page is served.
   await expect(page.locator('body')).toHaveAttribute('data-detected', 'true', { timeout: 500_000 });
-  await page.getByRole('button', { name: 'Shuffle', exact: true }).click();
   await page.locator('.context-bar').getByRole('button', { name: 'More', exact: true }).click();
   await page.getByRole('button', { name: 'Show subjects', exact: true }).click();
-  await expect(page.locator('.page .subject-boxes rect[data-label="face"]').first()).toBeAttached({ timeout: 120_000 });
+  // Four of the 19 photos show people, so a page can be without faces.
+  await expect(async () => {
+    await page.getByRole('button', { name: 'Shuffle', exact: true }).click();
+    await expect(page.locator('.page .subject-boxes rect[data-label="face"]').first()).toBeAttached({ timeout: 10_000 });
+  }).toPass({ timeout: 240_000 });
 
   const download = page.waitForEvent('download', { timeout: 120_000 });
   await page.getByRole('button', { name: 'Download PNG', exact: true }).click();
