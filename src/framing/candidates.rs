@@ -14,6 +14,10 @@ use crate::order::sort_by;
 
 /// Vertical position of a face's centre in a crop.
 const EYE_LINE: f64 = 0.42;
+/// Vertical position of a face's centre in a medium shot.
+const HIGH: f64 = 0.28;
+/// Heights of the tallest face in heights of a medium shot.
+const FACE_SHARES: [f64; 4] = [0.15, 0.22, 0.11, 0.18];
 /// The paper's 40 pixels, as a fraction of the photo's longer side.
 const FIXED_EXPANSION: f64 = 0.04;
 /// Maximum number of subjects; the largest ones count.
@@ -228,6 +232,7 @@ pub(super) fn all(view: &View, search: Search) -> Vec<Crop> {
     }
     let faces: Vec<Area> = view.faces().collect();
     let heads: Vec<Area> = view.heads().collect();
+    closer_to_faces(view, &faces, quick, &mut crops);
     let boxes = boxes(view, &faces, if quick { 3 } else { MOST_SUBJECTS });
     for &subject in &boxes {
         let face = faces.contains(&subject);
@@ -266,6 +271,24 @@ pub(super) fn all(view: &View, search: Search) -> Vec<Crop> {
     }
     crops.dedup();
     crops
+}
+
+/// Medium shots: crops round the tallest face and round all main faces, in which the tallest face has a share of the height.
+fn closer_to_faces(view: &View, faces: &[Area], quick: bool, crops: &mut Vec<Crop>) {
+    let tallest = |faces: &[Area]| faces.iter().copied().max_by(|a, b| a.height.total_cmp(&b.height));
+    let Some(first) = tallest(faces) else { return };
+    let group = faces.iter().copied().filter(|face| face.height >= 0.5 * first.height).reduce(Area::union);
+    let shares = if quick { &FACE_SHARES[..2] } else { &FACE_SHARES[..] };
+    for share in shares {
+        let height = first.height / share;
+        for inner in [Some(first), group].into_iter().flatten() {
+            let width = (height * view.aspect).max(inner.width * 1.3).max(inner.height * 1.3 * view.aspect);
+            let centre = (inner.x + inner.width / 2.0, inner.y + inner.height / 2.0);
+            for level in [EYE_LINE, HIGH] {
+                crops.push(view.about(centre, width, if view.target.round { 0.5 } else { level }));
+            }
+        }
+    }
 }
 
 /// Crops that show a box in the completely visible part of the panel.

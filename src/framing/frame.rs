@@ -17,8 +17,8 @@ const AHEAD: [f64; 3] = [0.14, 0.0, -0.14];
 const CLOSER: [f64; 2] = [0.5, 0.72];
 /// Minimum height of a face that gets a close crop, as a fraction of the tallest face.
 const MAIN: f64 = 0.6;
-/// Maximum enlargement of a close crop.
-const MOST_ENLARGED: f64 = 2.2;
+/// Maximum enlargement of a close crop. A style draws a soft face without features.
+const MOST_ENLARGED: f64 = 1.5;
 
 /// The panel that a crop is made for.
 #[derive(Debug, Clone, PartialEq)]
@@ -232,6 +232,24 @@ mod tests {
                 let head = Subject { height: 0.4 * dog.height, ..dog.clone() };
                 assert!(keeps(&crop, &head), "{aspect} {crop:?} cuts the head of {dog:?}");
             }
+        }
+    }
+
+    #[test]
+    fn a_small_figure_is_shown_from_near_and_its_head_is_complete() {
+        let face = subject(FACE, 0.44, 0.3, 0.035, 0.06);
+        let person = subject("person", 0.4, 0.27, 0.12, 0.6);
+        for aspect in [0.7, 1.0, 1.5] {
+            let target = Target::of_aspect(aspect);
+            let near = frame(&photo(4000, 3000, vec![face.clone(), person.clone()]), &target, 0);
+            assert!(face.height / near.height > 0.1, "{aspect} {near:?}");
+            assert!(keeps(&near, &face), "{aspect} {near:?}");
+            // A small photo would become soft, and a face without a person can be a false detection.
+            let soft = frame(&photo(400, 300, vec![face.clone(), person.clone()]), &target, 0);
+            assert!(soft.height > 1.2 * near.height, "{aspect} {soft:?}");
+            let unsure = Subject { score: 0.6, ..face.clone() };
+            let far = frame(&photo(4000, 3000, vec![unsure]), &target, 0);
+            assert!(far.width * far.height > 0.4, "{aspect} {far:?}");
         }
     }
 

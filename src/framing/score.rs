@@ -19,6 +19,17 @@ const AREA_COST: f64 = 0.35;
 const STRONG: f64 = 0.25;
 /// Minimum part of a photo in a crop, if such a crop exists.
 const LEAST_KEPT: f64 = 0.44;
+/// Height of the main face in heights of the crop at which people can be recognised: a figure from the knees up.
+const FACE_HEIGHT: f64 = 0.15;
+/// Value of a main face of that height.
+const FACE_VALUE: f64 = 1.1;
+/// Minimum part of a photo in a crop that comes closer to a small face, and the width in pixels below which it becomes soft.
+const CLOSE_KEPT: f64 = 0.14;
+const CLOSE_WIDTH: f64 = 420.0;
+/// Minimum score of a face without a person around it.
+const SURE: f64 = 0.78;
+/// The parts of the body of a person between which the lower edge of a crop may cut, if the face is complete.
+const MEDIUM: (f64, f64) = (0.3, 0.8);
 /// The least part of a photo that a subject covers which must not be cut.
 const SOME_SIZE: f64 = 0.01;
 /// The upper part of an animal, and of a person without a known face, that contains the head.
@@ -37,6 +48,18 @@ pub(super) struct Judge<'a> {
     sums: Sums,
     /// The weight of each subject of the view; falls when the subject has been shown.
     weights: Vec<f64>,
+    /// Whether each subject is a face that is not a false detection, or a person with such a face.
+    roles: Vec<Role>,
+}
+
+/// What a subject means for the distance of the crop.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Role {
+    /// A face that is not a false detection.
+    Face,
+    /// The body of a person whose face is known.
+    Body,
+    Other,
 }
 
 impl<'a> Judge<'a> {
@@ -52,7 +75,9 @@ impl<'a> Judge<'a> {
             };
             kind * (0.2 + size) * subject.score.clamp(0.05, 1.0)
         };
-        Self { view, sums: photo.energy.sums(), weights: view.subjects.iter().map(weight).collect() }
+        let weights = view.subjects.iter().map(weight).collect();
+        let roles = view.subjects.iter().map(|(_, subject)| Role::of(subject, view)).collect();
+        Self { view, sums: photo.energy.sums(), weights, roles }
     }
 
     /// Returns the candidates that break the fewest rules. The rules: focus visible, a face included and none
@@ -60,9 +85,13 @@ impl<'a> Judge<'a> {
     /// `wide`, no subject cut, limited enlargement.
     pub(super) fn admitted(&self, candidates: Vec<Crop>, wide: bool) -> Vec<Crop> {
         let most = candidates.iter().map(|crop| crop.width * crop.height).fold(0.0, f64::max);
-        let least = if wide { LEAST_KEPT.min(0.92 * most) } else { 0.0 };
         let (faces, heads): (Vec<Area>, Vec<Area>) =
             (self.view.faces().collect(), self.view.heads().collect());
+        let sure = self.view.subjects.iter().zip(&self.roles).filter(|(_, role)| **role == Role::Face);
+        let tallest = sure.map(|((face, _), _)| face.height).fold(0.0, f64::max);
+        let kept =
+            if tallest > 0.0 && tallest < FACE_HEIGHT * self.view.height { CLOSE_KEPT } else { LEAST_KEPT };
+        let least = if wide { kept.min(0.92 * most) } else { 0.0 };
         let animals: Vec<Area> = self.of_size(Subject::is_animal).map(|(_, grown)| grown).collect();
         let upper = |area: Area, part: f64| Area { height: part * area.height, ..area };
         let mut crowns: Vec<Area> = animals.iter().map(|area| upper(*area, CROWN)).collect();
@@ -143,9 +172,16 @@ impl<'a> Judge<'a> {
         }
         let (mut cover, mut size, mut cut, mut off_line) = (0.0, 0.0f64, 0.0, 0.0f64);
         let mut cramped = None;
-        for ((area, subject), weight) in self.view.subjects.iter().zip(&self.weights) {
+        let mut face_height = 0.0f64;
+        for (((area, subject), weight), role) in self.view.subjects.iter().zip(&self.weights).zip(&self.roles)
+        {
             let inside = self.inside(crop, *area);
-            cover += inside * weight / total;
+            // A bust is enough of a person.
+            let shown = if *role == Role::Body { (inside / MEDIUM.0).min(1.0) } else { inside };
+            cover += shown * weight / total;
+            if *role == Role::Face && inside > 0.9 {
+                face_height = face_height.max(area.height / crop.height);
+            }
             if inside > 0.9 {
                 size = size.max(area.width * area.height / (crop.width * crop.height));
             }
@@ -167,7 +203,8 @@ impl<'a> Judge<'a> {
             }
         }
         let say = (total / STRONG).min(1.0);
-        say * (2.0 * cover + 0.6 * comfort(size))
+        let near = (face_height / FACE_HEIGHT).min(1.0) * (crop.width / CLOSE_WIDTH).min(1.0);
+        say * (2.0 * cover + 0.6 * comfort(size)) + FACE_VALUE * near
             - 2.0 * cut
             - 0.4 * off_line
             - CRAMPED * cramped.unwrap_or(0.0)
@@ -225,17 +262,19 @@ impl<'a> Judge<'a> {
         let area = self.view.area(crop);
         let whole = self.view.width * self.view.height;
         let (mut some, mut kept) = (false, false);
-        for ((_, subject), grown) in self.view.subjects.iter().zip(&self.view.grown) {
+        for (((_, subject), grown), role) in self.view.subjects.iter().zip(&self.view.grown).zip(&self.roles)
+        {
             if subject.label == FACE || subject.is_scenery() || grown.width * grown.height < SOME_SIZE * whole
             {
                 continue;
             }
             let inside = self.inside(area, *grown);
-            if inside > 0.05 && inside < 0.9 {
+            let medium = *role == Role::Body && (MEDIUM.0..MEDIUM.1).contains(&inside);
+            if inside > 0.05 && inside < 0.9 && !medium {
                 return false;
             }
             some = true;
-            kept |= inside >= 0.9;
+            kept |= medium || inside >= 0.9;
         }
         kept || !some
     }
@@ -244,6 +283,21 @@ impl<'a> Judge<'a> {
     fn enlargement(&self, crop: &Crop) -> f64 {
         let width = if self.view.target.width.is_finite() { self.view.target.width } else { 0.0 };
         (width / (crop.width * self.view.width)).max(1e-6)
+    }
+}
+
+impl Role {
+    fn of(subject: &Subject, view: &View) -> Self {
+        let of = |label: &'static str| {
+            view.subjects.iter().map(|(_, other)| other).filter(move |other| other.label == label)
+        };
+        match subject.label.as_str() {
+            FACE if subject.score > SURE || of("person").any(|person| person.surrounds(subject)) => {
+                Self::Face
+            }
+            "person" if of(FACE).any(|face| subject.surrounds(face)) => Self::Body,
+            _ => Self::Other,
+        }
     }
 }
 
