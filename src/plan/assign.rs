@@ -26,8 +26,10 @@ const BARE: f64 = 3.0;
 const SMALL_BARE: f64 = 0.6;
 const DOCUMENT: f64 = 4.0;
 /// Minimum sharpness as a fraction of the sharpest photo, and minimum tonal range. Photos below lose quality.
-const LEAST_SHARP: f64 = 0.35;
+const LEAST_SHARP: f64 = 0.5;
 const LEAST_TONAL: f64 = 0.35;
+/// The part of its quality that a completely blurred photo loses.
+const BLURRED: f64 = 0.65;
 /// Mean distance of the largest to the smallest channel below which a photo is gray, and the factor of the quality of gray
 /// photos among photos with colours.
 const GRAY: u8 = 7;
@@ -116,11 +118,12 @@ impl<'a> Photos<'a> {
             let prepared = shelf.get(i, &all[i]);
             let (sharp, tonal) = (sharp(&all[i]), prepared.tonal);
             // Sharpness and tones are minimum requirements: beyond them people look at what is shown.
-            let poor =
-                1.0 - 0.4 * (1.0 - sharp / LEAST_SHARP).max(0.0) - 0.4 * (1.0 - tonal / LEAST_TONAL).max(0.0);
+            let poor = 1.0
+                - BLURRED * (1.0 - sharp / LEAST_SHARP).max(0.0)
+                - 0.4 * (1.0 - tonal / LEAST_TONAL).max(0.0);
             let text = if prepared.kind == Kind::Document { 0.3 } else { 1.0 };
             let gray = if colourful && is_gray(&all[i]) { GRAY_QUALITY } else { 1.0 };
-            quality[i] = gray * text * poor * (0.72 * prepared.care + 0.16 * tonal + 0.12 * sharp);
+            quality[i] = gray * text * poor * (0.68 * prepared.care + 0.21 * tonal + 0.11 * sharp);
         }
         let below = |q: f64| drawn.iter().filter(|&&other| quality[other] <= q).count();
         let mut rank = vec![0.0; all.len()];

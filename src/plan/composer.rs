@@ -27,6 +27,9 @@ const FALL: f64 = 3.0;
 const WORSE: f64 = 0.6;
 /// Minimum area of a large panel, relative to the mean.
 const LARGE: f64 = 1.25;
+/// Usual number of panels, and the cost of each panel less. The fit is a mean, so pages with few panels fit best.
+const USUAL: usize = 5;
+const FEW: f64 = 0.2;
 /// Bonus of a close crop next to the complete photo.
 const NEARER: f64 = 0.05;
 /// Differences in the visible size of a subject that separate close, middle and wide shots.
@@ -73,7 +76,7 @@ pub struct Score {
     pub dull: f64,
     /// Photos that recent pages did not show.
     pub turns: f64,
-    /// Prior weight of the layout.
+    /// Prior weight of the layout, and a cost of few panels.
     pub prior: f64,
     /// Whether neighbours differ in scale.
     pub rhythm: f64,
@@ -288,9 +291,15 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
         missing: missing(chosen, photos),
         dull: dull.sum(),
         turns: 0.4 * turns.sum::<f64>(),
-        prior: 0.4 * candidate.prior,
+        prior: 0.4 * candidate.prior - few(chosen, photos),
         rhythm: 0.06 * rhythm(seen),
     }
+}
+
+/// Returns the cost of a page that has few panels although the album has more photos.
+fn few(chosen: &[usize], photos: &Photos) -> f64 {
+    let usual = USUAL.min(photos.drawn.len());
+    FEW * usual.saturating_sub(chosen.len()) as f64
 }
 
 /// Returns the cost of strong photos without a panel.
@@ -321,4 +330,23 @@ fn rhythm(seen: &[Look]) -> f64 {
 pub fn gallery<'a>(photos: &'a [PhotoMeta], shelf: &'a super::Shelf) -> Photos<'a> {
     let every: Vec<usize> = (0..photos.len()).collect();
     Photos::new(photos, &every, Turns::default(), shelf, &mut Rand64::new(0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::Shelf;
+
+    #[test]
+    fn few_panels_cost_if_the_album_has_more_photos() {
+        let cost = |count: usize, panels: usize| {
+            let album: Vec<PhotoMeta> =
+                (0..count).map(|i| PhotoMeta::unmeasured(&i.to_string(), 1600, 1200)).collect();
+            let shelf = Shelf::new(count);
+            let chosen: Vec<usize> = (0..panels).collect();
+            few(&chosen, &gallery(&album, &shelf))
+        };
+        assert!(cost(12, 5) == 0.0 && cost(12, 6) == 0.0 && cost(3, 3) == 0.0);
+        assert!((cost(12, 3) - 2.0 * FEW).abs() < 1e-9);
+    }
 }

@@ -32,6 +32,8 @@ const DISPLAYED: f64 = 0.25;
 const NEAR: f64 = 0.02;
 /// Minimum value of a person or animal in a photo of kind `Alive`.
 const ALIVE: f64 = 0.3;
+/// The part of the value of a face that a profile loses.
+const PROFILE: f64 = 0.2;
 /// Bonus of the second and of the third face.
 const GROUP: f64 = 0.06;
 /// The part of a photo that lettering covers on a document, and on a photo of a sign.
@@ -45,6 +47,10 @@ const SHEET: (f64, f64) = (0.85, 0.65);
 const PHONE: (f64, f64) = (0.52, 0.7);
 /// The part of a person and of an animal, from the top, that contains the head.
 const HEAD: (f64, f64) = (0.24, 0.38);
+/// Side of a face, as a part of the photo's side, that makes a tall picture with bars a portrait, not a screenshot.
+const PORTRAIT: f64 = 0.1;
+/// Minimum score of a person, and minimum overlap with an animal, at which the detector is unsure about the animal.
+const RIVAL: (f64, f64) = (0.4, 0.6);
 /// The share of edges, and the chroma, below which a photo without subjects shows a wall or a grey sky.
 const BARE: f64 = 0.26;
 const GREY: f64 = 60.0;
@@ -88,6 +94,8 @@ pub(super) struct Mark {
     pub(super) bare: Bounds,
     pub(super) face: bool,
     pub(super) text: bool,
+    /// Whether it is the body of a person whose face is known.
+    pub(super) body: bool,
     /// The upper part of an animal, or of a person whose face is not known, with the head.
     pub(super) head: Option<Bounds>,
     /// Penalty for cutting it: 0 for surroundings, and low for a body whose face is known.
@@ -157,22 +165,27 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
                 && people().filter(|person| person.surrounds(s)).all(|person| inside(person))
         })
     };
+    // A starfish is a bird and a person to detectors.
+    let is_doubtful = |s: &Subject| {
+        s.is_animal() && people().any(|person| person.score >= RIVAL.0 && overlap(s, person) >= RIVAL.1)
+    };
     let value = |s: &Subject| {
         let sure = s.score.clamp(0.0, 1.0).sqrt() * if on_display(s) { DISPLAYED } else { 1.0 };
         let size = |full: f64| (side(s) / full).min(1.0);
         sure * match s.label.as_str() {
-            // A face of a sixth of the photo's side is a portrait. A small face without a person can be a
-            // false detection.
+            // A small face without a person can be a false detection.
             FACE => {
                 let owned = s.score > SURE || side(s) > 0.12 || people().any(|person| person.surrounds(s));
-                (if owned { 1.0 } else { 0.4 }) * (0.4 + 0.6 * size(0.16))
+                // A portrait comes before a figure in a landscape, and a look at the camera before a profile.
+                let away = 1.0 - PROFILE * s.gaze().abs();
+                (if owned { 1.0 } else { 0.4 }) * away * (0.4 + 0.4 * size(0.14) + 0.2 * size(0.28))
             }
             // A person without a face is seen from behind, or is a passer-by.
             "person" => {
                 let known = faces().any(|face| s.surrounds(face));
                 (if known { 0.85 } else { 0.7 }) * size(0.42).powf(0.7)
             }
-            _ if s.is_alive() => 0.95 * (0.15 + 0.85 * size(0.35)),
+            _ if s.is_alive() => 0.95 * (if is_doubtful(s) { 0.4 } else { 1.0 }) * (0.15 + 0.85 * size(0.35)),
             label if VEHICLES.contains(&label) => 0.5 * size(0.45),
             // A sign must be readable, but is rarely the main subject.
             LETTERING => 0.0,
@@ -189,7 +202,11 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
     // Detectors report screenshots and receipts as a phone or television that fills the photo, and see faces in them.
     let is_screen = |s: &Subject| SCREENS.contains(&s.label.as_str()) && side(s) > 0.95;
     let sure = subjects.iter().any(|s| s.is_alive() && (s.label != FACE || s.score > SURE));
-    if !sure && subjects.iter().any(|s| is_screen(s)) {
+    // A screenshot of a phone has a status line or a bar of buttons. The picture in it may show people.
+    let is_tall = photo.aspect() <= PHONE.0;
+    let has_bar = photo.facts.as_ref().is_some_and(|facts| facts.bars[1] > 0 || facts.bars[3] > 0);
+    let sure_face = faces().any(|face| face.score > SURE && side(face) > PORTRAIT);
+    if !sure && subjects.iter().any(|s| is_screen(s)) || is_tall && has_bar && !sure_face {
         return (0.0, Kind::Document);
     }
     if alive {
@@ -206,7 +223,7 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
     });
     let printed = text >= TEXT && lettering().count() > 1 && flat >= FLAT;
     let is_sheet = |s: &Subject| SCREENS.contains(&s.label.as_str()) && side(s) > SHEET.0 && flat >= SHEET.1;
-    let on_phone = photo.aspect() <= PHONE.0 && flat >= PHONE.1 && best < ALIVE;
+    let on_phone = is_tall && flat >= PHONE.1 && best < ALIVE;
     if printed || on_phone || subjects.iter().any(|s| is_sheet(s)) {
         return (0.0, Kind::Document);
     }
@@ -248,6 +265,13 @@ pub(super) fn are_duplicates(a: &PhotoMeta, b: &PhotoMeta, threshold: u32) -> bo
     distance(a.fingerprint, b.fingerprint) <= threshold
 }
 
+/// The shared area of two boxes, as a part of their union.
+fn overlap(a: &Subject, b: &Subject) -> f64 {
+    let along = |a: f64, al: f64, b: f64, bl: f64| ((a + al).min(b + bl) - a.max(b)).max(0.0);
+    let shared = along(a.x, a.width, b.x, b.width) * along(a.y, a.height, b.y, b.height);
+    shared / (a.width * a.height + b.width * b.height - shared).max(f64::MIN_POSITIVE)
+}
+
 fn is_sound(s: &Subject) -> bool {
     let sound = [s.x, s.y, s.width, s.height, s.score].iter().all(|value| value.is_finite());
     sound && s.width > 0.0 && s.height > 0.0
@@ -283,6 +307,7 @@ fn mark(s: &Subject, photo: &PhotoMeta) -> Option<Mark> {
         bare: bounds(s),
         face: s.label == FACE,
         text: s.label == LETTERING,
+        body: portrait,
         whole,
         weight,
     })
@@ -354,6 +379,39 @@ mod tests {
         assert_eq!(care(&photo(785, 1600, 210)).1, Kind::Document, "a screenshot without lettering");
         assert_ne!(care(&photo(900, 1600, 210)).1, Kind::Document, "an upright photo of a phone");
         assert_ne!(care(&photo(785, 1600, 120)).1, Kind::Document, "a tall photo");
+    }
+
+    #[test]
+    fn a_tall_picture_with_a_bar_is_a_screenshot_unless_it_is_a_portrait() {
+        let kind = |width: u32, bar: &str, face: f64| {
+            let mut phone = photo(width, 1600, 60);
+            let facts = format!("\"{}{bar}\"", "20".repeat(25));
+            phone.facts = Some(serde_json::from_str(&facts).unwrap());
+            phone.find([
+                subject("person", 0.9, [0.2, 0.2, 0.6, 0.6]),
+                subject(FACE, 0.9, [0.3, 0.3, face, face]),
+            ]);
+            care(&phone).1
+        };
+        assert_eq!(kind(735, "0c000000", 0.05), Kind::Alive, "a bar at the side");
+        assert_eq!(kind(735, "000c0000", 0.05), Kind::Document);
+        assert_eq!(kind(735, "0000000c", 0.05), Kind::Document);
+        assert_eq!(kind(735, "000c0000", 0.3), Kind::Alive, "a portrait");
+        assert_eq!(kind(900, "000c0000", 0.05), Kind::Alive, "an upright photo");
+    }
+
+    #[test]
+    fn an_animal_that_may_be_a_person_counts_less() {
+        let value = |score: f64, x: f64| {
+            let mut starfish = photo(1600, 1067, 60);
+            starfish.find([
+                subject("bird", 0.81, [0.3, 0.2, 0.4, 0.6]),
+                subject("person", score, [x, 0.2, 0.4, 0.6]),
+            ]);
+            care(&starfish).0
+        };
+        assert!(value(0.51, 0.3) < 0.6, "{}", value(0.51, 0.3));
+        assert!(value(0.3, 0.3) > 0.8 && value(0.51, 0.6) > 0.8);
     }
 
     #[test]

@@ -20,7 +20,7 @@ const LITTLE: f64 = 0.4;
 /// The most that a photo should be enlarged.
 const ENLARGED: f64 = 2.5;
 /// Height of a subject on the page, in page widths, below which it cannot be read, for faces and others.
-const READABLE: (f64, f64) = (0.03, 0.055);
+const READABLE: (f64, f64) = (0.05, 0.055);
 /// Minimum height of each face of a group on the page, in page widths. In a smaller face, a style loses the
 /// features.
 const GROUP_FACE: f64 = 0.05;
@@ -28,6 +28,8 @@ const GROUP_FACE: f64 = 0.05;
 const OF_THE_GROUP: f64 = 0.5;
 /// Total weight of the subjects at which they decide the result entirely.
 const STRONG: f64 = 0.25;
+/// The visible parts of a body between which the lower edge of a panel may cut it.
+const MEDIUM: (f64, f64) = (0.3, 0.8);
 /// The part of a head or of lettering that other panels must leave.
 const SEEN: f64 = 0.9;
 /// Minimum elongation of a strip (width over height, height over width), and the minimum part of a photo in it.
@@ -92,7 +94,9 @@ impl Look {
         for mark in &prepared.marks {
             let grown = place(crop, mark.grown);
             let (all, most) = shares(slot, grown);
-            cover += mark.weight * all;
+            // A medium shot cuts a body below the waist.
+            let medium = mark.body && (MEDIUM.0..MEDIUM.1).contains(&all);
+            cover += mark.weight * if mark.body { (all / MEDIUM.0).min(1.0) } else { all };
             if (mark.face || mark.text) && all < SEEN && under_others(slot, grown) {
                 look.hidden += 1.0;
             }
@@ -111,6 +115,7 @@ impl Look {
             } else if mark.bare.width * mark.bare.height >= SOME_SIZE
                 && all > SUBJECT_CUT.0
                 && most < SUBJECT_CUT.1
+                && !medium
             {
                 worst = mark.whole.max(worst);
                 cut += mark.weight * mark.whole;
@@ -143,6 +148,12 @@ impl Look {
         look.faces_cut = look.faces_cut.min(2.0);
         look.near = close && !faces.is_empty();
         look.small_faces = small_faces(&faces);
+        if !faces.is_empty() {
+            // A crop that comes closer to a face leaves the rest out on purpose.
+            let photo_aspect = prepared.sides.0 / prepared.sides.1;
+            let widest = (target.aspect / photo_aspect).min(photo_aspect / target.aspect).min(1.0);
+            look.kept = look.kept.max(widest * seen);
+        }
         // Only a photo with important content should span several panels.
         look.dull = if slot.merged { (0.6 - prepared.care).max(0.0) } else { 0.0 };
         look.split = if total > 0.0 { split / total } else { 0.0 };
