@@ -18,7 +18,7 @@ const MARKS: &str = include_str!("marks.txt");
 
 /// Styles that the first page is drawn from.
 #[cfg(test)]
-const FIRST: usize = 16;
+const FIRST: usize = 20;
 /// Mark of an unrated style.
 const USUAL: f64 = 6.5;
 /// Minimum mark of a style in a random choice. Styles with lower marks need a request for their family.

@@ -9,6 +9,7 @@ use super::chain;
 use super::context::Context;
 use super::file::{Step, Style};
 use super::params::FaceLimit;
+use super::skin::Skin;
 use crate::error::Result;
 use crate::raster::guided::softened;
 use crate::raster::{Image, Plane};
@@ -28,7 +29,7 @@ pub struct FaceBox {
 }
 
 /// Faces of less than this share of the largest are of a crowd: they need not be read.
-const CROWD: f64 = 0.55;
+const CROWD: f64 = 0.42;
 
 /// Minimum factor of a length, even for very small faces. Cells have no minimum.
 const LEAST: f32 = 0.5;
@@ -44,11 +45,13 @@ const LINE_LIGHT: (f32, f32, f32) = (124.0, 190.0, 64.0);
 const SILHOUETTE: (u8, f32) = (8, 0.2);
 /// Maximum colour strength of a face relative to the photo, and a difference that is always allowed, in grey
 /// levels.
-const CHROMA: (f32, f32) = (1.55, 9.0);
+const CHROMA: (f32, f32) = (1.35, 9.0);
 /// Least strength of colours in a face, as a part of their strength in the photo.
 const PALEST: f32 = 0.45;
-/// Largest distance of colours in a face from the photo, at equal strength, in grey steps: skin has no green areas.
+/// Largest distance of colours in a face from the photo, at equal strength, in grey steps: skin has no green areas. Pale
+/// skin bears less: the first number, and the part of the strength of its colour.
 const TINT: f32 = 12.0;
+const PALE_TINT: (f32, f32) = (3.0, 0.4);
 /// Part of the way to black and to white that tones of a face may take.
 const TONES: (f32, f32) = (0.62, 0.55);
 
@@ -77,6 +80,8 @@ const DEPTH: (f32, f32, f32) = (30.0, 0.8, 1.7);
 const FARTHEST: f32 = 52.0;
 /// Part of the missing tones that a face gets at most.
 const MENDED: f32 = 0.8;
+/// Heights of faces that get tones of the photo in any case: all of [`MENDED`], and none. In pixels of a style.
+const SMALL: (f32, f32) = (60.0, 150.0);
 /// Radius of the smallest feature, in heights of a face.
 const FEATURE: f32 = 0.022;
 /// Minimum height of a face that can be compared, in pixels.
@@ -198,7 +203,9 @@ impl<'a> Care<'a> {
 
     /// Compares the drawn faces with the photo. Where features are missing, tones of the photo come back, as far as
     /// necessary, in the colours of the picture.
-    pub(super) fn mend(&self, photo: &Image, drawn: &mut Image, recolours: bool) {
+    /// The features of a small face have the size of lines and areas, so it gets tones in any case. `scale`: pixels of the
+    /// render for one of a style.
+    pub(super) fn mend(&self, photo: &Image, drawn: &mut Image, recolours: bool, scale: f32) {
         let faces = || self.faces.iter().filter(|face| face.height >= COMPARED);
         if faces().next().is_none() {
             return;
@@ -207,7 +214,8 @@ impl<'a> Care<'a> {
         let mut ends = None;
         for face in faces() {
             let Some(fit) = Fit::of(&before, &after, face) else { continue };
-            let part = fit.missing();
+            let height = face.height as f32 / scale.max(f32::MIN_POSITIVE);
+            let part = fit.missing().max(fit.of_small(height));
             if part < 0.05 {
                 continue;
             }
@@ -228,24 +236,39 @@ impl<'a> Care<'a> {
         }
     }
 
-    /// Moves the colours in faces toward the photo, within the subject if there is one.
+    /// Moves the colours of faces and of other skin toward the photo, within the subject if there is one.
     fn hold(&self, photo: &Image, drawn: &mut Image, subject: Option<&Plane>) {
         if photo.is_luma() || drawn.is_luma() {
             return;
         }
+        let mut hold = |x: usize, y: usize, share: f32| {
+            let (before, after) = (rgb_at(photo, x, y), rgb_at(drawn, x, y));
+            let share = share * subject.map_or(1.0, |subject| f32::from(subject.at(x, y)) / 255.0);
+            let held = held(before, after);
+            for ((plane, after), held) in drawn.planes_mut().iter_mut().zip(after).zip(held) {
+                let value = after + share * (held - after);
+                plane.row_mut(y)[x] = value.round().clamp(0.0, 255.0) as u8;
+            }
+        };
         for face in &self.faces {
-            each_pixel(face, photo.width(), photo.height(), |x, y, share| {
-                let of = |image: &Image| [0, 1, 2].map(|i| f32::from(image.planes()[i].at(x, y)));
-                let (before, after) = (of(photo), of(drawn));
-                let share = share * subject.map_or(1.0, |subject| f32::from(subject.at(x, y)) / 255.0);
-                let held = held(before, after);
-                for ((plane, after), held) in drawn.planes_mut().iter_mut().zip(after).zip(held) {
-                    let value = after + share * (held - after);
-                    plane.row_mut(y)[x] = value.round().clamp(0.0, 255.0) as u8;
+            each_pixel(face, photo.width(), photo.height(), &mut hold);
+        }
+        let skin = Skin::of(photo, &self.faces);
+        let (columns, rows) = skin.bounds();
+        for y in rows {
+            for x in columns.clone() {
+                let share = skin.share(x, y, rgb_at(photo, x, y));
+                if share > 0.0 {
+                    hold(x, y, share);
                 }
-            });
+            }
         }
     }
+}
+
+/// The red, green and blue of a pixel of an image with colours.
+fn rgb_at(image: &Image, x: usize, y: usize) -> [f32; 3] {
+    [0, 1, 2].map(|i| f32::from(image.planes()[i].at(x, y)))
 }
 
 /// How the tones of a drawn face follow those of the photo.
@@ -310,6 +333,14 @@ impl Fit {
         let far = (self.middle() - self.drawn.0).abs() / FARTHEST;
         let unlike = short(LIKE, self.likeness).max(short(FEATURES, self.drawn.1 / self.photo.1.min(40.0)));
         MENDED * unlike.max(far.min(1.0))
+    }
+
+    /// The part of the tones of the photo that a face gets for its height alone.
+    fn of_small(&self, height: f32) -> f32 {
+        if self.likeness < NEGATIVE {
+            return 0.0;
+        }
+        MENDED * ((SMALL.1 - height) / (SMALL.1 - SMALL.0)).clamp(0.0, 1.0)
     }
 
     /// The mean tone of the face: that of the drawing, not too far from the photo.
@@ -396,7 +427,8 @@ fn held(before: [f32; 3], after: [f32; 3]) -> [f32; 3] {
     let target = own.map(|part| part * capped / strength.max(4.0));
     let (du, dv) = (now[0] - target[0], now[1] - target[1]);
     let off = length([du, dv]);
-    let part = if off > TINT { TINT / off } else { 1.0 };
+    let most = TINT.min(PALE_TINT.0 + PALE_TINT.1 * strength);
+    let part = if off > most { most / off } else { 1.0 };
     let [u, v] = [target[0] + du * part, target[1] + dv * part];
     [y + 1.402 * v, y - 0.344 * u - 0.714 * v, y + 1.772 * u]
 }
@@ -723,6 +755,31 @@ mod tests {
         // The background does not change.
         let corner = |cares| luma_plane(&drawn(white, &photo, cares)).at(5, 5);
         assert_eq!(corner(true), corner(false));
+    }
+
+    #[test]
+    fn a_small_face_has_more_tones_of_the_photo_than_a_large_one() {
+        let fit = Fit { likeness: 1.0, photo: (120.0, 30.0), drawn: (120.0, 30.0) };
+        assert!(fit.missing() == 0.0 && fit.of_small(400.0) == 0.0);
+        assert!((fit.of_small(30.0) - MENDED).abs() < 1e-6 && fit.of_small(100.0) > 0.3);
+        assert!(Fit { likeness: -0.9, ..fit }.of_small(30.0) == 0.0, "a negative is meant");
+    }
+
+    #[test]
+    fn arms_have_the_colours_of_skin_and_clothes_do_not() {
+        let json = r#"{"background":[{"block":"saturation","amount":4}]}"#;
+        let mut photo = portrait([190, 140, 110]);
+        // An arm and a sleeve beside the face.
+        for (columns, colour) in [(4..14, [200, 148, 116]), (20..30, [80, 110, 190])] {
+            for (plane, value) in photo.0.planes_mut().iter_mut().zip(colour) {
+                for y in 200..230 {
+                    plane.row_mut(y)[columns.clone()].fill(value);
+                }
+            }
+        }
+        let strength = |x: usize, cares: bool| chroma(rgb_at(&drawn(json, &photo, cares), x, 215));
+        assert!(strength(9, true) < 0.6 * strength(9, false), "{} {}", strength(9, true), strength(9, false));
+        assert!((strength(25, true) - strength(25, false)).abs() < 1.0);
     }
 
     #[test]

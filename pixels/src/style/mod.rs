@@ -39,6 +39,7 @@ pub mod params;
 pub mod part;
 pub mod procedural;
 mod shadows;
+mod skin;
 pub mod stages;
 pub mod tangents;
 pub mod texture;
@@ -77,7 +78,7 @@ fn cared(image: &Image, style: &Style, context: &mut Context<'_>) -> Result<Imag
     let (colours, lines) = lifted.as_ref().map_or((image, image), |(colours, lines)| (colours, lines));
     let (lit, lines) = (care.lit(colours), care.lit_for_lines(lines));
     let mut drawn = layered(&style, (&lit, &lines), context, Some(&care))?;
-    care.mend(&lit, &mut drawn, !style.keeps_colours());
+    care.mend(&lit, &mut drawn, !style.keeps_colours(), context.scale());
     Ok(drawn)
 }
 

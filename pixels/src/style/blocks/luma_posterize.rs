@@ -12,5 +12,6 @@ pub(super) static BLOCK: Block = Block {
     params: &[integer("levels", "Levels", "How many levels of brightness stay.", (8, 2, 64))],
     kernel: Kernel::Point(|args| PointOp::LumaTable(posterize::table(args.number(0)))),
     is_coloring: true,
+    adapt_to_face: posterize::more_levels,
     ..Block::PLAIN
 };

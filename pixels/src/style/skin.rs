@@ -1,0 +1,137 @@
+//! Skin of people beyond their faces, so that arms, hands and necks keep natural colours too.
+//!
+//! A pixel is skin if it lies near a face and has a similar ratio of chroma to luma, which hardly depends on light.
+//! The limits were chosen by visual comparison.
+
+use super::faces::FaceBox;
+use crate::raster::Image;
+
+/// Reach of a body around a face, in sides of the face: to each side, above and below.
+const REACH: [f64; 3] = [3.0, 1.0, 8.0];
+/// Differences of the ratio of chroma to luma up to which a pixel is skin, and from which it is not.
+const LIKE: (f32, f32) = (0.07, 0.15);
+/// Luma below which a pixel has no reliable colour, in grey levels.
+const DARK: f32 = 36.0;
+/// Added to luma, so that the ratios of dark pixels stay small.
+const FLOOR: f32 = 24.0;
+/// Part of the sides of a face in which its colour is measured: cheeks and nose.
+const CHEEKS: f64 = 0.5;
+
+/// The skin of the people in a photo.
+pub(super) struct Skin {
+    people: Vec<Person>,
+}
+
+struct Person {
+    /// Columns and rows that the body may cover.
+    columns: std::ops::Range<usize>,
+    rows: std::ops::Range<usize>,
+    /// Ratio of chroma to luma of the face.
+    tint: [f32; 2],
+}
+
+impl Skin {
+    /// Measures the colours of faces. A dark face has no reliable colour.
+    pub(super) fn of(photo: &Image, faces: &[&FaceBox]) -> Self {
+        let people = faces.iter().filter_map(|face| Person::of(photo, face)).collect();
+        Self { people }
+    }
+
+    /// The columns and rows that contain all bodies.
+    pub(super) fn bounds(&self) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
+        let range = |of: fn(&Person) -> &std::ops::Range<usize>| {
+            let start = self.people.iter().map(|person| of(person).start).min().unwrap_or(0);
+            start..self.people.iter().map(|person| of(person).end).max().unwrap_or(start)
+        };
+        (range(|person| &person.columns), range(|person| &person.rows))
+    }
+
+    /// How far a pixel is skin, 0 to 1.
+    pub(super) fn share(&self, x: usize, y: usize, rgb: [f32; 3]) -> f32 {
+        let luma = luma(rgb);
+        if luma < DARK {
+            return 0.0;
+        }
+        let [u, v] = tint(rgb, luma);
+        let near = |person: &&Person| person.columns.contains(&x) && person.rows.contains(&y);
+        let off = |person: &Person| {
+            let (du, dv) = (u - person.tint[0], v - person.tint[1]);
+            (du * du + dv * dv).sqrt()
+        };
+        let least = self.people.iter().filter(near).map(off).fold(f32::MAX, f32::min);
+        ((LIKE.1 - least) / (LIKE.1 - LIKE.0)).clamp(0.0, 1.0)
+    }
+}
+
+impl Person {
+    fn of(photo: &Image, face: &FaceBox) -> Option<Self> {
+        let range = |start: f64, end: f64, side: usize| {
+            start.floor().clamp(0.0, side as f64) as usize..end.ceil().clamp(0.0, side as f64) as usize
+        };
+        let inner = |start: f64, length: f64, side: usize| {
+            let edge = length * (1.0 - CHEEKS) / 2.0;
+            range(start + edge, start + length - edge, side)
+        };
+        let (width, height) = (photo.width(), photo.height());
+        let mut sums = [0.0_f32; 3];
+        let mut count = 0.0_f32;
+        for y in inner(face.y, face.height, height) {
+            for x in inner(face.x, face.width, width) {
+                for (sum, value) in sums.iter_mut().zip(rgb(photo, x, y)) {
+                    *sum += value;
+                }
+                count += 1.0;
+            }
+        }
+        let mean = sums.map(|sum| sum / count.max(1.0));
+        let (wide, right) = (REACH[0] * face.width, face.x + face.width);
+        (luma(mean) >= DARK).then(|| Self {
+            columns: range(face.x - wide, right + wide, width),
+            rows: range(face.y - REACH[1] * face.height, face.y + REACH[2] * face.height, height),
+            tint: tint(mean, luma(mean)),
+        })
+    }
+}
+
+/// The red, green and blue of a pixel of a photo with colours.
+fn rgb(photo: &Image, x: usize, y: usize) -> [f32; 3] {
+    let planes = photo.planes();
+    [0, 1, 2].map(|i| f32::from(planes[i % planes.len()].at(x, y)))
+}
+
+/// Blue and red chroma over luma.
+fn tint([r, _, b]: [f32; 3], luma: f32) -> [f32; 2] {
+    [(b - luma) / (luma + FLOOR), (r - luma) / (luma + FLOOR)]
+}
+
+fn luma([r, g, b]: [f32; 3]) -> f32 {
+    0.299 * r + 0.587 * g + 0.114 * b
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::Plane;
+
+    #[test]
+    fn arms_are_skin_in_light_and_in_shadow_and_clothes_are_not() {
+        // A face, an arm in light, an arm in shadow, and a blue shirt.
+        let colour = |x: usize, y: usize| match (x, y) {
+            (80..120, 20..70) => [210, 160, 135],
+            (40..60, _) => [228, 176, 150],
+            (140..160, _) => [105, 80, 67],
+            _ => [60, 90, 170],
+        };
+        let plane = |i: usize| Plane::from_fn(200, 200, |x, y| colour(x, y)[i]);
+        let photo = Image::from_rgb([plane(0), plane(1), plane(2)]).unwrap();
+        let face = FaceBox { x: 80.0, y: 20.0, width: 40.0, height: 50.0 };
+        let skin = Skin::of(&photo, &[&face]);
+        let share = |x: usize, y: usize| skin.share(x, y, rgb(&photo, x, y));
+        assert!(share(50, 120) > 0.95 && share(150, 120) > 0.6, "{} {}", share(50, 120), share(150, 120));
+        assert!(share(100, 120) < 0.01);
+        let (columns, rows) = skin.bounds();
+        assert_eq!((columns, rows), (0..200, 0..200));
+        let far = FaceBox { x: 0.0, y: 0.0, width: 8.0, height: 8.0 };
+        assert!(Skin::of(&photo, &[&far]).share(150, 120, [210.0, 160.0, 135.0]) < 0.01, "another person");
+    }
+}
