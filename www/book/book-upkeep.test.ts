@@ -33,9 +33,9 @@ describe('photos among pages', () => {
   });
 
   test('the alternatives of a page have its photos', () => {
-    const { book, store, pages, shown } = app;
+    const { book, store, pages, shown, scheduler } = app;
     book.spreadAlbum();
-    const alternatives = createAlternatives({ store, pages });
+    const alternatives = createAlternatives({ store, pages, scheduler });
     const first = alternatives.basis.value;
     alternatives.more(1);
     const own = new Set(shown()[0]);

@@ -1,5 +1,6 @@
 import { describe, expect, test, vi } from 'vitest';
 import { createAlternatives } from '../page/alternatives.ts';
+import { DARK_PAPER } from '../page/paper.ts';
 import { fakeApp, orderByName } from './testing.ts';
 import type { PageDocument } from '../engine/types.ts';
 
@@ -121,8 +122,8 @@ describe('walking', () => {
 
 describe('alternatives', () => {
   test('stay while one of them is chosen, and go when their basis goes', async () => {
-    const { pages, store, reading } = await opened();
-    const alternatives = createAlternatives({ store, pages });
+    const { pages, store, reading, scheduler } = await opened();
+    const alternatives = createAlternatives({ store, pages, scheduler });
     alternatives.more(5);
     const items = alternatives.items.value;
     expect(items.length).toBe(5);
@@ -137,8 +138,8 @@ describe('alternatives', () => {
   });
 
   test('stay while text is added, written and removed', async () => {
-    const { pages, store } = await opened();
-    const alternatives = createAlternatives({ store, pages });
+    const { pages, store, scheduler } = await opened();
+    const alternatives = createAlternatives({ store, pages, scheduler });
     alternatives.more(5);
     const items = alternatives.items.value;
     const page = store.page.value as PageDocument;
@@ -147,10 +148,43 @@ describe('alternatives', () => {
     expect(alternatives.items.value).toBe(items);
   });
 
+  test('stay while a style changes the colours of the paper, and go when the user changes them', async () => {
+    const { pages, store, scheduler } = await opened();
+    const alternatives = createAlternatives({ store, pages, scheduler });
+    alternatives.more(5);
+    const items = alternatives.items.value;
+    const shown = (colours: { paper: string; borderColor: string }) => {
+      const page = store.page.value as PageDocument;
+      pages.show({ ...page, page: { ...page.page, ...colours } });
+    };
+    shown(DARK_PAPER);
+    expect(store.project.value.settings).toMatchObject(DARK_PAPER);
+    expect(alternatives.items.value).toBe(items);
+    shown({ ...DARK_PAPER, paper: '#f4efe6' });
+    expect(alternatives.items.value).toEqual([]);
+  });
+
+  test('are not planned while a page is drawn', async () => {
+    const { pages, planner, store, scheduler } = await opened();
+    const alternatives = createAlternatives({ store, pages, scheduler });
+    // Each plan takes longer than a frame.
+    planner.planned = (page) => {
+      vi.advanceTimersByTime(20);
+      return page;
+    };
+    scheduler.hold(true);
+    alternatives.more(5);
+    await vi.advanceTimersByTimeAsync(2_000);
+    expect(alternatives.items.value.length).toBe(1);
+    scheduler.hold(false);
+    await vi.advanceTimersByTimeAsync(2_000);
+    expect(alternatives.items.value.length).toBe(5);
+  });
+
   test('never repeat themselves, and end when there are no more', async () => {
-    const { pages, store } = await opened();
+    const { pages, store, scheduler } = await opened();
     orderByName({ store });
-    const alternatives = createAlternatives({ store, pages });
+    const alternatives = createAlternatives({ store, pages, scheduler });
     pages.lock('style', true);
     pages.lock('layout', true);
     alternatives.more(5);

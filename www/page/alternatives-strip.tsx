@@ -3,7 +3,6 @@
  */
 
 import { useEffect, useMemo, useRef } from 'preact/hooks';
-import { after } from '../engine/scheduler.ts';
 import { strings } from '../strings/strings.ts';
 import { usePageGlimpse } from '../ui/glimpse.tsx';
 import { pointing } from '../ui/pointing.ts';
@@ -18,7 +17,7 @@ import type { Point } from '../ui/pointing.ts';
 const BATCH = 24;
 
 export function Alternatives() {
-  const { store, alternatives, lettering, ui } = useApp();
+  const { store, alternatives, lettering, scheduler, ui } = useApp();
   const strip = useRef(null as HTMLUListElement | null);
   const end = useRef(null as HTMLLIElement | null);
   const atEnd = useInView(end);
@@ -30,15 +29,17 @@ export function Alternatives() {
     return page ? lettering.on(page) : null;
   });
 
-  // Both run in separate tasks: scrolling forces a layout of the page, and planning pages takes as long as rendering
-  // the change.
+  // Both run in separate tasks: scrolling forces a layout of the page, and planning pages takes longer than rendering the
+  // change.
   useEffect(() => {
     const frame = requestAnimationFrame(() => strip.current?.scrollTo({ left: 0 }));
     return () => cancelAnimationFrame(frame);
   }, [basis]);
   useEffect(() => {
     if (!open || basis === '' || (!atEnd && items.length > 0)) return undefined;
-    return after(0, () => void alternatives.more(BATCH));
+    const stop = new AbortController();
+    scheduler.background(() => alternatives.more(BATCH), stop);
+    return () => stop.abort();
   }, [open, basis, atEnd, items]);
 
   function onWheel(event: WheelEvent) {

@@ -1,13 +1,16 @@
 /**
  * An endless stream of alternative pages, planned as they scroll into view. It depends on the unused photos, the page
- * settings, the number of panels, and the locks. Choosing one of its pages or editing text does not restart it.
+ * settings, the number of panels, and the locks. Choosing one of its pages or editing text does not restart it. Planning
+ * stops while a page is planned or drawn, and a moment after, because it takes as long as many shuffles.
  */
 
 import { computed, signal } from '@preact/signals';
-import { nextTask } from '../engine/scheduler.ts';
+import { DARK_PAPER } from './paper.ts';
+import { DEFAULT_SETTINGS } from '../document/empty.ts';
 import type { Pages } from '../document/pages.ts';
+import type { Scheduler } from '../engine/scheduler.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument } from '../engine/types.ts';
+import type { PageDocument, PageSettings } from '../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
 export type Alternatives = ReturnType<typeof createAlternatives>;
@@ -17,7 +20,15 @@ const TRIES = 12;
 /** Maximum milliseconds of continuous planning: the duration of a frame, so that the app stays responsive. */
 const STRETCH = 12;
 
-export function createAlternatives({ store, pages }: { store: Store; pages: Pages }) {
+export function createAlternatives({
+  store,
+  pages,
+  scheduler,
+}: {
+  store: Store;
+  pages: Pages;
+  scheduler: Pick<Scheduler, 'turn'>;
+}) {
   /** The inputs of the stream, as text. */
   const basis = computed(() => {
     const { project, photos, reading, planner } = store;
@@ -27,7 +38,7 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
     return JSON.stringify([
       photos.value.length > 0 && store.plans().freePhotos(),
       sheet,
-      settings,
+      chosen(settings),
       panels,
       locks,
       styling,
@@ -62,7 +73,7 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
       const goal = current(now).items.length + count;
       while (now !== '' && basis.peek() === now && !current(now).over && current(now).items.length < goal) {
         stretch(now, goal);
-        await nextTask();
+        await scheduler.turn('background');
       }
     } finally {
       running = false;
@@ -98,6 +109,14 @@ export function createAlternatives({ store, pages }: { store: Store; pages: Page
     }
     stream.value = { basis: now, items: fresh, over: tries >= TRIES };
   }
+}
+
+/** @returns the settings without the colours that the style of a page chooses. Then a shuffle does not restart the stream. */
+function chosen({ paper, borderColor, ...others }: PageSettings): Partial<PageSettings> {
+  const automatic = [DEFAULT_SETTINGS, DARK_PAPER].some(
+    (colours) => colours.paper === paper && colours.borderColor === borderColor,
+  );
+  return automatic ? others : { ...others, paper, borderColor };
 }
 
 /**
