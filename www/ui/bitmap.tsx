@@ -5,7 +5,9 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { Priority } from '../engine/queue.ts';
+import { useApp } from './context.ts';
 import type { Call } from '../engine/engine.ts';
+import type { Lane } from '../engine/scheduler.ts';
 
 /** Thumbnails are requested shortly before they scroll into view. */
 const MARGIN = '160px';
@@ -19,7 +21,7 @@ type Drawing<T> = { of: unknown; by?: unknown; draw: (call: Call) => Promise<T>;
 export function Bitmap({ of, by, draw, class: extra = '' }: Drawing<{ bitmap: ImageBitmap }>) {
   const ref = useRef(null as HTMLCanvasElement | null);
   const [drawn, setDrawn] = useState(false);
-  useDrawn(ref, { of, by, draw }, ({ bitmap }, stopped) => {
+  useDrawn(ref, 'visible', { of, by, draw }, ({ bitmap }, stopped) => {
     const canvas = ref.current;
     if (!canvas || stopped) {
       bitmap.close();
@@ -41,7 +43,7 @@ export function Bitmap({ of, by, draw, class: extra = '' }: Drawing<{ bitmap: Im
 export function Thumbnail({ of, by, draw, class: extra = '' }: Drawing<Blob>) {
   const ref = useRef(null as HTMLImageElement | null);
   const [drawn, setDrawn] = useState(false);
-  useDrawn(ref, { of, by, draw }, (file, stopped) => {
+  useDrawn(ref, 'background', { of, by, draw }, (file, stopped) => {
     const image = ref.current;
     if (!image || stopped) return;
     const address = URL.createObjectURL(file);
@@ -66,22 +68,30 @@ export function Thumbnail({ of, by, draw, class: extra = '' }: Drawing<Blob>) {
   );
 }
 
-/** Draws an image each time when it becomes visible or changes. @param put receives it, and whether it is outdated */
+/**
+ * Draws an image each time when it becomes visible or changes.
+ * @param lane of the scheduler: images of lists wait while somebody shuffles
+ * @param put receives it, and whether it is outdated
+ */
 function useDrawn<T>(
   ref: { current: Element | null },
+  lane: Lane,
   { of, by, draw }: Drawing<T>,
   put: (image: T, stopped: boolean) => void,
 ) {
+  const { scheduler } = useApp();
   const inView = useInView(ref);
   /** The inputs of the image that is shown, so that an image is drawn once when a list scrolls back and forth. */
   const shown = useRef([] as unknown[]);
   useEffect(() => {
     if (!inView || (shown.current.length > 0 && shown.current[0] === of && shown.current[1] === by)) return undefined;
     const stop = new AbortController();
-    draw({ signal: stop.signal, priority: Priority.VIEW }).then(
+    const { signal } = stop;
+    const drawing = scheduler.turn(lane, { signal }).then(() => draw({ signal, priority: Priority.VIEW }));
+    drawing.then(
       (image) => {
-        put(image, stop.signal.aborted);
-        if (!stop.signal.aborted) shown.current = [of, by];
+        put(image, signal.aborted);
+        if (!signal.aborted) shown.current = [of, by];
       },
       // A thumbnail that cannot be drawn stays a skeleton. The page reports errors of photos.
       () => {},

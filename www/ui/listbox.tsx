@@ -2,6 +2,7 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useInView } from './bitmap.tsx';
+import { useApp } from './context.ts';
 import { useGrowing } from './growing.ts';
 import { pointing } from './pointing.ts';
 import type { ComponentChild } from 'preact';
@@ -48,9 +49,15 @@ export function Listbox<T extends Option>({
   const ids = shown.flatMap(({ options }) => options.map(({ id }) => id));
   const stop = [active, selected, ids[0]].find((id) => id !== null && ids.includes(id));
 
-  // Scroll to a selection from outside, for example from a shuffle.
+  // Scroll to a selection from outside, for example from a shuffle. It forces a layout of the window, so it waits until the
+  // page is drawn and the user rests.
+  const { scheduler } = useApp();
   const inView = useInView(ref);
-  useEffect(() => reveal(ref.current), [selected, selected !== null && ids.includes(selected), inView]);
+  useEffect(() => {
+    const stop = new AbortController();
+    scheduler.background(() => reveal(ref.current), stop);
+    return () => stop.abort();
+  }, [selected, selected !== null && ids.includes(selected), inView]);
 
   function onKeyDown(event: KeyboardEvent) {
     const options = [...(ref.current as HTMLElement).querySelectorAll('[role=option]')];
