@@ -32,7 +32,7 @@ import type { Imported, Operations, PixelPatch, Program, Start } from './protoco
 import type { Scheduler } from './scheduler.ts';
 import type { About, Frame } from './video.ts';
 
-export type Call = { signal?: AbortSignal; priority?: number; key?: string };
+export type Call = { signal?: AbortSignal; priority?: number; key?: string; promoted?: Promise<unknown> };
 export type Engine = ReturnType<typeof createEngine>;
 
 const MB = 2 ** 20;

@@ -63,6 +63,23 @@ describe('order', () => {
     expect(running()).toEqual(['rest', 'view']);
   });
 
+  test('a promoted job overtakes the others, also while low-priority work is held', async () => {
+    const fakes = fakeWorkers();
+    const pool = createPool<Named>({ size: 1, spawn: fakes.spawn });
+    let promote = () => {};
+    const promoted = new Promise<void>((resolve) => {
+      promote = resolve;
+    });
+    for (const name of ['busy', 'view']) pool.run(job(name));
+    pool.run(job('ahead', { priority: Priority.REST, promoted }));
+    pool.hold(true);
+    fakes.answer('busy');
+    expect(fakes.holding('ahead')).toBeUndefined();
+    promote();
+    await promoted;
+    expect(!!fakes.holding('ahead')).toBe(true);
+  });
+
   test('as many jobs run at once as there are workers', () => {
     const fakes = fakeWorkers();
     const pool = createPool<Named>({ size: 2, spawn: fakes.spawn });

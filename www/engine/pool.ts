@@ -19,7 +19,9 @@ import { after, timeLimit } from './scheduler.ts';
 import { LONG, limitOf } from './time-limits.ts';
 import type { Operations, Reply, Sign, Table } from './protocol.ts';
 
-/** `photo` is the name to blame; `holds` are the photo keys that the job needs and leaves in the worker */
+/**
+ * `promoted`: when it resolves, the job becomes as urgent as a panel of the visible page. `photo` is the name to blame; `holds` are the photo keys that the job needs and leaves in the worker
+ */
 export type Job<Ops extends Table = Operations, Op extends keyof Ops = keyof Ops> = {
   op: Op;
   args: Ops[Op]['args'];
@@ -27,6 +29,7 @@ export type Job<Ops extends Table = Operations, Op extends keyof Ops = keyof Ops
   priority: number;
   key?: string;
   signal?: AbortSignal;
+  promoted?: Promise<unknown>;
   photo?: string;
   holds?: string[];
 };
@@ -120,6 +123,7 @@ export function createPool<Ops extends Table = Operations>({
         release: () => job.signal?.removeEventListener('abort', abort),
       };
       job.signal?.addEventListener('abort', abort, { once: true });
+      job.promoted?.then(() => promote(entry));
       const waiting = queue.push(entry);
       if (waiting) drop(waiting);
       for (const slot of slots) {
@@ -127,6 +131,14 @@ export function createPool<Ops extends Table = Operations>({
       }
       dispatch();
     });
+  }
+
+  /** Moves a waiting job to the front. A running job stays. */
+  function promote(entry: Entry) {
+    if (!queue.remove(entry)) return;
+    entry.priority = Priority.PANEL;
+    queue.push(entry);
+    dispatch();
   }
 
   /** Cancels a job wherever it is. */

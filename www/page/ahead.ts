@@ -11,6 +11,9 @@ import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 
+/** Milliseconds of rest before the next page is planned: a few frames, because the next shuffle may come at any time. */
+const REST = 60;
+
 export type Ahead = ReturnType<typeof createAhead>;
 
 export function createAhead({
@@ -39,7 +42,7 @@ export function createAhead({
     const prepare = () => {
       page.value = pages.prepare();
     };
-    scheduler.background(prepare, stop);
+    scheduler.background(prepare, { rest: REST, signal: stop.signal });
   });
 
   return { page: page as ReadonlySignal<PageDocument | null> };

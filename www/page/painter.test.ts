@@ -8,6 +8,7 @@ vi.stubGlobal('cancelAnimationFrame', clearTimeout);
 let jobs: any[] = [];
 let drawn: string[] = [];
 beforeEach(() => {
+  vi.clearAllTimers();
   jobs = [];
   drawn = [];
 });
@@ -58,6 +59,7 @@ function painter(
       tier: call.tier,
       signal: call.signal,
       priority: call.priority,
+      promoted: call.promoted,
     } as any;
     const promise = new Promise((resolve, reject) => {
       const patch = (picture: number) => {
@@ -193,7 +195,7 @@ test('a panel that fails is told once, and does not hold the page', async () => 
   expect(painted).toHaveBeenLastCalledWith(document);
 });
 
-test('a page that was prepared is there at once, and what was not ready is asked for anew, before all else', async () => {
+test('a page that was prepared appears at once, and its unfinished panels become urgent', async () => {
   const { show, prepare } = painter();
   show(page('A'), geometry('A'), 10);
   await finish('As0');
@@ -203,15 +205,34 @@ test('a page that was prepared is there at once, and what was not ready is asked
     ['Bs0', 3],
     ['Bs1', 3],
   ]);
+  const promoted = vi.fn();
+  jobs[3].promoted.then(promoted);
   await finish('Bs0');
   expect(drawn).toEqual(['As0', 'As1']);
+  expect(promoted).not.toHaveBeenCalled();
   show(page('B'), geometry('B'), 10);
-  expect(jobs[3].signal.aborted).toBe(true);
-  expect(jobs.slice(4).map(({ name, priority }) => [name, priority])).toEqual([['Bs1', 0]]);
-  jobs[3].fail('cancelled');
-  jobs[4].done();
+  await vi.advanceTimersByTimeAsync(0);
+  expect(promoted).toHaveBeenCalled();
+  expect(jobs[3].signal.aborted).toBe(false);
+  expect(jobs).toHaveLength(4);
+  await finish('Bs1');
   await vi.advanceTimersByTimeAsync(20);
   expect(drawn).toEqual(['Bs0', 'Bs1']);
+});
+
+test('another prepared page cancels one that was prepared, and nothing of the visible page', async () => {
+  const { show, prepare } = painter();
+  show(page('A'), geometry('A'), 10);
+  prepare(page('B'), geometry('B'), 10);
+  prepare(page('C'), geometry('C'), 10);
+  expect(jobs.map(({ name, signal }) => [name, signal.aborted])).toEqual([
+    ['As0', false],
+    ['As1', false],
+    ['Bs0', true],
+    ['Bs1', true],
+    ['Cs0', false],
+    ['Cs1', false],
+  ]);
 });
 
 test('another page cancels one that was prepared', async () => {

@@ -79,11 +79,15 @@ export function createPainter(
     report();
   }
 
-  /** Draws the panels of a likely next page with the lowest priority. The next page that is shown cancels it. */
+  /** Draws the panels of a likely next page with the lowest priority. The next page that is shown or prepared cancels it. */
   function prepare(document: PageDocument, geometry: Geometry, width: number) {
-    for (const index of picturesOf(document)) {
+    const pictures = picturesOf(document).map((index) => {
+      return { index, signature: patches.signature(document, geometry, index, width) };
+    });
+    const visible = (sheet?.slots ?? []).map(({ signature }) => signature);
+    patches.keepOnly([...visible, ...running.values(), ...pictures.map(({ signature }) => signature)]);
+    for (const { index, signature } of pictures) {
       const { photo } = document.panels[panelOf(document, index)];
-      const signature = patches.signature(document, geometry, index, width);
       if (photo === null || !engine.hasPhoto(photo) || patches.cached(signature)) continue;
       // Errors are reported when the page is shown.
       patches.get(signature, document, geometry, index, width, true).catch(() => {});

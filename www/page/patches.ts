@@ -19,8 +19,8 @@ export type Patch = {
   crop: Bounds | null;
   bounds: Bounds;
 };
-/** `stop` cancels the job. `ahead`: low priority, because no view needs the picture yet. */
-type Flight = { promise: Promise<Patch>; stop: AbortController; ahead: boolean };
+/** `stop` cancels the job. `promote` makes it urgent, if no view needed its pictures before. */
+type Flight = { promise: Promise<Patch>; stop: AbortController; promote: () => void };
 
 /** Maximum bytes of cached pictures: a dozen pages on a large screen. */
 const BUDGET = 96 * 2 ** 20;
@@ -88,28 +88,35 @@ export function createPatches(
     ahead = false,
   ): Promise<Patch> {
     const before = flights.get(key);
-    if (before && (ahead || !before.ahead)) return before.promise;
-    // The waiting job has the lowest priority, but now a view needs the picture.
-    before?.stop.abort();
+    if (before) {
+      if (!ahead) before.promote();
+      return before.promise;
+    }
     const stop = new AbortController();
     const start = performance.now();
     const priority = ahead ? Priority.REST : Priority.PANEL;
+    let promote = () => {};
+    const promoted = new Promise<void>((resolve) => {
+      promote = resolve;
+    });
     // Pictures that exist or are being rendered are not rendered again. A picture is identical whether it is rendered
     // separately or in a group.
-    const lacks = (other: string) => other === key || (!kept.has(other) && flights.get(other)?.stop === before?.stop);
+    const lacks = (other: string) => other === key || (!kept.has(other) && !flights.has(other));
     const keyOf = (picture: number) => (picture === index ? key : signature(document, geometry, picture, width));
     const pictures = drawnWith(document, index).filter((picture) => lacks(keyOf(picture)));
     const keys = pictures.map(keyOf);
-    const job = render(document, pictures, width, { tier: 'work', priority, signal: stop.signal }).then((patches) => {
-      if (!ahead) learn(document, width, performance.now() - start);
-      const about = { page: width, ...shown(document, geometry, index) };
-      return patches.map((patch, at) => keep(keys[at], { ...patch, ...about }));
-    });
+    const job = render(document, pictures, width, { tier: 'work', priority, promoted, signal: stop.signal }).then(
+      (patches) => {
+        if (!ahead) learn(document, width, performance.now() - start);
+        const about = { page: width, ...shown(document, geometry, index) };
+        return patches.map((patch, at) => keep(keys[at], { ...patch, ...about }));
+      },
+    );
     const landed = () => {
       for (const own of keys) if (flights.get(own)?.stop === stop) flights.delete(own);
     };
     job.then(landed, landed);
-    const flightOf = (at: number) => ({ promise: job.then((patches) => patches[at]), stop, ahead });
+    const flightOf = (at: number) => ({ promise: job.then((patches) => patches[at]), stop, promote });
     const flying = keys.map((_, at) => flightOf(at));
     flying.forEach((flight, at) => {
       flights.set(keys[at], flight);
