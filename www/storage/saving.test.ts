@@ -54,6 +54,47 @@ function failing(wrong: (value: any) => Error | null) {
   });
 }
 
+describe('saving waits for the page', () => {
+  /** A scheduler that gives no turn until `go`. */
+  function stopped({ scheduler }: Tab) {
+    const gates: (() => void)[] = [];
+    let open = false;
+    const turn = vi.spyOn(scheduler, 'turn').mockImplementation((_lane, { signal } = {}) => {
+      if (open) return Promise.resolve();
+      return new Promise((resolve, reject) => {
+        gates.push(resolve);
+        signal?.addEventListener('abort', () => reject(new Error('aborted')));
+      });
+    });
+    const go = () => {
+      open = true;
+      for (const gate of gates) gate();
+    };
+    return { turn, go };
+  }
+
+  it('and goes on when it is drawn, copies of photos after a rest', async () => {
+    const tab = await fakeBrowser().tab();
+    const { turn, go } = stopped(tab);
+    await tab.reading.addFiles(tab.files(...SIX));
+    await vi.waitFor(() => expect(turn).toHaveBeenCalledWith('requested', expect.anything()));
+    expect(await counts()).toEqual([0, 0, 0, 0]);
+    go();
+    await saved(tab);
+    expect((await counts())[3]).toBe(SIX.length);
+    await vi.waitFor(() => expect(turn).toHaveBeenLastCalledWith('background', expect.anything()));
+  });
+
+  it('but not when the project is left', async () => {
+    const tab = await fakeBrowser().tab();
+    const { turn } = stopped(tab);
+    await tab.reading.addFiles(tab.files(...SIX));
+    await vi.waitFor(() => expect(turn).toHaveBeenCalled());
+    await tab.keeping.flush();
+    expect((await counts())[3]).toBe(SIX.length);
+  });
+});
+
 describe('a database that went', () => {
   it.each([
     ['at rest', false],

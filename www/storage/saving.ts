@@ -3,7 +3,8 @@
  * a moment after a change, after at most a second of changes, and immediately after photos were added. Their files
  * follow and are counted. The status becomes `saved` only after the state was read back and all its references were
  * found in the database. Missing records are written again from memory. A failed save is retried automatically, except
- * for lack of space.
+ * for lack of space. Each step waits until the page is drawn, copies of photos also until the user rests, so that a page
+ * appears without delay.
  *
  * Each snapshot is written to its own place, and the save status belongs to that place. So a project never overwrites
  * another one.
@@ -29,6 +30,7 @@ import type { Base, Journal } from './journal.ts';
 import type { Locks } from './locks.ts';
 import type { PhotoRecords } from './photo-records.ts';
 import type { Place } from '../document/place.ts';
+import type { Scheduler } from '../engine/scheduler.ts';
 import type { Snapshot } from './snapshot.ts';
 import type { Signal } from '@preact/signals';
 
@@ -77,6 +79,8 @@ const PAUSE = 1000;
 const LONGEST_PAUSE = 60_000;
 /** Number of repairs of lost records before the storage counts as unreliable. */
 const MOST_REPAIRS = 3;
+/** Maximum wait of a step for the page, in milliseconds. */
+const PATIENCE = 2000;
 
 /** @param app `onWritten`: the state is in the database; `onSaved`: its photos are, too */
 export function createSaving({
@@ -86,6 +90,7 @@ export function createSaving({
   locks,
   database,
   drawnStates,
+  scheduler,
   onTrouble,
   onWritten = () => {},
   onSaved = () => {},
@@ -96,6 +101,7 @@ export function createSaving({
   locks: Locks;
   database: () => Promise<Database>;
   drawnStates: Pick<DrawnStates, 'of'>;
+  scheduler: Pick<Scheduler, 'turn'>;
   onTrouble: (status: Status, error: Error) => void;
   onWritten?: (place: Place) => void;
   onSaved?: (place: Place) => void;
@@ -115,6 +121,9 @@ export function createSaving({
   /** Pending trial of a project, which may be reverted. */
   let trial: Promise<void> | null = null;
   const timer = createTimer();
+  /** Number of running calls of `flush`, and what ends the wait for the page. */
+  let flushing = 0;
+  let waiting = new AbortController();
 
   effect(() => {
     const place = store.place.value;
@@ -216,11 +225,34 @@ export function createSaving({
   /** @returns when all that there is now was written, or could not be */
   async function flush(): Promise<void> {
     timer.stop();
-    if (running) {
-      if (ledger.dirty) ledger.due = moment();
-      await running;
+    flushing += 1;
+    waiting.abort();
+    try {
+      if (running) {
+        if (ledger.dirty) ledger.due = moment();
+        await running;
+      }
+      if (ledger.dirty || !['saved', 'empty', 'missing'].includes(status.peek())) await save();
+    } finally {
+      flushing -= 1;
     }
-    if (ledger.dirty || !['saved', 'empty', 'missing'].includes(status.peek())) await save();
+  }
+
+  /** Resolves when the page is drawn; for copies of photos, also after a rest. */
+  async function rested(of: Ledger) {
+    let over = false;
+    while (!over && flushing === 0) {
+      waiting = new AbortController();
+      const { signal } = waiting;
+      const turn =
+        of.complete && !of.due
+          ? scheduler.turn('background', { signal })
+          : scheduler.turn('requested', { signal, latest: performance.now() + PATIENCE });
+      over = await turn.then(
+        () => true,
+        () => false,
+      );
+    }
   }
 
   /** Checks that saved data still exists, for example after the database was closed, and restores it. */
@@ -243,6 +275,8 @@ export function createSaving({
       await trial;
       if (!ledger.dirty) return;
     }
+    // A changed project need not wait for a rest.
+    if (!ledger.due) waiting.abort();
     ledger.due = moment();
     return run();
   }
@@ -282,6 +316,7 @@ export function createSaving({
       let repairs = 0;
       // If another project replaced this one, the old one is saved first. Its photos belong to the other project.
       while (of === ledger || of.due) {
+        await rested(of);
         const base = await database();
         const step = await locks.during(PHOTOS_LOCK, { mode: 'shared' }, () => stepOf(of, base));
         if (step === 'done') return;
@@ -315,7 +350,10 @@ export function createSaving({
       if (of === ledger && !of.dirty) say('saving');
       return 'lost';
     }
-    if (!of.complete) complete(of, shot);
+    if (!of.complete) {
+      complete(of, shot);
+      return 'on';
+    }
     return (await records.improve(base, shot)) ? 'on' : 'done';
   }
 

@@ -89,7 +89,18 @@ export function createKeeping({
   const pictures = createPictures({ store, engine, scheduler, database, onDrawn });
   const drawnStates = createDrawnStates({ store });
   const journal = createJournal({ box: () => window.localStorage });
-  const saving = createSaving({ store, records, journal, locks, database, drawnStates, onTrouble, onWritten, onSaved });
+  const saving = createSaving({
+    store,
+    records,
+    journal,
+    locks,
+    database,
+    drawnStates,
+    scheduler,
+    onTrouble,
+    onWritten,
+    onSaved,
+  });
   const opening = createOpening({
     store,
     reading,

@@ -184,6 +184,7 @@ export function fakeBrowser({
       keeping,
       messages,
       engine,
+      scheduler,
       photos,
       decoded,
       session,
