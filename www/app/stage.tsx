@@ -178,6 +178,7 @@ function useWidth(ref: { current: Element | null }): number {
 /** Keeps the centre of the view fixed when the page changes its size. */
 function useHeldMiddle(ref: { current: HTMLElement | null }, zoom: number) {
   const middle = useRef({ x: 0.5, y: 0.5 });
+  const before = useRef(1);
   useEffect(() => {
     const area = ref.current;
     if (!area) return undefined;
@@ -192,7 +193,9 @@ function useHeldMiddle(ref: { current: HTMLElement | null }, zoom: number) {
   }, []);
   useLayoutEffect(() => {
     const area = ref.current;
-    if (!area) return;
+    // A page that fits does not scroll, and reading its size would force a layout of the window.
+    if (!area || (zoom <= 1 && before.current <= 1)) return;
+    before.current = zoom;
     const { x, y } = zoom > 1 ? middle.current : { x: 0.5, y: 0.5 };
     area.scrollTo(x * area.scrollWidth - area.clientWidth / 2, y * area.scrollHeight - area.clientHeight / 2);
     middle.current = { x, y };

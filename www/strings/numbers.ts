@@ -8,6 +8,7 @@ const MOST_DAYS = 62;
 /** @param locale such as `de` or `es-MX` */
 export function numbersIn(locale: string) {
   const formats: Map<string, Intl.NumberFormat> = new Map();
+  let lists: Intl.ListFormat | undefined;
 
   /** Formats are cached, because creating one takes longer than using it a thousand times. */
   function format(value: number, digits: number | undefined, how: Intl.NumberFormatOptions = {}) {
@@ -72,6 +73,6 @@ export function numbersIn(locale: string) {
       bytes < 1e6 ? unit(Math.max(1, bytes / 1e3), 'kilobyte', 0) : unit(bytes / 1e6, 'megabyte', bytes < 1e7 ? 1 : 0),
     /** @param time in milliseconds since 1970 */
     moment: (time: number) => new Date(time).toLocaleString(locale, { dateStyle: 'medium', timeStyle: 'short' }),
-    listed: (things: readonly string[]) => new Intl.ListFormat(locale).format(things),
+    listed: (things: readonly string[]) => (lists ??= new Intl.ListFormat(locale)).format(things),
   };
 }
