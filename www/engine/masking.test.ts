@@ -77,9 +77,12 @@ test('it rests while pages are drawn and a moment after, but not for ever', asyn
 
   await drawn(0);
   const third = masking.findMask('c');
-  for (let shuffle = 0; shuffle < 11; shuffle += 1) await drawn(500);
+  for (let shuffle = 0; shuffle < 3; shuffle += 1) await drawn(500);
   expect(looks).toHaveLength(2 * PARTS);
-  for (let shuffle = 0; shuffle < 2; shuffle += 1) await drawn(500);
+  // Each part waits two seconds at most.
+  for (let shuffle = 0; shuffle < 3; shuffle += 1) await drawn(500);
+  expect(looks).toHaveLength(2 * PARTS + 1);
+  for (let shuffle = 0; shuffle < 8; shuffle += 1) await drawn(500);
   expect(await third).toBe('mask 3');
 });
 

@@ -17,8 +17,8 @@ import type { Scheduler } from './scheduler.ts';
 
 /** Minimum milliseconds between a drawn page and the next slice. */
 const CALM = 1_000;
-/** Maximum pause of one detection in milliseconds, so that it also ends during continuous shuffling. */
-const LONGEST_PAUSE = 6_000;
+/** Maximum pause before a slice in milliseconds, so that a detection also ends during continuous shuffling. */
+const LONGEST_PAUSE = 2_000;
 
 export function createMasking(photos: ReturnType<typeof createPhotos>, scheduler: Scheduler) {
   const pool = createModelPool<Masking>(scheduler, spawn);
@@ -38,8 +38,8 @@ export function createMasking(photos: ReturnType<typeof createPhotos>, scheduler
     const photo = Math.min(small.width, small.height) >= 320 ? small : work;
     const args = { photo, net: new URL(NET, document.baseURI).href, look: (looks += 1) };
     const find = async () => {
-      const latest = performance.now() + LONGEST_PAUSE;
       for (;;) {
+        const latest = performance.now() + LONGEST_PAUSE;
         await scheduler.turn('background', { rest: CALM, latest, signal: call?.signal });
         const mask = await pool.run({ op: 'mask', args, photo: name, priority: Priority.REST, ...call });
         if (mask !== null) return mask;
