@@ -89,7 +89,7 @@ export function Stage() {
   }, [page, geometry, pixels, read, sketch, thumbnails, subjects]);
 
   const next = ahead.page.value;
-  useEffect(() => {
+  useLayoutEffect(() => {
     const planner = store.planner.peek();
     if (next && planner && width > 0) painter.current?.prepare(next, planner.geometry(next.layout, next.page), pixels);
   }, [next, pixels, subjects]);

@@ -2,6 +2,7 @@ import { signal } from '@preact/signals';
 import { expect, test, vi } from 'vitest';
 import { fakeApp } from '../document/testing.ts';
 import { createAhead } from './ahead.ts';
+import type { PageDocument } from '../engine/types.ts';
 
 vi.useFakeTimers();
 
@@ -42,4 +43,23 @@ test('whatever changes makes it another', async () => {
   painted.value = store.page.value;
   await vi.runAllTimersAsync();
   expect(ahead.page.value?.style).toBe(style);
+});
+
+test('it is planned at once after a shuffle, and after a rest while the same page changes', async () => {
+  const { ahead, pages, store, painted, scheduler } = await opened();
+  await vi.runAllTimersAsync();
+  const show = async (change: () => void) => {
+    scheduler.hold(true);
+    change();
+    painted.value = store.page.value;
+    scheduler.hold(false);
+    await vi.advanceTimersByTimeAsync(10);
+  };
+  await show(() => pages.shuffle('all'));
+  expect(ahead.page.value).not.toBeNull();
+  const page = store.page.value as PageDocument;
+  await show(() => store.change({ type: 'change-page', page: { ...page, seed: page.seed + 1 } }));
+  expect(ahead.page.value).toBeNull();
+  await vi.advanceTimersByTimeAsync(400);
+  expect(ahead.page.value).not.toBeNull();
 });

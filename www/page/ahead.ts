@@ -11,8 +11,11 @@ import type { Store } from '../document/store.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 
-/** Milliseconds of rest before the next page is planned: a few frames, because the next shuffle may come at any time. */
-const REST = 60;
+/**
+ * Milliseconds of rest before the next page is planned. After another page appeared, the next shuffle may come at any time.
+ * Changes of the same page may follow each other in every frame, for example while a divider is dragged.
+ */
+const REST = { another: 0, same: 350 };
 
 export type Ahead = ReturnType<typeof createAhead>;
 
@@ -29,9 +32,11 @@ export function createAhead({
 }) {
   const page: Signal<PageDocument | null> = signal(null);
   let stop = new AbortController();
+  /** The version of the page that was prepared for last. */
+  let before = '';
 
   effect(() => {
-    const { project, photos, reading, planner } = store;
+    const { project, photos, reading, planner, version } = store;
     const now = project.value.page;
     // During an import, the page and its photos change automatically.
     const rests = photos.value.length > 0 && reading.value === null && planner.value && ui.painted.value === now;
@@ -42,7 +47,9 @@ export function createAhead({
     const prepare = () => {
       page.value = pages.prepare();
     };
-    scheduler.background(prepare, { rest: REST, signal: stop.signal });
+    const rest = version.value === before ? REST.same : REST.another;
+    before = version.value;
+    scheduler.background(prepare, { rest, signal: stop.signal });
   });
 
   return { page: page as ReadonlySignal<PageDocument | null> };
