@@ -12,6 +12,7 @@ import { byName } from '../ui/by-name.ts';
 import { isArchiveFile } from '../storage/files/page-archive.ts';
 import { foldersOf } from '../photos/folders.ts';
 import { hasRole, isSidecar, kindByContent, kindByName } from '../engine/file-kinds.ts';
+import { nextTask } from '../engine/scheduler.ts';
 import { splitLivePhotos } from '../photos/live-photos.ts';
 import { isNamedPng } from '../storage/files/page-files.ts';
 import { isProjectFile } from '../storage/files/project-file.ts';
@@ -212,6 +213,8 @@ export function createDroppedFiles({
   async function add(photos: readonly File[], shown: Opened | undefined, moments: Moments) {
     const count = store.tray.peek().length;
     const { videos, others } = splitLivePhotos(photos);
+    // The board appears with them, which is as much work again as to look through hundreds of files.
+    await nextTask();
     await reading.addFiles(others, undefined, moments);
     if (videos.length > 0)
       messages.offer(strings.liveVideos(videos.length), {

@@ -73,6 +73,7 @@ export function numbersIn(locale: string) {
       bytes < 1e6 ? unit(Math.max(1, bytes / 1e3), 'kilobyte', 0) : unit(bytes / 1e6, 'megabyte', bytes < 1e7 ? 1 : 0),
     /** @param time in milliseconds since 1970 */
     moment: (time: number) => new Date(time).toLocaleString(locale, { dateStyle: 'medium', timeStyle: 'short' }),
-    listed: (things: readonly string[]) => (lists ??= new Intl.ListFormat(locale)).format(things),
+    listed: (things: readonly string[]) =>
+      things.length < 2 ? things.join('') : (lists ??= new Intl.ListFormat(locale)).format(things),
   };
 }
