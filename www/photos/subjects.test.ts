@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { createSubjects } from './subjects.ts';
 import { fakeApp } from '../document/testing.ts';
 import type { Detection } from '../engine/types.ts';
@@ -70,6 +70,18 @@ describe('subjects', () => {
     expect(store.album.value.get('p1')?.meta?.subjects).toEqual([face, face]);
     expect(planner.used[1].subjects).toEqual([face]);
     expect(subjects.progress.value).toBeNull();
+  });
+
+  it('looks at the photos of a page that appeared just now when the user rests', async () => {
+    const { reading, files, painted, asked, objects, scheduler } = app(async () => ({ boxes: [], closer: false }));
+    scheduler.hold(true);
+    await reading.addFiles(files('1.jpg', '2.jpg', '3.jpg'));
+    painted.value = true;
+    await settle();
+    expect(objects).toEqual([]);
+    scheduler.hold(false);
+    await vi.waitFor(() => expect(objects).toEqual(['p1', 'p2', 'p3']));
+    expect(asked).toEqual(objects);
   });
 
   it('tells of the photos in which it looked while there was no page', async () => {

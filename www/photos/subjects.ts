@@ -1,7 +1,7 @@
 /**
  * Subject detection: photos of the current page first, then other pages; faces and objects in parallel. Face detection
  * starts when the photos of the first page are read, if its model is already loaded (`expect`). All other detection
- * starts when the page is visible, at low priority.
+ * starts when the page is visible and the user rests, at low priority.
  */
 
 import { computed, effect, signal } from '@preact/signals';
@@ -78,11 +78,9 @@ export function createSubjects({
   let shown = '';
   let stop = new AbortController();
   effect(() => {
-    const version = store.version.value;
+    const version = store.sketch.value ? '' : store.version.value;
     if (store.page.value === null || version === shown) return;
-    const first = shown === '';
     shown = version;
-    if (first) return;
     stop.abort();
     stop = new AbortController();
     calm.value = false;
