@@ -63,3 +63,28 @@ test('it is planned at once after a shuffle, and after a rest while the same pag
   await vi.advanceTimersByTimeAsync(400);
   expect(ahead.page.value).not.toBeNull();
 });
+
+test('it is planned while the page before is drawn, and drawn after', async () => {
+  const { ahead, pages, store, painted, planner } = await opened();
+  await vi.runAllTimersAsync();
+  pages.shuffle('all');
+  const { length } = planner.wishes;
+  await vi.advanceTimersByTimeAsync(0);
+  expect(planner.wishes).toHaveLength(length + 1);
+  expect(ahead.page.value).toBeNull();
+  painted.value = store.page.value;
+  await vi.runAllTimersAsync();
+  expect(planner.wishes).toHaveLength(length + 1);
+  expect(ahead.page.value).not.toBeNull();
+});
+
+test('a page that is painted at once is shown before the next one is planned', async () => {
+  const { pages, store, painted, planner, scheduler } = await opened();
+  await vi.runAllTimersAsync();
+  scheduler.hold(true);
+  pages.shuffle('all');
+  const { length } = planner.wishes;
+  painted.value = store.page.value;
+  await vi.advanceTimersByTimeAsync(0);
+  expect(planner.wishes).toHaveLength(length);
+});

@@ -1,9 +1,10 @@
 /**
- * Plans and draws the next page of Shuffle in advance, while the user looks at the current one. A change of the
+ * Plans and draws the next page of Shuffle in advance, while the current one is drawn or looked at. A change of the
  * project, the photos or the detection results starts it again.
  */
 
 import { effect, signal } from '@preact/signals';
+import { nextTask } from '../engine/scheduler.ts';
 import type { Scheduler } from '../engine/scheduler.ts';
 import type { Ui } from '../ui/ui.ts';
 import type { Pages } from '../document/pages.ts';
@@ -38,19 +39,30 @@ export function createAhead({
   effect(() => {
     const { project, photos, reading, planner, version } = store;
     const now = project.value.page;
-    // During an import, the page and its photos change automatically.
-    const rests = photos.value.length > 0 && reading.value === null && planner.value && ui.painted.value === now;
+    const isPainted = ui.painted.value === now;
+    const isAnother = version.value !== before;
     stop.abort();
     page.value = null;
-    if (!now || !rests) return;
+    // During an import, the page and its photos change automatically.
+    if (!now || photos.value.length === 0 || reading.value !== null || !planner.value) return;
     stop = new AbortController();
+    if (!isPainted) {
+      if (isAnother) void planMeanwhile(stop.signal);
+      return;
+    }
     const prepare = () => {
       page.value = pages.prepare();
     };
-    const rest = version.value === before ? REST.same : REST.another;
+    const rest = isAnother ? REST.another : REST.same;
     before = version.value;
     scheduler.background(prepare, { rest, signal: stop.signal });
   });
 
   return { page: page as ReadonlySignal<PageDocument | null> };
+
+  /** Plans the next page while workers draw the current one. A page that is painted already is shown first. */
+  async function planMeanwhile(signal: AbortSignal) {
+    await nextTask();
+    if (!signal.aborted && ui.painted.peek() !== store.page.peek()) pages.prepare();
+  }
 }
