@@ -6,7 +6,12 @@ import type { Origin } from './album-name.ts';
 const NOW = Date.UTC(2026, 10, 24);
 const { dates } = numbersIn('en-GB');
 
-const photo = (origin: Partial<Origin> = {}): Origin => ({ folders: [], taken: null, modified: null, ...origin });
+const photo = (origin: Partial<Origin> = {}): Origin => ({
+  folders: [],
+  taken: null,
+  modified: () => null,
+  ...origin,
+});
 const named = (...origins: Origin[]) => albumName(origins, { samples: 'Sample album', dates, now: NOW });
 
 test('an album is called after the folder that all of it came in', () => {
@@ -39,7 +44,7 @@ test('clocks that were never set, and ranks in the place of times, are no days',
 });
 
 test('times of files count where cameras are silent', () => {
-  const modified = new Date(2026, 5, 9, 23, 30).getTime();
+  const modified = () => new Date(2026, 5, 9, 23, 30).getTime();
   expect(named(photo({ modified }), photo({ modified }))).toBe('9 June 2026');
   expect(named(photo({ modified }), photo({ taken: '2026:06:03 10:00:00' }))).toBe('3 June 2026');
   expect(named(photo())).toBe('');
@@ -54,7 +59,7 @@ test('the samples are called so', () => {
 test('a page has the days of one event as its title', () => {
   const titled = (...taken: (string | null)[]) =>
     albumTitle(
-      taken.map((day) => photo({ taken: day && `${day} 12:00:00`, modified: NOW })),
+      taken.map((day) => photo({ taken: day && `${day} 12:00:00`, modified: () => NOW })),
       { samples: 'Sample album', dates, now: NOW },
     );
   expect(titled('2026:06:03', '2026:06:05', null)).toBe('3 – 5 June 2026');

@@ -2,12 +2,13 @@
 
 /**
  * Origin of a photo. `folders`: from the outermost, empty without a folder. `taken`: capture time, `YYYY:MM:DD
- * HH:MM:SS`. `modified`: time of its file in ms, if the file is available. `sample`: whether it is a sample of the app.
+ * HH:MM:SS`. `modified`: time of its file in ms, if the file is available; a function, because Chromium asks another
+ * process for it, and waits. `sample`: whether it is a sample of the app.
  */
 export type Origin = {
   folders: readonly string[];
   taken: string | null;
-  modified: number | null;
+  modified: () => number | null;
   sample?: boolean;
 };
 
@@ -42,7 +43,7 @@ export function albumTitle(origins: readonly Origin[], how: Parameters<typeof al
   const days = origins.map((origin) => dayTaken(origin, how.now));
   const dated = isOneEvent(days) ? origins : origins.map((origin) => ({ ...origin, taken: null }));
   return albumName(
-    dated.map((origin) => ({ ...origin, modified: null })),
+    dated.map((origin) => ({ ...origin, modified: () => null })),
     how,
   );
 }
@@ -74,7 +75,7 @@ function daysName(origins: readonly Origin[], dates: (from: number, to: number) 
   const days =
     taken.length * 2 >= origins.length
       ? taken
-      : origins.flatMap((origin) => dayTaken(origin, now) ?? dayOf(origin.modified, now) ?? []);
+      : origins.flatMap((origin) => dayTaken(origin, now) ?? dayOf(origin.modified(), now) ?? []);
   if (days.length === 0) return '';
   return dates(Math.min(...days), Math.max(...days));
 }

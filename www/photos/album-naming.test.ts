@@ -1,4 +1,4 @@
-import { beforeEach, expect, it } from 'vitest';
+import { beforeEach, expect, it, vi } from 'vitest';
 import { fakeBrowser } from '../storage/testing.ts';
 import { noteFolders } from './folders.ts';
 
@@ -52,4 +52,12 @@ it('a project of another session with a name of its own keeps it', async () => {
   expect([tab.keeping.current.value, name()]).toEqual([id, 'Lisbon']);
   await add(photo('b.jpg'));
   expect(name()).toBe('Lisbon');
+});
+
+it('does not ask for the times of files whose photos have dates, or before they are read', async () => {
+  const asked = vi.fn(() => 0);
+  const made = Object.defineProperty(photo('a.jpg', { folders: ['Lisbon'] }), 'lastModified', { get: asked });
+  await add(made);
+  expect(name()).toBe('Lisbon');
+  expect(asked).not.toHaveBeenCalled();
 });

@@ -23,7 +23,7 @@ export function createAlbumNaming({
   located?: ReadonlySignal<ReadonlyMap<string, string>>;
 }) {
   /** Origin of the photos of this visit, by id. */
-  const files: Map<string, { folders: readonly string[]; modified: number }> = new Map();
+  const files: Map<string, { folders: readonly string[]; file: File; modified?: number }> = new Map();
   /** The automatic name of the project; null if the user named it. */
   let free: { place: Place; name: string } | null = null;
 
@@ -32,7 +32,7 @@ export function createAlbumNaming({
     store.facts.value.map(({ id, meta, credit, absent }) => ({
       id,
       folders: files.get(id)?.folders ?? [],
-      modified: files.get(id)?.modified ?? null,
+      modified: () => modifiedOf(id),
       taken: absent ? null : (meta?.taken ?? null),
       sample: credit !== undefined,
     })),
@@ -67,12 +67,17 @@ export function createAlbumNaming({
     return [...name].slice(0, MOST).join('');
   }
 
+  /** Asked once per file. */
+  function modifiedOf(id: string): number | null {
+    const known = files.get(id);
+    return known ? (known.modified ??= known.file.lastModified) : null;
+  }
+
   /** Prepares for new photos. @param sources their files, with the ids of the photos */
   function begin(sources: readonly { file: File; ids: readonly string[] }[]) {
     const { name } = store.project.peek();
     if (!isFree(name)) free = name === '' || name === automatic() ? { place: store.place.peek(), name } : null;
-    for (const { file, ids } of sources)
-      for (const id of ids) files.set(id, { folders: foldersOf(file), modified: file.lastModified });
+    for (const { file, ids } of sources) for (const id of ids) files.set(id, { folders: foldersOf(file), file });
   }
 
   /**
