@@ -70,7 +70,7 @@ export function Thumbnail({ of, by, draw, class: extra = '' }: Drawing<Blob>) {
 
 /**
  * Draws an image each time when it becomes visible or changes.
- * @param lane of the scheduler: images of lists wait while somebody shuffles
+ * @param lane of the scheduler: images of lists wait while the user shuffles
  * @param put receives it, and whether it is outdated
  */
 function useDrawn<T>(
