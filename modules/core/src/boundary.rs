@@ -183,7 +183,7 @@ impl Studio {
     /// The red, green and blue planes of a photo, one after the other.
     pub fn photo_planes(&self, key: &str) -> Result<Vec<u8>> {
         let image = self.photo(key)?;
-        Ok(image.planes().iter().flat_map(Plane::samples).copied().collect())
+        Ok(image.planes().iter().map(Plane::samples).collect::<Vec<_>>().concat())
     }
 
     /// Stores the planes of a photo.
