@@ -17,6 +17,7 @@ import { createMerging } from '../page/panels/merging.ts';
 import { createReshaping } from '../page/panels/reshaping.ts';
 import { createSelection } from '../page/panels/selection.ts';
 import { createChoosing } from '../photos/choosing.ts';
+import { createRotating } from '../photos/rotating.ts';
 import { createScrubbing } from '../page/panels/scrubbing.ts';
 import { createOwnStyles } from '../styles/own-styles.ts';
 import { createUi } from '../ui/ui.ts';
@@ -62,6 +63,7 @@ export async function fakeParts(): Promise<App> {
     framing: createFraming({ store, pages }),
     choosing: createChoosing({ store, pages, reading, messages, enlarged }),
     reshaping: createReshaping({ store, pages, seed: () => 1 }),
+    rotating: createRotating({ store, pages, reading, engine, messages }),
     scrubbing: createScrubbing({ store, pages, reading, engine, messages }),
     narrating: createNarrating({
       store,

@@ -5,9 +5,11 @@
  */
 
 import { byPanel, frontPictures, panelOf, picturesOf } from './figures.ts';
+import { rotatedFile } from './metadata/rotate.ts';
 import { Priority } from './queue.ts';
 import { givesWebp } from './webp.ts';
 import { buffersOf, failure } from './protocol.ts';
+import type { Rotation } from './metadata/rotate.ts';
 import type { PageDocument, PdfOptions } from './types.ts';
 import type { createFiles } from './files.ts';
 import type { createPhotos } from './photos.ts';
@@ -31,6 +33,9 @@ type Parts = {
 /** Marks a panel without a photo. */
 const EMPTY = '';
 
+/** The mask of a photo that is all subject. */
+const ALL = '1x1:p';
+
 /** The page of a single panel. Its patch contains everything. */
 const ALONE = {
   layout: 'grid-2',
@@ -43,7 +48,7 @@ const ALONE = {
 };
 
 export function createExports({ run, photos, words, files }: Parts) {
-  return { exportPng, exportJpeg, exportWebp, exportPdf, exportPlates, exportPanel, exportSubject };
+  return { exportPng, exportJpeg, exportWebp, exportPdf, exportPlates, exportPanel, exportSubject, rotatedPhoto };
 
   async function exportPng(document: PageDocument, call?: Call): Promise<Blob> {
     return whole(document, call, (patches, signal) => encode(document, patches, signal));
@@ -184,6 +189,17 @@ export function createExports({ run, photos, words, files }: Parts) {
     const png = await run({ op: 'cutOut', args: { id, file, mask }, photo: name, priority: Priority.PAGE, signal });
     step(1);
     return png;
+  }
+
+  /**
+   * @returns the file of a photo, rotated or flipped. It is lossless; a file whose format has no orientation becomes a
+   *   PNG
+   */
+  async function rotatedPhoto(id: string, rotation: Rotation): Promise<Blob> {
+    const { file } = photos.get(id);
+    const rotated = (await rotatedFile(file, rotation)) ?? (await rotatedFile(await exportSubject(id, ALL), rotation));
+    if (!rotated) throw failure('damaged', 'The photo cannot be rotated.');
+    return rotated;
   }
 
   /** @param encode of panels and text items, in order */

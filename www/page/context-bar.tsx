@@ -14,8 +14,8 @@ import { BookProgress } from './book-progress.tsx';
 import type { Action } from '../ui/action.ts';
 import type { App } from '../ui/context.ts';
 
-/** Tools besides `More`: at most; on a small screen; and for a page that was shuffled, as a first page is not crowded by tools. */
-const SHOWN = { most: 5, small: 4, page: 2 };
+/** Tools besides `More`: at most; while a photo is cropped; on a small screen; and for a page that was shuffled, as a first page is not crowded by tools. */
+const SHOWN = { most: 5, crop: 6, small: 4, page: 2 };
 
 /** `kind` of the selection; `shown`: tools besides `More`; `end`: ends the mode that the tools belong to */
 type Tools = {
@@ -144,8 +144,8 @@ function toolsFor({
     return {
       kind: 'crop',
       title: strings.crop,
-      tools: [panels.zoomIn, panels.zoomOut, panels.fit, panels.reset].filter(isEnabled),
-      shown: SHOWN.most,
+      tools: [panels.zoomIn, panels.zoomOut, panels.rotate, panels.flip, panels.fit, panels.reset].filter(isEnabled),
+      shown: wide ? SHOWN.crop : SHOWN.most,
       end: panels.cropped,
     };
   if (other !== undefined || selection.several.value)
@@ -156,13 +156,15 @@ function toolsFor({
       shown,
     };
   if (panel !== undefined) {
-    const { crop, replace, lock, star, splitPanel, swap, breakFrame, correct, saveSubject, save, remove } = panels;
+    const { crop, replace, lock, star, splitPanel, swap, rotate, flip } = panels;
+    const { breakFrame, correct, saveSubject, save, remove } = panels;
     const frame = scrubbing.isFrame(panel) ? [panels.earlier, panels.later] : [];
     return {
       kind: 'panel',
       title: strings.panel(panel + 1, store.page.value?.panels.length ?? 0),
       tools: [
-        ...[crop, replace, lock, star, splitPanel, ...merged, ...frame, swap, panels.fit, panels.focus, panels.reset],
+        ...[crop, replace, lock, star, splitPanel, ...merged, ...frame, swap, rotate, flip],
+        ...[panels.fit, panels.focus, panels.reset],
         ...[breakFrame, correct, remove, panels.select, save, saveSubject],
       ],
       shown,

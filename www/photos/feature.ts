@@ -6,15 +6,18 @@ import { createMasks } from './masks.ts';
 import { createPhotoActions } from './photo-actions.ts';
 import { createPlaceNames } from './place-names.ts';
 import { createReading } from './reading.ts';
+import { createRotating } from './rotating.ts';
 import { createSubjects } from './subjects.ts';
 import type { Masks } from './masks.ts';
 import type { Reading } from './reading.ts';
+import type { Rotating } from './rotating.ts';
 import type { Subjects } from './subjects.ts';
 import type { Feature, App } from '../ui/context.ts';
 
 type Parts = {
   placeNames: ReturnType<typeof createPlaceNames>;
   reading: Reading;
+  rotating: Rotating;
   subjects: Subjects;
   masks: Masks;
 };
@@ -41,7 +44,9 @@ export const photosFeature: Feature<Parts> = {
     const ready = () =>
       store.reading.value === null && painted() && subjects.settled.value && !app.droppedFiles.busy.value;
     const masks = createMasks({ ...app, onFound: () => app.crops.found(), ready, wanted });
-    return { placeNames, reading, subjects, masks };
+    const rotating = createRotating({ ...app, reading });
+    return { placeNames, reading, rotating, subjects, masks };
   },
+  busy: ({ rotating }) => rotating.busy(),
   actions,
 };

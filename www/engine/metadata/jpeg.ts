@@ -31,7 +31,7 @@ export function jpegParts(bytes: Uint8Array<ArrayBuffer>, file: Blob): BlobPart[
     const marker = bytes[start + 1];
     if (marker === END) {
       parts.push(file.slice(start, start + 2));
-      if (orientation > 1) parts.splice(place, 0, segment(recordOf(orientation)));
+      if (orientation > 1) parts.splice(place, 0, exifSegment(recordOf(orientation)));
       return parts;
     }
     if (start + 4 > bytes.length) return null;
@@ -83,8 +83,8 @@ function nextMarker(bytes: Uint8Array, at: number): number {
   return -1;
 }
 
-/** @returns in its segment */
-function segment(record: Uint8Array<ArrayBuffer>): Blob {
+/** @returns an EXIF record in its segment */
+export function exifSegment(record: Uint8Array<ArrayBuffer>): Blob {
   const length = 2 + EXIF.length + record.length;
   return new Blob([Uint8Array.of(0xff, APP1, length >> 8, length & 0xff), EXIF, record]);
 }

@@ -7,6 +7,7 @@ import { SLANT_KEYS } from './cuts.tsx';
 import { SIZE_KEYS } from './insets.tsx';
 import { CHOOSE_KEYS, FRAME_KEYS } from './panel-keys.ts';
 import type { ReadonlySignal } from '@preact/signals';
+import type { Rotation } from '../../engine/metadata/rotate.ts';
 import type { App } from '../../ui/context.ts';
 import type { Action, OwnKeys } from '../../ui/action.ts';
 
@@ -33,6 +34,7 @@ export function createPanelActions({
   merging,
   framing,
   scrubbing,
+  rotating,
   reshaping,
   download,
   choosing,
@@ -46,6 +48,7 @@ export function createPanelActions({
   | 'merging'
   | 'framing'
   | 'scrubbing'
+  | 'rotating'
   | 'reshaping'
   | 'download'
   | 'choosing'
@@ -89,6 +92,12 @@ export function createPanelActions({
     const photo = store.album.value.get(use.value?.photo ?? '');
     return photo?.meta && !photo.absent ? '' : strings.noPhotoHere;
   });
+  const rotated = (rotation: Rotation) =>
+    ({
+      why: computed(() => whyHeld.value || whyNotCorrected.value),
+      run: () => void rotating.rotate(() => framing.photoOf(panel()), rotation),
+      undo: 'step',
+    }) satisfies Partial<Action>;
   const whyNotBroken = computed(() => {
     if (whyNotFramed.value || broken.value) return whyNotFramed.value;
     return merged.value ? strings.sharedImage : whyNoMask.value;
@@ -255,6 +264,8 @@ export function createPanelActions({
       run: () => framing.fit(panel()),
       undo: 'step',
     },
+    rotate: { label: strings.rotatePhoto, short: strings.short.rotate, icon: 'rotate', ...rotated('right') },
+    flip: { label: strings.flipPhoto, short: strings.short.flip, icon: 'flip', ...rotated('flip') },
     swap: {
       label: strings.swapPhoto,
       short: strings.short.swap,

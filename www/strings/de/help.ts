@@ -71,7 +71,7 @@ export const helpStrings = {
     },
     crop: {
       title: 'Ein Bild verschieben und zoomen',
-      text: `Zieh das Bild in seinem Panel, um es zu verschieben; mit dem Mausrad oder zwei Fingern zoomst du. Tippe bei Berührung das Panel zuerst an. Ein Doppelklick passt ein, worum es im Bild geht. „${panels.resetCrop}“ stellt den automatischen Ausschnitt wieder her.`,
+      text: `Zieh das Bild in seinem Panel, um es zu verschieben; mit dem Mausrad oder zwei Fingern zoomst du. Tippe bei Berührung das Panel zuerst an. Ein Doppelklick passt ein, worum es im Bild geht. „${panels.resetCrop}“ stellt den automatischen Ausschnitt wieder her. „${panels.rotatePhoto}“ richtet ein liegendes Foto auf, „${panels.flipPhoto}“ spiegelt es; beides ändert das Foto auf allen Seiten.`,
     },
     exchange: {
       title: 'Fotos tauschen',

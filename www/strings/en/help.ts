@@ -72,7 +72,7 @@ export const helpStrings = {
     },
     crop: {
       title: 'Moving and zooming a photo',
-      text: `Drag the photo in its panel to move it, and turn the wheel or pinch to zoom. On a touch screen, tap the panel first. Double-click to fit the subject. “${panels.resetCrop}” restores the automatic crop.`,
+      text: `Drag the photo in its panel to move it, and turn the wheel or pinch to zoom. On a touch screen, tap the panel first. Double-click to fit the subject. “${panels.resetCrop}” restores the automatic crop. “${panels.rotatePhoto}” turns a photo that lies on its side, and “${panels.flipPhoto}” mirrors it; both change the photo on all pages.`,
     },
     exchange: {
       title: 'Exchanging photos',

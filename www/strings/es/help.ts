@@ -70,7 +70,7 @@ export const helpStrings = {
     },
     crop: {
       title: 'Mover y acercar una imagen',
-      text: `Arrastra la imagen dentro de su viñeta para moverla, y gira la rueda o pellizca para acercarla. Con el dedo, toca antes la viñeta. Un doble clic ajusta la imagen a su motivo. «${panels.resetCrop}» restablece el encuadre automático.`,
+      text: `Arrastra la imagen dentro de su viñeta para moverla, y gira la rueda o pellizca para acercarla. Con el dedo, toca antes la viñeta. Un doble clic ajusta la imagen a su motivo. «${panels.resetCrop}» restablece el encuadre automático. «${panels.rotatePhoto}» endereza una foto tumbada y «${panels.flipPhoto}» la refleja; la foto cambia en todas las páginas.`,
     },
     exchange: {
       title: 'Intercambiar fotos',

@@ -70,7 +70,7 @@ export const helpStrings = {
     },
     crop: {
       title: 'Déplacer une image et zoomer',
-      text: `Faites glisser l’image dans sa case pour la déplacer ; tournez la molette ou pincez pour zoomer. Au doigt, touchez d’abord la case. Un double clic ajuste l’image à son sujet. « ${panels.resetCrop} » revient à ce que la page choisirait.`,
+      text: `Faites glisser l’image dans sa case pour la déplacer ; tournez la molette ou pincez pour zoomer. Au doigt, touchez d’abord la case. Un double clic ajuste l’image à son sujet. « ${panels.resetCrop} » revient à ce que la page choisirait. « ${panels.rotatePhoto} » redresse une photo couchée et « ${panels.flipPhoto} » l’inverse comme dans un miroir ; la photo change sur toutes les pages.`,
     },
     exchange: {
       title: 'Échanger des photos',

@@ -70,7 +70,7 @@ export const helpStrings = {
     },
     crop: {
       title: 'Mover e ampliar uma imagem',
-      text: `Arraste a imagem dentro do quadro para movê-la, e gire a roda do mouse ou use dois dedos para ampliar. Com o dedo, toque antes no quadro. Um clique duplo ajusta a imagem ao assunto. “${panels.resetCrop}” restaura o enquadramento automático.`,
+      text: `Arraste a imagem dentro do quadro para movê-la, e gire a roda do mouse ou use dois dedos para ampliar. Com o dedo, toque antes no quadro. Um clique duplo ajusta a imagem ao assunto. “${panels.resetCrop}” restaura o enquadramento automático. “${panels.rotatePhoto}” endireita uma foto deitada e “${panels.flipPhoto}” a espelha; a foto muda em todas as páginas.`,
     },
     exchange: {
       title: 'Trocar fotos',

@@ -1,7 +1,7 @@
 // @ts-check
 /** The whole photo around its panel while it is cropped, the photo under the pointer, and the page without a style. */
 
-import { boxOf, four, panel } from '../panels.js';
+import { boxOf, changed, four, panel } from '../panels.js';
 import { accessible, expect, idle, picture, press, testsOn } from '../support.js';
 
 /** @typedef {import('../../../../www/testing.ts').Page} Page */
@@ -91,5 +91,30 @@ test('O shows the photos without a style as long as it is held, and a tool until
   await expect(originals).toBeVisible();
   await page.keyboard.press('Escape');
   await expect(originals).toHaveCount(0);
+  expect(await picture(page)).toBe(before);
+});
+
+/** @param {Page} page @returns {Promise<number>} width over height of the photo that is being cropped */
+const aspectOf = (page) => ghost(page).evaluate((element) => element.clientWidth / element.clientHeight);
+
+test('a photo is rotated and flipped while it is cropped, and each is one step', async ({ page }) => {
+  await panel(page, 2).click();
+  const photo = await panel(page, 2).getAttribute('aria-description');
+  await press(page, 'Crop');
+  const aspect = await aspectOf(page);
+  const before = await picture(page);
+  await press(page, 'Rotate photo');
+  await expect.poll(() => aspectOf(page)).toBeCloseTo(1 / aspect, 1);
+  expect(changed(before, await picture(page))).toEqual([2]);
+  expect((await panel(page, 2).getAttribute('aria-description'))?.split(',')[0]).toBe(photo?.split(',')[0]);
+  const rotated = await picture(page);
+  await press(page, 'Flip photo');
+  await expect.poll(() => aspectOf(page)).toBeCloseTo(1 / aspect, 1);
+  expect(changed(rotated, await picture(page))).toEqual([2]);
+  await accessible(page);
+  await press(page, 'Done');
+  await press(page, 'Undo');
+  expect(await picture(page)).toBe(rotated);
+  await press(page, 'Undo');
   expect(await picture(page)).toBe(before);
 });

@@ -4,7 +4,9 @@
 import { readFile } from 'node:fs/promises';
 import { download } from '../export-dialog.js';
 import { panel } from '../panels.js';
+import { saved } from '../project-files.js';
 import {
+  PNG,
   add,
   colours,
   contents,
@@ -96,4 +98,41 @@ test('other pictures of an animation are used, and one undo step restores the fi
   await press(page, 'Undo');
   expect(await names()).toEqual(before);
   await expect(page.getByRole('group', { name: 'Panel 1 of' }).first()).toBeVisible();
+});
+
+test('photos of all formats are rotated, and stay so after a reload', async ({ page }) => {
+  const png = new PNG({ width: 90, height: 60 });
+  png.data.fill(120);
+  await openStart(page);
+  const files = ['heic/grid.heic', 'foreign/plain.avif', 'files/gif.gif', 'files/webp-lossy.webp'].map((name) =>
+    file(name),
+  );
+  const drawn = { name: 'drawn.png', mimeType: 'image/png', buffer: PNG.sync.write(png) };
+  await add(page, [...(await Promise.all(files)), drawn, ...(await photos('bee.jpg'))]);
+  await idle(page);
+  /** @returns {Promise<[name: string, aspect: number][]>} all stored photos, with those that undo would restore */
+  const stored = () =>
+    page.evaluate(async () => {
+      const open = indexedDB.open('inkpanel');
+      await new Promise((resolve) => open.addEventListener('success', resolve));
+      const request = open.result.transaction('photos').objectStore('photos').getAll();
+      await new Promise((resolve) => request.addEventListener('success', resolve));
+      open.result.close();
+      return request.result.map(({ name, work }) => [name, work.width / work.height]);
+    });
+  await saved(page);
+  const before = await stored();
+  expect(before.length).toBe(6);
+  for (const [name] of before) {
+    if ((await contents(page)).photos[0] !== name) await place(page, new RegExp(`^Choose ${name}$`));
+    await panel(page, 1).click();
+    await press(page, 'Rotate photo');
+  }
+  await saved(page);
+  await page.reload();
+  await idle(page);
+  expect((await contents(page)).photos[0]).toBe(before.at(-1)?.[0]);
+  const rotated = before.map(([name, aspect]) => [name, 1 / aspect]);
+  const rounded = (/** @type {any[]} */ list) => list.map(([name, aspect]) => `${name} ${aspect.toFixed(2)}`).sort();
+  expect(rounded(await stored())).toEqual(rounded([...before, ...rotated]));
 });

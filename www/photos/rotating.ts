@@ -1,0 +1,131 @@
+/**
+ * Rotates and flips photos. The rotated photo is a new photo with its own file: it replaces the photo in the tray and on
+ * all pages, as one undo step. So saved projects, exports and the command line need to know nothing of it.
+ */
+
+import { batch, signal } from '@preact/signals';
+import { Priority } from '../engine/queue.ts';
+import { photosOn, sheetsOf } from '../engine/sheets.ts';
+import { importing } from '../ui/importing.ts';
+import type { Fact } from '../document/album.ts';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
+import type { Engine } from '../engine/engine.ts';
+import type { Rotation } from '../engine/metadata/rotate.ts';
+import type { PageDocument, Subject } from '../engine/types.ts';
+import type { Messages } from '../ui/messages.ts';
+import type { Reading } from './reading.ts';
+
+export type Rotating = ReturnType<typeof createRotating>;
+
+type Point = { x: number; y: number };
+
+const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
+
+export function createRotating({
+  store,
+  pages,
+  reading,
+  engine,
+  messages,
+}: {
+  store: Store;
+  pages: Pick<Pages, 'plan' | 'amend'>;
+  reading: Pick<Reading, 'freshIds'>;
+  engine: Pick<Engine, 'rotatedPhoto' | 'importPhoto'>;
+  messages: Pick<Messages, 'fileFailed'>;
+}) {
+  const waiting = signal(0);
+  let last: Promise<void> = Promise.resolve();
+
+  return {
+    /** Whether a photo is being rotated. */
+    busy: () => waiting.value > 0,
+    rotate,
+  };
+
+  /** @param photoOf returns the id of the photo. It is called after earlier rotations, which change ids */
+  function rotate(photoOf: () => string | null, rotation: Rotation): Promise<void> {
+    waiting.value += 1;
+    last = last
+      .then(() => rotateNow(store.album.peek().get(photoOf() ?? ''), rotation))
+      .finally(() => {
+        waiting.value -= 1;
+      });
+    return last;
+  }
+
+  async function rotateNow(fact: Fact | undefined, rotation: Rotation) {
+    if (!fact?.meta || fact.absent) return;
+    const { id, name, credit, meta: before } = fact;
+    const [fresh] = reading.freshIds(1);
+    const meta = await importing(messages, name, async () => {
+      const file = new File([await engine.rotatedPhoto(id, rotation)], name);
+      const {
+        damage: _damage,
+        measures: _measures,
+        ...read
+      } = await engine.importPhoto(fresh, file, {
+        priority: Priority.PAGE,
+      });
+      return read;
+    });
+    const item = store.tray.peek().find((other) => other.id === id);
+    // Another project may be open now, without this photo.
+    if (!meta || !item) return;
+    const gesture = `rotate-${fresh}`;
+    batch(() => {
+      // A photo that the user rotated is never excluded as a near-duplicate.
+      store.know({
+        id: fresh,
+        name,
+        credit,
+        meta: {
+          ...meta,
+          taken: meta.taken ?? before.taken,
+          subjects: before.subjects.map((subject) => rotatedSubject(subject, rotation)),
+        },
+        measures: null,
+      });
+      if (item.focus) store.change({ type: 'focus-photo', id, focus: rotatedPoint(item.focus, rotation), gesture });
+      store.change({ type: 'exchange-photo', id, by: fresh, gesture });
+      cropAgain(fresh, gesture);
+    });
+  }
+
+  /** Computes the crops of a photo again, on all pages. */
+  function cropAgain(id: string, gesture: string) {
+    const { page, others, at } = store.project.peek();
+    if (page && photosOn([page]).has(id)) pages.amend(withoutCrops(page, id), { gesture });
+    if (!others.some((sheet) => photosOn([sheet.page]).has(id))) return;
+    const photos = new Map(store.photos.peek().map((photo) => [photo.id, photo]));
+    const sheets = sheetsOf(store.project.peek()).map((sheet, i) => {
+      const shown = photosOn([sheet.page]);
+      if (i === at || !shown.has(id)) return sheet;
+      const own = [...shown].flatMap((photo) => photos.get(photo) ?? []);
+      const current = withoutCrops(sheet.page, id);
+      const planned = pages.plan({ keep: KEEP_ALL, current, seed: current.seed, photos: own });
+      return planned ? { ...sheet, page: planned } : sheet;
+    });
+    store.change({ type: 'set-sheets', sheets, at, gesture });
+  }
+}
+
+function withoutCrops(page: PageDocument, id: string): PageDocument {
+  const panels = page.panels.map((use) => (use.photo === id ? { ...use, crop: null, edited: false } : use));
+  return { ...page, panels };
+}
+
+function rotatedPoint({ x, y }: Point, rotation: Rotation): Point {
+  return rotation === 'flip' ? { x: 1 - x, y } : { x: 1 - y, y: x };
+}
+
+function rotatedSubject({ x, y, width, height, points, ...subject }: Subject, rotation: Rotation): Subject {
+  const corner = rotatedPoint(rotation === 'flip' ? { x: x + width, y } : { x, y: y + height }, rotation);
+  const [wide, high] = rotation === 'flip' ? [width, height] : [height, width];
+  const at = points?.map(([left, top]): [number, number] => {
+    const point = rotatedPoint({ x: left, y: top }, rotation);
+    return [point.x, point.y];
+  });
+  return { ...subject, ...corner, width: wide, height: high, ...(at && { points: at }) };
+}
