@@ -7,6 +7,7 @@ import { createPhotoActions } from './photo-actions.ts';
 import { createPlaceNames } from './place-names.ts';
 import { createReading } from './reading.ts';
 import { createRotating } from './rotating.ts';
+import { planAgain } from './second-plan.ts';
 import { createSubjects } from './subjects.ts';
 import type { Masks } from './masks.ts';
 import type { Reading } from './reading.ts';
@@ -41,6 +42,7 @@ export const photosFeature: Feature<Parts> = {
       app.narrating.avoidFaces();
     };
     const subjects = createSubjects({ ...app, painted, onFound, wanted, window: env.window });
+    if (wanted) planAgain({ ...app, composed: reading.composed, searched: subjects.searched, window: env.window });
     const ready = () =>
       store.reading.value === null && painted() && subjects.settled.value && !app.droppedFiles.busy.value;
     const masks = createMasks({ ...app, onFound: () => app.crops.found(), ready, wanted });

@@ -7,6 +7,7 @@ import { batch, effect, signal } from '@preact/signals';
 import { chronological } from '../document/album.ts';
 import { USUAL_PANELS } from '../engine/bounds.ts';
 import { createTimer } from '../engine/scheduler.ts';
+import type { Signal } from '@preact/signals';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { PhotoMeta } from '../engine/types.ts';
@@ -34,6 +35,8 @@ export function createFirstPage({
 }) {
   /** Whether its photos are being read, or planning is about to start. Not while photos replace others. */
   const near = signal(false);
+  /** The version of the page that was composed, and the time. */
+  const composed: Signal<{ version: string; at: number } | null> = signal(null);
   const timer = createTimer();
   /** The page that is the sketch, and since when. */
   let sketched = '';
@@ -62,7 +65,7 @@ export function createFirstPage({
     return undefined;
   });
 
-  return { sketch, finish, near };
+  return { sketch, finish, near, composed };
 
   /** estimated milliseconds for the remaining photos */
   function restOf(read: number): number {
@@ -111,6 +114,7 @@ export function createFirstPage({
     batch(() => {
       if (page) store.change({ type: 'change-page', page, silent: true });
       store.sketch.value = false;
+      composed.value = { version: store.version.peek(), at: performance.now() };
     });
     return true;
   }

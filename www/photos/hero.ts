@@ -35,7 +35,7 @@ export function useHero(): string | null {
 }
 
 /** Returns 2 for a photo with a clear face, 1 with another subject, 0 for others, and -1 for a gray photo. */
-const rankOf = (photo: PhotoMeta | undefined) =>
+export const rankOf = (photo: PhotoMeta | undefined) =>
   isGray(photo) ? -1 : faceIn(photo) > 0 ? 2 : Number(hasSubject(photo));
 
 /**

@@ -86,6 +86,8 @@ export function createReading({
     moments: naming.moments,
     /** Whether the first page is a moment away. */
     near: firstPage.near,
+    /** The first page, if it was composed, and the time. */
+    composed: firstPage.composed,
   };
 
   /**

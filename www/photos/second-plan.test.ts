@@ -1,0 +1,104 @@
+import { signal } from '@preact/signals';
+import { expect, test } from 'vitest';
+import { fakeApp, orderByName } from '../document/testing.ts';
+import { planAgain } from './second-plan.ts';
+
+const FACE = { label: 'face', score: 1, x: 0.3, y: 0.2, width: 0.3, height: 0.4 };
+const ten = Array.from({ length: 10 }, (_, i) => `${i}.jpg`);
+
+/**
+ * A first page of the first six of ten photos.
+ * @param people names of photos with a face
+ */
+async function app(people: readonly string[]) {
+  const made = fakeApp();
+  const { store, pages, planner, reading, files } = made;
+  orderByName({ store });
+  // The planner chooses photos with subjects, and keeps the order of the others.
+  planner.planned = (page, { anew }) => {
+    if (!page || !anew) return page;
+    const rank = ({ subjects }: { subjects: readonly unknown[] }) => (subjects.length > 0 ? 0 : 1);
+    const ids = [...store.photos.value].sort((a, b) => rank(a) - rank(b)).map(({ id }) => id);
+    return { ...page, panels: page.panels.map((panel, i) => ({ ...panel, photo: ids[i], crop: null })) };
+  };
+  await reading.addFiles(files(...ten));
+  const page = store.page.value as NonNullable<typeof store.page.value>;
+  const first = store.photos.value.slice(0, page.panels.length).map(({ id }) => id);
+  const panels = page.panels.map((panel, i) => ({ ...panel, photo: first[i] }));
+  store.change({ type: 'change-page', page: { ...page, panels }, silent: true });
+  const searched = signal(false);
+  const composed = signal<{ version: string; at: number } | null>({ version: store.version.value, at: 0 });
+  const window = new EventTarget();
+  const clock = { now: 20_000 };
+  planAgain({ store, pages, composed, searched, window: window as Window, now: () => clock.now });
+  /** Ends the detection. */
+  const search = () => {
+    for (const fact of store.facts.value)
+      if (people.includes(fact.name) && fact.meta) store.know({ ...fact, meta: { ...fact.meta, subjects: [FACE] } });
+    searched.value = true;
+  };
+  const names = () => store.page.value?.panels.map(({ photo }) => store.album.value.get(String(photo))?.name);
+  return { ...made, composed, searched, window, clock, search, names };
+}
+
+test('a better choice of photos replaces the first page, in its layout and style, without a step', async () => {
+  const { store, search, names } = await app(['8.jpg', '9.jpg']);
+  const before = store.page.value;
+  expect(names()).not.toContain('9.jpg');
+  search();
+  expect(names()).toEqual(expect.arrayContaining(['8.jpg', '9.jpg']));
+  expect([store.page.value?.layout, store.page.value?.style]).toEqual([before?.layout, before?.style]);
+  expect(store.history.value.past).toEqual([]);
+  expect(store.history.value.shown.length).toBe(1);
+});
+
+test('it is replaced once at most', async () => {
+  const { store, searched, search, names, planner } = await app(['9.jpg']);
+  search();
+  const after = names();
+  const asked = planner.wishes.length;
+  searched.value = false;
+  const seven = store.facts.value.find(({ name }) => name === '7.jpg') as any;
+  store.know({ ...seven, meta: { ...seven.meta, subjects: [FACE] } });
+  searched.value = true;
+  expect(names()).toEqual(after);
+  expect(planner.wishes.length).toBe(asked);
+});
+
+test('it stays if the choice is hardly better', async () => {
+  const { search, names } = await app(['0.jpg', '1.jpg']);
+  const before = names();
+  search();
+  expect(names()).toEqual(before);
+});
+
+test.each(['pointerdown', 'keydown', 'wheel'])('it stays after any act of the user: %s', async (act) => {
+  const { window, search, names } = await app(['9.jpg']);
+  const before = names();
+  window.dispatchEvent(new Event(act));
+  search();
+  expect(names()).toEqual(before);
+});
+
+test('a page that was shuffled or is old stays', async () => {
+  const shuffled = await app(['9.jpg']);
+  shuffled.pages.shuffle('all');
+  const page = shuffled.store.page.value;
+  shuffled.search();
+  expect(shuffled.store.page.value).toBe(page);
+  const old = await app(['9.jpg']);
+  const before = old.names();
+  old.clock.now = 61_000;
+  old.search();
+  expect(old.names()).toEqual(before);
+});
+
+test('it is not replaced while photos are read', async () => {
+  const { store, search, names } = await app(['9.jpg']);
+  store.reading.value = { done: 9, total: 10 };
+  const before = names();
+  search();
+  expect(names()).toEqual(before);
+  store.reading.value = null;
+  expect(names()).toContain('9.jpg');
+});

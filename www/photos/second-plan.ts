@@ -1,0 +1,90 @@
+/**
+ * Plans the first page once more. The first page is composed when a few photos are read, so it may show receipts or
+ * empty landscapes that came first. After all photos are read and searched, a page with a better choice of photos
+ * replaces it: once, in the same layout and style, and only if the user has done nothing since.
+ */
+
+import { effect, untracked } from '@preact/signals';
+import { rankOf } from './hero.ts';
+import type { ReadonlySignal, Signal } from '@preact/signals';
+import type { Pages } from '../document/pages.ts';
+import type { Store } from '../document/store.ts';
+import type { PageDocument } from '../engine/types.ts';
+
+/** Maximum age in milliseconds of the first page. An older page does not change without the user. */
+const OLDEST = 60_000;
+/** Minimum gain in points: a person on the page, or an animal in the largest panel. */
+const LEAST_GAIN = 2;
+/** Points of a page of text, such as a receipt. */
+const TEXT = -2;
+/** Events of a user. */
+const ACTS = ['pointerdown', 'keydown', 'wheel'];
+
+/** @param app `composed`: the version of the page that was composed, and the time; `searched`: whether detection is done */
+export function planAgain({
+  store,
+  pages,
+  composed,
+  searched,
+  window,
+  now = () => performance.now(),
+}: {
+  store: Store;
+  pages: Pick<Pages, 'plan'>;
+  composed: Signal<{ version: string; at: number } | null>;
+  searched: ReadonlySignal<boolean>;
+  window: Pick<Window, 'addEventListener'>;
+  now?: () => number;
+}) {
+  const forget = () => {
+    composed.value = null;
+  };
+  for (const act of ACTS) window.addEventListener(act, forget, { capture: true, passive: true });
+
+  effect(() => {
+    const { history, version, reading } = store;
+    if (composed.value === null) return;
+    const { version: own, at } = composed.value;
+    if (version.value !== own || history.value.past.length > 0) return forget();
+    if (reading.value !== null || store.sketch.value || !searched.value) return;
+    forget();
+    if (now() - at <= OLDEST) untracked(replace);
+  });
+
+  function replace() {
+    const page = store.page.peek();
+    const photos = store.photos.peek();
+    if (!page || photos.length <= page.panels.length) return;
+    const { layout, style, panels } = page;
+    const better = pages.plan({
+      keep: { layout: false, style: false, photos: false },
+      anew: true,
+      photos,
+      layout,
+      style,
+      panels: panels.length,
+      surprise: 0,
+    });
+    if (better && worthOf(better) >= worthOf(page) + LEAST_GAIN)
+      store.change({ type: 'change-page', page: better, silent: true });
+  }
+
+  /** Points for the people and animals of a page. The largest panel counts twice. */
+  function worthOf(page: PageDocument): number {
+    const boxes = store.geometry.peek()?.panels ?? [];
+    const area = (i: number) => (boxes[i] ? boxes[i].bounds.width * boxes[i].bounds.height : 0);
+    const largest = page.panels.reduce((best, _, i) => (area(i) > area(best) ? i : best), 0);
+    const known = new Map(store.photos.peek().map((photo) => [photo.id, photo]));
+    const texts = pagesOfText();
+    const worth = (id: string | null) =>
+      id !== null && texts.has(id) ? TEXT : Math.max(0, rankOf(known.get(id ?? '')));
+    return page.panels.reduce((sum, { photo }, i) => sum + worth(photo) * (i === largest ? 2 : 1), 0);
+  }
+
+  /** @returns the photos that are pages of text */
+  function pagesOfText(): ReadonlySet<string> {
+    // For a new project, no photo was shown.
+    const unseen = store.planner.peek()?.createEditor().plans(store.photos.peek()).unseen() ?? [];
+    return new Set(unseen.filter(({ why }) => why === 'text').map(({ photo }) => photo));
+  }
+}
