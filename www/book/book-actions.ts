@@ -20,7 +20,11 @@ export function createBookActions({
   /** Asks before new pages replace pages with manual changes. */
   function asked(run: () => void) {
     if (store.sheets.peek().some(isHandMade))
-      messages.alert(strings.book.spreadAsk, { label: strings.book.spreadYes, run });
+      messages.alert(
+        strings.book.spreadAsk,
+        { label: strings.book.spreadYes, run },
+        { label: strings.cancel, run() {} },
+      );
     else run();
   }
 

@@ -128,24 +128,39 @@ export function Card({
         <IconButton
           icon={step.bypass ? 'hidden' : 'shown'}
           label={strings.bypass}
+          short={strings.cardShort.bypass}
           pressed={step.bypass}
           onClick={() => designer.change({ type: 'bypass', layer, at, on: !step.bypass })}
         />
-        <IconButton icon="up" label={strings.moveUp} disabled={at === 0} onClick={() => move(at - 1)} />
-        <IconButton icon="down" label={strings.moveDown} disabled={last} onClick={() => move(at + 1)} />
-        <IconButton icon="across" label={strings.moveAcross} onClick={moveAcross} />
+        <IconButton
+          icon="up"
+          label={strings.moveUp}
+          short={strings.cardShort.up}
+          disabled={at === 0}
+          onClick={() => move(at - 1)}
+        />
+        <IconButton
+          icon="down"
+          label={strings.moveDown}
+          short={strings.cardShort.down}
+          disabled={last}
+          onClick={() => move(at + 1)}
+        />
+        <IconButton icon="across" label={strings.moveAcross} short={strings.cardShort.across} onClick={moveAcross} />
         <IconButton
           icon="duplicate"
           label={strings.duplicate}
+          short={strings.cardShort.duplicate}
           onClick={() => designer.change({ type: 'duplicate', layer, at })}
         />
         <IconButton
           icon="reset"
           label={strings.reset}
+          short={strings.cardShort.reset}
           disabled={block.params.length === 0}
           onClick={() => designer.change({ type: 'reset', layer, at })}
         />
-        <IconButton icon="bin" label={strings.remove} onClick={remove} />
+        <IconButton icon="bin" label={strings.remove} short={strings.cardShort.remove} onClick={remove} />
       </div>
       {misfit && (
         <p class="card-lacks">

@@ -118,10 +118,21 @@ function View({
         <IconButton icon="next" label={strings.nextStyle} disabled={at === count - 1} onClick={() => go(1)} />
       </div>
       <footer class="enlarged-tools">
-        <Tool icon="heart" label={strings.favourite} pressed={ownStyles.isFavourite(style.id)} onClick={deeds.favour} />
-        <Tool icon="designer" label={strings.editInDesigner} onClick={deeds.edit} />
-        <Tool icon="breed" label={strings.breed} onClick={andClose(deeds.breed)} />
-        <Tool icon="more" label={strings.moreLikeThis} onClick={andClose(deeds.moreLike)} />
+        <Tool
+          icon="heart"
+          label={strings.favourite}
+          short={strings.styleShort.favourite}
+          pressed={ownStyles.isFavourite(style.id)}
+          onClick={deeds.favour}
+        />
+        <Tool icon="designer" label={strings.editInDesigner} short={strings.styleShort.edit} onClick={deeds.edit} />
+        <Tool icon="breed" label={strings.breed} short={strings.styleShort.combine} onClick={andClose(deeds.breed)} />
+        <Tool
+          icon="more"
+          label={strings.moreLikeThis}
+          short={strings.styleShort.similar}
+          onClick={andClose(deeds.moreLike)}
+        />
         <button type="button" class="button strong" onClick={deeds.use}>
           <Icon name="check" />
           <span>{strings.useStyle}</span>
@@ -131,22 +142,27 @@ function View({
   );
 }
 
-/** A tool, with its name if there is space. */
+/** A tool with its name, or with a short name on small screens. */
 function Tool({
   icon,
   label,
+  short,
   pressed,
   onClick,
 }: {
   icon: string;
   label: string;
+  short: string;
   pressed?: boolean;
   onClick: () => void;
 }) {
   return (
     <button type="button" class="button tool" aria-label={label} title={label} aria-pressed={pressed} onClick={onClick}>
       <Icon name={icon} />
-      <span>{label}</span>
+      <span class="tool-name">{label}</span>
+      <span class="icon-text" aria-hidden="true">
+        {short}
+      </span>
     </button>
   );
 }

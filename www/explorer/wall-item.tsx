@@ -100,10 +100,28 @@ export function WallItem({
         onClick={deeds.favour}
       />
       <div class="wall-tools">
-        <IconButton icon="check" label={strings.useStyle} onClick={deeds.use} />
-        <IconButton icon="designer" label={strings.editInDesigner} onClick={deeds.edit} />
-        <IconButton icon="breed" label={strings.breed} pressed={parent} disabled={!photo} onClick={deeds.breed} />
-        <IconButton icon="more" label={strings.moreLikeThis} disabled={!photo} onClick={deeds.moreLike} />
+        <IconButton icon="check" label={strings.useStyle} short={strings.styleShort.use} onClick={deeds.use} />
+        <IconButton
+          icon="designer"
+          label={strings.editInDesigner}
+          short={strings.styleShort.edit}
+          onClick={deeds.edit}
+        />
+        <IconButton
+          icon="breed"
+          label={strings.breed}
+          short={strings.styleShort.combine}
+          pressed={parent}
+          disabled={!photo}
+          onClick={deeds.breed}
+        />
+        <IconButton
+          icon="more"
+          label={strings.moreLikeThis}
+          short={strings.styleShort.similar}
+          disabled={!photo}
+          onClick={deeds.moreLike}
+        />
       </div>
     </li>
   );

@@ -2,7 +2,7 @@ import { Icon } from './icon.tsx';
 
 /**
  * A button that is only an icon to the eye and has its name for everyone: read aloud, and shown on hover.
- * @param props `help`: tooltip, instead of the name
+ * @param props `help`: tooltip, instead of the name; `short`: text below the icon on touch screens, which have no tooltips
  */
 export function IconButton({
   icon,
@@ -13,6 +13,7 @@ export function IconButton({
   expanded,
   class: extra = '',
   help = label,
+  short,
 }: {
   icon: string;
   label: string;
@@ -22,6 +23,7 @@ export function IconButton({
   expanded?: boolean;
   class?: string;
   help?: string;
+  short?: string;
 }) {
   return (
     <button
@@ -35,6 +37,11 @@ export function IconButton({
       onClick={onClick}
     >
       <Icon name={icon} />
+      {short !== undefined && (
+        <span class="icon-text" aria-hidden="true">
+          {short}
+        </span>
+      )}
     </button>
   );
 }
