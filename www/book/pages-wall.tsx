@@ -25,6 +25,9 @@ export function PagesWall() {
 
   const tools = (
     <div class="wall-bar">
+      <p class="wall-hint" role="status">
+        {pair.length === 1 && strings.compareSecond}
+      </p>
       {pair.length > 0 && (
         <button type="button" class="button" onClick={() => setPair([])}>
           <Icon name="previous" />
@@ -46,9 +49,6 @@ export function PagesWall() {
         ui.work.value = null;
       }}
     >
-      <p class="visually-hidden" role="status">
-        {pair.length === 1 && strings.compareSecond}
-      </p>
       <ul class="page-wall" ref={list} data-compares={compares}>
         {entries.map((entry) => (
           <ShownPage
@@ -84,7 +84,7 @@ function ShownPage({
         type="button"
         ref={ref}
         class="shown-picture"
-        aria-label={strings.pageNumber(number)}
+        aria-label={strings.versionNumber(number)}
         aria-current={current ? 'true' : undefined}
         onClick={() => {
           shownPages.go(id);
@@ -95,10 +95,16 @@ function ShownPage({
       </button>
       <div class="shown-about">
         <span>
-          {number}
-          {place !== null ? <i>{strings.versionOf(place)}</i> : from !== null && <i>{strings.pageFrom(from)}</i>}
+          {strings.versionNumber(number)}
+          {place !== null ? <i>{strings.pageNumber(place)}</i> : from !== null && <i>{strings.versionFrom(from)}</i>}
         </span>
-        <IconButton icon="columns" label={strings.comparePage(number)} pressed={compared} onClick={onCompare} />
+        <IconButton
+          icon="columns"
+          label={strings.comparePage(number)}
+          short={strings.compareShort}
+          pressed={compared}
+          onClick={onCompare}
+        />
         <IconButton
           icon="heart"
           label={strings.favouritePage}

@@ -141,7 +141,7 @@ const SCREENS = {
     await button(page, 'Shuffle').click();
     await idle(page);
     await page.getByRole('button', { name: /^Page history/ }).click();
-    await expect(page.getByRole('button', { name: 'Page 2', exact: true })).toBeVisible();
+    await expect(page.getByRole('button', { name: 'Version 2', exact: true })).toBeVisible();
   },
   projects: (page) => button(page, 'Projects').click(),
   'export dialog': async (page) => {

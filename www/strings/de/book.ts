@@ -40,5 +40,4 @@ export const bookStrings = {
   version: (n: number, of: number) => `Version ${n} von ${of} dieser Seite: alle Versionen zeigen`,
   previousHelp: 'Die vorherige Version dieser Seite zeigen',
   nextHelp: 'Die nächste Version dieser Seite zeigen',
-  versionOf: (n: number) => `von Seite ${n}`,
 };

@@ -39,5 +39,4 @@ export const bookStrings = {
   version: (n: number, of: number) => `Version ${n} of ${of} of this page: show all versions`,
   previousHelp: 'Show the previous version of this page',
   nextHelp: 'Show the next version of this page',
-  versionOf: (n: number) => `of page ${n}`,
 };

@@ -39,5 +39,4 @@ export const bookStrings = {
   version: (n: number, of: number) => `Versión ${n} de ${of} de esta página: mostrar todas las versiones`,
   previousHelp: 'Mostrar la versión anterior de esta página',
   nextHelp: 'Mostrar la versión siguiente de esta página',
-  versionOf: (n: number) => `de la página ${n}`,
 };

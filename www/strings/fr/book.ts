@@ -40,5 +40,4 @@ export const bookStrings = {
   version: (n: number, of: number) => `Version ${n} sur ${of} de cette page : montrer toutes les versions`,
   previousHelp: 'Afficher la version précédente de cette page',
   nextHelp: 'Afficher la version suivante de cette page',
-  versionOf: (n: number) => `de la page ${n}`,
 };

@@ -34,5 +34,4 @@ export const bookStrings = {
   version: (n: number, of: number) => `このページのバージョン${n}／${of}：表示したものをすべて見る`,
   previousHelp: 'このページの前のバージョンを表示',
   nextHelp: 'このページの次のバージョンを表示',
-  versionOf: (n: number) => `${n}ページのもの`,
 };

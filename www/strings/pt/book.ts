@@ -40,5 +40,4 @@ export const bookStrings = {
   version: (n: number, of: number) => `Versão ${n} de ${of} desta página: mostrar todas as versões`,
   previousHelp: 'Mostrar a versão anterior desta página',
   nextHelp: 'Mostrar a próxima versão desta página',
-  versionOf: (n: number) => `da página ${n}`,
 };

@@ -162,18 +162,19 @@ test('the list of versions opens a version, and shows favourites and where a ver
   await page.getByRole('button', { name: 'Favourite page' }).click();
   await page.getByRole('button', { name: /^Page history/ }).click();
   const wall = page.getByRole('region', { name: 'Page history' });
-  await expect(wall.getByRole('button', { name: /^Page \d+$/ })).toHaveCount(3);
-  await wall.getByRole('button', { name: 'Page 1', exact: true }).click();
+  await expect(wall.getByRole('button', { name: /^Version \d+$/ })).toHaveCount(3);
+  await wall.getByRole('button', { name: 'Version 1', exact: true }).click();
   await idle(page);
   expect(await contents(page)).toEqual(first);
   await press(page, 'Shuffle');
   await page.getByRole('button', { name: /^Page history/ }).click();
-  await expect(wall.getByText('from page 1')).toBeVisible();
+  await expect(wall.getByText('from version 1')).toBeVisible();
   // Two versions are compared side by side.
   await wall.getByRole('button', { name: 'Compare version 1', exact: true }).click();
   await expect(wall.getByRole('status')).toHaveText('Select the second version to compare');
+  expect((await wall.getByRole('status').boundingBox())?.height).toBeGreaterThan(10);
   await wall.getByRole('button', { name: 'Compare version 3', exact: true }).click();
-  await expect(wall.getByRole('button', { name: /^Page \d+$/ })).toHaveCount(2);
+  await expect(wall.getByRole('button', { name: /^Version \d+$/ })).toHaveCount(2);
   await expect(wall.locator('[data-drawn=true]')).toHaveCount(2);
   const [one, other] = await Promise.all([0, 1].map((n) => wall.locator('.shown-picture').nth(n).boundingBox()));
   expect(one?.height).toBeGreaterThan(400);
@@ -181,7 +182,7 @@ test('the list of versions opens a version, and shows favourites and where a ver
   await accessible(page);
   await wall.getByRole('button', { name: 'Show all versions' }).click();
   await wall.getByRole('button', { name: 'Favourites only' }).click();
-  await expect(wall.getByRole('button', { name: /^Page \d+$/ })).toHaveCount(1);
+  await expect(wall.getByRole('button', { name: /^Version \d+$/ })).toHaveCount(1);
 });
 
 test('fifty photos are opened again after a reload', { tag: '@ci' }, async ({ page }) => {
