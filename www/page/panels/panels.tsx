@@ -81,6 +81,7 @@ export function Panels({ page, geometry }: { page: PageDocument; geometry: Geome
         {focused !== null && geometry.panels[focused] && outline(geometry.panels[focused])}
       </svg>
       <svg class="panel-choice" viewBox={`0 0 1000 ${geometry.height * 1000}`} aria-hidden="true">
+        <g class="panel-casing">{chosen.map((i) => geometry.panels[i] && outline(geometry.panels[i], i))}</g>
         {chosen.map((i) => geometry.panels[i] && outline(geometry.panels[i], i))}
         {target.value !== null && geometry.panels[target.value] && (
           <g class="panel-target">{outline(geometry.panels[target.value])}</g>

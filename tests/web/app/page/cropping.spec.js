@@ -16,6 +16,8 @@ const carried = (page) => page.locator('.carried-photo');
 test('cropping shows the whole photo around its panel, and leaves the panel free', async ({ page }) => {
   await expect(ghost(page)).toHaveCount(0);
   await panel(page, 2).click();
+  // Two colours, so that the selection is visible on a page of one of them.
+  await expect(page.locator('.panel-choice .panel-casing > *')).toHaveCount(1);
   await press(page, 'Crop');
   await expect(ghost(page).locator('[data-drawn=true]')).toBeVisible();
   const box = await boxOf(page, 2);
