@@ -7,8 +7,9 @@ import { capitals } from './word-fields.tsx';
 import { focusOn, placed } from './word-hands.ts';
 import type { WordBox } from '../engine/types.ts';
 
-/** Smaller text could not be read while it is written, in CSS pixels. */
+/** Smaller text could not be read while it is written, in CSS pixels. A word that is too long for its line may be smaller. */
 const LEAST = 14;
+const LEAST_FOR_WORDS = 10;
 /** Minimum width of the field, in CSS pixels. */
 const NARROWEST = 110;
 /** Room between the text and the outline, in parts of the width: an oval is narrow at the ends. */
@@ -29,12 +30,18 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
   useLayoutEffect(() => {
     const area = field.current as HTMLTextAreaElement;
     const page = area.closest('.page') as HTMLElement;
-    area.style.fontSize = `${Math.max(LEAST, box.size * page.clientWidth)}px`;
+    const largest = Math.max(LEAST, box.size * page.clientWidth);
     const fit = () => {
+      area.style.fontSize = `${largest}px`;
       const now = lettering.measured(index, area.value || word.text) ?? box;
       // The drawn balloon extends at least over the field.
       const size = [Math.max(box.width, now.width), Math.max(box.height, now.height)] as const;
       grow(area, page, size, PADS[word.kind]);
+      // The font of the system may be wider than the font of the balloon, and then words would break.
+      for (let text = largest - 1; area.scrollWidth > area.clientWidth && text >= LEAST_FOR_WORDS; text -= 1) {
+        area.style.fontSize = `${text}px`;
+        grow(area, page, size, PADS[word.kind]);
+      }
     };
     fit();
     area.addEventListener('input', fit);

@@ -130,6 +130,11 @@ test('text is written in its balloon, and is at least 10 pixels high', async ({ 
   expect(Math.hypot(x - u, y - v)).toBeLessThan(8);
   expect(editor.width).toBeLessThan(1.5 * balloon.width);
   expect(editor.height).toBeLessThan(1.8 * balloon.height);
+  // A long word stays in one line, whatever font the system has.
+  await field.fill('Hippopotamuses!');
+  expect(await field.evaluate((area) => area.scrollWidth - area.clientWidth)).toBe(0);
+  expect(await field.evaluate((area) => getComputedStyle(area).overflowWrap)).toBe('normal');
+  await field.fill('Where have you been?');
   await page.keyboard.press('Escape');
   await tab(page, 'Page');
   await page.getByRole('radio', { name: 'For print' }).check();
