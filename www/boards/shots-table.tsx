@@ -194,16 +194,23 @@ function Row({
         </td>
       ))}
       <td class="shot-order">
-        <span
-          class="shot-handle"
-          aria-hidden="true"
-          title={strings.boards.dragHelp}
-          onPointerDown={(event) => drag.take(event, at)}
-        >
-          <Icon name="handle" />
-        </span>
-        <IconButton icon="unfold" label={strings.boards.up(row.number)} disabled={at === 0} onClick={() => carry(-1)} />
-        <IconButton icon="fold" label={strings.boards.down(row.number)} disabled={last} onClick={() => carry(1)} />
+        <div class="shot-tools">
+          <span
+            class="shot-handle"
+            aria-hidden="true"
+            title={strings.boards.dragHelp}
+            onPointerDown={(event) => drag.take(event, at)}
+          >
+            <Icon name="handle" />
+          </span>
+          <IconButton
+            icon="unfold"
+            label={strings.boards.up(row.number)}
+            disabled={at === 0}
+            onClick={() => carry(-1)}
+          />
+          <IconButton icon="fold" label={strings.boards.down(row.number)} disabled={last} onClick={() => carry(1)} />
+        </div>
       </td>
     </tr>
   );

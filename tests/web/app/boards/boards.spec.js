@@ -179,6 +179,10 @@ test('a drag of its handle moves a shot in the list, as one undo step', async ({
     if (!box) throw new Error(`no shot ${n}`);
     return [box.x + box.width / 2, box.y + box.height / 2];
   };
+  // Rows are about as high as their pictures.
+  const row = await shots.locator('tbody tr').nth(1).boundingBox();
+  const frame = await shots.locator('tbody .shot-picture').nth(1).boundingBox();
+  expect(row?.height).toBeLessThan((frame?.height ?? 0) + 12);
   const [[x, from], [, to]] = [await middle(2), await middle(0)];
   await page.mouse.move(x, from);
   await page.mouse.down();
