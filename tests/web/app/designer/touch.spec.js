@@ -85,3 +85,22 @@ test('a block is dragged from the palette by its handle, or after a long press',
   await expect.poll(() => names(page, 'Foreground layer')).toEqual(['XDoG', 'Soft Threshold']);
   expect(await names(page)).toEqual(['Posterization', 'Gaussian Smoothing', 'Saturation']);
 });
+
+test('the tools of a block have their names below the icons, in every width', async ({ page }) => {
+  await openDesigner(page);
+  await addBlock(page, 'Gaussian');
+  const texts = cards(page).first().locator('.card-tools .icon-text');
+  for (const width of [390, 1100]) {
+    await page.setViewportSize({ width, height: 760 });
+    await expect(texts).toHaveText(['Bypass', 'Up', 'Down', 'Layer', 'Copy', 'Reset', 'Remove']);
+    const boxes = await texts.evaluateAll((all) => all.map((text) => text.getBoundingClientRect().toJSON()));
+    const overlaps = boxes.filter((one, i) =>
+      boxes.some(
+        (other, j) =>
+          i < j && one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom,
+      ),
+    );
+    expect(boxes.every(({ height }) => height > 8)).toBe(true);
+    expect(overlaps).toEqual([]);
+  }
+});

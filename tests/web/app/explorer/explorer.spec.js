@@ -171,3 +171,27 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
     await accessible(page);
   });
 }
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 760 }, hasTouch: true });
+
+  test('tools of a style have their names below the icons, on its tile and in the large view', async ({ page }) => {
+    await openBoard(page, FOUR);
+    await page.getByRole('button', { name: 'Menu' }).click();
+    await page.getByRole('button', { name: 'Explore styles' }).click();
+    await expect.poll(() => wall(page).count()).toBeGreaterThan(4);
+    const texts = wall(page).nth(1).locator('.icon-text');
+    await expect(texts).toHaveText(['Use', 'Edit', 'Combine', 'Similar']);
+    const ends = await texts.evaluateAll((all) => all.map((text) => text.getBoundingClientRect().toJSON()));
+    ends.slice(1).forEach(({ left }, i) => expect(left).toBeGreaterThan(ends[i].right));
+    await wall(page)
+      .nth(1)
+      .getByRole('button', { name: /^Enlarge/ })
+      .click();
+    const tools = page.locator('.enlarged-tools');
+    for (const name of ['Favourite', 'Edit', 'Combine', 'Similar'])
+      await expect(tools.getByText(name, { exact: true }).last()).toBeVisible();
+    const use = await tools.getByRole('button', { name: 'Use', exact: true }).boundingBox();
+    expect((use?.x ?? 999) + (use?.width ?? 0)).toBeLessThanOrEqual(390);
+  });
+});
