@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { damageOf } from './damage.ts';
+import { damageOf, harshness } from './damage.ts';
 import { colourName } from './naming.ts';
 
 /** 12 by 9 cells. */
@@ -84,4 +84,17 @@ test('names say the colour, and no two styles share one', () => {
   expect(named('Cold Gouache', 'orange', 'middle')).toBe('Amber Gouache');
   expect(named('Warm Gouache', 'orange', 'middle')).toBe('Amber Gouache 2');
   expect(named('Warm Zine', 'blue', 'light')).toBe('Sky Zine');
+});
+
+test('neon colours and bleached areas are harsh, and white paper around lines is not', () => {
+  const share = (cell: number[], look = 'flat') =>
+    harshness(
+      signature((x) => (x < 6 ? cell : tone)),
+      look,
+    );
+  expect(share(tone)).toBe(0);
+  expect(share([250, 20, 240, 30])).toBeCloseTo(0.5);
+  expect(share([180, 60, 60, 30])).toBeGreaterThan(0.1);
+  expect(share(paper)).toBeCloseTo(0.5);
+  expect(share(paper, 'line')).toBe(0);
 });

@@ -32,6 +32,11 @@ const [LOST_BLACK, LOST_WHITE] = [22, 236];
 /** Minimum roughness of a face, in roughnesses of the face in the photo; of a face that became lighter; and the steps of that. */
 const [FEATURES, LIGHT_FEATURES, LIGHTER] = [0.6, 0.8, 10];
 
+/** Difference of the largest and the smallest channel, from calm colours to neon colours. */
+const [CALM, NEON] = [80, 200];
+/** Minimum channel value of a bleached area. */
+const BLEACHED = 225;
+
 type Photo = { energy?: EnergyMap; subjects: readonly Subject[] };
 
 /**
@@ -65,6 +70,19 @@ export function damageOf(
   return faces.length > 0 && 2 * faded.length >= faces.length ? 'faceless' : '';
 }
 
+/**
+ * Returns how harsh a picture is, from 0 to 2: neon colours and bleached areas, each by its part of the picture. Drawings
+ * of lines have white paper.
+ * @param look of the style
+ */
+export function harshness(signature: Uint8Array, look: string): number {
+  const cells = cellsIn(signature);
+  const neon = ([r, g, b]: Uint8Array) =>
+    Math.min(1, Math.max(0, (Math.max(r, g, b) - Math.min(r, g, b) - CALM) / (NEON - CALM)));
+  const bleached = ([r, g, b]: Uint8Array) => Number(Math.min(r, g, b) > BLEACHED);
+  return mean(cells, neon) + (look === 'line' ? 0 : mean(cells, bleached));
+}
+
 /** The part of the midtones of a photo that are black or white in a picture. */
 function clippedPart(cells: readonly Uint8Array[], before: readonly Uint8Array[]): number {
   const midtones = cells.filter((_, i) => {
@@ -78,7 +96,9 @@ function clippedPart(cells: readonly Uint8Array[], before: readonly Uint8Array[]
 }
 
 function cellsIn(signature: Uint8Array): Uint8Array[] {
-  return Array.from({ length: COLUMNS * ROWS }, (_, i) => signature.subarray(i * CELL, (i + 1) * CELL));
+  return Array.from({ length: Math.floor(signature.length / CELL) }, (_, i) =>
+    signature.subarray(i * CELL, (i + 1) * CELL),
+  );
 }
 
 const mean = (cells: readonly Uint8Array[], of: (cell: Uint8Array) => number) =>

@@ -6,6 +6,7 @@
 
 import { signal } from '@preact/signals';
 import { coloursOf } from './colours.ts';
+import { harshness } from './damage.ts';
 import { colourName } from './naming.ts';
 import type { Style } from '../engine/types.ts';
 import type { Explored } from '../engine/protocol.ts';
@@ -15,7 +16,7 @@ import type { Signal } from '@preact/signals';
 
 /**
  * A style on the wall: its simple score from 0 to 1, the novelty of its image (a factor of any score), its kind, its
- * colours and its photo.
+ * colours, how harsh they are from 0 to 2, and its photo.
  */
 export type Item = {
   style: Style;
@@ -24,6 +25,7 @@ export type Item = {
   look: string;
   hue: Hue;
   lightness: Lightness;
+  harsh: number;
   photo: Photo;
 };
 
@@ -117,7 +119,7 @@ export function createWall(
   function kept(style: Style, { score, novelty, look, signature, bitmap }: Explored, photo: Photo): Item {
     pictures.set(style.id, bitmap);
     signatures.set(style.id, { photo: photo.id, signature });
-    return { style, score, novelty, look, ...coloursOf(signature), photo };
+    return { style, score, novelty, look, ...coloursOf(signature), harsh: harshness(signature, look), photo };
   }
 
   function forget(id: string) {

@@ -63,6 +63,10 @@ describe('the explorer', () => {
     await explorer.open(PHOTO);
     const [before, tried] = [ids(), sent()];
     expect(before.length).toBe(FIRST);
+    // The best first, and harsh ones last.
+    const ranks = explorer.items.value.map((item) => explorer.scores.points(item) - 100 * item.harsh);
+    expect(ranks).toEqual([...ranks].sort((a, b) => b - a));
+    expect(new Set(explorer.items.value.map(({ harsh }) => harsh)).size).toBeGreaterThan(1);
     await explorer.open(PHOTO);
     expect([sent(), ids()]).toEqual([tried, before]);
   });

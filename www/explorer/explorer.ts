@@ -36,6 +36,8 @@ export const FIRST = 96;
 const FIRST_TRIES = 6 * FIRST;
 /** Points of favourites on the first wall: more than any score. Favourites keep their order. */
 const ABOVE_ALL = 1e6;
+/** Points that neon colours or bleached areas everywhere cost on the first wall. */
+const HARSH = 100;
 export const ROUND = 240;
 /** Number of children of two styles, and of variations of one style. `TRIES` limits the attempts. */
 export const LITTER = 12;
@@ -151,9 +153,10 @@ export function createExplorer({
     if (missing.length > 0 && !(await run(photo, missing.length, (i) => missing[i], { choosy: false }))) return;
     if (!(await redraw(photo))) return;
     if (!wall.items.peek().every(({ style }) => ownStyles.isFavourite(style.id))) return;
-    // The first wall shows its best styles first. Later rounds leave all styles in their places.
+    // The first wall shows its best styles first, and harsh ones last. Later rounds leave all styles in their places.
+    const points = (item: Item) => scores.points(item) - HARSH * item.harsh;
     if (await invent(photo, FIRST_TRIES, FIRST))
-      wall.sort((item) => (ownStyles.isFavourite(item.style.id) ? ABOVE_ALL : scores.points(item)));
+      wall.sort((item) => (ownStyles.isFavourite(item.style.id) ? ABOVE_ALL : points(item)));
   }
 
   /** Invents another round. */
