@@ -72,7 +72,7 @@ export function Explorer() {
       </button>
       <ActionButton action={actions.explorer.sort} class="button" text />
       <Dials />
-      <ActionButton action={actions.explorer.clear} />
+      <ActionButton action={actions.explorer.clear} class="button" text />
     </div>
   );
   return (

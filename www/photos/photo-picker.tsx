@@ -1,11 +1,14 @@
 /** A row of the album's photos for choosing one. */
 
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { PLAIN, thumbnail } from './cover.ts';
 import { Thumbnail } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import type { Fact } from '../document/album.ts';
 
 const THUMB = 64;
+/** Room next to a photo that the row scrolls to, in CSS pixels. */
+const ROOM = 24;
 
 export type Shown = Fact & { meta: NonNullable<Fact['meta']> };
 
@@ -33,8 +36,17 @@ export function PhotoPicker({
   onChoose: (id: string) => void;
 }) {
   const { engine } = useApp();
+  const row = useRef(null as HTMLDivElement | null);
+  // The row scrolls to the chosen photo, and nothing else does.
+  useLayoutEffect(() => {
+    const photo = row.current?.querySelector('[aria-current]');
+    if (!row.current || !photo) return;
+    const [all, one] = [row.current, photo].map((element) => element.getBoundingClientRect());
+    if (one.left < all.left) row.current.scrollLeft -= all.left - one.left + ROOM;
+    else if (one.right > all.right) row.current.scrollLeft += one.right - all.right + ROOM;
+  }, [chosen, facts.length]);
   return (
-    <div class="photo-picker" role="group" aria-label={label}>
+    <div class="photo-picker" role="group" aria-label={label} ref={row}>
       {facts.map(({ id, name, meta }) => (
         <button
           key={id}

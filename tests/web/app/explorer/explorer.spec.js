@@ -180,10 +180,27 @@ test.describe('on a phone', () => {
     await page.getByRole('button', { name: 'Menu' }).click();
     await page.getByRole('button', { name: 'Explore styles' }).click();
     await expect.poll(() => wall(page).count()).toBeGreaterThan(4);
+    // The row of photos scrolls to the chosen one.
+    const row = region(page).locator('.photo-picker');
+    const ends = () =>
+      row.evaluate((element) =>
+        [element, /** @type {Element} */ (element.querySelector('[aria-current]'))].map(
+          (one) => one.getBoundingClientRect().right,
+        ),
+      );
+    await row.evaluate((element) => {
+      element.style.width = '90px';
+      element.scrollLeft = 0;
+      /** @type {HTMLElement} */ (element.lastElementChild).click();
+    });
+    await expect(row.getByRole('button').last()).toHaveAttribute('aria-current', 'true');
+    const [edge, right] = await ends();
+    expect(right).toBeLessThanOrEqual(edge);
+    await expect.poll(() => wall(page).count()).toBeGreaterThan(4);
     const texts = wall(page).nth(1).locator('.icon-text');
     await expect(texts).toHaveText(['Use', 'Edit', 'Combine', 'Similar']);
-    const ends = await texts.evaluateAll((all) => all.map((text) => text.getBoundingClientRect().toJSON()));
-    ends.slice(1).forEach(({ left }, i) => expect(left).toBeGreaterThan(ends[i].right));
+    const boxes = await texts.evaluateAll((all) => all.map((text) => text.getBoundingClientRect().toJSON()));
+    boxes.slice(1).forEach(({ left }, i) => expect(left).toBeGreaterThan(boxes[i].right));
     await wall(page)
       .nth(1)
       .getByRole('button', { name: /^Enlarge/ })
