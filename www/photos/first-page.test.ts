@@ -66,6 +66,25 @@ describe('the first page', () => {
     expect(store.sketch.value).toBe(false);
   });
 
+  test('waits for more photos instead of pages of text', async () => {
+    const { store, reading, files, engine, planner } = app(() => false);
+    const { createEditor } = planner;
+    planner.createEditor = () => {
+      const editor = createEditor();
+      const isText = (id: string) => ['1.jpg', '2.jpg'].includes(store.album.value.get(id)?.name ?? '');
+      const unseen = (photos: readonly { id: string }[]) =>
+        photos.map(({ id }) => ({ photo: id, why: isText(id) ? ('text' as const) : ('waits' as const) }));
+      return { ...editor, plans: (photos) => ({ ...editor.plans(photos), unseen: () => unseen(photos) }) };
+    };
+    readInTurn(engine);
+    void reading.addFiles(files(...Array.from({ length: 20 }, (_, i) => `${i}.jpg`)));
+    await vi.advanceTimersByTimeAsync(790);
+    expect(store.sketch.value).toBe(true);
+    await vi.advanceTimersByTimeAsync(150);
+    expect(store.sketch.value).toBe(false);
+    expect(store.reading.value?.done).toBe(9);
+  });
+
   test('is near while its photos are read, but not where another must take the place of one', async () => {
     const { store, reading, files, release } = app((name) => ['0.jpg', '7.jpg', '8.jpg', '9.jpg'].includes(name), {
       '0.jpg': 'bad',

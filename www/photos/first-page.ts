@@ -7,6 +7,7 @@ import { batch, effect, signal } from '@preact/signals';
 import { chronological } from '../document/album.ts';
 import { USUAL_PANELS } from '../engine/bounds.ts';
 import { createTimer } from '../engine/scheduler.ts';
+import { pagesOfText } from './pages-of-text.ts';
 import type { Signal } from '@preact/signals';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
@@ -54,7 +55,7 @@ export function createFirstPage({
       return end();
     }
     const read = new Set(store.facts.value.filter(({ meta }) => meta !== null).map(({ id }) => id));
-    const enough = read.size >= Math.min(USUAL_PANELS, store.tray.value.length);
+    const enough = isEnough(read);
     // The wait ends when all photos are read.
     const soon = restOf(read.size) <= PATIENCE;
     if (enough && !timer.runs) timer.start(soon ? 2 * PATIENCE : facesReady() ? WAIT : LONGER_WAIT, compose);
@@ -66,6 +67,17 @@ export function createFirstPage({
   });
 
   return { sketch, finish, near, composed };
+
+  /** Whether a page can be made of the photos that were read. Pages of text do not count as long as others may come. */
+  function isEnough(read: ReadonlySet<string>): boolean {
+    const total = store.tray.value.length;
+    if (read.size < Math.min(USUAL_PANELS, total)) return false;
+    const texts = pagesOfText(
+      store,
+      store.photos.peek().filter(({ id }) => read.has(id)),
+    );
+    return read.size - texts.size >= Math.min(USUAL_PANELS, total - texts.size);
+  }
 
   /** estimated milliseconds for the remaining photos */
   function restOf(read: number): number {

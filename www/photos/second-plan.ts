@@ -6,6 +6,7 @@
 
 import { effect, untracked } from '@preact/signals';
 import { rankOf } from './hero.ts';
+import { pagesOfText } from './pages-of-text.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
@@ -75,16 +76,9 @@ export function planAgain({
     const area = (i: number) => (boxes[i] ? boxes[i].bounds.width * boxes[i].bounds.height : 0);
     const largest = page.panels.reduce((best, _, i) => (area(i) > area(best) ? i : best), 0);
     const known = new Map(store.photos.peek().map((photo) => [photo.id, photo]));
-    const texts = pagesOfText();
+    const texts = pagesOfText(store, store.photos.peek());
     const worth = (id: string | null) =>
       id !== null && texts.has(id) ? TEXT : Math.max(0, rankOf(known.get(id ?? '')));
     return page.panels.reduce((sum, { photo }, i) => sum + worth(photo) * (i === largest ? 2 : 1), 0);
-  }
-
-  /** @returns the photos that are pages of text */
-  function pagesOfText(): ReadonlySet<string> {
-    // For a new project, no photo was shown.
-    const unseen = store.planner.peek()?.createEditor().plans(store.photos.peek()).unseen() ?? [];
-    return new Set(unseen.filter(({ why }) => why === 'text').map(({ photo }) => photo));
   }
 }
