@@ -249,6 +249,9 @@ test('the start screen shows three pages, and the projects of a person who retur
   await page.keyboard.press('Escape');
   const recent = page.getByRole('region', { name: 'Recent projects' });
   await expect(recent.getByRole('button')).toHaveCount(1);
+  await page.setViewportSize({ width: 1280, height: 720 });
+  const box = await recent.boundingBox();
+  expect((box?.y ?? 720) + (box?.height ?? 0)).toBeLessThan(720);
   await accessible(page);
   await recent.getByRole('button', { name: `Open ${name}` }).click();
   await expect(page.getByRole('region', { name: 'Comic page' })).toBeVisible();
