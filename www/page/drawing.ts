@@ -79,8 +79,8 @@ function drawThumbnail(
 }
 
 /**
- * Draws an outdated picture. If only the crop was moved, the picture is moved too. Otherwise it is stretched to the
- * panel.
+ * Draws an outdated picture. It is stretched to the panel. If only the crop was moved, the picture is also moved, over
+ * the stretched one, which fills the part of the panel that it leaves.
  */
 function drawOlder(
   context: CanvasRenderingContext2D,
@@ -90,6 +90,8 @@ function drawOlder(
 ) {
   const { crop, bounds } = shown(document, geometry, index);
   const scale = width / older.page;
+  const box = geometry.panels[index].bounds;
+  context.drawImage(older.bitmap, box.x * width, box.y * width, box.width * width, box.height * width);
   if (crop && older.crop && JSON.stringify(bounds) === JSON.stringify(older.bounds)) {
     const [zoomX, zoomY] = [older.crop.width / crop.width, older.crop.height / crop.height];
     const left = (bounds.x + ((older.crop.x - crop.x) / crop.width) * bounds.width - bounds.x * zoomX) * width;
@@ -109,10 +111,7 @@ function drawOlder(
       w * scale * zoomX,
       h * scale * zoomY,
     );
-    return;
   }
-  const box = geometry.panels[index].bounds;
-  context.drawImage(older.bitmap, box.x * width, box.y * width, box.width * width, box.height * width);
 }
 
 /** @param radius of the corners, in page widths */

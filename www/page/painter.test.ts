@@ -286,3 +286,18 @@ test('a panel shows the thumbnail of its file until its photo is read', async ()
   await vi.advanceTimersByTimeAsync(20);
   expect(drawn).toEqual(['wait', 'thumbnail', 'wait']);
 });
+
+test('while a moved crop is drawn, the old picture fills the part that the moved picture leaves', async () => {
+  const { show } = painter();
+  const cropped = (x: number) =>
+    page('A', {
+      panels: [{ photo: 'a', crop: { x, y: 0, width: 0.5, height: 1 } }, { photo: 'b' }],
+      page: { width: 100, height: 100, gutter: 0, border: 0 },
+    });
+  show(cropped(0), geometry('A'), 100);
+  await finish('As0');
+  await finish('As1');
+  show(cropped(0.4), geometry('A'), 100);
+  await vi.advanceTimersByTimeAsync(20);
+  expect(drawn).toEqual(['wait', 'As0', 'As0', 'As1']);
+});
