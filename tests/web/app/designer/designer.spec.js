@@ -225,3 +225,20 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
     await accessible(page);
   });
 }
+
+test('the tools of a block have their names on a large screen, and the palette leaves them their tooltips', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await openDesigner(page);
+  await addBlock(page, 'Gaussian');
+  const text = cards(page).first().locator('.card-tools .icon-text').last();
+  const palette = region(page).getByRole('region', { name: 'Blocks to add' });
+  await expect(palette).toBeVisible();
+  await expect(text).toBeHidden();
+  await expect(cards(page).first().getByRole('button', { name: 'Remove' })).toHaveAttribute('title', 'Remove');
+  await palette.getByRole('button', { name: 'Close' }).click();
+  await expect(text).toBeVisible();
+  const [edge, card] = await Promise.all([text.boundingBox(), cards(page).first().boundingBox()]);
+  expect((edge?.x ?? 0) + (edge?.width ?? 999)).toBeLessThan((card?.x ?? 0) + (card?.width ?? 0));
+});
