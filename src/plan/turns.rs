@@ -8,7 +8,7 @@ pub const PAGES: usize = 24;
 const A_PAGE: f64 = 5.0;
 /// Maximum wait of a photo in pages, and the bonus per page beyond it.
 const OVERDUE: usize = 7;
-const EACH: f64 = 2.5;
+const EACH: f64 = 4.0;
 /// Bonus per page of waiting before a photo is overdue.
 const WAITING: f64 = 0.15;
 /// Cost of a photo on the last page, and on the page before.
