@@ -19,7 +19,7 @@ const AREA_COST: f64 = 0.35;
 const STRONG: f64 = 0.25;
 /// Minimum part of a photo in a crop, if such a crop exists.
 const LEAST_KEPT: f64 = 0.44;
-/// Height of the main face in heights of the crop at which people can be recognised: a figure from the knees up.
+/// Height of a recognisable main face in heights of the crop. The crop then shows a figure from the knees up.
 const FACE_HEIGHT: f64 = 0.15;
 /// Value of a main face of that height.
 const FACE_VALUE: f64 = 1.1;
@@ -52,7 +52,7 @@ pub(super) struct Judge<'a> {
     roles: Vec<Role>,
 }
 
-/// What a subject means for the distance of the crop.
+/// Role of a subject for the distance of the crop.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Role {
     /// A face that is not a false detection.
@@ -80,9 +80,9 @@ impl<'a> Judge<'a> {
         Self { view, sums: photo.energy.sums(), weights, roles }
     }
 
-    /// Returns the candidates that break the fewest rules. The rules: focus visible, a face included and none
-    /// cut, same for heads, also of animals and of people without a known face, no animal cut, enough of the photo if
-    /// `wide`, no subject cut, limited enlargement.
+    /// Returns the candidates that break the fewest rules. The rules, in this order: the focus is visible, a face is
+    /// included and none is cut. The same holds for heads, also of animals and of people without a known face. No animal is
+    /// cut. If `wide`, the crop has enough of the photo. No subject is cut, and the enlargement is limited.
     pub(super) fn admitted(&self, candidates: Vec<Crop>, wide: bool) -> Vec<Crop> {
         let most = candidates.iter().map(|crop| crop.width * crop.height).fold(0.0, f64::max);
         let (faces, heads): (Vec<Area>, Vec<Area>) =

@@ -15,8 +15,8 @@ import type { Photo } from './explorer.ts';
 import type { Signal } from '@preact/signals';
 
 /**
- * A style on the wall: its simple score from 0 to 1, the novelty of its image (a factor of any score), its kind, its
- * colours, how harsh they are from 0 to 2, and its photo.
+ * A style on the wall: its simple score from 0 to 1, the novelty of its image (a factor of any score), its kind and its
+ * photo. Its colours have a harshness from 0 to 2.
  */
 export type Item = {
   style: Style;

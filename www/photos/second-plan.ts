@@ -1,7 +1,7 @@
 /**
  * Plans the first page once more. The first page is composed when a few photos are read, so it may show receipts or
  * empty landscapes that came first. After all photos are read and searched, a page with a better choice of photos
- * replaces it: once, in the same layout and style, and only if the user has done nothing since.
+ * replaces it once, in the same layout and style. Any action of the user keeps the page.
  */
 
 import { effect, untracked } from '@preact/signals';

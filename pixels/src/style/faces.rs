@@ -201,7 +201,7 @@ impl<'a> Care<'a> {
         chain::run_owned(screens, drawn, context)
     }
 
-    /// Compares the drawn faces with the photo. Where features are missing, tones of the photo come back, as far as
+    /// Compares the drawn faces with the photo. If features are missing, tones of the photo come back, as far as
     /// necessary, in the colours of the picture.
     /// The features of a small face have the size of lines and areas, so it gets tones in any case. `scale`: pixels of the
     /// render for one of a style.
@@ -271,7 +271,7 @@ fn rgb_at(image: &Image, x: usize, y: usize) -> [f32; 3] {
     [0, 1, 2].map(|i| f32::from(image.planes()[i].at(x, y)))
 }
 
-/// How the tones of a drawn face follow those of the photo.
+/// How the tones of a drawn face follow the tones of the photo.
 struct Fit {
     /// Correlation of both, -1 to 1.
     likeness: f32,
@@ -335,7 +335,7 @@ impl Fit {
         MENDED * unlike.max(far.min(1.0))
     }
 
-    /// The part of the tones of the photo that a face gets for its height alone.
+    /// The part of the tones of the photo that a face gets because it is small.
     fn of_small(&self, height: f32) -> f32 {
         if self.likeness < NEGATIVE {
             return 0.0;
@@ -343,7 +343,7 @@ impl Fit {
         MENDED * ((SMALL.1 - height) / (SMALL.1 - SMALL.0)).clamp(0.0, 1.0)
     }
 
-    /// The mean tone of the face: that of the drawing, not too far from the photo.
+    /// The mean tone of the drawn face, not too far from the photo.
     fn middle(&self) -> f32 {
         self.drawn.0.clamp(self.photo.0 - FARTHEST, self.photo.0 + FARTHEST)
     }

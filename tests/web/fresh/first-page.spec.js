@@ -21,7 +21,9 @@ test('a fresh checkout makes a page of the sample album and detects faces', asyn
   // Four of the 19 photos show people, so a page can be without faces.
   await expect(async () => {
     await page.getByRole('button', { name: 'Shuffle', exact: true }).click();
-    await expect(page.locator('.page .subject-boxes rect[data-label="face"]').first()).toBeAttached({ timeout: 10_000 });
+    await expect(page.locator('.page .subject-boxes rect[data-label="face"]').first()).toBeAttached({
+      timeout: 10_000,
+    });
   }).toPass({ timeout: 240_000 });
 
   const download = page.waitForEvent('download', { timeout: 120_000 });

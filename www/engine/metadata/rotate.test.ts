@@ -26,7 +26,7 @@ function shown(orientation: number): string {
   return `${corner}, ${turned ? (bottom ? 'up' : 'down') : right ? 'left' : 'right'}`;
 }
 
-/** The same, rotated or flipped by its words. */
+/** The description of a picture after it is rotated or flipped. */
 function expected(before: string, rotation: Rotation): string {
   const corners = {
     right: {

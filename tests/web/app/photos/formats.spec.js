@@ -110,7 +110,7 @@ test('photos of all formats are rotated, and stay so after a reload', async ({ p
   const drawn = { name: 'drawn.png', mimeType: 'image/png', buffer: PNG.sync.write(png) };
   await add(page, [...(await Promise.all(files)), drawn, ...(await photos('bee.jpg'))]);
   await idle(page);
-  /** @returns {Promise<[name: string, aspect: number][]>} all stored photos, with those that undo would restore */
+  /** @returns {Promise<[name: string, aspect: number][]>} all stored photos. Undo can restore some of them */
   const stored = () =>
     page.evaluate(async () => {
       const open = indexedDB.open('inkpanel');
