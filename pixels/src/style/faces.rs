@@ -685,7 +685,13 @@ mod tests {
     #[test]
     fn colours_of_a_face_stay_near_the_photo_and_others_do_not() {
         let strong = style(r#"{"background":[{"block":"saturation","amount":4}]}"#);
-        let photo = photo();
+        let mut photo = photo();
+        // A blue wall beside the person.
+        let wall = photo.planes()[0].clone();
+        for y in 0..120 {
+            photo.planes_mut()[2].row_mut(y)[140..].copy_from_slice(&wall.row(y)[140..]);
+            photo.planes_mut()[0].row_mut(y)[140..].fill(45);
+        }
         let mut context = Context::for_image(&photo);
         context.show_faces(vec![face(40.0, 30.0, 60.0)]);
         let drawn = stylize(&photo, &strong, &mut context).unwrap();
