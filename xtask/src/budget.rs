@@ -1,5 +1,5 @@
 //! Sizes of downloads: each wasm module with its script, and the packed glyphs. `modules/sizes.json` stores the expected
-//! sizes. A download may grow by [`GROWTH`] beyond its newest entry. More growth needs a new entry with a reason.
+//! sizes. A download may grow by `GROWTH` beyond its newest entry. More growth needs a new entry with a reason.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -39,7 +39,7 @@ const STORED: &str = "modules/sizes.json";
 /// Prints all sizes next to the stored ones.
 ///
 /// # Errors
-/// If a download is missing in `modules/sizes.json` or grew by more than [`GROWTH`] percent. The error names all of them.
+/// If a download is missing in `modules/sizes.json` or grew by more than `GROWTH` percent. The error names all of them.
 pub fn check(project: &Project) -> Result<()> {
     let mut sizes = BTreeMap::new();
     for (name, folder) in MODULES {
