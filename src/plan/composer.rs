@@ -283,6 +283,8 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
         _ => 0.0,
     });
     let turns = chosen.iter().map(|&photo| photos.need(photo));
+    // A merged slot has two panels or more.
+    let panels = candidate.slots.iter().map(|slot| 1 + usize::from(slot.merged)).sum();
     Score {
         fit: fits.sum::<f64>() / all.max(1e-9),
         hero,
@@ -291,15 +293,15 @@ fn score(candidate: &Candidate, chosen: &[usize], seen: &[Look], photos: &Photos
         missing: missing(chosen, photos),
         dull: dull.sum(),
         turns: 0.4 * turns.sum::<f64>(),
-        prior: 0.4 * candidate.prior - few(chosen, photos),
+        prior: 0.4 * candidate.prior - few(panels, photos),
         rhythm: 0.06 * rhythm(seen),
     }
 }
 
 /// Returns the cost of a page that has few panels although the album has more photos.
-fn few(chosen: &[usize], photos: &Photos) -> f64 {
+fn few(panels: usize, photos: &Photos) -> f64 {
     let usual = USUAL.min(photos.drawn.len());
-    FEW * usual.saturating_sub(chosen.len()) as f64
+    FEW * usual.saturating_sub(panels) as f64
 }
 
 /// Returns the cost of strong photos without a panel.
@@ -343,8 +345,7 @@ mod tests {
             let album: Vec<PhotoMeta> =
                 (0..count).map(|i| PhotoMeta::unmeasured(&i.to_string(), 1600, 1200)).collect();
             let shelf = Shelf::new(count);
-            let chosen: Vec<usize> = (0..panels).collect();
-            few(&chosen, &gallery(&album, &shelf))
+            few(panels, &gallery(&album, &shelf))
         };
         assert!(cost(12, 5) == 0.0 && cost(12, 6) == 0.0 && cost(3, 3) == 0.0);
         assert!((cost(12, 3) - 2.0 * FEW).abs() < 1e-9);
