@@ -239,11 +239,18 @@ mod tests {
     fn a_small_figure_is_shown_from_near_and_its_head_is_complete() {
         let face = subject(FACE, 0.44, 0.3, 0.035, 0.06);
         let person = subject("person", 0.4, 0.27, 0.12, 0.6);
-        let aspect = 0.7;
-        let near = frame(&photo(4000, 3000, vec![face.clone(), person]), &Target::of_aspect(aspect), 0);
-        let widest = 0.75 * aspect;
-        assert!(near.width * near.height < 0.8 * widest, "{near:?}");
-        assert!(keeps(&near, &face), "{near:?}");
+        let area = |crop: Crop| crop.width * crop.height;
+        for aspect in [0.5, 0.7] {
+            let target = Target::of_aspect(aspect);
+            let near = frame(&photo(4000, 3000, vec![face.clone(), person.clone()]), &target, 0);
+            let widest = (0.75 * aspect).min(1.0 / (0.75 * aspect));
+            assert!(area(near) < 0.8 * widest, "{aspect} {near:?}");
+            assert!(keeps(&near, &face), "{aspect} {near:?}");
+            // A face without a person can be a false detection.
+            let unsure = Subject { score: 0.6, ..face.clone() };
+            let far = frame(&photo(4000, 3000, vec![unsure]), &target, 0);
+            assert!(area(far) >= 0.4, "{aspect} {far:?}");
+        }
     }
 
     #[test]

@@ -21,3 +21,4 @@ pub use frame::{Target, closeup, frame, sketch};
 pub use lettering::{LETTERING, lettering};
 pub use photo::{Crop, FACE, FIGURE, FacePoints, Focus, PhotoMeta, Subject};
 pub use region::Region;
+pub(crate) use score::{MEDIUM, SURE};

@@ -23,13 +23,13 @@ const LEAST_KEPT: f64 = 0.44;
 const FACE_HEIGHT: f64 = 0.15;
 /// Value of a main face of that height.
 const FACE_VALUE: f64 = 1.1;
-/// Minimum part of a photo in a crop that comes closer to a small face, and the width in pixels below which it becomes soft.
+/// Minimum part of a photo in a crop near a small face, and the width in pixels below which the crop becomes soft.
 const CLOSE_KEPT: f64 = 0.14;
 const CLOSE_WIDTH: f64 = 420.0;
-/// Minimum score of a face without a person around it.
-const SURE: f64 = 0.78;
-/// The parts of the body of a person between which the lower edge of a crop may cut, if the face is complete.
-const MEDIUM: (f64, f64) = (0.3, 0.8);
+/// Minimum score of a small face without a person around it.
+pub(crate) const SURE: f64 = 0.78;
+/// Range of the visible part of a body in a medium shot. The lower edge may cut the body there, if the face is complete.
+pub(crate) const MEDIUM: (f64, f64) = (0.3, 0.8);
 /// The least part of a photo that a subject covers which must not be cut.
 const SOME_SIZE: f64 = 0.01;
 /// The upper part of an animal, and of a person without a known face, that contains the head.
@@ -48,7 +48,7 @@ pub(super) struct Judge<'a> {
     sums: Sums,
     /// The weight of each subject of the view; falls when the subject has been shown.
     weights: Vec<f64>,
-    /// Whether each subject is a face that is not a false detection, or a person with such a face.
+    /// The role of each subject of the view.
     roles: Vec<Role>,
 }
 

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use std::rc::Rc;
 
 use super::best_first;
-use crate::framing::{Crop, FACE, FIGURE, LETTERING, PhotoMeta, Subject, Target, sketch};
+use crate::framing::{Crop, FACE, FIGURE, LETTERING, PhotoMeta, SURE, Subject, Target, sketch};
 use crate::layout::Bounds;
 use crate::select::fingerprint::distance;
 
@@ -21,8 +21,6 @@ const MANY: usize = 24;
 const FEWEST: usize = 3;
 /// Labels of vehicles.
 const VEHICLES: [&str; 8] = ["bicycle", "car", "motorcycle", "airplane", "bus", "train", "truck", "boat"];
-/// Minimum score of a small face without a person around it.
-const SURE: f64 = 0.78;
 /// Labels that detectors give to pages of text and to screenshots.
 const SCREENS: [&str; 7] = ["cell phone", "tv", "laptop", "remote", "book", "keyboard", "refrigerator"];
 /// Labels of screens that show pictures, and the value of people on them, relative to others.
@@ -167,7 +165,9 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
     };
     // A starfish is a bird and a person to detectors.
     let is_doubtful = |s: &Subject| {
-        s.is_animal() && people().any(|person| person.score >= RIVAL.0 && overlap(s, person) >= RIVAL.1)
+        let area = |s: &Subject| Crop { x: s.x, y: s.y, width: s.width, height: s.height };
+        s.is_animal()
+            && people().any(|person| person.score >= RIVAL.0 && area(s).overlap(&area(person)) >= RIVAL.1)
     };
     let value = |s: &Subject| {
         let sure = s.score.clamp(0.0, 1.0).sqrt() * if on_display(s) { DISPLAYED } else { 1.0 };
@@ -263,13 +263,6 @@ pub fn worth_showing(photos: &[PhotoMeta], duplicate_threshold: u32) -> usize {
 /// Whether two photos are near-duplicates: their fingerprints differ in at most `threshold` bits.
 pub(super) fn are_duplicates(a: &PhotoMeta, b: &PhotoMeta, threshold: u32) -> bool {
     distance(a.fingerprint, b.fingerprint) <= threshold
-}
-
-/// The shared area of two boxes, as a part of their union.
-fn overlap(a: &Subject, b: &Subject) -> f64 {
-    let along = |a: f64, al: f64, b: f64, bl: f64| ((a + al).min(b + bl) - a.max(b)).max(0.0);
-    let shared = along(a.x, a.width, b.x, b.width) * along(a.y, a.height, b.y, b.height);
-    shared / (a.width * a.height + b.width * b.height - shared).max(f64::MIN_POSITIVE)
 }
 
 fn is_sound(s: &Subject) -> bool {

@@ -2,7 +2,7 @@
 
 use super::prepared::{Mark, Prepared};
 use super::slots::Slot;
-use crate::framing::{Crop, PhotoMeta, Region};
+use crate::framing::{Crop, MEDIUM, PhotoMeta, Region};
 use crate::layout::Bounds;
 
 /// The parts of a face, and of another subject, that make it count as cut.
@@ -28,8 +28,6 @@ const GROUP_FACE: f64 = 0.05;
 const OF_THE_GROUP: f64 = 0.5;
 /// Total weight of the subjects at which they decide the result entirely.
 const STRONG: f64 = 0.25;
-/// The visible parts of a body between which the lower edge of a panel may cut it.
-const MEDIUM: (f64, f64) = (0.3, 0.8);
 /// The part of a head or of lettering that other panels must leave.
 const SEEN: f64 = 0.9;
 /// Minimum elongation of a strip (width over height, height over width), and the minimum part of a photo in it.

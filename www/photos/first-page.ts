@@ -55,7 +55,8 @@ export function createFirstPage({
       return end();
     }
     const read = new Set(store.facts.value.filter(({ meta }) => meta !== null).map(({ id }) => id));
-    const enough = isEnough(read);
+    // If the timer runs, there were enough photos before, and planning them again takes time.
+    const enough = timer.runs || isEnough(read);
     // The wait ends when all photos are read.
     const soon = restOf(read.size) <= PATIENCE;
     if (enough && !timer.runs) timer.start(soon ? 2 * PATIENCE : facesReady() ? WAIT : LONGER_WAIT, compose);

@@ -267,7 +267,7 @@ impl<'a> Care<'a> {
 }
 
 /// The red, green and blue of a pixel of an image with colours.
-fn rgb_at(image: &Image, x: usize, y: usize) -> [f32; 3] {
+pub(super) fn rgb_at(image: &Image, x: usize, y: usize) -> [f32; 3] {
     [0, 1, 2].map(|i| f32::from(image.planes()[i].at(x, y)))
 }
 
@@ -546,7 +546,7 @@ fn shorten(step: &mut Step, height: f32) {
     }
 }
 
-fn luma([r, g, b]: [f32; 3]) -> f32 {
+pub(super) fn luma([r, g, b]: [f32; 3]) -> f32 {
     0.299 * r + 0.587 * g + 0.114 * b
 }
 

@@ -3,12 +3,14 @@
 //! A pixel is skin if it lies near a face and has a similar ratio of chroma to luma, which hardly depends on light.
 //! The limits were chosen by visual comparison.
 
-use super::faces::FaceBox;
+use std::ops::Range;
+
+use super::faces::{FaceBox, luma, rgb_at};
 use crate::raster::Image;
 
 /// Reach of a body around a face, in sides of the face: to each side, above and below.
 const REACH: [f64; 3] = [3.0, 1.0, 8.0];
-/// Differences of the ratio of chroma to luma up to which a pixel is skin, and from which it is not.
+/// Difference of the ratio of chroma to luma from the face: at most the first for skin, at least the second for other things.
 const LIKE: (f32, f32) = (0.07, 0.15);
 /// Luma below which a pixel has no reliable colour, in grey levels.
 const DARK: f32 = 36.0;
@@ -24,8 +26,8 @@ pub(super) struct Skin {
 
 struct Person {
     /// Columns and rows that the body may cover.
-    columns: std::ops::Range<usize>,
-    rows: std::ops::Range<usize>,
+    columns: Range<usize>,
+    rows: Range<usize>,
     /// Ratio of chroma to luma of the face.
     tint: [f32; 2],
 }
@@ -38,8 +40,8 @@ impl Skin {
     }
 
     /// The columns and rows that contain all bodies.
-    pub(super) fn bounds(&self) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
-        let range = |of: fn(&Person) -> &std::ops::Range<usize>| {
+    pub(super) fn bounds(&self) -> (Range<usize>, Range<usize>) {
+        let range = |of: fn(&Person) -> &Range<usize>| {
             let start = self.people.iter().map(|person| of(person).start).min().unwrap_or(0);
             start..self.people.iter().map(|person| of(person).end).max().unwrap_or(start)
         };
@@ -77,7 +79,7 @@ impl Person {
         let mut count = 0.0_f32;
         for y in inner(face.y, face.height, height) {
             for x in inner(face.x, face.width, width) {
-                for (sum, value) in sums.iter_mut().zip(rgb(photo, x, y)) {
+                for (sum, value) in sums.iter_mut().zip(rgb_at(photo, x, y)) {
                     *sum += value;
                 }
                 count += 1.0;
@@ -93,19 +95,9 @@ impl Person {
     }
 }
 
-/// The red, green and blue of a pixel of a photo with colours.
-fn rgb(photo: &Image, x: usize, y: usize) -> [f32; 3] {
-    let planes = photo.planes();
-    [0, 1, 2].map(|i| f32::from(planes[i % planes.len()].at(x, y)))
-}
-
 /// Blue and red chroma over luma.
 fn tint([r, _, b]: [f32; 3], luma: f32) -> [f32; 2] {
     [(b - luma) / (luma + FLOOR), (r - luma) / (luma + FLOOR)]
-}
-
-fn luma([r, g, b]: [f32; 3]) -> f32 {
-    0.299 * r + 0.587 * g + 0.114 * b
 }
 
 #[cfg(test)]
@@ -126,7 +118,7 @@ mod tests {
         let photo = Image::from_rgb([plane(0), plane(1), plane(2)]).unwrap();
         let face = FaceBox { x: 80.0, y: 20.0, width: 40.0, height: 50.0 };
         let skin = Skin::of(&photo, &[&face]);
-        let share = |x: usize, y: usize| skin.share(x, y, rgb(&photo, x, y));
+        let share = |x: usize, y: usize| skin.share(x, y, rgb_at(&photo, x, y));
         assert!(share(50, 120) > 0.95 && share(150, 120) > 0.6, "{} {}", share(50, 120), share(150, 120));
         assert!(share(100, 120) < 0.01);
         let (columns, rows) = skin.bounds();

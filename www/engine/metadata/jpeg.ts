@@ -2,8 +2,9 @@
 
 import { orientationOf, recordOf } from './exif.ts';
 
-const [APP0, APP1, APP2, APP14, SCAN, END] = [0xe0, 0xe1, 0xe2, 0xee, 0xda, 0xd9];
-const EXIF = 'Exif\0\0';
+export const [APP0, APP1, APP2, APP14, SCAN, END] = [0xe0, 0xe1, 0xe2, 0xee, 0xda, 0xd9];
+/** Begins the segment of an EXIF record. */
+export const EXIF = 'Exif\0\0';
 /** Application segments that affect the pixels: their prefix, and their maximum length. */
 const NEEDED: Record<number, { begins: string; most: number }> = {
   // Without the small picture that may follow.

@@ -6,7 +6,7 @@
 
 import { chunkOf, chunksOf, dataOf, isPng, pngOf, wholeChunk } from '../png-chunks.ts';
 import { orientationOf, recordOf, withOrientation } from './exif.ts';
-import { exifSegment } from './jpeg.ts';
+import { APP0, APP1, EXIF, SCAN, exifSegment } from './jpeg.ts';
 
 /** `right`: by 90 degrees, clockwise. `flip`: mirrored, left and right. */
 export type Rotation = 'right' | 'flip';
@@ -14,8 +14,6 @@ export type Rotation = 'right' | 'flip';
 /** The orientation after a rotation, by the orientation before, from 1. */
 const AFTER = { right: [6, 7, 8, 5, 2, 3, 4, 1], flip: [2, 1, 4, 3, 6, 5, 8, 7] };
 
-const [APP0, APP1, SCAN] = [0xe0, 0xe1, 0xda];
-const EXIF = 'Exif\0\0';
 /** Maximum size in bytes of a record in a JPEG file. */
 const MOST_RECORD = 0xffff - 2 - EXIF.length;
 /** Size in bytes of the part of a JPEG file that contains the EXIF record. */
