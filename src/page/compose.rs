@@ -248,11 +248,12 @@ fn panel_photo(scene: &Scene, panel: &ScenePanel, photo: &Image) -> Shown {
     } else {
         resample_image(photo, region, inner.width, inner.height)
     };
-    if scene.balanced
-        && !panel.plain
-        && let Some(balance) = Balance::of(photo)
-    {
-        balance.apply(&mut image);
+    if scene.balanced && !panel.plain {
+        let faces: Vec<[f64; 4]> =
+            panel.faces.iter().map(|face| [face.x, face.y, face.width, face.height]).collect();
+        if let Some(balance) = Balance::of(photo, &faces) {
+            balance.apply(&mut image);
+        }
     }
     if panel.toned && !panel.plain && scene.style.keeps_colours() && is_gray(photo) {
         image = toned(image);
