@@ -240,7 +240,7 @@ mod tests {
         let face = subject(FACE, 0.44, 0.3, 0.035, 0.06);
         let person = subject("person", 0.4, 0.27, 0.12, 0.6);
         let area = |crop: Crop| crop.width * crop.height;
-        for aspect in [0.5, 0.7] {
+        for aspect in [0.5, 0.7, 1.0, 1.5] {
             let target = Target::of_aspect(aspect);
             let near = frame(&photo(4000, 3000, vec![face.clone(), person.clone()]), &target, 0);
             let widest = (0.75 * aspect).min(1.0 / (0.75 * aspect));

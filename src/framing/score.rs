@@ -182,8 +182,9 @@ impl<'a> Judge<'a> {
             if *role == Role::Face && inside > 0.9 {
                 face_height = face_height.max(area.height / crop.height);
             }
-            if inside > 0.9 {
-                size = size.max(area.width * area.height / (crop.width * crop.height));
+            // A medium shot shows a part of a body.
+            if inside > 0.9 || *role == Role::Body && inside >= MEDIUM.0 {
+                size = size.max(inside * area.width * area.height / (crop.width * crop.height));
             }
             if subject.label == FACE {
                 cut += f64::from(u8::from(self.view.cuts(crop, *area)));
