@@ -9,6 +9,7 @@ use super::chain;
 use super::context::Context;
 use super::file::{Step, Style};
 use super::params::FaceLimit;
+use super::shadows::step;
 use super::skin::Skin;
 use crate::error::Result;
 use crate::raster::guided::softened;
@@ -46,6 +47,11 @@ const SILHOUETTE: (u8, f32) = (8, 0.2);
 /// Maximum colour strength of a face relative to the photo, and a difference that is always allowed, in grey
 /// levels.
 const CHROMA: (f32, f32) = (1.35, 9.0);
+/// Colour strength of natural skin in strong light, in grey levels. Styles do not make skin stronger than this, and stronger
+/// skin not stronger than the photo.
+const VIVID: f32 = 40.0;
+/// Largest factor of the strength of a colour that gets light. More light is added as gray.
+const STRONGER: f32 = 1.4;
 /// Least strength of colours in a face, as a part of their strength in the photo.
 const PALEST: f32 = 0.45;
 /// Largest distance of colours in a face from the photo, at equal strength, in grey steps: skin has no green areas. Pale
@@ -74,6 +80,12 @@ const LIKE: (f32, f32) = (0.45, 0.86);
 const NEGATIVE: f32 = -0.3;
 /// The contrast of a drawn face, relative to the photo, below which features are missing, and which needs nothing.
 const FEATURES: (f32, f32) = (0.4, 0.85);
+/// Rows of the grid from a feature to what is above and below it.
+const BESIDE: usize = 2;
+/// Part of the features of the photo below which a face is hard to recognise, and which needs nothing.
+const DETAIL: (f32, f32) = (0.3, 0.75);
+/// Depth of the features of a photo below which there are none: the root of the sum of squares, in grey levels.
+const PLAIN: f32 = 12.0;
 /// Contrast of a face, as a standard deviation in grey levels, and the range of its factor relative to the photo.
 const DEPTH: (f32, f32, f32) = (30.0, 0.8, 1.7);
 /// Farthest distance of the mean tone of a face from the photo, in grey levels.
@@ -82,8 +94,13 @@ const FARTHEST: f32 = 52.0;
 const MENDED: f32 = 0.8;
 /// Heights of faces that get tones of the photo in any case: all of [`MENDED`], and none. In pixels of a style.
 const SMALL: (f32, f32) = (60.0, 150.0);
-/// Radius of the smallest feature, in heights of a face.
+/// Radius of the smallest feature, and of its surroundings, in heights of a face.
 const FEATURE: f32 = 0.022;
+const SURROUNDINGS: f32 = 0.1;
+/// How much darker than its surroundings a pixel is that gets no ink, and all ink, in grey levels.
+const EDGE: (f32, f32) = (5.0, 20.0);
+/// Luma up to which hair and pupils get all ink, and from which on only features do.
+const BLACK: (f32, f32) = (36.0, 64.0);
 /// Minimum height of a face that can be compared, in pixels.
 const COMPARED: f64 = 12.0;
 /// Part of the picture that counts as its darkest and as its lightest colour.
@@ -150,11 +167,7 @@ impl<'a> Care<'a> {
             }
             each_pixel(face, photo.width(), photo.height(), |x, y, share| {
                 let v = f32::from(luma.at(x, y));
-                let by = share * ((v - middle) * (gain - 1.0) + move_by);
-                for plane in lit.planes_mut() {
-                    let sample = &mut plane.row_mut(y)[x];
-                    *sample = (f32::from(*sample) + by).round().clamp(0.0, 255.0) as u8;
-                }
+                shift_luma(&mut lit, (x, y), v, share * ((v - middle) * (gain - 1.0) + move_by));
             });
         }
         lit
@@ -236,6 +249,34 @@ impl<'a> Care<'a> {
         }
     }
 
+    /// Removes ink from faces where the photo has no feature: lines along shadows and wrinkles look like scratches. `photo`: the
+    /// photo of the line layer. `lines`: white without ink.
+    pub(super) fn clean(&self, photo: &Image, lines: &mut Image) {
+        let luma = luma_plane(photo);
+        for face in self.faces.iter().filter(|face| face.height >= COMPARED) {
+            let Some(room) = Room::around(face, photo) else { continue };
+            let luma = room.cut_plane(&luma);
+            let mean = |part: f32| softened(&luma, ((part * face.height as f32).round() as usize).max(1));
+            let (fine, around) = (mean(FEATURE / 2.0), mean(SURROUNDINGS));
+            each_pixel(face, photo.width(), photo.height(), |x, y, share| {
+                let (Some(i), Some(j)) = (x.checked_sub(room.x), y.checked_sub(room.y)) else { return };
+                if i >= room.width || j >= room.height {
+                    return;
+                }
+                let (tone, around) = (f32::from(fine.at(i, j)), f32::from(around.at(i, j)));
+                let ink = step(EDGE, around - tone).max(1.0 - step(BLACK, tone));
+                for plane in lines.planes_mut() {
+                    let sample = &mut plane.row_mut(y)[x];
+                    let now = f32::from(*sample);
+                    let lightest = now.max(255.0 * (1.0 - ink));
+                    // The outline of the head stays.
+                    let inner = (2.0 * share - 1.0).max(0.0);
+                    *sample = (now + inner * (lightest - now)).round() as u8;
+                }
+            });
+        }
+    }
+
     /// Moves the colours of faces and of other skin toward the photo, within the subject if there is one.
     fn hold(&self, photo: &Image, drawn: &mut Image, subject: Option<&Plane>) {
         if photo.is_luma() || drawn.is_luma() {
@@ -278,6 +319,8 @@ struct Fit {
     /// Mean and standard deviation of luma in the photo, and in the drawing.
     photo: (f32, f32),
     drawn: (f32, f32),
+    /// Part of the contrast of features in the photo that the drawing has at the same places.
+    features: f32,
 }
 
 impl Fit {
@@ -319,6 +362,7 @@ impl Fit {
             likeness: both / (own * now).max(1.0),
             photo: (p, own),
             drawn: (d, now),
+            features: features(&cells),
         })
     }
 
@@ -332,7 +376,7 @@ impl Fit {
             |(least, enough): (f32, f32), value: f32| ((enough - value) / (enough - least)).clamp(0.0, 1.0);
         let far = (self.middle() - self.drawn.0).abs() / FARTHEST;
         let unlike = short(LIKE, self.likeness).max(short(FEATURES, self.drawn.1 / self.photo.1.min(40.0)));
-        MENDED * unlike.max(far.min(1.0))
+        MENDED * unlike.max(short(DETAIL, self.features)).max(far.min(1.0))
     }
 
     /// The part of the tones of the photo that a face gets because it is small.
@@ -353,6 +397,29 @@ impl Fit {
         let factor = (self.drawn.1.max(DEPTH.0) / self.photo.1).clamp(DEPTH.1, DEPTH.2);
         self.middle() + factor * (tone - self.photo.0)
     }
+}
+
+/// The part of the features of the photo that a drawing has. Eyes, nostrils and a mouth are darker than what is above and below;
+/// light and shadow are not. `cells`: pixels of each cell, and the sums of both pictures.
+fn features(cells: &[[f32; 3]]) -> f32 {
+    let mean = |row: usize, column: usize, of: usize| {
+        let cell = cells[row * GRID.0 + column];
+        (cell[0] > 0.0).then(|| cell[of] / cell[0])
+    };
+    let depth = |row: usize, column: usize, of: usize| {
+        let edges = mean(row - BESIDE, column, of)?.min(mean(row + BESIDE, column, of)?);
+        Some((edges - mean(row, column, of)?).max(0.0))
+    };
+    let (mut both, mut own) = (0.0_f32, 0.0_f32);
+    for row in BESIDE..GRID.1 - BESIDE {
+        for column in 0..GRID.0 {
+            if let (Some(photo), Some(drawn)) = (depth(row, column, 1), depth(row, column, 2)) {
+                both += photo * drawn;
+                own += photo * photo;
+            }
+        }
+    }
+    if own < PLAIN * PLAIN { 1.0 } else { both / own }
 }
 
 /// The colours that tones of a face move to: black and white of the photo's colours, or the darkest and the lightest
@@ -395,20 +462,31 @@ impl Ends {
 
     /// Moves the luma of a pixel.
     fn shift(&self, drawn: &mut Image, (x, y): (usize, usize), by: f32) {
-        let now: Vec<f32> = drawn.planes().iter().map(|plane| f32::from(plane.at(x, y))).collect();
-        let target = self.ends.map(|ends| ends[usize::from(by > 0.0)]);
-        let part = match (&target, now.as_slice()) {
-            (Some(target), &[r, g, b]) => {
-                let distance = luma(*target) - luma([r, g, b]);
-                // Never past the end.
-                if distance * by > 0.0 { (by / distance).min(1.0) } else { 0.0 }
-            }
-            _ => 0.0,
-        };
-        for (i, (plane, now)) in drawn.planes_mut().iter_mut().zip(now).enumerate() {
-            let value = target.map_or(now + by, |target| now + part * (target[i] - now));
-            plane.row_mut(y)[x] = value.round().clamp(0.0, 255.0) as u8;
+        if drawn.is_luma() {
+            let now = f32::from(drawn.planes()[0].at(x, y));
+            return shift_luma(drawn, (x, y), now, by);
         }
+        let now = rgb_at(drawn, x, y);
+        let Some(ends) = self.ends else { return shift_luma(drawn, (x, y), luma(now), by) };
+        let target = ends[usize::from(by > 0.0)];
+        let distance = luma(target) - luma(now);
+        // Never past the end.
+        let part = if distance * by > 0.0 { (by / distance).min(1.0) } else { 0.0 };
+        for (plane, (now, target)) in drawn.planes_mut().iter_mut().zip(now.into_iter().zip(target)) {
+            plane.row_mut(y)[x] = (now + part * (target - now)).round().clamp(0.0, 255.0) as u8;
+        }
+    }
+}
+
+/// Changes the luma of a pixel, and the strength of its colour by the same factor up to [`STRONGER`]: skin in light is neither
+/// white nor gray. `now`: its luma.
+fn shift_luma(image: &mut Image, (x, y): (usize, usize), now: f32, by: f32) {
+    let now = now.max(1.0);
+    let factor = ((now + by) / now).clamp(0.0, STRONGER);
+    let rest = now + by - factor * now;
+    for plane in image.planes_mut() {
+        let sample = &mut plane.row_mut(y)[x];
+        *sample = (f32::from(*sample) * factor + rest).round().clamp(0.0, 255.0) as u8;
     }
 }
 
@@ -422,13 +500,14 @@ fn held(before: [f32; 3], after: [f32; 3]) -> [f32; 3] {
     let length = |[u, v]: [f32; 2]| (u * u + v * v).sqrt();
     let (strength, strength_now) = (length(own), length(now));
     // As strong as the style makes it, up to a limit, and near the direction of the photo.
-    let capped = strength_now.min(CHROMA.0 * strength + CHROMA.1).max(PALEST * strength);
+    let most = (CHROMA.0 * strength + CHROMA.1).min(VIVID.max(strength));
+    let capped = strength_now.min(most).max(PALEST * strength);
     let now = now.map(|part| part * capped / strength_now.max(1.0));
     let target = own.map(|part| part * capped / strength.max(4.0));
     let (du, dv) = (now[0] - target[0], now[1] - target[1]);
     let off = length([du, dv]);
-    let most = TINT.min(PALE_TINT.0 + PALE_TINT.1 * strength);
-    let part = if off > most { most / off } else { 1.0 };
+    let tint = TINT.min(PALE_TINT.0 + PALE_TINT.1 * strength);
+    let part = if off > tint { tint / off } else { 1.0 };
     let [u, v] = [target[0] + du * part, target[1] + dv * part];
     [y + 1.402 * v, y - 0.344 * u - 0.714 * v, y + 1.772 * u]
 }
@@ -697,6 +776,8 @@ mod tests {
         let drawn = stylize(&photo, &strong, &mut context).unwrap();
         let at = |image: &Image, x, y| chroma([0, 1, 2].map(|i| f32::from(image.planes()[i].at(x, y))));
         assert!(at(&drawn, 64, 60) <= CHROMA.0 * at(&photo, 64, 60) + CHROMA.1 + 4.0);
+        let vivid = held([230.0, 150.0, 100.0], [255.0, 90.0, 20.0]);
+        assert!(chroma(vivid) <= chroma([230.0, 150.0, 100.0]).max(VIVID) + TINT, "{}", chroma(vivid));
         assert!(at(&drawn, 150, 110) > 2.5 * at(&photo, 150, 110));
     }
 
@@ -765,10 +846,61 @@ mod tests {
 
     #[test]
     fn a_small_face_has_more_tones_of_the_photo_than_a_large_one() {
-        let fit = Fit { likeness: 1.0, photo: (120.0, 30.0), drawn: (120.0, 30.0) };
+        let fit = Fit { likeness: 1.0, photo: (120.0, 30.0), drawn: (120.0, 30.0), features: 1.0 };
         assert!(fit.missing() == 0.0 && fit.of_small(400.0) == 0.0);
         assert!((fit.of_small(30.0) - MENDED).abs() < 1e-6 && fit.of_small(100.0) > 0.3);
         assert!(Fit { likeness: -0.9, ..fit }.of_small(30.0) == 0.0, "a negative is meant");
+    }
+
+    #[test]
+    fn shadows_in_a_face_get_no_lines_and_features_do() {
+        let (photo, face) = portrait([190, 140, 110]);
+        // A soft shadow on a cheek, and lines along it, through an eye and beside the face.
+        let mut shaded = photo;
+        for plane in shaded.planes_mut() {
+            for x in 170..190 {
+                let sample = &mut plane.row_mut(130)[x];
+                *sample -= 4;
+            }
+        }
+        let faces = [face];
+        let care = Care::of(&faces, &luma_plane(&shaded)).unwrap();
+        let ink = |x: usize, y: usize| y == 130 && (170..190).contains(&x) || y == 108 || x == 20;
+        let mut lines = Image::from_luma(Plane::from_fn(336, 240, |x, y| if ink(x, y) { 0 } else { 255 }));
+        care.clean(&shaded, &mut lines);
+        let at = |x: usize, y: usize| lines.planes()[0].at(x, y);
+        assert!(at(180, 130) > 200 && at(148, 108) < 40, "{} {}", at(180, 130), at(148, 108));
+        assert_eq!(at(20, 50), 0, "outside of the face");
+    }
+
+    #[test]
+    fn light_in_a_face_keeps_the_strength_of_its_colour() {
+        let colours = [0, 1, 2].map(|i: usize| Plane::filled(4, 4, [100, 70, 55][i]));
+        let mut image = Image::from_rgb(colours).unwrap();
+        let before = rgb_at(&image, 1, 1);
+        shift_luma(&mut image, (1, 1), luma(before), 25.0);
+        let after = rgb_at(&image, 1, 1);
+        assert!((luma(after) - luma(before) - 25.0).abs() < 1.0);
+        let relative = |rgb: [f32; 3]| chroma(rgb) / luma(rgb);
+        assert!((relative(after) / relative(before) - 1.0).abs() < 0.05);
+        assert_eq!(rgb_at(&image, 2, 1), before);
+    }
+
+    #[test]
+    fn light_and_shadow_do_not_replace_features() {
+        let face = face(20.0, 20.0, 100.0);
+        // Half of the face is in shadow. Eyes are in the photo only.
+        let picture = |eyes: bool| {
+            Plane::from_fn(140, 140, |x, y| {
+                let eye = (58..66).contains(&y) && (x.abs_diff(42) < 5 || x.abs_diff(76) < 5);
+                let tone = if x < 60 { 190 } else { 90 };
+                if eyes && eye { tone - 60 } else { tone }
+            })
+        };
+        let fit = |drawn: &Plane| Fit::of(&picture(true), drawn, &face).unwrap();
+        let (erased, kept) = (fit(&picture(false)), fit(&picture(true)));
+        assert!(erased.likeness > 0.86, "{}", erased.likeness);
+        assert!(erased.missing() > 0.1 && kept.missing() == 0.0, "{} {}", erased.features, kept.features);
     }
 
     #[test]

@@ -95,7 +95,14 @@ fn layered(
     };
     let mut background = run(&style.background, image, true)?;
     let lines = match &style.foreground {
-        Some(foreground) => Some(run(foreground, lines, false)?),
+        Some(foreground) => {
+            let mut drawn = run(foreground, lines, false)?;
+            // Without colours of the photo, the lines alone show a face.
+            if let Some(care) = care.filter(|_| style.keeps_colours()) {
+                care.clean(lines, &mut drawn);
+            }
+            Some(drawn)
+        }
         None => None,
     };
     if let Some(part) = style.parts.background {

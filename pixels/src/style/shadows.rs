@@ -100,7 +100,7 @@ fn share(faces: &[FaceBox], (width, height): (usize, usize), dark: &impl Fn(usiz
 }
 
 /// From 0 at the first value to 1 at the second, smoothly.
-fn step((from, to): (f32, f32), value: f32) -> f32 {
+pub(super) fn step((from, to): (f32, f32), value: f32) -> f32 {
     let t = ((value - from) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
