@@ -53,10 +53,10 @@ const VIVID: f32 = 40.0;
 /// Largest factor of the strength of a colour that gets light. More light is added as gray.
 const STRONGER: f32 = 1.4;
 /// Least strength of colours in a face, as a part of their strength in the photo.
-const PALEST: f32 = 0.45;
+const PALEST: f32 = 0.7;
 /// Largest distance of colours in a face from the photo, at equal strength, in grey steps: skin has no green areas. Pale
 /// skin bears less: the first number, and the part of the strength of its colour.
-const TINT: f32 = 12.0;
+const TINT: f32 = 7.0;
 const PALE_TINT: (f32, f32) = (3.0, 0.4);
 /// Part of the way to black and to white that tones of a face may take.
 const TONES: (f32, f32) = (0.62, 0.55);
