@@ -1,12 +1,15 @@
 /** The texts of the help, in the current language. They are loaded with the help. */
 
+import * as english from '../strings/compiled/help-en.ts';
 import { currentFormats, language } from '../strings/strings.ts';
 import type { Messages } from '../strings/compiled/help-en.ts';
 import type { Formats } from '../strings/formats.ts';
 import type { Language } from '../strings/language.ts';
 
-const MODULES: Record<Language, () => Promise<{ messages: (formats: Formats) => Messages }>> = {
-  en: () => import('../strings/compiled/help-en.ts'),
+type Help = { messages: (formats: Formats) => Messages };
+
+/** English is loaded in parallel with the dialog, because that is the most frequent case. */
+const OTHERS: Record<Exclude<Language, 'en'>, () => Promise<Help>> = {
   de: () => import('../strings/compiled/help-de.ts'),
   es: () => import('../strings/compiled/help-es.ts'),
   fr: () => import('../strings/compiled/help-fr.ts'),
@@ -14,6 +17,6 @@ const MODULES: Record<Language, () => Promise<{ messages: (formats: Formats) => 
   pt: () => import('../strings/compiled/help-pt.ts'),
 };
 
-const { messages } = await MODULES[language]();
+const { messages }: Help = language === 'en' ? english : await OTHERS[language]().catch(() => english);
 
 export const topicMessages = messages(currentFormats);

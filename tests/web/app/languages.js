@@ -54,21 +54,23 @@ export const LONGEST = {
 /** Makes the app use the pseudo-language if its language is German. @param {Page} page */
 export async function speakLongest(page) {
   const files = readdirSync(new URL('../../../www/dist/assets/', import.meta.url));
-  const file = (/** @type {string} */ code) =>
-    String(files.find((name) => new RegExp(`^${code}-[\\w-]{8}\\.js$`).test(name)));
   const codes = Object.keys(TRANSLATIONS);
-  const german = file(LONGEST.code);
-  await page.route(`**/assets/${german}`, (route) =>
-    route.fulfill({
-      contentType: 'text/javascript',
-      body: `${codes.map((code) => `import * as ${code} from './${file(code)}${code === LONGEST.code ? '?translation' : ''}';`).join('\n')}
+  // The texts of the help are separate modules.
+  for (const area of ['', 'help-']) {
+    const file = (/** @type {string} */ code) =>
+      String(files.find((name) => new RegExp(`^${area}${code}-[\\w-]{8}\\.js$`).test(name)));
+    await page.route(`**/assets/${file(LONGEST.code)}`, (route) =>
+      route.fulfill({
+        contentType: 'text/javascript',
+        body: `${codes.map((code) => `import * as ${code} from './${file(code)}${code === LONGEST.code ? '?translation' : ''}';`).join('\n')}
 ${longest}
 const all = [${codes}];
 export const messages = longest(all.map(({ messages }) => messages));
 export const names = longest(all.map(({ names }) => names));
 `,
-    }),
-  );
+      }),
+    );
+  }
 }
 
 /** @param {string} folder next to `www` @returns {{ id: string, name: string }[]} */
