@@ -139,7 +139,8 @@ function raised(since, counts) {
 /** @returns {string[]} controls that a guide prints in bold and the interface does not have */
 function unknownLabels() {
   const strings = readFileSync(join(ROOT, 'www/strings/messages/en.json'), 'utf8');
-  const known = (/** @type {string} */ label) => [`: ${JSON.stringify(label)}`, `{${label}}`].some((text) => strings.includes(text));
+  const known = (/** @type {string} */ label) =>
+    [`: ${JSON.stringify(label)}`, `{${label}}`].some((text) => strings.includes(text));
   const guides = files().filter((path) => /^docs\/guide\/[\w-]+\.md$/.test(path));
   return guides.flatMap((path) => {
     const labels = [...readFileSync(join(ROOT, path), 'utf8').matchAll(LABEL)].map((match) => match[1]);
