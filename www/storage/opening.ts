@@ -11,7 +11,7 @@ import { freshPlace } from '../document/place.ts';
 import { projectLock } from './locks.ts';
 import { drawnOnce, exchanged, rehearsed } from './rehearsing.ts';
 import { beginningWith, drawnOf, holdPhotos, isThere, nameOf, readProject, readState } from './restoring.ts';
-import { explain } from '../ui/explain.ts';
+import { codeOf, detailOf, explain } from '../ui/explain.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Project } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
@@ -236,9 +236,8 @@ export function createOpening({
   }
 
   function breaks(project: Pick<Broken, 'id' | 'name' | 'back'>, error: unknown) {
-    const { code, message } = error as { code?: unknown; message: string };
     vain.clear();
-    broken.value = { ...project, why: typeof code === 'string' ? code : '', detail: message };
+    broken.value = { ...project, why: codeOf(error), detail: detailOf(error) };
   }
 
   /**

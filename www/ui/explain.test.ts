@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
 import { inLanguage } from '../strings/testing.ts';
-import { explain } from './explain.ts';
+import { detailOf, explain } from './explain.ts';
 import { UserError } from './user-error.ts';
 
 const coded = (code: string, message: string) => Object.assign(new Error(message), { code });
@@ -70,6 +70,12 @@ test('English messages of the core and of browsers are shown in English only', (
     'an internal error occurred: Error',
   ]);
   expect(explain(new UserError('Schon übersetzt.'), { english: false })).toBe('Schon übersetzt.');
+});
+
+test('the detail of an error is its English message in English only', () => {
+  const errors = [coded('damaged-project', 'page: is missing'), new TypeError('x is undefined'), null];
+  expect(errors.map((error) => detailOf(error, true))).toEqual(['page: is missing', 'x is undefined', '']);
+  expect(errors.map((error) => detailOf(error, false))).toEqual(['damaged-project', 'TypeError', '']);
 });
 
 test('every error code of the core and of the app has a sentence in every language, or is a bug', () => {

@@ -17,6 +17,13 @@ export function codeOf(error: unknown): string {
   return typeof code === 'string' ? code : '';
 }
 
+/** Returns the technical detail of an error, for reports: its message in English, otherwise its code or name. */
+export function detailOf(error: unknown, english = currentLanguage() === 'en'): string {
+  const { name, message } = (error ?? {}) as { name?: unknown; message?: unknown };
+  const detail = english ? message : codeOf(error) || name;
+  return typeof detail === 'string' ? detail : '';
+}
+
 /**
  * Returns the reason of a failure as a sentence. Messages of the core and of browsers are English, so other languages show a general
  * sentence, or the code or the name of an unknown error.
