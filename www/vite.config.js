@@ -2,12 +2,13 @@
 import { defineConfig } from 'vitest/config';
 import { netsModule } from './nets-module.js';
 import { siteFiles } from './site-files.js';
+import { messages } from './strings/compile.js';
 
 // `base: './'` makes every address relative, so the built site runs from any folder of any static host.
 export default defineConfig({
   base: './',
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
-  plugins: [netsModule(), siteFiles()],
+  plugins: [messages(), netsModule(), siteFiles()],
   build: {
     target: 'es2022',
     assetsInlineLimit: 0,

@@ -24,10 +24,10 @@ const BASELINE = 'tests/prose/baseline.json';
 const RATE = 3;
 /** Longest commit subject in characters. */
 const SUBJECT = 72;
-const KINDS = /\.(?:md|rs|ts|tsx|js|mjs|css|py|toml|sh|yml)$/;
+const KINDS = /\.(?:md|rs|ts|tsx|js|mjs|css|py|toml|sh|yml)$|^www\/strings\/(?:messages|help)\/en\.json$/;
 /** Generated files, other people's texts, and the rules with their bad examples. */
 const SKIPPED =
-  /(?:^|\/)(?:node_modules|target|dist|pkg[\w-]*|vendor)\/|^www\/engine\/types(?:-written)?\.ts$|^tests\/prose\/rules\.mjs$/;
+  /(?:^|\/)(?:node_modules|target|dist|pkg[\w-]*|vendor)\/|^www\/engine\/types(?:-written)?\.ts$|^www\/strings\/compiled\/|^tests\/prose\/rules\.mjs$/;
 
 /** @typedef {{ line: number, id: string, advice: string, text: string }} Hit */
 
@@ -138,18 +138,15 @@ function raised(since, counts) {
 
 /** @returns {string[]} controls that a guide prints in bold and the interface does not have */
 function unknownLabels() {
-  const folder = join(ROOT, 'www/strings/en');
-  const strings = readdirSync(folder)
-    .map((file) => readFileSync(join(folder, file), 'utf8'))
-    .join('\n');
+  const strings = readFileSync(join(ROOT, 'www/strings/messages/en.json'), 'utf8');
   const known = (/** @type {string} */ label) =>
-    [`'${label}'`, `"${label}"`, `\`${label}\``].some((text) => strings.includes(text));
+    [`: ${JSON.stringify(label)}`, `{${label}}`].some((text) => strings.includes(text));
   const guides = files().filter((path) => /^docs\/guide\/[\w-]+\.md$/.test(path));
   return guides.flatMap((path) => {
     const labels = [...readFileSync(join(ROOT, path), 'utf8').matchAll(LABEL)].map((match) => match[1]);
     return labels
       .filter((label) => !known(label))
-      .map((label) => `  ${path}: **${label}** is not a string of www/strings/en`);
+      .map((label) => `  ${path}: **${label}** is not a message of www/strings/messages/en.json`);
   });
 }
 

@@ -1,4 +1,4 @@
-/** Extracts the English from files: blocks of Markdown, comments and strings, with line numbers. */
+/** Extracts the English from files: blocks of Markdown, comments, strings and messages, with line numbers. */
 
 /**
  * @typedef {{ line: number, text: string }} Line
@@ -26,6 +26,8 @@ export function prose(path, text) {
     case 'mjs':
     case 'css':
       return code(path, text, kind);
+    case 'json':
+      return messages(text);
     case 'py':
     case 'toml':
     case 'sh':
@@ -96,12 +98,34 @@ function markdown(lines, kind) {
   return blocks;
 }
 
+/**
+ * Extracts messages from a catalogue with one message per line.
+ *
+ * @param {string} text
+ * @returns {Block[]}
+ */
+function messages(text) {
+  return numbered(text).flatMap(({ line, text }) => {
+    const message = /^\s*"[^"]+": (".*"),?$/.exec(text)?.[1];
+    if (message === undefined) return [];
+    return [{ kind: /** @type {const} */ ('string'), lines: [{ line, text: otherForm(JSON.parse(message)) }] }];
+  });
+}
+
+/** @returns {string} a message of ICU MessageFormat with `code` for arguments, and with the form for other numbers */
+function otherForm(/** @type {string} */ message) {
+  const shorter = message
+    .replaceAll(/\{\w+(?:, number[^{}]*)?\}/g, 'code')
+    .replaceAll(/\{\w+, (?:plural|select),(?:\s*[=\w]+ \{[^{}]*\})*\s*other \{([^{}]*)\}\s*\}/g, '$1');
+  return shorter === message ? message.replaceAll('#', 'code') : otherForm(shorter);
+}
+
 /** Whether a Rust string is a message: three words or more. */
 const isSentence = (/** @type {string} */ text) =>
   (text.match(/[A-Za-z]{2,}/g)?.length ?? 0) >= 3 && / /.test(text.trim());
 
 /**
- * Extracts comments, and the strings of the interface, the command line and error messages.
+ * Extracts comments, and the strings of the command line and of error messages.
  *
  * @param {string} path
  * @param {string} text
@@ -111,13 +135,12 @@ const isSentence = (/** @type {string} */ text) =>
 function code(path, text, kind) {
   const { comments, strings } = scan(text, kind);
   const blocks = comments.flatMap((comment) => markdown(comment, 'comment'));
-  const isInterface = path.startsWith('www/strings/en/');
   const isProgram = kind === 'rs' && /^(?:src|detect\/src|pixels\/src|python\/src|xtask\/src|modules)\//.test(path);
-  if (isInterface || isProgram) {
+  if (isProgram) {
     const tests = text.search(/#\[cfg\(test\)\]\s*mod \w+ \{/);
     const last = tests < 0 ? Number.POSITIVE_INFINITY : text.slice(0, tests).split('\n').length;
     for (const string of strings) {
-      if (string.line > last || !(isInterface ? /[a-z]/i.test(string.text) : isSentence(string.text))) continue;
+      if (string.line > last || !isSentence(string.text)) continue;
       blocks.push({ kind: 'string', lines: [string] });
     }
   }

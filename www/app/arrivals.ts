@@ -42,7 +42,7 @@ export function createArrivals({
     const files = await Promise.all(
       handles.map((handle) =>
         handle.getFile().catch(() => {
-          messages.alert(strings.launchFailed(handle.name));
+          messages.alert(strings.launchFailed({ name: handle.name }));
           return null;
         }),
       ),

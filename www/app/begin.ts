@@ -26,7 +26,7 @@ export function begin(app: App) {
     },
     (error) => {
       keeping.running.value = false;
-      messages.grave(strings.coreFailed(explain(error)));
+      messages.grave(strings.coreFailed({ why: explain(error) }));
     },
   );
 }

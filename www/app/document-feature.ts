@@ -20,7 +20,9 @@ declare module '../ui/context.ts' {
 
 export const documentFeature: Feature<Parts> = {
   install(app) {
-    const store = createStore({ onRefused: (error) => void app.messages.alert(strings.notDone(explain(error))) });
+    const store = createStore({
+      onRefused: (error) => void app.messages.alert(strings.notDone({ why: explain(error) })),
+    });
     const pages = createPages(store, {
       asked: (wish) => app.taste.asked(app.styling.asked(wish)),
       narrated: (page, at) => app.narrating.narrated(page, at),

@@ -85,7 +85,7 @@ export function createDroppedFiles({
     const wanted = given.filter((file) => !isSidecar(file.name, foldersOf(file)));
     // A single sidecar file is reported like any other file that is not a photo.
     const files = wanted.length > 0 ? wanted : given;
-    if (files.length < given.length) messages.note(strings.filesSkipped(given.length - files.length));
+    if (files.length < given.length) messages.note(strings.filesSkipped({ n: given.length - files.length }));
     const plans = files.filter(({ name }) => hasRole(name, 'json'));
     const projects = files.filter(isProjectFile);
     const packed = await zipped(files);
@@ -112,7 +112,7 @@ export function createDroppedFiles({
     // Their video may have come with them.
     await subtitling.open(spoken.filter((file) => !scripts.includes(file)));
     if (scripts.length > 0)
-      messages.offer(strings.scriptOffered(strings.listed(scripts.map(({ name }) => name))), {
+      messages.offer(strings.scriptOffered({ names: strings.listed(scripts.map(({ name }) => name)) }), {
         label: strings.putScript,
         run: () => void subtitling.open(scripts),
       });
@@ -181,7 +181,7 @@ export function createDroppedFiles({
     for (const page of found) if (await keeping.pageFiles.lacksPhotos(page)) lost.push(page);
     if (lost.length === 1) {
       const [page] = lost;
-      messages.note(strings.openedAsPicture(page.file.name), {
+      messages.note(strings.openedAsPicture({ name: page.file.name }), {
         label: strings.openAsProject,
         run: () => void keeping.pageFiles.open(page),
       });
@@ -217,13 +217,13 @@ export function createDroppedFiles({
     await nextTask();
     await reading.addFiles(others, undefined, moments);
     if (videos.length > 0)
-      messages.offer(strings.liveVideos(videos.length), {
-        label: strings.addLiveVideos(videos.length),
+      messages.offer(strings.liveVideos({ n: videos.length }), {
+        label: strings.addLiveVideos({ n: videos.length }),
         run: () => void reading.addFiles(videos),
       });
     const added = store.tray.peek().length - count;
     if (shown && added > 0 && keeping.current.peek() === shown.id)
-      messages.offer(strings.photosWithProject(added, shown.name));
+      messages.offer(strings.photosWithProject({ n: added, name: shown.name }));
   }
 
   function tell(opened: readonly Opened[]) {
@@ -233,14 +233,13 @@ export function createDroppedFiles({
     const [{ id, name }] = others;
     const way =
       others.length === 1
-        ? { label: strings.openNamed(name), run: () => void keeping.open(id) }
+        ? { label: strings.openNamed({ name }), run: () => void keeping.open(id) }
         : { label: strings.projects, run: showProjects };
-    messages.offer(
-      strings.projectsOpened(
-        others.map((other) => other.name),
-        shown.name,
-      ),
-      way,
-    );
+    const { two, more } = strings.projectsOpened;
+    const told =
+      others.length === 1
+        ? two({ other: name, shown: shown.name })
+        : more({ all: opened.length, more: others.length, shown: shown.name });
+    messages.offer(told, way);
   }
 }

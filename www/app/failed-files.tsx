@@ -10,7 +10,11 @@ export function FailedFiles() {
     listed.value = false;
   };
   return (
-    <Dialog title={strings.filesFailed(failures.value.length + unnamed.value)} onClose={close} class="failed-files">
+    <Dialog
+      title={strings.filesFailed({ n: failures.value.length + unnamed.value })}
+      onClose={close}
+      class="failed-files"
+    >
       <ul>
         {failures.value.map(({ name, why, way }) => (
           <li key={`${name}\n${why}`}>
@@ -31,7 +35,7 @@ export function FailedFiles() {
           </li>
         ))}
       </ul>
-      {unnamed.value > 0 && <p class="quiet">{strings.moreFiles(unnamed.value)}</p>}
+      {unnamed.value > 0 && <p class="quiet">{strings.moreFiles({ n: unnamed.value })}</p>}
     </Dialog>
   );
 }

@@ -59,7 +59,7 @@ export function Stage() {
         // A sketch is not visible yet.
         ui.painted.value = store.sketch.peek() ? null : document;
       },
-      onError: (error) => messages.alert(strings.panelFailed(explain(error))),
+      onError: (error) => messages.alert(strings.panelFailed({ why: explain(error) })),
     });
     painter.current = made;
     return () => {
@@ -152,11 +152,11 @@ function description(app: App) {
   const layout = store.layoutFacts.value;
   const style = styleOfPage(app);
   if (!store.page.value) return undefined;
-  return strings.pageHolds(
-    store.page.value.panels.length,
-    layout ? strings.layoutTitle(layout) : '',
-    style ? strings.styleTitle(style) : strings.ownStyle,
-  );
+  return strings.pageHolds({
+    panels: store.page.value.panels.length,
+    layout: layout ? strings.layoutTitle(layout) : '',
+    style: style ? strings.styleTitle(style) : strings.ownStyle,
+  });
 }
 
 function atEnd(store: Store) {

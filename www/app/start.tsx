@@ -32,7 +32,7 @@ export function Start() {
           <Elsewhere />
           <Broken />
           <h1>
-            {(isTouch() ? strings.leadTouch : strings.lead).map((line) => (
+            {Object.values(isTouch() ? strings.leadTouch : strings.lead).map((line) => (
               <span key={line}>{line} </span>
             ))}
           </h1>

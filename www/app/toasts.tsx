@@ -18,10 +18,10 @@ export function Toasts() {
   const percent = running ? strings.percent(running.done / Math.max(1, running.total)) : '';
   const exporting = running
     ? running.packing
-      ? strings.packingPhotos(percent)
+      ? strings.packingPhotos({ percent })
       : running.filming
-        ? (running.filming === 'pages' ? strings.motion : strings.animatic).making(percent)
-        : strings.exporting(percent)
+        ? (running.filming === 'pages' ? strings.motion : strings.animatic).making({ percent })
+        : strings.exporting({ percent })
     : '';
   return (
     <>
@@ -44,7 +44,7 @@ export function Toasts() {
         {saving && (
           <div class="toast" aria-busy="true">
             <div class="toast-work">
-              <span>{strings.savingProject(saving.done, saving.total)}</span>
+              <span>{strings.savingProject({ done: Math.floor(saving.done), total: saving.total })}</span>
               <progress
                 class="progress"
                 aria-label={strings.saveProject}
@@ -60,10 +60,10 @@ export function Toasts() {
         {opening && (
           <div class="toast" aria-busy="true">
             <div class="toast-work">
-              <span>{strings.openingProject(opening.name)}</span>
+              <span>{strings.openingProject({ name: opening.name })}</span>
               <progress
                 class="progress"
-                aria-label={strings.openingProject(opening.name)}
+                aria-label={strings.openingProject({ name: opening.name })}
                 value={opening.done}
                 max={opening.total}
               />

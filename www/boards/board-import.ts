@@ -9,6 +9,7 @@ import type { Store } from '../document/store.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Boards } from './boards.ts';
 import { HEADINGS } from './headings.ts';
+import { UserError } from '../ui/user-error.ts';
 import type { Imported } from './imports.ts';
 
 /** Maximum number of lost lines or cells that a message names, and of characters of each. */
@@ -28,9 +29,9 @@ export async function importShots(file: File, app: App) {
 
 async function take(file: File, { boards, store, messages }: App, encoding: string): Promise<DecodedText> {
   const { MAX_BYTES, fromFountain, fromTable, isFountain } = await import('./imports.ts').catch(() => {
-    throw new Error(strings.boards.missing);
+    throw new UserError(strings.boards.missing);
   });
-  if (file.size > MAX_BYTES) throw new Error(strings.boards.tooLarge(file.name));
+  if (file.size > MAX_BYTES) throw new UserError(strings.boards.tooLarge({ name: file.name }));
   const decoded = await readText(file, encoding);
   const { text } = decoded;
   const rows = boards.rows.peek();
@@ -48,9 +49,10 @@ async function take(file: File, { boards, store, messages }: App, encoding: stri
     boards.describe(shots, gesture);
   }
   const losses = lossesOf(imported);
-  const done = count > 0 ? strings.boards.taken(count, file.name) : strings.boards.nothingIn(file.name);
+  const done =
+    count > 0 ? strings.boards.taken({ count, name: file.name }) : strings.boards.nothingIn({ name: file.name });
   if (count > 0 && losses.length === 0) messages.note(done);
-  else messages.alert([done, ...losses].join(' '));
+  else messages.alert(strings.sentences([done, ...losses]));
   return decoded;
 }
 
@@ -58,17 +60,17 @@ async function take(file: File, { boards, store, messages }: App, encoding: stri
 function lossesOf({ lost, cells, beyond }: Imported): string[] {
   const { left, cellsLeft, columnsLeft } = strings.boards;
   return [
-    ...(lost.length > 0 ? [left(lost.length, named(lost))] : []),
-    ...(cells.length > 0 ? [cellsLeft(cells.length, named(cells))] : []),
-    ...(beyond.length > 0 ? [columnsLeft(named(beyond))] : []),
+    ...(lost.length > 0 ? [left({ count: lost.length, lines: named(lost) })] : []),
+    ...(cells.length > 0 ? [cellsLeft({ count: cells.length, cells: named(cells) })] : []),
+    ...(beyond.length > 0 ? [columnsLeft({ columns: named(beyond) })] : []),
   ];
 }
 
 function named(texts: readonly string[]): string {
   const shown = texts.slice(0, MAX_NAMED).map((text) => {
     const short = text.length > MAX_NAME ? `${text.slice(0, MAX_NAME)}…` : text;
-    return strings.boards.quoted(short.replace(/\s+/g, ' '));
+    return strings.boards.quoted({ text: short.replace(/\s+/g, ' ') });
   });
   const more = texts.length - shown.length;
-  return more > 0 ? `${shown.join(', ')} ${strings.moreFiles(more)}` : strings.listed(shown);
+  return more > 0 ? `${shown.join(', ')} ${strings.moreFiles({ n: more })}` : strings.listed(shown);
 }

@@ -54,7 +54,7 @@ function Tools() {
       const pages = isList(format) ? [] : await boards.sheets();
       await download.saveAs({ pages, format, inside: 'png', quality: USUAL_QUALITY, print: NO_PRINT });
     } catch (error) {
-      messages.alert(strings.exportFailed(explain(error)));
+      messages.alert(strings.exportFailed({ why: explain(error) }));
     }
   }
 

@@ -183,13 +183,14 @@ export function createBoards({
     });
     const { heading } = strings.boards;
     const title = store.project.peek().name;
-    return { title, fps, ...(pace && { pace }), columns: [...own], headings: [...heading], shots };
+    return { title, fps, ...(pace && { pace }), columns: [...own], headings: Object.values(heading), shots };
   }
 
   /** The sheets of the board as pages, in the style of the page. */
   async function sheets(): Promise<PageDocument[]> {
     const { frames, aspect, beside, ruled, author, date, logo } = board.peek();
     const ratio = ASPECTS[aspect] ?? 16 / 9;
+    const { labels } = strings.boards;
     const page = store.page.peek();
     const pictures =
       store.planner.peek()?.frames(
@@ -209,7 +210,7 @@ export function createBoards({
       ...(logo && { logo: await logoOf(logo) }),
       letter: page !== null && AMERICAN.test(sizeId(page.page)),
       style: page?.style ?? FILM_BOARD.style,
-      labels: strings.boards.labels,
+      labels: { ...labels, page: labels.page({ page: '{page}', count: '{count}' }) },
     });
   }
 

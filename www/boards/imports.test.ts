@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { MOST } from '../engine/bounds.ts';
-import { translations } from '../strings/testing.ts';
+import { inLanguage, translations } from '../strings/testing.ts';
 import { HEADINGS } from './headings.ts';
 import { cells, fromFountain, fromTable, tabbed } from './imports.ts';
 import { NO_BOARD, numbered } from './shots.ts';
@@ -150,8 +150,8 @@ test.each(['sep=;\r\n', 'SEP=;\n', '"sep=;"\r\n', 'sep=;;;;\r\n', '\ufeffsep=;\r
 );
 
 test('the headings of the table in the app are known in every language', () => {
-  for (const { words } of Object.values(translations)) {
-    const { columns } = words.boards;
+  for (const code of Object.keys(translations)) {
+    const { columns } = inLanguage(code).boards;
     const { scene, number, length, action, dialogue, notes } = columns;
     const told = table([scene, number, length, action, dialogue, notes].join('\t').concat('\n1\t1A\t36f\tA\tD\tN'));
     expect([told.shots.p0, told.columns]).toEqual([
@@ -251,9 +251,9 @@ describe('tables', () => {
     fc.assert(
       fc.property(
         fc.array(fc.tuple(CELL, CELL, CELL), { minLength: 1, maxLength: 6 }),
-        fc.constantFrom(...Object.values(translations)),
-        (lines, { words }) => {
-          const { scene, action, notes } = words.boards.columns;
+        fc.constantFrom(...Object.keys(translations)),
+        (lines, code) => {
+          const { scene, action, notes } = inLanguage(code).boards.columns;
           const shots = lines.map(([a, b, c]) => ({ scene: a, action: b, notes: c }));
           const told = fromTable(tabbed([[scene, action, notes], ...lines]), {
             rows: numbered(shots.map((shot, i) => ({ id: `p${i}`, shot }))),

@@ -3,6 +3,7 @@
 import { MOST } from '../document/limits.ts';
 import { strings } from '../strings/strings.ts';
 import { urlOf } from '../ui/data-picture.tsx';
+import { UserError } from '../ui/user-error.ts';
 
 /** Maximum size of a logo in pixels. It fills its space in the header of a sheet at about 500 DPI. */
 const ROOM = { width: 600, height: 264 };
@@ -21,7 +22,7 @@ export async function logoOf(file: File): Promise<string> {
     await picture.decode();
     return await fitting(picture, file.type === 'image/svg+xml');
   } catch (cause) {
-    throw new Error(strings.boards.noLogo(file.name), { cause });
+    throw new UserError(strings.boards.noLogo({ name: file.name }), { cause });
   } finally {
     URL.revokeObjectURL(address);
   }

@@ -5,6 +5,7 @@
 
 import { strings } from '../strings/strings.ts';
 import { pictureOf } from '../ui/data-picture.tsx';
+import { UserError } from '../ui/user-error.ts';
 import type { BoardLogo } from '../engine/types.ts';
 import type { Engine } from '../engine/engine.ts';
 
@@ -45,7 +46,7 @@ export function createLogos(engine: Pick<Engine, 'importPhoto' | 'forgetPhoto'>)
       const { width, height } = await engine.importPhoto(id, file);
       return { photo: id, aspect: width / height };
     } catch (cause) {
-      throw new Error(strings.boards.brokenLogo, { cause });
+      throw new UserError(strings.boards.brokenLogo, { cause });
     }
   }
 

@@ -31,7 +31,7 @@ export function Sheets() {
         const made = await boards.sheets();
         if (!gone) setSheets((before) => made.map((sheet, i) => (same(before[i], sheet) ? before[i] : sheet)));
       } catch (error) {
-        if (!gone) messages.alert(strings.boards.noSheets(explain(error)));
+        if (!gone) messages.alert(strings.boards.noSheets({ why: explain(error) }));
       }
       if (!gone) setBusy(false);
     });
@@ -47,7 +47,7 @@ export function Sheets() {
     <ul class="board-sheets" ref={list} aria-label={strings.boards.sheets} aria-busy={busy} tabIndex={0}>
       {sheets.map((sheet, i) => (
         <li key={i} style={{ aspectRatio: `${sheet.page.width} / ${sheet.page.height}` }}>
-          <div role="img" aria-label={strings.boards.sheet(i + 1, sheets.length)}>
+          <div role="img" aria-label={strings.boards.sheet({ n: i + 1, of: sheets.length })}>
             <Bitmap
               of={sheet}
               by={subjectsOf(store, sheet)}

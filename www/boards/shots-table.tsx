@@ -41,7 +41,7 @@ export function ShotsTable() {
       await navigator.clipboard.writeText(tabbed([columns.map(headingOf), ...lines]));
       messages.note(strings.boards.copied);
     } catch (error) {
-      messages.alert(strings.exportFailed(explain(error)));
+      messages.alert(strings.exportFailed({ why: explain(error) }));
     }
   }
 
@@ -49,7 +49,7 @@ export function ShotsTable() {
     <section class="shots" aria-label={strings.boards.shots}>
       <div class="shots-head">
         <p>
-          {strings.boards.count(rows.length)} · <b>{lengthText(boards.total.value, board)}</b>
+          {strings.boards.count({ count: rows.length })} · <b>{lengthText(boards.total.value, board)}</b>
         </p>
         {board.order.length > 0 && (
           <button type="button" class="button" onClick={boards.followPages}>
@@ -116,7 +116,7 @@ function Heading({ column }: { column: Column }) {
       {name}
       <IconButton
         icon="close"
-        label={strings.boards.removeColumn(name)}
+        label={strings.boards.removeColumn({ name })}
         onClick={() => boards.change({ columns: boards.board.peek().columns.filter((own) => own !== column.id) })}
       />
     </span>
@@ -174,7 +174,7 @@ function Row({
 
   return (
     <tr
-      aria-label={strings.boards.shot(row.number)}
+      aria-label={strings.boards.shot({ number: row.number })}
       data-marked={marked || undefined}
       data-carried={drag.carried?.from === at || undefined}
     >
@@ -205,11 +205,16 @@ function Row({
           </span>
           <IconButton
             icon="unfold"
-            label={strings.boards.up(row.number)}
+            label={strings.boards.up({ number: row.number })}
             disabled={at === 0}
             onClick={() => carry(-1)}
           />
-          <IconButton icon="fold" label={strings.boards.down(row.number)} disabled={last} onClick={() => carry(1)} />
+          <IconButton
+            icon="fold"
+            label={strings.boards.down({ number: row.number })}
+            disabled={last}
+            onClick={() => carry(1)}
+          />
         </div>
       </td>
     </tr>
@@ -234,7 +239,7 @@ function Cell({
   const told = boards.textOf(row, column);
   const [typed, setTyped] = useState(null as string | null);
   const text = typed ?? told;
-  const name = `${headingOf(column)}, ${strings.boards.shot(row.number)}`;
+  const name = `${headingOf(column)}, ${strings.boards.shot({ number: row.number })}`;
   /** Discarded text is not applied when the cell loses the focus. */
   const given = useRef(false);
 
@@ -249,7 +254,7 @@ function Cell({
   function take(now: string) {
     setTyped(null);
     if (given.current || now.trim() === told) return;
-    if (boards.put(place, [[now]]) > 0) messages.alert(strings.boards.noLength(now.trim()));
+    if (boards.put(place, [[now]]) > 0) messages.alert(strings.boards.noLength({ text: now.trim() }));
   }
 
   function onKeyDown(event: KeyboardEvent & { currentTarget: HTMLTextAreaElement }) {
@@ -280,7 +285,7 @@ function Cell({
     setTyped(null);
     const { cells } = await import('./imports.ts');
     const lost = boards.put(place, cells(pasted, '\t'));
-    if (lost > 0) messages.alert(strings.boards.pasteLost(lost));
+    if (lost > 0) messages.alert(strings.boards.pasteLost({ count: lost }));
   }
 
   return (

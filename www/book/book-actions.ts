@@ -48,7 +48,7 @@ export function createBookActions({
       help: computed(
         () =>
           whyNotAdd.value ||
-          (book.left.value.length > 0 ? strings.book.addMore(book.left.value.length) : strings.book.addHelp),
+          (book.left.value.length > 0 ? strings.book.addMore({ left: book.left.value.length }) : strings.book.addHelp),
       ),
       icon: 'add',
       enabled: computed(() => whyNotAdd.value === ''),
@@ -57,7 +57,7 @@ export function createBookActions({
     },
     make: {
       label: strings.book.make,
-      help: computed(() => whyNotSpread.value || strings.book.makeHelp(store.photos.value.length)),
+      help: computed(() => whyNotSpread.value || strings.book.makeHelp({ n: store.photos.value.length })),
       icon: 'book',
       enabled: computed(() => whyNotSpread.value === '' && bookMaking.progress.value === null),
       run: () => asked(() => bookMaking.make('one')),
@@ -73,7 +73,7 @@ export function createBookActions({
     },
     spread: {
       label: strings.book.spreadAlbum,
-      help: computed(() => whyNotSpread.value || strings.book.spreadHelp(store.photos.value.length)),
+      help: computed(() => whyNotSpread.value || strings.book.spreadHelp({ n: store.photos.value.length })),
       icon: 'spread',
       enabled: computed(() => whyNotSpread.value === ''),
       run: () => asked(book.spreadAlbum),

@@ -57,7 +57,7 @@ export function createBookMaking({
         : await pages.book({ title: album.title(), language, places, styles }, told, signal);
       if (!sheets || sheets.length === 0) return;
       book.replace(sheets, {
-        text: strings.book.made(sheets.length),
+        text: strings.book.made({ n: sheets.length }),
         before: sheetsOf(before),
         at: before.at,
         more:

@@ -100,7 +100,7 @@ export function createBook({
     const elsewhere = photosOn(store.sheets.peek());
     const repeated = [...photosOn([fresh])].filter((photo) => elsewhere.has(photo)).length;
     set(sheetsOf(store.project.peek()).toSpliced(at + 1, 0, added), at + 1);
-    if (repeated > 0) messages.note(strings.book.repeats(repeated));
+    if (repeated > 0) messages.note(strings.book.repeats({ n: repeated }));
   }
 
   /** Takes this page out of the storyboard; its photos are free for the others. */
@@ -109,7 +109,7 @@ export function createBook({
     if (others.length === 0) return;
     const sheets = sheetsOf(store.project.peek());
     set(sheets.toSpliced(at, 1), Math.min(at, others.length - 1));
-    messages.note(strings.book.removed(at + 1), {
+    messages.note(strings.book.removed({ n: at + 1 }), {
       label: strings.bringBack,
       run: () => {
         const now = sheetsOf(store.project.peek());
@@ -144,7 +144,11 @@ export function createBook({
     const before = sheetsOf(project);
     if (!project.page || cannotSpread() !== '') return;
     const sheets = pages.spread();
-    replace(sheets, { text: strings.book.spread(store.photos.peek().length, sheets.length), before, at: project.at });
+    replace(sheets, {
+      text: strings.book.spread({ photos: store.photos.peek().length, pages: sheets.length }),
+      before,
+      at: project.at,
+    });
   }
 
   /** Replaces all pages, and offers to restore the pages `before`. `more`: another offer. */

@@ -71,7 +71,7 @@ function Several() {
       {(wide || open) && <Tools />}
       {!wide && <BookProgress />}
       <span class="visually-hidden" aria-live="polite">
-        {strings.book.page(at + 1, sheets.length)}
+        {strings.book.page({ n: at + 1, of: sheets.length })}
       </span>
     </section>
   );

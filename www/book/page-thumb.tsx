@@ -58,9 +58,9 @@ export function PageThumb({
       <button
         type="button"
         ref={ref}
-        aria-label={strings.book.page(at + 1, of)}
+        aria-label={strings.book.page({ n: at + 1, of })}
         aria-current={current ? 'true' : undefined}
-        title={`${strings.book.page(at + 1, of)}\n${strings.book.dragHelp}`}
+        title={`${strings.book.page({ n: at + 1, of })}\n${strings.book.dragHelp}`}
         onPointerDown={(event) => drag.take(event, at)}
         onKeyDown={onKeyDown}
         onClick={() => {

@@ -84,7 +84,7 @@ function ShownPage({
         type="button"
         ref={ref}
         class="shown-picture"
-        aria-label={strings.versionNumber(number)}
+        aria-label={strings.versionNumber({ n: number })}
         aria-current={current ? 'true' : undefined}
         onClick={() => {
           shownPages.go(id);
@@ -95,12 +95,16 @@ function ShownPage({
       </button>
       <div class="shown-about">
         <span>
-          {strings.versionNumber(number)}
-          {place !== null ? <i>{strings.pageNumber(place)}</i> : from !== null && <i>{strings.versionFrom(from)}</i>}
+          {strings.versionNumber({ n: number })}
+          {place !== null ? (
+            <i>{strings.pageNumber({ n: place })}</i>
+          ) : (
+            from !== null && <i>{strings.versionFrom({ n: from })}</i>
+          )}
         </span>
         <IconButton
           icon="columns"
-          label={strings.comparePage(number)}
+          label={strings.comparePage({ n: number })}
           short={strings.compareShort}
           pressed={compared}
           onClick={onCompare}

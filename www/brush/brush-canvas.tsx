@@ -34,7 +34,7 @@ export function BrushCanvas({ id, name, retouching }: { id: string; name: string
         role="application"
         // biome-ignore lint/a11y/noNoninteractiveTabindex: it is worked on by keys, which an application may be.
         tabIndex={0}
-        aria-label={strings.brush.title(name)}
+        aria-label={strings.brush.title({ name })}
         aria-describedby="brush-keys"
         data-tool={retouching.tool.value}
         style={{ '--aspect': width / height }}

@@ -42,7 +42,7 @@ export function BrushDialog({ id }: { id: string }) {
   }
 
   return (
-    <Dialog title={strings.brush.title(name)} class="brush-dialog" onClose={cancel}>
+    <Dialog title={strings.brush.title({ name })} class="brush-dialog" onClose={cancel}>
       {retouching ? (
         <div class="brush" onKeyDown={(event) => steps(event, retouching)}>
           <BrushCanvas id={id} name={name} retouching={retouching} />

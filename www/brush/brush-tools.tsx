@@ -88,7 +88,7 @@ function Told({ retouching }: { retouching: Retouching }) {
   const vain = retouching.vain.value;
   return (
     <p class="brush-told" role="status">
-      {vain ? strings.brush[vain] : strings.brush.covers(strings.percent(retouching.told.value.coverage))}
+      {vain ? strings.brush[vain] : strings.brush.covers({ share: strings.percent(retouching.told.value.coverage) })}
     </p>
   );
 }

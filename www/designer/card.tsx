@@ -91,7 +91,7 @@ export function Card({
     return own && (place === undefined || Number(place) <= Number(step.values.colors));
   };
 
-  const name = strings.card(strings.blockName(block), at + 1);
+  const name = strings.card({ name: strings.blockName(block), n: at + 1 });
   return (
     <li
       class="card"
@@ -107,8 +107,8 @@ export function Card({
       <button
         type="button"
         class="card-insert"
-        aria-label={strings.insertBefore(name)}
-        title={strings.insertBefore(name)}
+        aria-label={strings.insertBefore({ card: name })}
+        title={strings.insertBefore({ card: name })}
         onClick={onInsert}
       >
         <Icon name="add" />

@@ -9,6 +9,7 @@ import { screenPixels } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
 import { PLAIN } from '../photos/cover.ts';
 import { createPreviewLoop } from './preview-loop.ts';
+import { explain } from '../ui/explain.ts';
 import type { Designed } from '../engine/design.ts';
 import type { Style } from '../engine/types.ts';
 import type { Subject } from './preview-subjects.ts';
@@ -60,7 +61,7 @@ export function Comparison({
       onPicture: ({ bitmap }) => show(styled.current, bitmap),
       onStages: (designed) => stages.current?.(designed),
       onBusy,
-      onError: ({ message }) => messages.alert(message),
+      onError: (error) => messages.alert(strings.notDone({ why: explain(error) })),
     });
     loop.current = made;
     return () => {

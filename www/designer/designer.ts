@@ -114,7 +114,7 @@ export function createDesigner({
     else {
       const fresh = planner.draftOf(style);
       const designed = planner.styles().some(({ id }) => id === style.id);
-      keep(designed ? { ...fresh, id: freshId(), name: strings.copyOf(style.name) } : fresh, how);
+      keep(designed ? { ...fresh, id: freshId(), name: strings.nameOfCopy(style.name) } : fresh, how);
     }
   }
 

@@ -104,7 +104,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
       </div>
       {follower ? (
         <p class="palette-place">
-          <span>{strings.goesBefore(strings.card(strings.blockName(follower), to + 1))}</span>
+          <span>{strings.goesBefore({ card: strings.card({ name: strings.blockName(follower), n: to + 1 }) })}</span>
           <button
             type="button"
             class="button small"
@@ -125,7 +125,7 @@ export function Palette({ drag, onClose, onAdded }: { drag: CardDrag; onClose: (
           const after = blocks.find(({ id }) => id === followerOf(block.id, steps[to]?.block));
           const notes = [
             before ? strings.brings[before.lacks] : '',
-            after ? strings.bringsAfter(strings.blockName(after)) : '',
+            after ? strings.bringsAfter({ name: strings.blockName(after) }) : '',
           ];
           const note = notes.filter(Boolean).join(' ');
           return (

@@ -104,7 +104,7 @@ function Range({
         <input
           class="number"
           type="number"
-          aria-label={strings.valueOf(label)}
+          aria-label={strings.numberOf({ label })}
           min={min}
           max={max}
           step={step}
@@ -133,7 +133,7 @@ function Range({
           onChange={onRest}
           onDblClick={() => onSet(usual)}
         />
-        <i class="usual-mark" title={strings.defaultIs(told(usual))} />
+        <i class="usual-mark" title={strings.defaultIs({ value: told(usual) })} />
       </span>
     </div>
   );

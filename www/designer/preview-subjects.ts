@@ -42,7 +42,7 @@ export function photoSubject(engine: Drawing, { id, name, meta }: Shown, small: 
   return {
     // Also when its subject was found.
     of: `${id} ${meta.mask ?? ''}`,
-    name: strings.previewOf(name),
+    name: strings.previewOf({ name }),
     size: liveSize(meta, small),
     most: Math.round((WORK / Math.max(WORK, meta.width, meta.height)) * meta.width),
     draw: (style, size, call) => engine.drawDesign(id, style, size, call),

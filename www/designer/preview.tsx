@@ -103,7 +103,7 @@ export function Preview({ onStages }: { onStages: (designed: Designed) => void }
               label={strings.previewPhotos}
               facts={facts}
               chosen={first ?? null}
-              told={strings.previewOf}
+              told={(name) => strings.previewOf({ name })}
               onChoose={(id) => {
                 chosen.value = id;
               }}

@@ -6,6 +6,7 @@
 import { MOST } from '../document/limits.ts';
 import { strings } from '../strings/strings.ts';
 import { urlOf } from '../ui/data-picture.tsx';
+import { UserError } from '../ui/user-error.ts';
 import type { Style, StyleStep } from '../engine/types.ts';
 
 /** First bytes of PNG and JPEG files, because a file name can be wrong. */
@@ -21,11 +22,13 @@ const KINDS = [
  */
 export async function textureOf(file: File, check: (style: Style, name: string) => unknown): Promise<string> {
   if (file.size > MOST.texture) {
-    throw new Error(strings.textureTooLarge(file.name, Math.ceil(file.size / 1024), MOST.texture / 1024));
+    throw new UserError(
+      strings.textureTooLarge({ name: file.name, kilobytes: Math.ceil(file.size / 1024), most: MOST.texture / 1024 }),
+    );
   }
   const bytes = new Uint8Array(await file.arrayBuffer());
   const kind = KINDS.find(({ start }) => start.every((byte, at) => bytes[at] === byte));
-  if (!kind) throw new Error(strings.textureOfAnotherKind(file.name));
+  if (!kind) throw new UserError(strings.textureOfAnotherKind({ name: file.name }));
   const url = urlOf(bytes, kind.type);
   const background: StyleStep[] = [{ block: 'to_gray' }, { block: 'pattern', texture: url }];
   check({ id: 'texture', name: 'texture', tags: [], background }, file.name);

@@ -81,7 +81,7 @@ export async function archiveOf(entries: readonly Entry[], { signal, onProgress 
     at += LOCAL_SIZE + bytes.length + blob.size;
     length += CENTRAL_SIZE + bytes.length;
   }
-  if (at + length > MOST_BYTES) throw failure('too-large', 'The file would be larger than 4 GB.');
+  if (at + length > MOST_BYTES) throw failure('too-large-archive', 'The file would be larger than 4 GB.');
   const end = new DataView(new ArrayBuffer(END_SIZE));
   end.setUint32(0, END, true);
   end.setUint16(8, entries.length, true);

@@ -8,6 +8,7 @@ import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
 import { onEscape } from '../ui/on-escape.ts';
 import { useStyleDeeds } from './style-deeds.ts';
+import { codeOf, explain } from '../ui/explain.ts';
 import type { Shown } from '../photos/photo-picker.tsx';
 import type { Item, Photo } from './explorer.ts';
 
@@ -101,15 +102,15 @@ function View({
       ref={ref}
       class="enlarged"
       tabIndex={-1}
-      aria-label={strings.largeView(style.name)}
+      aria-label={strings.largeView({ name: style.name })}
       onClose={close}
       onKeyDown={onKeyDown}
       onClick={(event) => event.target === ref.current && close()}
     >
       <header class="enlarged-head">
         <h2>{style.name}</h2>
-        {points !== null && <span class="count">{strings.scoreOf(strings.decimal(points, 0))}</span>}
-        <span class="count enlarged-place">{strings.placeOf(at + 1, count)}</span>
+        {points !== null && <span class="count">{strings.scoreOf({ score: strings.decimal(points, 0) })}</span>}
+        <span class="count enlarged-place">{strings.placeOf({ n: at + 1, all: count })}</span>
         <IconButton icon="close" label={strings.close} onClick={close} />
       </header>
       <div class="enlarged-stage">
@@ -206,8 +207,8 @@ function Picture({ fact: { id, name, meta }, item, go }: { fact: Shown; item: It
         }
         bitmap.close();
       },
-      ({ code, message }) => {
-        if (code !== 'cancelled') messages.alert(message);
+      (error) => {
+        if (codeOf(error) !== 'cancelled') messages.alert(strings.notDone({ why: explain(error) }));
       },
     );
     return () => stop.abort();
@@ -225,7 +226,7 @@ function Picture({ fact: { id, name, meta }, item, go }: { fact: Shown; item: It
         if (pointerType === 'touch' && Math.abs(by) > SWIPE) go(by < 0 ? 1 : -1);
       }}
     >
-      <canvas ref={canvas} role="img" aria-label={strings.styleOn(style.name, name)} />
+      <canvas ref={canvas} role="img" aria-label={strings.styleOn({ style: style.name, photo: name })} />
     </div>
   );
 }

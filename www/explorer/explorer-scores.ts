@@ -6,6 +6,7 @@
 
 import { effect, signal } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
+import { codeOf, explain } from '../ui/explain.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Progress } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
@@ -112,12 +113,12 @@ export function createScores({
         const mean = await engine.judgeStyle(photo.id, item.style, photo, { signal: mine.signal });
         if (!mine.signal.aborted) known.set(id, mean * novelty);
       } catch (error) {
-        const { code, message } = error as { code?: string; message: string };
+        const code = codeOf(error);
         if (code === 'cancelled') break;
         known.set(id, null);
-        if (FATAL.has(code ?? '')) {
+        if (FATAL.has(code)) {
           off.value = true;
-          messages.alert(strings.netFailed(message));
+          messages.alert(strings.netFailed({ why: explain(error) }));
           break;
         }
       }

@@ -11,6 +11,7 @@ import { createScores } from './explorer-scores.ts';
 import { createWall } from './explorer-wall.ts';
 import { damageOf } from './damage.ts';
 import { PLAIN } from '../photos/cover.ts';
+import { codeOf, explain } from '../ui/explain.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Progress, Store } from '../document/store.ts';
 import type { Explored } from '../engine/protocol.ts';
@@ -290,8 +291,7 @@ export function createExplorer({
       await measurePlain(photo, mine.signal);
       await Promise.all(Array.from({ length: AHEAD }, parcels));
     } catch (error) {
-      const { code, message } = error as { code?: string; message: string };
-      if (code !== 'cancelled') messages.alert(strings.explorerFailed(message));
+      if (codeOf(error) !== 'cancelled') messages.alert(strings.explorerFailed({ why: explain(error) }));
       mine.abort();
     }
     if (running === mine) {

@@ -15,7 +15,7 @@ export function Filters({ facts, chosen }: { facts: readonly Shown[]; chosen: st
         label={strings.wallPhotos}
         facts={facts}
         chosen={chosen}
-        told={strings.drawOn}
+        told={(name) => strings.drawOn({ name })}
         onChoose={(id) => {
           explorer.photo.value = id;
         }}

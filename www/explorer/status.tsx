@@ -23,7 +23,7 @@ function UnderWay() {
   const doing = running ?? judging;
   if (!doing) return null;
   const said = !running ? strings.judging : running.what === 'redraw' ? strings.redrawing : strings.inventing;
-  const label = said(doing.done, doing.total);
+  const label = said({ done: doing.done, total: doing.total });
   return (
     <div class="under-way">
       <span class="count">{label}</span>
@@ -47,7 +47,7 @@ function Hint() {
   if (parent.value) {
     return (
       <p class="explorer-hint">
-        {strings.breedWith(parent.value.name)}
+        {strings.breedWith({ name: parent.value.name })}
         <button
           type="button"
           class="button small"
@@ -62,13 +62,17 @@ function Hint() {
   }
   if (lastParents.value) {
     const [a, b] = lastParents.value;
-    return <p class="explorer-hint">{strings.litterOf(a.name, b.name)}</p>;
+    return (
+      <p class="explorer-hint">
+        {a.name === b.name ? strings.litterOfOne({ a: a.name }) : strings.litterOf({ a: a.name, b: b.name })}
+      </p>
+    );
   }
   if (unsorted.value && !explorer.scores.progress.value) return <p class="explorer-hint">{strings.sortAgain}</p>;
   if (all === 0) return null;
   return (
-    <p class="count" title={strings.dropped(explorer.dropped.value)}>
-      {strings.stylesShown(shown, all)}
+    <p class="count" title={strings.dropped({ n: explorer.dropped.value })}>
+      {shown === all ? strings.stylesShown({ all }) : strings.stylesShownOf({ shown, all })}
     </p>
   );
 }

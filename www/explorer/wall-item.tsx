@@ -16,13 +16,16 @@ import type { Item, Parents, Photo } from './explorer.ts';
  *   `family`: its relation to the last litter
  */
 function Score({ points }: { points: number }) {
-  const score = strings.scoreOf(strings.decimal(points, 0));
+  const score = strings.scoreOf({ score: strings.decimal(points, 0) });
   return (
     <span class="wall-score" title={score} role="img" aria-label={score}>
       {strings.decimal(points, 0)}
     </span>
   );
 }
+
+/** @returns how a style came from its parents, or from one */
+const originOf = (a: string, b: string) => (a === b ? strings.bredFromOne({ a }) : strings.bredFrom({ a, b }));
 
 export function WallItem({
   item,
@@ -58,7 +61,7 @@ export function WallItem({
     canvas.current.getContext('2d')?.drawImage(bitmap, 0, 0);
   }, [style.id, item.photo.id]);
 
-  const origin = family === 'parent' ? strings.parent : parents && strings.bredFrom(parents[0].name, parents[1].name);
+  const origin = family === 'parent' ? strings.parent : parents && originOf(parents[0].name, parents[1].name);
   return (
     <li
       class="wall-item"
@@ -71,7 +74,7 @@ export function WallItem({
       <button
         type="button"
         class="wall-picture"
-        aria-label={strings.enlarge(style.name)}
+        aria-label={strings.enlarge({ name: style.name })}
         {...pointing(style.id, point)}
         onClick={() => {
           point(null);

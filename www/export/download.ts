@@ -10,7 +10,7 @@ import { fileName, panelName } from './export-name.ts';
 import { FORMATS, isArchive, isFilm, isList } from './formats.ts';
 import { createMaking } from './page-making.ts';
 import { sized } from '../page/paper.ts';
-import { explain } from '../ui/explain.ts';
+import { codeOf, explain } from '../ui/explain.ts';
 import type { Animatics, AnimaticWish } from '../motion/animatics.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
@@ -108,8 +108,8 @@ export function createDownload({
       ? (wish.film?.of === 'pages' ? strings.motion : strings.animatic).saved
       : isList(wish.format)
         ? strings.boards.listSaved
-        : strings.pagesSaved(wish.pages.length);
-    messages.note(cargo.unclean > 0 ? `${saved} ${strings.photosUnclean(cargo.unclean)}` : saved);
+        : strings.pagesSaved({ count: wish.pages.length });
+    messages.note(cargo.unclean > 0 ? `${saved} ${strings.photosUnclean({ n: cargo.unclean })}` : saved);
   }
 
   function nameOf(wish: Wish) {
@@ -171,7 +171,7 @@ export function createDownload({
       messages.note(strings.copied);
     } catch (error) {
       // The error of the picture itself is already reported.
-      if (await png) messages.alert(strings.copyFailed(explain(error)));
+      if (await png) messages.alert(strings.copyFailed({ why: explain(error) }));
     }
   }
 
@@ -189,11 +189,11 @@ export function createDownload({
     try {
       await navigator.share({ files: [file] });
     } catch (error) {
-      const { name, message } = error as Error;
+      const { name } = error as Error;
       // Drawing took too long after the click, so the browser requires another click.
       if (name === 'NotAllowedError')
         messages.note(strings.readyToShare, { label: strings.sharePart, run: () => void hand(file) });
-      else if (name !== 'AbortError') messages.alert(strings.shareFailed(message));
+      else if (name !== 'AbortError') messages.alert(strings.shareFailed({ why: explain(error) }));
     }
   }
 
@@ -203,7 +203,7 @@ export function createDownload({
    */
   async function work(
     make: (how: Work) => Promise<Blob>,
-    failed: (why: string) => string,
+    failed: typeof strings.exportFailed,
     filming?: AnimaticWish['of'],
   ): Promise<Blob | null> {
     if (running) return null;
@@ -218,12 +218,11 @@ export function createDownload({
       });
       return stop.aborted ? null : made;
     } catch (error) {
-      const { code, message, photo } = error as { code?: string; message: string; photo?: string };
-      const reason = strings.reasons[code ?? ''] ?? message;
-      // If a worker is lost, the message already names its task. Other reasons concern a photo.
-      const whole = /-missing$|^animatic-|^sound-/.test(code ?? '') ? reason : message;
-      const why = photo && code !== 'worker-lost' ? strings.fileFailed(photo, reason) : whole;
-      if (code !== 'cancelled') messages.alert(failed(why));
+      const { photo } = error as { photo?: string };
+      // In other places, this code is about a file that is read.
+      const reason = explain(error, { reasons: { 'worker-lost': strings.exportLost } });
+      const why = photo ? strings.fileFailed({ name: photo, why: reason }) : reason;
+      if (codeOf(error) !== 'cancelled') messages.alert(failed({ why }));
       return null;
     } finally {
       running = null;

@@ -148,7 +148,7 @@ export function ExportDialog() {
                         checked={all}
                         onChange={() => choose({ ...choice, every: true })}
                       />
-                      {strings.allPages(count)}
+                      {strings.allPages({ count })}
                     </label>
                   </fieldset>
                 )}
@@ -178,8 +178,12 @@ export function ExportDialog() {
                     value={factor}
                     onChange={(event) => setFactor(Number(event.currentTarget.value))}
                   >
-                    <option value={1}>{strings.full(base.dpi)}</option>
-                    <option value={0.5}>{strings.half(base.dpi)}</option>
+                    <option value={1}>
+                      {base.dpi >= COARSE_FROM ? strings.fullDpi({ dpi: base.dpi }) : strings.full}
+                    </option>
+                    <option value={0.5}>
+                      {base.dpi >= COARSE_FROM ? strings.halfDpi({ dpi: base.dpi / 2 }) : strings.half}
+                    </option>
                   </select>
                 </label>
                 {format === 'html' && webpHasQuality && (
@@ -201,7 +205,7 @@ export function ExportDialog() {
                 {!all && <Sizes size={size} choose={setSize} />}
                 {(format === 'png' || isArchive(format)) && <ExportProject archive={isArchive(format)} />}
                 <p class="quiet export-facts">
-                  <span>{strings.pixels(width, height)}</span>
+                  <span>{strings.pixels({ w: width, h: height })}</span>
                   <FileSize wish={wish} />
                 </p>
                 <ExportActions wish={wish} page={PICTURES.includes(format) ? document : null} close={close} />

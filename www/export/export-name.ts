@@ -19,9 +19,9 @@ export function fileName(project: Named, count: number, format: Format): string 
 
 /** @param index from 0 */
 export function panelName(project: Named, index: number): string {
-  return fileNameOf([project.name, pagePart(project), strings.filePanel(index + 1)], 'png', strings.untitled);
+  return fileNameOf([project.name, pagePart(project), strings.filePanel({ n: index + 1 })], 'png', strings.untitled);
 }
 
 function pagePart({ at, others }: Named): string {
-  return others.length > 0 ? strings.filePage(at + 1) : '';
+  return others.length > 0 ? strings.filePage({ n: at + 1 }) : '';
 }

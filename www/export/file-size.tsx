@@ -39,7 +39,11 @@ export function FileSize({ wish }: { wish: Wish }) {
     };
   }, [wish]);
   const text =
-    busy && bytes === null ? strings.measuring : bytes === null ? '' : strings.aboutSize(strings.fileSize(bytes));
+    busy && bytes === null
+      ? strings.measuring
+      : bytes === null
+        ? ''
+        : strings.aboutSize({ size: strings.fileSize(bytes) });
   return (
     <output class="file-size" aria-busy={busy}>
       {text}

@@ -110,7 +110,9 @@ export function createMaking({
     const album = store.album.peek();
     const alts = documents.map((document) =>
       document.panels.map(({ plain }, i) =>
-        plain ? strings.boards.logo : strings.panelHolds(i + 1, describePanel(document, album, i) || strings.somePhoto),
+        plain
+          ? strings.boards.logo
+          : strings.panelHolds({ n: i + 1, what: describePanel(document, album, i) || strings.somePhoto }),
       ),
     );
     const wish = { ...how, quality, title, alts, options: { language: currentLanguage(), ...pdfOptions(print) } };

@@ -52,24 +52,24 @@ export function PrintCheck({
 
   return (
     <section class="print-check" aria-live="polite">
-      <p>{strings.print.coarse(found.length, COARSE)}</p>
+      <p>{strings.print.coarse({ n: found.length, dpi: COARSE })}</p>
       <ul>
         {found.slice(0, NAMED).map((coarse) => (
           <li key={`${coarse.page} ${coarse.panel}`}>
             <button type="button" class="link-button" onClick={() => go(coarse)}>
               {only === null
-                ? strings.print.coarseOn(coarse.page + 1, coarse.panel + 1, coarse.dpi)
-                : strings.print.coarsePanel(coarse.panel + 1, coarse.dpi)}
+                ? strings.print.coarseOn({ page: coarse.page + 1, n: coarse.panel + 1, dpi: coarse.dpi })
+                : strings.print.coarsePanel({ n: coarse.panel + 1, dpi: coarse.dpi })}
             </button>
           </li>
         ))}
-        {found.length > NAMED && <li class="quiet">{strings.print.coarseMore(found.length - NAMED)}</li>}
+        {found.length > NAMED && <li class="quiet">{strings.print.coarseMore({ n: found.length - NAMED })}</li>}
       </ul>
       <label class="check">
         <input type="checkbox" checked={enlarge} onChange={({ currentTarget }) => change(currentTarget.checked)} />
         <span>{strings.print.enlarge}</span>
       </label>
-      <p class="quiet">{enlarge ? strings.print.enlargeHelp(found.length) : strings.print.coarseHelp}</p>
+      <p class="quiet">{enlarge ? strings.print.enlargeHelp({ n: found.length }) : strings.print.coarseHelp}</p>
     </section>
   );
 }
@@ -87,7 +87,7 @@ export function CoarseMarks({ page, geometry }: { page: PageDocument; geometry: 
         const style = { left: `${(x + width / 2) * 100}%`, top: `${((y + height / 2) / geometry.height) * 100}%` };
         return (
           <span key={panel} class="coarse-mark" style={style}>
-            {strings.print.coarseMark(dpi)}
+            {strings.print.coarseMark({ dpi })}
           </span>
         );
       })}

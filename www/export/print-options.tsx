@@ -42,7 +42,7 @@ export function PrintOptions({
       {print.sheets !== 'none' && pages > 1 && (
         <>
           <p class="quiet print-help">
-            {words[print.sheets]} {empty > 0 && words.blanks(empty)}
+            {words[print.sheets]} {empty > 0 && words.blanks({ n: empty })}
           </p>
           <Choice
             name={words.paperSize}

@@ -5,7 +5,8 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Dialog } from '../ui/dialog.tsx';
 import { keyLines } from './key-lines.ts';
-import { allTopics, searchHelp } from './searching.ts';
+import { searchHelp, topicsOf } from './searching.ts';
+import { topicMessages } from './topics.ts';
 import type { Topic } from './searching.ts';
 import type { KeyLine } from './key-lines.ts';
 
@@ -15,7 +16,7 @@ const byHand = () => window.matchMedia('(pointer: coarse)').matches;
 export function HelpDialog() {
   const { ui, actions, hints } = useApp();
   const [sought, setSought] = useState('');
-  const { topics, lines } = searchHelp(sought, allTopics(), keyLines({ ...actions }));
+  const { topics, lines } = searchHelp(sought, topicsOf(topicMessages, strings), keyLines({ ...actions }));
   const searching = sought.trim() !== '';
   const none = topics.length + lines.length === 0;
   const close = () => {
@@ -39,7 +40,11 @@ export function HelpDialog() {
         }}
       />
       <p class="help-found quiet" role="status">
-        {none ? strings.helpNone(sought.trim()) : searching ? strings.helpFound(topics.length, lines.length) : ''}
+        {none
+          ? strings.helpNone({ text: sought.trim() })
+          : searching
+            ? strings.helpFound({ topics: topics.length, keys: lines.length })
+            : ''}
       </p>
       {none && (
         <button type="button" class="button" onClick={() => setSought('')}>

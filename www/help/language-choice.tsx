@@ -13,7 +13,7 @@ export function LanguageChoice() {
     await keeping.flush();
     const state = keeping.status.peek();
     if (state === 'saved' || state === 'empty') window.location.reload();
-    else messages.alert(strings.languageLater(LANGUAGES[chosen]));
+    else messages.alert(strings.languageLater({ name: LANGUAGES[chosen] }));
   }
 
   return (

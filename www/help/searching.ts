@@ -1,12 +1,20 @@
 /** The help that is searched for: whatever the case, and with accents or without. */
 
-import { strings } from '../strings/strings.ts';
+import { controlNames } from './controls.ts';
+import type { Messages } from '../strings/compiled/help-en.ts';
+import type { strings } from '../strings/strings.ts';
 import type { KeyLine } from './key-lines.ts';
 
 export type Topic = { id: string; title: string; text: string };
 
-export function allTopics(): Topic[] {
-  return Object.entries(strings.topics).map(([id, topic]) => ({ id, ...topic }));
+/** @param said has the names of controls, in the language of the topics */
+export function topicsOf(topics: Messages, said: typeof strings): Topic[] {
+  const names = controlNames(said);
+  return Object.entries(topics).map(([id, { title, text }]) => ({
+    id,
+    title,
+    text: typeof text === 'string' ? text : text(names),
+  }));
 }
 
 /**

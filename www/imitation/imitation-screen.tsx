@@ -73,7 +73,7 @@ export function ImitationScreen() {
               label={strings.imitationPhotos}
               facts={facts}
               chosen={fact?.id ?? null}
-              told={strings.drawOn}
+              told={(name) => strings.drawOn({ name })}
               onChoose={(id) => {
                 imitation.photo.value = id;
               }}
@@ -115,7 +115,9 @@ function Original() {
   useEffect(() => () => URL.revokeObjectURL(address), [address]);
   return (
     <figure class="imitation-figure">
-      <div class="imitation-frame">{shown && <img src={address} alt={strings.imitationPictureOf(shown.name)} />}</div>
+      <div class="imitation-frame">
+        {shown && <img src={address} alt={strings.imitationPictureOf({ name: shown.name })} />}
+      </div>
       <figcaption class="count">{shown?.name}</figcaption>
     </figure>
   );
@@ -131,7 +133,7 @@ function Result({ fact }: { fact: Shown }) {
         <div
           class="imitation-result"
           role="img"
-          aria-label={style ? strings.styleOn(style.name, fact.name) : fact.name}
+          aria-label={style ? strings.styleOn({ style: style.name, photo: fact.name }) : fact.name}
         >
           <Bitmap
             of={`${style?.id} ${fact.id}`}
@@ -164,7 +166,7 @@ function Status({ fact }: { fact: Shown | null }) {
         </button>
       )}
       {done === null && imitation.proposals.value.length > 0 && (
-        <span class="count">{strings.imitationFound(imitation.proposals.value.length)}</span>
+        <span class="count">{strings.imitationFound({ n: imitation.proposals.value.length })}</span>
       )}
     </div>
   );

@@ -162,7 +162,11 @@ export function createImitation({
 
   /** Gives a style a name and a unique id. The score applies to only this search. */
   function named({ score: _, ...style }: Style, file: string, place: number): Style {
-    return { ...style, id: freshId(), name: strings.imitationName(file.replace(/\.[^.]*$/, '').slice(0, 40), place) };
+    return {
+      ...style,
+      id: freshId(),
+      name: strings.imitationName({ picture: file.replace(/\.[^.]*$/, '').slice(0, 40), place }),
+    };
   }
 
   /** @param id of a proposal */

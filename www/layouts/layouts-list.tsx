@@ -91,7 +91,7 @@ export function LayoutsList() {
           <option value="">{strings.anyPanels}</option>
           {counts.map((count) => (
             <option key={count} value={count}>
-              {strings.panelCount(count)}
+              {strings.panelCount({ n: count })}
             </option>
           ))}
         </select>
@@ -105,7 +105,7 @@ export function LayoutsList() {
         onPoint={glimpse.point}
         names
         nameOf={strings.layoutTitle}
-        noteOf={({ count }) => strings.panelCount(count)}
+        noteOf={({ count }) => strings.panelCount({ n: count })}
         empty={strings.noLayouts}
         picture={(layout) => pictures.get(layout.id) ?? <LayoutPicture layout={layout} aspect={aspect} />}
       />

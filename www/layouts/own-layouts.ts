@@ -7,6 +7,7 @@ import { readText } from '../engine/text-file.ts';
 import { strings } from '../strings/strings.ts';
 import { save as saveFile } from '../ui/files.ts';
 import { importing } from '../ui/importing.ts';
+import { UserError } from '../ui/user-error.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
@@ -46,8 +47,8 @@ export function createOwnLayouts({ store, pages, messages }: { store: Store; pag
 
   async function take(file: File): Promise<Template> {
     const planner = store.planner.peek();
-    if (!planner) throw new Error(strings.starting);
-    if (file.size > LONGEST) throw new Error(strings.layoutTooLong(file.name));
+    if (!planner) throw new UserError(strings.starting);
+    if (file.size > LONGEST) throw new UserError(strings.layoutTooLong({ name: file.name }));
     const layout = planner.checkLayout((await readText(file)).text, file.name);
     keep(layout);
     return layout;

@@ -57,13 +57,15 @@ function FilmSounds({ video }: { video: Video }) {
 function counted({ near, far }: { near: readonly Proposal[]; far: number }, all: number) {
   const says = strings.filmSounds;
   if (all === 0) return says.silent;
-  return [near.length > 0 ? says.near(near.length) : says.none, ...(far > 0 ? [says.far(far)] : [])].join(' ');
+  return [near.length > 0 ? says.near({ n: near.length }) : says.none, ...(far > 0 ? [says.far({ n: far })] : [])].join(
+    ' ',
+  );
 }
 
 function List({ video, near }: { video: Video; near: readonly Proposal[] }) {
   const { filmSounds } = useApp();
   return (
-    <ul class="sound-list" aria-label={strings.filmSounds.of(video.name)}>
+    <ul class="sound-list" aria-label={strings.filmSounds.of({ name: video.name })}>
       {near.map((proposal) => {
         const time = strings.clock(proposal.event.start);
         return (
@@ -78,7 +80,7 @@ function List({ video, near }: { video: Video; near: readonly Proposal[] }) {
                     key={word}
                     type="button"
                     class="button small"
-                    aria-label={strings.filmSounds.put(text, time)}
+                    aria-label={strings.filmSounds.put({ text, time })}
                     aria-pressed={proposal.taken === text}
                     aria-disabled={proposal.taken !== undefined}
                     onClick={() => {

@@ -108,7 +108,7 @@ export function createFilmSounds({
     const text = strings.soundWords[word];
     const turned = event.kind === 'music' ? {} : { angle: TURNED };
     const { shown } = lettering.lay([{ kind: 'effect', text, photo, panel: 0, auto: true, cue, ...turned }]);
-    if (shown > 0) messages.note(strings.filmSounds.taken(text));
+    if (shown > 0) messages.note(strings.filmSounds.taken({ text }));
   }
 }
 
@@ -131,12 +131,12 @@ function sentence(error: unknown): string {
     case 'sound-none':
       return says.mute;
     case 'sound-long':
-      return says.long(strings.decimal(MOST_SOUND.seconds / 60));
+      return says.long({ minutes: strings.decimal(MOST_SOUND.seconds / 60) });
     case 'sound-large':
-      return says.large(strings.fileSize(MOST_SOUND.bytes));
+      return says.large({ size: strings.fileSize(MOST_SOUND.bytes) });
     case 'sound-undecodable':
       return says.undecodable;
     default:
-      return says.failed(explain(error));
+      return says.failed({ why: explain(error) });
   }
 }

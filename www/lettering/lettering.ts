@@ -143,7 +143,7 @@ export function createLettering({
     const some = fresh
       .slice(0, Math.max(0, MOST.words - before.length))
       .map((word): Word => ({ language, ...word, text: bounded(word.text) }));
-    if (some.length < fresh.length) messages.alert(strings.wordsFull(MOST.words));
+    if (some.length < fresh.length) messages.alert(strings.wordsFull({ most: MOST.words }));
     if (some.length === 0) return 0;
     const all = [...before, ...some];
     const places = some.map((_, i) => before.length + i);
@@ -264,7 +264,7 @@ export function createLettering({
       .filter((_, i) => i !== index)
       .map((word, i) => (orphans.includes(i) ? { ...word, joined: null, linked: null } : word));
     store.change({ type: 'change-page', page: settled({ ...page, words: left }, orphans) });
-    messages.note(strings.wordRemoved(strings.word(word.kind, word.text)));
+    messages.note(strings.wordRemoved({ name: strings.word({ kind: strings.wordKind[word.kind], text: word.text }) }));
   }
 
   /** Places a text item automatically again. */

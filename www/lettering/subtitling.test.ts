@@ -76,7 +76,7 @@ test('words go to frames in use, shown or not, and what was left out is told wit
   const laid = { kind: 'balloon', text: 'x', auto: true, photo: 'g', panel: 0, cue: 'film.mp4 9.000/0' };
   expect(lay.mock.calls).toEqual([[[laid]], [[laid]]]);
   expect(alert.mock.calls).toEqual([
-    [expect.stringMatching(/^many\.srt: 20000 subtitles were read; 1 more/)],
+    [expect.stringMatching(/^many\.srt: 20,000 subtitles were read; 1 more/)],
     [expect.stringMatching(/^long\.vtt: a subtitle is too long/)],
   ]);
 });

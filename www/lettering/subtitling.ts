@@ -17,6 +17,7 @@ import { MOST } from '../document/limits.ts';
 import { isUsed } from '../document/album.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import { readingOrder } from '../page/reading-order.ts';
+import { UserError } from '../ui/user-error.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { Speech, SubtitleFlaw } from '../engine/speech.ts';
@@ -80,7 +81,7 @@ export function createSubtitling({
   }
 
   async function take(file: File, encoding: string): Promise<DecodedText> {
-    if (file.size > MOST.subtitles) throw new Error(strings.subtitleErrors.large);
+    if (file.size > MOST.subtitles) throw new UserError(strings.subtitleErrors.large);
     const decoded = await readText(file, encoding);
     if (hasRole(file.name, 'text')) await lay(decoded.text);
     else await subtitle(file.name, decoded.text);
@@ -95,7 +96,7 @@ export function createSubtitling({
     try {
       return await lay(script);
     } catch (error) {
-      messages.alert(strings.scriptFailed(explain(error)));
+      messages.alert(strings.scriptFailed({ why: explain(error) }));
       return false;
     }
   }
@@ -103,10 +104,10 @@ export function createSubtitling({
   async function lay(text: string): Promise<boolean> {
     if (!(await lettering.ready())) return false;
     const panels = panelsInOrder();
-    if (panels.length === 0) throw new Error(strings.scriptNoPage);
+    if (panels.length === 0) throw new UserError(strings.scriptNoPage);
     const { script } = await texts();
     const told = script(text, panels.length, { kind: kind.peek(), sounds: sounds.peek() });
-    if (told.words.length === 0) throw new Error(strings.scriptEmpty);
+    if (told.words.length === 0) throw new UserError(strings.scriptEmpty);
     spread(told, panels);
     return true;
   }
@@ -115,24 +116,24 @@ export function createSubtitling({
     if (!(await lettering.ready())) return;
     const frames = framesOf(name);
     const panels = panelsInOrder();
-    if (frames.length === 0 && panels.length === 0) throw new Error(strings.subtitlesNoFrames);
+    if (frames.length === 0 && panels.length === 0) throw new UserError(strings.subtitlesNoFrames);
     const taking = { kind: kind.peek(), sounds: sounds.peek() };
     const { subtitles } = await texts();
     const told = subtitles(text, /\.vtt$/i.test(name), frames, panels.length, taking);
-    if ('flaw' in told) throw new Error(sentence(told.flaw));
+    if ('flaw' in told) throw new UserError(sentence(told.flaw));
     const { words, cues, homeless, left, cut, skipped, flaws, unplaced } = told;
-    const tell = (what: string) => messages.alert(strings.fileFailed(name, what));
-    if (left > 0) tell(strings.subtitlesLeft(left, cues));
-    if (cut > 0) tell(strings.subtitlesCut(cut));
-    if (skipped > 0) tell(strings.subtitlesSkipped(skipped, flaws.map(sentence)));
-    if (words.length === 0) throw new Error(strings.subtitlesNoMatch);
+    const tell = (what: string) => messages.alert(strings.fileFailed({ name, why: what }));
+    if (left > 0) tell(strings.subtitlesLeft({ n: left, of: cues }));
+    if (cut > 0) tell(strings.subtitlesCut({ n: cut }));
+    if (skipped > 0) tell(strings.subtitlesSkipped({ n: skipped, why: strings.sentences(flaws.map(sentence)) }));
+    if (words.length === 0) throw new UserError(strings.subtitlesNoMatch);
     if (frames.length === 0) {
       spread({ words, unplaced }, panels);
       return;
     }
     const added = lettering.lay(words.map((word) => onFrame(word, frames[word.frame as number])));
-    if (added.shown + added.waiting === 0) messages.note(strings.fileFailed(name, strings.subtitlesThere));
-    else messages.note(strings.subtitlesLaid(added.shown, added.waiting, homeless));
+    if (added.shown + added.waiting === 0) messages.note(strings.fileFailed({ name, why: strings.subtitlesThere }));
+    else messages.note(strings.subtitlesLaid({ ...added, homeless }));
   }
 
   /** Lays speech over panels, and reports how much of it did not fit. */
@@ -140,9 +141,10 @@ export function createSubtitling({
     const { shown, waiting } = lettering.lay(words.map((word) => onPanel(word, panels)));
     const total = words.filter(({ place }) => place !== undefined).length + unplaced;
     const left = total - shown - waiting;
-    if (shown === total) messages.note(strings.scriptLaid(shown));
-    else if (left === 0) messages.note(strings.speechSpread(shown, total, waiting, left));
-    else messages.alert(strings.speechSpread(shown, total, waiting, left));
+    const spread = { shown, total, missing: total - shown, unplaced: waiting, left };
+    if (shown === total) messages.note(strings.scriptLaid({ n: shown }));
+    else if (left === 0) messages.note(strings.speechSpread(spread));
+    else messages.alert(strings.speechSpread(spread));
   }
 
   /**
@@ -190,9 +192,9 @@ function sentence(flaw: SubtitleFlaw): string {
   switch (flaw.kind) {
     case 'stray':
     case 'time':
-      return says[flaw.kind](flaw.line, flaw.text);
+      return says[flaw.kind]({ line: flaw.line, text: flaw.text });
     case 'order':
-      return says.order(flaw.line);
+      return says.order({ line: flaw.line });
     default:
       return says[flaw.kind];
   }

@@ -3,10 +3,11 @@
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
 import type { App } from '../ui/context.ts';
-import type { Kind } from '../strings/en/words.ts';
 import type { Action } from '../ui/action.ts';
 import type { Mode } from './lettering.ts';
 import { LEAST_SIZE, MOST_SIZE } from './word-units.ts';
+
+type Kind = keyof typeof strings.addWord;
 
 export function createWordActions({ store, ui, lettering }: Pick<App, 'store' | 'ui' | 'lettering'>) {
   const enabled = computed(() => store.page.value !== null);

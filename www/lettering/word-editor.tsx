@@ -77,7 +77,7 @@ export function WordEditor({ index, box, height }: { index: number; box: WordBox
       ref={field}
       class="word-editor"
       data-kind={word.kind}
-      aria-label={strings.wordText(strings.word(word.kind, word.text))}
+      aria-label={strings.wordText({ name: strings.word({ kind: strings.wordKind[word.kind], text: word.text }) })}
       maxLength={MOST.letters}
       data-capitals={capitals(word)}
       style={{ ...place, '--fill': box.fill, '--ink': box.color }}

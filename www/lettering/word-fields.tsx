@@ -80,7 +80,7 @@ export function WordFields({ index }: { index: number }) {
       )}
       {missing && (
         <p class="quiet" role="note">
-          {strings.wordMissing(missing)}
+          {strings.wordMissing({ letters: missing })}
         </p>
       )}
       {!missing && lettering.foreign(word.text) && (

@@ -10,6 +10,7 @@ import { useApp } from '../ui/context.ts';
 import { placed, pointOn, useWordHands } from './word-hands.ts';
 import { WordEditor } from './word-editor.tsx';
 import { createWordPainter } from './word-painter.ts';
+import { explain } from '../ui/explain.ts';
 import type { Geometry, PageDocument, WordBox } from '../engine/types.ts';
 
 /** @param props `width` of the page in pixels of the screen */
@@ -28,7 +29,7 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
       onPainted: (document) => {
         ui.lettered.value = document;
       },
-      onError: ({ message }) => messages.alert(strings.wordsFailed(message)),
+      onError: (error) => messages.alert(strings.wordsFailed({ why: explain(error) })),
     });
     return () => painter.current?.dispose();
   }, []);
@@ -63,7 +64,7 @@ function Word({ index, box, height }: { index: number; box: WordBox; height: num
   const chosen = lettering.chosen.value === index;
   // Above a drawer, the page is too small for handles.
   const held = chosen && (ui.wide.value || ui.sheet.value === null);
-  const name = strings.word(word.kind, word.text);
+  const name = strings.word({ kind: strings.wordKind[word.kind], text: word.text });
   return (
     <>
       <button
@@ -80,7 +81,7 @@ function Word({ index, box, height }: { index: number; box: WordBox; height: num
         <button
           type="button"
           class="word-tail"
-          aria-label={strings.wordTail(name)}
+          aria-label={strings.wordTail({ name })}
           aria-description={strings.tailKeys}
           style={{ left: `${box.tip[0] * 100}%`, top: `${(box.tip[1] / height) * 100}%` }}
           {...hands.tail}

@@ -85,7 +85,7 @@ export function createWordPlanning({
       letters.value = await load();
       return letters.peek();
     } catch (error) {
-      messages.alert(strings.wordsFailed(explain(error)));
+      messages.alert(strings.wordsFailed({ why: explain(error) }));
       return null;
     } finally {
       loading.value = false;

@@ -63,14 +63,14 @@ function Waiting() {
   if (words.length === 0) return null;
   return (
     <details class="waiting">
-      <summary>{strings.wordsWaiting(words.length)}</summary>
+      <summary>{strings.wordsWaiting({ n: words.length })}</summary>
       <p class="quiet">{strings.wordsWaitingWhy}</p>
       <ul class="waiting-words">
         {words.slice(0, LISTED).map(({ text }, i) => (
           <li key={i}>
             <span title={text}>{text}</span>
-            <IconButton icon="put" label={strings.putWaiting(text)} onClick={() => lettering.take(i)} />
-            <IconButton icon="bin" label={strings.dropWaiting(text)} onClick={() => lettering.drop([i])} />
+            <IconButton icon="put" label={strings.putWaiting({ text })} onClick={() => lettering.take(i)} />
+            <IconButton icon="bin" label={strings.dropWaiting({ text })} onClick={() => lettering.drop([i])} />
           </li>
         ))}
       </ul>

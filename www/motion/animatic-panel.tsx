@@ -15,6 +15,7 @@ import { clock } from './clock.ts';
 import { bytesOf, GIF, KINDS, kindsHere } from './kinds.ts';
 import './animatic.css';
 import { after } from '../engine/scheduler.ts';
+import { explain } from '../ui/explain.ts';
 import type { ComponentChildren } from 'preact';
 import type { AnimaticWish, Planned, SizeId } from './animatics.ts';
 import type { Kind } from './kinds.ts';
@@ -89,7 +90,7 @@ export function AnimaticPanel({ of, close, children }: AnimaticProps) {
             value={wish.seconds}
             onInput={(event) => change({ seconds: Number(event.currentTarget.value) })}
           />
-          <output aria-hidden="true">{strings.animatic.secondsOf(wish.seconds)}</output>
+          <output aria-hidden="true">{strings.animatic.secondsOf({ seconds: wish.seconds })}</output>
         </label>
         <label class="field">
           <span>{says.change}</span>
@@ -119,26 +120,26 @@ export function AnimaticPanel({ of, close, children }: AnimaticProps) {
         {kind === 'gif' && wish.sound && <p class="quiet">{strings.animatic.gifMute}</p>}
         <p class="quiet export-facts" aria-live="polite">
           {failed ? (
-            <span>{says.failed(failed)}</span>
+            <span>{says.failed({ why: failed })}</span>
           ) : planned ? (
             <>
               <span>
-                {says.facts(
-                  pages ? planned.plan.clips.length : boards.rows.value.length,
-                  clock(seconds),
-                  strings.decimal(Math.round(planned.plan.rate * 1000) / 1000),
-                )}
+                {says.facts({
+                  count: pages ? planned.plan.clips.length : boards.rows.value.length,
+                  length: clock(seconds),
+                  fps: strings.decimal(Math.round(planned.plan.rate * 1000) / 1000),
+                })}
               </span>
               <span>
-                {strings.aboutSize(
-                  strings.fileSize(
+                {strings.aboutSize({
+                  size: strings.fileSize(
                     bytesOf(kind, {
                       ...animatics.sizeOf(asked),
                       seconds,
                       sound: wish.sound !== null && kind !== 'gif',
                     }),
                   ),
-                )}
+                })}
               </span>
             </>
           ) : (
@@ -181,8 +182,7 @@ function usePlan(wish: AnimaticWish): { planned: Planned | null; failed: string 
     const cancel = after(REST_MS, () => {
       animatics.planned(wish, { signal: stop.signal }).then(
         (planned) => !stop.signal.aborted && setState({ planned, failed: null }),
-        ({ code, message }) =>
-          !stop.signal.aborted && setState({ planned: null, failed: strings.reasons[code ?? ''] ?? message }),
+        (error) => !stop.signal.aborted && setState({ planned: null, failed: explain(error) }),
       );
     });
     return () => {

@@ -83,9 +83,12 @@ export function AnimaticPlayer({ planned }: { planned: Planned | null }) {
     planned && count > 0 ? planned.plan.clips[frameAt(planned.table, Math.min(frame, last)).under.clip] : null;
   const told = planned && count > 0 ? frameAt(planned.table, Math.min(frame, last)) : null;
   const [time, of] = [clock(frame / rate), clock(count / rate)];
-  const place = shot?.reading
-    ? strings.motion.place(time, of, shot.number, (told?.panel ?? -1) + 1)
-    : strings.animatic.place(time, of, shot?.number ?? '');
+  const panel = (told?.panel ?? -1) + 1;
+  const place = !shot?.reading
+    ? strings.animatic.place({ time, of, shot: shot?.number ?? '' })
+    : panel > 0
+      ? strings.motion.place({ time, of, page: shot.number, panel })
+      : strings.motion.placeOfPage({ time, of, page: shot.number });
   return (
     <div
       class="animatic-player"

@@ -40,7 +40,7 @@ export function FilePick({
       {file && (
         <>
           <span class="file-pick-name">{file.name}</span>
-          <IconButton icon="close" label={strings.animatic.noSound(file.name)} onClick={() => choose(null)} />
+          <IconButton icon="close" label={strings.animatic.noSound({ name: file.name })} onClick={() => choose(null)} />
         </>
       )}
     </div>

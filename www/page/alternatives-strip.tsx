@@ -91,7 +91,7 @@ function Alternative({ page, number, point }: { page: PageDocument; number: numb
       <button
         type="button"
         ref={ref}
-        aria-label={strings.alternative(number)}
+        aria-label={strings.alternative({ n: number })}
         aria-current={store.page.value === shown ? 'true' : undefined}
         {...pointing(String(number), point)}
         onBlur={() => point(null)}

@@ -8,7 +8,7 @@ export function BookProgress() {
   const progress = bookMaking.progress.value;
   if (progress === null) return null;
   const { done, of } = progress;
-  const label = of === 0 ? strings.book.looking : strings.book.making(done, of);
+  const label = of === 0 ? strings.book.looking : strings.book.making({ page: done + 1, of });
   return (
     <div class="book-making" aria-busy="true">
       <span>{label}</span>

@@ -120,7 +120,7 @@ function toolsFor({
     const tools = wide ? [edit, smaller, larger, ...tail, remove] : [edit, format, smaller, larger, remove, ...tail];
     return {
       kind: 'text',
-      title: strings.word(word.kind, word.text),
+      title: strings.word({ kind: strings.wordKind[word.kind], text: word.text }),
       tools: [...tools, place, move, ...more],
       shown: SHOWN.most,
     };
@@ -151,7 +151,7 @@ function toolsFor({
   if (other !== undefined || selection.several.value)
     return {
       kind: 'panels',
-      title: chosen.length > 0 ? strings.chosenPanels(chosen.length) : strings.selectPanels,
+      title: chosen.length > 0 ? strings.chosenPanels({ n: chosen.length }) : strings.selectPanels,
       tools: [panels.join, panels.merge, ...(chosen.length === 2 ? [panels.swap] : []), ...merged, panels.select],
       shown,
     };
@@ -161,7 +161,7 @@ function toolsFor({
     const frame = scrubbing.isFrame(panel) ? [panels.earlier, panels.later] : [];
     return {
       kind: 'panel',
-      title: strings.panel(panel + 1, store.page.value?.panels.length ?? 0),
+      title: strings.panel({ n: panel + 1, of: store.page.value?.panels.length ?? 0 }),
       tools: [
         ...[crop, replace, lock, star, splitPanel, ...merged, ...frame, swap, rotate, flip],
         ...[panels.fit, panels.focus, panels.reset],

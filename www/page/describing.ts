@@ -53,10 +53,13 @@ export function describePanel(page: PageDocument, album: Album, panel: number): 
  */
 export function describePage(page: PageDocument, album: Album, style: string): string {
   const panels = page.panels.map(({ photo }, i) =>
-    strings.panelHolds(i + 1, photo === null ? strings.emptyPanel : describePanel(page, album, i) || strings.somePhoto),
+    strings.panelHolds({
+      n: i + 1,
+      what: photo === null ? strings.emptyPanel : describePanel(page, album, i) || strings.somePhoto,
+    }),
   );
   const words = (page.words ?? []).map(({ kind, text }) =>
-    strings.wordSays(strings.wordKind[kind], text.replaceAll(/\s+/g, ' ').trim()),
+    strings.wordSays({ kind: strings.wordKind[kind], text: text.replaceAll(/\s+/g, ' ').trim() }),
   );
-  return [strings.pageAs(panels.length, style), ...panels, ...words].join(' ');
+  return [strings.pageAs({ panels: panels.length, style }), ...panels, ...words].join(' ');
 }

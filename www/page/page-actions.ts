@@ -89,8 +89,8 @@ export function createPageActions({
       undo: 'step',
     },
     versions: {
-      label: computed(() => strings.pagesShownAt(at.value + 1, count.value)),
-      help: computed(() => strings.version(at.value + 1, count.value)),
+      label: computed(() => strings.pagesShownAt({ n: at.value + 1, of: count.value })),
+      help: computed(() => strings.version({ n: at.value + 1, of: count.value })),
       on: computed(() => ui.work.value === 'pages'),
       run: () => ui.toggleWork('pages'),
     },

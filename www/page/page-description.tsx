@@ -17,7 +17,7 @@ export function PageDescription() {
     // The clipboard is only available on secure origins.
     (navigator.clipboard?.writeText(text) ?? Promise.reject(new Error('no clipboard'))).then(
       () => messages.note(strings.descriptionCopied),
-      () => messages.alert(strings.descriptionNotCopied(text)),
+      () => messages.alert(strings.descriptionNotCopied({ text })),
     );
   }
 

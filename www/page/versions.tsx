@@ -15,7 +15,7 @@ export function Versions({ heart = false }: { heart?: boolean }) {
       <ActionButton action={page.previous} />
       <ActionButton action={page.versions} class="page-number">
         {heart ? (
-          strings.versionAt(at, of)
+          strings.versionAt({ n: at, of })
         ) : (
           <>
             {at}

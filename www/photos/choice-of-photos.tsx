@@ -7,6 +7,17 @@ import { useApp } from '../ui/context.ts';
 import type { Order } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
 
+/** Descriptions of thresholds, each with the first number of bits that is above its range. */
+const SIMILARITIES = [
+  [7, 'identical'],
+  [11, 'scene'],
+  [14, 'very'],
+  [Number.POSITIVE_INFINITY, 'somewhat'],
+] as const;
+
+/** @returns the key of the description of a threshold */
+const similarityOf = (bits: number) => (SIMILARITIES.find(([below]) => bits < below) ?? SIMILARITIES[3])[1];
+
 export function ChoiceOfPhotos() {
   const { store, choosing } = useApp();
   const { alike: duplicateThreshold, order } = store.project.value;
@@ -26,7 +37,7 @@ export function ChoiceOfPhotos() {
           max={DUPLICATE_THRESHOLD.max}
           value={shown}
           disabled={busy}
-          aria-valuetext={strings.alikeValue(shown)}
+          aria-valuetext={strings.alikeValue[similarityOf(shown)]({ bits: shown })}
           onInput={({ currentTarget }) => setWish(currentTarget.valueAsNumber)}
           onChange={({ currentTarget }) => {
             setWish(null);
@@ -34,7 +45,7 @@ export function ChoiceOfPhotos() {
           }}
         />
         <output aria-hidden="true">
-          {open && !busy && strings.alikeKept(keptAt(store, shown), store.tray.value.length)}
+          {open && !busy && strings.alikeKept({ kept: keptAt(store, shown), all: store.tray.value.length })}
         </output>
       </label>
       <label class="field">

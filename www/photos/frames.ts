@@ -112,7 +112,9 @@ export function createFrames({
     const video = store.videos.peek().get(key);
     if (video && video.duration !== duration) know(key, { duration, end: video.end ?? duration });
     if (whole !== undefined)
-      messages.alert(strings.filmReaches(file.name, strings.clock(duration), strings.clock(whole)));
+      messages.alert(
+        strings.filmReaches({ name: file.name, till: strings.clock(duration), whole: strings.clock(whole) }),
+      );
     if (part !== undefined) looked(key, part < 1 ? { name: file.name, part } : undefined);
   }
 

@@ -11,6 +11,7 @@ import { reasonOfKind } from '../ui/reason-of-kind.ts';
 import { looksLike } from './identity.ts';
 import { emptyFrames } from './placeholder.ts';
 import { createTimer, nextTask } from '../engine/scheduler.ts';
+import { UserError } from '../ui/user-error.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Fact } from '../document/album.ts';
 import type { Pages } from '../document/pages.ts';
@@ -143,7 +144,7 @@ export function createIntake({
 
   function reportDamage(name: string, { missing, coarse }: Damage) {
     const share = strings.percent(Math.max(0.01, missing || coarse));
-    messages.alert(missing > 0 ? strings.photoDamaged(name, share) : strings.photoCoarse(name, share));
+    messages.alert(missing > 0 ? strings.photoDamaged({ name, share }) : strings.photoCoarse({ name, share }));
   }
 
   function knownOf({ meta: before, absent }: Fact, meta: Omit<Imported['meta'], 'damage'>): Partial<Fact> {
@@ -174,7 +175,7 @@ export function createIntake({
   async function explained(file: File, error: unknown): Promise<unknown> {
     const kind = NO_PHOTO.includes(codeOf(error)) ? await otherKind(file) : undefined;
     const reason = kind ? reasonOfKind(kind) : '';
-    return reason === '' ? error : new Error(reason);
+    return reason === '' ? error : new UserError(reason);
   }
 
   /**

@@ -49,7 +49,7 @@ export function PhotoTile({
 
   function setUsed(on: boolean) {
     reading.use(id, on);
-    if (!on) noteWithUndo({ messages, store, pages }, strings.leftOut(name));
+    if (!on) noteWithUndo({ messages, store, pages }, strings.leftOut({ name }));
   }
 
   return (
@@ -66,7 +66,7 @@ export function PhotoTile({
         class="photo-picture"
         role="button"
         tabIndex={ready ? 0 : -1}
-        aria-label={strings.pickPhoto(name)}
+        aria-label={strings.pickPhoto({ name })}
         aria-description={long || undefined}
         aria-pressed={picked}
         aria-disabled={!ready}
@@ -97,7 +97,7 @@ export function PhotoTile({
       <label class="photo-use">
         <input
           type="checkbox"
-          aria-label={strings.usePhoto(name)}
+          aria-label={strings.usePhoto({ name })}
           aria-describedby={why && `why-${id}`}
           checked={used}
           onChange={(event) => setUsed(event.currentTarget.checked)}
@@ -106,7 +106,7 @@ export function PhotoTile({
       <button
         type="button"
         class="photo-star"
-        aria-label={strings.starPhoto(name)}
+        aria-label={strings.starPhoto({ name })}
         aria-pressed={starred}
         title={strings.starLong}
         onClick={() => choosing.star(id, !starred)}
@@ -116,8 +116,8 @@ export function PhotoTile({
       <button
         type="button"
         class="photo-remove"
-        aria-label={strings.removePhoto(name)}
-        title={strings.removePhoto(name)}
+        aria-label={strings.removePhoto({ name })}
+        title={strings.removePhoto({ name })}
         onClick={() => reading.remove(id)}
       >
         <Icon name="close" />
@@ -126,8 +126,8 @@ export function PhotoTile({
         <button
           type="button"
           class="photo-put photo-correct"
-          aria-label={strings.brush.correctPhoto(name)}
-          title={strings.brush.correctPhoto(name)}
+          aria-label={strings.brush.correctPhoto({ name })}
+          title={strings.brush.correctPhoto({ name })}
           onClick={() => {
             ui.dialog.value = { brush: id };
           }}
@@ -139,8 +139,8 @@ export function PhotoTile({
         <button
           type="button"
           class="photo-put"
-          aria-label={strings.putHere(name, panel + 1)}
-          title={strings.putHere(name, panel + 1)}
+          aria-label={strings.putHere({ photo: name, panel: panel + 1 })}
+          title={strings.putHere({ photo: name, panel: panel + 1 })}
           onClick={() => framing.replace(panel, id)}
         >
           <Icon name="put" />
@@ -151,8 +151,8 @@ export function PhotoTile({
           type="button"
           class="photo-stack"
           aria-expanded="false"
-          aria-label={strings.openStack(stack, name)}
-          title={strings.openStack(stack, name)}
+          aria-label={strings.openStack({ count: stack, name })}
+          title={strings.openStack({ count: stack, name })}
           onClick={() => {
             ui.stack.value = id;
           }}
@@ -161,7 +161,7 @@ export function PhotoTile({
         </button>
       )}
       {onTake && (
-        <button type="button" class="photo-take" aria-label={strings.takeInstead(name)} onClick={onTake}>
+        <button type="button" class="photo-take" aria-label={strings.takeInstead({ name })} onClick={onTake}>
           {strings.take}
         </button>
       )}
@@ -181,8 +181,8 @@ export function PhotoTile({
 function shownOn(pages: readonly PageDocument[], id: string, long: boolean): string {
   const several = pages.length > 1;
   const say = (page: number, panel: number) => {
-    if (long) return strings.onPanelLong(several ? page : null, panel);
-    return several ? strings.onPageAndPanel(page, panel) : strings.onPanel(panel);
+    if (long) return several ? strings.onPageAndPanelLong({ page, panel }) : strings.onPanelLong({ panel });
+    return several ? strings.onPageAndPanel({ page, panel }) : strings.onPanel({ panel });
   };
   return pages
     .flatMap(({ panels }, at) => panels.flatMap(({ photo }, panel) => (photo === id ? say(at + 1, panel + 1) : [])))

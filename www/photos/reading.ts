@@ -141,7 +141,7 @@ export function createReading({
       }),
     );
     if (sources.length < given.length)
-      messages.alert(strings.tooManyPhotos(given.length - sources.length, strings.decimal(MOST.photos)));
+      messages.alert(strings.tooManyPhotos({ n: given.length - sources.length, most: strings.decimal(MOST.photos) }));
     if (sources.length === 0) return;
     const ids = sources.flatMap((source) => source.ids);
     files = (store.reading.peek() ? files : 0) + given.length;
@@ -228,7 +228,7 @@ export function createReading({
   async function resample(key: string, wish: { start: number; end: number; frames: number }) {
     if (store.reading.peek()) return;
     if (store.tray.peek().length + wish.frames > MOST.photos) {
-      messages.alert(strings.tooManyPhotos(1, strings.decimal(MOST.photos)));
+      messages.alert(strings.tooManyPhotos({ n: 1, most: strings.decimal(MOST.photos) }));
       return;
     }
     clicks += 1;

@@ -39,7 +39,7 @@ export function Stack({ items }: { items: TrayItem[] }) {
           ui.stack.value = null;
         }}
       >
-        <span>{strings.stackOf(items.length)}</span>
+        <span>{strings.stackOf({ count: items.length })}</span>
         <Icon name="close" />
       </button>
       <p class="aside-why">{strings.stackWhy}</p>

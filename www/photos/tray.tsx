@@ -45,7 +45,9 @@ export function Tray() {
     >
       <header class="section-head">
         <h2>{strings.photos}</h2>
-        <span class="count">{strings.photoCount(kept.length, tray.length)}</span>
+        <span class="count">
+          {kept.length === tray.length ? tray.length : strings.photoCount({ used: kept.length, all: tray.length })}
+        </span>
         {!ui.wide.value && <ActionButton action={actions.photos.subjects} />}
         <ActionButton action={actions.photos.add} />
       </header>
@@ -102,7 +104,7 @@ function useTiles(): (item: TrayItem, used: boolean, stack: number) => VNode {
 
 /** A video during analysis. Its frames follow afterwards, except the frames of the first page. */
 function Looking({ name, part }: { name: string; part: number }) {
-  const label = strings.lookingThrough(name, strings.percent(part));
+  const label = strings.lookingThrough({ name, percent: strings.percent(part) });
   return (
     <label class="looking">
       <span>{label}</span>
@@ -120,8 +122,8 @@ function Detection() {
   const isHeld = masks.held.value;
   if (!progress && !isHeld) return null;
   const label = finding
-    ? strings.finding(finding.done, finding.total)
-    : masking && strings.masking(masking.done, masking.total);
+    ? strings.finding({ done: finding.done, total: finding.total })
+    : masking && strings.masking({ done: masking.done, total: masking.total });
   return (
     <div class="detection">
       {progress && <progress class="progress" aria-label={label ?? ''} value={progress.done} max={progress.total} />}
@@ -134,7 +136,7 @@ function Detection() {
 
 function Reading({ done, total }: Progress) {
   const { reading } = useApp();
-  const label = strings.reading(done, total);
+  const label = strings.reading({ done, total });
   return (
     <div class="reading">
       <progress class="progress" aria-label={label} title={label} value={done} max={total} />

@@ -34,7 +34,7 @@ function Trim({ video }: { video: Video }) {
       <details>
         <summary>
           <span class="video-name">{name}</span>
-          <span class="count">{strings.videoFrames(ids.length)}</span>
+          <span class="count">{strings.videoFrames({ count: ids.length })}</span>
         </summary>
         <Time
           label={strings.trimStart}
@@ -55,7 +55,7 @@ function Trim({ video }: { video: Video }) {
             min="1"
             max={MOST_FRAMES}
             value={wish.frames}
-            aria-valuetext={strings.videoFrames(wish.frames)}
+            aria-valuetext={strings.videoFrames({ count: wish.frames })}
             onInput={({ currentTarget }) => set({ frames: currentTarget.valueAsNumber })}
           />
           <output aria-hidden="true">{wish.frames}</output>

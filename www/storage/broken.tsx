@@ -1,3 +1,4 @@
+import { textAt } from '../strings/compose.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Icon } from '../ui/icon.tsx';
@@ -9,7 +10,10 @@ export function Broken() {
   if (!project) return null;
   const { name, why, detail, back } = project;
   const listed = ui.work.value === 'projects';
-  const said = strings.projectBroken(name || strings.untitled, strings.brokenReasons[why] ?? strings.brokenOtherwise);
+  const said = strings.projectBroken({
+    name: name || strings.untitled,
+    why: textAt(strings.brokenReasons, why) ?? strings.brokenOtherwise,
+  });
   return (
     <div class="broken" role="group" aria-label={said}>
       <p class="broken-what" role="alert">

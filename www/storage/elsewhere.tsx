@@ -9,7 +9,7 @@ export function Elsewhere() {
   return (
     <div class="elsewhere">
       <p>
-        {strings.openElsewhere(other.name || strings.untitled)} {other.follows && strings.opensWhenFree}
+        {strings.openElsewhere({ name: other.name || strings.untitled })} {other.follows && strings.opensWhenFree}
       </p>
       <button
         type="button"

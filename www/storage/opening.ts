@@ -11,6 +11,7 @@ import { freshPlace } from '../document/place.ts';
 import { projectLock } from './locks.ts';
 import { drawnOnce, exchanged, rehearsed } from './rehearsing.ts';
 import { beginningWith, drawnOf, holdPhotos, isThere, nameOf, readProject, readState } from './restoring.ts';
+import { codeOf, detailOf, explain } from '../ui/explain.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Project } from '../document/project.ts';
 import type { Store } from '../document/store.ts';
@@ -221,20 +222,22 @@ export function createOpening({
     drawnStates.know(place, drawn);
     records.know(content.records);
     if (content.missing?.length) onMissing(content.missing);
-    if (content.filmless?.length) messages.alert(strings.filmsNotHere(content.filmless));
+    if (content.filmless?.length)
+      messages.alert(strings.filmsNotHere({ names: strings.someNames(content.filmless), n: content.filmless.length }));
     if (content.dropped?.length) {
       await database()
         .then((base) => holdPhotos(base, place.id))
         .catch(() => {});
-      messages.alert(strings.partsLeftOut(store.project.peek().name || strings.untitled, content.dropped.length));
+      messages.alert(
+        strings.partsLeftOut({ name: store.project.peek().name || strings.untitled, n: content.dropped.length }),
+      );
     }
     void reading.resume(content.unread, content.films);
   }
 
   function breaks(project: Pick<Broken, 'id' | 'name' | 'back'>, error: unknown) {
-    const { code, message } = error as { code?: unknown; message: string };
     vain.clear();
-    broken.value = { ...project, why: typeof code === 'string' ? code : '', detail: message };
+    broken.value = { ...project, why: codeOf(error), detail: detailOf(error) };
   }
 
   /**
@@ -345,7 +348,7 @@ export function createOpening({
         return false;
       }
       const done = await (here ? goBackHere(free) : goBackTo(project.id, free));
-      if (done) messages.note(strings.wentBack(project.name || strings.untitled));
+      if (done) messages.note(strings.wentBack({ name: project.name || strings.untitled }));
       else broken.value = { ...project, back: false };
       if (!done && !here) free();
       return done;
@@ -417,7 +420,6 @@ export function createOpening({
   }
 
   function say(error: unknown) {
-    const { code, message } = error as { code?: string; message: string };
-    messages.alert(strings.projectNotOpened(strings.projectReasons[code ?? ''] ?? message));
+    messages.alert(strings.projectNotOpened({ why: explain(error, { reasons: strings.projectReasons }) }));
   }
 }

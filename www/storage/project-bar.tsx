@@ -83,7 +83,7 @@ export function SaveState() {
 function stateText({ status, progress }: Keeping) {
   const [state, files] = [status.value, progress.value];
   return state === 'saving' && files && files.total > 1
-    ? strings.savingCount(files.done, files.total)
+    ? strings.savingCount({ done: files.done, total: files.total })
     : strings.saveState[state];
 }
 

@@ -92,7 +92,7 @@ function Project({ project: { id, name, changed, photos, picture } }: { project:
       <button
         type="button"
         class="project-picture"
-        aria-label={strings.openNamed(title)}
+        aria-label={strings.openNamed({ name: title })}
         aria-current={current ? 'true' : undefined}
         disabled={busy && !current}
         onClick={() => void open()}
@@ -105,19 +105,27 @@ function Project({ project: { id, name, changed, photos, picture } }: { project:
         ) : (
           <strong>{title}</strong>
         )}
-        <span>{strings.projectAbout(photos, changed > 0 ? strings.moment(changed) : '')}</span>
+        <span>
+          {changed > 0
+            ? strings.projectAboutWhen({ photos, when: strings.moment(changed) })
+            : strings.projectAbout({ photos })}
+        </span>
       </div>
       <div class="project-tools">
         <IconButton
           icon="rename"
-          label={strings.renameNamed(title)}
+          label={strings.renameNamed({ name: title })}
           pressed={renaming}
           onClick={() => setRenaming(!renaming)}
         />
-        <IconButton icon="duplicate" label={strings.duplicateNamed(title)} onClick={() => void keeping.duplicate(id)} />
+        <IconButton
+          icon="duplicate"
+          label={strings.duplicateNamed({ name: title })}
+          onClick={() => void keeping.duplicate(id)}
+        />
         <IconButton
           icon="bin"
-          label={strings.deleteNamed(title)}
+          label={strings.deleteNamed({ name: title })}
           disabled={busy && current}
           onClick={() => void keeping.remove(id)}
         />
@@ -149,7 +157,7 @@ function NewName({ id, name, title, close }: { id: string; name: string; title: 
       ref={field}
       type="text"
       class="project-rename"
-      aria-label={strings.newNameOf(title)}
+      aria-label={strings.newNameOf({ name: title })}
       placeholder={strings.untitled}
       maxLength={LONGEST_NAME}
       autocomplete="off"

@@ -67,7 +67,7 @@ export function createProjects({
       if (!state) return null;
       const [copy, stamp, now] = [freshId(), freshId(), Date.now()];
       const [entry] = entryOf({ ...project, id });
-      const name = strings.copyOf(entry.name || strings.untitled);
+      const name = strings.nameOfCopy(entry.name || strings.untitled);
       // An unreadable state is copied unchanged.
       const { history } = state;
       const named = history?.present ? { ...history, present: { ...history.present, name } } : history;
@@ -100,7 +100,7 @@ export function createProjects({
     }
     const free = await locks.take(projectLock(id));
     if (!free) {
-      messages.alert(strings.openElsewhere(nameOf(id)));
+      messages.alert(strings.openElsewhere({ name: nameOf(id) }));
       return false;
     }
     try {
@@ -153,13 +153,16 @@ export function createProjects({
       if (mine && !(await create())) return;
       const free = await locks.take(projectLock(id), mine ? PATIENCE : 0);
       if (!free) {
-        messages.alert(strings.openElsewhere(nameOf(id)));
+        messages.alert(strings.openElsewhere({ name: nameOf(id) }));
         return;
       }
       const name = nameOf(id);
       await mark(id, Date.now());
       free();
-      messages.note(strings.projectDeleted(name), { label: strings.bringBack, run: () => void bringBack(id, mine) });
+      messages.note(strings.projectDeleted({ name }), {
+        label: strings.bringBack,
+        run: () => void bringBack(id, mine),
+      });
     } catch (error) {
       say(error);
     }

@@ -20,7 +20,7 @@ export function RecentProjects() {
           <li key={id}>
             <button
               type="button"
-              aria-label={strings.openNamed(name || strings.untitled)}
+              aria-label={strings.openNamed({ name: name || strings.untitled })}
               disabled={keeping.busy.value}
               onClick={() => void keeping.open(id)}
             >

@@ -217,7 +217,7 @@ function photosFrom(
   for (const id of ids) {
     const record = byId.get(id);
     const { file = null, work = null, small = null } = record ?? {};
-    const name = names.get(id) ?? record?.name ?? strings.absentPhoto(missing.length + 1);
+    const name = names.get(id) ?? record?.name ?? strings.absentPhoto({ n: missing.length + 1 });
     const fact = factOf.get(id) ?? { id, name, meta: null, measures: null };
     album.set(id, fact);
     const film = filmOf.get(id);

@@ -19,6 +19,7 @@
 
 import { effect } from '@preact/signals';
 import { failure } from '../engine/protocol.ts';
+import { textAt } from '../strings/compose.ts';
 import { strings } from '../strings/strings.ts';
 import { save as saveFile } from '../ui/files.ts';
 import { createAbsentPhotos } from './files/absent-photos.ts';
@@ -117,7 +118,11 @@ export function createKeeping({
     leave,
     views,
     onMissing: (photos) => tellMissing(photos),
-    onUnwritten: (names) => void (names.length > 0 && messages.grave(strings.photosNeverSaved(names), choose)),
+    onUnwritten: (names) =>
+      void (
+        names.length > 0 &&
+        messages.grave(strings.photosNeverSaved({ names: strings.someNames(names), n: names.length }), choose)
+      ),
   });
   const projects = createProjects({ store, opening, saving, locks, messages, database });
   const fileOpening = createFileOpening({ engine, messages, opening });
@@ -204,9 +209,9 @@ export function createKeeping({
     try {
       const { file, name } = await rescued(await database(), project.id);
       saveFile(file, name);
-      messages.note(strings.projectSaved(null));
+      messages.note(strings.projectSaved.original);
     } catch (error) {
-      messages.alert(strings.projectNotSaved(explain(error)));
+      messages.alert(strings.projectNotSaved({ why: explain(error) }));
     }
   }
 
@@ -255,8 +260,10 @@ export function createKeeping({
 
   /** Photos of a project that was opened are not in the database. */
   function tellMissing(photos: readonly { id: string; name: string }[]) {
-    const names = photos.map(({ name }) => name);
-    absentPhotos.tell(strings.photosNotHere(names, store.tray.peek().length), without(photos));
+    const [n, of] = [photos.length, store.tray.peek().length];
+    const names = strings.someNames(photos.map(({ name }) => name));
+    const { some, all } = strings.photosNotHere;
+    absentPhotos.tell(n < of ? some({ names, n, of }) : all({ names, n }), without(photos));
   }
 
   /**
@@ -265,7 +272,8 @@ export function createKeeping({
    * @returns the message
    */
   function tellUnreadable(photos: readonly { id: string; name: string }[], again: boolean): number {
-    const text = strings.photosUnreadable(photos.map(({ name }) => name));
+    const names = strings.someNames(photos.map(({ name }) => name));
+    const text = strings.photosUnreadable({ names, n: photos.length });
     if (again) return messages.grave(text, choose, without(photos));
     return messages.grave(
       text,
@@ -298,7 +306,7 @@ export function createKeeping({
       void opening.goOnAsCopy().then(() => {
         store.change({
           type: 'rename',
-          name: strings.copyOf(store.project.peek().name || strings.untitled),
+          name: strings.nameOfCopy(store.project.peek().name || strings.untitled),
           silent: true,
         });
       });
@@ -306,7 +314,8 @@ export function createKeeping({
       return;
     }
     if (told.why === why) return;
-    const message = messages.grave(strings.notSaved(why, explain(error)), {
+    const reason = textAt(strings.storageTrouble, why) ?? explain(error).replace(/\.$/, '');
+    const message = messages.grave(strings.notSaved({ why: reason }), {
       label: strings.saveToFile,
       run: () => void files.save(),
     });

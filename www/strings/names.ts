@@ -5,45 +5,62 @@
 export type Block = { id: string; label: string; help: string };
 export type Parameter = { id: string; label: string; help?: string };
 
-/** Translations by id, with a help text if the English name has one. */
+type Texts = Readonly<Record<string, string>>;
+
+/** Translations by id: a file of `names/`. The app does not load the English file, because the core and the data files are English. */
 export type Names = {
   /** Families of layouts and tags of styles. */
-  families: Record<string, string>;
+  families: Texts;
   /** Choices of parameters. */
-  choices: Record<string, string>;
-  /** A plain name with the technical term in brackets, and a help text. Default: the help text of the core. */
-  blocks: Record<string, [string, string?]>;
-  /** By block and parameter: `hue.angle`. */
-  parameters: Record<string, [string, string]>;
-  layouts: Record<string, string>;
-  styles: Record<string, string>;
+  choices: Texts;
+  blockHelp: Texts;
+  /** By block and parameter. */
+  parameters: Readonly<Record<string, Readonly<Record<string, { name: string; help: string }>>>>;
+  layouts: Texts;
+  styles: Texts;
+  /** Sentences for error codes, in place of the core's English messages, which say more. */
+  reasons: Texts;
+};
+
+/** Messages that name things of the core. */
+type Named = {
+  /** A plain name with the technical term in brackets. */
+  blockNames: Texts;
+  choices: Texts;
   /** The reasons of the core for selecting or excluding a photo. */
-  verdicts: { same: (name: string) => string; sharpest: (of: string) => string; only: string; blurred: string };
+  verdicts: {
+    same: (named: { name: string }) => string;
+    sharpest: (counted: { of: string }) => string;
+    only: string;
+    blurred: string;
+  };
 };
 
 const asName = (id: string) => id.charAt(0).toUpperCase() + id.slice(1).replaceAll(/[-_]/g, ' ');
 
-export function naming({ families, choices, blocks, parameters, layouts, styles, verdicts }: Names) {
+/** @param names missing in English */
+export function naming({ blockNames, choices, verdicts }: Named, names: Partial<Names> = {}) {
+  const parameterOf = (block: string, { id }: Parameter) => names.parameters?.[block]?.[id];
   return {
     /** @param id of a family of layouts or a tag of styles */
-    familyName: (id: string) => families[id] ?? asName(id),
-    blockName: (block: Block) => blocks[block.id]?.[0] ?? block.label,
-    blockHelp: (block: Block) => blocks[block.id]?.[1] ?? block.help,
+    familyName: (id: string) => names.families?.[id] ?? asName(id),
+    blockName: (block: Block) => blockNames[block.id] ?? block.label,
+    blockHelp: (block: Block) => names.blockHelp?.[block.id] ?? block.help,
     /** @param block id */
-    parameterName: (block: string, parameter: Parameter) =>
-      parameters[`${block}.${parameter.id}`]?.[0] ?? parameter.label,
+    parameterName: (block: string, parameter: Parameter) => parameterOf(block, parameter)?.name ?? parameter.label,
     /** @param block id */
-    parameterHelp: (block: string, parameter: Parameter) =>
-      parameters[`${block}.${parameter.id}`]?.[1] ?? parameter.help ?? '',
+    parameterHelp: (block: string, parameter: Parameter) => parameterOf(block, parameter)?.help ?? parameter.help ?? '',
     /** @param id of a choice of a parameter */
-    choiceName: (id: string) => choices[id] ?? asName(id),
+    choiceName: (id: string) => choices[id] ?? names.choices?.[id] ?? asName(id),
     verdict: (why: string) =>
       why
-        .replace(/^same as (.*)$/s, (_, name) => verdicts.same(name))
-        .replace(/^sharpest of (\d+)$/, (_, of) => verdicts.sharpest(of))
+        .replace(/^same as (.*)$/s, (_, name) => verdicts.same({ name }))
+        .replace(/^sharpest of (\d+)$/, (_, of) => verdicts.sharpest({ of }))
         .replace(/^only one like it$/, verdicts.only)
         .replace(/^blurred$/, verdicts.blurred),
-    layoutTitle: (layout: { id: string; name: string }) => layouts[layout.id] ?? layout.name,
-    styleTitle: (style: { id: string; name: string }) => styles[style.id] ?? style.name,
+    /** @returns a sentence for an error of the core, or undefined in English */
+    coreReason: (code: string) => names.reasons?.[code],
+    layoutTitle: (layout: { id: string; name: string }) => names.layouts?.[layout.id] ?? layout.name,
+    styleTitle: (style: { id: string; name: string }) => names.styles?.[style.id] ?? style.name,
   };
 }

@@ -1,134 +1,167 @@
-/** Every language has all strings of English, in the same form. */
+/** Every language has all messages of English, with the same arguments. */
 
-import { readFileSync, readdirSync } from 'node:fs';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { core } from '../engine/testing-core.ts';
+import { catalogue, compileMessage, languagesOf, leaves } from './compile.js';
 import { compose } from './compose.ts';
-import * as english from './en/index.ts';
 import { LANGUAGES, localeOf, pickLanguage } from './language.ts';
-import { filled } from './partial.ts';
 import { inLanguage, translations } from './testing.ts';
 
 /** Incomplete languages. Their missing texts appear in English (`docs/guide/translating.md`). */
 const PARTIAL: readonly string[] = [];
 
-const others = Object.entries(translations).filter(([code]) => code !== 'en');
+const english = catalogue('messages', 'en');
+const codes = languagesOf('messages');
+const others = codes.filter((code) => code !== 'en');
 
-/** @returns `function of 2`, `array of 3`, `object`, `string` */
-function kind(value: unknown): string {
-  if (typeof value === 'function') return `function of ${value.length}`;
-  return Array.isArray(value) ? `array of ${value.length}` : typeof value;
+/** @returns all messages of a language by path */
+const messagesOf = (code: string) =>
+  new Map(['messages', 'help'].flatMap((kind) => leaves(catalogue(kind, code), `${kind}.`)));
+
+const source = messagesOf('en');
+
+/** @returns arguments with their types, except counts: a plural form may omit its number */
+function argumentsOf(text: string, code: string): string[] {
+  const { given } = compileMessage(text, code);
+  return [...given].map(([name, type]) => `${name}: ${type}`).filter((given) => !counts(text, given.split(':')[0]));
 }
 
-/** @returns every key below, with the type of its value */
-function shape(value: any, path: string = ''): [string, string][] {
-  const below = value !== null && typeof value === 'object' ? Object.entries(value) : [];
-  return [[path, kind(value)], ...below.flatMap(([key, inner]) => shape(inner, `${path}.${key}`))];
-}
+/** @returns the words of a message, without the syntax of its arguments */
+const wordsOf = (text: string) =>
+  text.replaceAll(/\{\w+, (?:plural|select),|\{\w+[^{}]*\}|\b(?:one|other)\b/g, ' ').match(/\p{Ll}{2,}/gu) ?? [];
 
-/** @returns every text below */
-function texts(value: unknown): string[] {
-  if (typeof value === 'string') return [value];
-  return value !== null && typeof value === 'object' ? Object.values(value).flatMap(texts) : [];
-}
+const counts = (text: string, name: string) => text.includes(`{${name}, plural,`);
 
-/** Ids that languages name, by area of `Names`. */
-const named = {
-  styles: readAll('../../styles/').map(({ id }) => id),
-  layouts: readAll('../../layouts/').map(({ id }) => id),
-  families: [
-    ...readAll('../../styles/').flatMap(({ tags }) => tags),
-    ...readAll('../../layouts/').map(({ family }) => family),
-  ],
-  blocks: core.blocks().map(({ id }) => id),
-  parameters: core.blocks().flatMap(({ id, params }) => params.map((param) => `${id}.${param.id}`)),
-  choices: core.blocks().flatMap(({ params }) => params.flatMap(({ choices }) => choices ?? [])),
-} satisfies Record<string, string[]>;
+const styles = readAll('../../styles/');
+const layouts = readAll('../../layouts/');
+const families = [...styles.flatMap(({ tags }) => tags), ...layouts.map(({ family }) => family)];
+const choices = core.blocks().flatMap(({ params }) => params.flatMap(({ choices }) => choices ?? []));
+const asName = inLanguage('en');
 
-it('there is a folder for every language', () => {
-  expect(Object.keys(translations).sort()).toEqual(Object.keys(LANGUAGES).sort());
+/** The names of the core and of the data files: the source of `names/`. */
+const NAMES = {
+  families: Object.fromEntries([...new Set<string>(families)].map((id) => [id, asName.familyName(id)])),
+  choices: Object.fromEntries(
+    [...new Set(choices)]
+      .filter((id) => !source.has(`messages.choices.${id}`))
+      .map((id) => [id, asName.choiceName(id)]),
+  ),
+  blockHelp: Object.fromEntries(core.blocks().map(({ id, help }) => [id, help])),
+  parameters: Object.fromEntries(
+    core
+      .blocks()
+      .map(({ id, params }) => [
+        id,
+        Object.fromEntries(params.map((param) => [param.id, { name: param.label, help: param.help ?? '' }])),
+      ]),
+  ),
+  layouts: Object.fromEntries(layouts.map(({ id, name }) => [id, name])),
+  styles: Object.fromEntries(styles.map(({ id, name }) => [id, name])),
+  // The core's own messages have details; these are general, for translators.
+  reasons: catalogue('names', 'en').reasons as Record<string, string>,
+};
+
+it('there is a catalogue for every language', () => {
+  expect([...codes].sort()).toEqual(Object.keys(LANGUAGES).sort());
+  expect(['help', 'names'].map((kind) => languagesOf(kind).sort())).toEqual([[...codes].sort(), [...codes].sort()]);
+  expect(Object.keys(translations).sort()).toEqual([...codes].sort());
 });
 
-describe.each(others)('the words in %s', (code, { words, names }) => {
-  it.skipIf(PARTIAL.includes(code))('are as many as the English ones, and of the same kinds', () => {
-    const there = new Map(shape(words));
-    expect(shape(english.words).filter(([path, what]) => there.get(path) !== what)).toEqual([]);
+it('the English names are those of the core and the data files; BLESS=1 writes them', () => {
+  const file = new URL('./names/en.json', import.meta.url);
+  if (process.env.BLESS === '1') writeFileSync(file, `${JSON.stringify(NAMES, null, 2)}\n`);
+  expect(JSON.parse(readFileSync(file, 'utf8'))).toEqual(NAMES);
+});
+
+describe.each(codes)('the messages in %s', (code) => {
+  it('compile', () => {
+    const wrong = [...messagesOf(code)].filter(([, text]) => {
+      try {
+        compileMessage(text, code);
+        return false;
+      } catch {
+        return true;
+      }
+    });
+    expect(wrong).toEqual([]);
+  });
+});
+
+describe.each(others)('the messages in %s', (code) => {
+  const there = messagesOf(code);
+
+  it.skipIf(PARTIAL.includes(code))('have all keys of English', () => {
+    expect([...source.keys()].filter((key) => !there.has(key))).toEqual([]);
   });
 
-  it('have no key that English lacks, but for reasons by code', () => {
-    const there = new Map(shape(english.words));
-    expect(shape(words).filter(([path]) => !there.has(path) && !/^\.(reasons|projectReasons)\./.test(path))).toEqual(
-      [],
-    );
+  it('have no other keys', () => {
+    expect([...there.keys()].filter((key) => !source.has(key))).toEqual([]);
   });
 
-  it('are nothing that English is not, but less where a language is partial', () => {
-    const there = new Map(shape(words));
-    expect(shape(english.words).filter(([path, what]) => (there.get(path) ?? what) !== what)).toEqual([]);
+  it('have the arguments of English', () => {
+    const wrong = [...there].filter(([key, text]) => {
+      const original = source.get(key) ?? '';
+      const counted = (given: string) => counts(original, given.split(':')[0]) || counts(text, given.split(':')[0]);
+      const names = (from: string, language: string) => argumentsOf(from, language).filter((name) => !counted(name));
+      return names(text, code).sort().join() !== names(original, 'en').sort().join();
+    });
+    // Japanese has one form, so that it needs the number in figures.
+    expect(wrong.filter(([key]) => !(code === 'ja' && key.startsWith('messages.things.')))).toEqual([]);
   });
 
   it('are no sentences of English', () => {
-    const said = new Set(texts(english.words).filter((text) => text.split(' ').length > 2));
+    const said = new Set([...source.values()].filter((text) => wordsOf(text).length > 2));
     expect(said.size).toBeGreaterThan(100);
-    expect(texts(words).filter((text) => said.has(text))).toEqual([]);
+    expect([...there].filter(([, text]) => said.has(text))).toEqual([]);
   });
 
-  it('are in files that import nothing from outside their folder, for which the page would wait in a circle', () => {
-    const folder = new URL(`./${code}/`, import.meta.url);
-    const imports = readdirSync(folder).flatMap((name) => [
-      ...readFileSync(new URL(name, folder), 'utf8').matchAll(/^import (?!type ).* from '(.*)'/gm),
-    ]);
-    expect(imports.length).toBeGreaterThan(PARTIAL.includes(code) ? 0 : 10);
-    expect(imports.map(([, from]) => from).filter((from) => !from.startsWith('./'))).toEqual([]);
-  });
-
-  it('name what filters, styles and layouts bring along; what is missing stays English, and is listed', () => {
-    const missing = Object.entries(named).flatMap(([area, ids]) =>
-      [...new Set(ids)].filter((id) => !(id in names[area as keyof typeof named])).map((id) => `${area}.${id}`),
-    );
+  it('have names for filters, styles and layouts; what is missing stays English, and is listed', () => {
+    const keys = new Set(leaves(NAMES).map(([key]) => key));
+    const named = new Set(leaves(catalogue('names', code)).map(([key]) => key));
+    const missing = [...keys].filter((key) => !named.has(key));
     if (missing.length > 0) console.warn(`${LANGUAGES[code as keyof typeof LANGUAGES]} has no name for`, missing);
-    const gone = Object.entries(named).flatMap(([area, ids]) =>
-      Object.keys(names[area as keyof typeof named])
-        .filter((id) => !ids.includes(id))
-        .map((id) => `${area}.${id}`),
-    );
-    expect(gone).toEqual([]);
+    expect([...named].filter((key) => !keys.has(key))).toEqual([]);
   });
 
   it('tell two styles from each other, two layouts of a family, and two blocks', () => {
     const twice = (list: string[]) => list.filter((name, at) => list.indexOf(name) !== at);
     const family = (id: string) => id.split('-')[0];
+    const { styles, layouts } = catalogue('names', code) as Record<string, Record<string, string>>;
+    const { blockNames } = catalogue('messages', code) as Record<string, Record<string, string>>;
     expect([
-      ...twice(Object.values(names.styles)),
-      ...twice(Object.values(names.blocks).map(([name]) => name)),
-      ...twice(Object.entries(names.layouts).map(([id, name]) => `${family(id)}: ${name}`)),
+      ...twice(Object.values(styles)),
+      ...twice(Object.values(blockNames)),
+      ...twice(Object.entries(layouts).map(([id, name]) => `${family(id)}: ${name}`)),
     ]).toEqual([]);
   });
 });
 
 it('texts are set by the rules of their language', () => {
   const written = (code: string) =>
-    readdirSync(new URL(`./${code}/`, import.meta.url)).map((name) =>
-      readFileSync(new URL(`./${code}/${name}`, import.meta.url), 'utf8'),
+    ['messages', 'names'].flatMap((kind) =>
+      leaves(catalogue(kind, code)).map(([, text]) => text.replaceAll(/, number, ::group-off/g, '')),
     );
-  // A line never begins with a punctuation mark, so the space before it does not break. Code contains other marks.
-  const loose = written('fr').flatMap((text) => text.match(/[a-zà-ÿ)}] [:;!?»](?= [a-zà-ÿ$«]|['`])/g) ?? []);
-  expect(loose.filter((found) => !/[)}] [:?]/.test(found))).toEqual([]);
+  // A line never begins with a punctuation mark, so the space before it does not break.
+  expect(written('fr').filter((text) => / [:;!?»]/.test(text))).toEqual([]);
   // Japanese punctuation is full-width.
-  expect(written('ja').flatMap((text) => text.match(/[ぁ-んァ-ヶ一-龠][,.:;!?()]/g) ?? [])).toEqual([]);
+  expect(
+    written('ja').filter((text) => /[ぁ-んァ-ヶ一-龠][,.:;!?()]/.test(text.replaceAll(/\{\w+, [\w ,:-]+/g, '{'))),
+  ).toEqual([]);
 });
 
 it('blocks have a plain name first, then the term of the field in brackets', () => {
   const plain = new Set(['brightness', 'paper']);
-  for (const [code, { names }] of Object.entries(translations)) {
-    const told = Object.entries(names.blocks).filter(([id]) => !plain.has(id));
+  for (const code of codes) {
+    const { blockNames } = catalogue('messages', code) as Record<string, Record<string, string>>;
+    const told = Object.entries(blockNames).filter(([id]) => !plain.has(id));
     expect(told.length).toBeGreaterThan(PARTIAL.includes(code) ? -1 : 15);
     expect(
-      told.filter(([, [name]]) => !/^[^()（）]+( \([^()]+\)|（[^（）]+）)$/.test(name)).map(([id]) => id),
+      told.filter(([, name]) => !/^[^()（）]+( \([^()]+\)|（[^（）]+）)$/.test(name)).map(([id]) => id),
       code,
     ).toEqual([]);
   }
-  const strings = compose('en', translations.en);
+  const strings = inLanguage('en');
   for (const block of core.blocks()) {
     const name = strings.blockName(block);
     expect(name === block.label || name.endsWith(` (${block.label})`), name).toBe(true);
@@ -137,8 +170,7 @@ it('blocks have a plain name first, then the term of the field in brackets', () 
 });
 
 it('what a language has no name for is called as in English', () => {
-  const none = { ...english, names: { ...english.names, styles: {} } };
-  const strings = compose('de', none);
+  const strings = compose('de', { ...translations.de, names: undefined });
   expect(strings.styleTitle({ id: 'new', name: 'New Style' })).toBe('New Style');
   expect(strings.layoutTitle({ id: 'new-3', name: 'New layout' })).toBe('New layout');
   expect(strings.familyName('new_kind')).toBe('New kind');
@@ -146,36 +178,35 @@ it('what a language has no name for is called as in English', () => {
   expect(strings.parameterHelp('new', { id: 'x', label: 'X', help: 'What it does.' })).toBe('What it does.');
 });
 
-it('what a language has no words for is said in English', () => {
-  const whole = { title: 'Title', many: (n: number) => `${n} things`, group: { a: 'A', b: 'B' }, list: ['1', '2'] };
-  const part = filled({ many: (n: number) => `${n} Dinge`, group: { b: 'Be' }, list: ['eins', 'zwei'] }, whole);
-  expect(part.many(3)).toBe('3 Dinge');
-  expect({ ...part, many: 0 }).toEqual({ title: 'Title', many: 0, group: { a: 'A', b: 'Be' }, list: ['eins', 'zwei'] });
-  expect(whole.group.b).toBe('B');
-
-  const { words, names } = translations.de;
-  const half = { shuffle: words.shuffle, book: { add: words.book.add } };
-  const strings = compose('de', { names, words: filled(half, english.words) });
-  expect([strings.shuffle, strings.book.add]).toEqual([words.shuffle, words.book.add]);
-  expect([strings.book.remove, strings.chooseFiles, strings.panelCount(2)]).toEqual([
-    english.words.book.remove,
-    english.words.chooseFiles,
-    '2 panels',
+it('copies are numbered', () => {
+  const named = (code: string, name: string) => inLanguage(code).nameOfCopy(name);
+  expect(['Ink', 'Ink copy', 'Ink copy 2', 'Ink copy 9'].map((name) => named('en', name))).toEqual([
+    'Ink copy',
+    'Ink copy 2',
+    'Ink copy 3',
+    'Ink copy 10',
   ]);
-  expect(shape(filled({}, english.words))).toEqual(shape(english.words));
+  expect(['a(b', 'a(bのコピー', 'a(bのコピー2'].map((name) => named('ja', name))).toEqual([
+    'a(bのコピー',
+    'a(bのコピー2',
+    'a(bのコピー3',
+  ]);
 });
 
-it('no two areas have a word of the same name', () => {
-  const areas = import.meta.glob(['./en/*.ts', '!./en/index.ts', '!./en/names.ts', '!./en/blocks.ts'], {
-    eager: true,
-  }) as Record<string, Record<string, object>>;
-  const words = Object.values(areas)
-    .flatMap((area) => Object.values(area))
-    .flatMap(Object.keys);
-  expect(words.length).toBeGreaterThan(300);
-  const strings = compose('en', { ...english, words: {} as typeof english.words });
-  const names = [...Object.keys(strings), ...words];
-  expect(names.filter((name, at) => names.indexOf(name) !== at)).toEqual([]);
+it('many names are counted, and sentences are joined as the language joins them', () => {
+  const names = ['a', 'b', 'c', 'd'];
+  const some = (code: string) => [0, 1, 2, 3, 4].map((n) => inLanguage(code).someNames(names.slice(0, n)));
+  expect(some('en')).toEqual(['', 'a', 'a, b', 'a, b, c', 'a, b, c and 1 more']);
+  expect(some('ja')).toEqual(['', 'a', 'a、b', 'a、b、c', 'a、b、cほか1個']);
+  const joined = (code: string) => inLanguage(code).sentences(['A.', 'B.', 'C.']);
+  expect([joined('en'), joined('ja'), inLanguage('en').sentences([])]).toEqual(['A. B. C.', 'A.B.C.', '']);
+});
+
+it('no message has the name of a function of the app', () => {
+  const strings = compose('en', { messages: () => ({ verdicts: {}, blockNames: {}, choices: {} }) as never });
+  const names = Object.keys(strings).filter((name) => !['verdicts', 'blockNames', 'choices'].includes(name));
+  expect(names.length).toBeGreaterThan(15);
+  expect(names.filter((name) => Object.hasOwn(english, name))).toEqual([]);
 });
 
 it('the person chooses the language, then the browser', () => {
@@ -190,7 +221,7 @@ it('numbers are written as where the person lives', () => {
   expect(localeOf('es', ['de', 'es-MX', 'es'])).toBe('es-MX');
   expect(localeOf('de', ['fr'])).toBe('de');
   const written = (locale: string) => {
-    const { decimal, percent, fileSize, clock } = compose(locale, english);
+    const { decimal, percent, fileSize, clock } = compose('en', translations.en, locale);
     return [decimal(1234.5, 1), decimal(0.03), percent(0.125, 1), fileSize(2_340_000), clock(62.5)]
       .map((text) => text.replaceAll(/\s/g, ' '))
       .join(' | ');

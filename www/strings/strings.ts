@@ -1,36 +1,36 @@
 /**
- * All strings of the app, in the current language. A language is a folder of `strings/` with the areas of
- * `strings/en/`. It is chosen once before the first draw, so strings never change in a running page.
+ * All strings of the app, in the current language. It is chosen once before the first draw, so strings never change in a
+ * running page. `compile.js` makes the modules of `compiled/` from the message catalogues.
  */
 
+import * as english from './compiled/en.ts';
 import { compose } from './compose.ts';
-import * as english from './en/index.ts';
+import { formatsIn } from './formats.ts';
 import { browserLanguages, currentLanguage, localeOf } from './language.ts';
-import { filled } from './partial.ts';
-import type { PartTranslation } from './partial.ts';
+import { numbersIn } from './numbers.ts';
+import type { Translation } from './compose.ts';
 import type { Language } from './language.ts';
 
-/**
- * Only English is part of the first download. The files of another language import nothing from outside their folder,
- * types apart: this module waits for them, and would wait for ever if they waited for it.
- */
-const OTHERS: Record<Exclude<Language, 'en'>, () => Promise<PartTranslation>> = {
-  de: () => import('./de/index.ts'),
-  es: () => import('./es/index.ts'),
-  fr: () => import('./fr/index.ts'),
-  ja: () => import('./ja/index.ts'),
-  pt: () => import('./pt/index.ts'),
+/** Only English is part of the first download. The other modules import nothing: this module waits for them. */
+const OTHERS: Record<Exclude<Language, 'en'>, () => Promise<Translation>> = {
+  de: () => import('./compiled/de.ts'),
+  es: () => import('./compiled/es.ts'),
+  fr: () => import('./compiled/fr.ts'),
+  ja: () => import('./compiled/ja.ts'),
+  pt: () => import('./compiled/pt.ts'),
 };
 
 const wanted = currentLanguage();
-const translation: PartTranslation = wanted === 'en' ? english : await OTHERS[wanted]().catch(() => english);
+const translation: Translation = wanted === 'en' ? english : await OTHERS[wanted]().catch(() => english);
 
 /** English if the chosen language cannot be loaded. */
 export const language: Language = translation === english ? 'en' : wanted;
 
 if (typeof document !== 'undefined') document.documentElement.lang = language;
 
-/** Missing texts of a language appear in English. */
-const words = filled(translation.words, english.words);
+const locale = localeOf(language, browserLanguages());
 
-export const strings = compose(localeOf(language, browserLanguages()), { ...translation, words });
+/** Formats for messages that a feature loads separately. */
+export const currentFormats = formatsIn(language, numbersIn(locale));
+
+export const strings = compose(language, translation, locale);

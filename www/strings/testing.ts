@@ -1,18 +1,25 @@
 /** All languages at once, for tests: the page loads one. */
 
 import { compose } from './compose.ts';
-import * as english from './en/index.ts';
-import { filled } from './partial.ts';
+import { formatsIn } from './formats.ts';
+import { numbersIn } from './numbers.ts';
+import type { Messages } from './compiled/help-en.ts';
 import type { Translation } from './compose.ts';
+import type { Formats } from './formats.ts';
 
-const folders = import.meta.glob(['./*/index.ts', '!./en/index.ts'], { eager: true }) as Record<string, Translation>;
+type Help = { messages: (formats: Formats) => Messages };
 
-/** By code. */
-export const translations: Record<string, Translation> = {
-  en: english,
-  ...Object.fromEntries(Object.entries(folders).map(([path, translation]) => [path.split('/')[1], translation])),
-};
+/** @returns modules by language */
+const byCode = <T>(modules: Record<string, unknown>) =>
+  Object.fromEntries(
+    Object.entries(modules).map(([path, module]) => [path.replace(/^.*[/-]|\.ts$/g, ''), module]),
+  ) as Record<string, T>;
+
+export const translations = byCode<Translation>(import.meta.glob('./compiled/??.ts', { eager: true }));
+const helps = byCode<Help>(import.meta.glob('./compiled/help-*.ts', { eager: true }));
 
 /** All strings of the app in a language, with English for missing texts. */
-export const inLanguage = (code: string) =>
-  compose(code, { ...translations[code], words: filled(translations[code].words, english.words) });
+export const inLanguage = (code: string) => compose(code, translations[code]);
+
+/** The topics of the help in a language. */
+export const helpIn = (code: string) => helps[code].messages(formatsIn(code, numbersIn(code)));

@@ -9,6 +9,7 @@ import { strings } from '../strings/strings.ts';
 import { save as saveFile } from '../ui/files.ts';
 import { importing } from '../ui/importing.ts';
 import { LONGEST_LINK, LONGEST_STYLE, isStyleLink, linkOf, textOfLink } from './style-link.ts';
+import { UserError } from '../ui/user-error.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { Style } from '../engine/types.ts';
@@ -47,19 +48,19 @@ export function createOwnStyles({
   /** Saves a style, or replaces the style with its id. */
   function save(style: Style) {
     put(style);
-    messages.note(strings.styleSaved(style.name));
+    messages.note(strings.styleSaved({ name: style.name }));
   }
 
   function remove(id: string) {
     const gone = mine.peek().find((style) => style.id === id);
     if (!gone) return;
     store.change({ type: 'own-styles', mine: mine.peek().filter((style) => style !== gone) });
-    messages.note(strings.styleDeleted(gone.name));
+    messages.note(strings.styleDeleted({ name: gone.name }));
   }
 
   /** @returns a stored copy */
   function duplicate(style: Style): Style {
-    const copy = { ...style, id: freshId(), name: strings.copyOf(style.name) };
+    const copy = { ...style, id: freshId(), name: strings.nameOfCopy(style.name) };
     put(copy);
     return copy;
   }
@@ -78,7 +79,7 @@ export function createOwnStyles({
     const taken: { file: File; style: Style }[] = [];
     for (const file of files) {
       const style = await importing(messages, file.name, async () => {
-        if (file.size > LONGEST_STYLE) throw new Error(strings.styleTooLong(file.name));
+        if (file.size > LONGEST_STYLE) throw new UserError(strings.styleTooLong({ name: file.name }));
         return take((await readText(file)).text, file.name);
       });
       if (style) taken.push({ file, style });
@@ -112,12 +113,12 @@ export function createOwnStyles({
     const link = address.replace(/#.*$/s, '') + mark;
     // Links with a texture are too long for most programs.
     if (mark.length > LONGEST_LINK) {
-      messages.alert(strings.linkTooLong(style.name));
+      messages.alert(strings.linkTooLong({ name: style.name }));
       return link;
     }
     await copy(link).then(
       () => messages.note(strings.linkCopied),
-      () => messages.alert(strings.linkNotCopied(link)),
+      () => messages.alert(strings.linkNotCopied({ link })),
     );
     return link;
   }
@@ -139,7 +140,7 @@ export function createOwnStyles({
    */
   function take(json: string, file: string): Style {
     const planner = store.planner.peek();
-    if (!planner) throw new Error(strings.starting);
+    if (!planner) throw new UserError(strings.starting);
     const style = planner.checkStyle(json, file);
     // A built-in style, or another one with this id, does not change.
     const taken = [...planner.styles(), ...mine.peek()].find(({ id }) => id === style.id);
@@ -151,7 +152,7 @@ export function createOwnStyles({
 
   function show(style: Style) {
     if (store.page.peek()) designer.open(style);
-    else messages.note(strings.styleKept(style.name));
+    else messages.note(strings.styleKept({ name: style.name }));
   }
 
   function put(style: Style) {

@@ -22,7 +22,9 @@ export function createStyleActions({
   const style = computed(() => styleOfPage({ store, ownStyles }));
   return {
     edit: {
-      label: computed(() => (style.value ? strings.editStyle(strings.styleTitle(style.value)) : strings.edit)),
+      label: computed(() =>
+        style.value ? strings.editStyle({ name: strings.styleTitle(style.value) }) : strings.edit,
+      ),
       icon: 'designer',
       enabled: computed(() => style.value !== undefined),
       run: () => designer.open(style.peek()),

@@ -41,7 +41,7 @@ function Choice({ choice: { file, encoding, again } }: { choice: EncodingChoice 
   }, [chosen]);
 
   return (
-    <Dialog title={strings.encodingOf(file.name)} onClose={close}>
+    <Dialog title={strings.encodingOf({ name: file.name })} onClose={close}>
       <select
         class="select"
         aria-label={strings.encoding}

@@ -40,10 +40,10 @@ export async function importText(
     void importText(file, { store, messages }, take, other).catch((error) => messages.alert(explain(error)));
   };
   const says = [
-    strings.textGuessed(encodingName(decoded.encoding)),
-    ...(decoded.lost > 0 ? [strings.textLost(decoded.lost)] : []),
+    strings.textGuessed({ encoding: encodingName(decoded.encoding) }),
+    ...(decoded.lost > 0 ? [strings.textLost({ n: decoded.lost })] : []),
   ].join(' ');
-  messages.alert(strings.fileFailed(file.name, says), {
+  messages.alert(strings.fileFailed({ name: file.name, why: says }), {
     label: strings.changeEncoding,
     run: () => {
       choosing.value = { file, encoding: decoded.encoding, again };

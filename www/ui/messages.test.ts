@@ -104,7 +104,7 @@ describe('files that cannot be read', () => {
     const messages = createMessages();
     for (let i = 0; i < MOST_NAMED + 5; i += 1) messages.fileFailed(`${i}.jpg`, 'broken.');
     vi.advanceTimersByTime(10_000);
-    expect(texts(messages)).toEqual([`${MOST_NAMED + 5} files could not be read.`]);
+    expect(texts(messages)).toEqual([`${(MOST_NAMED + 5).toLocaleString('en')} files could not be read.`]);
     expect([messages.failures.value.length, messages.unnamed.value]).toEqual([MOST_NAMED, 5]);
   });
 

@@ -97,7 +97,7 @@ export function createMessages() {
   function fileFailed(
     name: string,
     why: string,
-    { text = strings.fileFailed(name, why), way }: { text?: string; way?: Way } = {},
+    { text = strings.fileFailed({ name, why }), way }: { text?: string; way?: Way } = {},
   ) {
     const key = `${name}\n${why}`;
     if (failed.size >= MOST_NAMED && !failed.has(key)) beyond += 1;
@@ -120,7 +120,7 @@ export function createMessages() {
         count === 1
           ? [all[0].text, all[0].way]
           : [
-              strings.filesFailed(count),
+              strings.filesFailed({ n: count }),
               {
                 label: strings.showList,
                 run: () => {

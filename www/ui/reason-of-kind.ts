@@ -6,5 +6,5 @@ import type { FileKind } from '../engine/file-table.ts';
 /** @returns advice for a file of this kind; empty without advice */
 export function reasonOfKind({ name, role, remedy }: FileKind): string {
   if (role === 'board') return strings.boardFile;
-  return remedy ? strings.unsupportedKind(name, strings.remedies[remedy]) : '';
+  return remedy ? strings.unsupportedKind({ name, remedy: strings.remedies[remedy] }) : '';
 }

@@ -42,6 +42,5 @@ pub mod tally;
 pub mod test;
 pub mod tools;
 pub mod train;
-pub mod translations;
 pub mod wasm;
 pub mod wheel;

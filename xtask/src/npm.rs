@@ -68,6 +68,12 @@ pub fn tool(project: &Project, script: &str) -> Command {
     command
 }
 
+/// Compiles the messages of the app for the type checker. Vite compiles them automatically.
+pub fn compile_strings(project: &Project) -> Result<()> {
+    let www = project.www();
+    tools::run(Command::new("node").arg("strings/compile.js").current_dir(www))
+}
+
 fn check_node() -> Result<()> {
     let printed = tools::output(Command::new("node").arg("--version"))?;
     let found = version(&printed).with_context(|| format!("`node --version` printed {printed:?}"))?;

@@ -137,7 +137,8 @@ fn fill_in(project: &Project, detectors: &wasm::Module) -> Result<()> {
 fn bundle(project: &Project, nets: Nets) -> Result<()> {
     let www = project.www();
     let mut inputs = Inputs::default();
-    inputs.path(&www, &["node_modules", "dist"])?;
+    // Vite writes `strings/compiled`.
+    inputs.path(&www, &["node_modules", "dist", "compiled"])?;
     inputs.value(if nets == Nets::Later { "later" } else { "there" });
     let stamp = Stamp::new(project, "site", &inputs);
     if stamp.is_current(&www.join("dist/index.html")) {

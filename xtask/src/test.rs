@@ -508,6 +508,7 @@ fn build(run: &Run) -> Result<Outcome> {
 }
 
 fn types(run: &Run) -> Result<Outcome> {
+    npm::compile_strings(run.project)?;
     checked(tools::run(npm::tool(run.project, "typescript/bin/tsc").arg("--noEmit")))
 }
 

@@ -3,12 +3,12 @@
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { compose } from '../../../www/strings/compose.ts';
-import * as de from '../../../www/strings/de/index.ts';
-import * as en from '../../../www/strings/en/index.ts';
-import * as es from '../../../www/strings/es/index.ts';
-import * as fr from '../../../www/strings/fr/index.ts';
-import * as ja from '../../../www/strings/ja/index.ts';
-import * as pt from '../../../www/strings/pt/index.ts';
+import * as de from '../../../www/strings/compiled/de.ts';
+import * as en from '../../../www/strings/compiled/en.ts';
+import * as es from '../../../www/strings/compiled/es.ts';
+import * as fr from '../../../www/strings/compiled/fr.ts';
+import * as ja from '../../../www/strings/compiled/ja.ts';
+import * as pt from '../../../www/strings/compiled/pt.ts';
 import { expect, idle, photos, reach } from './support.js';
 
 /** @typedef {import('../../../www/testing.ts').Page} Page */
@@ -48,27 +48,29 @@ function longest(translations) {
 /** A pseudo-language of the longest translation of each text. It replaces German. */
 export const LONGEST = {
   code: 'de',
-  strings: compose('de', longest(Object.values(TRANSLATIONS).map(({ names, words }) => ({ names, words })))),
+  strings: compose('de', longest(Object.values(TRANSLATIONS).map(({ names, messages }) => ({ names, messages })))),
 };
 
 /** Makes the app use the pseudo-language if its language is German. @param {Page} page */
 export async function speakLongest(page) {
   const files = readdirSync(new URL('../../../www/dist/assets/', import.meta.url));
-  const file = (/** @type {string} */ code) =>
-    String(files.find((name) => new RegExp(`^${code}-[\\w-]{8}\\.js$`).test(name)));
   const codes = Object.keys(TRANSLATIONS);
-  const german = file(LONGEST.code);
-  await page.route(`**/assets/${german}`, (route) =>
-    route.fulfill({
-      contentType: 'text/javascript',
-      body: `${codes.map((code) => `import * as ${code} from './${file(code)}${code === LONGEST.code ? '?translation' : ''}';`).join('\n')}
+  // The texts of the help are separate modules.
+  for (const area of ['', 'help-']) {
+    const file = (/** @type {string} */ code) =>
+      String(files.find((name) => new RegExp(`^${area}${code}-[\\w-]{8}\\.js$`).test(name)));
+    await page.route(`**/assets/${file(LONGEST.code)}`, (route) =>
+      route.fulfill({
+        contentType: 'text/javascript',
+        body: `${codes.map((code) => `import * as ${code} from './${file(code)}${code === LONGEST.code ? '?translation' : ''}';`).join('\n')}
 ${longest}
 const all = [${codes}];
-export const words = longest(all.map(({ words }) => words));
+export const messages = longest(all.map(({ messages }) => messages));
 export const names = longest(all.map(({ names }) => names));
 `,
-    }),
-  );
+      }),
+    );
+  }
 }
 
 /** @param {string} folder next to `www` @returns {{ id: string, name: string }[]} */

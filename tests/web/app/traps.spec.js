@@ -202,7 +202,7 @@ test('a project that names thousands of photos that it lacks opens with those th
   await writeFile(path, project(documentOf(photosOf(4_900)), [{ name: 'photos/0.jpg', content: cat.buffer }]));
   await page.getByLabel('Photos or video').setInputFiles(path);
   await expect(page.getByRole('checkbox', { name: 'Use n0.jpg' })).toBeVisible();
-  await expect(page.getByRole('alert').getByText(/^4899 files could not be read/)).toBeVisible();
+  await expect(page.getByRole('alert').getByText(/^4,899 files could not be read/)).toBeVisible();
   await idle(page);
   await expect(page.getByText('Saved', { exact: true })).toBeVisible();
   await page.reload();

@@ -113,7 +113,7 @@ function CutHandle({
       class="cut"
       role="slider"
       tabIndex={0}
-      aria-label={strings.cut(index + 1, count)}
+      aria-label={strings.cut({ n: index + 1, of: count })}
       aria-orientation={cut.axis === 'rows' ? 'vertical' : 'horizontal'}
       aria-valuemin={0}
       aria-valuemax={100}
@@ -162,7 +162,7 @@ export function shifted({ fraction, slant }: Cut, end: End, by: number): { fract
 /** @returns `50%, slanted by 2%` */
 function whereIs({ fraction, slant }: Cut) {
   const at = strings.percent(fraction);
-  return Math.abs(slant) < 0.005 ? at : strings.cutSlanted(at, strings.percent(slant));
+  return Math.abs(slant) < 0.005 ? at : strings.cutSlanted({ at, slant: strings.percent(slant) });
 }
 
 function wayOf(key: string, axis: Cut['axis'], slants: boolean): -1 | 0 | 1 {

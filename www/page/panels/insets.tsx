@@ -42,7 +42,7 @@ export function Insets({ geometry }: { geometry: Geometry }) {
   return (
     <div class="insets" role="group" aria-label={strings.insets}>
       {insets.map((panel, i) => (
-        <Inset key={panel} geometry={geometry} panel={panel} name={strings.inset(i + 1, insets.length)} />
+        <Inset key={panel} geometry={geometry} panel={panel} name={strings.inset({ n: i + 1, of: insets.length })} />
       ))}
     </div>
   );

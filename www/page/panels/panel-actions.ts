@@ -74,7 +74,7 @@ export function createPanelActions({
   const whyNotRemoved = computed(() => {
     if (whyNotOne.value || !facts.value) return whyNotOne.value;
     const { base, editable } = facts.value;
-    return chosen.value[0] < base && (!editable || base === 1) ? strings.notRemoved(editable) : '';
+    return chosen.value[0] < base && (!editable || base === 1) ? (editable ? strings.onlyPanel : strings.noCuts) : '';
   });
 
   const broken = computed(() => use.value?.figure !== undefined);

@@ -63,7 +63,7 @@ export function Panels({ page, geometry }: { page: PageDocument; geometry: Geome
             key={i}
             class="panel"
             role="group"
-            aria-label={strings.panel(i + 1, count)}
+            aria-label={strings.panel({ n: i + 1, of: count })}
             aria-description={describe(i)}
             tabIndex={i === stop ? 0 : -1}
             style={place(panel, geometry.height)}

@@ -6,6 +6,7 @@
 import { signal } from '@preact/signals';
 import { strings } from '../../strings/strings.ts';
 import { grown } from './merging.ts';
+import { explain } from '../../ui/explain.ts';
 import type { Messages } from '../../ui/messages.ts';
 import type { Fact } from '../../document/album.ts';
 import type { Pages } from '../../document/pages.ts';
@@ -81,8 +82,7 @@ export function createScrubbing({
         },
       });
     } catch (error) {
-      const { code, message } = error as { code: string; message: string };
-      messages.fileFailed(video.name, strings.reasons[code] ?? message);
+      messages.fileFailed(video.name, explain(error));
     }
     if (store.album.peek().get(id)?.meta) exchange(fact.id, id, video.key, gesture);
   }

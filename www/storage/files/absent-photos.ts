@@ -73,10 +73,10 @@ export function createAbsentPhotos({
     if (!frames.some((frame) => told?.frames.has(frame))) {
       messages.close(id);
       told = null;
-      if (frames.length > 0) telling.start(MORE_TO_SAY, () => tell(strings.photosStillMissing(frames.length)));
+      if (frames.length > 0) telling.start(MORE_TO_SAY, () => tell(strings.photosStillMissing({ n: frames.length })));
     } else if (told && frames.length !== count) {
       told = { ...told, count: frames.length };
-      messages.change(id, strings.photosStillMissing(frames.length), way, told.more);
+      messages.change(id, strings.photosStillMissing({ n: frames.length }), way, told.more);
     }
   }
 
@@ -118,11 +118,11 @@ export function createAbsentPhotos({
     }
     if (matches.size > 0) {
       put([...matches.values()]);
-      messages.note(strings.photosBack(matches.size));
+      messages.note(strings.photosBack({ n: matches.size }));
       const left = empty.peek().length;
       // If the user closed the message, show it again.
-      if (left > 0 && !messages.change(told?.id ?? 0, strings.photosStillMissing(left), way, told?.more))
-        tell(strings.photosStillMissing(left));
+      if (left > 0 && !messages.change(told?.id ?? 0, strings.photosStillMissing({ n: left }), way, told?.more))
+        tell(strings.photosStillMissing({ n: left }));
     }
     return files.filter((file) => !matches.has(file));
 

@@ -118,7 +118,7 @@ export function createFileOpening({
   }
 
   function tell(file: File, error: unknown, way?: Way) {
-    const text = (why: string) => strings.projectFileNotOpened(file.name, why);
+    const text = (why: string) => strings.projectFileNotOpened({ name: file.name, why });
     reportFailure(messages, file.name, error, { reasons: strings.projectReasons, text, way });
   }
 
@@ -152,7 +152,7 @@ export function createFileOpening({
       ]);
       cancelled.throwIfAborted();
       await opening.enter(freshPlace(), content, undefined, { join: true });
-      if (content.dropped?.length) messages.alert(strings.partsLeftOut(file.name, content.dropped.length));
+      if (content.dropped?.length) messages.alert(strings.partsLeftOut({ name: file.name, n: content.dropped.length }));
       for (const { name, why } of failed) messages.fileFailed(name, why);
       return true;
     } catch (error) {
@@ -255,7 +255,7 @@ function silence(stop: AbortController): { beat: () => void; over: Promise<never
  */
 async function placeFor(photo: FilePhoto, number: number, take: Take): Promise<Fact> {
   const { id, credit, like } = photo;
-  const name = strings.absentPhoto(number);
+  const name = strings.absentPhoto({ n: number });
   const meta = await take(id, new File([await placeholderOf(like ?? UNLIKE)], name, { type: 'image/png' }));
   return keepsPlace(
     { id, name, credit, meta: { ...meta, taken: takenBy(photo, null) } },

@@ -11,6 +11,7 @@ import { hasRole, isSidecar, kindByContent, kindByName } from '../../engine/file
 import { archiveOf, readArchive } from '../../engine/archive.ts';
 import { withPage } from './page-file.ts';
 import { reasonOfKind } from '../../ui/reason-of-kind.ts';
+import { UserError } from '../../ui/user-error.ts';
 import type { FileKind } from '../../engine/file-table.ts';
 import type { Watch } from '../../engine/inflate.ts';
 import type { Archive } from './file-opening.ts';
@@ -61,7 +62,7 @@ export async function readInside(
   { step, ...watch }: Watch & { step: (done: number, total: number) => void },
 ): Promise<Inside> {
   const kind = await kindByContent(file);
-  if (kind?.role === 'unsupported') throw new Error(reasonOfKind(kind));
+  if (kind?.role === 'unsupported') throw new UserError(reasonOfKind(kind));
   const archive = await readArchive(file);
   const project = archive.get(PROJECT);
   if (project) return { page: { file, read: (planner, watch) => readProject(project, planner, watch) } };

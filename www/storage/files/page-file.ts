@@ -8,8 +8,8 @@ import { PNG, TEXT } from '../../engine/limits.ts';
 import { archiveOf, readArchive } from '../../engine/archive.ts';
 import { readProjectJson } from './project-json.ts';
 import { damaged } from '../../engine/protocol.ts';
-import { failure } from '../../engine/protocol.ts';
 import { strings } from '../../strings/strings.ts';
+import { UserError } from '../../ui/user-error.ts';
 import type { Planner } from '../../document/store.ts';
 import type { Watch } from '../../engine/inflate.ts';
 import type { Work } from '../../engine/archive.ts';
@@ -40,7 +40,7 @@ export async function withProject(
   const before = [await textChunk(KEYWORD, json)];
   const archive = photos.length > 0 ? await archiveOf(photos, work) : null;
   // The format has no longer chunks.
-  if (archive && archive.size > PNG.longest) throw failure('too-large', strings.photosTooLarge);
+  if (archive && archive.size > PNG.longest) throw new UserError(strings.photosTooLarge);
   const after = archive ? [await chunkOf(PHOTOS, archive)] : [];
   return withChunks(png, { before, after });
 }

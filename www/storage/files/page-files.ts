@@ -115,10 +115,10 @@ export function createPageFiles({
     if ('page' in inside) return { page: inside.page, pictures: [] };
     if ('project' in inside) return { project: file, pictures: [] };
     const { pictures, damaged, beyond, unsupported, others } = inside;
-    for (const name of damaged) messages.fileFailed(name, strings.damagedInArchive(file.name));
-    if (beyond > 0) messages.alert(strings.tooManyPhotos(beyond, strings.decimal(MOST.photos)));
+    for (const name of damaged) messages.fileFailed(name, strings.damagedInArchive({ archive: file.name }));
+    if (beyond > 0) messages.alert(strings.tooManyPhotos({ n: beyond, most: strings.decimal(MOST.photos) }));
     for (const { name, kind } of unsupported) messages.fileFailed(name, reasonOfKind(kind));
-    if (others > 0 && pictures.length > 0) messages.note(strings.filesSkipped(others));
+    if (others > 0 && pictures.length > 0) messages.note(strings.filesSkipped({ n: others }));
     if (pictures.length + damaged.length + unsupported.length === 0)
       messages.fileFailed(file.name, strings.noPicturesInside);
     return { pictures };
@@ -179,11 +179,14 @@ export function createPageFiles({
     const before = there[0] ?? null;
     const way = picture ? asPhoto(() => leave(before?.id ?? null)) : undefined;
     const of = store.tray.peek().length;
-    if (missing > 0) absentPhotos.tell(strings.photosMissing(file.name, missing, of), way);
-    else
+    const { name } = file;
+    if (missing > 0) {
+      const { some, all } = strings.photosMissing;
+      absentPhotos.tell(missing < of ? some({ name, n: missing, of }) : all({ name, n: missing }), way);
+    } else
       messages.note(
-        strings.pageOpened(file.name),
-        before ? { label: strings.backTo(before.name), run: () => void opening.open(before.id) } : way,
+        strings.pageOpened({ name: file.name }),
+        before ? { label: strings.backTo({ name: before.name }), run: () => void opening.open(before.id) } : way,
         before ? way : undefined,
       );
     await reading.resume(unread);
@@ -204,7 +207,7 @@ export function createPageFiles({
     if (pictures.length === 0) return false;
     const way = { label: strings.useAsPhoto, run: () => void reading.addFiles(pictures) };
     messages.fileFailed(file.name, strings.noProjectInside, {
-      text: strings.projectFileNotOpened(file.name, strings.noProjectInside),
+      text: strings.projectFileNotOpened({ name: file.name, why: strings.noProjectInside }),
       way,
     });
     return false;

@@ -31,6 +31,13 @@ import type { Signal } from '@preact/signals';
 export const EXTENSION = '.inkpanel';
 const CLEAN_KEY = 'inkpanel.clean';
 
+/** @param unclean names of photos that still have metadata; null if no metadata was removed */
+function savedWith(unclean: readonly string[] | null): string {
+  const { original, clean, unclean: partly } = strings.projectSaved;
+  if (unclean === null) return original;
+  return unclean.length === 0 ? clean : partly({ names: strings.someNames(unclean), n: unclean.length });
+}
+
 export function isProjectFile({ name }: { name: string }) {
   return name.toLowerCase().endsWith(EXTENSION);
 }
@@ -74,9 +81,9 @@ export function createProjectFiles({
       cancelled.throwIfAborted();
       saveFile(file, name);
       saves.filed();
-      messages.note(strings.projectSaved(unclean));
+      messages.note(savedWith(unclean));
     } catch (error) {
-      if (!cancelled.aborted) messages.alert(strings.projectNotSaved(explain(error)));
+      if (!cancelled.aborted) messages.alert(strings.projectNotSaved({ why: explain(error) }));
     } finally {
       stop = null;
       saving.value = null;

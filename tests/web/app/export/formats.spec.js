@@ -77,7 +77,7 @@ test('the export dialog saves a square', async ({ page }) => {
   await dialog.getByRole('radio', { name: 'Square' }).check();
   await expect(dialog.locator('canvas[data-drawn=true]')).toBeVisible();
   await dialog.getByRole('combobox', { name: 'Resolution' }).selectOption('0.5');
-  await expect(dialog.getByText('1200 × 1200 pixels')).toBeVisible();
+  await expect(dialog.getByText('1,200 × 1,200 pixels')).toBeVisible();
   const file = await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click());
   const png = PNG.sync.read(file.bytes);
   expect([png.width, png.height]).toEqual([1200, 1200]);

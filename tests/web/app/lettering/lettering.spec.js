@@ -265,8 +265,8 @@ test('subtitles of a whole film are spread over the panels of photos, and the re
   const time = (/** @type {number} */ second) => new Date(second * 1000).toISOString().slice(11, 19);
   const cues = Array.from({ length: 1332 }, (_, i) => `${time(i * 4)},000 --> ${time(i * 4 + 2)},000\nLine ${i}\n`);
   await drop(page, [textFile('film.srt', cues.join('\n'))]);
-  const message = page.getByRole('status').filter({ hasText: '1332' });
-  await expect(message).toContainText(/^\D*(\d+) of 1332 lines were placed; \d+ did not fit/);
+  const message = page.getByRole('status').filter({ hasText: '1,332' });
+  await expect(message).toContainText(/^\D*([\d,]+) of 1,332 lines were placed; [\d,]+ did not fit/);
   await idle(page);
   const panels = page.getByRole('region', { name: 'Comic page' }).getByRole('group', { name: /^Panel \d/ });
   const most = 3 * (await panels.count());
@@ -274,7 +274,7 @@ test('subtitles of a whole film are spread over the panels of photos, and the re
   await expect(word(page, 'Balloon: Line 0')).toBeVisible();
   await expect(word(page, 'Balloon: Line 333')).toBeVisible();
   await tab(page, 'Text');
-  await expect(page.getByText(`${1332 - most} unplaced texts`)).toBeVisible();
+  await expect(page.getByText(`${(1332 - most).toLocaleString('en')} unplaced texts`)).toBeVisible();
   await press(page, 'Undo');
   await expect(word(page, /^Balloon: Line/)).toHaveCount(0);
 });
