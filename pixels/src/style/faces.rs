@@ -98,7 +98,7 @@ const SMALL: (f32, f32) = (60.0, 150.0);
 const FEATURE: f32 = 0.022;
 const SURROUNDINGS: f32 = 0.1;
 /// How much darker than its surroundings a pixel is that gets no ink, and all ink, in grey levels.
-const EDGE: (f32, f32) = (5.0, 20.0);
+const EDGE: (f32, f32) = (3.0, 13.0);
 /// Luma up to which hair and pupils get all ink, and from which on only features do.
 const BLACK: (f32, f32) = (36.0, 64.0);
 /// Minimum height of a face that can be compared, in pixels.
