@@ -70,11 +70,11 @@
 //! | `document` | the project: pages, photos, styles and layouts, with edits and undo |
 //! | `native` | rendering on all cores |
 //!
-//! `error`, `raster`, `simd` and `style` are in the crate `inkpanel-pixels`, which is compiled for speed. The
-//! rest of the core is compiled for size. `detect` is the crate `inkpanel-detect`, which depends on tract.
+//! `error`, `raster` and `simd` are in the crate `inkpanel-image`, and `style` is the crate `inkpanel-style`. Both
+//! are compiled for speed, the rest for size. `detect` is the crate `inkpanel-detect`, which depends on tract.
 //!
 //! Above them, without algorithms, are `facade` (the public API) and `main.rs` (the command line). The crates
-//! of `modules/` bind the stages to JavaScript. Every spatial parameter of a style is in pixels of a 1920 x
+//! of `wasm/` bind the stages to JavaScript. Every spatial parameter of a style is in pixels of a 1920 x
 //! 1080 image, and scaled to the size of the render.
 
 // Without public stages, many items are unused.
@@ -149,11 +149,15 @@ pub use facade::*;
 use inkpanel_detect as detect;
 #[cfg(all(feature = "detect", feature = "internals"))]
 pub use inkpanel_detect as detect;
-use inkpanel_pixels::order;
+use inkpanel_image::order;
 #[cfg(not(feature = "internals"))]
-use inkpanel_pixels::{error, raster, simd, style};
+use inkpanel_image::{error, raster, simd};
 #[cfg(feature = "internals")]
-pub use inkpanel_pixels::{
+pub use inkpanel_image::{
     error::{self, Error, Result},
-    raster, simd, style,
+    raster, simd,
 };
+#[cfg(not(feature = "internals"))]
+use inkpanel_style as style;
+#[cfg(feature = "internals")]
+pub use inkpanel_style as style;

@@ -384,7 +384,7 @@ fn types() -> String {
 
 /// Returns the type of error codes, from the function that returns them.
 fn error_codes() -> String {
-    let (_, code) = include_str!("../pixels/src/error.rs").split_once("pub fn code(").unwrap();
+    let (_, code) = include_str!("../crates/image/src/error.rs").split_once("pub fn code(").unwrap();
     let arms = code.split("    }\n\n").next().unwrap().lines();
     let codes = arms.filter_map(|arm| arm.split_once("=> \"")?.1.split('"').next());
     let codes: Vec<_> = codes.map(|code| format!("  | '{code}'")).collect();

@@ -1,6 +1,6 @@
 //! Fits a bank of filters to an image operator, measures it on photos that were not used for fitting, and
-//! writes it to `pixels/src/style/banks/`. `cargo xtask train OPERATOR` runs it. See
-//! `pixels/src/style/banks/README.md`.
+//! writes it to `crates/style/src/banks/`. `cargo xtask train OPERATOR` runs it. See
+//! `crates/style/src/banks/README.md`.
 //!
 //!     cargo run --release --example train_blade -- OPERATOR BANK.blade HELD_OUT_FOLDER PHOTO_FOLDER...
 

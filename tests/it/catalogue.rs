@@ -37,7 +37,7 @@ fn told(catalogue: &impl serde::Serialize) -> Value {
 fn every_file_is_in_its_catalogue_and_every_entry_has_a_file() {
     assert_eq!(stems("layouts", &["README", "sheet"]), ids(&told(&catalogue::layouts())));
     assert_eq!(stems("styles", &["README"]), ids(&catalogue::styles()));
-    assert_eq!(stems("pixels/src/style/blocks", &["mod"]), ids(&told(&catalogue::blocks())));
+    assert_eq!(stems("crates/style/src/blocks", &["mod"]), ids(&told(&catalogue::blocks())));
 }
 
 #[test]

@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-/// Source folders. Pixel code is a separate crate. The detectors are another crate, which cannot depend on a
+/// Source folders. Images are a separate crate. Styles and detectors are others, which cannot depend on a
 /// higher one.
-const TOPS: [&str; 2] = ["pixels/src", "src"];
+const TOPS: [&str; 2] = ["crates/image/src", "src"];
 
 /// The modules from the lowest to the highest. Containers and their row kernels are one layer, because they
 /// depend on each other.

@@ -92,7 +92,7 @@ fn strengths_beyond_the_most_passes_run_smaller() {
 
 #[test]
 fn every_bank_can_be_read() {
-    let folder = crate::root("pixels/src/style/banks");
+    let folder = crate::root("crates/style/src/banks");
     let mut banks = 0;
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

@@ -396,7 +396,8 @@ fn lint(run: &Run) -> Result<Outcome> {
     let project = run.project;
     let strict = ["--", "-D", "warnings"];
     let all = ["--workspace", "--all-targets", "--features", CLI];
-    let facade = ["--package", "inkpanel", "--package", "inkpanel-pixels", "--lib", "--no-default-features"];
+    let facade =
+        ["--package", "inkpanel", "--package", "inkpanel-image", "--package", "inkpanel-style", "--lib"];
     for choice in [&all[..], &facade] {
         tools::run(project.cargo().arg("clippy").args(choice).args(strict))?;
     }

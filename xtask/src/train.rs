@@ -1,4 +1,4 @@
-//! Fits a filter bank from photos again, with the settings of the bank in `pixels/src/style/banks/`.
+//! Fits a filter bank from photos again, with the settings of the bank in `crates/style/src/banks/`.
 
 use anyhow::Result;
 
@@ -13,7 +13,7 @@ const HELD_OUT: &str = "tests/photos";
 /// Fits the filter bank of an operator to the sample album and to photos in other folders, and writes it.
 /// Prints its error on the test photos, which are not used for training.
 pub fn run(project: &Project, operator: &str, folders: &[String]) -> Result<()> {
-    let bank = format!("pixels/src/style/banks/{operator}.blade");
+    let bank = format!("crates/style/src/banks/{operator}.blade");
     let mut cargo = project.cargo();
     cargo.args([
         "run",

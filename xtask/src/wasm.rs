@@ -34,18 +34,17 @@ pub const PACKAGES: [&str; 10] = [
 ];
 
 /// Sources of the modules, in the top folder.
-const SOURCES: [&str; 11] = [
+const SOURCES: [&str; 10] = [
     ".cargo/config.toml",
     "Cargo.lock",
     "Cargo.toml",
     "build.rs",
-    "detect",
+    "crates",
     "fonts",
     "layouts",
-    "modules",
-    "pixels",
     "src",
     "styles",
+    "wasm",
 ];
 
 /// CPU features for wasm-opt. `.cargo/config.toml` turns the same features on for rustc.
@@ -77,13 +76,13 @@ enum Group {
     Core,
     /// The engine with rare image formats.
     Rare,
-    /// The pixel crate with the decoder of HEIC.
+    /// The image crate with the decoder of HEIC.
     Heic,
     /// The neural networks.
     Detectors,
 }
 
-/// One of the modules of the page: a crate of `modules/`.
+/// One of the modules of the page: a crate of `wasm/`.
 pub struct Module {
     /// Name of the stamp.
     pub name: &'static str,
