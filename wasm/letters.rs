@@ -3,9 +3,9 @@
 //!
 //! Errors are like in the `words` module.
 
-use inkpanel::error::Result;
-use inkpanel::page::words::Letters;
-use inkpanel::page::words::learning::Drawing;
+use inkpanel_engine::error::Result;
+use inkpanel_engine::page::words::Letters;
+use inkpanel_engine::page::words::learning::Drawing;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]
@@ -21,7 +21,7 @@ pub struct Lettering {
 
 #[wasm_bindgen]
 impl Lettering {
-    /// Unpacks the fonts: the table that `fonts/pack.rs` makes of them.
+    /// Unpacks the fonts: the table that `crates/engine/pack.rs` makes of them.
     ///
     /// # Errors
     /// `damaged` if the table is not complete and valid.

@@ -11,10 +11,10 @@ mod photos;
 use std::error::Error;
 use std::path::Path;
 
-use inkpanel::raster::Image;
-use inkpanel::style::blade::bank::{Bank, Shape};
-use inkpanel::style::context::scale_of;
-use inkpanel::style::{Context, blade};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::style::blade::bank::{Bank, Shape};
+use inkpanel_engine::style::context::scale_of;
+use inkpanel_engine::style::{Context, blade};
 use photos::{Photo, read_folder};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;

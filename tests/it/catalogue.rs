@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
 
-use inkpanel::page::catalogue;
+use inkpanel_engine::page::catalogue;
 use serde_json::Value;
 
 const START: &str = "<!-- blocks:start -->\n";

@@ -3,7 +3,6 @@
 use anyhow::Result;
 
 use crate::project::Project;
-use crate::test::CLI;
 use crate::tools;
 
 /// Training photos of the shipped banks, also used for measuring them.
@@ -15,18 +14,6 @@ const HELD_OUT: &str = "tests/photos";
 pub fn run(project: &Project, operator: &str, folders: &[String]) -> Result<()> {
     let bank = format!("crates/style/src/banks/{operator}.blade");
     let mut cargo = project.cargo();
-    cargo.args([
-        "run",
-        "--release",
-        "--features",
-        CLI,
-        "--example",
-        "train_blade",
-        "--",
-        operator,
-        &bank,
-        HELD_OUT,
-        PHOTOS,
-    ]);
+    cargo.args(["run", "--release", "--example", "train_blade", "--", operator, &bank, HELD_OUT, PHOTOS]);
     tools::run(cargo.args(folders))
 }

@@ -16,9 +16,6 @@ use crate::{clamps, lane, letters, npm, tools};
 /// Compiler target of the browser.
 pub const TARGET: &str = "wasm32-unknown-unknown";
 
-/// Features of the library that the modules have in total.
-pub const FEATURES: &str = "internals,rare,texts";
-
 /// Packages of all modules.
 pub const PACKAGES: [&str; 10] = [
     "inkpanel-brush",
@@ -34,15 +31,16 @@ pub const PACKAGES: [&str; 10] = [
 ];
 
 /// Sources of the modules, in the top folder.
-const SOURCES: [&str; 10] = [
+const SOURCES: [&str; 11] = [
     ".cargo/config.toml",
     "Cargo.lock",
     "Cargo.toml",
-    "build.rs",
-    "crates",
+    "crates/detect",
+    "crates/engine",
+    "crates/image",
+    "crates/style",
     "fonts",
     "layouts",
-    "src",
     "styles",
     "wasm",
 ];

@@ -124,7 +124,9 @@ const MANIFESTS: &[(&str, &[&[&str]])] = &[
         "Cargo.toml",
         &[
             &["workspace", "package", "version"],
+            &["workspace", "dependencies", "inkpanel", "version"],
             &["workspace", "dependencies", "inkpanel-detect", "version"],
+            &["workspace", "dependencies", "inkpanel-engine", "version"],
             &["workspace", "dependencies", "inkpanel-image", "version"],
             &["workspace", "dependencies", "inkpanel-style", "version"],
         ],
@@ -214,9 +216,9 @@ mod tests {
                 "{changed:?}"
             );
         }
-        // The crates of this repository: the library, images, styles, detectors, ten modules, the task runner, three tools.
+        // The crates of this repository: the library, the command line, engine, images, styles, detectors, ten modules, the task runner, three tools.
         let lock = edits.iter().find(|edit| edit.path == root().join("Cargo.lock")).unwrap();
-        assert_eq!(lock.after.matches("\"12.3.4-beta.1\"").count(), 18);
+        assert_eq!(lock.after.matches("\"12.3.4-beta.1\"").count(), 20);
     }
 
     #[test]

@@ -6,9 +6,9 @@
 // The macro for enums compares JavaScript numbers with its values.
 #![allow(clippy::float_cmp)]
 
-use inkpanel::error::Result;
-use inkpanel::raster::retouch::{Mending, Session, View};
-use inkpanel::raster::{Image, Matte};
+use inkpanel_engine::error::Result;
+use inkpanel_engine::raster::retouch::{Mending, Session, View};
+use inkpanel_engine::raster::{Image, Matte};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]

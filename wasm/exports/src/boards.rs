@@ -4,11 +4,11 @@
 //! Errors are like in the `words` module.
 
 use crate::letters::Lettering;
-use inkpanel::error::{Error, Result};
-use inkpanel::output::animatic::{self, Animatic};
-use inkpanel::output::board::Request;
-use inkpanel::output::motion;
-use inkpanel::output::shots::{Kind, ShotList};
+use inkpanel_engine::error::{Error, Result};
+use inkpanel_engine::output::animatic::{self, Animatic};
+use inkpanel_engine::output::board::Request;
+use inkpanel_engine::output::motion;
+use inkpanel_engine::output::shots::{Kind, ShotList};
 use wasm_bindgen::prelude::*;
 
 /// The text of a list of shots (a `ShotList` as JSON) as a file of that ending: csv, edl, otio or xml.
@@ -31,7 +31,7 @@ pub fn shot_file(ending: &str, list: &str) -> Result<String> {
 #[wasm_bindgen(js_name = boardSheets)]
 pub fn board_sheets(request: &str) -> Result<String> {
     let sheets = Request::parse(request)?.sheets()?;
-    let pages: Vec<String> = sheets.iter().map(inkpanel::page::Document::to_json).collect();
+    let pages: Vec<String> = sheets.iter().map(inkpanel_engine::page::Document::to_json).collect();
     Ok(format!("[{}]", pages.join(",")))
 }
 

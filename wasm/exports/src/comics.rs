@@ -4,8 +4,8 @@
 //! Errors are like in the `words` module.
 
 use crate::letters::Lettering;
-use inkpanel::error::{Error, Result};
-use inkpanel::output::{Comic, cbz, epub, html, strip};
+use inkpanel_engine::error::{Error, Result};
+use inkpanel_engine::output::{Comic, cbz, epub, html, strip};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -36,7 +36,7 @@ pub fn comic_file(kind: &str, comic: &str, lettering: &Lettering) -> Result<Stri
 #[wasm_bindgen(js_name = stripPages)]
 pub fn strip_pages(request: &str, lettering: &Lettering) -> Result<String> {
     let pages = strip::Request::made(request, lettering.letters())?;
-    let pages: Vec<String> = pages.iter().map(inkpanel::page::Document::to_json).collect();
+    let pages: Vec<String> = pages.iter().map(inkpanel_engine::page::Document::to_json).collect();
     Ok(format!("[{}]", pages.join(",")))
 }
 

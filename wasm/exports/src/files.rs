@@ -7,12 +7,12 @@
 #![allow(clippy::missing_errors_doc)]
 
 use crate::letters::Lettering;
-use inkpanel::error::{Error, Result};
-use inkpanel::page::compose::Sheet;
-use inkpanel::page::mask::PixelRect;
-use inkpanel::page::pdf::{self, Leaf, Options, Picture, picture};
-use inkpanel::page::plates::Separation;
-use inkpanel::page::{Document, jpeg, webp};
+use inkpanel_engine::error::{Error, Result};
+use inkpanel_engine::page::compose::Sheet;
+use inkpanel_engine::page::mask::PixelRect;
+use inkpanel_engine::page::pdf::{self, Leaf, Options, Picture, picture};
+use inkpanel_engine::page::plates::Separation;
+use inkpanel_engine::page::{Document, jpeg, webp};
 use wasm_bindgen::prelude::*;
 
 /// A page on which patches are laid.

@@ -4,11 +4,11 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
-use inkpanel::error::Result;
-use inkpanel::hearing;
-use inkpanel::select::look::{Look, Samples};
-use inkpanel::select::shots::Film;
-use inkpanel::select::stills::{self, Wish};
+use inkpanel_engine::error::Result;
+use inkpanel_engine::hearing;
+use inkpanel_engine::select::look::{Look, Samples};
+use inkpanel_engine::select::shots::Film;
+use inkpanel_engine::select::stills::{self, Wish};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]

@@ -5,12 +5,12 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
-use inkpanel::error::Result;
-use inkpanel::json::plain as parse;
-use inkpanel::raster::Image;
-use inkpanel::style::imitate::{self, Ask, Features, Search, Seen, Trial};
-use inkpanel::style::painters::Painters;
-use inkpanel::style::{Context, Style};
+use inkpanel_engine::error::Result;
+use inkpanel_engine::json::plain as parse;
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::style::imitate::{self, Ask, Features, Search, Seen, Trial};
+use inkpanel_engine::style::painters::Painters;
+use inkpanel_engine::style::{Context, Style};
 use serde_json::{Value, json};
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;

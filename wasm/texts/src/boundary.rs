@@ -1,10 +1,10 @@
 //! wasm bindings of the texts module. Structured data crosses as JSON text.
 
-use inkpanel::document::script;
-use inkpanel::document::speech::Taking;
-use inkpanel::document::subtitles::{self, Frame};
-use inkpanel::page::words::TextKind;
-use inkpanel::texts::{self, Text};
+use inkpanel_engine::document::script;
+use inkpanel_engine::document::speech::Taking;
+use inkpanel_engine::document::subtitles::{self, Frame};
+use inkpanel_engine::page::words::TextKind;
+use inkpanel_engine::texts::{self, Text};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]

@@ -8,13 +8,13 @@
 #![allow(clippy::missing_errors_doc)]
 
 use crate::letters::Lettering;
-use inkpanel::error::{Error, Result};
-use inkpanel::framing::Subject;
-use inkpanel::page::mask::PixelRect;
-use inkpanel::page::words::place::{self, Known};
-use inkpanel::page::words::{draw, layout};
-use inkpanel::page::{Document, Patch};
-use inkpanel::raster::Matte;
+use inkpanel_engine::error::{Error, Result};
+use inkpanel_engine::framing::Subject;
+use inkpanel_engine::page::mask::PixelRect;
+use inkpanel_engine::page::words::place::{self, Known};
+use inkpanel_engine::page::words::{draw, layout};
+use inkpanel_engine::page::{Document, Patch};
+use inkpanel_engine::raster::Matte;
 use serde::Deserialize;
 use std::collections::HashMap;
 use wasm_bindgen::prelude::*;

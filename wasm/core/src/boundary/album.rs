@@ -3,11 +3,11 @@
 
 use super::parse;
 use super::planning::parse_request;
-use inkpanel::document::planning::{Known, planned_of};
-use inkpanel::error::{Error, Result};
-use inkpanel::framing::PhotoMeta;
-use inkpanel::page::fill::framed_json;
-use inkpanel::plan::prepared::Place;
+use inkpanel_engine::document::planning::{Known, planned_of};
+use inkpanel_engine::error::{Error, Result};
+use inkpanel_engine::framing::PhotoMeta;
+use inkpanel_engine::page::fill::framed_json;
+use inkpanel_engine::plan::prepared::Place;
 use std::collections::{HashMap, HashSet};
 use wasm_bindgen::prelude::*;
 

@@ -2,14 +2,14 @@
 //! between JavaScript and wasm.
 
 use super::style_of;
-use inkpanel::error::Result;
-use inkpanel::framing::{EnergyMap, Facts, lettering};
-use inkpanel::page::import::SMALL_SIDE;
-use inkpanel::page::{Document, Scene, mask};
-use inkpanel::raster::Image;
-use inkpanel::raster::resize::{Region, fit, resample_image};
-use inkpanel::style::painters::Painters;
-use inkpanel::style::{Context, Style, chain, stylize};
+use inkpanel_engine::error::Result;
+use inkpanel_engine::framing::{EnergyMap, Facts, lettering};
+use inkpanel_engine::page::import::SMALL_SIDE;
+use inkpanel_engine::page::{Document, Scene, mask};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::resize::{Region, fit, resample_image};
+use inkpanel_engine::style::painters::Painters;
+use inkpanel_engine::style::{Context, Style, chain, stylize};
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
@@ -88,7 +88,7 @@ impl BenchPage {
     }
 
     /// Draws the inside, the border and the outline of every panel, like
-    /// [`render_panel`](inkpanel::page::compose). Returns the number of pixels.
+    /// [`render_panel`](inkpanel_engine::page::compose). Returns the number of pixels.
     #[must_use]
     pub fn draw_masks(&self) -> usize {
         let Scene { corner_radius, border, ref panels, .. } = self.scene;

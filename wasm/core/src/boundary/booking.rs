@@ -4,9 +4,9 @@ use super::album::Album;
 use super::editing::Editor;
 use super::parse;
 use super::planning::parse_request;
-use inkpanel::document::planning::{Planning, Seeds};
-use inkpanel::error::Result;
-use inkpanel::page::book::{Book, Wish};
+use inkpanel_engine::document::planning::{Planning, Seeds};
+use inkpanel_engine::error::Result;
+use inkpanel_engine::page::book::{Book, Wish};
 use wasm_bindgen::prelude::*;
 
 /// A book that is being made.

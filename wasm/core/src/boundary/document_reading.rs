@@ -1,8 +1,8 @@
 //! Opens projects: reads and checks them completely, or rejects them with a message.
 
-use inkpanel::document::file::ProjectFile;
-use inkpanel::document::kept;
-use inkpanel::error::Result;
+use inkpanel_engine::document::file::ProjectFile;
+use inkpanel_engine::document::kept;
+use inkpanel_engine::error::Result;
 use wasm_bindgen::prelude::*;
 
 /// Reads the text of a project file or of a page PNG, and normalises it: `{format, version, history:

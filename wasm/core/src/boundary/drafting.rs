@@ -1,8 +1,8 @@
 //! Edits of a style in the designer. A draft is the JSON of `document::draft`.
 
 use super::parse;
-use inkpanel::document::draft;
-use inkpanel::error::Result;
+use inkpanel_engine::document::draft;
+use inkpanel_engine::error::Result;
 use serde_json::Value;
 use wasm_bindgen::prelude::*;
 

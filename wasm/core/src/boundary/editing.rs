@@ -1,10 +1,10 @@
 //! A project while it is edited, held by the page.
 
-use inkpanel::document::Dropped;
-use inkpanel::document::editor::Editor as Hands;
-use inkpanel::document::{kept, own};
-use inkpanel::error::Result;
-use inkpanel::json;
+use inkpanel_engine::document::Dropped;
+use inkpanel_engine::document::editor::Editor as Hands;
+use inkpanel_engine::document::{kept, own};
+use inkpanel_engine::error::Result;
+use inkpanel_engine::json;
 use wasm_bindgen::prelude::*;
 
 /// An editor.

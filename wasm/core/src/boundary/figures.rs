@@ -1,8 +1,8 @@
 //! Panel breakouts.
 
-use inkpanel::error::Result;
-use inkpanel::page::{Document, breaking};
-use inkpanel::raster::Matte;
+use inkpanel_engine::error::Result;
+use inkpanel_engine::page::{Document, breaking};
+use inkpanel_engine::raster::Matte;
 use wasm_bindgen::prelude::*;
 
 /// Returns the page with the subject of a panel breaking its border, or an empty string if that is

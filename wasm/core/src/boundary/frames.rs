@@ -1,12 +1,12 @@
 //! Frames of videos. The browser decodes them and passes their pixels.
 
 use super::{Patch, Studio};
-use inkpanel::error::Result;
-use inkpanel::page::compose;
-use inkpanel::page::import::{Frame, import_frame, small_frame};
-use inkpanel::page::living::living;
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::Limits;
+use inkpanel_engine::error::Result;
+use inkpanel_engine::page::compose;
+use inkpanel_engine::page::import::{Frame, import_frame, small_frame};
+use inkpanel_engine::page::living::living;
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::Limits;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]

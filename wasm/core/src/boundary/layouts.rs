@@ -1,7 +1,7 @@
 //! Layouts as the page lists, makes and changes them; see `page::layouts` for each request and answer.
 
-use inkpanel::error::Result;
-use inkpanel::page::layouts;
+use inkpanel_engine::error::Result;
+use inkpanel_engine::page::layouts;
 use wasm_bindgen::prelude::*;
 
 /// The layouts to choose from, with thumbnails: `{page, own}`.

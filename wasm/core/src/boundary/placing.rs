@@ -1,14 +1,14 @@
 //! Names of the places where photos were taken.
 
-use inkpanel::error::Result;
-use inkpanel::places::Places;
+use inkpanel_engine::error::Result;
+use inkpanel_engine::places::Places;
 use wasm_bindgen::prelude::*;
 
 /// Whether the GPS fields of a photo have its location. The beginning of a JPEG or PNG file is enough.
 #[wasm_bindgen]
 #[must_use]
 pub fn has_location(file: &[u8]) -> bool {
-    inkpanel::raster::location::location(file).is_some()
+    inkpanel_engine::raster::location::location(file).is_some()
 }
 
 /// A table of places.

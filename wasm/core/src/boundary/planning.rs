@@ -7,12 +7,12 @@
 use super::album::Album;
 use super::editing::Editor;
 use super::parse;
-use inkpanel::document::planning::{Planning, Seeds};
-use inkpanel::document::upkeep::Groups;
-use inkpanel::error::Result;
-use inkpanel::json::Writer;
-use inkpanel::page::Document;
-use inkpanel::page::request::{Request, Taste};
+use inkpanel_engine::document::planning::{Planning, Seeds};
+use inkpanel_engine::document::upkeep::Groups;
+use inkpanel_engine::error::Result;
+use inkpanel_engine::json::Writer;
+use inkpanel_engine::page::Document;
+use inkpanel_engine::page::request::{Request, Taste};
 use serde_json::Value;
 use wasm_bindgen::prelude::*;
 

@@ -1,13 +1,13 @@
 //! Styles in the app: design, generation, combination and scores.
 
 use super::{Patch, Studio, parse, style_of};
-use inkpanel::error::{Error, Result};
-use inkpanel::page::{Document, document, plates};
-use inkpanel::raster::Image;
-use inkpanel::raster::resize::{Region, fit, resample_image};
-use inkpanel::style::aesthetic::{Fault, Judgement, judge};
-use inkpanel::style::stages::{Layer, Stages};
-use inkpanel::style::{Style, breeding, look, procedural, stylize};
+use inkpanel_engine::error::{Error, Result};
+use inkpanel_engine::page::{Document, document, plates};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::resize::{Region, fit, resample_image};
+use inkpanel_engine::style::aesthetic::{Fault, Judgement, judge};
+use inkpanel_engine::style::stages::{Layer, Stages};
+use inkpanel_engine::style::{Style, breeding, look, procedural, stylize};
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
