@@ -1,6 +1,6 @@
 //! Boards of saved projects on the command line: their shots as lists, and as sheets of frames.
 
-use crate::{CliError, telling};
+use crate::{CliError, report};
 use inkpanel::survived;
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::document::shots::{ASPECTS, logo_file};
@@ -29,7 +29,7 @@ pub(crate) fn logo(saved: &Saved) -> Result<Option<Image>, CliError> {
     let Some(file) = logo_file(&saved.project().history.present.board.logo) else { return Ok(None) };
     let decoded = survived(|| Ok(decode(&file, &Limits::default())?))
         .map_err(|error: CliError| error.at("the logo of the board"))?;
-    telling::damage("the logo of the board", decoded.damage);
+    report::damage("the logo of the board", decoded.damage);
     Ok(Some(decoded.image))
 }
 

@@ -1,9 +1,10 @@
 //! Output of the command line: files, which are written atomically, and standard output. Printing macros
-//! panic when their pipe is closed, so the command line prints by the functions here and in `telling`.
+//! panic when their pipe is closed, so the command line prints by the functions here and in `report`.
 
 use crate::CliError;
-use crate::album::is_standard;
 use crate::format::Format;
+use crate::input::is_standard;
+use serde_json::Value;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -101,6 +102,27 @@ fn fresh_beside(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let short: String = name.chars().take(40).collect();
     path.with_file_name(format!(".{short}.{}.part", std::process::id()))
+}
+
+/// Prints JSON.
+pub(crate) fn print_json(value: &Value) -> Result<(), CliError> {
+    list(value, true)
+}
+
+/// Prints a catalogue.
+pub(crate) fn list(catalogue: &impl serde::Serialize, as_json: bool) -> Result<(), CliError> {
+    // Converted to text first: a JSON value stores the numbers of layouts as f64, which prints other digits
+    // than the app uses.
+    let text = serde_json::to_string(catalogue).map_err(CliError::fault)?;
+    if as_json {
+        return print_lines([text]);
+    }
+    let catalogue: Value = serde_json::from_str(&text).map_err(CliError::fault)?;
+    print_lines(catalogue.as_array().into_iter().flatten().map(|item| {
+        let field = |key: &str| item[key].as_str().unwrap_or_default();
+        let label = if field("name").is_empty() { field("label") } else { field("name") };
+        format!("{:<24}{label}", field("id"))
+    }))
 }
 
 #[cfg(test)]

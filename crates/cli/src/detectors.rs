@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use crate::photos::Photos;
-use crate::{CliError, telling};
+use crate::{CliError, report};
 
 /// Reads the models from `folder`, or from the default folder.
 pub(crate) fn load(folder: Option<&Path>) -> Result<Detectors, CliError> {
@@ -64,7 +64,7 @@ pub(crate) fn load_painters() -> Option<Arc<Painters>> {
     match read() {
         Ok(painters) => Some(Arc::new(painters)),
         Err(complaint) => {
-            telling::note(Some("painters.onnx"), &format!("{complaint}; the block Painter changes nothing"));
+            report::note(Some("painters.onnx"), &format!("{complaint}; the block Painter changes nothing"));
             None
         }
     }
@@ -99,7 +99,7 @@ fn find() -> Option<PathBuf> {
 pub(crate) fn run(detectors: &Detectors, photos: &Photos) -> Vec<Vec<Detection>> {
     let found = photos.album.imported().par_iter().map(|(place, photo)| {
         detectors.detect(&photo.work).unwrap_or_else(|error| {
-            telling::note(Some(&photos.file(*place).display().to_string()), &error.to_string());
+            report::note(Some(&photos.file(*place).display().to_string()), &error.to_string());
             Vec::new()
         })
     });

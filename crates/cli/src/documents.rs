@@ -1,9 +1,12 @@
 //! Pages as plain data on the command line: written with the names of their photos, and drawn again.
 
+use crate::args::How;
+use crate::commands::segment::Masks;
 use crate::destination::{Output, write};
 use crate::format::Format;
-use crate::segments::Masks;
-use crate::{CliError, How, check_strict, decode_file, done, drawing, name, plans, reading};
+use crate::input::{decode_file, name};
+use crate::report::{check_strict, done};
+use crate::{CliError, drawing, plans, reading};
 use inkpanel::with_names;
 use inkpanel_engine::document::sheets::photos_on;
 use inkpanel_engine::page::Document;
@@ -85,7 +88,7 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
 }
 
 fn read(file: &Path) -> Result<Vec<Document>, CliError> {
-    let text = crate::album::text(file)?;
+    let text = crate::input::text(file)?;
     if text.len() as u64 > MOST {
         return Err(CliError::new("too-large", format!("is larger than {} MB", MOST >> 20)));
     }

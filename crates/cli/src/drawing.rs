@@ -1,11 +1,11 @@
 //! Writes pages of the command line as files: rendered from full-size photos, with their text.
 
-use crate::album::{self, is_standard};
+use crate::commands::segment::Masks;
 use crate::destination::{Output, write};
 use crate::format::Format;
+use crate::input::{self, is_standard};
 use crate::photos::Photos;
-use crate::segments::Masks;
-use crate::{CliError, own_pages, reading, telling};
+use crate::{CliError, own_pages, reading, report};
 use inkpanel_engine::framing::Subject;
 use inkpanel_engine::layout::{self, PagePreset, PaperSize};
 use inkpanel_engine::native::{self, QUALITY, alts};
@@ -29,7 +29,7 @@ pub(crate) fn add_words(
     fonts: &GivenFonts,
 ) -> Result<(), CliError> {
     let complain = |error: CliError| error.at(file.display());
-    let json = album::text(file).map_err(complain)?;
+    let json = input::text(file).map_err(complain)?;
     let words = TextItem::read_all(&json).map_err(|error| complain(error.into()))?;
     let known = |id: &str| photos.find(id).map(|(_, photo)| Known::from(&photo.meta)).unwrap_or_default();
     let letters = fonts.letters(&words).map_err(|error| complain(error.into()))?;
@@ -42,7 +42,7 @@ pub(crate) fn tell_missing(pages: &[Document], fonts: &GivenFonts) -> Result<(),
     let letters = fonts.letters(words())?;
     let missing = given::missing(&letters, words());
     if !missing.is_empty() {
-        telling::note(
+        report::note(
             None,
             &format!(
                 "no font has these characters, so they become question marks: {} (add a font with --font)",
@@ -81,7 +81,7 @@ fn prepared(document: &Document, means: &Means<'_>) -> Result<(Document, native:
             |id: &str| photos.get(id).map(|photo| (photo.image.width() as u32, photo.image.height() as u32));
         for (panel, dpi) in native::coarse(&page, &size)? {
             let event = json!({ "event": "enlarged", "panel": panel + 1, "dpi": dpi });
-            telling::step(&event, Some(format!("panel {}: enlarged from {dpi} dpi", panel + 1)));
+            report::step(&event, Some(format!("panel {}: enlarged from {dpi} dpi", panel + 1)));
         }
     }
     Ok((page, photos))
@@ -199,7 +199,7 @@ pub(crate) fn fonts(files: &[PathBuf]) -> Result<GivenFonts, CliError> {
     let mut fonts = GivenFonts::default();
     for path in files {
         let complain = |error: CliError| error.at(path.display());
-        let file = album::read(path).map_err(complain)?;
+        let file = input::read(path).map_err(complain)?;
         fonts.add(file).map_err(|reason| complain(reason.into()))?;
     }
     Ok(fonts)

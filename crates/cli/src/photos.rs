@@ -1,7 +1,8 @@
 //! The photos of a command: an album of the public API, and the files of its photos.
 
-use crate::album::{self, is_standard, told};
-use crate::{Chosen, CliError, detectors, name, plans, telling};
+use crate::args::Chosen;
+use crate::input::{self, is_standard, name, told};
+use crate::{CliError, detectors, plans, report};
 use inkpanel::{Album, Nets, PageOptions, Photo};
 use inkpanel_engine::framing::PhotoMeta;
 use inkpanel_engine::page::import::Imported;
@@ -26,7 +27,7 @@ impl Photos {
     pub(crate) fn read(files: Vec<PathBuf>) -> Result<Self, CliError> {
         let photo = |path: &PathBuf| {
             if is_standard(path) {
-                return Ok(Photo::from_bytes(told(path), album::read(path)?));
+                return Ok(Photo::from_bytes(told(path), input::read(path)?));
             }
             Ok(Photo::open(path))
         };
@@ -35,14 +36,14 @@ impl Photos {
         let album = Album::read_reporting(photos, &|photo| {
             let done = count.fetch_add(1, Ordering::Relaxed) + 1;
             let event = json!({ "event": "photo", "file": photo.name(), "done": done, "of": files.len() });
-            telling::step(&event, None);
+            report::step(&event, None);
         });
         for note in album.notes() {
-            telling::note(note.photo(), note.reason());
+            report::note(note.photo(), note.reason());
         }
         let photos = Self { files, album };
         for (path, _) in photos.iter().filter(|(_, photo)| photo.damage.is_some()) {
-            telling::damage_is_known(&told(path));
+            report::damage_is_known(&told(path));
         }
         Ok(photos)
     }
@@ -83,14 +84,14 @@ impl Photos {
         let detectors = match detectors::load(models) {
             Ok(detectors) => detectors,
             Err(error) => {
-                telling::note(None, &format!("{error}; photos are cropped by contrast"));
+                report::note(None, &format!("{error}; photos are cropped by contrast"));
                 return false;
             }
         };
         let known = self.album.notes().len();
         self.album.detect(&Nets::new(detectors));
         for note in &self.album.notes()[known..] {
-            telling::note(note.photo(), note.reason());
+            report::note(note.photo(), note.reason());
         }
         true
     }
@@ -102,7 +103,7 @@ impl Photos {
             let starred = places.into_iter().filter(|place| is_named(&self.files[*place], star));
             let found = starred.filter(|place| self.album.star(*place).is_ok()).count();
             if found == 0 {
-                telling::note(Some(&star.display().to_string()), "--star: no photo has this name");
+                report::note(Some(&star.display().to_string()), "--star: no photo has this name");
             }
         }
     }
@@ -116,13 +117,13 @@ impl Photos {
         if left.len() > FEW {
             let names: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
             let (count, some) = (left.len(), plans::some(&names));
-            telling::note(
+            report::note(
                 None,
                 &format!("{count} photos are left out; `inkpanel select` lists the reasons: {some}"),
             );
         } else {
             for (name, why) in &left {
-                telling::note(Some(name), &format!("left out: {why}"));
+                report::note(Some(name), &format!("left out: {why}"));
             }
         }
         selection.used

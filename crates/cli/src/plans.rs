@@ -1,10 +1,10 @@
 //! Plans of the command line: makes pages, writes them as JSON, reads and scores them.
 
-use crate::album::{self, is_standard};
 use crate::destination::{Output, print_lines};
 use crate::format::Format;
+use crate::input::{self, is_standard, name};
 use crate::photos::Photos;
-use crate::{CliError, ScoreArgs, drawing, name, telling};
+use crate::{CliError, drawing, report};
 use inkpanel_engine::framing::{Crop, PhotoMeta};
 use inkpanel_engine::layout::{self, Bounds, PageSettings, Point, ResolvedPanel, ResolvedShape, polygon};
 use inkpanel_engine::page::shuffle::Planned;
@@ -114,7 +114,7 @@ pub(crate) fn score(asked: &ScoreArgs) -> Result<(), CliError> {
     let file = asked.plan.as_path();
     let complain = |error: CliError| error.at(file.display());
     let invalid = |reason: String| complain(CliError::new("invalid-document", reason));
-    let text = album::text(file).map_err(complain)?;
+    let text = input::text(file).map_err(complain)?;
     let plan: Value = serde_json::from_str(&text).map_err(|error| complain(CliError::not_json(error)))?;
     let pages = plan["pages"].as_array().ok_or_else(|| invalid("has no list of \"pages\"".into()))?;
     if pages.len() > MOST_PAGES {
@@ -146,7 +146,7 @@ pub(crate) fn score(asked: &ScoreArgs) -> Result<(), CliError> {
         }
     }
     if asked.json {
-        return crate::print(&json!({ "pages": told }));
+        return crate::destination::print_json(&json!({ "pages": told }));
     }
     print_lines(lines)
 }
@@ -271,7 +271,7 @@ pub(crate) fn draw_all(
             "page": i + 1, "of": documents.len(), "file": own.path.display().to_string(),
         });
         let more = if there { ", skipped" } else { "" };
-        telling::step(&event, Some(format!("{} of {}: {file}{more}", i + 1, documents.len())));
+        report::step(&event, Some(format!("{} of {}: {file}{more}", i + 1, documents.len())));
         files.push(own.path);
     }
     Ok(files)
@@ -316,10 +316,10 @@ pub(crate) fn tell_differences(pages: &[Planned], wanted: Option<usize>, used: &
         let of = if pages.len() > 1 { format!("page {}: ", i + 1) } else { String::new() };
         let panels = page.document.panels.len();
         if let Some(wanted) = wanted.filter(|wanted| *wanted != panels) {
-            telling::note(None, &format!("{of}{panels} panels instead of {wanted}"));
+            report::note(None, &format!("{of}{panels} panels instead of {wanted}"));
         }
         if let Some(why) = repeats(&page.document) {
-            telling::note(None, &format!("{of}{why}"));
+            report::note(None, &format!("{of}{why}"));
         }
     }
     let shown: HashSet<&str> = pages
@@ -334,7 +334,7 @@ pub(crate) fn tell_differences(pages: &[Planned], wanted: Option<usize>, used: &
         .collect();
     if !unseen.is_empty() {
         let of = used.len();
-        telling::note(None, &format!("{} of {of} photos have no panel: {}", unseen.len(), some(&unseen)));
+        report::note(None, &format!("{} of {of} photos have no panel: {}", unseen.len(), some(&unseen)));
     }
 }
 
@@ -344,6 +344,22 @@ pub(crate) fn some(names: &[&str]) -> String {
         0..=4 => names.join(", "),
         many => format!("{} and {} more", names[..3].join(", "), many - 3),
     }
+}
+
+/// Arguments of `inkpanel score`.
+#[derive(clap::Args)]
+pub(crate) struct ScoreArgs {
+    /// Plan file, as printed by `render --json`.
+    pub(crate) plan: PathBuf,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Folder that contains faces.onnx and objects.onnx. [default: next to the program, or www/models]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) models: Option<PathBuf>,
+    /// Skip face and object detection.
+    #[arg(long)]
+    pub(crate) no_detect: bool,
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! Projects made on the command line: files that the page opens, and PNG files of pages that carry their project.
 
+use crate::CliError;
+use crate::input::{self, name};
 use crate::photos::Photos;
-use crate::{CliError, album, name};
 use inkpanel_engine::document::file::ProjectFile;
 use inkpanel_engine::page::Document;
 use serde_json::{Value, json};
@@ -156,7 +157,7 @@ impl Album<'_> {
             put("project.json", text.as_bytes())?;
         }
         for (path, photo) in self.photos.iter() {
-            let bytes = album::read(path).map_err(|error| error.at(album::told(path)))?;
+            let bytes = input::read(path).map_err(|error| error.at(input::told(path)))?;
             put(&places[photo.meta.id.as_str()], &bytes)?;
         }
         writer.finish().map(Cursor::into_inner).map_err(unpacked)

@@ -3,7 +3,7 @@
 use crate::destination::Output;
 use crate::drawing::{Means, Subjects};
 use crate::format::ComicFormat;
-use crate::{CliError, drawing, telling};
+use crate::{CliError, drawing, report};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use inkpanel_engine::output::describing::described;
@@ -85,7 +85,7 @@ fn made<D: Borrow<Document>>(
         pictures.push(picture(page.borrow())?);
         if pages.len() > 1 {
             let event = json!({ "event": "page", "page": i + 1, "of": pages.len() });
-            telling::step(&event, Some(format!("page {} of {}", i + 1, pages.len())));
+            report::step(&event, Some(format!("page {} of {}", i + 1, pages.len())));
         }
     }
     match told {

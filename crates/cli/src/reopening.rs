@@ -1,11 +1,13 @@
 //! Saved projects and pages on the command line, drawn like exports of the app.
 
-use crate::album::{self, told};
+use crate::commands::render::Render;
+use crate::commands::segment::Masks;
 use crate::destination::Output;
 use crate::drawing;
 use crate::format::Format;
-use crate::segments::Masks;
-use crate::{CliError, Render, boards, check_strict, plans, reading, strips, telling};
+use crate::input::{self, told};
+use crate::report::check_strict;
+use crate::{CliError, boards, plans, reading, report, strips};
 use inkpanel::survived;
 use inkpanel_engine::document::file::FilePhoto;
 use inkpanel_engine::document::saved::Saved;
@@ -26,7 +28,7 @@ const EXTENSION: &str = "inkpanel";
 pub(crate) fn open(input: &Path) -> Option<Result<Saved, CliError>> {
     let named = is_project(input);
     let complain = |error: CliError| Err(error.at(told(input)));
-    let bytes = match album::read(input) {
+    let bytes = match input::read(input) {
         Ok(bytes) => bytes,
         // Unreadable photos are reported where photos are read.
         Err(error) => return named.then(|| complain(error)),
@@ -169,7 +171,7 @@ pub(crate) fn photo(
     let name = saved.photo(id).map_or(id, |photo| &photo.name);
     let decoded = survived(|| Ok(decode(bytes, &Limits::default())?))
         .map_err(|error: CliError| error.at(format_args!("the photo {name}")))?;
-    telling::damage(name, decoded.damage);
+    report::damage(name, decoded.damage);
     Ok(Some(decoded.image))
 }
 

@@ -59,7 +59,7 @@ pub enum Macros {
 }
 
 /// Returns the crates that cargo compiles into packages of a workspace for a target, as [`named`]. Only features of these packages
-/// count, not those that other packages of the workspace turn on.
+/// count, not the features that other packages of the workspace turn on.
 ///
 /// # Errors
 /// If `cargo tree` fails.

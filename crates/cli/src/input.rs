@@ -1,7 +1,11 @@
 //! Photo sources of the command line: files, folders as albums, and standard input.
 
-use crate::{CliError, name, own_pages, telling};
+use crate::{CliError, own_pages, report};
+use inkpanel::survived;
+use inkpanel_engine::kinds::clearer;
 use inkpanel_engine::kinds::{self, Role};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::{Limits, decode_fit};
 use inkpanel_engine::texts;
 use serde_json::json;
 use std::cmp::Ordering;
@@ -95,7 +99,7 @@ fn leave_own_pages(files: &mut Vec<PathBuf>) {
     for page in pages {
         let why = "left out: a page that Inkpanel wrote";
         let event = json!({ "event": "left-out", "file": page.display().to_string(), "message": why });
-        telling::step(&event, Some(format!("{}: {why}", page.display())));
+        report::step(&event, Some(format!("{}: {why}", page.display())));
     }
 }
 
@@ -116,7 +120,7 @@ struct Found {
 impl Found {
     fn tell(&self, folder: &Path) {
         for (path, why) in &self.named {
-            telling::note(Some(&path.display().to_string()), &format!("{why}; left out"));
+            report::note(Some(&path.display().to_string()), &format!("{why}; left out"));
         }
         if self.sidecars + self.live + self.others == 0 {
             return;
@@ -131,7 +135,7 @@ impl Found {
         let live =
             (self.live > 0).then(|| format!("{} of Live Photos with the name of a photo", videos(self.live)));
         let skipped: Vec<_> = of_systems.into_iter().chain(live).chain(others).collect();
-        telling::step(&event, Some(format!("{folder}: skipped {}", skipped.join(", "))));
+        report::step(&event, Some(format!("{folder}: skipped {}", skipped.join(", "))));
     }
 }
 
@@ -222,6 +226,26 @@ fn number(text: &mut std::iter::Peekable<std::str::Chars<'_>>) -> String {
         }
     }
     digits
+}
+
+pub(crate) fn decode_file(path: &Path) -> Result<Image, CliError> {
+    decode_file_fit(path, usize::MAX)
+}
+
+pub(crate) fn decode_file_fit(path: &Path, longest: usize) -> Result<Image, CliError> {
+    let complain = |error: CliError| error.at(told(path));
+    let bytes = read(path).map_err(complain)?;
+    let decode = || {
+        let decoded = decode_fit(&bytes, &Limits::default(), longest);
+        Ok(decoded.map_err(|error| clearer(error, name(path), &bytes))?)
+    };
+    let decoded = survived(decode).map_err(complain)?;
+    report::damage(&told(path), decoded.damage);
+    Ok(decoded.image)
+}
+
+pub(crate) fn name(path: &Path) -> &str {
+    path.file_name().and_then(|name| name.to_str()).unwrap_or("?")
 }
 
 #[cfg(test)]

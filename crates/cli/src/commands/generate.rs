@@ -1,6 +1,7 @@
 //! Invented styles for the command line, with scores where a photo is given.
 
 use std::path::Path;
+use std::path::PathBuf;
 
 use inkpanel_engine::detect::Aesthetics;
 use inkpanel_engine::native;
@@ -9,7 +10,8 @@ use inkpanel_engine::style::{Style, aesthetic, procedural, stylize};
 use rayon::prelude::*;
 use serde_json::Value;
 
-use crate::{CliError, GenerateArgs, decode_file_fit, detectors, telling};
+use crate::input::decode_file_fit;
+use crate::{CliError, detectors, report};
 
 /// Long side of the picture that is scored.
 const SIDE: usize = 256;
@@ -31,7 +33,7 @@ fn judge(models: Option<&Path>) -> Option<Aesthetics> {
     match detectors::load_aesthetics(models) {
         Ok(net) => Some(net),
         Err(complaint) => {
-            telling::note(None, &format!("{complaint}; the light score is given"));
+            report::note(None, &format!("{complaint}; the light score is given"));
             None
         }
     }
@@ -43,4 +45,23 @@ fn score(photo: &Image, style: &Style, net: Option<&Aesthetics>) -> f64 {
     let judgement = aesthetic::judge(photo, &drawn);
     let rank = |net: &Aesthetics| net.score(&drawn).map_or(0.0, |mean| aesthetic::rank(mean, &judgement));
     net.map_or(judgement.score, rank)
+}
+
+/// Arguments of `inkpanel generate`.
+#[derive(clap::Args)]
+pub(crate) struct GenerateArgs {
+    /// Random seed of the first style. Each further style adds 1.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u32,
+    /// Number of styles.
+    #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub(crate) count: u32,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Folder that contains aesthetics.onnx. [default: next to the program, or www/models]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) models: Option<PathBuf>,
+    /// Photo to score each style on, from 0 to 1.
+    pub(crate) photo: Option<PathBuf>,
 }

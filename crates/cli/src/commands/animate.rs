@@ -8,7 +8,7 @@ mod reel;
 mod shots;
 
 use crate::destination::print_lines;
-use crate::{CliError, album, drawing, reopening, telling};
+use crate::{CliError, drawing, input, reopening, report};
 use drawn::Drawn;
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::output::animatic::{Animatic, SIDES, SIZES};
@@ -68,15 +68,15 @@ pub(crate) struct Animate {
 /// A sentence. Frames written before remain.
 pub(crate) fn animate(asked: &Animate) -> Result<(), CliError> {
     if asked.json {
-        telling::as_json();
+        report::as_json();
     }
     if asked.pages {
         pages::check(asked)?;
     }
     let saved = reopening::open(&asked.project).ok_or_else(|| {
-        CliError::new("unknown-format", "not an Inkpanel project").at(album::told(&asked.project))
+        CliError::new("unknown-format", "not an Inkpanel project").at(input::told(&asked.project))
     })??;
-    let complain = |error: CliError| error.at(album::told(&asked.project));
+    let complain = |error: CliError| error.at(input::told(&asked.project));
     let fonts = drawing::fonts(&asked.font)?;
     if asked.pages {
         let pages = Pages::of(saved, asked, fonts).map_err(complain)?;
@@ -103,7 +103,7 @@ fn film(
     let beyond = frame_file(&asked.output, plan.frames);
     if beyond.exists() {
         let why = format!("belongs to a longer animatic in this folder; the new one ends at {}", plan.frames);
-        telling::note(Some(&beyond.display().to_string()), &why);
+        report::note(Some(&beyond.display().to_string()), &why);
     }
     tell(plan, told, asked)
 }
@@ -115,7 +115,7 @@ fn tell(plan: &Animatic, (of, told): (&str, Value), asked: &Animate) -> Result<(
         let rate = (plan.rate * 1000.0).round() / 1000.0;
         return print_lines([format!("{pattern}  {} frames, {rate} per second", plan.frames)]);
     }
-    crate::print(&json!({
+    crate::destination::print_json(&json!({
         "frames": plan.frames, "fps": plan.fps, "rate": plan.rate, "width": plan.size[0], "height": plan.size[1],
         "files": pattern, of: told,
     }))
@@ -131,8 +131,8 @@ fn is_of_film(saved: &Saved, photo: &str) -> bool {
 fn tell_still(count: usize, called: (&str, &str)) {
     match count {
         0 => {}
-        1 => telling::note(None, &format!("1 {} is a video frame; here it does not move", called.0)),
-        _ => telling::note(None, &format!("{count} {} are video frames; here they do not move", called.1)),
+        1 => report::note(None, &format!("1 {} is a video frame; here it does not move", called.0)),
+        _ => report::note(None, &format!("{count} {} are video frames; here they do not move", called.1)),
     }
 }
 

@@ -16,13 +16,13 @@ use serde_json::{Value, json};
 
 use crate::destination::print_lines;
 use crate::photos::Photos;
-use crate::{CliError, SegmentArgs, album, detectors, telling};
+use crate::{CliError, detectors, input, report};
 
 /// Writes a mask for each photo into a folder, and creates the folder if necessary.
 pub(crate) fn segment(asked: &SegmentArgs) -> Result<(), CliError> {
     let net = detectors::load_segmenter(asked.models.as_deref())?;
     let folder = asked.output.as_path();
-    let photos = Photos::read(album::files(&asked.files)?)?;
+    let photos = Photos::read(input::files(&asked.files)?)?;
     if photos.album.imported().is_empty() {
         return Err(inkpanel_engine::Error::NoPhotos.into());
     }
@@ -37,14 +37,14 @@ pub(crate) fn segment(asked: &SegmentArgs) -> Result<(), CliError> {
     for ((path, _), made) in photos.iter().zip(made) {
         match made {
             Ok(row) => rows.push(row),
-            Err(complaint) => telling::note(Some(&album::told(path)), &format!("{complaint}; left out")),
+            Err(complaint) => report::note(Some(&input::told(path)), &format!("{complaint}; left out")),
         }
     }
     if rows.is_empty() {
         return Err(CliError::new("detector", "no mask could be made"));
     }
     if asked.json {
-        return crate::print(&Value::Array(rows));
+        return crate::destination::print_json(&Value::Array(rows));
     }
     print_lines(rows.iter().map(|row| {
         let text = |key: &str| row[key].as_str().unwrap_or_default();
@@ -56,11 +56,11 @@ pub(crate) fn segment(asked: &SegmentArgs) -> Result<(), CliError> {
 /// Adds the subject mask of each photo. A failure is reported, and the photo gets no mask.
 pub(crate) fn add_masks(photos: &mut Photos, models: Option<&Path>) -> Result<(), CliError> {
     let net = detectors::load_segmenter(models)?;
-    let files: Vec<String> = photos.iter().map(|(path, _)| album::told(path)).collect();
+    let files: Vec<String> = photos.iter().map(|(path, _)| input::told(path)).collect();
     photos.album.imported_mut().par_iter_mut().zip(files).for_each(|((_, photo), file)| {
         match net.look(&photo.work) {
             Ok(mask) => photo.meta.mask = Some(mask),
-            Err(error) => telling::note(Some(&file), &error.to_string()),
+            Err(error) => report::note(Some(&file), &error.to_string()),
         }
     });
     Ok(())
@@ -114,12 +114,12 @@ impl Masks {
         let load = || match detectors::load_segmenter(self.models.as_deref()) {
             Ok(net) => Some(net),
             Err(why) => {
-                telling::note(None, &format!("{why}; the whole photo counts as the subject"));
+                report::note(None, &format!("{why}; the whole photo counts as the subject"));
                 None
             }
         };
         let looked = self.net.get_or_init(load).as_ref()?.look(photo);
-        looked.map_err(|error| telling::note(None, &error.to_string())).ok()
+        looked.map_err(|error| report::note(None, &error.to_string())).ok()
     }
 }
 
@@ -162,4 +162,21 @@ fn cut_out(net: &Segmenter, path: &Path, photo: &Imported, file: &Path) -> Resul
         "box": if w > 0.0 { bounds } else { Value::Null },
         "confidence": digits(facts.confidence),
     }))
+}
+
+/// Arguments of `inkpanel segment`.
+#[derive(clap::Args)]
+pub(crate) struct SegmentArgs {
+    /// Photos, or folders with photos.
+    #[arg(required = true)]
+    pub(crate) files: Vec<PathBuf>,
+    /// Folder for the masks, one NAME.png per photo.
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: PathBuf,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Folder that contains subject.onnx. [default: next to the program, or www/models]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) models: Option<PathBuf>,
 }

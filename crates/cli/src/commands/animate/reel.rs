@@ -2,7 +2,7 @@
 
 use super::drawn::Drawn;
 use crate::destination::Output;
-use crate::{CliError, telling};
+use crate::{CliError, report};
 use inkpanel_engine::output::animatic::{Animatic, Shown};
 use inkpanel_engine::output::motion::Told;
 use inkpanel_engine::page::compose::mix;
@@ -112,7 +112,7 @@ impl Reel<'_> {
         let more = if skipped > 0 { format!(", {skipped} of them there") } else { String::new() };
         let (first, last) = (frames.start + 1, frames.end);
         let sentence = format!("{done} of {of}: {called}, frames {first} to {last}{more}");
-        telling::step(&event, Some(sentence));
+        report::step(&event, Some(sentence));
     }
 }
 

@@ -1,6 +1,6 @@
 //! Settings of `render` and `book` in a file. Each setting has the name of an option. The command line takes precedence.
 
-use crate::{CliError, album};
+use crate::{CliError, input};
 use clap::{Arg, Command, CommandFactory};
 use serde_json::{Map, Value};
 use std::any::TypeId;
@@ -54,7 +54,7 @@ fn read(file: &Path) -> Result<Map<String, Value>, CliError> {
     if about.len() > MOST {
         return Err(CliError::new("too-large", format!("is larger than {MOST} bytes")));
     }
-    let text = album::text(file)?;
+    let text = input::text(file)?;
     let is_json = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
     let value: Value = if is_json {
         serde_json::from_str(&text).map_err(|error| format!("not valid JSON: {error}"))?
@@ -128,7 +128,7 @@ fn is_said(arguments: &[OsString], option: &Arg) -> bool {
 }
 
 fn located(file: &str, folder: &Path) -> PathBuf {
-    if file == album::STANDARD { PathBuf::from(file) } else { folder.join(file) }
+    if file == input::STANDARD { PathBuf::from(file) } else { folder.join(file) }
 }
 
 /// A text or a number, or several.

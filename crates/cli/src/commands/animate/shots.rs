@@ -4,8 +4,9 @@ use super::Animate;
 use super::drawn::Drawn;
 use super::reel::Step;
 use crate::boards::{self, STYLE, ShotPhoto};
-use crate::segments::Masks;
-use crate::{CliError, read_style, reopening, telling};
+use crate::commands::read_style;
+use crate::commands::segment::Masks;
+use crate::{CliError, reopening, report};
 use inkpanel::survived;
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::native;
@@ -69,7 +70,7 @@ impl Shots {
         let ShotPhoto { id, name, file } = &self.photos[clip];
         let photo = survived(|| Ok(decode(file, &Limits::default())?))
             .map_err(|error: CliError| error.at(format_args!("the photo {name}")))?;
-        telling::damage(name, photo.damage);
+        report::damage(name, photo.damage);
         let subject = self.masks.asked_by(&*document.style()?, id, &photo.image);
         let photos = HashMap::from([(id.clone(), native::Photo { image: photo.image, subject })]);
         let sheet = native::sheet(document, &photos, &GivenFonts::default())?;

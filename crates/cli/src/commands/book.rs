@@ -1,12 +1,13 @@
 //! Books of the command line: an album with a cover, chapters, captions, page numbers and an end page.
 
-use crate::destination::Output;
+use super::render::{NO_OUTPUT, Writing, write_album};
+use crate::args::{Chosen, How};
+use crate::destination::{Output, print_json};
 use crate::format::Format;
+use crate::input::{self, name};
 use crate::photos::Photos;
-use crate::{
-    Chosen, CliError, How, NO_OUTPUT, Writing, album, check_strict, detectors, done, drawing, name, plans,
-    print, projects, telling, write_album,
-};
+use crate::report::{check_strict, done};
+use crate::{CliError, detectors, drawing, plans, projects, report};
 use clap::ValueEnum;
 use inkpanel::{BookOptions, BookPlan};
 use inkpanel_engine::document::limits::MOST_SHEETS;
@@ -76,12 +77,12 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
     let output = made.output.as_deref().map(|path| Output::new(path, how.format.as_deref())).transpose()?;
     if let Some(output) = &output {
         how.printing.check(Format::of(&output.named)?)?;
-        if chosen.json && album::is_standard(&output.path) {
+        if chosen.json && input::is_standard(&output.path) {
             return Err("--json and the book cannot both go to standard output".into());
         }
         if how.skip_existing && output.exists() {
             let event = json!({ "event": "skipped", "file": output.path.display().to_string() });
-            telling::step(&event, Some(format!("{}: exists already, skipped", output.path.display())));
+            report::step(&event, Some(format!("{}: exists already, skipped", output.path.display())));
             return Ok(());
         }
         if matches!(Format::of(&output.named), Ok(Format::Shots(_))) {
@@ -98,7 +99,7 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
     page.rtl |= is_rtl(how.printing.language());
     let options = chosen.options(page)?;
     let fonts = how.printing.fonts()?;
-    let mut photos = Photos::read(album::files(given)?)?;
+    let mut photos = Photos::read(input::files(given)?)?;
     photos.album.set_fonts(fonts.clone());
     let looked = photos.prepare(chosen);
     let used = photos.choose(&options);
@@ -116,11 +117,11 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
         book = book.pages(pages as usize);
     }
     let progress = &mut |done: usize, of: usize| {
-        telling::step(&json!({ "event": "planned", "done": done, "of": of }), None);
+        report::step(&json!({ "event": "planned", "done": done, "of": of }), None);
     };
     let BookPlan { title, pages } = photos.album.plan_book(&options, &book, used, progress)?;
     if let Some(wanted) = made.pages.filter(|wanted| *wanted as usize != pages.len()) {
-        telling::note(None, &format!("there are {} pages, not {wanted}", pages.len()));
+        report::note(None, &format!("there are {} pages, not {wanted}", pages.len()));
     }
     let drawn: Vec<Document> = pages.iter().map(|page| page.planned.document.clone()).collect();
     drawing::tell_missing(&drawn, &fonts)?;
@@ -128,7 +129,7 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
     let album = projects::Album { name: title, pages: &drawn, photos: &photos, used: &ids, looked };
     let written = write_album(&album, &fonts, output.as_ref(), &Writing { how, several: true, chosen })?;
     if chosen.json {
-        print(&told(&album.name, &pages, &photos)?)?;
+        print_json(&told(&album.name, &pages, &photos)?)?;
     }
     done(&written)
 }
@@ -189,7 +190,7 @@ fn places(given: &[PathBuf], photos: &Photos, models: Option<&Path>) -> HashMap<
             &mut places,
             located.into_iter().filter_map(|(id, at)| Some((id, table.name(at)?.to_owned()))),
         ),
-        Err(reason) => telling::note(None, &format!("{reason}; captions have no places of GPS data")),
+        Err(reason) => report::note(None, &format!("{reason}; captions have no places of GPS data")),
     }
     places
 }

@@ -1,6 +1,7 @@
 //! The shots of a film, for the command line. Videos are decoded by two programs of `ffmpeg`, if it is
 //! installed, through a pipe.
 
+use crate::destination::{print_json, print_lines};
 use std::ffi::OsString;
 use std::io::{self, Read};
 use std::path::Path;
@@ -12,7 +13,8 @@ use inkpanel_engine::select::shots::{Film, Shot};
 use inkpanel_engine::select::stills::{self, Still, Wish};
 use serde_json::{Value, json};
 
-use crate::{CliError, telling};
+use crate::{CliError, report};
+use std::path::PathBuf;
 
 /// Frames are asked for in this width at most, in pixels.
 const ACROSS: usize = 640;
@@ -35,7 +37,7 @@ pub(crate) fn shots(film: &Path, count: Option<usize>) -> Result<Value, CliError
     let end = seen.times().last().copied().unwrap_or_default() + 1.0 / about.rate;
     if let Some(whole) = about.film.filter(|whole| is_damaged && end < whole - SLACK) {
         let why = format!("the video is truncated: its frames end at {end:.2} s of {whole:.2} s");
-        telling::note(Some(&film.display().to_string()), &why);
+        report::note(Some(&film.display().to_string()), &why);
     }
     let shots = seen.shots(end);
     let chosen = stills::choose(&seen, &shots, &Wish { count, ..Wish::default() });
@@ -172,4 +174,30 @@ fn look(frame: &[u8], width: usize, height: usize) -> inkpanel_engine::Result<Lo
     let luma = Samples::new(luma, [width, 1], [width, height])?;
     let chroma = [Samples::new(blue, [half[0], 1], half)?, Samples::new(red, [half[0], 1], half)?];
     Ok(Look::of(&luma, [&chroma[0], &chroma[1]]))
+}
+
+/// Arguments of `inkpanel shots`.
+#[derive(clap::Args)]
+pub(crate) struct ShotsArgs {
+    /// Video file.
+    pub(crate) film: PathBuf,
+    /// Number of frames. [default: depends on the number of shots]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub(crate) frames: Option<u32>,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+pub(crate) fn shots_of(asked: &ShotsArgs) -> Result<(), CliError> {
+    let shots = shots(&asked.film, asked.frames.map(|frames| frames as usize))?;
+    if asked.json {
+        return print_json(&shots);
+    }
+    print_lines(shots.as_array().into_iter().flatten().map(|shot| {
+        let frames: Vec<String> =
+            shot["frames"].as_array().into_iter().flatten().map(Value::to_string).collect();
+        let kind = shot["kind"].as_str().unwrap_or_default();
+        format!("{}\t{}\t{}\t{kind}\t{}", shot["shot"], shot["start"], shot["end"], frames.join(" "))
+    }))
 }

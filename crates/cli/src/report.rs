@@ -1,10 +1,12 @@
 //! Progress and warnings on standard error: sentences, or one line of JSON per step.
 
 use crate::CliError;
+use crate::args::How;
 use inkpanel_engine::raster::decode::Damage;
 use serde_json::{Value, json};
 use std::collections::HashSet;
 use std::io::Write;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex, PoisonError};
 
@@ -76,4 +78,22 @@ pub(crate) fn failure(error: &CliError) {
 
 fn say(event: &Value, sentence: impl FnOnce() -> String) {
     step(event, Some(sentence()));
+}
+
+/// Reports the end of the run.
+#[allow(clippy::unnecessary_wraps, reason = "callers return it as their result")]
+pub(crate) fn done(files: &[PathBuf]) -> Result<(), CliError> {
+    let files: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+    step(&json!({ "event": "done", "files": files }), None);
+    Ok(())
+}
+
+/// With `--strict`, a warning is an error.
+pub(crate) fn check_strict(how: &How) -> Result<(), CliError> {
+    let notes = notes();
+    if !how.strict || notes == 0 {
+        return Ok(());
+    }
+    let warnings = if notes == 1 { "1 warning".to_owned() } else { format!("{notes} warnings") };
+    Err(CliError::new("warnings", format!("--strict: {warnings}, so nothing is written")))
 }
