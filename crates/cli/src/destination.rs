@@ -88,10 +88,10 @@ pub(crate) fn print(bytes: &[u8]) -> Result<(), CliError> {
     }
 }
 
-/// Prints lines to standard output, as [`print`] does.
+/// Prints lines to standard output, as `print` does.
 ///
 /// # Errors
-/// The errors of [`print`].
+/// The errors of `print`.
 pub(crate) fn print_lines(lines: impl IntoIterator<Item = String>) -> Result<(), CliError> {
     let text: String = lines.into_iter().map(|line| line + "\n").collect();
     print(text.as_bytes())

@@ -2,7 +2,7 @@
 //!
 //! `cargo xtask models` makes the table (`tools/models/src/places.rs`). It is compressed with zlib and contains:
 //!
-//! 1. [`MARK`], and the number of places, four bytes (big-endian, like all numbers).
+//! 1. `MARK`, and the number of places, four bytes (big-endian, like all numbers).
 //! 2. The latitudes, then the longitudes: steps of 1/65535 of 180 or 360 degrees from -90 or -180. Each is the
 //!    difference to the previous place, modulo 65536. The high bytes of all places come before the low bytes.
 //! 3. One byte per place: eight times the binary logarithm of its population.

@@ -52,7 +52,7 @@ pub use file::Style;
 use inkpanel_image::error::Result;
 use inkpanel_image::raster::Image;
 use inkpanel_image::simd::point::luma_plane;
-// The modules of this crate name the layer below as `crate::raster`, like those of the engine.
+// Modules of this crate name the layer below as `crate::raster`, as modules of the engine do.
 use inkpanel_image::{error, order, raster, simd};
 
 /// Runs a style on an image: the background layer, and the foreground layer laid over it as ink.

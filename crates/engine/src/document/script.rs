@@ -200,7 +200,7 @@ impl Numbers {
 
 /// Lays the paragraphs of a script over panels in order. Returns JSON, `{words, unplaced, lines}`: the text
 /// items, the number of text items without a panel, and the number of lines that were read. A paragraph below the heading
-/// `Panel 3` goes to panel 3. See [`placed`] for a script without numbers.
+/// `Panel 3` goes to panel 3. See `placed` for a script without numbers.
 #[must_use]
 pub fn told(text: &str, panels: usize, taking: Taking) -> String {
     let text = text.char_indices().nth(MOST_SCRIPT).map_or(text, |(end, _)| &text[..end]);

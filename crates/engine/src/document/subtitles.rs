@@ -221,7 +221,7 @@ pub fn matched(cues: &[Cue], frames: &[Frame], taking: Taking) -> (Vec<NewText>,
 /// Matches a subtitle file with frames, in JSON: `{words, unplaced, cues, homeless, left, cut, skipped,
 /// flaws}`. The fields are the text items, and the number of subtitles that were read, found no
 /// frame, were left out, cut or skipped. An invalid file gives `{flaw: {kind, line, text}}`. Without frames,
-/// the text items are placed on panels in order, see [`script::placed`].
+/// the text items are placed on panels in order, see `script::placed`.
 #[must_use]
 pub fn told(text: &str, vtt: bool, frames: &[Frame], panels: usize, taking: Taking) -> String {
     let mut out = Writer::default();

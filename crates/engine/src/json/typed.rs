@@ -92,23 +92,6 @@ where
     T::try_from(number).map_err(|_| Error::custom("is too large"))
 }
 
-/// [`whole`], or nothing for null.
-///
-/// # Errors
-/// For anything else.
-pub fn whole_or_null<'de, D, T, const LEAST: u64, const MOST: u64>(
-    deserializer: D,
-) -> Result<Option<T>, D::Error>
-where
-    D: Deserializer<'de>,
-    T: TryFrom<u64>,
-{
-    match Value::deserialize(deserializer)? {
-        Value::Null => Ok(None),
-        value => whole::<_, T, LEAST, MOST>(value).map(Some).map_err(Error::custom),
-    }
-}
-
 /// A value, or the default of its type for null.
 ///
 /// # Errors

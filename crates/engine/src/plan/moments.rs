@@ -52,7 +52,7 @@ fn days(year: i64, month: i64, day: i64) -> i64 {
     era * 146_097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719_468
 }
 
-/// Returns year, month and day of a number of days since 1970. Source: as [`days`], `civil_from_days`.
+/// Returns year, month and day of a number of days since 1970. Source: as `days`, `civil_from_days`.
 #[must_use]
 pub fn date(day: i64) -> (i64, i64, i64) {
     let shifted = day + 719_468;

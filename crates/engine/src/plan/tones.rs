@@ -140,7 +140,7 @@ pub fn rating(id: &str) -> Option<f64> {
     look(id).map(|look| look.rating)
 }
 
-/// The uses of a style, as [`MARKS`] has them.
+/// The uses of a style, as `MARKS` has them.
 #[must_use]
 pub fn uses(id: &str) -> &'static str {
     look(id).map_or("", |look| look.uses)

@@ -5,7 +5,7 @@
 //! key frames of a long video, have no close neighbours. For them a cut is a change of both the image and its
 //! tones.
 //!
-//! A dissolve separates two shots in its middle ([`dissolves`]). Frames that show both scenes represent neither of them.
+//! A dissolve separates two shots in its middle (`dissolves`). Frames that show both scenes represent neither of them.
 
 use super::dissolves::{self, Dissolve};
 use super::look::Look;
