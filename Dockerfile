@@ -12,7 +12,7 @@ RUN curl --proto '=https' --tlsv1.2 --silent --show-error --fail https://sh.rust
     | sh -s -- -y --no-modify-path --profile minimal --default-toolchain none
 WORKDIR /inkpanel
 COPY . .
-RUN cargo xtask build && cargo build --release --package inkpanel --features cli
+RUN cargo xtask build && cargo build --release --bin inkpanel
 
 FROM nginx:1.28-bookworm
 COPY docs/reference/nginx.conf /etc/nginx/conf.d/default.conf

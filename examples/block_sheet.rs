@@ -15,10 +15,10 @@ use std::error::Error;
 use std::path::Path;
 
 use file::save;
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::style::{Context, Style, blocks, chain};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::style::{Context, Style, blocks, chain};
 use picture::paste;
 use serde_json::{Value, json};
 use tiny_skia::{Color, Pixmap};

@@ -1,9 +1,9 @@
 //! A photo enlarged well, for `tests/oracles/enlarge.py`: `enlarge PHOTO WIDTH HEIGHT OUT.png`.
 
-use inkpanel::page::png;
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::enlarge::enlarged;
-use inkpanel::raster::resize::Region;
+use inkpanel_engine::page::png;
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::enlarge::enlarged;
+use inkpanel_engine::raster::resize::Region;
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {

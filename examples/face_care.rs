@@ -1,6 +1,6 @@
 //! Draws photos with faces in styles, without and with face protection, side by side.
 //!
-//!     cargo run --release --features cli --example face_care -- OUT.png WIDTH STYLE,STYLE,... PHOTO...
+//!     cargo run --release --example face_care -- OUT.png WIDTH STYLE,STYLE,... PHOTO...
 //!
 //! One line per style. For each photo, `WIDTH` pixels wide, it shows the picture without and with face
 //! protection.
@@ -8,14 +8,14 @@
 use std::error::Error;
 use std::fs;
 
-use inkpanel::detect::Detectors;
-use inkpanel::page::png::encode_rgb;
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::{Limits, decode_fit};
-use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::style::catalogue::find;
-use inkpanel::style::faces::FaceBox;
-use inkpanel::style::{Context, stylize};
+use inkpanel_engine::detect::Detectors;
+use inkpanel_engine::page::png::encode_rgb;
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::{Limits, decode_fit};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::style::catalogue::find;
+use inkpanel_engine::style::faces::FaceBox;
+use inkpanel_engine::style::{Context, stylize};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 

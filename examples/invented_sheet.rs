@@ -17,10 +17,10 @@ use std::fs;
 use std::path::Path;
 
 use file::save;
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::style::{Context, aesthetic, procedural, stylize};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::style::{Context, aesthetic, procedural, stylize};
 use picture::paste;
 use tiny_skia::{Color, Pixmap};
 

@@ -3,10 +3,10 @@
 
 use std::time::Instant;
 
-use inkpanel::error::Result;
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::style::{Context, Style, chain};
+use inkpanel_engine::error::Result;
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::style::{Context, Style, chain};
 use serde_json::{Map, Value, json};
 
 /// Name in the table, whether on luma, and the block.
@@ -52,7 +52,7 @@ fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
 }
 
 /// Milliseconds of one run, which changes a copy in place; copying is not timed.
-fn median(photo: &inkpanel::raster::Image, luma: bool, block: &str) -> Result<f64> {
+fn median(photo: &inkpanel_engine::raster::Image, luma: bool, block: &str) -> Result<f64> {
     let style = |blocks: &str| {
         Style::parse("row", &format!(r#"{{"id": "row", "name": "Row", "background": [{blocks}]}}"#))
     };

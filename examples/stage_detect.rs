@@ -6,8 +6,8 @@ use std::error::Error;
 use std::fs::read;
 use std::path::Path;
 
-use inkpanel::detect::Detectors;
-use inkpanel::raster::decode::{Limits, decode_fit};
+use inkpanel_engine::detect::Detectors;
+use inkpanel_engine::raster::decode::{Limits, decode_fit};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

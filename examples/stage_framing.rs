@@ -4,11 +4,11 @@
 
 use std::error::Error;
 
-use inkpanel::framing::PhotoMeta;
-use inkpanel::layout::{PageSettings, find, resolve};
-use inkpanel::page::import::import;
-use inkpanel::plan::{Order, assign, slots};
-use inkpanel::raster::decode::Limits;
+use inkpanel_engine::framing::PhotoMeta;
+use inkpanel_engine::layout::{PageSettings, find, resolve};
+use inkpanel_engine::page::import::import;
+use inkpanel_engine::plan::{Order, assign, slots};
+use inkpanel_engine::raster::decode::Limits;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

@@ -4,7 +4,7 @@
 
 use std::error::Error;
 
-use inkpanel::layout::{PageSettings, catalogue, find, resolve};
+use inkpanel_engine::layout::{PageSettings, catalogue, find, resolve};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let id = std::env::args().nth(1).ok_or("usage: stage_layout ID")?;

@@ -5,11 +5,11 @@
 use std::collections::HashMap;
 use std::error::Error;
 
-use inkpanel::page::import::import;
-use inkpanel::page::request::Request;
-use inkpanel::page::{Scene, compose, png, shuffle};
-use inkpanel::raster::decode::Limits;
-use inkpanel::style::Context;
+use inkpanel_engine::page::import::import;
+use inkpanel_engine::page::request::Request;
+use inkpanel_engine::page::{Scene, compose, png, shuffle};
+use inkpanel_engine::raster::decode::Limits;
+use inkpanel_engine::style::Context;
 use serde_json::json;
 
 fn main() -> Result<(), Box<dyn Error>> {

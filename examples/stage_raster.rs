@@ -4,9 +4,9 @@
 
 use std::error::Error;
 
-use inkpanel::page::png::encode_rgb;
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::resize::{Region, fit, resample_image};
+use inkpanel_engine::page::png::encode_rgb;
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, fit, resample_image};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

@@ -4,8 +4,8 @@
 
 use std::error::Error;
 
-use inkpanel::raster::decode::{Limits, decode_fit};
-use inkpanel::select::{Measures, Settings, choose, measure};
+use inkpanel_engine::raster::decode::{Limits, decode_fit};
+use inkpanel_engine::select::{Measures, Settings, choose, measure};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let names: Vec<String> = std::env::args().skip(1).collect();

@@ -4,9 +4,9 @@
 
 use std::error::Error;
 
-use inkpanel::page::png::encode_rgb;
-use inkpanel::raster::decode::{Limits, decode_fit};
-use inkpanel::style::{Context, Style, stylize};
+use inkpanel_engine::page::png::encode_rgb;
+use inkpanel_engine::raster::decode::{Limits, decode_fit};
+use inkpanel_engine::style::{Context, Style, stylize};
 
 /// Flat colours below, ink lines above.
 const STYLE: &str = r##"{

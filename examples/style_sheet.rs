@@ -24,12 +24,12 @@ use std::fs;
 use std::path::Path;
 
 use file::save;
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::raster::{Image, Matte};
-use inkpanel::style::catalogue::{by_family, find};
-use inkpanel::style::part::subject_in;
-use inkpanel::style::{Context, Style, stylize};
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::raster::{Image, Matte};
+use inkpanel_engine::style::catalogue::{by_family, find};
+use inkpanel_engine::style::part::subject_in;
+use inkpanel_engine::style::{Context, Style, stylize};
 use picture::paste;
 use tiny_skia::{Color, Pixmap};
 

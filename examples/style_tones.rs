@@ -1,15 +1,15 @@
 //! Measures the luma that each built-in style gives for each sixteenth of luma, and writes it to
-//! `src/plan/marks.txt`. Marks and uses in the file do not change. A style without a mark gets 6.5.
+//! `crates/engine/src/plan/marks.txt`. Marks and uses in the file do not change. A style without a mark gets 6.5.
 //!
 //!     cargo run --release --example style_tones
 
 use std::fmt::Write as _;
 use std::sync::Arc;
 
-use inkpanel::plan::tones;
-use inkpanel::raster::{Image, Plane};
-use inkpanel::style::painters::Painters;
-use inkpanel::style::{Context, catalogue, stylize};
+use inkpanel_engine::plan::tones;
+use inkpanel_engine::raster::{Image, Plane};
+use inkpanel_engine::style::painters::Painters;
+use inkpanel_engine::style::{Context, catalogue, stylize};
 
 /// Patches of the card across and down, and the side of a patch.
 const PATCHES: usize = 4;
@@ -54,6 +54,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for (rating, id, response) in &lines {
         writeln!(text, "{}", format!("{id} {rating} {response}").trim_end())?;
     }
-    std::fs::write("src/plan/marks.txt", text)?;
+    std::fs::write("crates/engine/src/plan/marks.txt", text)?;
     Ok(())
 }

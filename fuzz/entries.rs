@@ -1,27 +1,27 @@
 //! Fuzzing entry points: one function per parser of untrusted input, called by the fuzz targets and by
 //! `tests/regressions.rs`. Each may reject its input. A panic, a hang or unlimited memory use is a bug.
 
-use inkpanel::Error;
-use inkpanel::document::edit::{Edit, How};
-use inkpanel::document::editor::Editor;
-use inkpanel::document::file::ProjectFile;
-use inkpanel::document::kept;
-use inkpanel::document::project::Project;
-use inkpanel::document::saved::Saved;
-use inkpanel::document::script;
-use inkpanel::document::sheets::photos_on;
-use inkpanel::document::subtitles::Subtitles;
-use inkpanel::layout::{self, PageSettings, Template};
-use inkpanel::page::document::Document;
-use inkpanel::page::import::import;
-use inkpanel::page::request::Request;
-use inkpanel::page::{Scene, catalogue, shuffle};
-use inkpanel::raster::decode::{Limits, decode_reduced};
-use inkpanel::raster::location::location;
-use inkpanel::raster::{Image, Plane};
-use inkpanel::style::painters::{Choice, Painters};
-use inkpanel::style::{Context, Style, stylize};
-use inkpanel::texts;
+use inkpanel_engine::Error;
+use inkpanel_engine::document::edit::{Edit, How};
+use inkpanel_engine::document::editor::Editor;
+use inkpanel_engine::document::file::ProjectFile;
+use inkpanel_engine::document::kept;
+use inkpanel_engine::document::project::Project;
+use inkpanel_engine::document::saved::Saved;
+use inkpanel_engine::document::script;
+use inkpanel_engine::document::sheets::photos_on;
+use inkpanel_engine::document::subtitles::Subtitles;
+use inkpanel_engine::layout::{self, PageSettings, Template};
+use inkpanel_engine::page::document::Document;
+use inkpanel_engine::page::import::import;
+use inkpanel_engine::page::request::Request;
+use inkpanel_engine::page::{Scene, catalogue, shuffle};
+use inkpanel_engine::raster::decode::{Limits, decode_reduced};
+use inkpanel_engine::raster::location::location;
+use inkpanel_engine::raster::{Image, Plane};
+use inkpanel_engine::style::painters::{Choice, Painters};
+use inkpanel_engine::style::{Context, Style, stylize};
+use inkpanel_engine::texts;
 use serde_json::Value;
 use std::collections::HashSet;
 

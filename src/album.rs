@@ -1,262 +1,322 @@
-//! Photo sources of the command line: files, folders as albums, and standard input.
+//! Albums: the imported photos of a project.
 
-use crate::{CliError, name, own_pages, telling};
-use inkpanel::kinds::{self, Role};
-use inkpanel::texts;
-use serde_json::json;
-use std::cmp::Ordering;
-use std::collections::HashSet;
-use std::ffi::{OsStr, OsString};
-use std::io::Read;
-use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use crate::failure::Failure;
+#[cfg(feature = "detect")]
+use crate::failure::survived;
+#[cfg(feature = "detect")]
+use crate::nets::Nets;
+use crate::note::Note;
+use crate::options::{BookOptions, PageOptions};
+use crate::page::{Book, Page};
+use crate::photo::Photo;
+use crate::places::PlaceNames;
+use inkpanel_engine::document::limits::MOST_SHEETS;
+use inkpanel_engine::framing::{PhotoMeta, Subject};
+use inkpanel_engine::page::Document;
+use inkpanel_engine::page::book::{self, BookPage, Styles, Wish, naming};
+use inkpanel_engine::page::import::Imported;
+use inkpanel_engine::page::request::Request;
+use inkpanel_engine::page::shuffle::Planned;
+use inkpanel_engine::page::storyboard;
+use inkpanel_engine::page::words::given::{GivenFonts, missing};
+use inkpanel_engine::page::words::place::{self, Known};
+use inkpanel_engine::plan::Shelf;
+use inkpanel_engine::select::Verdict;
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::ffi::OsStr;
+use std::path::Path;
+use std::sync::Arc;
 
-/// Name of standard input and standard output.
-pub(crate) const STANDARD: &str = "-";
-/// Folders in folders that are looked into.
-const DEEPEST: usize = 8;
-/// Files that one run takes, more than an album has: a folder may be a whole disk.
-const MOST_FILES: usize = 100_000;
-/// Bytes that are taken from standard input.
-const MOST_INPUT: u64 = 1 << 30;
-
-/// Whether a path is standard input or output.
-pub(crate) fn is_standard(path: &Path) -> bool {
-    path.as_os_str() == STANDARD
+/// Photos that were read and measured. It can make any number of pages.
+pub struct Album {
+    photos: Arc<[Photo]>,
+    /// Readable photos, with their places in the input list.
+    read: Vec<(usize, Imported)>,
+    fonts: GivenFonts,
+    notes: Vec<Note>,
+    /// The names of the places where photos were taken, by id.
+    located: Vec<(String, String)>,
 }
 
-/// Display name of a file.
-pub(crate) fn told(path: &Path) -> String {
-    if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() }
+/// The photos of pages, in order, and a verdict on each readable photo.
+pub struct Selection {
+    /// The photos of pages.
+    pub used: Vec<PhotoMeta>,
+    /// The verdicts, in the order of the album.
+    pub verdicts: Vec<Verdict>,
 }
 
-/// Reads a file, or standard input, which is read once and kept.
-pub(crate) fn read(path: &Path) -> Result<Vec<u8>, CliError> {
-    static INPUT: OnceLock<Result<Vec<u8>, CliError>> = OnceLock::new();
-    if !is_standard(path) {
-        return std::fs::read(path).map_err(|error| CliError::reading(&error));
+/// A planned book.
+pub struct BookPlan {
+    /// The title on the cover.
+    pub title: String,
+    /// The pages with their text.
+    pub pages: Vec<BookPage>,
+}
+
+/// Returns the page's id of the photo at a place in the list.
+pub(crate) fn id(place: usize) -> String {
+    format!("photo-{place}")
+}
+
+impl Album {
+    /// Reads photos in parallel, in the order of the story.
+    ///
+    /// # Errors
+    /// Returns the error of the first photo that cannot be read: `not-found`, `unreadable`, `unknown-format`,
+    /// `damaged`, `unsupported`, `too-large`.
+    pub fn read(photos: Vec<Photo>) -> Result<Self, Failure> {
+        let (album, broken) = Self::read_side_by_side(photos, &|_| {});
+        broken.into_iter().next().map_or(Ok(album), Err)
     }
-    let input = || {
-        let mut bytes = Vec::new();
-        let mut input = std::io::stdin().lock().take(MOST_INPUT + 1);
-        input.read_to_end(&mut bytes).map_err(|error| CliError::reading(&error))?;
-        if bytes.len() as u64 > MOST_INPUT {
-            return Err(CliError::new("too-large", format!("is larger than {} MB", MOST_INPUT >> 20)));
-        }
-        Ok(bytes)
-    };
-    INPUT.get_or_init(input).clone()
-}
 
-/// Reads a file of JSON or TOML, or standard input: UTF-8 or UTF-16, with or without the byte order mark that editors on
-/// Windows write.
-pub(crate) fn text(path: &Path) -> Result<String, CliError> {
-    let bytes = read(path)?;
-    let text = texts::unicode(&bytes).map_err(|reason| format!("is not JSON or TOML: {reason}"))?;
-    Ok(text.into_owned())
-}
-
-/// Lists the files: for a folder, its photos and the photos in its subfolders, in natural order. Other files of a folder are
-/// counted; videos and kinds that cannot be read are named.
-pub(crate) fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
-    if given.iter().filter(|path| is_standard(path)).count() > 1 {
-        return Err("standard input (-) can be read only once".into());
+    /// Like [`Self::read`], but skips photos that cannot be read. [`Self::notes`] lists them with the reason.
+    #[must_use]
+    pub fn read_skipping_broken(photos: Vec<Photo>) -> Self {
+        Self::read_side_by_side(photos, &|_| {}).0
     }
-    let mut files = Vec::new();
-    for path in given {
-        if is_standard(path) || !path.is_dir() {
-            files.push(path.clone());
-            continue;
-        }
-        let mut found = Found::default();
-        walk(path, 0, &mut found).map_err(|error| error.at(path.display()))?;
-        found.tell(path);
-        leave_own_pages(&mut found.photos);
-        if found.photos.is_empty() {
-            return Err(CliError::new("no-photos", "the folder contains no pictures").at(path.display()));
-        }
-        files.append(&mut found.photos);
-    }
-    if files.len() > MOST_FILES {
-        return Err(CliError::new("too-large", format!("more than {MOST_FILES} files")));
-    }
-    Ok(files)
-}
 
-/// Leaves out the pages that an earlier run wrote into a folder, unless the folder has nothing else.
-fn leave_own_pages(files: &mut Vec<PathBuf>) {
-    let (pages, photos): (Vec<PathBuf>, Vec<PathBuf>) =
-        files.drain(..).partition(|path| own_pages::is_page(path));
-    if photos.is_empty() {
-        files.extend(pages);
-        return;
+    /// Like [`Self::read_skipping_broken`]. Calls `done` after each photo.
+    #[doc(hidden)]
+    pub fn read_reporting(photos: Vec<Photo>, done: &(dyn Fn(&Photo) + Sync)) -> Self {
+        Self::read_side_by_side(photos, done).0
     }
-    files.extend(photos);
-    for page in pages {
-        let why = "left out: a page that Inkpanel wrote";
-        let event = json!({ "event": "left-out", "file": page.display().to_string(), "message": why });
-        telling::step(&event, Some(format!("{}: {why}", page.display())));
-    }
-}
 
-/// The files of a folder.
-#[derive(Default)]
-struct Found {
-    photos: Vec<PathBuf>,
-    /// Files of systems and programs.
-    sidecars: usize,
-    /// Videos of Live Photos: the photo of the same name is taken.
-    live: usize,
-    /// Files of other kinds.
-    others: usize,
-    /// Unreadable entries, and files that users may mistake for photos, each with the reason.
-    named: Vec<(PathBuf, String)>,
-}
-
-impl Found {
-    fn tell(&self, folder: &Path) {
-        for (path, why) in &self.named {
-            telling::note(Some(&path.display().to_string()), &format!("{why}; left out"));
-        }
-        if self.sidecars + self.live + self.others == 0 {
-            return;
-        }
-        let folder = folder.display().to_string();
-        let event = json!({ "event": "skipped", "folder": folder, "sidecars": self.sidecars, "live": self.live, "others": self.others });
-        let videos = |count: usize| format!("{count} {}", if count == 1 { "video" } else { "videos" });
-        let counted = |count: usize| format!("{count} {}", if count == 1 { "file" } else { "files" });
-        let of_systems = (self.sidecars > 0)
-            .then(|| format!("{} that systems and programs store next to photos", counted(self.sidecars)));
-        let others = (self.others > 0).then(|| format!("{} of other kinds", counted(self.others)));
-        let live =
-            (self.live > 0).then(|| format!("{} of Live Photos with the name of a photo", videos(self.live)));
-        let skipped: Vec<_> = of_systems.into_iter().chain(live).chain(others).collect();
-        telling::step(&event, Some(format!("{folder}: skipped {}", skipped.join(", "))));
-    }
-}
-
-fn walk(folder: &Path, depth: usize, found: &mut Found) -> Result<(), CliError> {
-    let complain = |error| CliError::reading(&error);
-    let mut paths: Vec<PathBuf> = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(complain)? {
-        paths.push(entry.map_err(complain)?.path());
-    }
-    paths.sort_by(|a, b| by_name(name(a), name(b)).then_with(|| a.cmp(b)));
-    let photos: HashSet<OsString> =
-        paths.iter().filter(|path| role(path) == Some(Role::Photo)).filter_map(|path| stem(path)).collect();
-    for path in paths {
-        // Links could form a cycle.
-        if path.is_dir() && (path.is_symlink() || depth >= DEEPEST) {
-            let why = if depth >= DEEPEST { "the folder is too deep" } else { "the folder is a link" };
-            found.named.push((path, why.to_owned()));
-        } else if path.is_dir() {
-            if kinds::is_system(name(&path)) {
-                continue;
-            }
-            if let Err(why) = walk(&path, depth + 1, found) {
-                found.named.push((path, why.to_string()));
-            }
-        } else if found.photos.len() <= MOST_FILES {
-            let is_live =
-                role(&path) == Some(Role::Video) && stem(&path).is_some_and(|stem| photos.contains(&stem));
-            if is_live && path.is_file() { found.live += 1 } else { sort_in(path, found) }
-        }
-    }
-    Ok(())
-}
-
-fn role(path: &Path) -> Option<Role> {
-    kinds::by_name(&path.file_name()?.to_string_lossy()).map(|kind| kind.role)
-}
-
-/// The name of a file without its ending, in lower case: the video of a Live Photo has the name of the photo.
-fn stem(path: &Path) -> Option<OsString> {
-    path.file_stem().map(OsStr::to_ascii_lowercase)
-}
-
-fn sort_in(path: PathBuf, found: &mut Found) {
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let kind = kinds::by_name(&name);
-    if kinds::is_sidecar(&name) {
-        found.sidecars += 1;
-    } else if !path.is_file() {
-        found.named.push((path, "it cannot be read; it may be a broken link".to_owned()));
-    } else if kind.is_some_and(|kind| kind.role == Role::Photo) {
-        found.photos.push(path);
-    } else if let Some(explained) = kinds::explained(&name, &[])
-        && matches!(explained.kind().role, Role::Video | Role::Archive | Role::Unsupported(_))
-    {
-        found.named.push((path, explained.to_string()));
-    } else {
-        found.others += 1;
-    }
-}
-
-/// Natural order of file names: `photo2` before `photo10`, ignoring case.
-fn by_name(a: &str, b: &str) -> Ordering {
-    let (mut a, mut b) = (a.chars().peekable(), b.chars().peekable());
-    loop {
-        let (Some(&x), Some(&y)) = (a.peek(), b.peek()) else {
-            return a.peek().is_some().cmp(&b.peek().is_some());
+    fn read_side_by_side(photos: Vec<Photo>, done: &(dyn Fn(&Photo) + Sync)) -> (Self, Vec<Failure>) {
+        let (mut read, mut broken, mut notes) = (Vec::new(), Vec::new(), Vec::new());
+        let import = |(place, photo): (usize, &Photo)| {
+            let imported = photo.imported(&id(place));
+            done(photo);
+            imported
         };
-        let order = if x.is_ascii_digit() && y.is_ascii_digit() {
-            let (x, y) = (number(&mut a), number(&mut b));
-            x.len().cmp(&y.len()).then_with(|| x.cmp(&y))
-        } else {
-            a.next();
-            b.next();
-            x.to_lowercase().cmp(y.to_lowercase())
+        let all: Vec<_> = photos.par_iter().enumerate().map(import).collect();
+        for (place, imported) in all.into_iter().enumerate() {
+            let name = photos[place].name();
+            match imported {
+                Ok(imported) => {
+                    notes.extend(imported.damage.map(|damage| Note::of(name, damage)));
+                    read.push((place, imported));
+                }
+                Err(failure) => {
+                    notes.push(Note::of(name, format_args!("{}; left out", failure.reason())));
+                    broken.push(failure);
+                }
+            }
+        }
+        let (fonts, located) = (GivenFonts::default(), Vec::new());
+        (Self { photos: photos.into(), read, fonts, notes, located }, broken)
+    }
+
+    /// Warnings: damaged or skipped photos, and the reason.
+    #[must_use]
+    pub fn notes(&self) -> &[Note] {
+        &self.notes
+    }
+
+    /// Adds a TrueType or OpenType font for characters that the bundled fonts lack.
+    ///
+    /// # Errors
+    /// `invalid-argument` if the file is not a font, is damaged or too large, or if there are more than
+    /// sixteen fonts.
+    pub fn add_font(&mut self, file: Vec<u8>) -> Result<(), Failure> {
+        self.fonts.add(file).map_err(|reason| Failure::argument("fonts", reason))
+    }
+
+    /// Asks for a large panel for a photo, by its place in the list that was given, from 0.
+    ///
+    /// # Errors
+    /// `invalid-argument` if the album has no readable photo at this place.
+    pub fn star(&mut self, place: usize) -> Result<(), Failure> {
+        let starred = self.read.iter_mut().find(|(own, _)| *own == place);
+        let (_, photo) =
+            starred.ok_or_else(|| Failure::argument("star", "names a photo that does not exist"))?;
+        photo.meta.starred = true;
+        Ok(())
+    }
+
+    /// Looks for faces and objects in all photos, so that no crop cuts them. A failure in one photo is added
+    /// to the notes and counts as no result.
+    #[cfg(feature = "detect")]
+    pub fn detect(&mut self, nets: &Nets) {
+        let look = |(_, photo): &(usize, Imported)| survived(|| nets.look(photo));
+        let found: Vec<Result<_, Failure>> = self.read.par_iter().map(look).collect();
+        for ((place, photo), found) in self.read.iter_mut().zip(found) {
+            match found {
+                Ok(found) => photo.meta.find(found),
+                Err(failure) => self.notes.push(Note::of(self.photos[*place].name(), failure)),
+            }
+        }
+    }
+
+    /// Names the places of photos by the GPS data of their files, for the captions of books. Only the names are stored.
+    pub fn locate(&mut self, names: &PlaceNames) {
+        let named = |(place, _): &(usize, Imported)| Some((id(*place), self.photos[*place].place(&names.0)?));
+        self.located = self.read.par_iter().filter_map(named).collect();
+    }
+
+    /// One page of the photos.
+    ///
+    /// # Errors
+    /// As [`Self::pages`].
+    pub fn page(&self, options: &PageOptions) -> Result<Page, Failure> {
+        let first = self.planned(options, None)?.into_iter().next();
+        first.ok_or_else(|| Failure::from(inkpanel_engine::error::Error::NoPhotos))
+    }
+
+    /// Splits the album into at most `most` pages of one style, at changes of time or scene.
+    ///
+    /// # Errors
+    /// `no-photos`; `invalid-argument` if `most` is outside 1 to 1000; `invalid-document` for a setting out
+    /// of range or an invalid text item.
+    pub fn pages(&self, options: &PageOptions, most: usize) -> Result<Vec<Page>, Failure> {
+        self.planned(options, Some(most))
+    }
+
+    /// Makes a book: a cover, chapters by day with captions, page numbers and an end page. Names of the folders of photos are
+    /// places, and [`Self::locate`] finds others. The number of panels, the layout and the text items of `options` do not apply.
+    ///
+    /// # Errors
+    /// As [`Self::pages`].
+    pub fn book(&self, options: &PageOptions, book: &BookOptions) -> Result<Vec<Page>, Failure> {
+        PageOptions::check(book.pages)?;
+        let selection = self.choose(options);
+        let notes = self.notes_with(&selection);
+        let plan = self.plan_book(options, book, selection.used, &mut |_, _| {})?;
+        Ok(self.bound(plan.pages.into_iter().map(|page| page.planned.document), notes))
+    }
+
+    fn planned(&self, options: &PageOptions, most: Option<usize>) -> Result<Vec<Page>, Failure> {
+        PageOptions::check(most)?;
+        let selection = self.choose(options);
+        let mut notes = self.notes_with(&selection);
+        let pages = self.plan(options, selection.used, most)?;
+        let mut documents: Vec<Document> = pages.into_iter().map(|page| page.document).collect();
+        if let (Some(first), false) = (documents.first_mut(), options.words.is_empty()) {
+            let letters = self.fonts.letters(&options.words)?;
+            place::add(first, options.words.clone(), |id| self.known(id), &letters)?;
+            let missing = missing(&letters, &options.words);
+            if !missing.is_empty() {
+                let told = missing.join(" ");
+                let note = format!("no font has these characters, so they appear as question marks: {told}");
+                notes.push(Note::new(note));
+            }
+        }
+        Ok(self.bound(documents, notes))
+    }
+
+    fn notes_with(&self, selection: &Selection) -> Vec<Note> {
+        let judged = self.read.iter().zip(&selection.verdicts).filter(|(_, verdict)| !verdict.kept);
+        let note = |((place, _), verdict): (&(usize, _), &Verdict)| {
+            Note::of(self.photos[*place].name(), format_args!("left out: {}", verdict.why))
         };
-        if order != Ordering::Equal {
-            return order;
-        }
+        self.notes.iter().cloned().chain(judged.map(note)).collect()
+    }
+
+    fn bound(&self, documents: impl IntoIterator<Item = Document>, notes: Vec<Note>) -> Vec<Page> {
+        let subjects: HashMap<String, Vec<Subject>> =
+            self.read.iter().map(|(place, photo)| (id(*place), photo.meta.subjects.clone())).collect();
+        let fonts = self.fonts.clone();
+        let book = Arc::new(Book { photos: self.photos.clone(), subjects, fonts, notes });
+        documents.into_iter().map(|document| Page::new(book.clone(), document)).collect()
+    }
+
+    fn known(&self, id: &str) -> Known<'_> {
+        let photo = self.read.iter().find(|(_, photo)| photo.meta.id == id);
+        photo.map(|(_, photo)| Known::from(&photo.meta)).unwrap_or_default()
     }
 }
 
-/// The digits that come next, without zeros before them.
-fn number(text: &mut std::iter::Peekable<std::str::Chars<'_>>) -> String {
-    let mut digits = String::new();
-    while let Some(digit) = text.next_if(char::is_ascii_digit) {
-        if !(digits.is_empty() && digit == '0') {
-            digits.push(digit);
-        }
-    }
-    digits
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn files_are_in_the_order_in_which_people_count() {
-        let mut names = ["photo10.jpg", "Photo2.jpg", "photo1.jpg", "a.jpg", "photo02b.jpg", "photo"];
-        names.sort_by(|a, b| by_name(a, b));
-        assert_eq!(names, ["a.jpg", "photo", "photo1.jpg", "Photo2.jpg", "photo02b.jpg", "photo10.jpg"]);
+/// The steps of [`Album::pages`] and [`Album::book`], which the command line reports one by one.
+#[doc(hidden)]
+impl Album {
+    /// Readable photos, with their places in the input list.
+    #[must_use]
+    pub fn imported(&self) -> &[(usize, Imported)] {
+        &self.read
     }
 
-    #[test]
-    fn a_folder_is_its_pictures_and_those_of_its_folders() {
-        let folder = tempfile::tempdir().unwrap();
-        let at = |name: &str| folder.path().join(name);
-        std::fs::create_dir_all(at("b/c")).unwrap();
-        for file in ["2.jpg", "10.PNG", "b/c/x.webp", "b/notes.txt", ".hidden.jpg"] {
-            std::fs::write(at(file), "").unwrap();
+    /// Like [`Self::imported`], to add masks of subjects.
+    pub fn imported_mut(&mut self) -> &mut [(usize, Imported)] {
+        &mut self.read
+    }
+
+    /// Sets the fonts for characters that the bundled fonts lack.
+    pub fn set_fonts(&mut self, fonts: GivenFonts) {
+        self.fonts = fonts;
+    }
+
+    /// Selects the photos of pages.
+    #[must_use]
+    pub fn choose(&self, options: &PageOptions) -> Selection {
+        let file = |place: usize| {
+            let name = self.photos[place].name();
+            Path::new(name).file_name().and_then(OsStr::to_str).unwrap_or(name)
+        };
+        let names: Vec<&str> = self.read.iter().map(|(place, _)| file(*place)).collect();
+        let imported: Vec<&Imported> = self.read.iter().map(|(_, imported)| imported).collect();
+        let (used, verdicts) = storyboard::chosen(&names, &imported, options.choice);
+        Selection { used, verdicts }
+    }
+
+    /// Plans pages of selected photos: one page of all, or at most `most`.
+    ///
+    /// # Errors
+    /// As [`Self::pages`].
+    pub fn plan(
+        &self,
+        options: &PageOptions,
+        used: Vec<PhotoMeta>,
+        most: Option<usize>,
+    ) -> Result<Vec<Planned>, Failure> {
+        Ok(storyboard::pages(&Request { photos: used, ..options.request() }, most)?)
+    }
+
+    /// Plans a book of selected photos. Calls `progress` with the number of planned pages and of all pages.
+    ///
+    /// # Errors
+    /// As [`Self::pages`].
+    pub fn plan_book(
+        &self,
+        options: &PageOptions,
+        book: &BookOptions,
+        used: Vec<PhotoMeta>,
+        progress: &mut dyn FnMut(usize, usize),
+    ) -> Result<BookPlan, Failure> {
+        let wish = Wish {
+            title: book.title.clone(),
+            language: book.language.clone(),
+            places: book.places.clone().unwrap_or_else(|| self.folders()),
+            pages: book.pages,
+            styles: if book.by_chapter { Styles::Chapters } else { Styles::One },
+        };
+        let shelf = Shelf::new(used.len());
+        let request =
+            Request { photos: used, panels: None, layout: None, figures: Some(false), ..options.request() };
+        let mut made = book::Book::new(request, wish, &shelf, MOST_SHEETS)?;
+        let title = made.title().to_owned();
+        while made.step()? {
+            progress(made.done(), made.len());
         }
-        let found = files(&[folder.path().to_owned()]).unwrap();
-        assert_eq!(found, ["2.jpg", "10.PNG", "b/c/x.webp"].map(at));
-        // A name that is not UTF-8 keeps its extension.
-        #[cfg(unix)]
-        {
-            use std::os::unix::ffi::OsStrExt;
-            let odd = at("odd");
-            std::fs::create_dir(&odd).unwrap();
-            let file = odd.join(std::ffi::OsStr::from_bytes(b"\x82\xa0.JFIF"));
-            std::fs::write(&file, "").unwrap();
-            assert_eq!(files(&[odd]).unwrap(), [file]);
+        let mut pages = made.pages();
+        for page in &mut pages {
+            let document = &mut page.planned.document;
+            let letters = self.fonts.letters(&document.words)?;
+            place::settle(document, |id| self.known(id), &letters)?;
         }
-        std::fs::create_dir(at("empty")).unwrap();
-        assert!(files(&[at("empty")]).unwrap_err().to_string().contains("the folder contains no pictures"));
-        assert!(files(&["-".into(), "-".into()]).unwrap_err().to_string().contains("only once"));
+        Ok(BookPlan { title, pages })
+    }
+
+    /// Places by the folders of photos.
+    fn folders(&self) -> HashMap<String, String> {
+        let folder = |place: usize| {
+            let folder = Path::new(self.photos[place].name()).parent().and_then(Path::file_name);
+            folder.and_then(OsStr::to_str).unwrap_or_default()
+        };
+        let ids: Vec<(String, &str)> =
+            self.read.iter().map(|(place, _)| (id(*place), folder(*place))).collect();
+        let mut places = naming::places(ids.iter().map(|(id, folder)| (id.as_str(), *folder)));
+        naming::add_located(&mut places, self.located.iter().cloned());
+        places
     }
 }

@@ -42,118 +42,42 @@
 //! | `detect` | models that detect faces and objects |
 //! | `rare` | photos as WebP, TIFF and GIF, and with the colours of scanners and presses |
 //! | `heic` | photos of phones as HEIC |
-//! | `files` | saved projects |
-//! | `texts` | text files in any encoding |
-//! | `cli` | the command line `inkpanel`: `cargo install inkpanel --features cli` |
-//! | `internals` | the processing stages; their API changes between versions without notice |
+//! | `cli` | all of them, as the command line has them |
 //!
-//! # The stages
+//! # Crates
 //!
-//! With `internals`, the modules are public, in the order of the data flow. A module never imports a later
-//! one. Each has an example that runs, `examples/stage_raster.rs` and so on to `stage_page.rs`.
-//!
-//! | module | stage |
-//! |---|---|
-//! | `raster` | pixels: planar u8 images, decoding, resampling (under everything) |
-//! | `simd` | row kernels on lanes (under `style`) |
-//! | `kinds` | the kinds of files, by their names and first bytes |
-//! | `select` | fingerprints, near-duplicate groups and their sharpest photo; shots of videos |
-//! | `hearing` | detection of music and of sounds that can become sound effects |
-//! | `places` | names of places by location |
-//! | `detect` | faces, objects, aesthetic scores and subject masks (feature `detect`) |
-//! | `layout` | page templates: split trees, polygons, gutters, merges |
-//! | `framing` | the crop of a photo that fits a panel |
-//! | `style` | chains of filter blocks in two layers |
-//! | `plan` | choice of layout and photos, scored by the visible content |
-//! | `page` | panels, borders and paper composed into one page; PNG, JPEG, PDF |
-//! | `output` | digital comics: HTML with a reader, EPUB, comic archives |
-//! | `document` | the project: pages, photos, styles and layouts, with edits and undo |
-//! | `native` | rendering on all cores |
-//!
-//! `error`, `raster`, `simd` and `style` are in the crate `inkpanel-pixels`, which is compiled for speed. The
-//! rest of the core is compiled for size. `detect` is the crate `inkpanel-detect`, which depends on tract.
-//!
-//! Above them, without algorithms, are `facade` (the public API) and `main.rs` (the command line). The crates
-//! of `modules/` bind the stages to JavaScript. Every spatial parameter of a style is in pixels of a 1920 x
-//! 1080 image, and scaled to the size of the render.
+//! The processing stages are separate crates without a stable API:
+//! [`inkpanel-image`](https://docs.rs/inkpanel-image), [`inkpanel-style`](https://docs.rs/inkpanel-style),
+//! [`inkpanel-detect`](https://docs.rs/inkpanel-detect) and [`inkpanel-engine`](https://docs.rs/inkpanel-engine). Items of this crate
+//! that take or return their types are hidden from this documentation, and have no promise either. The command line is the crate
+//! `inkpanel-cli`.
 
-// Without public stages, many items are unused.
-#![cfg_attr(
-    not(feature = "internals"),
-    allow(dead_code, unused_imports, unreachable_pub, clippy::struct_field_names)
-)]
-
-#[cfg(not(feature = "internals"))]
-mod document;
-#[cfg(feature = "internals")]
-pub mod document;
-#[cfg(not(feature = "internals"))]
-mod framing;
-#[cfg(feature = "internals")]
-pub mod framing;
-#[cfg(not(feature = "internals"))]
-mod hearing;
-#[cfg(feature = "internals")]
-pub mod hearing;
-#[cfg(not(feature = "internals"))]
-mod json;
-#[cfg(feature = "internals")]
-pub mod json;
-#[cfg(not(feature = "internals"))]
-mod kinds;
-#[cfg(feature = "internals")]
-pub mod kinds;
-#[cfg(not(feature = "internals"))]
-mod layout;
-#[cfg(feature = "internals")]
-pub mod layout;
-#[cfg(not(feature = "internals"))]
-mod output;
-#[cfg(feature = "internals")]
-pub mod output;
-#[cfg(not(feature = "internals"))]
+mod album;
+mod failure;
+#[cfg(feature = "detect")]
+mod nets;
+mod note;
+mod options;
 mod page;
-#[cfg(feature = "internals")]
-pub mod page;
-#[cfg(not(feature = "internals"))]
+mod photo;
+mod pixels;
 mod places;
-#[cfg(feature = "internals")]
-pub mod places;
-#[cfg(not(feature = "internals"))]
-mod plan;
-#[cfg(feature = "internals")]
-pub mod plan;
-#[cfg(not(feature = "internals"))]
-mod select;
-#[cfg(feature = "internals")]
-pub mod select;
+mod style;
 
-#[cfg(all(feature = "texts", not(feature = "internals")))]
-mod texts;
-#[cfg(all(feature = "texts", feature = "internals"))]
-pub mod texts;
-
-#[cfg(not(target_arch = "wasm32"))]
-mod facade;
-#[cfg(all(not(target_arch = "wasm32"), not(feature = "internals")))]
-mod native;
-#[cfg(all(not(target_arch = "wasm32"), feature = "internals"))]
-pub mod native;
-
-#[cfg(all(test, feature = "cli"))]
-mod typescript;
-
-#[cfg(not(target_arch = "wasm32"))]
-pub use facade::*;
-#[cfg(all(feature = "detect", not(feature = "internals")))]
-use inkpanel_detect as detect;
-#[cfg(all(feature = "detect", feature = "internals"))]
-pub use inkpanel_detect as detect;
-use inkpanel_pixels::order;
-#[cfg(not(feature = "internals"))]
-use inkpanel_pixels::{error, raster, simd, style};
-#[cfg(feature = "internals")]
-pub use inkpanel_pixels::{
-    error::{self, Error, Result},
-    raster, simd, style,
-};
+pub use album::Album;
+#[doc(hidden)]
+pub use album::{BookPlan, Selection};
+pub use failure::Failure;
+#[doc(hidden)]
+pub use failure::survived;
+#[cfg(feature = "detect")]
+pub use nets::Nets;
+pub use note::Note;
+pub use options::{BookOptions, PageOptions, layouts};
+#[doc(hidden)]
+pub use page::with_names;
+pub use page::{Page, pdf};
+pub use photo::Photo;
+pub use pixels::Pixels;
+pub use places::PlaceNames;
+pub use style::Style;

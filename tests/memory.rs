@@ -9,7 +9,7 @@ mod made;
 use std::fs;
 use std::path::Path;
 
-use inkpanel::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::decode::{Limits, decode};
 use made::{Tiff, gif, inflating, jpeg_with, png, profile_parts};
 use peak_alloc::PeakAlloc;
 

@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::time::Instant;
 
-use inkpanel::framing::{FACE, PhotoMeta, Subject};
-use inkpanel::layout::{self, Bounds, PageSettings, ResolvedPanel, ResolvedShape, polygon};
-use inkpanel::page::Document;
-use inkpanel::page::request::Request;
-use inkpanel::page::shuffle::planned;
-use inkpanel::plan::Shelf;
-use inkpanel::plan::composer::gallery;
-use inkpanel::plan::slots::LEADS;
+use inkpanel_engine::framing::{FACE, PhotoMeta, Subject};
+use inkpanel_engine::layout::{self, Bounds, PageSettings, ResolvedPanel, ResolvedShape, polygon};
+use inkpanel_engine::page::Document;
+use inkpanel_engine::page::request::Request;
+use inkpanel_engine::page::shuffle::planned;
+use inkpanel_engine::plan::Shelf;
+use inkpanel_engine::plan::composer::gallery;
+use inkpanel_engine::plan::slots::LEADS;
 use rayon::prelude::*;
 
 use crate::seen::seen;

@@ -1,7 +1,7 @@
 //! Rates automatic pages: writes a sheet to look at, and a table of geometric measurements.
 //!
-//!     cargo run --release --features cli --example composer -- sheet FOLDER PHOTOS...    48 pages as PNG files, scores apart
-//!     cargo run --release --features cli --example composer -- table FILE|- PHOTOS...    the bars over 200 pages
+//!     cargo run --release --example composer -- sheet FOLDER PHOTOS...    48 pages as PNG files, scores apart
+//!     cargo run --release --example composer -- table FILE|- PHOTOS...    the bars over 200 pages
 //!
 //! Each page is planned from twelve of the given photos, like `inkpanel render` with the page number as seed.
 //! Cut subjects are counted with sample points of their boxes against the exact outlines. The count does not
@@ -13,17 +13,17 @@ mod seen;
 
 use std::path::{Path, PathBuf};
 
-use inkpanel::detect::Detectors;
-use inkpanel::framing::PhotoMeta;
-use inkpanel::layout::PageSettings;
-use inkpanel::page::import::import;
-use inkpanel::page::request::Request;
-use inkpanel::page::shuffle::{Planned, planned};
-use inkpanel::page::{Scene, compose, png};
-use inkpanel::plan::Shelf;
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::Limits;
-use inkpanel::style::Context;
+use inkpanel_engine::detect::Detectors;
+use inkpanel_engine::framing::PhotoMeta;
+use inkpanel_engine::layout::PageSettings;
+use inkpanel_engine::page::import::import;
+use inkpanel_engine::page::request::Request;
+use inkpanel_engine::page::shuffle::{Planned, planned};
+use inkpanel_engine::page::{Scene, compose, png};
+use inkpanel_engine::plan::Shelf;
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::Limits;
+use inkpanel_engine::style::Context;
 use oorandom::Rand64;
 use rayon::prelude::*;
 

@@ -4,9 +4,9 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use inkpanel::raster::decode::{Limits, decode_fit};
-use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::select::{Measures, Settings, choose, measure};
+use inkpanel_engine::raster::decode::{Limits, decode_fit};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::select::{Measures, Settings, choose, measure};
 
 use super::{SIDE, THRESHOLDS, percent};
 

@@ -10,9 +10,9 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::{Limits, decode_fit};
-use inkpanel::select::{DUPLICATE_THRESHOLD, Measures, Settings, choose, measure};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::{Limits, decode_fit};
+use inkpanel_engine::select::{DUPLICATE_THRESHOLD, Measures, Settings, choose, measure};
 use variants::variants;
 
 /// Long side that photos are measured at, in pixels.

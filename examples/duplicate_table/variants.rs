@@ -6,9 +6,9 @@
 )]
 
 use image::codecs::jpeg::JpegEncoder;
-use inkpanel::raster::decode::{Limits, decode_fit};
-use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::raster::{Image, Plane};
+use inkpanel_engine::raster::decode::{Limits, decode_fit};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::raster::{Image, Plane};
 
 /// The copies, each with its name. The corner is cut off for knowledge's sake: it moves everything by a twentieth.
 pub(crate) fn variants(image: &Image) -> Vec<(&'static str, Image)> {

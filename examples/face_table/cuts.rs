@@ -1,6 +1,6 @@
 //! Faces that a crop cuts, and whether another one would not.
 
-use inkpanel::framing::{Crop, PhotoMeta, Subject};
+use inkpanel_engine::framing::{Crop, PhotoMeta, Subject};
 
 /// Returns the number of faces that a crop cuts, for a panel of this aspect ratio; 0 if no crop is better.
 pub(crate) fn avoidable(photo: &PhotoMeta, crop: &Crop, aspect: f64, faces: &[&Subject]) -> usize {

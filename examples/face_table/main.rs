@@ -1,7 +1,7 @@
 //! Writes a table of the detected faces in photos and the faces cut by panels, and a sheet to look at. `cargo
 //! xtask faces` runs it.
 //!
-//!     cargo run --features cli --example face_table -- TABLE.md SHEET.jpg PHOTOS...
+//!     cargo run --example face_table -- TABLE.md SHEET.jpg PHOTOS...
 //!
 //! Each photo is cropped for nine panels from tall to wide, using only contrast (*before*) or detection
 //! (*after*). A face is *cut* if a panel shows only a part of it. *Avoidable* counts cuts after detection if
@@ -22,11 +22,11 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use cuts::{avoidable, cuts};
-use inkpanel::detect::Detectors;
-use inkpanel::framing::{FACE, PhotoMeta, Subject, Target, frame};
-use inkpanel::page::import::import;
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::Limits;
+use inkpanel_engine::detect::Detectors;
+use inkpanel_engine::framing::{FACE, PhotoMeta, Subject, Target, frame};
+use inkpanel_engine::page::import::import;
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::Limits;
 
 const ASPECTS: [f64; 9] = [0.4, 0.5, 0.67, 0.8, 1.0, 1.25, 1.5, 2.0, 2.5];
 

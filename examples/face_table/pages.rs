@@ -3,10 +3,10 @@
 
 use std::fmt::Write as _;
 
-use inkpanel::framing::{Crop, FACE, PhotoMeta, Subject, frame};
-use inkpanel::layout::merge::mergeable;
-use inkpanel::layout::{PageSettings, ResolvedPanel, Template, catalogue, resolve};
-use inkpanel::plan::slots::{Slot, slot};
+use inkpanel_engine::framing::{Crop, FACE, PhotoMeta, Subject, frame};
+use inkpanel_engine::layout::merge::mergeable;
+use inkpanel_engine::layout::{PageSettings, ResolvedPanel, Template, catalogue, resolve};
+use inkpanel_engine::plan::slots::{Slot, slot};
 use rayon::prelude::*;
 
 use crate::cuts::crops;

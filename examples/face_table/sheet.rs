@@ -7,9 +7,9 @@ use std::path::Path;
 
 use image::codecs::jpeg::JpegEncoder;
 use image::{Rgb, RgbImage};
-use inkpanel::framing::{Crop, FACE, Target, frame};
-use inkpanel::raster::Image;
-use inkpanel::raster::resize::{Region, resample_image};
+use inkpanel_engine::framing::{Crop, FACE, Target, frame};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::resize::{Region, resample_image};
 use tiny_skia::Pixmap;
 
 use super::{Row, font};

@@ -18,8 +18,8 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use inkpanel::page::import::import;
-use inkpanel::raster::decode::Limits;
+use inkpanel_engine::page::import::import;
+use inkpanel_engine::raster::decode::Limits;
 
 /// Maximum time for a file.
 const PATIENCE: Duration = Duration::from_secs(5);

@@ -14,13 +14,13 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use file::save;
-use inkpanel::framing::{EnergyMap, PhotoMeta};
-use inkpanel::layout::{
+use inkpanel_engine::framing::{EnergyMap, PhotoMeta};
+use inkpanel_engine::layout::{
     PRESETS, PageSettings, ResolvedPanel, ResolvedShape, Template, catalogue, generate, resolve,
 };
-use inkpanel::plan::{Order, assign, slots};
-use inkpanel::raster::Image;
-use inkpanel::raster::resize::{Region, fit, resample_image};
+use inkpanel_engine::plan::{Order, assign, slots};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::resize::{Region, fit, resample_image};
 use tiny_skia::{Color, FillRule, Mask, Paint, Path, PathBuilder, Pixmap, PixmapPaint, Stroke, Transform};
 
 /// The box that each layout fits in, pixels, and the space round it.

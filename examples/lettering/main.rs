@@ -1,10 +1,10 @@
 //! Measures the automatic placement of text, and draws pages to look at.
 //!
-//!     cargo run --features cli --example lettering                       prints the figures of docs/design/lettering.md
-//!     cargo run --features cli --example lettering -- draw FOLDER [N]    draws the first N pages, in their styles
-//!     cargo run --features cli --example lettering -- kinds FILE.png     draws one of each kind of word
-//!     cargo run --features cli --example lettering -- masks              the same by boxes and by the masks of the net: docs/design/subjects.md
-//!     cargo run --features cli --example lettering -- detect             looks at the photos again: tests/data/lettering.json
+//!     cargo run --example lettering                       prints the figures of docs/design/lettering.md
+//!     cargo run --example lettering -- draw FOLDER [N]    draws the first N pages, in their styles
+//!     cargo run --example lettering -- kinds FILE.png     draws one of each kind of word
+//!     cargo run --example lettering -- masks              the same by boxes and by the masks of the net: docs/design/subjects.md
+//!     cargo run --example lettering -- detect             looks at the photos again: tests/data/lettering.json
 
 mod measure;
 mod pages;
@@ -14,12 +14,12 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use inkpanel::detect::{Detectors, Segmenter};
-use inkpanel::framing::Subject;
-use inkpanel::page::words::{Letters, draw};
-use inkpanel::page::{Document, Scene, compose, import, png};
-use inkpanel::raster::decode::{Limits, decode_fit};
-use inkpanel::style::Context;
+use inkpanel_engine::detect::{Detectors, Segmenter};
+use inkpanel_engine::framing::Subject;
+use inkpanel_engine::page::words::{Letters, draw};
+use inkpanel_engine::page::{Document, Scene, compose, import, png};
+use inkpanel_engine::raster::decode::{Limits, decode_fit};
+use inkpanel_engine::style::Context;
 use measure::{Figures, measure};
 use pages::{Known, PAGES, known, page, photos, placed_again};
 
@@ -106,7 +106,7 @@ fn detect(root: &Path) -> Result<(), Box<dyn Error>> {
         for path in files {
             let image = decode_fit(&fs::read(&path)?, &Limits::default(), import::WORK_SIDE)?;
             let rounded = |part: f64| (part * 1e4).round() / 1e4;
-            let subject = |found: inkpanel::detect::Detection| Subject {
+            let subject = |found: inkpanel_engine::detect::Detection| Subject {
                 x: rounded(found.x),
                 y: rounded(found.y),
                 width: rounded(found.width),

@@ -1,11 +1,11 @@
 //! Measures the placement of text on rendered pages.
 
-use inkpanel::framing::{Crop, PhotoMeta};
-use inkpanel::layout::{Bounds, Point};
-use inkpanel::page::words::layout::{Ground, Laid, lay_all};
-use inkpanel::page::words::model::Kind;
-use inkpanel::page::words::{Letters, draw};
-use inkpanel::page::{Document, Patch};
+use inkpanel_engine::framing::{Crop, PhotoMeta};
+use inkpanel_engine::layout::{Bounds, Point};
+use inkpanel_engine::page::words::layout::{Ground, Laid, lay_all};
+use inkpanel_engine::page::words::model::Kind;
+use inkpanel_engine::page::words::{Letters, draw};
+use inkpanel_engine::page::{Document, Patch};
 
 /// Width at which pages are drawn to be measured.
 const WIDTH: usize = 620;
@@ -92,11 +92,12 @@ pub(crate) fn measure(
     photos: &[PhotoMeta],
     letters: &Letters,
     name: &str,
-) -> inkpanel::Result<Figures> {
+) -> inkpanel_engine::Result<Figures> {
     let ground = Ground::new(page)?;
     let all = lay_all(page, letters)?;
-    let patches: Vec<Patch> =
-        (0..all.len()).map(|i| draw::render(page, i, WIDTH, letters)).collect::<inkpanel::Result<_>>()?;
+    let patches: Vec<Patch> = (0..all.len())
+        .map(|i| draw::render(page, i, WIDTH, letters))
+        .collect::<inkpanel_engine::Result<_>>()?;
     let chains = chains(&all);
     let mut figures = Figures::default();
     let mut panels: Vec<usize> = all.iter().filter_map(|laid| laid.word.panel).collect();

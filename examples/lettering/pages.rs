@@ -1,10 +1,10 @@
 //! Pages of the bundled photos with automatically placed balloons.
 
-use inkpanel::Error;
-use inkpanel::framing::{PhotoMeta, Subject};
-use inkpanel::page::Document;
-use inkpanel::page::words::place::{self, Known as Of};
-use inkpanel::page::words::{Letters, TextItem, TextKind};
+use inkpanel_engine::Error;
+use inkpanel_engine::framing::{PhotoMeta, Subject};
+use inkpanel_engine::page::Document;
+use inkpanel_engine::page::words::place::{self, Known as Of};
+use inkpanel_engine::page::words::{Letters, TextItem, TextKind};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -72,9 +72,16 @@ pub(crate) fn photos(known: &[Known]) -> Vec<PhotoMeta> {
 ///
 /// # Errors
 /// `invalid-document` if the stored pages cannot be read; layout errors.
-pub(crate) fn page(photos: &[PhotoMeta], number: u32, letters: &Letters) -> inkpanel::Result<Document> {
+pub(crate) fn page(
+    photos: &[PhotoMeta],
+    number: u32,
+    letters: &Letters,
+) -> inkpanel_engine::Result<Document> {
     let start = number as usize;
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/lettering-pages.json");
+    // The tests of another package also compile this file.
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let top = package.ancestors().find(|folder| folder.join("Cargo.lock").is_file());
+    let file = top.unwrap_or(package).join("tests/data/lettering-pages.json");
     let unreadable =
         |reason: String| Error::InvalidDocument { location: "lettering-pages.json".into(), reason };
     let text = std::fs::read_to_string(file).map_err(|error| unreadable(error.to_string()))?;
@@ -110,7 +117,7 @@ pub(crate) fn placed_again(
     page: &Document,
     photos: &[PhotoMeta],
     letters: &Letters,
-) -> inkpanel::Result<Document> {
+) -> inkpanel_engine::Result<Document> {
     let mut page = page.clone();
     let of = |id: &str| photos.iter().find(|photo| photo.id == id).map(Of::from).unwrap_or_default();
     place::settle(&mut page, of, letters)?;

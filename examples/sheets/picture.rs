@@ -1,6 +1,6 @@
 //! A picture on a sheet.
 
-use inkpanel::raster::Image;
+use inkpanel_engine::raster::Image;
 use tiny_skia::{Pixmap, PremultipliedColorU8};
 
 /// Draws a picture on the sheet, clipped at its edges.

@@ -1,8 +1,8 @@
 //! Measures the visible part of a photo on a page with sample points against the exact outlines. It does not
 //! use the approximations of framing.
 
-use inkpanel::framing::{Crop, FACE, Subject};
-use inkpanel::layout::{Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
+use inkpanel_engine::framing::{Crop, FACE, Subject};
+use inkpanel_engine::layout::{Bounds, Point, ResolvedPanel, ResolvedShape, polygon};
 
 /// Points across and down a box.
 const POINTS: usize = 24;

@@ -1,6 +1,6 @@
 //! Compares subject masks of photos with manually marked subjects, in a table and on a sheet to look at.
 //!
-//!     cargo run --release --features cli --example subjects -- SHEET.jpg
+//!     cargo run --release --example subjects -- SHEET.jpg
 //!
 //! The sheet starts with the worst photo. The background of the mask is dark, the border of the mask is red,
 //! and the marked border is green.
@@ -16,7 +16,7 @@ use std::path::Path;
 
 use image::codecs::jpeg::JpegEncoder;
 use image::{Rgb, RgbImage, imageops};
-use inkpanel::detect::Segmenter;
+use inkpanel_engine::detect::Segmenter;
 use measure::{HELD_OUT, Measured, TUNED, border, measure};
 use tiny_skia::Pixmap;
 

@@ -4,13 +4,13 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use inkpanel::detect::Segmenter;
-use inkpanel::page::import::import;
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::guided::{refined, softened};
-use inkpanel::raster::resize::{Region, resample, resample_image};
-use inkpanel::raster::{Image, Plane};
-use inkpanel::style::context::scale_of;
+use inkpanel_engine::detect::Segmenter;
+use inkpanel_engine::page::import::import;
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::guided::{refined, softened};
+use inkpanel_engine::raster::resize::{Region, resample, resample_image};
+use inkpanel_engine::raster::{Image, Plane};
+use inkpanel_engine::style::context::scale_of;
 
 /// Photos of the album, which were used for tuning.
 pub(crate) const TUNED: [&str; 14] = [
@@ -58,7 +58,10 @@ pub(crate) struct Measured {
 }
 
 fn root(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+    // The tests of another package also compile this file.
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let top = package.ancestors().find(|folder| folder.join("Cargo.lock").is_file());
+    top.unwrap_or(package).join(path)
 }
 
 /// Returns the path of a photo.

@@ -4,9 +4,9 @@
 //! neighbours minus twice the centre. So it is symmetric, and preserves the mean exactly. The filter of a
 //! bucket with few pixels is pulled towards the mean filter.
 
-use inkpanel::raster::Plane;
-use inkpanel::simd::blade::{FRACTION, SIDE};
-use inkpanel::style::blade::bank::WEIGHTS;
+use inkpanel_engine::raster::Plane;
+use inkpanel_engine::simd::blade::{FRACTION, SIDE};
+use inkpanel_engine::style::blade::bank::WEIGHTS;
 use rayon::prelude::*;
 
 use crate::photos::Photo;

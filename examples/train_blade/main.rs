@@ -1,6 +1,6 @@
 //! Fits a bank of filters to an image operator, measures it on photos that were not used for fitting, and
-//! writes it to `pixels/src/style/banks/`. `cargo xtask train OPERATOR` runs it. See
-//! `pixels/src/style/banks/README.md`.
+//! writes it to `crates/style/src/banks/`. `cargo xtask train OPERATOR` runs it. See
+//! `crates/style/src/banks/README.md`.
 //!
 //!     cargo run --release --example train_blade -- OPERATOR BANK.blade HELD_OUT_FOLDER PHOTO_FOLDER...
 
@@ -11,10 +11,10 @@ mod photos;
 use std::error::Error;
 use std::path::Path;
 
-use inkpanel::raster::Image;
-use inkpanel::style::blade::bank::{Bank, Shape};
-use inkpanel::style::context::scale_of;
-use inkpanel::style::{Context, blade};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::style::blade::bank::{Bank, Shape};
+use inkpanel_engine::style::context::scale_of;
+use inkpanel_engine::style::{Context, blade};
 use photos::{Photo, read_folder};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;

@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use inkpanel::raster::Plane;
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::resize::{Region, resample};
-use inkpanel::simd::point::luma_plane;
-use inkpanel::style::Context;
-use inkpanel::style::blade::bank::Shape;
-use inkpanel::style::blade::buckets;
+use inkpanel_engine::raster::Plane;
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, resample};
+use inkpanel_engine::simd::point::luma_plane;
+use inkpanel_engine::style::Context;
+use inkpanel_engine::style::blade::bank::Shape;
+use inkpanel_engine::style::blade::buckets;
 
 use crate::Outcome;
 

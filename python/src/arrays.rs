@@ -1,8 +1,8 @@
 //! Images as numpy arrays: `uint8`, `(height, width, 3)` in RGB or `(height, width)` in gray.
 
 use crate::failure::{Done, Failure};
-use inkpanel::raster::decode::Limits;
-use inkpanel::raster::{Image, Plane};
+use inkpanel_engine::raster::decode::Limits;
+use inkpanel_engine::raster::{Image, Plane};
 use numpy::ndarray::{Array2, Array3, ArrayView2, Axis};
 use numpy::{
     IntoPyArray, PyArray2, PyArray3, PyArrayDescrMethods, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray3,

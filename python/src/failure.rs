@@ -38,8 +38,8 @@ impl Failure {
     }
 }
 
-impl From<inkpanel::Error> for Failure {
-    fn from(error: inkpanel::Error) -> Self {
+impl From<inkpanel_engine::Error> for Failure {
+    fn from(error: inkpanel_engine::Error) -> Self {
         Self::new(error.code(), error.to_string())
     }
 }

@@ -23,10 +23,10 @@ mod _inkpanel {
     #[pymodule_export]
     use super::styling::stylize;
     use super::{failure, json_to_python};
-    use inkpanel::kinds::{self, Role};
-    use inkpanel::native;
-    use inkpanel::page::catalogue;
-    use inkpanel::style::painters::Painters;
+    use inkpanel_engine::kinds::{self, Role};
+    use inkpanel_engine::native;
+    use inkpanel_engine::page::catalogue;
+    use inkpanel_engine::style::painters::Painters;
     use pyo3::prelude::*;
     use std::path::PathBuf;
     use std::sync::Arc;

@@ -3,7 +3,7 @@
 use crate::arrays;
 use crate::failure::{Failure, detached};
 use crate::settings::style_of;
-use inkpanel::native;
+use inkpanel_engine::native;
 use pyo3::prelude::*;
 use serde_json::Value;
 
@@ -25,7 +25,7 @@ pub(crate) fn stylize(
         let style = seed.map_or_else(|| Ok(style.clone()), |seed| style.seeded(seed))?;
         // Not `Style::draw`, because gray images stay gray.
         let drawn =
-            inkpanel::style::stylize(&image, style.chain(), &mut native::context_for(style.chain(), &image))?;
+            inkpanel_engine::style::stylize(&image, style.chain(), &mut native::context_for(style.chain(), &image))?;
         Ok(if is_gray && drawn.is_luma() {
             Pixels::Gray(drawn.into_parts().0.swap_remove(0).into_samples())
         } else {

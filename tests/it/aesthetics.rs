@@ -1,12 +1,11 @@
 //! Scores of pictures by the model, compared with a forward pass in numpy. `tests/oracles/aesthetics.py`
 //! makes the values. Also the command line.
-#![cfg(feature = "cli")]
 
 use std::fs;
 
-use inkpanel::detect::Aesthetics;
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::{Limits, decode};
+use inkpanel_engine::detect::Aesthetics;
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::{Limits, decode};
 use serde_json::Value;
 
 /// The model of `cargo xtask models`.
@@ -42,7 +41,7 @@ fn scores_are_those_of_a_forward_pass_in_numpy() {
 fn any_picture_has_a_score_and_a_gray_one_that_of_its_three_planes() {
     let net = net();
     for (width, height) in [(1, 1), (1, 700), (700, 3), (67, 41)] {
-        let plane = inkpanel::raster::Plane::from_fn(width, height, |x, y| (x * 7 + y * 13) as u8);
+        let plane = inkpanel_engine::raster::Plane::from_fn(width, height, |x, y| (x * 7 + y * 13) as u8);
         let colour = Image::from_rgb([plane.clone(), plane.clone(), plane.clone()]).unwrap();
         let score = net.score(&colour).unwrap();
         assert!((1.0..=10.0).contains(&score), "{score}");
@@ -64,7 +63,7 @@ fn generated_styles_have_scores_with_and_without_the_net() {
         let answer = crate::inkpanel()
             .args(["generate", "--json", "--seed", "3", "--count", "6", "--models", models])
             .arg("www/public/samples/09-mariachi.jpg")
-            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .current_dir(crate::root(""))
             .output()
             .unwrap();
         assert!(answer.status.success());

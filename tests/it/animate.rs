@@ -2,20 +2,20 @@
 //! durations, a shot without camera move is a single picture, and interrupted work resumes. Animated pages:
 //! each frame shows the active panel with the text that has appeared so far.
 
-use inkpanel::document::saved::Saved;
-use inkpanel::framing::{Crop, FACE, Subject};
-use inkpanel::native::{self, Photo, Photos};
-use inkpanel::output::animatic::{Animatic, Clip, Picture, Request};
-use inkpanel::output::motion::{self, Reading};
-use inkpanel::output::shots::timecode::Pace;
-use inkpanel::output::shots::{ListedShot, ShotList};
-use inkpanel::page::Document;
-use inkpanel::page::breaking::{breaks, broken};
-use inkpanel::page::words::given::GivenFonts;
-use inkpanel::page::words::{Letters, TextItem};
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::raster::{Image, Matte, Plane};
+use inkpanel_engine::document::saved::Saved;
+use inkpanel_engine::framing::{Crop, FACE, Subject};
+use inkpanel_engine::native::{self, Photo, Photos};
+use inkpanel_engine::output::animatic::{Animatic, Clip, Picture, Request};
+use inkpanel_engine::output::motion::{self, Reading};
+use inkpanel_engine::output::shots::timecode::Pace;
+use inkpanel_engine::output::shots::{ListedShot, ShotList};
+use inkpanel_engine::page::Document;
+use inkpanel_engine::page::breaking::{breaks, broken};
+use inkpanel_engine::page::words::given::GivenFonts;
+use inkpanel_engine::page::words::{Letters, TextItem};
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::raster::{Image, Matte, Plane};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::fs;

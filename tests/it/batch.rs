@@ -9,8 +9,8 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use inkpanel::document::saved::Saved;
-use inkpanel::raster::decode::{Limits, decode};
+use inkpanel_engine::document::saved::Saved;
+use inkpanel_engine::raster::decode::{Limits, decode};
 use made::Tiff;
 
 /// A folder with a photo, a TIFF with planar tiles that do not divide its size, and files that are not
@@ -696,9 +696,9 @@ fn families_of_layouts_and_styles_are_kept_to() {
         let id =
             |value: &serde_json::Value| value.as_str().or_else(|| value["id"].as_str()).unwrap().to_owned();
         let page = &plan["pages"][0];
-        let layout = inkpanel::layout::find(&id(&page["layout"])).unwrap();
+        let layout = inkpanel_engine::layout::find(&id(&page["layout"])).unwrap();
         assert_eq!(layout.family(), "slanted");
-        let style = inkpanel::style::catalogue::find(&id(&page["style"])).unwrap();
+        let style = inkpanel_engine::style::catalogue::find(&id(&page["style"])).unwrap();
         assert!(["woodcut", "ink"].contains(&&*style.tags[0]), "{}", style.tags[0]);
     }
     for wrong in [&["--layout-family", "spiral"][..], &["--style-family", "ink", "--style", "noir"]] {

@@ -1,11 +1,11 @@
 //! Sound effects behind the subject of their panel.
 
-use inkpanel::native::{self, Photo, Photos};
-use inkpanel::page::words::given::GivenFonts;
-use inkpanel::page::words::{Letters, TextItem, TextKind};
-use inkpanel::page::{Document, Scene, compose, pdf};
-use inkpanel::raster::{Image, Matte, Plane};
-use inkpanel::style::Context;
+use inkpanel_engine::native::{self, Photo, Photos};
+use inkpanel_engine::page::words::given::GivenFonts;
+use inkpanel_engine::page::words::{Letters, TextItem, TextKind};
+use inkpanel_engine::page::{Document, Scene, compose, pdf};
+use inkpanel_engine::raster::{Image, Matte, Plane};
+use inkpanel_engine::style::Context;
 use serde_json::{Value, json};
 
 const WIDTH: usize = 600;

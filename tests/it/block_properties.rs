@@ -1,11 +1,11 @@
 //! Properties of every block of the registry: sizes, determinism, extreme parameters, and independence of the
 //! row width that SIMD kernels process.
 
-use inkpanel::raster::{Image, Plane};
-use inkpanel::style::blocks::{ALL, Block, Channels};
-use inkpanel::style::context::Context;
-use inkpanel::style::file::Step;
-use inkpanel::style::{chain, params::Kind};
+use inkpanel_engine::raster::{Image, Plane};
+use inkpanel_engine::style::blocks::{ALL, Block, Channels};
+use inkpanel_engine::style::context::Context;
+use inkpanel_engine::style::file::Step;
+use inkpanel_engine::style::{chain, params::Kind};
 
 /// Odd and even, thin and square, below, at and above a group of lanes.
 const SIZES: &[(usize, usize)] =
@@ -137,7 +137,7 @@ fn no_pixel_depends_on_the_width_of_its_row() {
 
 /// Percentile of luma by sorting (inverted CDF).
 fn percentile(image: &Image, percent: f64) -> f64 {
-    let mut luma = inkpanel::simd::point::luma_plane(image).into_samples();
+    let mut luma = inkpanel_engine::simd::point::luma_plane(image).into_samples();
     luma.sort_unstable();
     let rank = (percent / 100.0 * luma.len() as f64).ceil().max(1.0) as usize;
     f64::from(luma[rank - 1])
@@ -152,7 +152,7 @@ fn tones_are_stretched_as_the_formulas_say_at_every_width() {
         ("dynamic_range", [128.0, 0.0]),
         ("dynamic_range", [250.0, 0.0]),
     ] {
-        let block = inkpanel::style::blocks::find(id).unwrap();
+        let block = inkpanel_engine::style::blocks::find(id).unwrap();
         for width in 1..=67 {
             for image in inputs(block, width, 3) {
                 let stretch: Box<dyn Fn(f64) -> f64> = if id == "equalize" {
@@ -207,7 +207,7 @@ fn line(samples: &[f64], count: usize) -> Vec<f64> {
 /// Size against the same without lanes, at every width.
 #[test]
 fn sizes_are_those_of_plain_sums_at_every_width() {
-    let block = inkpanel::style::blocks::find("size").unwrap();
+    let block = inkpanel_engine::style::blocks::find("size").unwrap();
     for percent in [10.0f32, 35.0, 50.0, 75.0, 140.0, 200.0, 300.0] {
         for (width, height) in (1..=67).map(|width| (width, if width % 2 == 0 { 34 } else { 5 })) {
             // Far from black and white, Catmull-Rom is not clipped between the axes.

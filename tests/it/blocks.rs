@@ -3,11 +3,11 @@
 
 use std::fs;
 
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::simd::point::luma_plane;
-use inkpanel::style::blocks::ALL;
-use inkpanel::style::{Context, Style, chain};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::simd::point::luma_plane;
+use inkpanel_engine::style::blocks::ALL;
+use inkpanel_engine::style::{Context, Style, chain};
 use serde_json::{Map, Value, json};
 
 /// How far a block may be from its oracle.
@@ -201,7 +201,7 @@ fn keep(case: &Case, number: usize, image: &Image, expected: &[Vec<u8>]) {
         encoder.set_depth(png::BitDepth::Eight);
         encoder.write_header().unwrap().write_image_data(&bytes).unwrap();
     };
-    save("actual", image.planes().iter().map(inkpanel::raster::Plane::samples).collect());
+    save("actual", image.planes().iter().map(inkpanel_engine::raster::Plane::samples).collect());
     save("expected", expected.iter().map(Vec::as_slice).collect());
 }
 
@@ -210,7 +210,7 @@ fn every_block_draws_what_its_oracle_draws() {
     let mut failures = Vec::new();
     for (number, case) in cases().iter().enumerate() {
         // A block that is not there is the matter of the next test.
-        if inkpanel::style::blocks::find(&case.block).is_none() {
+        if inkpanel_engine::style::blocks::find(&case.block).is_none() {
             continue;
         }
         let image = actual(case);
@@ -243,7 +243,7 @@ fn every_block_has_an_oracle() {
 fn halftone_covers_what_it_should() {
     for pitch in [6.0, 7.5, 10.0, 16.0, 25.0, 40.0] {
         for gray in (0..=255u8).step_by(17) {
-            let image = Image::from_luma(inkpanel::raster::Plane::filled(480, 480, gray));
+            let image = Image::from_luma(inkpanel_engine::raster::Plane::filled(480, 480, gray));
             let style = json!({"background": [{"block": "halftone", "pitch": pitch}]}).to_string();
             let style = Style::parse("case", &style).unwrap();
             let mut context = Context::default();

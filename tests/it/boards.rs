@@ -3,15 +3,15 @@
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
-use inkpanel::native::{self, Photo, Photos};
-use inkpanel::output::board::{Logo, PictureOf, Request};
-use inkpanel::output::shots::{ListedShot, ShotList};
-use inkpanel::page::pdf::{Options, write};
-use inkpanel::page::words::Letters;
-use inkpanel::page::words::given::GivenFonts;
-use inkpanel::page::{Document, png};
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::{Image, Matte};
+use inkpanel_engine::native::{self, Photo, Photos};
+use inkpanel_engine::output::board::{Logo, PictureOf, Request};
+use inkpanel_engine::output::shots::{ListedShot, ShotList};
+use inkpanel_engine::page::pdf::{Options, write};
+use inkpanel_engine::page::words::Letters;
+use inkpanel_engine::page::words::given::GivenFonts;
+use inkpanel_engine::page::{Document, png};
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::{Image, Matte};
 use serde_json::{Value, json};
 use std::fs;
 use std::io::{Cursor, Read, Write};

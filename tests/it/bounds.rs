@@ -1,14 +1,14 @@
 //! Generated TypeScript modules match their Rust sources: the limits of a document
-//! (`src/document/limits.rs`), and the empty project.
+//! (`crates/engine/src/document/limits.rs`), and the empty project.
 
-use inkpanel::document::history::History;
-use inkpanel::document::{kept, limits, script, spreading, subtitles};
-use inkpanel::kinds::{KINDS, Kind, Role, SIGNATURES, SYSTEM_FOLDERS, SYSTEM_NAMES};
-use inkpanel::layout::{DPI, MOST_PIXELS, PRESETS, PagePreset, SIDES};
-use inkpanel::output::animatic::{self, Animatic};
-use inkpanel::page::words::model::FARTHEST;
-use inkpanel::raster::heif;
-use inkpanel::select;
+use inkpanel_engine::document::history::History;
+use inkpanel_engine::document::{kept, limits, script, spreading, subtitles};
+use inkpanel_engine::kinds::{KINDS, Kind, Role, SIGNATURES, SYSTEM_FOLDERS, SYSTEM_NAMES};
+use inkpanel_engine::layout::{DPI, MOST_PIXELS, PRESETS, PagePreset, SIDES};
+use inkpanel_engine::output::animatic::{self, Animatic};
+use inkpanel_engine::page::words::model::FARTHEST;
+use inkpanel_engine::raster::heif;
+use inkpanel_engine::select;
 use serde_json::Value;
 
 /// Returns the expected module of limits, in the format of Biome.
@@ -41,7 +41,7 @@ fn bounds() -> String {
         ("Characters of a script.", "script", script::MOST_SCRIPT),
         ("Text items that one edit adds.", "added", limits::MOST_ADDED),
     ];
-    let head = "/**\n * Limits of a project. `cargo xtask bless` generates this file from `src/document/limits.rs`. The core rejects projects that\n * exceed them, so the app never makes such projects.\n */\n\nexport const MOST = Object.freeze({\n";
+    let head = "/**\n * Limits of a project. `cargo xtask bless` generates this file from `crates/engine/src/document/limits.rs`. The core rejects projects that\n * exceed them, so the app never makes such projects.\n */\n\nexport const MOST = Object.freeze({\n";
     let lines = most.map(|(what, name, value)| format!("  /** {what} */\n  {name}: {},\n", grouped(value)));
     format!("{head}{}}});\n\n{}\n{}\n{}", lines.concat(), ranges(), animatics(), sizes())
 }
@@ -122,8 +122,7 @@ fn empty() -> String {
             _ => line(name, &told(value, &text)),
         })
         .collect();
-    let head =
-        "/** An empty project. `cargo xtask bless` generates this file from `src/document/project.rs`. */";
+    let head = "/** An empty project. `cargo xtask bless` generates this file from `crates/engine/src/document/project.rs`. */";
     let imports = "import type { Project } from './project.ts';";
     let page = format!(
         "/** Default settings of a page. */\nexport const DEFAULT_SETTINGS = Object.freeze({{\n{settings}}});"
@@ -180,7 +179,7 @@ fn file_table() -> String {
         format!("  [{at}, [{}], '{ending}'],\n", bytes.join(", "))
     };
     [
-        "/** Kinds of files. `cargo xtask bless` generates this file from `src/kinds.rs`. */\n\n",
+        "/** Kinds of files. `cargo xtask bless` generates this file from `crates/engine/src/kinds.rs`. */\n\n",
         "export type Role =\n  | 'photo'\n  | 'video'\n  | 'subtitles'\n  | 'text'\n  | 'board'\n  | 'json'\n  | 'project'\n  | 'archive'\n  | 'sidecar'\n  | 'unsupported';\n",
         "export type Remedy = 'jpeg' | 'unpack' | 'pages' | 'mp4' | 'srt' | 'fountain' | 'csv' | 'text';\n",
         "/** `endings` of names, separated by spaces; `type`: media type, if any; `remedy` for files that cannot be read */\n",

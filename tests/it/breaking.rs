@@ -2,19 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use inkpanel::framing::{PhotoMeta, Subject};
-use inkpanel::layout::{Bounds, Point, ResolvedShape};
-use inkpanel::native;
-use inkpanel::page::breaking::{breaks, broken};
-use inkpanel::page::mask::PixelRect;
-use inkpanel::page::request::Request;
-use inkpanel::page::shuffle::plan;
-use inkpanel::page::words::given::GivenFonts;
-use inkpanel::page::words::{Letters, TextItem, draw};
-use inkpanel::page::{Document, Scene, compose, mask, pdf};
-use inkpanel::raster::guided::softened;
-use inkpanel::raster::{Image, Matte, Plane};
-use inkpanel::style::Context;
+use inkpanel_engine::framing::{PhotoMeta, Subject};
+use inkpanel_engine::layout::{Bounds, Point, ResolvedShape};
+use inkpanel_engine::native;
+use inkpanel_engine::page::breaking::{breaks, broken};
+use inkpanel_engine::page::mask::PixelRect;
+use inkpanel_engine::page::request::Request;
+use inkpanel_engine::page::shuffle::plan;
+use inkpanel_engine::page::words::given::GivenFonts;
+use inkpanel_engine::page::words::{Letters, TextItem, draw};
+use inkpanel_engine::page::{Document, Scene, compose, mask, pdf};
+use inkpanel_engine::raster::guided::softened;
+use inkpanel_engine::raster::{Image, Matte, Plane};
+use inkpanel_engine::style::Context;
 use oorandom::Rand64;
 use serde_json::{Value, json};
 

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
 
-use inkpanel::page::catalogue;
+use inkpanel_engine::page::catalogue;
 use serde_json::Value;
 
 const START: &str = "<!-- blocks:start -->\n";
@@ -37,7 +37,7 @@ fn told(catalogue: &impl serde::Serialize) -> Value {
 fn every_file_is_in_its_catalogue_and_every_entry_has_a_file() {
     assert_eq!(stems("layouts", &["README", "sheet"]), ids(&told(&catalogue::layouts())));
     assert_eq!(stems("styles", &["README"]), ids(&catalogue::styles()));
-    assert_eq!(stems("pixels/src/style/blocks", &["mod"]), ids(&told(&catalogue::blocks())));
+    assert_eq!(stems("crates/style/src/blocks", &["mod"]), ids(&told(&catalogue::blocks())));
 }
 
 #[test]

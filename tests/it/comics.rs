@@ -1,11 +1,11 @@
 //! Digital comics: their text matches the page in reading order, and their files follow their formats.
 //! Browser tests check the reading.
 
-use inkpanel::framing::Crop;
-use inkpanel::layout::{PageSettings, ResolvedShape, catalogue, find, resolve};
-use inkpanel::output::{Comic, ComicPage, File, PictureKind, Piece, cbz, epub, html};
-use inkpanel::page::words::Letters;
-use inkpanel::page::{Document, Scene};
+use inkpanel_engine::framing::Crop;
+use inkpanel_engine::layout::{PageSettings, ResolvedShape, catalogue, find, resolve};
+use inkpanel_engine::output::{Comic, ComicPage, File, PictureKind, Piece, cbz, epub, html};
+use inkpanel_engine::page::words::Letters;
+use inkpanel_engine::page::{Document, Scene};
 use miniz_oxide::deflate::compress_to_vec;
 use roxmltree::{Document as Xml, ParsingOptions};
 use serde_json::{Value, json};

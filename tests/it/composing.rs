@@ -1,18 +1,18 @@
 //! Albums with little or no choice for the composer: each gives a complete page, and the same seed gives the
 //! same page.
 
-use inkpanel::framing::PhotoMeta;
-use inkpanel::page::Document;
-use inkpanel::page::import::import;
-use inkpanel::page::request::{Mode, Request};
-use inkpanel::page::shuffle::planned;
-use inkpanel::plan::Shelf;
-use inkpanel::raster::decode::Limits;
+use inkpanel_engine::framing::PhotoMeta;
+use inkpanel_engine::page::Document;
+use inkpanel_engine::page::import::import;
+use inkpanel_engine::page::request::{Mode, Request};
+use inkpanel_engine::page::shuffle::planned;
+use inkpanel_engine::plan::Shelf;
+use inkpanel_engine::raster::decode::Limits;
 
 /// A photo of one colour, read as a file would be.
 fn plain(id: &str, width: usize, height: usize, grey: u8) -> PhotoMeta {
     let pixels = vec![grey; width * height * 3];
-    let png = inkpanel::page::png::encode_rgb(width, height, &pixels, 96).unwrap();
+    let png = inkpanel_engine::page::png::encode_rgb(width, height, &pixels, 96).unwrap();
     import(id, &png, &Limits::default()).unwrap().meta
 }
 

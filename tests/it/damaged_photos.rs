@@ -3,8 +3,8 @@
 use std::fs;
 use std::process::Output;
 
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::{Decoded, Limits, decode};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::{Decoded, Limits, decode};
 
 fn file(name: &str) -> Vec<u8> {
     fs::read(crate::root("tests/oracles/data/files").join(name)).unwrap()

@@ -5,11 +5,11 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
 
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::style::catalogue::{by_family, catalogue};
-use inkpanel::style::{Context, Style, stylize};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::style::catalogue::{by_family, catalogue};
+use inkpanel_engine::style::{Context, Style, stylize};
 
 /// A family's tag and what its styles look like, in the order of the README.
 const FAMILIES: &[(&str, &str)] = &[

@@ -4,9 +4,9 @@
 use std::collections::BTreeMap;
 use std::fs;
 
-use inkpanel::detect::{Detection, Detectors, FacePoints, worth_a_closer_look};
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::{Limits, decode};
+use inkpanel_engine::detect::{Detection, Detectors, FacePoints, worth_a_closer_look};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::{Limits, decode};
 use serde_json::Value;
 
 /// The models of `cargo xtask models`.
@@ -100,7 +100,7 @@ fn small_faces_of_a_large_photo_are_found_in_its_parts() {
     let astronaut = photo("www/public/samples/19-astronaut.jpg");
     let (width, height) = (2400, 2400);
     let planes = astronaut.planes().iter().map(|plane| {
-        inkpanel::raster::Plane::from_fn(width, height, |x, y| {
+        inkpanel_engine::raster::Plane::from_fn(width, height, |x, y| {
             let inside = (1500..2012).contains(&x) && (300..812).contains(&y);
             if inside { plane.at(x - 1500, y - 300) } else { 128 }
         })
@@ -125,7 +125,7 @@ fn small_faces_of_a_large_photo_are_found_in_its_parts() {
 fn any_picture_gives_boxes_inside_it() {
     let detectors = detectors();
     for (width, height) in [(1, 1), (1, 700), (700, 3), (67, 41)] {
-        let plane = inkpanel::raster::Plane::from_fn(width, height, |x, y| (x * 7 + y * 13) as u8);
+        let plane = inkpanel_engine::raster::Plane::from_fn(width, height, |x, y| (x * 7 + y * 13) as u8);
         let photo = Image::from_rgb([plane.clone(), plane.clone(), plane]).unwrap();
         for found in detectors.detect(&photo).unwrap() {
             assert!(corners(&found).iter().all(|side| (0.0..=1.0).contains(side)), "{found:?}");
@@ -146,9 +146,8 @@ fn another_file_is_no_net() {
 
 #[test]
 fn the_command_answers_in_pixels_and_passes_over_what_is_no_photo() {
-    let run = |arguments: &[&str]| {
-        crate::inkpanel().args(arguments).current_dir(env!("CARGO_MANIFEST_DIR")).output().unwrap()
-    };
+    let run =
+        |arguments: &[&str]| crate::inkpanel().args(arguments).current_dir(crate::root("")).output().unwrap();
     let answer = run(&["detect", "--json", "Cargo.toml", "www/public/samples/19-astronaut.jpg"]);
     assert!(answer.status.success());
     assert!(String::from_utf8_lossy(&answer.stderr).contains("Cargo.toml"));

@@ -1,25 +1,25 @@
 //! Edits of a project, with undo: the cases of the app's former tests, invariants after any edit, and the
 //! results of the former JavaScript implementation (`tests/oracles/edits.mjs`).
 
-use inkpanel::document::edit::{Edit, How, Part, Shelf};
-use inkpanel::document::editor::Editor;
-use inkpanel::document::file::ProjectFile;
-use inkpanel::document::history::History;
-use inkpanel::document::planning::{Planning, Seeds};
-use inkpanel::document::project::{Draft, Focus, List, Order, Project, Sheet, Styling};
-use inkpanel::document::sheets::photos_on;
-use inkpanel::document::shots::{Board, RATES, Shot};
-use inkpanel::document::spreading::balanced;
-use inkpanel::document::upkeep::Groups;
-use inkpanel::document::{kept, limits, own};
-use inkpanel::framing::PhotoMeta;
-use inkpanel::layout::{self, PageSettings};
-use inkpanel::page::Document;
-use inkpanel::page::request::{Keep, Mode, Request};
-use inkpanel::page::shuffle;
-use inkpanel::page::words::model::NewText;
-use inkpanel::page::words::{TextItem, TextKind};
-use inkpanel::raster::Matte;
+use inkpanel_engine::document::edit::{Edit, How, Part, Shelf};
+use inkpanel_engine::document::editor::Editor;
+use inkpanel_engine::document::file::ProjectFile;
+use inkpanel_engine::document::history::History;
+use inkpanel_engine::document::planning::{Planning, Seeds};
+use inkpanel_engine::document::project::{Draft, Focus, List, Order, Project, Sheet, Styling};
+use inkpanel_engine::document::sheets::photos_on;
+use inkpanel_engine::document::shots::{Board, RATES, Shot};
+use inkpanel_engine::document::spreading::balanced;
+use inkpanel_engine::document::upkeep::Groups;
+use inkpanel_engine::document::{kept, limits, own};
+use inkpanel_engine::framing::PhotoMeta;
+use inkpanel_engine::layout::{self, PageSettings};
+use inkpanel_engine::page::Document;
+use inkpanel_engine::page::request::{Keep, Mode, Request};
+use inkpanel_engine::page::shuffle;
+use inkpanel_engine::page::words::model::NewText;
+use inkpanel_engine::page::words::{TextItem, TextKind};
+use inkpanel_engine::raster::Matte;
 use oorandom::Rand64;
 use serde_json::{Map, Value, json};
 use std::collections::HashSet;
@@ -1014,7 +1014,7 @@ fn a_photo_that_goes_out_of_use_leaves_the_other_pages_for_the_one_of_its_stack(
     let torn = |editor: &Editor, photos: &[PhotoMeta]| Planning::new(editor.project(), photos).torn();
     assert!(!torn(&editor, &photos));
     let gone = photos.remove(2).id;
-    let of_gone = |panel: &inkpanel::page::document::PanelContent| panel.photo.as_ref() == Some(&gone);
+    let of_gone = |panel: &inkpanel_engine::page::document::PanelContent| panel.photo.as_ref() == Some(&gone);
     let place = editor.project().sheets()[0].page.panels.iter().position(of_gone).unwrap();
     // It is similar to a photo on no page, and to a photo on another page.
     photos.push(PhotoMeta::unmeasured("twin", 1500, 1000));

@@ -36,9 +36,9 @@ fn a_page_is_that_of_the_command_line() {
     command.args(["render", "--no-detect", "--width", "320", "--style", "comic", "--seed", "5", "-o"]);
     let output = command.arg(&file).args(samples(6)).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let expected = inkpanel::raster::decode::decode(
+    let expected = inkpanel_engine::raster::decode::decode(
         &std::fs::read(&file).unwrap(),
-        &inkpanel::raster::decode::Limits::default(),
+        &inkpanel_engine::raster::decode::Limits::default(),
     );
     let drawn = album(6).page(&small()).unwrap().pixels().unwrap();
     assert_eq!((drawn.width, drawn.height), (320, 453));
@@ -50,8 +50,9 @@ fn files_bytes_and_pixels_make_the_same_page() {
     let files = samples(3);
     let bytes = files.iter().map(|path| Photo::from_bytes("photo", std::fs::read(path).unwrap())).collect();
     let pixels = files.iter().map(|path| {
-        let limits = inkpanel::raster::decode::Limits::default();
-        let image = inkpanel::raster::decode::decode(&std::fs::read(path).unwrap(), &limits).unwrap().image;
+        let limits = inkpanel_engine::raster::decode::Limits::default();
+        let image =
+            inkpanel_engine::raster::decode::decode(&std::fs::read(path).unwrap(), &limits).unwrap().image;
         Photo::from_rgb("photo", image.width(), image.height(), &image.to_rgb()).unwrap()
     });
     let options = small().as_given(true);

@@ -1,7 +1,7 @@
 //! Crops around faces, for arbitrary photos: `frame` finds a crop without cut faces if a search over very
 //! many crops finds one.
 
-use inkpanel::framing::{Crop, FACE, PhotoMeta, Subject, Target, frame};
+use inkpanel_engine::framing::{Crop, FACE, PhotoMeta, Subject, Target, frame};
 use proptest::prelude::*;
 
 fn photo(width: u32, height: u32, subjects: Vec<Subject>) -> PhotoMeta {

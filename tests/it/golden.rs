@@ -9,8 +9,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::{Limits, decode};
 use png::{BitDepth, ColorType, Compression, Encoder};
 
 /// Maximum difference of a channel in grey levels. On one machine, all builds agree: builds with and

@@ -3,16 +3,16 @@
 use std::fs;
 
 use crate::golden::Goldens;
-use inkpanel::framing::frame;
-use inkpanel::layout::{self, FAMILIES, PageSettings, Template, resolve};
-use inkpanel::page::import::{Imported, import};
-use inkpanel::page::{Document, Scene, compose};
-use inkpanel::plan::slots;
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::style::catalogue::catalogue;
-use inkpanel::style::{Context, stylize};
+use inkpanel_engine::framing::frame;
+use inkpanel_engine::layout::{self, FAMILIES, PageSettings, Template, resolve};
+use inkpanel_engine::page::import::{Imported, import};
+use inkpanel_engine::page::{Document, Scene, compose};
+use inkpanel_engine::plan::slots;
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::style::catalogue::catalogue;
+use inkpanel_engine::style::{Context, stylize};
 use serde_json::{Value, json};
 
 /// Width of all goldens in pixels.

@@ -1,7 +1,7 @@
 //! Sound detection in videos: it finds the onsets that librosa finds (`tests/oracles/hearing.py`), and no
 //! others.
 
-use inkpanel::hearing::{Kind, events};
+use inkpanel_engine::hearing::{Kind, events};
 use serde_json::Value;
 use std::f64::consts::TAU;
 use std::fs;

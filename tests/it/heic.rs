@@ -1,6 +1,6 @@
 //! HEIC files against libheif, and broken ones. `tests/oracles/heic.py` made the files and the pictures.
 
-use inkpanel::raster::decode::{Limits, decode, decode_fit};
+use inkpanel_engine::raster::decode::{Limits, decode, decode_fit};
 use std::fs;
 
 const FOLDER: &str = "tests/oracles/data/heic";

@@ -1,11 +1,11 @@
 //! Styles from a picture. If a built-in style is drawn on one photo, the search finds it for another photo. A
 //! picture without a distinct style is rejected. The same seed gives the same result.
 
-use inkpanel::raster::decode::{Limits, decode_fit};
-use inkpanel::raster::{Image, Plane};
-use inkpanel::style::catalogue::catalogue;
-use inkpanel::style::imitate::{self, Ask, Effort, Features, Search, Seen, Trial, palette_distance};
-use inkpanel::style::{Context, Style, stylize};
+use inkpanel_engine::raster::decode::{Limits, decode_fit};
+use inkpanel_engine::raster::{Image, Plane};
+use inkpanel_engine::style::catalogue::catalogue;
+use inkpanel_engine::style::imitate::{self, Ask, Effort, Features, Search, Seen, Trial, palette_distance};
+use inkpanel_engine::style::{Context, Style, stylize};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -179,7 +179,7 @@ fn pictures_without_a_look_are_told() {
         assert!(code(&page).is_ok(), "{name}");
     }
     for id in ["comic", "noir", "manga", "newsprint", "copperplate", "riso-zine", "linocut", "screenprint"] {
-        let style = inkpanel::style::catalogue::find(id).unwrap();
+        let style = inkpanel_engine::style::catalogue::find(id).unwrap();
         for name in ["cat.jpg", "temple.jpg"] {
             assert!(code(&drawn(&photo(name), style)).is_ok(), "{id} on {name}");
         }

@@ -3,8 +3,8 @@
 
 use std::fs;
 
-use inkpanel::Error;
-use inkpanel::raster::decode::{Limits, decode, decode_fit, decode_reduced};
+use inkpanel_engine::Error;
+use inkpanel_engine::raster::decode::{Limits, decode, decode_fit, decode_reduced};
 use proptest::prelude::*;
 use serde::Deserialize;
 
@@ -221,13 +221,16 @@ fn what_cannot_be_reduced_is_decoded_whole() {
 
 #[test]
 fn what_is_broken_is_told_as_of_a_whole_file() {
-    let told =
-        |way: fn(&[u8], &Limits, usize) -> inkpanel::error::Result<inkpanel::raster::decode::Decoded>,
-         bytes: &[u8]| {
-            way(bytes, &Limits::default(), 40)
-                .map(|seen| (seen.width, seen.height))
-                .map_err(|error| error.to_string())
-        };
+    let told = |way: fn(
+        &[u8],
+        &Limits,
+        usize,
+    ) -> inkpanel_engine::error::Result<inkpanel_engine::raster::decode::Decoded>,
+                bytes: &[u8]| {
+        way(bytes, &Limits::default(), 40)
+            .map(|seen| (seen.width, seen.height))
+            .map_err(|error| error.to_string())
+    };
     for (name, bytes) in reducible(".jpg") {
         for length in (0..bytes.len()).step_by(97) {
             assert_eq!(

@@ -1,7 +1,7 @@
 //! Malformed layout files: each is an error that names the file, the field and the reason, and never a panic.
 
-use inkpanel::Error;
-use inkpanel::layout::{Template, catalogue};
+use inkpanel_engine::Error;
+use inkpanel_engine::layout::{Template, catalogue};
 use proptest::prelude::*;
 
 /// A layout file with the given fields after a sound head.

@@ -1,7 +1,7 @@
 //! Every template on every page size: tiling, convexity, even gutters, exact margins, overlays inside.
 
-use inkpanel::layout::polygon::{area, edges, intersection, normalised};
-use inkpanel::layout::{
+use inkpanel_engine::layout::polygon::{area, edges, intersection, normalised};
+use inkpanel_engine::layout::{
     LEAST_THICKNESS, PRESETS, PageSettings, Point, ResolvedPanel, ResolvedShape, Shape, Template, catalogue,
     merge, resolve, score,
 };
@@ -119,7 +119,7 @@ fn the_panels_reach_the_margins_exactly() {
     for template in good.filter(|template| !bleeds(template)) {
         let panels = resolve(template, settings.aspect(), &settings);
         let all = panels.iter().filter(|panel| !panel.overlay).map(|panel| panel.bounds);
-        let all = all.reduce(inkpanel::layout::Bounds::union).unwrap();
+        let all = all.reduce(inkpanel_engine::layout::Bounds::union).unwrap();
         let bottom = 1.0 / settings.aspect() - all.y - all.height;
         for side in [all.x, all.y, 1.0 - all.x - all.width, bottom] {
             // A page that is cut into triangles has its sharp corners blunted by the gutters.
@@ -136,7 +136,7 @@ fn panels_that_bleed_reach_the_edge_of_the_page_with_their_outer_edges_only() {
     for template in catalogue() {
         for (panel, resolved) in template.panels().iter().zip(resolve(template, aspect, &settings)) {
             let Shape::Polygon(cell) = &panel.shape else { continue };
-            let (cell, b) = (inkpanel::layout::Bounds::of(cell), resolved.bounds);
+            let (cell, b) = (inkpanel_engine::layout::Bounds::of(cell), resolved.bounds);
             let sides = [
                 (cell.x < 1e-9, b.x),
                 (cell.y < 1e-9, b.y),
@@ -158,7 +158,7 @@ fn panels_that_bleed_reach_the_edge_of_the_page_with_their_outer_edges_only() {
 #[test]
 fn columns_of_a_grid_stay_equal() {
     let settings = PageSettings { margin: 0.1, gutter: 0.03, ..PageSettings::default() };
-    let grid = inkpanel::layout::find("grid-9").unwrap();
+    let grid = inkpanel_engine::layout::find("grid-9").unwrap();
     let widths: Vec<f64> =
         resolve(grid, settings.aspect(), &settings).iter().map(|p| p.bounds.width).collect();
     assert!(widths.iter().all(|width| (width - widths[0]).abs() < 1e-12), "{widths:?}");
@@ -214,7 +214,7 @@ fn the_reading_order_goes_down_the_page() {
             .iter()
             .filter(|panel| !panel.overlay)
             .filter_map(|panel| match &panel.shape {
-                Shape::Polygon(cell) => Some(inkpanel::layout::Bounds::of(cell)),
+                Shape::Polygon(cell) => Some(inkpanel_engine::layout::Bounds::of(cell)),
                 Shape::Circle { .. } => None,
             })
             .map(|b| (b.y + b.height / 2.0, b.x + b.width / 2.0))

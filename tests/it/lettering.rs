@@ -7,15 +7,15 @@ mod measure;
 mod pages;
 
 use crate::golden::Goldens;
-use inkpanel::framing::{PhotoMeta, Subject};
-use inkpanel::layout::Point;
-use inkpanel::page::words::layout::{Chain, Ground, lay_all, measured};
-use inkpanel::page::words::place::{self, Known};
-use inkpanel::page::words::{Letters, TextItem, draw};
-use inkpanel::page::{Document, Scene, compose, png};
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::{Matte, Plane};
-use inkpanel::style::Context;
+use inkpanel_engine::framing::{PhotoMeta, Subject};
+use inkpanel_engine::layout::Point;
+use inkpanel_engine::page::words::layout::{Chain, Ground, lay_all, measured};
+use inkpanel_engine::page::words::place::{self, Known};
+use inkpanel_engine::page::words::{Letters, TextItem, draw};
+use inkpanel_engine::page::{Document, Scene, compose, png};
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::{Matte, Plane};
+use inkpanel_engine::style::Context;
 use measure::{Figures, measure};
 use serde_json::{Value, json};
 

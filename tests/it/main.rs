@@ -1,4 +1,4 @@
-//! The integration tests of the library and of the command line, in one program.
+//! The integration tests of the library and of the command line, in one program of the package `inkpanel-cli`.
 //!
 //! One program links once and runs all tests in parallel. `cargo test --test it blocks::` runs the tests of one file.
 //! `tests/memory.rs` is a separate program because it counts every allocation.
@@ -64,7 +64,9 @@ fn trials(few: u64, all: u64) -> u64 {
 
 /// Returns the absolute path of a file of the repository.
 fn root(path: impl AsRef<std::path::Path>) -> std::path::PathBuf {
-    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+    // The package is two folders below the top folder.
+    let package = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    package.ancestors().nth(2).unwrap().join(path)
 }
 
 /// Returns a call of the command line.

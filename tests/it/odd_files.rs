@@ -3,7 +3,7 @@
 
 use std::fs;
 
-use inkpanel::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::decode::{Limits, decode};
 use serde::Deserialize;
 
 /// Minimum similarity of equal pictures, in decibels.

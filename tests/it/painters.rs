@@ -4,16 +4,16 @@
 use std::fs;
 use std::sync::{Arc, OnceLock};
 
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::raster::{Image, Plane};
-use inkpanel::simd::point::luma_plane;
-use inkpanel::style::blocks::painter::PAINTERS;
-use inkpanel::style::catalogue::catalogue;
-use inkpanel::style::faces::FaceBox;
-use inkpanel::style::painters::{Choice, MAX_BYTES, Painters};
-use inkpanel::style::{Context, Style, stylize};
-use inkpanel::{Error, Result};
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::raster::{Image, Plane};
+use inkpanel_engine::simd::point::luma_plane;
+use inkpanel_engine::style::blocks::painter::PAINTERS;
+use inkpanel_engine::style::catalogue::catalogue;
+use inkpanel_engine::style::faces::FaceBox;
+use inkpanel_engine::style::painters::{Choice, MAX_BYTES, Painters};
+use inkpanel_engine::style::{Context, Style, stylize};
+use inkpanel_engine::{Error, Result};
 use serde_json::Value;
 
 fn file() -> Vec<u8> {

@@ -1,14 +1,14 @@
 //! Pages as PDF files: their size, the pictures of their panels, and text that can be found. That they look as the page
 //! of pixels does is for the browser tests, which have a program that draws them.
 
-use inkpanel::page::mask::PixelRect;
-use inkpanel::page::pdf::{Imposition, Leaf, Options, impose, picture, write};
-use inkpanel::page::plates::{self, Separation};
-use inkpanel::page::words::{Letters, truetype};
-use inkpanel::page::{Document, Scene, compose};
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::{Image, Plane};
-use inkpanel::style::Context;
+use inkpanel_engine::page::mask::PixelRect;
+use inkpanel_engine::page::pdf::{Imposition, Leaf, Options, impose, picture, write};
+use inkpanel_engine::page::plates::{self, Separation};
+use inkpanel_engine::page::words::{Letters, truetype};
+use inkpanel_engine::page::{Document, Scene, compose};
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::{Image, Plane};
+use inkpanel_engine::style::Context;
 use miniz_oxide::inflate::decompress_to_vec_zlib;
 use serde_json::{Value, json};
 use std::process::Command;
@@ -354,7 +354,7 @@ impl OutlineBuilder for Corners {
 #[test]
 fn the_font_of_some_letters_has_the_outlines_of_the_whole() {
     let letters = letters();
-    let whole = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/fonts/Bangers-Regular.ttf")).unwrap();
+    let whole = std::fs::read(crate::root("fonts/Bangers-Regular.ttf")).unwrap();
     let whole = Face::parse(&whole, 0).unwrap();
     let font = letters.font("bangers").unwrap();
     let used = [' ', 'A', 'g', 'é'];

@@ -1,6 +1,6 @@
 //! Photos as phones and cameras write them: EXIF records of every shape, and files with something behind the picture.
 
-use inkpanel::raster::decode::{Decoded, Limits, decode};
+use inkpanel_engine::raster::decode::{Decoded, Limits, decode};
 use proptest::prelude::*;
 use std::fs;
 

@@ -4,11 +4,11 @@
 use std::fs;
 use std::sync::Mutex;
 
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::raster::{Image, Plane};
-use inkpanel::simd::point::luma_plane;
-use inkpanel::style::{Context, Style, catalogue::catalogue, stylize};
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::raster::{Image, Plane};
+use inkpanel_engine::simd::point::luma_plane;
+use inkpanel_engine::style::{Context, Style, catalogue::catalogue, stylize};
 use serde_json::Value;
 
 /// Photos with fur, fine twigs and a soft background; and people in bright colours before a wall.

@@ -1,15 +1,15 @@
 //! Reading of saved projects: valid ones within the limits, or an error with the position.
 #![allow(clippy::needless_pass_by_value, reason = "JSON that is made for one call")]
 
-use inkpanel::document::file::ProjectFile;
-use inkpanel::document::history::History;
-use inkpanel::document::kept;
-use inkpanel::document::project::Project;
-use inkpanel::framing::PhotoMeta;
-use inkpanel::layout::{self, PageSettings};
-use inkpanel::page::document::Document;
-use inkpanel::page::request::Request;
-use inkpanel::page::{Scene, shuffle};
+use inkpanel_engine::document::file::ProjectFile;
+use inkpanel_engine::document::history::History;
+use inkpanel_engine::document::kept;
+use inkpanel_engine::document::project::Project;
+use inkpanel_engine::framing::PhotoMeta;
+use inkpanel_engine::layout::{self, PageSettings};
+use inkpanel_engine::page::document::Document;
+use inkpanel_engine::page::request::Request;
+use inkpanel_engine::page::{Scene, shuffle};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::collections::HashSet;

@@ -1,9 +1,9 @@
 //! Saved projects and pages: the command line draws the same pixels as the app, and files of every version
 //! still open. `tests/data/saved/README.md` describes how they are made.
 
-use inkpanel::document::saved::Saved;
-use inkpanel::raster::Image;
-use inkpanel::raster::decode::{Limits, decode};
+use inkpanel_engine::document::saved::Saved;
+use inkpanel_engine::raster::Image;
+use inkpanel_engine::raster::decode::{Limits, decode};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};

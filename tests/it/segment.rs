@@ -4,10 +4,10 @@
 use std::fs;
 use std::path::Path;
 
-use inkpanel::detect::{SEGMENT_SIDE, Segmenter};
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::guided::guided;
-use inkpanel::raster::{Image, Plane};
+use inkpanel_engine::detect::{SEGMENT_SIDE, Segmenter};
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::guided::guided;
+use inkpanel_engine::raster::{Image, Plane};
 use serde_json::Value;
 
 /// The model of `cargo xtask models`.

@@ -3,11 +3,11 @@
 
 use std::fs;
 
-use inkpanel::raster::Plane;
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::resize::{Region, resample};
-use inkpanel::select::{fingerprint::distance, measure};
-use inkpanel::simd::point::luma_plane;
+use inkpanel_engine::raster::Plane;
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, resample};
+use inkpanel_engine::select::{fingerprint::distance, measure};
+use inkpanel_engine::simd::point::luma_plane;
 use serde::Deserialize;
 
 #[derive(Deserialize)]

@@ -1,9 +1,9 @@
 //! Shot lists: `OpenTimelineIO` reads the same shots in them, to the frame (`tests/oracles/shots.py`), and
 //! they match the saved project.
 
-use inkpanel::document::file::ProjectFile;
-use inkpanel::output::shots::timecode::{Pace, Rate, StartTimecode};
-use inkpanel::output::shots::{Film, Kind, ListedShot, ShotList};
+use inkpanel_engine::document::file::ProjectFile;
+use inkpanel_engine::output::shots::timecode::{Pace, Rate, StartTimecode};
+use inkpanel_engine::output::shots::{Film, Kind, ListedShot, ShotList};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,6 +1,6 @@
 //! Malformed style files: each is rejected with its position and the reason, without a panic.
 
-use inkpanel::style::Style;
+use inkpanel_engine::style::Style;
 
 /// A file, and the expected text of its error.
 const MALFORMED: &[(&str, &str)] = &[
@@ -116,7 +116,7 @@ fn too_much_of_anything_is_refused() {
 /// Each valid file, truncated or with one changed character, is either rejected or a style, without a panic.
 #[test]
 fn damage_anywhere_never_panics() {
-    for style in inkpanel::style::catalogue::catalogue().iter().take(12) {
+    for style in inkpanel_engine::style::catalogue::catalogue().iter().take(12) {
         let json = style.to_value().to_string();
         for at in (0..json.len()).filter(|&at| json.is_char_boundary(at)) {
             if let Err(error) = Style::parse("cut.json", &json[..at]) {

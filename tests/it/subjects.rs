@@ -5,7 +5,7 @@ mod measure;
 
 use std::fs;
 
-use inkpanel::detect::Segmenter;
+use inkpanel_engine::detect::Segmenter;
 use measure::{HELD_OUT, Measured, TUNED, WIDTH, measure};
 
 /// Intersection over union, in the mean of each half.

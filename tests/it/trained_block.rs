@@ -4,13 +4,13 @@
 use std::fs;
 use std::sync::LazyLock;
 
-use inkpanel::raster::{Image, Plane};
-use inkpanel::style::blade::Trained;
-use inkpanel::style::blade::bank::{Bank, Shape, WEIGHTS};
-use inkpanel::style::blocks::{Block, Channels, Kernel};
-use inkpanel::style::file::Step;
-use inkpanel::style::params::{Unit, number};
-use inkpanel::style::{Context, chain};
+use inkpanel_engine::raster::{Image, Plane};
+use inkpanel_engine::style::blade::Trained;
+use inkpanel_engine::style::blade::bank::{Bank, Shape, WEIGHTS};
+use inkpanel_engine::style::blocks::{Block, Channels, Kernel};
+use inkpanel_engine::style::file::Step;
+use inkpanel_engine::style::params::{Unit, number};
+use inkpanel_engine::style::{Context, chain};
 
 static BLOCK: Block = Block {
     id: "mean",
@@ -92,7 +92,7 @@ fn strengths_beyond_the_most_passes_run_smaller() {
 
 #[test]
 fn every_bank_can_be_read() {
-    let folder = crate::root("pixels/src/style/banks");
+    let folder = crate::root("crates/style/src/banks");
     let mut banks = 0;
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

@@ -1,11 +1,11 @@
 //! Choice of photos for automatic pages: people before things, each photo in its turn, no documents.
 
-use inkpanel::document::planning::seen_on;
-use inkpanel::framing::{FACE, LETTERING, PhotoMeta, Subject};
-use inkpanel::layout;
-use inkpanel::page::Document;
-use inkpanel::page::request::Request;
-use inkpanel::page::shuffle::plan;
+use inkpanel_engine::document::planning::seen_on;
+use inkpanel_engine::framing::{FACE, LETTERING, PhotoMeta, Subject};
+use inkpanel_engine::layout;
+use inkpanel_engine::page::Document;
+use inkpanel_engine::page::request::Request;
+use inkpanel_engine::page::shuffle::plan;
 
 fn subject(label: &str, [x, y, width, height]: [f64; 4]) -> Subject {
     Subject { x, y, width, height, label: label.into(), score: 0.9, points: None }
@@ -77,7 +77,7 @@ fn a_page_of_text_has_no_panel_while_there_is_anything_else() {
     let mut photos = album(9, 2);
     let mut tones = ["00"; 16];
     (tones[15], tones[14]) = ("c0", "30");
-    let facts: inkpanel::framing::Facts =
+    let facts: inkpanel_engine::framing::Facts =
         serde_json::from_value(format!("{}2020{}{}", tones.concat(), "04", "f0".repeat(6)).into()).unwrap();
     for photo in &mut photos[6..] {
         photo.facts = Some(facts.clone());

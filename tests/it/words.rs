@@ -4,17 +4,17 @@
 use std::fs;
 
 use crate::golden::Goldens;
-use inkpanel::framing::Subject;
-use inkpanel::layout::Point;
-use inkpanel::page::words::given::{GivenFonts, missing};
-use inkpanel::page::words::wording;
-use inkpanel::page::words::{Letters, TextItem, draw, layout, place};
-use inkpanel::page::{Document, Scene, compose, png};
-use inkpanel::raster::decode::{Limits, decode};
-use inkpanel::raster::resize::{Region, resample_image};
-use inkpanel::raster::{Image, Plane};
-use inkpanel::simd::point::luma_plane;
-use inkpanel::style::Context;
+use inkpanel_engine::framing::Subject;
+use inkpanel_engine::layout::Point;
+use inkpanel_engine::page::words::given::{GivenFonts, missing};
+use inkpanel_engine::page::words::wording;
+use inkpanel_engine::page::words::{Letters, TextItem, draw, layout, place};
+use inkpanel_engine::page::{Document, Scene, compose, png};
+use inkpanel_engine::raster::decode::{Limits, decode};
+use inkpanel_engine::raster::resize::{Region, resample_image};
+use inkpanel_engine::raster::{Image, Plane};
+use inkpanel_engine::simd::point::luma_plane;
+use inkpanel_engine::style::Context;
 use serde_json::{Value, json};
 
 fn letters() -> Letters {
@@ -520,7 +520,6 @@ fn words_outlive_a_layout_of_fewer_panels_and_never_leave_the_page() {
 }
 
 /// Runs `inkpanel render` with text on two photos.
-#[cfg(feature = "cli")]
 fn rendered(words: &str) -> (std::process::Output, Option<Image>) {
     let folder = tempfile::tempdir().unwrap();
     let [list, page] = ["words.json", "page.png"].map(|name| folder.path().join(name));
@@ -538,7 +537,6 @@ fn rendered(words: &str) -> (std::process::Output, Option<Image>) {
 }
 
 #[test]
-#[cfg(feature = "cli")]
 fn the_command_line_puts_words_on_a_page_and_names_what_is_wrong() {
     let (_, without) = rendered("[]");
     let (output, with) = rendered(r#"[{"kind": "caption", "text": "Once upon a time", "panel": 0}]"#);

@@ -135,7 +135,7 @@ const isSentence = (/** @type {string} */ text) =>
 function code(path, text, kind) {
   const { comments, strings } = scan(text, kind);
   const blocks = comments.flatMap((comment) => markdown(comment, 'comment'));
-  const isProgram = kind === 'rs' && /^(?:src|detect\/src|pixels\/src|python\/src|xtask\/src|modules)\//.test(path);
+  const isProgram = kind === 'rs' && /^(?:src|crates\/[a-z]+\/src|python\/src|xtask\/src|wasm)\//.test(path);
   if (isProgram) {
     const tests = text.search(/#\[cfg\(test\)\]\s*mod \w+ \{/);
     const last = tests < 0 ? Number.POSITIVE_INFINITY : text.slice(0, tests).split('\n').length;

@@ -28,7 +28,7 @@ export type Imported = {
 
 /** Maximum size of a file in bytes. */
 export const MAX_BYTES = 5_000_000;
-/** Begins a cell that a spreadsheet would take for a formula, see `src/output/shots/csv.rs`. */
+/** Begins a cell that a spreadsheet would take for a formula, see `crates/engine/src/output/shots/csv.rs`. */
 const GUARDED = /^'(?='*[=+\-@\t\r])/;
 /** The line with which Excel names the delimiter. */
 const DELIMITER = /^"?sep=(.)"?[,;\t]*(?:\r\n|\r|\n|$)/i;

@@ -5,7 +5,7 @@ import { readingOrder } from '../page/reading-order.ts';
 import type { PageDocument, Word } from '../engine/types.ts';
 import type { Planner } from '../document/store.ts';
 
-/** As in `src/document/listing.rs`: the weight of the horizontal position against the vertical one. */
+/** As in `crates/engine/src/document/listing.rs`: the weight of the horizontal position against the vertical one. */
 const SLANT = 0.3;
 
 /** Returns the dialogue of each photo on the pages, by the ids of the photos in reading order. */

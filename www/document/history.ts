@@ -1,6 +1,6 @@
 /**
  * Undo and redo as lists of complete states with ids instead of pixels, and the page history. Undo does not remove
- * pages from the page history. The core changes them (`src/document/editor.rs`).
+ * pages from the page history. The core changes them (`crates/engine/src/document/editor.rs`).
  */
 
 import { EMPTY_PROJECT } from './empty.ts';

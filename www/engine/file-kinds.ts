@@ -1,4 +1,4 @@
-/** Kinds of files by name and by first bytes, from the table that is shared with the core (`src/kinds.rs`). */
+/** Kinds of files by name and by first bytes, from the table that is shared with the core (`crates/engine/src/kinds.rs`). */
 
 import { FILE_KINDS, SIGNATURES, SYSTEM_FOLDERS, SYSTEM_NAMES } from './file-table.ts';
 import type { FileKind, Role } from './file-table.ts';

@@ -1,4 +1,4 @@
-/** Kinds of files. `cargo xtask bless` generates this file from `src/kinds.rs`. */
+/** Kinds of files. `cargo xtask bless` generates this file from `crates/engine/src/kinds.rs`. */
 
 export type Role =
   | 'photo'

@@ -1,6 +1,6 @@
 /**
  * The text of files that users choose: tables, scripts, subtitles, layouts and styles. The browser decodes UTF-8; everything
- * else is decoded by the core (`src/texts.rs`).
+ * else is decoded by the core (`crates/engine/src/texts.rs`).
  */
 
 import { failure } from './protocol.ts';

@@ -1,6 +1,6 @@
 /**
  * Version of the saved format, in the database and in project files. The core reads it and migrates older versions
- * (`src/document/`).
+ * (`crates/engine/src/document/`).
  */
 
 export const VERSION = 1;

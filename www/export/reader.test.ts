@@ -1,7 +1,7 @@
 /** Tests the calculations of the reader of an HTML comic. Browser tests check its look and its text. */
 
 import { describe, expect, test } from 'vitest';
-import { boxOf, fitted, placeOf, stepped, swiped } from '../../src/output/reader/reader.js';
+import { boxOf, fitted, placeOf, stepped, swiped } from '../../crates/engine/src/output/reader/reader.js';
 
 test('a part of a page fills the screen, in its middle', () => {
   const box = boxOf('100 200 400 100');

@@ -7,7 +7,7 @@ import type { PageSettings } from '../engine/types.ts';
 
 export { PAGE_SIZES };
 
-/** Colours of the page that a dark style gets instead of the default ones, as in `src/page/styling.rs`. */
+/** Colours of the page that a dark style gets instead of the default ones, as in `crates/engine/src/page/styling.rs`. */
 export const DARK_PAPER = Object.freeze({ paper: '#15141a', borderColor: '#07070a' });
 
 /** @returns the id of the size, or `custom` */

@@ -11,7 +11,7 @@ use anyhow::{Context, Result, ensure};
 
 use crate::albums::{own_folders, photos_in};
 use crate::project::Project;
-use crate::{models, tables, test::CLI, tools};
+use crate::{models, tables, tools};
 
 const ALBUMS: usize = 100;
 /// Photos of an album.
@@ -24,7 +24,7 @@ const PHOTOS: usize = 12;
 /// When something cannot be built or written, or an album does not become a page.
 pub fn run(project: &Project) -> Result<()> {
     models::make(project)?;
-    tools::run(project.cargo().args(["build", "--release", "--package", "inkpanel", "--features", CLI]))?;
+    tools::run(project.cargo().args(["build", "--release", "--bin", "inkpanel"]))?;
     let program = project.target.join("release").join(format!("inkpanel{}", std::env::consts::EXE_SUFFIX));
     let top = project.target.join("batch");
     let albums = make_albums(project, &top.join("albums"))?;

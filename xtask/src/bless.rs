@@ -8,7 +8,6 @@ use std::process::Command;
 use anyhow::{Context, Result, bail};
 
 use crate::project::Project;
-use crate::test::CLI;
 use crate::tools;
 
 /// Files that are stored together, and the tests that write them.
@@ -104,13 +103,13 @@ fn topics(names: &[String]) -> Result<Vec<&'static Topic>> {
 /// Cargo about the test files of the topics, to be compiled at least.
 fn tests(project: &Project, topics: &[&Topic]) -> Command {
     let mut command = project.cargo();
-    command.args(["test", "--features", CLI, "--no-fail-fast"]);
+    command.args(["test", "--no-fail-fast"]);
     let mut tests = topics.iter().flat_map(|topic| topic.tests);
     if tests.clone().any(|(file, _)| *file == LIBRARY) {
-        command.arg("--lib");
+        command.args(["--package", "inkpanel-engine", "--lib"]);
     }
     if tests.any(|(file, _)| *file != LIBRARY) {
-        command.args(["--test", "it"]);
+        command.args(["--package", "inkpanel-cli", "--test", "it"]);
     }
     command
 }
@@ -180,7 +179,7 @@ mod tests {
         }
         for (file, test) in TOPICS.iter().flat_map(|topic| topic.tests) {
             let (folder, name) =
-                test.rsplit_once("::").map_or(("tests/it", *test), |(_, name)| ("src", name));
+                test.rsplit_once("::").map_or(("tests/it", *test), |(_, name)| ("crates/engine/src", name));
             let module = if *file == LIBRARY { "typescript" } else { file };
             let text = fs::read_to_string(root().join(format!("{folder}/{module}.rs"))).unwrap();
             assert!(text.contains(&format!("fn {name}()")), "{file} has no test {test}");

@@ -1,4 +1,4 @@
-//! Sizes of downloads: each wasm module with its script, and the packed glyphs. `modules/sizes.json` stores the expected
+//! Sizes of downloads: each wasm module with its script, and the packed glyphs. `wasm/sizes.json` stores the expected
 //! sizes. A download may grow by `GROWTH` beyond its newest entry. More growth needs a new entry with a reason.
 
 use std::collections::BTreeMap;
@@ -34,12 +34,12 @@ const LETTERS: &str = "letters";
 const GROWTH: usize = 5;
 
 /// The stored sizes, relative to the root.
-const STORED: &str = "modules/sizes.json";
+const STORED: &str = "wasm/sizes.json";
 
 /// Prints all sizes next to the stored ones.
 ///
 /// # Errors
-/// If a download is missing in `modules/sizes.json` or grew by more than `GROWTH` percent. The error names all of them.
+/// If a download is missing in `wasm/sizes.json` or grew by more than `GROWTH` percent. The error names all of them.
 pub fn check(project: &Project) -> Result<()> {
     let mut sizes = BTreeMap::new();
     for (name, folder) in MODULES {

@@ -9,7 +9,6 @@ use anyhow::{Context, Result, ensure};
 
 use crate::albums::{own_folders, photos_in};
 use crate::project::Project;
-use crate::test::CLI;
 use crate::{python, tools};
 
 /// The clips that this package brings for its own tests, and what reads them. Nothing of either is shipped.
@@ -31,15 +30,7 @@ pub fn run(project: &Project) -> Result<()> {
     let mut photos = photos_in(&own_folders(project))?;
     photos.sort();
     let mut cargo = project.cargo();
-    cargo.args([
-        "run",
-        "--features",
-        CLI,
-        "--example",
-        "duplicate_table",
-        "--",
-        "docs/reports/near-duplicates.md",
-    ]);
+    cargo.args(["run", "--example", "duplicate_table", "--", "docs/reports/near-duplicates.md"]);
     tools::run(cargo.arg(frames(project)?).args(photos))
 }
 

@@ -5,7 +5,6 @@ use anyhow::Result;
 use crate::albums::{own_folders, photos_in};
 use crate::models;
 use crate::project::Project;
-use crate::test::CLI;
 use crate::tools;
 
 /// Photos of people. They are used only in the table, and are never published.
@@ -18,7 +17,7 @@ pub fn run(project: &Project) -> Result<()> {
     let people = models::fetch_package(project, PEOPLE[0], PEOPLE[1])?.join("demo");
     let photos = photos_in(&[own_folders(project), vec![people]].concat())?;
     let mut cargo = project.cargo();
-    cargo.args(["run", "--features", CLI, "--example", "face_table", "--", "docs/reports/faces.md"]);
+    cargo.args(["run", "--example", "face_table", "--", "docs/reports/faces.md"]);
     cargo.arg(project.target.join("faces.jpg")).args(photos);
     tools::run(&mut cargo)
 }

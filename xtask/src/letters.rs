@@ -1,7 +1,7 @@
-//! The glyph file of the app: the table of `fonts/pack.rs`, which the `words` and `exports` modules share. It
+//! The glyph file of the app: the table of `crates/engine/pack.rs`, which the `words` and `exports` modules share. It
 //! is compressed here, because servers do not compress unknown file types. Its checksum detects damage.
 
-#[path = "../../fonts/pack.rs"]
+#[path = "../../crates/engine/pack.rs"]
 mod pack;
 
 use std::fs;
@@ -23,7 +23,10 @@ pub fn folder(project: &Project) -> PathBuf {
 pub fn make(project: &Project) -> Result<()> {
     let (fonts, file) = (project.root.join("fonts"), folder(project).join("letters.bin"));
     let mut inputs = Inputs::default();
-    inputs.path(&fonts, &[])?.value(include_str!("letters.rs"));
+    inputs
+        .path(&fonts, &[])?
+        .value(include_str!("letters.rs"))
+        .value(include_str!("../../crates/engine/pack.rs"));
     let stamp = Stamp::new(project, "letters", &inputs);
     if stamp.is_current(&file) {
         return Ok(());

@@ -79,7 +79,7 @@ enum Task {
         #[arg(long)]
         alone: bool,
     },
-    /// Fit a filter bank of pixels/src/style/banks again, and print how exact it is
+    /// Fit a filter bank of crates/style/src/banks again, and print how exact it is
     Train {
         /// The bank: etf
         operator: String,

@@ -7,7 +7,6 @@ use anyhow::Result;
 use crate::albums::{own_folders, photos_in};
 use crate::models;
 use crate::project::Project;
-use crate::test::CLI;
 use crate::tools;
 
 /// Draws 48 pages into `target/pages`, with separate scores. For the sample album it also writes
@@ -24,7 +23,7 @@ pub fn run(project: &Project, folders: &[String]) -> Result<()> {
     let table = if own { project.root.join("docs/reports/automatic-pages.md") } else { PathBuf::from("-") };
     for (task, output) in [("sheet", &sheet), ("table", &table)] {
         let mut cargo = project.cargo();
-        cargo.args(["run", "--release", "--features", CLI, "--example", "composer", "--", task]);
+        cargo.args(["run", "--release", "--example", "composer", "--", task]);
         tools::run(cargo.arg(output).args(&photos))?;
     }
     println!(
@@ -41,7 +40,7 @@ pub fn run(project: &Project, folders: &[String]) -> Result<()> {
 pub fn rate(project: &Project, arguments: &[String]) -> Result<()> {
     models::make(project)?;
     let mut cargo = project.cargo();
-    tools::run(cargo.args(["build", "--quiet", "--release", "--features", CLI, "--bin", "inkpanel"]))?;
+    tools::run(cargo.args(["build", "--quiet", "--release", "--bin", "inkpanel"]))?;
     let inkpanel = project.target.join("release").join(format!("inkpanel{}", std::env::consts::EXE_SUFFIX));
     let mut cargo = project.cargo();
     cargo.args(["run", "--quiet", "--package", "inkpanel-rate", "--", "--inkpanel"]).arg(inkpanel);

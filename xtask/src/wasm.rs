@@ -16,9 +16,6 @@ use crate::{clamps, lane, letters, npm, tools};
 /// Compiler target of the browser.
 pub const TARGET: &str = "wasm32-unknown-unknown";
 
-/// Features of the library that the modules have in total.
-pub const FEATURES: &str = "internals,rare,texts";
-
 /// Packages of all modules.
 pub const PACKAGES: [&str; 10] = [
     "inkpanel-brush",
@@ -38,14 +35,14 @@ const SOURCES: [&str; 11] = [
     ".cargo/config.toml",
     "Cargo.lock",
     "Cargo.toml",
-    "build.rs",
-    "detect",
+    "crates/detect",
+    "crates/engine",
+    "crates/image",
+    "crates/style",
     "fonts",
     "layouts",
-    "modules",
-    "pixels",
-    "src",
     "styles",
+    "wasm",
 ];
 
 /// CPU features for wasm-opt. `.cargo/config.toml` turns the same features on for rustc.
@@ -77,13 +74,13 @@ enum Group {
     Core,
     /// The engine with rare image formats.
     Rare,
-    /// The pixel crate with the decoder of HEIC.
+    /// The image crate with the decoder of HEIC.
     Heic,
     /// The neural networks.
     Detectors,
 }
 
-/// One of the modules of the page: a crate of `modules/`.
+/// One of the modules of the page: a crate of `wasm/`.
 pub struct Module {
     /// Name of the stamp.
     pub name: &'static str,

@@ -1,5 +1,5 @@
 //! The table of places, from the tab-separated file `cities500` of `GeoNames` (CC BY 4.0, <https://www.geonames.org>).
-//! `src/places.rs` of the crate defines its format.
+//! `crates/engine/src/places.rs` of the crate defines its format.
 
 use std::io::Write;
 

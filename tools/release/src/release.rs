@@ -131,7 +131,7 @@ fn write(project: &Project, version: &Version, day: Date, folder: &Path) -> Resu
     let name = format!("inkpanel-site-{version}");
     let mut archive = Archive::new(&name, time);
     archive.all(&project.www().join("dist"))?;
-    licences(project, &mut archive, &notices::text(project, wasm::TARGET, wasm::FEATURES, &wasm::PACKAGES)?)?;
+    licences(project, &mut archive, &notices::text(project, wasm::TARGET, &wasm::PACKAGES)?)?;
     fs::write(folder.join(format!("{name}.tar.gz")), archive.packed()?)?;
 
     println!("the package for npm");
@@ -145,7 +145,7 @@ fn write(project: &Project, version: &Version, day: Date, folder: &Path) -> Resu
     for file in ["README.md", "CHANGELOG.md"] {
         archive.file(file, Kind::Plain, &project.root.join(file))?;
     }
-    licences(project, &mut archive, &notices::text(project, &host, "cli", &["inkpanel"])?)?;
+    licences(project, &mut archive, &notices::text(project, &host, &["inkpanel-cli"])?)?;
     fs::write(folder.join(format!("{name}.tar.gz")), archive.packed()?)?;
 
     match python::check() {
@@ -176,19 +176,7 @@ fn licences(project: &Project, archive: &mut Archive, others: &str) -> Result<()
 /// The command line for this machine, with no path of it inside.
 fn program(project: &Project, host: &str) -> Result<PathBuf> {
     let mut cargo = project.cargo();
-    cargo.args([
-        "build",
-        "--release",
-        "--locked",
-        "--package",
-        "inkpanel",
-        "--bin",
-        "inkpanel",
-        "--features",
-        "cli",
-        "--target",
-        host,
-    ]);
+    cargo.args(["build", "--release", "--locked", "--bin", "inkpanel", "--target", host]);
     tools::run(cargo.args(["--config", &wasm::without_local_paths(project, host)]))?;
     let folder = project.target.join(host).join("release");
     Ok(folder.join(format!("inkpanel{}", std::env::consts::EXE_SUFFIX)))

@@ -20,7 +20,7 @@ use serde_json::Value;
 use time::Date;
 
 use inkpanel_models::Registry;
-use xtask::package::notices;
+use xtask::package::notices::{self, Macros};
 use xtask::project::Project;
 use xtask::{tools, wasm};
 
@@ -68,12 +68,14 @@ impl Items {
 pub(crate) fn json(project: &Project, version: &Version, day: Date) -> Result<String> {
     let mut items = Items::default();
     let host = host()?;
-    let site = ["--no-default-features", "--features", wasm::FEATURES, "--filter-platform", wasm::TARGET];
-    crates(&metadata(project, "Cargo.toml", &site)?, ("site", &wasm::PACKAGES), &mut items)?;
-    let native = ["--filter-platform", &host];
-    let program = ["--features", "cli", "--filter-platform", &host];
-    crates(&metadata(project, "Cargo.toml", &program)?, ("program", &["inkpanel"]), &mut items)?;
-    crates(&metadata(project, "python/Cargo.toml", &native)?, ("wheel", &["inkpanel-python"]), &mut items)?;
+    for (part, manifest, target, packages) in [
+        ("site", "Cargo.toml", wasm::TARGET, &wasm::PACKAGES[..]),
+        ("program", "Cargo.toml", &*host, &["inkpanel-cli"][..]),
+        ("wheel", "python/Cargo.toml", &*host, &["inkpanel-python"][..]),
+    ] {
+        let needed = notices::compiled(project, manifest, target, packages, Macros::LeftOut)?;
+        crates(&metadata(project, manifest, target)?, (part, &needed), &mut items)?;
+    }
     let lock = fs::read_to_string(project.www().join("package-lock.json"))?;
     packages(&serde_json::from_str(&lock)?, &mut items)?;
     nets(&mut items);
@@ -91,26 +93,25 @@ pub(crate) fn host() -> Result<String> {
     Ok(host.context("rustc does not say what this machine is")?.to_owned())
 }
 
-fn metadata(project: &Project, manifest: &str, options: &[&str]) -> Result<Value> {
+fn metadata(project: &Project, manifest: &str, target: &str) -> Result<Value> {
     let mut cargo = project.cargo();
-    cargo.args(["metadata", "--format-version", "1", "--locked", "--manifest-path", manifest]).args(options);
-    Ok(serde_json::from_str(&tools::output(&mut cargo)?)?)
+    cargo.args(["metadata", "--format-version", "1", "--locked", "--manifest-path", manifest]);
+    Ok(serde_json::from_str(&tools::output(cargo.args(["--filter-platform", target]))?)?)
 }
 
-/// Adds the third-party crates in `roots`, which are packages of the workspace, as parts of a file of the release.
-fn crates(metadata: &Value, (part, roots): (&'static str, &[&str]), items: &mut Items) -> Result<()> {
-    let roots = notices::workspace_ids(metadata, roots);
-    ensure!(!roots.is_empty(), "{part}: the packages are missing in the output of cargo metadata");
-    let packages = || metadata["packages"].as_array().into_iter().flatten();
-    // Procedural macros run in the compiler. None of their code is in the output.
-    let macros = packages().filter(|package| is_macro(package)).filter_map(|package| package["id"].as_str());
-    let needed = notices::reached(metadata, &roots, &macros.collect());
-    for package in packages() {
+/// Adds the third-party crates of `needed` as parts of a file of the release.
+fn crates(
+    metadata: &Value,
+    (part, needed): (&'static str, &BTreeSet<String>),
+    items: &mut Items,
+) -> Result<()> {
+    ensure!(!needed.is_empty(), "{part}: cargo tree lists no crates");
+    for package in metadata["packages"].as_array().into_iter().flatten() {
         let field = |name: &str| package[name].as_str().unwrap_or_default();
-        if package["source"].is_null() || !needed.contains(field("id")) {
+        let (name, version) = (field("name"), field("version"));
+        if package["source"].is_null() || !needed.contains(&notices::named(name, version)) {
             continue;
         }
-        let (name, version) = (field("name"), field("version"));
         ensure!(!field("license").is_empty(), "the crate {name} {version} names no licence");
         let item = Item {
             class: Classification::Library,
@@ -124,13 +125,6 @@ fn crates(metadata: &Value, (part, roots): (&'static str, &[&str]), items: &mut 
         items.add(format!("pkg:cargo/{name}@{}", version.replace('+', "%2B")), part, item);
     }
     Ok(())
-}
-
-fn is_macro(package: &Value) -> bool {
-    let targets = package["targets"].as_array().into_iter().flatten();
-    targets
-        .flat_map(|target| target["kind"].as_array().into_iter().flatten())
-        .any(|kind| kind == "proc-macro")
 }
 
 /// Adds the npm packages of the site: entries of the lock file without the mark for development.
@@ -264,38 +258,24 @@ mod tests {
         list["components"].as_array().unwrap().iter().map(|one| one["purl"].as_str().unwrap()).collect()
     }
 
-    /// A workspace whose crate needs `a`, which needs `b` when it is compiled, `c` for its tests, `d` for its build script, and the macros of `e`, which
-    /// are made of `f`.
+    /// A workspace with the crate `own` and third-party crates.
     fn metadata() -> Value {
         let package = |name: &str, version: &str, licence: &str| {
             let source = if name == "own" { Value::Null } else { json!("registry") };
             json!({"id": name, "name": name, "version": version, "license": licence, "source": source})
         };
-        let mut derive = package("e", "1.0.0", "MIT");
-        derive["targets"] = json!([{"kind": ["proc-macro"]}]);
-        json!({
-            "packages": [
-                package("own", "1.0.0", "MIT"), package("a", "0.2.0+spec-1", "MIT/Apache-2.0"), package("b", "3.0.0", "MIT"),
-                package("c", "1.0.0", "MIT"), package("d", "1.0.0", "MIT"), derive, package("f", "1.0.0", "MIT"),
-            ],
-            "resolve": {"nodes": [
-                {"id": "own", "deps": [{"pkg": "a", "dep_kinds": [{"kind": null}]}]},
-                {"id": "a", "deps": [
-                    {"pkg": "b", "dep_kinds": [{"kind": "dev"}, {"kind": null}]},
-                    {"pkg": "c", "dep_kinds": [{"kind": "dev"}]},
-                    {"pkg": "d", "dep_kinds": [{"kind": "build"}]},
-                    {"pkg": "e", "dep_kinds": [{"kind": null}]},
-                ]},
-                {"id": "e", "deps": [{"pkg": "f", "dep_kinds": [{"kind": null}]}]},
-            ]},
-        })
+        json!({"packages": [
+            package("own", "1.0.0", "MIT"), package("a", "0.2.0+spec-1", "MIT/Apache-2.0"), package("b", "3.0.0", "MIT"),
+            package("b", "2.0.0", "MIT"), package("c", "1.0.0", "MIT"),
+        ]})
     }
 
     #[test]
     fn crates_that_ship_are_listed_once_with_the_parts_that_they_are_in() {
         let mut items = Items::default();
-        crates(&metadata(), ("site", &["own"]), &mut items).unwrap();
-        crates(&metadata(), ("program", &["own"]), &mut items).unwrap();
+        let needed = ["own 1.0.0", "a 0.2.0+spec-1", "b 3.0.0"].map(str::to_owned).into();
+        crates(&metadata(), ("site", &needed), &mut items).unwrap();
+        crates(&metadata(), ("program", &needed), &mut items).unwrap();
         let list = listed(&items);
         assert_eq!(purls(&list), ["pkg:cargo/a@0.2.0%2Bspec-1", "pkg:cargo/b@3.0.0"]);
         let first = &list["components"][0];

@@ -124,11 +124,13 @@ const MANIFESTS: &[(&str, &[&[&str]])] = &[
         "Cargo.toml",
         &[
             &["workspace", "package", "version"],
-            &["dependencies", "inkpanel-detect", "version"],
-            &["dependencies", "inkpanel-pixels", "version"],
+            &["workspace", "dependencies", "inkpanel", "version"],
+            &["workspace", "dependencies", "inkpanel-detect", "version"],
+            &["workspace", "dependencies", "inkpanel-engine", "version"],
+            &["workspace", "dependencies", "inkpanel-image", "version"],
+            &["workspace", "dependencies", "inkpanel-style", "version"],
         ],
     ),
-    ("detect/Cargo.toml", &[&["dependencies", "inkpanel-pixels", "version"]]),
     ("python/Cargo.toml", &[&["package", "version"]]),
 ];
 
@@ -198,7 +200,6 @@ mod tests {
             names,
             [
                 "Cargo.toml",
-                "detect/Cargo.toml",
                 "python/Cargo.toml",
                 "Cargo.lock",
                 "python/Cargo.lock",
@@ -215,9 +216,9 @@ mod tests {
                 "{changed:?}"
             );
         }
-        // The crates of this repository: the library, pixels, detectors, ten modules, the task runner, three tools.
+        // The crates of this repository: the library, the command line, engine, images, styles, detectors, ten modules, the task runner, three tools.
         let lock = edits.iter().find(|edit| edit.path == root().join("Cargo.lock")).unwrap();
-        assert_eq!(lock.after.matches("\"12.3.4-beta.1\"").count(), 17);
+        assert_eq!(lock.after.matches("\"12.3.4-beta.1\"").count(), 20);
     }
 
     #[test]

@@ -133,10 +133,7 @@ fn papers(project: &Project, folder: &Path) -> Result<()> {
         copy(&project.root.join(file), &folder.join(file))?;
     }
     copy_all(&project.root.join("fonts"), &folder.join("licences"), |name| name.ends_with("-OFL.txt"))?;
-    fs::write(
-        folder.join("THIRD-PARTY.txt"),
-        notices::text(project, wasm::TARGET, wasm::FEATURES, &wasm::PACKAGES)?,
-    )?;
+    fs::write(folder.join("THIRD-PARTY.txt"), notices::text(project, wasm::TARGET, &wasm::PACKAGES)?)?;
     Ok(())
 }
 

@@ -20,16 +20,15 @@ const BEGINNINGS: [&str; 4] = ["LICENSE", "LICENCE", "COPYING", "NOTICE"];
 ///
 /// # Errors
 /// If `cargo metadata` fails.
-pub fn text(project: &Project, target: &str, features: &str, packages: &[&str]) -> Result<String> {
+pub fn text(project: &Project, target: &str, packages: &[&str]) -> Result<String> {
     let mut cargo = project.cargo();
-    cargo.args(["metadata", "--format-version", "1", "--locked", "--no-default-features"]);
-    cargo.args(["--features", features, "--filter-platform", target]);
+    cargo.args(["metadata", "--format-version", "1", "--locked", "--filter-platform", target]);
     let metadata: Value = serde_json::from_str(&tools::output(&mut cargo)?)?;
-    let needed = reached(&metadata, &workspace_ids(&metadata, packages), &BTreeSet::new());
+    let needed = compiled(project, "Cargo.toml", target, packages, Macros::Included)?;
     let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for package in metadata["packages"].as_array().into_iter().flatten() {
         let field = |name: &str| package[name].as_str().unwrap_or_default();
-        if package["source"].is_null() || !needed.contains(field("id")) {
+        if package["source"].is_null() || !needed.contains(&named(field("name"), field("version"))) {
             continue;
         }
         let title = format!("{} {} ({})", field("name"), field("version"), field("license"));
@@ -52,36 +51,48 @@ pub fn text(project: &Project, target: &str, features: &str, packages: &[&str]) 
     Ok(written)
 }
 
-/// Returns the ids of workspace packages with these names.
-pub fn workspace_ids<'a>(metadata: &'a Value, names: &[&str]) -> Vec<&'a str> {
-    let packages = metadata["packages"].as_array().into_iter().flatten();
-    packages
-        .filter(|package| package["source"].is_null())
-        .filter(|package| names.iter().any(|name| package["name"] == *name))
-        .filter_map(|package| package["id"].as_str())
-        .collect()
+/// Whether procedural macros count. They run in the compiler, and none of their code is in the output.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Macros {
+    Included,
+    LeftOut,
 }
 
-/// Returns the ids of all packages that are compiled into `roots`, including the roots. Packages in `left_out` and their own
-/// dependencies are excluded.
-pub fn reached<'a>(metadata: &'a Value, roots: &[&'a str], left_out: &BTreeSet<&str>) -> BTreeSet<&'a str> {
-    let nodes = metadata["resolve"]["nodes"].as_array().map_or(&[][..], Vec::as_slice);
-    let mut reached = BTreeSet::new();
-    let mut open = roots.to_vec();
-    while let Some(id) = open.pop() {
-        if left_out.contains(id) || !reached.insert(id) {
-            continue;
-        }
-        let node = nodes.iter().find(|node| node["id"] == id);
-        for other in node.and_then(|node| node["deps"].as_array()).into_iter().flatten() {
-            let mut kinds = other["dep_kinds"].as_array().into_iter().flatten();
-            // Dependencies of build scripts and tests have a kind.
-            if kinds.any(|kind| kind["kind"].is_null()) {
-                open.extend(other["pkg"].as_str());
-            }
-        }
+/// Returns the crates that cargo compiles into packages of a workspace for a target, as [`named`]. Only features of these packages
+/// count, not the features that other packages of the workspace turn on.
+///
+/// # Errors
+/// If `cargo tree` fails.
+pub fn compiled(
+    project: &Project,
+    manifest: &str,
+    target: &str,
+    packages: &[&str],
+    macros: Macros,
+) -> Result<BTreeSet<String>> {
+    let mut cargo = project.cargo();
+    let edges = if macros == Macros::Included { "normal" } else { "normal,no-proc-macro" };
+    cargo.args(["tree", "--locked", "--prefix", "none", "--format", "{p}", "--edges", edges]);
+    cargo.args(["--manifest-path", manifest, "--target", target]);
+    for package in packages {
+        cargo.args(["--package", package]);
     }
-    reached
+    Ok(listed(&tools::output(&mut cargo)?))
+}
+
+/// The crates in the lines of `cargo tree`, such as `zip v4.6.1 (*)`.
+fn listed(tree: &str) -> BTreeSet<String> {
+    let name = |line: &str| {
+        let (name, rest) = line.split_once(" v")?;
+        Some(named(name, rest.split(' ').next()?))
+    };
+    tree.lines().filter_map(name).collect()
+}
+
+/// A crate and its version as one text.
+#[must_use]
+pub fn named(name: &str, version: &str) -> String {
+    format!("{name} {version}")
 }
 
 /// The texts in a crate's folder, without the spaces that differ from one to the other.
@@ -98,4 +109,16 @@ fn files(folder: &Path) -> Result<Vec<String>> {
         Ok(lines.join("\n"))
     };
     paths.iter().map(|path| read(path)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn crates_are_read_from_the_lines_of_a_tree() {
+        let tree = "inkpanel-core v0.1.0 (/checkout/wasm/core)\nserde v1.0.228\nserde_derive v1.0.228 (proc-macro)\n\nserde v1.0.228 (*)\n";
+        let found: Vec<_> = listed(tree).into_iter().collect();
+        assert_eq!(found, ["inkpanel-core 0.1.0", "serde 1.0.228", "serde_derive 1.0.228"]);
+    }
 }

@@ -1,0 +1,42 @@
+//! `inkpanel detect`: faces and objects.
+
+use crate::destination::{print_json, print_lines};
+use crate::photos::Photos;
+use crate::{CliError, detectors, input};
+use inkpanel_engine::Error;
+use serde_json::{Value, json};
+use std::path::PathBuf;
+
+/// Arguments of `inkpanel detect`.
+#[derive(clap::Args)]
+pub(crate) struct DetectArgs {
+    /// Photos, or folders with photos.
+    #[arg(required = true)]
+    pub(crate) files: Vec<PathBuf>,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Folder that contains faces.onnx and objects.onnx. [default: next to the program, or www/models]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) models: Option<PathBuf>,
+}
+
+pub(crate) fn detect_photos(asked: &DetectArgs) -> Result<(), CliError> {
+    let detectors = detectors::load(asked.models.as_deref())?;
+    let photos = Photos::read(input::files(&asked.files)?)?;
+    if photos.album.imported().is_empty() {
+        return Err(Error::NoPhotos.into());
+    }
+    let found = detectors::run(&detectors, &photos);
+    let rows = photos.iter().zip(&found).map(|((path, photo), found)| {
+        json!({ "file": path.display().to_string(), "boxes": detectors::boxes(photo, found) })
+    });
+    if asked.json {
+        return print_json(&Value::Array(rows.collect()));
+    }
+    print_lines(photos.iter().zip(&found).map(|((path, _), found)| {
+        let words: Vec<String> =
+            found.iter().map(|d| format!("{} {:.0} %", d.label, d.score * 100.0)).collect();
+        format!("{}  {}", path.display(), words.join(", "))
+    }))
+}

@@ -1,0 +1,182 @@
+//! Subject masks for the command line: one mask per photo, as large as the photo.
+
+use std::collections::{HashMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use inkpanel_engine::detect::Segmenter;
+use inkpanel_engine::page::Document;
+use inkpanel_engine::page::cutout::full_mask;
+use inkpanel_engine::page::import::Imported;
+use inkpanel_engine::page::png;
+use inkpanel_engine::raster::{Image, Matte};
+use inkpanel_engine::style::Style;
+use rayon::prelude::*;
+use serde_json::{Value, json};
+
+use crate::destination::print_lines;
+use crate::photos::Photos;
+use crate::{CliError, detectors, input, report};
+
+/// Writes a mask for each photo into a folder, and creates the folder if necessary.
+pub(crate) fn segment(asked: &SegmentArgs) -> Result<(), CliError> {
+    let net = detectors::load_segmenter(asked.models.as_deref())?;
+    let folder = asked.output.as_path();
+    let photos = Photos::read(input::files(&asked.files)?)?;
+    if photos.album.imported().is_empty() {
+        return Err(inkpanel_engine::Error::NoPhotos.into());
+    }
+    std::fs::create_dir_all(folder).map_err(|error| CliError::writing(folder, &error))?;
+    let masks = names(&photos, folder);
+    let cut = |((place, photo), mask): (&(usize, Imported), &PathBuf)| {
+        cut_out(&net, photos.file(*place), photo, mask)
+    };
+    let made: Vec<Result<Value, CliError>> =
+        photos.album.imported().par_iter().zip(&masks).map(cut).collect();
+    let mut rows = Vec::new();
+    for ((path, _), made) in photos.iter().zip(made) {
+        match made {
+            Ok(row) => rows.push(row),
+            Err(complaint) => report::note(Some(&input::told(path)), &format!("{complaint}; left out")),
+        }
+    }
+    if rows.is_empty() {
+        return Err(CliError::new("detector", "no mask could be made"));
+    }
+    if asked.json {
+        return crate::destination::print_json(&Value::Array(rows));
+    }
+    print_lines(rows.iter().map(|row| {
+        let text = |key: &str| row[key].as_str().unwrap_or_default();
+        let share = row["coverage"].as_f64().unwrap_or_default() * 100.0;
+        format!("{}  {share:.0} % of {}", text("mask"), text("file"))
+    }))
+}
+
+/// Adds the subject mask of each photo. A failure is reported, and the photo gets no mask.
+pub(crate) fn add_masks(photos: &mut Photos, models: Option<&Path>) -> Result<(), CliError> {
+    let net = detectors::load_segmenter(models)?;
+    let files: Vec<String> = photos.iter().map(|(path, _)| input::told(path)).collect();
+    photos.album.imported_mut().par_iter_mut().zip(files).for_each(|((_, photo), file)| {
+        match net.look(&photo.work) {
+            Ok(mask) => photo.meta.mask = Some(mask),
+            Err(error) => report::note(Some(&file), &error.to_string()),
+        }
+    });
+    Ok(())
+}
+
+/// Subject masks for styles that need them: known masks by id, and detected ones. The model is loaded for the
+/// first detection. Without the model the whole photo is the subject, with one warning.
+#[derive(Default)]
+pub(crate) struct Masks {
+    pub(crate) known: HashMap<String, Matte>,
+    pub(crate) models: Option<PathBuf>,
+    /// Without detection.
+    blind: bool,
+    net: OnceLock<Option<Segmenter>>,
+}
+
+impl Masks {
+    /// Searches the model in a folder, if given.
+    pub(crate) fn new(known: HashMap<String, Matte>, models: Option<&Path>) -> Self {
+        Self { known, models: models.map(Path::to_path_buf), ..Self::default() }
+    }
+
+    /// Disables detection if `detect` is false: the whole photo is the subject if its mask is unknown.
+    pub(crate) fn detecting(self, detect: bool) -> Self {
+        Self { blind: !detect, ..self }
+    }
+
+    /// Subject mask of a photo, at any size of at least 320 pixels. `None` if the style does not need it.
+    pub(crate) fn asked_by(&self, style: &Style, id: &str, photo: &Image) -> Option<Matte> {
+        if style.has_parts() { self.of(id, photo) } else { None }
+    }
+
+    /// Like `asked_by` for a page, whose effects may be behind a subject as well.
+    pub(crate) fn asked_by_page(
+        &self,
+        page: &Document,
+        style: &Style,
+        id: &str,
+        photo: &Image,
+    ) -> Option<Matte> {
+        if page.fronts().is_empty() { self.asked_by(style, id, photo) } else { self.of(id, photo) }
+    }
+
+    fn of(&self, id: &str, photo: &Image) -> Option<Matte> {
+        if let Some(known) = self.known.get(id) {
+            return Some(known.clone());
+        }
+        if self.blind {
+            return None;
+        }
+        let load = || match detectors::load_segmenter(self.models.as_deref()) {
+            Ok(net) => Some(net),
+            Err(why) => {
+                report::note(None, &format!("{why}; the whole photo counts as the subject"));
+                None
+            }
+        };
+        let looked = self.net.get_or_init(load).as_ref()?.look(photo);
+        looked.map_err(|error| report::note(None, &error.to_string())).ok()
+    }
+}
+
+/// Returns `DIR/NAME.png` for each photo. A repeated name gets a number.
+fn names(photos: &Photos, folder: &Path) -> Vec<PathBuf> {
+    let mut taken = HashSet::new();
+    let name = |(path, _): (&Path, &Imported)| {
+        let stem = path.file_stem().map_or_else(|| "photo".into(), |stem| stem.to_string_lossy());
+        let numbered = |n: usize| if n < 2 { stem.to_string() } else { format!("{stem}-{n}") };
+        let mut free = numbered(1);
+        for n in 2.. {
+            if taken.insert(free.clone()) {
+                break;
+            }
+            free = numbered(n);
+        }
+        folder.join(format!("{free}.png"))
+    };
+    photos.iter().map(name).collect()
+}
+
+/// Makes one mask, and reports it.
+fn cut_out(net: &Segmenter, path: &Path, photo: &Imported, file: &Path) -> Result<Value, CliError> {
+    let matte = net.look(&photo.work)?;
+    let facts = matte.facts();
+    let (width, height) = (photo.meta.width, photo.meta.height);
+    let plane = full_mask(&matte, &photo.work, (width as usize, height as usize));
+    let png = png::encode_gray(&plane)?;
+    std::fs::write(file, png).map_err(|error| CliError::writing(file, &error))?;
+    let digits = |share: f64| (share * 1e4).round() / 1e4;
+    let pixels = |share: f64, side: u32| (share * f64::from(side) * 10.0).round() / 10.0;
+    let [x, y, w, h] = facts.bounds;
+    let bounds = json!({
+        "x": pixels(x, width), "y": pixels(y, height), "width": pixels(w, width), "height": pixels(h, height),
+    });
+    Ok(json!({
+        "file": path.display().to_string(),
+        "mask": file.display().to_string(),
+        "coverage": digits(facts.coverage),
+        "box": if w > 0.0 { bounds } else { Value::Null },
+        "confidence": digits(facts.confidence),
+    }))
+}
+
+/// Arguments of `inkpanel segment`.
+#[derive(clap::Args)]
+pub(crate) struct SegmentArgs {
+    /// Photos, or folders with photos.
+    #[arg(required = true)]
+    pub(crate) files: Vec<PathBuf>,
+    /// Folder for the masks, one NAME.png per photo.
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: PathBuf,
+    /// Print JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Folder that contains subject.onnx. [default: next to the program, or www/models]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) models: Option<PathBuf>,
+}

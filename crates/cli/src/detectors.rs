@@ -1,0 +1,129 @@
+//! Detection for the command line: finds the model files and processes photos in parallel.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use inkpanel_engine::detect::{Aesthetics, Detection, Detectors, Segmenter};
+use inkpanel_engine::native;
+use inkpanel_engine::page::import::Imported;
+use inkpanel_engine::places::Places;
+use inkpanel_engine::style::painters::Painters;
+use rayon::prelude::*;
+use serde_json::{Value, json};
+
+use crate::photos::Photos;
+use crate::{CliError, report};
+
+/// Reads the models from `folder`, or from the default folder.
+pub(crate) fn load(folder: Option<&Path>) -> Result<Detectors, CliError> {
+    let folder = folder
+        .map(Path::to_path_buf)
+        .or_else(find)
+        .ok_or_else(|| missing("the detectors' models are", "them", "their"))?;
+    let read = |name: &str| {
+        let file = folder.join(name);
+        std::fs::read(&file).map_err(|error| CliError::new("no-models", error.to_string()).at(file.display()))
+    };
+    let (faces, objects) = (read("faces.onnx")?, read("objects.onnx")?);
+    Detectors::new(&faces, &objects).map_err(|error| CliError::from(error).at(folder.display()))
+}
+
+/// Reads the model that rates pictures, from `folder` or the default folder.
+pub(crate) fn load_aesthetics(folder: Option<&Path>) -> Result<Aesthetics, CliError> {
+    let name = "aesthetics.onnx";
+    Aesthetics::new(&model(folder, name)?).map_err(|error| CliError::from(error).at(name))
+}
+
+/// Reads the model that finds the subject of a photo, from `folder` or the default folder.
+pub(crate) fn load_segmenter(folder: Option<&Path>) -> Result<Segmenter, CliError> {
+    let name = "subject.onnx";
+    Segmenter::new(&model(folder, name)?).map_err(|error| CliError::from(error).at(name))
+}
+
+/// Reads a model from `folder` or the default folder.
+fn model(folder: Option<&Path>, name: &str) -> Result<Vec<u8>, CliError> {
+    let file = folder.map(Path::to_path_buf).or_else(find).map(|folder| folder.join(name));
+    let missing = || missing(&format!("{name} is"), "it", "its");
+    file.and_then(|file| std::fs::read(file).ok()).ok_or_else(missing)
+}
+
+/// The error of missing models, which are `it` and have `its` folder.
+fn missing(models: &str, it: &str, its: &str) -> CliError {
+    let advice = format!("make {it} with `cargo xtask models`, or name {its} folder with --models");
+    CliError::new("no-models", format!("{models} missing: {advice}"))
+}
+
+/// Reads the model of the block Painter from the default folder. Prints why it is missing, and returns `None`.
+pub(crate) fn load_painters() -> Option<Arc<Painters>> {
+    let file = find().map(|folder| folder.join("painters.onnx"));
+    let read = || {
+        let onnx = file.and_then(|file| std::fs::read(file).ok());
+        let onnx = onnx.ok_or("it is missing: make it with `cargo xtask models`")?;
+        Painters::new(&onnx).map_err(|error| error.to_string())
+    };
+    match read() {
+        Ok(painters) => Some(Arc::new(painters)),
+        Err(complaint) => {
+            report::note(Some("painters.onnx"), &format!("{complaint}; the block Painter changes nothing"));
+            None
+        }
+    }
+}
+
+/// Uses a model of the user for the block Painter.
+pub(crate) fn use_painters(file: &Path) -> Result<(), CliError> {
+    let onnx = std::fs::read(file).map_err(|error| CliError::reading(&error).at(file.display()))?;
+    let painters = Painters::new(&onnx).map_err(|error| CliError::from(error).at(file.display()))?;
+    let painters = Arc::new(painters);
+    native::read_painters_with(move || Some(painters.clone()));
+    Ok(())
+}
+
+/// Reads the table of places, from `folder` or the default folder.
+pub(crate) fn load_places(folder: Option<&Path>) -> Result<Places, CliError> {
+    let name = "places.bin";
+    Places::read(&model(folder, name)?).map_err(|error| CliError::from(error).at(name))
+}
+
+/// Searches `models` next to the program, `www/models` in the working folder, then `www/models` in the
+/// checkout of the build.
+fn find() -> Option<PathBuf> {
+    let beside = std::env::current_exe().ok().and_then(|program| Some(program.parent()?.join("models")));
+    let here = std::env::current_dir().unwrap_or_default();
+    let above = here.ancestors().map(|folder| folder.join("www/models"));
+    let built = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../www/models");
+    beside.into_iter().chain(above).chain([built]).find(|folder| folder.join("faces.onnx").is_file())
+}
+
+/// Boxes of each photo. A failure is reported and counts as no result.
+pub(crate) fn run(detectors: &Detectors, photos: &Photos) -> Vec<Vec<Detection>> {
+    let found = photos.album.imported().par_iter().map(|(place, photo)| {
+        detectors.detect(&photo.work).unwrap_or_else(|error| {
+            report::note(Some(&photos.file(*place).display().to_string()), &error.to_string());
+            Vec::new()
+        })
+    });
+    found.collect()
+}
+
+/// The boxes of a photo in pixels of the oriented original, with a digit after the point.
+pub(crate) fn boxes(photo: &Imported, found: &[Detection]) -> Vec<Value> {
+    let (width, height) = (f64::from(photo.meta.width), f64::from(photo.meta.height));
+    let pixels = |part: f64, side: f64| (part * side * 10.0).round() / 10.0;
+    let row = |d: &Detection| {
+        let mut row = json!({
+            "label": d.label,
+            "score": (d.score * 1e4).round() / 1e4,
+            "x": pixels(d.x, width),
+            "y": pixels(d.y, height),
+            "width": pixels(d.width, width),
+            "height": pixels(d.height, height),
+        });
+        if let Some(points) = &d.points {
+            row["points"] =
+                points.iter().map(|&[x, y]| json!([pixels(x, width), pixels(y, height)])).collect();
+        }
+        row
+    };
+    found.iter().map(row).collect()
+}

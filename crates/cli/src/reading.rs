@@ -1,0 +1,157 @@
+//! Comics that are read, on the command line: HTML with a reader in it, EPUB, comic archives. Their pages are JPEG.
+
+use crate::destination::Output;
+use crate::drawing::{Means, Subjects};
+use crate::format::ComicFormat;
+use crate::{CliError, drawing, report};
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
+use inkpanel_engine::output::describing::described;
+use inkpanel_engine::output::{Comic, ComicPage, File, PictureKind, Piece, cbz, epub, html};
+use inkpanel_engine::page::Document;
+use inkpanel_engine::page::words::Letters;
+use serde_json::json;
+use std::borrow::Borrow;
+use std::io::{Cursor, Write};
+use std::path::PathBuf;
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, DateTime, ZipWriter};
+
+/// Metadata of a comic.
+#[derive(Clone, Copy)]
+pub(crate) struct Telling<'t> {
+    /// Title.
+    pub(crate) title: &'t str,
+    /// BCP 47.
+    pub(crate) language: &'t str,
+}
+
+/// Checks the language tag of a comic: letters and digits in parts of up to eight characters, as in BCP 47.
+pub(crate) fn language(tag: &str) -> Result<String, String> {
+    let part = |part: &str| (1..=8).contains(&part.len()) && part.chars().all(|c| c.is_ascii_alphanumeric());
+    let first = tag.split('-').next().unwrap_or_default();
+    if first.len() < 2 || first.chars().any(|c| c.is_ascii_digit()) || !tag.split('-').all(part) {
+        return Err(format!("{tag} is not a language tag such as en or pt-BR"));
+    }
+    Ok(tag.to_owned())
+}
+
+/// Draws pages, and writes the comic.
+///
+/// Returns the file.
+pub(crate) fn write(
+    (kind, told_of): (ComicFormat, Telling<'_>),
+    pages: &[Document],
+    subjects: &Subjects<'_>,
+    means: &Means<'_>,
+    output: &Output,
+) -> Result<Vec<PathBuf>, CliError> {
+    let mut picture = |page: &Document| drawing::jpeg_of(page, means);
+    let words = pages.iter().flat_map(|page| &page.words);
+    let letters = means.fonts.letters(words)?;
+    output.write(&made(kind, told_of, pages, (subjects, &letters), &mut picture)?)?;
+    Ok(vec![output.path.clone()])
+}
+
+/// Makes a comic of pages. `subjects` returns the subjects of a photo id; `picture` draws a page as JPEG.
+fn made<D: Borrow<Document>>(
+    kind: ComicFormat,
+    told_of: Telling<'_>,
+    pages: &[D],
+    (subjects, letters): (&Subjects<'_>, &Letters),
+    picture: &mut dyn FnMut(&Document) -> Result<Vec<u8>, CliError>,
+) -> Result<Vec<u8>, CliError> {
+    // Descriptions of panels exist only in English. In other languages, the text is just the word for photo.
+    let english = told_of.language.split('-').next().is_some_and(|code| code.eq_ignore_ascii_case("en"));
+    let page = |document: &D| {
+        let document = document.borrow();
+        let shows = if english { described(document, subjects) } else { Vec::new() };
+        ComicPage { document: document.clone(), shows, moving: Vec::new() }
+    };
+    let comic = Comic {
+        title: told_of.title.to_owned(),
+        language: told_of.language.to_owned(),
+        picture: PictureKind::Jpeg,
+        pages: pages.iter().map(page).collect(),
+    };
+    // Report errors before anything is drawn.
+    let told = match kind {
+        ComicFormat::Html => Told::Pieces(html::write(&comic, letters)?),
+        ComicFormat::Epub => Told::Files(epub::write(&comic, letters)?),
+        ComicFormat::Cbz => Told::Files(cbz::write(&comic, letters)?),
+    };
+    let mut pictures = Vec::new();
+    for (i, page) in pages.iter().enumerate() {
+        pictures.push(picture(page.borrow())?);
+        if pages.len() > 1 {
+            let event = json!({ "event": "page", "page": i + 1, "of": pages.len() });
+            report::step(&event, Some(format!("page {} of {}", i + 1, pages.len())));
+        }
+    }
+    match told {
+        Told::Pieces(pieces) => Ok(joined(&pieces, &pictures)),
+        Told::Files(files) => {
+            packed(&files, &pictures).map_err(|error| CliError::new("encode", error.to_string()))
+        }
+    }
+}
+
+enum Told {
+    Pieces(Vec<Piece>),
+    Files(Vec<File>),
+}
+
+/// One file of text and of pictures as data URLs.
+fn joined(pieces: &[Piece], pictures: &[Vec<u8>]) -> Vec<u8> {
+    let mut out = String::new();
+    for piece in pieces {
+        match piece {
+            Piece::Text(text) => out.push_str(text),
+            Piece::Picture(page) => {
+                out.push_str("data:");
+                out.push_str(PictureKind::Jpeg.media_type());
+                out.push_str(";base64,");
+                BASE64_STANDARD.encode_string(&pictures[*page], &mut out);
+            }
+        }
+    }
+    out.into_bytes()
+}
+
+/// A ZIP file with the earliest possible date for all files. The first file is stored uncompressed, as EPUB
+/// requires, and so are images.
+fn packed(files: &[File], pictures: &[Vec<u8>]) -> Result<Vec<u8>, zip::result::ZipError> {
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    let options = |method| {
+        SimpleFileOptions::default().compression_method(method).last_modified_time(DateTime::default())
+    };
+    for (i, File { name, content }) in files.iter().enumerate() {
+        match content {
+            Piece::Picture(page) => {
+                archive.start_file(name, options(CompressionMethod::Stored))?;
+                archive.write_all(&pictures[*page])?;
+            }
+            Piece::Text(text) => {
+                let method = if i == 0 { CompressionMethod::Stored } else { CompressionMethod::Deflated };
+                archive.start_file(name, options(method))?;
+                archive.write_all(text.as_bytes())?;
+            }
+        }
+    }
+    Ok(archive.finish()?.into_inner())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn languages_are_tags() {
+        for good in ["en", "pt-BR", "zh-Hant-TW", "de"] {
+            assert_eq!(language(good).unwrap(), good);
+        }
+        for bad in ["", "e", "en_US", "en-", "1n", "en\"", "unbelievable"] {
+            assert!(language(bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! Faces: `BlazeFace` (Bazarevsky et al., "Sub-millisecond Neural Face Detection on Mobile GPUs"), the
+//! full-range model. Its input is 192 x 192 pixels, and it finds faces from about a tenth of that side.
+
+use super::Detection;
+use super::letterbox::letterbox;
+use super::model::Net;
+use super::ssd::{Candidate, corners, sigmoid, suppress, suppress_parts};
+use inkpanel_image::error::{Error, Result};
+use inkpanel_image::raster::Image;
+use inkpanel_image::raster::resize::Region;
+
+/// Label of faces in framing.
+pub(super) const LABEL: &str = "face";
+
+const SIDE: usize = 192;
+/// Cells along each side, with one anchor each.
+const CELLS: usize = 48;
+/// Numbers per anchor: the box, and the six points of the face.
+const NUMBERS: usize = 16;
+const THRESHOLD: f64 = 0.5;
+/// Parts of a photo give more false faces.
+const CLOSER_THRESHOLD: f64 = 0.7;
+const SAME: f64 = 0.3;
+
+/// Side of a part as a share of the photo. With two parts per side, neighbours overlap by a fifth of the
+/// photo.
+const PART: f64 = 0.6;
+/// Minimum longer side, in pixels, at which parts of a photo can show more faces.
+const LARGE: usize = 2 * SIDE;
+/// A face below this share of the photo is small. If there is one, others may be too small for the first
+/// search.
+const SMALL: f64 = 0.12;
+/// A box of a part that ends this near to an inner edge is cut by it, in sides of the photo.
+const EDGE: f64 = 0.004;
+
+/// The face detector.
+pub struct Faces {
+    net: Net,
+}
+
+impl Faces {
+    /// Loads the model (an ONNX file).
+    ///
+    /// # Errors
+    /// `detector` if the file is not the expected model.
+    pub fn new(onnx: &[u8]) -> Result<Self> {
+        Ok(Self { net: Net::new(onnx, SIDE)? })
+    }
+
+    /// Detects faces in a single pass over the whole photo, the most certain first.
+    ///
+    /// # Errors
+    /// `detector` if the model fails.
+    pub fn look(&self, photo: &Image) -> Result<Vec<Detection>> {
+        let whole = Region::whole(photo.width(), photo.height());
+        Ok(detections(suppress(self.candidates(photo, whole, THRESHOLD)?, SAME)))
+    }
+
+    /// Returns all faces, including small ones that appear in overlapping quarters of the photo. The result
+    /// replaces `first`.
+    ///
+    /// # Errors
+    /// `detector` if the model fails.
+    pub fn look_closer(&self, photo: &Image, first: &[Detection]) -> Result<Vec<Detection>> {
+        let mut all: Vec<Candidate> = first
+            .iter()
+            .map(|f| Candidate {
+                corners: [f.x, f.y, f.x + f.width, f.y + f.height],
+                score: f.score,
+                points: f.points,
+            })
+            .collect();
+        for (across, down) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)] {
+            let (x, y) = (across * (1.0 - PART), down * (1.0 - PART));
+            let (width, height) = (photo.width() as f64, photo.height() as f64);
+            let region = Region { x: x * width, y: y * height, width: PART * width, height: PART * height };
+            let found = self.candidates(photo, region, CLOSER_THRESHOLD)?;
+            let edges = [x, y, x + PART, y + PART];
+            all.extend(found.into_iter().filter(|candidate| whole_in(candidate.corners, edges)));
+        }
+        Ok(detections(suppress_parts(all, SAME)))
+    }
+
+    fn candidates(&self, photo: &Image, region: Region, threshold: f64) -> Result<Vec<Candidate>> {
+        let (input, place) = letterbox(photo, region, self.net.side());
+        let [boxes, logits] = self.net.run(&input)?;
+        if boxes.len() != CELLS * CELLS * NUMBERS || logits.len() != CELLS * CELLS {
+            return Err(Error::Detector("the file is not the face detector".into()));
+        }
+        let mut found = Vec::new();
+        for (cell, (numbers, logit)) in boxes.chunks_exact(NUMBERS).zip(&logits).enumerate() {
+            let score = sigmoid(*logit);
+            // Not `score < threshold`, so that NaN values count as no detection.
+            if score > threshold {
+                let centre = |at: usize| (at as f64 + 0.5) / CELLS as f64;
+                let number = |i: usize| f64::from(numbers[i]) / SIDE as f64;
+                let at = |i: usize| [centre(cell % CELLS) + number(i), centre(cell / CELLS) + number(i + 1)];
+                let [across, down] = at(0);
+                let points = std::array::from_fn(|point| place.point_to_photo(at(4 + 2 * point)));
+                found.push(Candidate {
+                    corners: place.to_photo(corners(across, down, number(2), number(3))),
+                    score,
+                    points: Some(points),
+                });
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// Whether parts of the photo may show more faces: when none was found, or the largest is small.
+pub fn worth_a_closer_look(photo: &Image, faces: &[Detection]) -> bool {
+    let largest = faces.iter().map(|face| face.width.max(face.height)).fold(0.0, f64::max);
+    photo.width().max(photo.height()) >= LARGE && largest < SMALL
+}
+
+/// Returns whether a box is not cut by an edge of its part. The edges of the photo do not count.
+fn whole_in(corners: [f64; 4], edges: [f64; 4]) -> bool {
+    (0..4).all(|side| {
+        let of_photo = edges[side] <= 0.0 || edges[side] >= 1.0;
+        of_photo || (corners[side] - edges[side]).abs() > EDGE
+    }) && (corners[0] > edges[0] - EDGE && corners[2] < edges[2] + EDGE)
+        && (corners[1] > edges[1] - EDGE && corners[3] < edges[3] + EDGE)
+}
+
+fn detections(candidates: Vec<Candidate>) -> Vec<Detection> {
+    let detection = |Candidate { corners: [left, top, right, bottom], score, points }| Detection {
+        label: LABEL.to_owned(),
+        score,
+        x: left,
+        y: top,
+        width: right - left,
+        height: bottom - top,
+        points,
+    };
+    candidates.into_iter().map(detection).filter(|face| face.width > 0.0 && face.height > 0.0).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use inkpanel_image::raster::Plane;
+
+    #[test]
+    fn a_face_that_an_inner_edge_cuts_is_left_to_the_other_part() {
+        let left_part = [0.0, 0.0, 0.6, 0.6];
+        assert!(whole_in([0.4, 0.1, 0.58, 0.3], left_part));
+        assert!(!whole_in([0.4, 0.1, 0.6, 0.3], left_part));
+        assert!(!whole_in([0.4, 0.5, 0.5, 0.63], left_part));
+        // At the photo's own edge it is the photo that cuts it.
+        assert!(whole_in([0.0, 0.1, 0.2, 0.3], left_part));
+    }
+
+    #[test]
+    fn a_closer_look_is_for_large_photos_with_small_faces_or_none() {
+        let photo = |side: usize| {
+            let plane = Plane::filled(side, side / 2, 0);
+            Image::from_rgb([plane.clone(), plane.clone(), plane]).unwrap()
+        };
+        let face = |size: f64| Detection {
+            label: LABEL.into(),
+            score: 0.9,
+            x: 0.1,
+            y: 0.1,
+            width: size,
+            height: size,
+            points: None,
+        };
+        assert!(worth_a_closer_look(&photo(1600), &[]));
+        assert!(worth_a_closer_look(&photo(1600), &[face(0.05)]));
+        assert!(!worth_a_closer_look(&photo(1600), &[face(0.05), face(0.2)]));
+        assert!(!worth_a_closer_look(&photo(300), &[]));
+    }
+}

@@ -1,0 +1,598 @@
+//! One state of a project. Photos of the tray and their use, the locks, the number of panels, and the page.
+//! Properties of a photo (its name, size, measurements) never change and are stored in the album, so undo
+//! does not affect them. States of a history share equal parts.
+
+use super::draft;
+use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, MOST_LOVED, MOST_TAGS, MOST_WANTED};
+use super::shots::{Board, Shot};
+use crate::json::{Fields, Read, Writer, Wrong, fields};
+use crate::layout::{PageSettings, Template};
+use crate::page::Document;
+use crate::page::words::TextItem;
+use crate::raster::Matte;
+use crate::raster::color::parse_hex;
+use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
+use crate::select::DUPLICATE_THRESHOLD;
+use crate::style::part::{Part, Parts as LayerParts};
+use crate::style::{Style, blocks};
+use serde_json::{Map, Value};
+use std::collections::HashSet;
+use std::sync::Arc;
+
+/// The share of invented styles that a new project begins with.
+const INVENTED: f64 = 0.15;
+
+/// A list that states share, of things that lists share.
+pub type List<T> = Arc<[Arc<T>]>;
+
+/// A state of a project.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub struct Project {
+    /// Project name, empty until the user sets it.
+    pub name: String,
+    /// The photos, in the order in which they were added.
+    pub tray: List<TrayItem>,
+    /// Maximum fingerprint distance of near-duplicates, in bits of 64.
+    pub alike: u8,
+    /// How the photos are ordered.
+    pub order: Order,
+    /// Parts of the page that no shuffle changes.
+    pub locks: Locks,
+    /// Wanted number of panels; `None` for any.
+    pub panels: Option<u32>,
+    /// Size, gutters and colours.
+    pub settings: Arc<PageSettings>,
+    /// The page that is edited; `None` without pages.
+    pub page: Option<Arc<Document>>,
+    /// Id of the page in the page history.
+    pub page_id: u64,
+    /// Names its place in the storyboard through all its versions.
+    pub sheet: u64,
+    /// The other pages of the storyboard, in order.
+    pub others: List<Sheet>,
+    /// Number of pages before the current page.
+    pub at: usize,
+    /// The style in the designer.
+    pub draft: Option<Arc<Draft>>,
+    /// Unplaced text items. They return with their photos.
+    #[cfg_attr(test, ts(type = "ReadonlyArray<Word>", optional))]
+    pub waiting: List<TextItem>,
+    /// Custom styles, which all projects share.
+    #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
+    pub mine: List<Value>,
+    /// Styles that are favourites, which all projects share.
+    #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
+    pub favourites: List<Value>,
+    /// Custom layouts, which all projects share.
+    #[cfg_attr(test, ts(as = "Vec<Template>"))]
+    pub own_layouts: List<Value>,
+    /// Favourite pages of the page history, by id.
+    pub loved: Arc<[u64]>,
+    /// How a shuffle draws styles.
+    pub styling: Styling,
+    /// Settings of the storyboard: frame rate, order and sheets. Not written if they equal the defaults.
+    #[cfg_attr(test, ts(as = "Option<Board>", optional = nullable))]
+    pub board: Arc<Board>,
+    /// Unknown fields, preserved for newer programs.
+    #[cfg_attr(test, ts(skip))]
+    pub rest: Map<String, Value>,
+}
+
+/// A photo in the tray.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub struct TrayItem {
+    /// Its id.
+    pub id: String,
+    /// The user's choice; `None` follows the selection.
+    #[cfg_attr(test, ts(rename = "use"))]
+    pub used: Option<bool>,
+    /// The focus point that the user set.
+    #[cfg_attr(test, ts(optional = nullable))]
+    pub focus: Option<Focus>,
+    /// Whether the user starred it for a large panel.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub starred: bool,
+    /// The corrected subject mask. `None` uses the detected mask.
+    #[cfg_attr(test, ts(type = "string", optional))]
+    pub mask: Option<Matte>,
+    /// Shot metadata.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub shot: Shot,
+    /// Unknown fields, preserved for newer programs.
+    #[cfg_attr(test, ts(skip))]
+    pub rest: Map<String, Value>,
+}
+
+/// A point of a photo, in fractions of its sides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Focus {
+    /// From the left.
+    pub x: f64,
+    /// From the top.
+    pub y: f64,
+}
+
+/// The order of photos.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "lowercase"))]
+pub enum Order {
+    /// By capture time, if all photos have one.
+    #[default]
+    Time,
+    /// As their files are called.
+    Name,
+}
+
+/// Parts of the page that no shuffle changes.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Locks {
+    /// The layout.
+    pub layout: bool,
+    /// The style.
+    pub style: bool,
+    /// The photos.
+    pub photos: bool,
+    /// Unknown fields, preserved for newer programs.
+    #[cfg_attr(test, ts(skip))]
+    pub rest: Map<String, Value>,
+}
+
+/// How a shuffle draws a style.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub struct Styling {
+    /// The share of invented ones, 0 to 1.
+    pub invented: f64,
+    /// The line layer stays.
+    pub keep_lines: bool,
+    /// The colour layer stays.
+    pub keep_colours: bool,
+    /// Unknown fields, preserved for newer programs.
+    #[cfg_attr(test, ts(skip))]
+    pub rest: Map<String, Value>,
+}
+
+impl Default for Styling {
+    fn default() -> Self {
+        Self { invented: INVENTED, keep_lines: false, keep_colours: false, rest: Map::new() }
+    }
+}
+
+/// A page of a storyboard.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub struct Sheet {
+    /// The page.
+    pub page: Arc<Document>,
+    /// Names the version.
+    pub page_id: u64,
+    /// Names its place through all its versions.
+    pub sheet: u64,
+    /// Unknown fields, preserved for newer programs.
+    #[cfg_attr(test, ts(skip))]
+    pub rest: Map<String, Value>,
+}
+
+/// A style while it is designed. Every block has a key, so that its card stays the same card wherever it is moved, and all
+/// of its values.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub struct Draft {
+    /// Id of the style.
+    pub id: String,
+    /// Display name.
+    pub name: String,
+    /// Families that it belongs to.
+    pub tags: Vec<String>,
+    /// The colour layer.
+    pub background: Vec<DraftStep>,
+    /// The line layer.
+    pub foreground: Vec<DraftStep>,
+    /// Colour of the lines, `#rrggbb`.
+    pub ink: String,
+    /// Whether face protection is off.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub careless: bool,
+    /// The parts of the image that the layers apply to.
+    #[cfg_attr(test, ts(rename = "where", as = "Option<LayerParts>", optional))]
+    pub parts: LayerParts,
+    /// Unknown fields, preserved for newer programs.
+    #[cfg_attr(test, ts(skip))]
+    pub rest: Map<String, Value>,
+}
+
+/// A block of a draft.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub struct DraftStep {
+    /// Names it within the draft.
+    pub key: u64,
+    /// Id of the block.
+    pub block: String,
+    /// Its values by the ids of the parameters.
+    #[cfg_attr(test, ts(type = "Record<string, ParamValue>"))]
+    pub values: Map<String, Value>,
+    /// Whether the block is bypassed.
+    pub bypass: bool,
+    /// The part of the image that it applies to. `None`: the whole image.
+    #[cfg_attr(test, ts(rename = "where", optional))]
+    pub part: Option<Part>,
+    /// Unknown fields, preserved for newer programs.
+    #[cfg_attr(test, ts(skip))]
+    pub rest: Map<String, Value>,
+}
+
+impl Default for Project {
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            tray: Arc::new([]),
+            alike: DUPLICATE_THRESHOLD as u8,
+            order: Order::Time,
+            locks: Locks::default(),
+            panels: None,
+            // People look at most comics on screens.
+            settings: Arc::new(PageSettings { for_screens: true, ..PageSettings::default() }),
+            page: None,
+            page_id: 0,
+            sheet: 0,
+            others: Arc::new([]),
+            at: 0,
+            draft: None,
+            waiting: Arc::new([]),
+            mine: Arc::new([]),
+            favourites: Arc::new([]),
+            own_layouts: Arc::new([]),
+            loved: Arc::new([]),
+            styling: Styling::default(),
+            board: Arc::default(),
+            rest: Map::new(),
+        }
+    }
+}
+
+/// Source of state parts that several states may share: inside the state, or in tables next to it. `field` is
+/// the name of a list in reports of dropped parts.
+pub(super) trait Parts {
+    fn tray(&mut self, value: Value) -> Read<List<TrayItem>>;
+    fn settings(&mut self, value: Value) -> Read<Arc<PageSettings>>;
+    fn page(&mut self, value: Value) -> Read<Arc<Document>>;
+    fn sheets(&mut self, value: Value) -> Read<List<Sheet>>;
+    fn draft(&mut self, value: Value) -> Read<Arc<Draft>>;
+    fn board(&mut self, value: Value) -> Read<Arc<Board>>;
+    fn waiting(&mut self, value: Value) -> Read<List<TextItem>>;
+    fn styles(&mut self, value: Value, field: &str) -> Read<List<Value>>;
+    fn layouts(&mut self, value: Value, field: &str) -> Read<List<Value>>;
+}
+
+impl Project {
+    /// Reads a state. Missing fields have the defaults of an empty project.
+    ///
+    /// # Errors
+    /// Returns the location of the error.
+    pub(super) fn read(value: Value, parts: &mut dyn Parts) -> Read<Self> {
+        let mut fields = Fields::of(value)?;
+        let mut state = Self::default();
+        if let Some(name) = fields.text("name", LONGEST_NAME)? {
+            state.name = name;
+        }
+        if let Some(bits) = fields.whole("alike", 0, 64)? {
+            state.alike = bits as u8;
+        }
+        state.order = fields.part("order", &mut |order| Order::read(&order))?.unwrap_or_default();
+        state.panels = fields.nullable("panels").whole("panels", 1, MOST_WANTED)?.map(|panels| panels as u32);
+        for (name, id) in [("pageId", &mut state.page_id), ("sheet", &mut state.sheet)] {
+            *id = fields.whole(name, 0, GREATEST_ID)?.unwrap_or_default();
+        }
+        state.at = fields.whole("at", 0, GREATEST_ID)?.unwrap_or_default() as usize;
+        let id = |id| fields::whole_of(&id, 0, GREATEST_ID);
+        state.loved = fields.each("loved", MOST_LOVED, &id)?.into();
+        if let Some(tray) = fields.part("tray", &mut |value| parts.tray(value))? {
+            state.tray = tray;
+        }
+        if let Some(settings) = fields.part("settings", &mut |value| parts.settings(value))? {
+            state.settings = settings;
+        }
+        if let Some(others) = fields.part("others", &mut |value| parts.sheets(value))? {
+            state.others = others;
+        }
+        // Older programs may have dropped the table of unplaced text.
+        let waiting = fields.take("waiting").and_then(|value| parts.waiting(value).ok());
+        state.waiting = waiting.unwrap_or_else(|| Arc::new([]));
+        if let Some(mine) = fields.part("mine", &mut |value| parts.styles(value, "mine"))? {
+            state.mine = mine;
+        }
+        if let Some(favourites) = fields.part("favourites", &mut |value| parts.styles(value, "favourites"))? {
+            state.favourites = favourites;
+        }
+        if let Some(own_layouts) =
+            fields.part("ownLayouts", &mut |value| parts.layouts(value, "ownLayouts"))?
+        {
+            state.own_layouts = own_layouts;
+        }
+        if let Some(locks) = fields.part("locks", &mut locks)? {
+            state.locks = locks;
+        }
+        if let Some(styling) = fields.part("styling", &mut styling)? {
+            state.styling = styling;
+        }
+        if let Some(board) = fields.nullable("board").part("board", &mut |value| parts.board(value))? {
+            state.board = board;
+        }
+        state.page = fields.nullable("page").part("page", &mut |value| parts.page(value))?;
+        state.draft = fields.nullable("draft").part("draft", &mut |value| parts.draft(value))?;
+        state.rest = fields.rest();
+        state.check_sheets()?;
+        Ok(state)
+    }
+
+    fn check_sheets(&self) -> Read<()> {
+        if self.at > self.others.len() || (self.page.is_none() && !self.others.is_empty()) {
+            return Err(Wrong::new("is not the index of a page").at("at"));
+        }
+        let mut seen = HashSet::from([self.sheet]);
+        for (i, other) in self.others.iter().enumerate() {
+            if !seen.insert(other.sheet) {
+                return Err(Wrong::new("is a duplicate page").at("sheet").in_list(i).at("others"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The photos of the tray. One that is there twice counts once.
+pub(super) fn tray(mut items: Vec<Arc<TrayItem>>) -> List<TrayItem> {
+    let mut seen = HashSet::new();
+    items.retain(|item| seen.insert(item.id.clone()));
+    items.into()
+}
+
+/// Reads a custom style: a style file with an id.
+pub(super) fn style(value: Value) -> Read<Arc<Value>> {
+    identified(&value)?;
+    Style::from_value("style", &value).map_err(Wrong::of)?;
+    Ok(Arc::new(value))
+}
+
+/// Reads a custom layout.
+pub(super) fn layout(value: Value) -> Read<Arc<Value>> {
+    identified(&value)?;
+    Template::from_value("layout", &value).map_err(Wrong::of)?;
+    Ok(Arc::new(value))
+}
+
+fn identified(value: &Value) -> Read<()> {
+    if value["id"].is_string() { Ok(()) } else { Err(Wrong::new("is missing").at("id")) }
+}
+
+impl Order {
+    pub(super) fn read(value: &Value) -> Read<Self> {
+        match value.as_str() {
+            Some("time") => Ok(Self::Time),
+            Some("name") => Ok(Self::Name),
+            _ => Err(Wrong::new("must be one of time, name")),
+        }
+    }
+}
+
+impl Project {
+    /// The corrected mask of a photo; `None` if the detected mask counts.
+    #[must_use]
+    pub fn corrected_mask(&self, photo: &str) -> Option<&Matte> {
+        self.tray.iter().find(|item| item.id == photo)?.mask.as_ref()
+    }
+}
+
+impl TrayItem {
+    /// A photo with default settings.
+    #[must_use]
+    pub fn new(id: String) -> Self {
+        Self {
+            id,
+            used: None,
+            focus: None,
+            starred: false,
+            mask: None,
+            shot: Shot::default(),
+            rest: Map::new(),
+        }
+    }
+
+    pub(super) fn read(value: Value) -> Read<Arc<Self>> {
+        let mut fields = Fields::of(value)?;
+        let id = fields.name("id", LONGEST_ID)?;
+        let used = match fields.told("use") {
+            None => None,
+            Some(Value::Bool(used)) => Some(used),
+            Some(_) => return Err(Wrong::new("must be true or false").at("use")),
+        };
+        let focus = fields.nullable("focus").part("focus", &mut focus)?;
+        let starred = fields.flag("starred")?;
+        // An invalid mask counts as missing, so that the photo is not lost.
+        let mask = fields.take("mask").and_then(|text| self::mask(text).ok());
+        let shot = fields.nullable("shot").part("shot", &mut Shot::read)?.unwrap_or_default();
+        Ok(Arc::new(Self { id, used, focus, starred, mask, shot, rest: fields.rest() }))
+    }
+
+    pub(super) fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        out.key("id").text(&self.id);
+        match self.used {
+            Some(used) => out.key("use").flag(used),
+            None => out.key("use").null(),
+        }
+        if let Some(Focus { x, y }) = self.focus {
+            out.key("focus").open(b'{');
+            out.key("x").number(x);
+            out.key("y").number(y);
+            out.close(b'}');
+        }
+        if self.starred {
+            out.key("starred").flag(true);
+        }
+        if let Some(mask) = &self.mask {
+            out.key("mask").text(mask.text());
+        }
+        if !self.shot.is_empty() {
+            self.shot.write(out.key("shot"));
+        }
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
+}
+
+/// Which part of a photo is its subject.
+pub(super) fn mask(value: Value) -> Read<Matte> {
+    Matte::try_from(fields::text_of(value, LONGEST_MASK)?).map_err(Wrong::new)
+}
+
+pub(super) fn focus(value: Value) -> Read<Focus> {
+    let mut fields = Fields::of(value)?;
+    let mut part =
+        |name: &str| fields.number(name, -1.0, 2.0)?.ok_or_else(|| Wrong::new("is missing").at(name));
+    let focus = Focus { x: part("x")?, y: part("y")? };
+    fields.done()?;
+    Ok(focus)
+}
+
+impl Sheet {
+    /// Reads a page of a storyboard, whose document may come from elsewhere.
+    pub(super) fn read(value: Value, page: &dyn Fn(Value) -> Read<Arc<Document>>) -> Read<Arc<Self>> {
+        let mut fields = Fields::of(value)?;
+        let page = page(fields.required("page")?).map_err(|wrong| wrong.at("page"))?;
+        let (page_id, sheet) =
+            (fields.count("pageId", 0, GREATEST_ID)?, fields.count("sheet", 0, GREATEST_ID)?);
+        Ok(Arc::new(Self { page, page_id, sheet, rest: fields.rest() }))
+    }
+}
+
+fn locks(value: Value) -> Read<Locks> {
+    let mut fields = Fields::of(value)?;
+    let (layout, style, photos) = (fields.flag("layout")?, fields.flag("style")?, fields.flag("photos")?);
+    Ok(Locks { layout, style, photos, rest: fields.rest() })
+}
+
+impl Locks {
+    pub(super) fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        for (name, lock) in [("layout", self.layout), ("style", self.style), ("photos", self.photos)] {
+            out.key(name).flag(lock);
+        }
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
+}
+
+pub(super) fn styling(value: Value) -> Read<Styling> {
+    let mut fields = Fields::of(value)?;
+    let invented = fields.number("invented", 0.0, 1.0)?.unwrap_or(INVENTED);
+    let (keep_lines, keep_colours) = (fields.flag("keepLines")?, fields.flag("keepColours")?);
+    Ok(Styling { invented, keep_lines, keep_colours, rest: fields.rest() })
+}
+
+impl Styling {
+    pub(super) fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        out.key("invented").number(self.invented);
+        out.key("keepLines").flag(self.keep_lines);
+        out.key("keepColours").flag(self.keep_colours);
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
+}
+
+impl Draft {
+    pub(super) fn read(value: Value) -> Read<Arc<Self>> {
+        let mut fields = Fields::of(value)?;
+        let ink = fields.text("ink", 7)?.unwrap_or_else(|| "#000000".into());
+        if parse_hex(&ink).is_none() {
+            return Err(Wrong::new("must be a colour like #101014").at("ink"));
+        }
+        Ok(Arc::new(Self {
+            id: fields.name("id", LONGEST_ID)?,
+            name: fields.text("name", LONGEST_NAME)?.unwrap_or_default(),
+            tags: fields.each("tags", MOST_TAGS, &|tag| fields::text_of(tag, LONGEST_NAME))?,
+            background: fields.each("background", MOST_BLOCKS, &DraftStep::read)?,
+            foreground: fields.each("foreground", MOST_BLOCKS, &DraftStep::read)?,
+            ink,
+            careless: fields.flag("careless")?,
+            parts: fields.part("where", &mut read_parts)?.unwrap_or_default(),
+            rest: fields.rest(),
+        }))
+    }
+
+    pub(super) fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        out.key("id").text(&self.id);
+        out.key("name").text(&self.name);
+        out.key("tags").texts(&self.tags);
+        for (name, layer) in [("background", &self.background), ("foreground", &self.foreground)] {
+            out.key(name).list(layer, &|out, step| step.write(out));
+        }
+        out.key("ink").text(&self.ink);
+        if self.careless {
+            out.key("careless").flag(true);
+        }
+        if self.parts != LayerParts::default() {
+            out.key("where").open(b'{');
+            for (layer, part) in draft::part_of_layers(self.parts) {
+                if let Some(part) = part {
+                    out.key(layer).text(part.id());
+                }
+            }
+            out.close(b'}');
+        }
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
+}
+
+fn read_parts(value: Value) -> Read<LayerParts> {
+    let mut fields = Fields::of(value)?;
+    let background = draft::read_part(&mut fields, "background")?;
+    let foreground = draft::read_part(&mut fields, "foreground")?;
+    fields.done()?;
+    Ok(LayerParts { background, foreground })
+}
+
+impl DraftStep {
+    fn read(value: Value) -> Read<Self> {
+        let mut fields = Fields::of(value)?;
+        let id = fields.name("block", LONGEST_ID)?;
+        let block = blocks::find(&id).ok_or_else(|| Wrong::new("is not a known block").at("block"))?;
+        let mut values = match fields.take("values") {
+            None => Map::new(),
+            Some(Value::Object(values)) => values,
+            Some(_) => return Err(Wrong::new("must be an object").at("values")),
+        };
+        for (name, value) in &mut values {
+            let wrong = |reason: &str| Wrong::new(reason).at(name).at("values");
+            let param = block.params.iter().find(|param| param.id == name);
+            let param = param.ok_or_else(|| wrong("is not a parameter of this block"))?;
+            // 2 and 2.0 are the same value.
+            *value = param.normalized(value).map_err(|reason| wrong(&reason))?;
+        }
+        let (key, bypass) = (fields.count("key", 0, GREATEST_ID)?, fields.flag("bypass")?);
+        let part = draft::read_part(&mut fields, "where")?;
+        Ok(Self { key, block: id, values, bypass, part, rest: fields.rest() })
+    }
+
+    fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        out.key("key").whole(self.key);
+        out.key("block").text(&self.block);
+        out.key("values").open(b'{');
+        out.rest(&self.values);
+        out.close(b'}');
+        out.key("bypass").flag(self.bypass);
+        if let Some(part) = self.part {
+            out.key("where").text(part.id());
+        }
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
+}

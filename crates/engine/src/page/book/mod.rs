@@ -1,0 +1,449 @@
+//! A book of an album: a cover, chapters by day with captions, page numbers, and an end page. Its pages are ordinary pages.
+//!
+//! [`plan::book`](crate::plan::book) decides which photos are on which page. This module plans each page as a shuffle does, and
+//! adds the text.
+
+pub mod naming;
+mod narration;
+mod phrases;
+
+use super::Document;
+use super::document::template_of;
+use super::fill::faces_of;
+use super::request::{Avoid, Request};
+use super::shuffle::{Planned, planned};
+use super::words::TextItem;
+use crate::error::{Error, Result};
+use crate::framing::{FACE, PhotoMeta, Subject, Target, closeup};
+use crate::layout;
+use crate::plan::book::{Leaf, Outline, Role, Wanted, outline};
+use crate::plan::composer::gallery;
+use crate::plan::moments::Moment;
+use crate::plan::{Shelf, slots};
+use narration::Told;
+use phrases::Phrases;
+use serde::Deserialize;
+use serde_json::Value;
+use std::collections::HashMap;
+
+/// Layouts of the cover and of full pages, of other pages with one photo, and of the end page.
+const WHOLE: &str = "splash-bleed";
+const SINGLE: &str = "splash";
+const CAST: &str = "circle-row-3";
+/// Number of recent layouts that a page does not repeat.
+const RECENT: usize = 3;
+/// Minimum height of a face for the end page, in photo heights, and its minimum score.
+const CAST_FACE: f64 = 0.09;
+const CAST_SCORE: f64 = 0.7;
+/// Minimum number of pages of a book.
+pub const MIN_PAGES: usize = 3;
+
+/// How the styles of a book are chosen.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "BookStyles"))]
+pub enum Styles {
+    /// All pages have one style.
+    #[default]
+    One,
+    /// Each chapter has its own style.
+    Chapters,
+}
+
+/// Options of a book.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "BookWish", optional_fields))]
+pub struct Wish {
+    /// The title. Default: the places or the days of the photos.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub title: String,
+    /// Language of the text, such as `en` or `pt-BR`.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub language: String,
+    /// The places of photos by id.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub places: HashMap<String, String>,
+    /// Number of pages with cover and end page, from [`MIN_PAGES`]. Default: as many as the photos need.
+    pub pages: Option<usize>,
+    /// How styles are chosen.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub styles: Styles,
+}
+
+/// A page of a book.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BookPage {
+    /// Its purpose.
+    pub role: Role,
+    /// Index of its chapter.
+    pub chapter: usize,
+    /// The page with its text. Automatic text still needs a place.
+    pub planned: Planned,
+}
+
+/// A book that is made page by page.
+#[derive(Debug, Clone)]
+pub struct Book {
+    request: Request,
+    wish: Wish,
+    shelf: Shelf,
+    outline: Outline,
+    phrases: Phrases,
+    title: (String, String),
+    captions: Vec<Vec<(usize, String, bool)>>,
+    made: Vec<Option<Planned>>,
+    /// The style of each chapter, or of the book.
+    styles: HashMap<usize, Value>,
+}
+
+impl Book {
+    /// Plans the pages of a book. `request` has the photos, the page settings, and the style if it is given. `shelf` has a
+    /// place for each photo. `most`: maximum number of pages.
+    ///
+    /// # Errors
+    /// `no-photos`; `invalid-document` for page settings out of range or fewer than [`MIN_PAGES`] pages.
+    pub fn new(mut request: Request, wish: Wish, shelf: &Shelf, most: usize) -> Result<Self> {
+        if request.photos.is_empty() {
+            return Err(Error::NoPhotos);
+        }
+        request.page.validate()?;
+        if wish.pages.is_some_and(|pages| pages < MIN_PAGES) {
+            let reason = format!("must be at least {MIN_PAGES}");
+            return Err(Error::InvalidDocument { location: "pages".into(), reason });
+        }
+        let order = in_time(&request);
+        let shelf = shelf.some(&order);
+        request.photos = order.iter().map(|&photo| request.photos[photo].clone()).collect();
+        let phrases = Phrases::of(&wish.language)?;
+        let told = Told::new(&request.photos, &wish.places);
+        let title = told.title(&wish.title, &phrases);
+        let aspect = request.page.aspect();
+        let counts: Vec<usize> =
+            layout::good_for(aspect).iter().map(|template| template.panels().len()).collect();
+        let whole = layout::resolve(layout::find(WHOLE)?, aspect, &request.page);
+        let whole = slots(&whole, request.page.looked_at()).swap_remove(0);
+        let wanted = Wanted {
+            places: &told.places,
+            pages: wish.pages,
+            most,
+            counts: &counts,
+            whole: &whole,
+            apart: wish.styles == Styles::Chapters,
+        };
+        let outline = outline(&gallery(&request.photos, &shelf), &wanted);
+        let captions = told.captions(&outline, &title.0, &phrases);
+        drop(told);
+        let made = vec![None; outline.leaves.len()];
+        Ok(Self { request, wish, shelf, outline, phrases, title, captions, made, styles: HashMap::new() })
+    }
+
+    /// Number of pages.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.outline.leaves.len()
+    }
+
+    /// Whether the book has no pages.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Number of pages that are planned.
+    #[must_use]
+    pub fn done(&self) -> usize {
+        self.made.iter().flatten().count()
+    }
+
+    /// The title.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        &self.title.0
+    }
+
+    /// Plans the next page. Returns whether there are more.
+    ///
+    /// # Errors
+    /// Errors of [`planned`].
+    pub fn step(&mut self) -> Result<bool> {
+        // The largest page chooses the style. The cover follows.
+        let next = (0..self.len()).filter(|&at| self.made[at].is_none());
+        if let Some(at) = next.max_by_key(|&at| (self.outline.leaves[at].photos.len(), usize::MAX - at)) {
+            let page = self.page(at)?;
+            self.made[at] = Some(page);
+        }
+        Ok(self.done() < self.len())
+    }
+
+    /// The pages that are planned, in order.
+    #[must_use]
+    pub fn pages(self) -> Vec<BookPage> {
+        let leaves = self.outline.leaves.into_iter();
+        leaves
+            .zip(self.made)
+            .filter_map(|(Leaf { role, chapter, .. }, planned)| {
+                Some(BookPage { role, chapter, planned: planned? })
+            })
+            .collect()
+    }
+
+    fn page(&mut self, at: usize) -> Result<Planned> {
+        let leaf = &self.outline.leaves[at];
+        let chapter = if self.wish.styles == Styles::Chapters { leaf.chapter } else { 0 };
+        let photos: Vec<PhotoMeta> =
+            leaf.photos.iter().map(|&photo| self.request.photos[photo].clone()).collect();
+        let cast = if leaf.role == Role::End { self.cast(leaf.photos[0]) } else { Vec::new() };
+        let layout = match leaf.role {
+            Role::Cover | Role::Full => Some(WHOLE),
+            Role::End if !cast.is_empty() => Some(CAST),
+            Role::End => Some(SINGLE),
+            Role::Page if photos.len() == 1 => Some(SINGLE),
+            Role::Page => None,
+        };
+        let shown = self.made.iter().take(at).flatten().rev().take(RECENT);
+        let next = self.made.iter().skip(at + 1).take(RECENT).flatten();
+        let near = shown.chain(next).filter_map(|page| page.document.layout.as_str()).map(str::to_owned);
+        // Photos may be anywhere on a page that tells one moment only.
+        let several = self.captions[at].iter().any(|(photo, ..)| *photo != leaf.photos[0]);
+        let given = self.request.style.clone().filter(|_| chapter == 0);
+        let request = Request {
+            seed: self.request.seed.wrapping_add(at as u32),
+            panels: Some(photos.len()),
+            layout: layout.map(Value::from),
+            style: self.styles.get(&chapter).cloned().or(given),
+            merge: Some(false),
+            ordered: self.request.ordered.or(Some(several)),
+            avoid: Avoid { layouts: near.collect(), styles: self.known_styles() },
+            photos,
+            ..self.request.clone()
+        };
+        let mut page = planned(&request, &self.shelf.some(&leaf.photos))?;
+        self.styles.entry(chapter).or_insert_with(|| page.document.style.clone());
+        self.add_cast(&mut page.document, &cast);
+        page.document.words = self.words(at, &page.document);
+        Ok(page)
+    }
+
+    /// Ids of the styles of chapters.
+    fn known_styles(&self) -> Vec<String> {
+        let id = |style: &Value| style.as_str().or_else(|| style["id"].as_str()).map(str::to_owned);
+        self.styles.values().filter_map(id).collect()
+    }
+
+    fn words(&self, at: usize, page: &Document) -> Vec<TextItem> {
+        let (leaf, language) = (&self.outline.leaves[at], self.wish.language.as_str());
+        let photo = &self.request.photos[leaf.photos[0]];
+        let told = self.captions[at].iter();
+        let mut words: Vec<TextItem> = told
+            .filter_map(|(photo, text, begins)| {
+                let own = (*photo != leaf.photos[0]).then(|| self.request.photos[*photo].id.as_str());
+                narration::caption(page, own, (text, *begins), language)
+            })
+            .collect();
+        match leaf.role {
+            Role::Cover => {
+                words.extend(narration::title(
+                    page,
+                    photo,
+                    (&self.title.0, &self.title.1),
+                    (language, false),
+                ));
+            }
+            Role::End => {
+                let low = page.panels.len() > 1;
+                words.extend(narration::title(page, photo, (&self.phrases.end, ""), (language, low)));
+            }
+            Role::Full | Role::Page => {}
+        }
+        if leaf.role != Role::Cover {
+            words.push(narration::number(page, at + 1));
+        }
+        words
+    }
+
+    /// Photos with a clear face for the end page: three, or none. They come from different parts of the album.
+    fn cast(&self, closing: usize) -> Vec<usize> {
+        let suits = layout::find(CAST).is_ok_and(|layout| layout.good_for(self.request.page.aspect()));
+        let photos = &self.request.photos;
+        let face = |photo: &PhotoMeta| {
+            let clear =
+                |face: &&Subject| face.label == FACE && face.score >= CAST_SCORE && face.height >= CAST_FACE;
+            let faces = photo.subjects.iter().filter(clear);
+            faces.map(|face| face.height * face.score).fold(0.0, f64::max)
+        };
+        let target = Target { round: true, ..Target::of_aspect(1.0) };
+        let shown: Vec<usize> = self.outline.leaves.iter().flat_map(|leaf| leaf.photos.clone()).collect();
+        let parts = 3;
+        let mut cast = Vec::new();
+        for part in 0..parts {
+            let (from, to) = (part * photos.len() / parts, (part + 1) * photos.len() / parts);
+            let clear = (from..to)
+                .filter(|&i| i != closing && shown.contains(&i) && face(&photos[i]) > 0.0)
+                .filter(|&i| closeup(&photos[i], &target, 0).is_some())
+                .max_by(|&a, &b| face(&photos[a]).total_cmp(&face(&photos[b])));
+            cast.extend(clear);
+        }
+        if suits && cast.len() == parts { cast } else { Vec::new() }
+    }
+
+    /// Puts close crops of the cast onto the last panels of the end page.
+    fn add_cast(&self, page: &mut Document, cast: &[usize]) {
+        let Ok(template) = template_of(&page.layout) else { return };
+        let panels = layout::resolve(&template, page.page.aspect(), &page.page);
+        let first = page.panels.len().saturating_sub(cast.len());
+        for ((panel, &photo), resolved) in page.panels[first..].iter_mut().zip(cast).zip(&panels[first..]) {
+            let photo = &self.request.photos[photo];
+            let target = Target { round: true, ..Target::of_aspect(resolved.bounds.aspect()) };
+            panel.photo = Some(photo.id.clone());
+            panel.crop = closeup(photo, &target, 0);
+            panel.faces = faces_of(photo);
+            panel.edited = true;
+        }
+        if !cast.is_empty() {
+            page.order = page.panels.iter().filter_map(|panel| panel.photo.clone()).collect();
+        }
+    }
+}
+
+/// Returns the indices of the photos in time order. Photos without a date come last. On request, the given
+/// order is preserved.
+fn in_time(request: &Request) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..request.photos.len()).collect();
+    if request.ordered != Some(true) {
+        let moment = |i: usize| request.photos[i].taken.as_deref().and_then(Moment::parse);
+        order.sort_by_key(|&i| moment(i).map_or((1, 0), |moment| (0, moment.seconds)));
+    }
+    order
+}
+
+/// Sets the number of a page of a book, from 1. Returns whether the text changed.
+pub fn renumber(page: &mut Document, number: usize) -> bool {
+    let text = number.to_string();
+    let mut changed = false;
+    for word in page.words.iter_mut().filter(|word| word.number) {
+        changed |= word.text != text;
+        word.text.clone_from(&text);
+    }
+    changed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::layout::PageSettings;
+    use std::collections::HashSet;
+
+    fn photo(i: usize) -> PhotoMeta {
+        let face = Subject {
+            x: 0.4,
+            y: 0.2,
+            width: 0.15,
+            height: 0.2,
+            label: FACE.into(),
+            score: 0.9,
+            points: None,
+        };
+        PhotoMeta {
+            fingerprint: (i as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
+            taken: Some(format!("2026:06:{:02} {:02}:{:02}:00", 9 + i / 10, 9 + i % 10, i)),
+            subjects: if i.is_multiple_of(4) { vec![face] } else { Vec::new() },
+            starred: i == 17,
+            ..PhotoMeta::unmeasured(&format!("p{i:02}"), 3000, if i.is_multiple_of(3) { 4200 } else { 2000 })
+        }
+    }
+
+    fn request(count: usize) -> Request {
+        Request {
+            seed: 3,
+            photos: (0..count).map(photo).collect(),
+            page: PageSettings::default(),
+            ..Request::default()
+        }
+    }
+
+    fn made(request: Request, wish: Wish) -> Vec<BookPage> {
+        let shelf = Shelf::new(request.photos.len());
+        let mut book = Book::new(request, wish, &shelf, 1000).unwrap();
+        while book.step().unwrap() {}
+        book.pages()
+    }
+
+    fn texts(page: &BookPage) -> Vec<&str> {
+        page.planned.document.words.iter().map(|word| word.text.as_str()).collect()
+    }
+
+    #[test]
+    fn a_book_has_a_cover_chapters_numbers_and_an_end() {
+        let places = HashMap::from([("p10".to_owned(), "Sintra".to_owned())]);
+        let pages = made(request(40), Wish { title: "Portugal".into(), places, ..Wish::default() });
+        assert!((8..=10).contains(&pages.len()), "{}", pages.len());
+        assert_eq!(texts(&pages[0]), ["Portugal", "9–12 June 2026"]);
+        assert_eq!(pages[1].role, Role::Page);
+        assert_eq!(texts(&pages[1])[0], "First day.");
+        assert!(pages.iter().any(|page| texts(page).contains(&"Second day. Sintra.")));
+        assert!(texts(pages.last().unwrap()).starts_with(&["The end"]));
+        for (i, page) in pages.iter().enumerate().skip(1) {
+            assert!(texts(page).contains(&(i + 1).to_string().as_str()));
+            assert_eq!(page.planned.document.style, pages[0].planned.document.style);
+        }
+        // Every photo is on one page, except the photo of the cover and close crops of faces.
+        let mut shown: Vec<&str> = Vec::new();
+        for page in &pages[1..] {
+            let whole = page.planned.document.panels.iter().filter(|panel| !panel.edited);
+            shown.extend(whole.filter_map(|panel| panel.photo.as_deref()));
+        }
+        assert_eq!((shown.len(), shown.iter().collect::<HashSet<_>>().len()), (40, 40));
+        let cast = pages.last().unwrap().planned.document.panels.iter().filter(|panel| panel.edited).count();
+        assert_eq!(cast, 3);
+        for pair in pages[1..].windows(2) {
+            let [a, b] = [0, 1].map(|i| &pair[i].planned.document.layout);
+            assert!(a != b || *a == SINGLE, "{a}");
+        }
+    }
+
+    #[test]
+    fn each_chapter_may_have_its_own_style() {
+        let pages = made(request(40), Wish { styles: Styles::Chapters, ..Wish::default() });
+        let of = |chapter: usize| -> HashSet<String> {
+            let own = pages.iter().filter(|page| page.chapter == chapter);
+            own.map(|page| page.planned.document.style.to_string()).collect()
+        };
+        assert!((0..4).all(|chapter| of(chapter).len() == 1));
+        assert_eq!((0..4).flat_map(of).collect::<HashSet<_>>().len(), 4);
+    }
+
+    #[test]
+    fn the_same_wish_gives_the_same_book() {
+        let pages = || made(request(25), Wish::default());
+        assert_eq!(pages(), pages());
+    }
+
+    #[test]
+    fn small_books_and_bad_wishes() {
+        for count in 1..8 {
+            let pages = made(request(count), Wish::default());
+            let shown: HashSet<&str> = pages[1..]
+                .iter()
+                .flat_map(|page| {
+                    page.planned.document.panels.iter().filter_map(|panel| panel.photo.as_deref())
+                })
+                .collect();
+            assert_eq!(shown.len(), count);
+        }
+        let new = |count, pages| {
+            let wish = Wish { pages, ..Wish::default() };
+            Book::new(request(count), wish, &Shelf::new(count), 1000).map(|book| book.len())
+        };
+        assert_eq!(new(0, None).unwrap_err().code(), "no-photos");
+        assert_eq!(new(9, Some(2)).unwrap_err().code(), "invalid-document");
+        assert_eq!(new(40, Some(6)).unwrap(), 6);
+    }
+
+    #[test]
+    fn numbers_follow_their_pages() {
+        let mut page = made(request(12), Wish::default()).swap_remove(1).planned.document;
+        assert!(renumber(&mut page, 7) && !renumber(&mut page, 7));
+        assert!(page.words.iter().any(|word| word.text == "7"));
+    }
+}

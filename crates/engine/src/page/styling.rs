@@ -1,0 +1,329 @@
+//! Automatic choice of a style: a built-in, a custom or a generated style. The request can retain the line
+//! layer or the colour layer.
+
+use super::document::style_of;
+use super::fill::Stage;
+use super::request::Request;
+use crate::error::{Error, Result};
+use crate::layout::PageSettings;
+use crate::plan::Plan;
+use crate::plan::layouts::is_within;
+use crate::plan::tones::{self, Shown};
+use crate::style::{Style, catalogue, procedural};
+use oorandom::Rand64;
+use serde::Deserialize;
+use serde_json::Value;
+
+/// Share of shuffles whose style keeps the colours of the photos.
+const IN_COLOUR: f64 = 0.5;
+/// Share of first pages whose style keeps the colours of the photos.
+const FIRST_IN_COLOUR: f64 = 0.9;
+/// Colours of paper and borders for a dark style.
+const DARK_PAPER: &str = "#15141a";
+const DARK_BORDER: &str = "#07070a";
+
+/// Options of the random choice of a style. As JSON `{extra, invented, inventions, keepLines, keepColours}`;
+/// all fields are optional.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(from = "Value")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "StylingRequest", rename_all = "camelCase"))]
+pub struct Styling {
+    /// Complete custom and favourite styles. They are chosen like built-in ones.
+    #[cfg_attr(test, ts(as = "Option<Vec<crate::style::Style>>", optional))]
+    pub extra: Vec<Value>,
+    /// Probability of a generated style, 0 to 1.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub invented: f64,
+    /// Generated styles that passed a test. If the list is present, even if it is empty, only its styles are used.
+    #[cfg_attr(test, ts(as = "Option<Vec<crate::style::Style>>", optional))]
+    pub inventions: Option<Vec<Value>>,
+    /// Retain the line layer and its ink.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub keep_lines: bool,
+    /// Retain the colour layer.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub keep_colours: bool,
+}
+
+impl From<Value> for Styling {
+    fn from(mut value: Value) -> Self {
+        let flag = |key: &str| value[key].as_bool().unwrap_or_default();
+        let (keep_lines, keep_colours) = (flag("keepLines"), flag("keepColours"));
+        let invented = value["invented"].as_f64().unwrap_or_default();
+        let mut list = |key: &str| match value.get_mut(key).map(Value::take) {
+            Some(Value::Array(styles)) => Some(styles),
+            _ => None,
+        };
+        let (extra, inventions) = (list("extra").unwrap_or_default(), list("inventions"));
+        Self { extra, invented, inventions, keep_lines, keep_colours }
+    }
+}
+
+/// Returns the style of the request, the retained style, or a random style.
+pub(super) fn choose_style(
+    request: &Request,
+    stage: &Stage,
+    plan: &Plan,
+    random: &mut Rand64,
+) -> Result<Value> {
+    if let Some(style) = &request.style {
+        return Ok(style.clone());
+    }
+    let current = request.current.as_ref().map(|current| &current.style);
+    let wish = &request.styling;
+    if let Some(current) = current.filter(|_| request.keep.style || (wish.keep_lines && wish.keep_colours)) {
+        return Ok(current.clone());
+    }
+    let shown = Shown::of(&stage.candidate.slots, &plan.panels, &request.photos, request.page.aspect());
+    let drawn = draw(request, current, &shown, random)?;
+    match current {
+        Some(current) if wish.keep_lines => Ok(joined(&*style_of(&drawn)?, &*style_of(current)?)),
+        Some(current) if wish.keep_colours => Ok(joined(&*style_of(current)?, &*style_of(&drawn)?)),
+        _ => Ok(drawn),
+    }
+}
+
+fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut Rand64) -> Result<Value> {
+    let wish = &request.styling;
+    // A generated style has no line layer, so it cannot replace only the lines.
+    let lines_only = wish.keep_colours && current.is_some();
+    let before = current.and_then(|style| style.as_str().or_else(|| style["id"].as_str()));
+    let shown = |id: &str| Some(id) == before || request.avoid.styles.iter().any(|other| other == id);
+    if wish.invented > 0.0 && !lines_only && random.rand_float() < wish.invented {
+        let Some(tried) = &wish.inventions else {
+            return Ok(procedural::invent(random.rand_u64() as u32).to_value());
+        };
+        let fresh: Vec<&Value> =
+            tried.iter().filter(|style| !shown(style["id"].as_str().unwrap_or_default())).collect();
+        if !fresh.is_empty() {
+            return Ok(fresh[random.rand_range(0..fresh.len() as u64) as usize].clone());
+        }
+    }
+    // The first page must look good at once.
+    let first = current.is_none();
+    let families = &request.within.styles;
+    // A request with families is not a first page without wishes.
+    let best = first && families.is_empty();
+    let colours = if best { FIRST_IN_COLOUR } else { IN_COLOUR };
+    let designed = catalogue::catalogue()
+        .iter()
+        .filter(|style| !lines_only || style.foreground.is_some())
+        .filter(|style| !best || tones::is_for_first_page(&style.id))
+        .filter(|style| is_within(families, style.tags.first().map_or("", String::as_str)))
+        .filter(|style| !families.is_empty() || !tones::is_retired(&style.id))
+        .map(|style| {
+            let weight =
+                tones::weight(style, page, &request.taste) * if shown(&style.id) { 0.0 } else { 1.0 };
+            (weight, style.keeps_colours(), Value::String(style.id.clone()))
+        });
+    let extra =
+        wish.extra.iter().filter(|style| !lines_only || style.get("foreground").is_some()).map(|style| {
+            let id = style["id"].as_str().unwrap_or_default();
+            let weight = if shown(id) { 0.0 } else { tones::weight_of_own(id, &request.taste) };
+            let keeps_colours = style_of(style).is_ok_and(|style| style.keeps_colours());
+            (weight, keeps_colours, style.clone())
+        });
+    let others = shared(designed.chain(extra).collect(), colours);
+    let sum: f64 = others.iter().map(|(weight, _)| weight).sum();
+    let mut left = random.rand_float() * sum;
+    let drawn = others.iter().filter(|(weight, _)| *weight > 0.0).find(|(weight, _)| {
+        left -= weight;
+        left <= 0.0
+    });
+    let other = || others.iter().find(|(_, style)| style.as_str().is_none_or(|id| Some(id) != before));
+    drawn.or_else(other).map(|(_, style)| style.clone()).ok_or_else(|| Error::UnknownStyle("any".into()))
+}
+
+/// Styles with their weights. Styles with the colours of photos get a fixed share of all choices, if there
+/// are others.
+fn shared(styles: Vec<(f64, bool, Value)>, share: f64) -> Vec<(f64, Value)> {
+    let sum =
+        |kept: bool| styles.iter().filter(|(_, keeps, _)| *keeps == kept).map(|(weight, ..)| weight).sum();
+    let (kept, others): (f64, f64) = (sum(true), sum(false));
+    let factor = |keeps: bool| match (kept > 0.0 && others > 0.0, keeps) {
+        (false, _) => 1.0,
+        (true, true) => share / kept,
+        (true, false) => (1.0 - share) / others,
+    };
+    styles.into_iter().map(|(weight, keeps, style)| (weight * factor(keeps), style)).collect()
+}
+
+/// The settings of a page in a style: white paper becomes dark for a dark style, and white again for others.
+/// Custom colours do not change.
+pub(super) fn papered(page: &PageSettings, style: &Value) -> PageSettings {
+    let usual = PageSettings::default();
+    let light = (usual.paper.as_str(), usual.border_color.as_str());
+    let dark = (DARK_PAPER, DARK_BORDER);
+    let mut page = page.clone();
+    if [light, dark].contains(&(page.paper.as_str(), page.border_color.as_str())) {
+        let id = style.as_str().or_else(|| style["id"].as_str()).unwrap_or_default();
+        let (paper, border) = if tones::is_dark(id) { dark } else { light };
+        page.paper = paper.into();
+        page.border_color = border.into();
+    }
+    page
+}
+
+/// The colours of one style below the lines of another.
+fn joined(colours: &Style, lines: &Style) -> Value {
+    let mut style = colours.clone();
+    style.foreground.clone_from(&lines.foreground);
+    style.ink = lines.ink;
+    // Joined again and again the names would grow without end.
+    let both = |colours: &str, lines: &str, sign: &str| {
+        let first = colours.split('+').next().unwrap_or_default().trim();
+        let last = lines.rsplit('+').next().unwrap_or_default().trim();
+        [first, last].join(sign)
+    };
+    style.id = both(&colours.id, &lines.id, "+");
+    style.name = both(&colours.name, &lines.name, " + ");
+    style.score = None;
+    style.to_value()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::framing::PhotoMeta;
+    use crate::page::document::Document;
+    use crate::page::shuffle::plan;
+    use std::collections::BTreeSet;
+
+    fn request(seed: u32, styling: Styling) -> Request {
+        let photo = |i: u64| PhotoMeta {
+            fingerprint: (i + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
+            ..PhotoMeta::unmeasured(&format!("p{i}"), 3000, 2000)
+        };
+        Request {
+            seed,
+            photos: (0..4).map(photo).collect(),
+            page: crate::layout::PageSettings::default(),
+            styling,
+            merge: Some(false),
+            ..Request::default()
+        }
+    }
+
+    fn parts(style: &Value) -> (Value, Value, Value) {
+        let style = style_of(style).unwrap().to_value();
+        (style["background"].clone(), style["foreground"].clone(), style["ink"].clone())
+    }
+
+    #[test]
+    fn own_styles_come_as_often_as_others_and_invented_ones_by_their_share() {
+        let own = procedural::invent(7).to_value();
+        let styling = |invented| Styling { extra: vec![own.clone()], invented, ..Styling::default() };
+        let drawn = |invented: f64| -> Vec<Value> {
+            (0..400).map(|seed| plan(&request(seed, styling(invented))).unwrap().style).collect()
+        };
+        let all: BTreeSet<String> = drawn(0.0).iter().map(Value::to_string).collect();
+        assert!(all.contains(&own.to_string()));
+        assert!(all.len() <= catalogue::catalogue().len() + 1);
+        let invented = drawn(0.5).iter().filter(|style| style.is_object() && **style != own).count();
+        assert!((150..250).contains(&invented), "{invented} of 400");
+        assert!(drawn(1.0).iter().all(Value::is_object));
+    }
+
+    #[test]
+    fn half_of_the_shuffles_and_most_first_pages_keep_the_colours() {
+        let first = plan(&request(3, Styling::default())).unwrap();
+        let share = |current: Option<&Document>| {
+            let kept = (0..400).filter(|&seed| {
+                let request = Request { current: current.cloned(), ..request(seed, Styling::default()) };
+                style_of(&plan(&request).unwrap().style).unwrap().keeps_colours()
+            });
+            kept.count() as f64 / 400.0
+        };
+        let (shuffled, first) = (share(Some(&first)), share(None));
+        assert!((0.43..0.57).contains(&shuffled) && (0.84..0.96).contains(&first), "{shuffled} {first}");
+    }
+
+    #[test]
+    fn chance_draws_no_style_with_a_low_mark_unless_its_family_is_asked_for() {
+        let first = plan(&request(3, Styling::default())).unwrap();
+        let mut request = Request { current: Some(first), ..request(0, Styling::default()) };
+        let mut drawn = |families: &[&str]| -> Vec<String> {
+            request.within.styles = families.iter().map(|&family| family.to_owned()).collect();
+            let styles = (0..300).map(|seed| plan(&Request { seed, ..request.clone() }).unwrap().style);
+            styles.map(|style| style_of(&style).unwrap().id.clone()).collect()
+        };
+        assert!(drawn(&[]).iter().all(|id| !tones::is_retired(id)));
+        assert!(drawn(&["blueprint"]).iter().any(|id| tones::is_retired(id)));
+    }
+
+    #[test]
+    fn dark_styles_get_dark_paper_unless_a_person_chose_another() {
+        let drawn = |id: &str, page: &PageSettings| {
+            let request =
+                Request { style: Some(id.into()), page: page.clone(), ..request(1, Styling::default()) };
+            plan(&request).unwrap().page
+        };
+        let white = PageSettings::default();
+        let own = PageSettings { paper: "#f4efe6".into(), ..PageSettings::default() };
+        let dark = drawn("moonlight", &white);
+        assert_eq!(dark.paper, DARK_PAPER);
+        assert_eq!(drawn("moonlight", &own), own);
+        assert_eq!([drawn("comic", &white), drawn("comic", &dark)], [white.clone(), white]);
+    }
+
+    #[test]
+    fn families_that_are_asked_for_are_kept_to() {
+        for family in ["ink", "watercolour"] {
+            for seed in 0..40 {
+                let mut asked = request(seed, Styling::default());
+                asked.within.styles = vec![family.to_owned()];
+                let style = plan(&asked).unwrap().style;
+                assert_eq!(style_of(&style).unwrap().tags[0], family);
+            }
+        }
+        let mut none = request(1, Styling::default());
+        none.within.styles = vec!["nothing of the kind".to_owned()];
+        assert!(plan(&none).is_err());
+    }
+
+    #[test]
+    fn where_styles_were_tried_only_these_are_drawn_as_inventions() {
+        let tried: Vec<Value> = (1..4).map(|seed| procedural::invent(seed).to_value()).collect();
+        let styling = |inventions: &[Value]| Styling {
+            invented: 0.5,
+            inventions: Some(inventions.to_vec()),
+            ..Styling::default()
+        };
+        let drawn = |inventions: &[Value]| -> Vec<Value> {
+            (0..200).map(|seed| plan(&request(seed, styling(inventions))).unwrap().style).collect()
+        };
+        assert!(drawn(&[]).iter().all(Value::is_string));
+        let invented: Vec<Value> = drawn(&tried).into_iter().filter(Value::is_object).collect();
+        assert!((70..130).contains(&invented.len()), "{} of 200", invented.len());
+        assert!(tried.iter().all(|style| invented.contains(style)));
+        assert!(invented.iter().all(|style| tried.contains(style)));
+    }
+
+    #[test]
+    fn each_layer_is_locked_alone() {
+        let current = plan(&request(3, Styling::default())).unwrap();
+        let mut looks = BTreeSet::new();
+        for seed in 0..60 {
+            for (keep_lines, keep_colours) in [(true, false), (false, true), (true, true)] {
+                let styling = Styling { keep_lines, keep_colours, invented: 0.3, ..Styling::default() };
+                let mut next = request(seed, styling);
+                next.current = Some(current.clone());
+                let style = plan(&next).unwrap().style;
+                let (now, before) = (parts(&style), parts(&current.style));
+                assert!(!keep_colours || now.0 == before.0);
+                assert!(!keep_lines || (&now.1, &now.2) == (&before.1, &before.2));
+                looks.insert(style.to_string());
+            }
+        }
+        assert!(looks.len() > 20, "{} looks", looks.len());
+    }
+
+    #[test]
+    fn a_broken_style_of_ones_own_is_an_error() {
+        let extra = vec![serde_json::json!({ "id": "x", "background": [{ "block": "nope" }] })];
+        let broken = (0..200).find_map(|seed| {
+            plan(&request(seed, Styling { extra: extra.clone(), ..Styling::default() })).err()
+        });
+        assert_eq!(broken.unwrap().code(), "invalid-style");
+    }
+}

@@ -1,0 +1,38 @@
+//! Gaussian Smoothing, every plane on its own; borders repeat the edge.
+
+use super::{Block, Channels, Kernel};
+use crate::params::{Gaps, Unit, number};
+use crate::simd::gaussian::blur;
+
+pub(super) static BLOCK: Block = Block {
+    id: "gaussian",
+    label: "Gaussian Smoothing",
+    help: "Blurs, so that small detail and noise go away.",
+    input: Channels::Any,
+    output: Channels::Any,
+    params: &[number(
+        "sigma",
+        "Radius",
+        "Standard deviation of the blur.",
+        (2.0, 0.3, 50.0, 0.1),
+        Unit::Pixels,
+    )
+    .correcting(Gaps { texture: -0.7, ..Gaps::NONE })],
+    kernel: Kernel::Planes(|args, mut plane, context| {
+        let sigma = args.pixels(0);
+        if sigma < NOTHING {
+            return Ok(plane);
+        }
+        let mut fine = context.blurs.take(plane.width(), plane.height());
+        fine.widen(&plane);
+        let smooth = blur(&fine, sigma, &mut context.blurs);
+        smooth.narrow(&mut plane);
+        context.blurs.give(fine);
+        context.blurs.give(smooth);
+        Ok(plane)
+    }),
+    ..Block::PLAIN
+};
+
+/// Below this sigma the neighbours' weight is under a tenth of a grey step.
+const NOTHING: f32 = 0.18;
