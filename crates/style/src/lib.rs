@@ -101,7 +101,7 @@ fn layered(
     let lines = match &style.foreground {
         Some(foreground) => {
             let mut drawn = run(foreground, lines, false)?;
-            // Without colours of the photo, the lines alone show a face.
+            // Without colours of the photo, only lines show a face.
             if let Some(care) = care.filter(|_| style.keeps_colours()) {
                 care.clean(lines, &mut drawn);
             }

@@ -20,7 +20,7 @@ const PART: f64 = 0.6;
 /// Strongest correction of a channel, as a factor.
 const MOST: f64 = 1.16;
 
-/// Difference of red and green over their mean in natural skin, from pale to dark, and that of green and blue relative to it.
+/// Difference of red and green over their mean in natural skin, from pale to dark. The difference of green and blue, relative to it.
 const SKIN: (f64, f64) = (0.12, 0.42);
 const SKIN_BLUE: f64 = 0.67;
 /// Weight of green over blue, which lamplight changes most and the eye forgives.
@@ -119,7 +119,7 @@ fn differences([r, g, b]: [f64; 3]) -> (f64, f64) {
     (2.0 * (r - g) / (r + g).max(1.0), 2.0 * (g - b) / (g + b).max(1.0))
 }
 
-/// The largest part of a correction that leaves skin natural, or as natural as it is.
+/// The largest part of a correction after which skin is natural, or not less natural than before.
 fn part_for(skin: [f64; 3], factors: [f64; 3]) -> f64 {
     let distance = |part: f64| {
         let (red, blue) = differences([0, 1, 2].map(|i| skin[i] * (1.0 + part * (factors[i] - 1.0))));
