@@ -124,8 +124,8 @@ export function createPages(
   }
 
   /**
-   * Plans the crops of a page again. The frame of a missing photo keeps its panel as it is, because measurements of an
-   * empty frame say nothing about the photo.
+   * Plans the crops of a page again. The panel of a missing photo stays unchanged, because its empty frame has other
+   * measurements than the photo.
    * @param wish `current` and `photos` for a page that is not the edited one
    */
   function recropped(page: PageDocument, wish: Pick<Wish, 'current' | 'photos'> = {}): PageDocument | null {

@@ -1,4 +1,4 @@
-/** What the help shows below its search field: found topics and keyboard shortcuts. */
+/** Found topics and keyboard shortcuts, below the search field of the help. */
 
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
