@@ -49,17 +49,19 @@ async function mayDecodeHeic(): Promise<boolean> {
 
 /** @throws with the codes of the decoder, except `damaged-photo` for `damaged`, and `decoders-missing` */
 async function heicAsBmp(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
-  const { Converted } = await heic();
-  let photo;
-  try {
-    photo = new Converted(bytes);
-  } catch (error) {
-    throw (error as { code?: string }).code === 'damaged' ? damaged('HEIC') : error;
-  }
+  const photo = converted(await heic(), bytes);
   try {
     return photo.take() as Uint8Array<ArrayBuffer>;
   } finally {
     photo.free();
+  }
+}
+
+function converted({ Converted }: Awaited<ReturnType<typeof heic>>, bytes: Uint8Array) {
+  try {
+    return new Converted(bytes);
+  } catch (error) {
+    throw (error as { code?: string }).code === 'damaged' ? damaged('HEIC') : error;
   }
 }
 
