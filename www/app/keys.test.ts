@@ -16,7 +16,7 @@ class FakeElement {
 const runs = { shuffle: vi.fn(), layout: vi.fn(), undo: vi.fn(), redo: vi.fn(), save: vi.fn(), zoom: vi.fn() };
 const enabled = signal(true);
 let isCovered = false;
-const ui = { work: signal(null), letterKeys: signal(true) } as any;
+const ui = { work: signal(null), dialog: signal(null), letterKeys: signal(true) } as any;
 const leave = vi.fn();
 const listen = createKeys({
   ui,
@@ -61,6 +61,7 @@ beforeEach(() => {
   enabled.value = true;
   isCovered = false;
   ui.work.value = null;
+  ui.dialog.value = null;
   ui.letterKeys.value = true;
 });
 
@@ -103,6 +104,15 @@ test('over the board only what is for everywhere is heard, and Escape goes back'
   expect([ran(), ui.work.value, leave.mock.calls.length]).toEqual([['undo'], null, 0]);
   press('Escape');
   expect(leave).toHaveBeenCalledOnce();
+});
+
+test('while a dialog is loaded, no key acts, except that Escape cancels it', () => {
+  ui.dialog.value = 'help';
+  press('l');
+  press('z', { ctrlKey: true });
+  expect([ran(), ui.dialog.value]).toEqual([[], 'help']);
+  press('Escape');
+  expect([ran(), ui.dialog.value, leave.mock.calls.length]).toEqual([[], null, 0]);
 });
 
 test('single letters can be switched off, what needs none stays', () => {

@@ -17,7 +17,8 @@ const OWN_USE: Record<string, string> = {
 const TEXT_FIELDS = 'input:not([type=checkbox], [type=range], [type=color], [type=file]), textarea, select';
 
 /**
- * @param parts `leave`: the action of Escape on the board, if any. `covered`: whether a modal dialog is open.
+ * @param parts `leave`: the action of Escape on the board, if any. `covered`: whether a modal dialog is open. While a
+ * dialog of `ui` is loaded, the keys do nothing, because the user types them for the dialog; Escape cancels it.
  * `pointed`: the button that has the focus because of a click. Space must not press it again.
  * @returns a listener for `keydown` on the window
  */
@@ -29,7 +30,7 @@ export function createKeys({
   pointed = () => null,
 }: {
   actions: Tables;
-  ui: Pick<Ui, 'work' | 'letterKeys'>;
+  ui: Pick<Ui, 'work' | 'dialog' | 'letterKeys'>;
   leave: () => (() => void) | undefined;
   covered: () => boolean;
   pointed?: () => Element | null;
@@ -42,6 +43,10 @@ export function createKeys({
 
   return (event) => {
     if (event.defaultPrevented || covered() || event.altKey || typesText(event.target)) return;
+    if (ui.dialog.peek() !== null) {
+      if (event.key === 'Escape') take(event, () => void (ui.dialog.value = null));
+      return;
+    }
     if (event.key === 'Escape' && !event.ctrlKey && !event.metaKey) {
       take(event, ui.work.peek() !== null ? () => void (ui.work.value = null) : leave());
       return;

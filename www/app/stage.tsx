@@ -48,6 +48,7 @@ export function Stage() {
   });
 
   useLayoutEffect(() => {
+    const troubles = messages.troubles();
     const made = createPainter(canvas.current as HTMLCanvasElement, {
       engine: {
         renderPictures: engine.renderPictures,
@@ -55,11 +56,12 @@ export function Stage() {
         thumbnailOf: (id) => store.thumbnails.peek().get(id),
         hasPhoto: (id) => !store.sketch.peek() && engine.hasPhoto(id),
       },
-      onPainted: (document) => {
+      onPainted: (document, whole) => {
+        if (whole) troubles.solved();
         // A sketch is not visible yet.
         ui.painted.value = store.sketch.peek() ? null : document;
       },
-      onError: (error) => messages.alert(strings.panelFailed({ why: explain(error) })),
+      onError: (error) => troubles.tell(strings.panelFailed({ why: explain(error) })),
     });
     painter.current = made;
     return () => {

@@ -12,7 +12,6 @@ import type { Scheduler } from '../engine/scheduler.ts';
 import type { PageDocument } from '../engine/types.ts';
 import type { PhotoMeta } from '../engine/types.ts';
 
-const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 /** Minimum time in ms for further detections before crops are updated. */
 const DELAY = 400;
 
@@ -22,7 +21,7 @@ export function keepBook({
   scheduler,
 }: {
   store: Store;
-  pages: Pick<Pages, 'plan' | 'repaired'>;
+  pages: Pick<Pages, 'recropped' | 'repaired'>;
   scheduler: Pick<Scheduler, 'background'>;
 }) {
   /** Measurements of the photos of a page when its crops were made. */
@@ -68,7 +67,7 @@ export function keepBook({
     const stale = project.others.find(({ page }) => known.has(page) && known.get(page) !== essence(page, photos));
     if (!stale || store.reading.peek()) return;
     const own = [...photosOn([stale.page])].flatMap((id) => photos.get(id) ?? []);
-    const better = pages.plan({ keep: KEEP_ALL, current: stale.page, seed: stale.page.seed, photos: own });
+    const better = pages.recropped(stale.page, { current: stale.page, photos: own });
     known.set(stale.page, essence(stale.page, photos));
     if (!better) return;
     known.set(better, essence(better, photos));

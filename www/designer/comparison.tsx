@@ -53,15 +53,19 @@ export function Comparison({
   drawn.current = subject;
 
   useEffect(() => {
+    const troubles = messages.troubles();
     const made = createPreviewLoop({
       draw: (...wish) => drawn.current.draw(...wish),
       drawCards: (...wish) => drawn.current.drawCards(...wish),
       drawWhole: (...wish) => drawn.current.drawWhole(...wish),
       cards: () => stages.current !== null,
-      onPicture: ({ bitmap }) => show(styled.current, bitmap),
+      onPicture: ({ bitmap }) => {
+        troubles.solved();
+        show(styled.current, bitmap);
+      },
       onStages: (designed) => stages.current?.(designed),
       onBusy,
-      onError: (error) => messages.alert(strings.notDone({ why: explain(error) })),
+      onError: (error) => troubles.tell(strings.notDone({ why: explain(error) })),
     });
     loop.current = made;
     return () => {

@@ -3,6 +3,7 @@ import { createAlternatives } from '../page/alternatives.ts';
 import { DARK_PAPER } from '../page/paper.ts';
 import { fakeApp, orderByName } from './testing.ts';
 import type { PageDocument } from '../engine/types.ts';
+import type { Fact } from './album.ts';
 
 vi.useFakeTimers();
 
@@ -11,6 +12,19 @@ async function opened() {
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg', 'd.jpg'));
   return app;
 }
+
+test('new crops leave the frame of a missing photo as it is', async () => {
+  const { pages, store, planner } = await opened();
+  const page = store.page.value as PageDocument;
+  const [first, second] = page.panels;
+  const missing = { hash: '', fingerprint: '', width: 4, height: 3, subjects: [], measured: true };
+  store.know({ ...store.album.value.get(first.photo as string), absent: missing } as Fact);
+  const crop = { x: 0, y: 0, width: 0.5, height: 0.5 };
+  planner.planned = (planned) => planned && { ...planned, panels: planned.panels.map((panel) => ({ ...panel, crop })) };
+  pages.refine();
+  const panels = (store.page.value as PageDocument).panels;
+  expect(panels.slice(0, 2)).toEqual([first, { ...second, crop }]);
+});
 
 describe('shuffle', () => {
   test('keeps what is locked and says so to the planner', async () => {

@@ -49,6 +49,7 @@ export function createPages(
     amend,
     refine,
     refined,
+    recropped,
     refit,
     shuffle,
     prepare,
@@ -118,8 +119,24 @@ export function createPages(
   /** @returns the page with updated crops; null if nothing changes */
   function refined(): PageDocument | null {
     const { page } = store.project.peek();
-    const better = page && plan({ keep: KEEP_ALL, seed: page.seed });
+    const better = page && recropped(page);
     return JSON.stringify(better) === JSON.stringify(page) ? null : better;
+  }
+
+  /**
+   * Plans the crops of a page again. The panel of a missing photo stays unchanged, because its empty frame has other
+   * measurements than the photo.
+   * @param wish `current` and `photos` for a page that is not the edited one
+   */
+  function recropped(page: PageDocument, wish: Pick<Wish, 'current' | 'photos'> = {}): PageDocument | null {
+    const album = store.album.peek();
+    const better = plan({ keep: KEEP_ALL, seed: page.seed, ...wish });
+    if (!better?.panels.some(({ photo }) => photo && album.get(photo)?.absent)) return better;
+    const panels = better.panels.map((panel, i) => {
+      const before = page.panels[i];
+      return before && panel.photo === before.photo && album.get(panel.photo ?? '')?.absent ? before : panel;
+    });
+    return { ...better, panels };
   }
 
   /**

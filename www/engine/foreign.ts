@@ -47,13 +47,21 @@ async function mayDecodeHeic(): Promise<boolean> {
   return typeof ImageDecoder === 'undefined' || ImageDecoder.isTypeSupported('image/heic');
 }
 
-/** @throws with the codes of the decoder, and `decoders-missing` */
+/** @throws with the codes of the decoder, except `damaged-photo` for `damaged`, and `decoders-missing` */
 async function heicAsBmp(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
-  const photo = new (await heic()).Converted(bytes);
+  const photo = converted(await heic(), bytes);
   try {
     return photo.take() as Uint8Array<ArrayBuffer>;
   } finally {
     photo.free();
+  }
+}
+
+function converted({ Converted }: Awaited<ReturnType<typeof heic>>, bytes: Uint8Array) {
+  try {
+    return new Converted(bytes);
+  } catch (error) {
+    throw (error as { code?: string }).code === 'damaged' ? damaged('HEIC') : error;
   }
 }
 
@@ -68,6 +76,9 @@ const { get: heic } = onceMore(async () => {
   return decoder;
 });
 
+/** The message of this code is only the kind of file, and the app says the sentence. */
+const damaged = (kind: 'AVIF' | 'HEIC') => failure('damaged-photo', kind);
+
 async function decoded(kind: 'AVIF' | 'HEIC', data: Uint8Array<ArrayBuffer>): Promise<VideoFrame> {
   const type = `image/${kind.toLowerCase()}`;
   if (typeof ImageDecoder !== 'undefined' && (await ImageDecoder.isTypeSupported(type))) {
@@ -75,7 +86,7 @@ async function decoded(kind: 'AVIF' | 'HEIC', data: Uint8Array<ArrayBuffer>): Pr
     try {
       return (await decoder.decode()).image;
     } catch {
-      throw failure('damaged', `The ${kind} file is damaged or truncated.`);
+      throw damaged(kind);
     } finally {
       decoder.close();
     }

@@ -1,6 +1,6 @@
 /** Hints. */
 
-import { lazyDialog } from '../ui/lazy.tsx';
+import { HelpDialog } from './help-dialog.tsx';
 import { createHints } from './hints.ts';
 import type { Hints } from './hints.ts';
 import type { Feature } from '../ui/context.ts';
@@ -16,6 +16,6 @@ declare module '../ui/context.ts' {
 export const helpFeature: Feature<Parts> = {
   install: (app) => ({ hints: createHints({ ...app, box: () => app.env.window.localStorage }) }),
   screens: {
-    help: lazyDialog(async () => (await import('./help-dialog.tsx')).HelpDialog),
+    help: HelpDialog,
   },
 };

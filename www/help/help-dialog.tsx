@@ -1,27 +1,30 @@
-/** Help: searchable topics and keyboard shortcuts. */
+/**
+ * Help: searchable topics and keyboard shortcuts. The search field is there at once, so that it receives the keys that
+ * the user types while the topics are loaded.
+ */
 
 import { useState } from 'preact/hooks';
+import { onceMore } from '../engine/once-more.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { Dialog } from '../ui/dialog.tsx';
-import { keyLines } from './key-lines.ts';
-import { searchHelp, topicsOf } from './searching.ts';
-import { topicMessages } from './topics.ts';
-import type { Topic } from './searching.ts';
-import type { KeyLine } from './key-lines.ts';
+import { useLoaded } from '../ui/loaded.ts';
+
+const { get: loadFound } = onceMore(() => import('./help-found.tsx'));
 
 /** A field with the focus calls up the keyboard of a phone, which hides the topics. */
 const byHand = () => window.matchMedia('(pointer: coarse)').matches;
 
-export function HelpDialog() {
-  const { ui, actions, hints } = useApp();
+function View() {
+  const { ui, messages } = useApp();
   const [sought, setSought] = useState('');
-  const { topics, lines } = searchHelp(sought, topicsOf(topicMessages, strings), keyLines({ ...actions }));
-  const searching = sought.trim() !== '';
-  const none = topics.length + lines.length === 0;
   const close = () => {
     ui.dialog.value = null;
   };
+  const found = useLoaded(loadFound, () => {
+    close();
+    messages.alert(strings.partMissing);
+  });
   return (
     <Dialog title={strings.help} class="help-dialog" onClose={close}>
       <input
@@ -39,78 +42,9 @@ export function HelpDialog() {
           if (event.key === 'Escape') close();
         }}
       />
-      <p class="help-found quiet" role="status">
-        {none
-          ? strings.helpNone({ text: sought.trim() })
-          : searching
-            ? strings.helpFound({ topics: topics.length, keys: lines.length })
-            : ''}
-      </p>
-      {none && (
-        <button type="button" class="button" onClick={() => setSought('')}>
-          {strings.allTopics}
-        </button>
-      )}
-      <div class="help-found-lists">
-        {topics.length > 0 && <Topics of={topics} open={searching} />}
-        {lines.length > 0 && <Keys of={lines} />}
-      </div>
-      {!searching && (
-        <div class="help-foot">
-          <label class="letter-keys">
-            <input
-              type="checkbox"
-              checked={ui.letterKeys.value}
-              onChange={({ currentTarget }) => ui.useLetterKeys(currentTarget.checked)}
-            />
-            <span>{strings.letterKeys}</span>
-          </label>
-          <button
-            type="button"
-            class="button"
-            onClick={() => {
-              close();
-              hints.begin();
-            }}
-          >
-            {strings.hintsAgain}
-          </button>
-        </div>
-      )}
+      {found && <found.HelpFound sought={sought} seek={setSought} close={close} />}
     </Dialog>
   );
 }
 
-/** A found topic is open. The user opens the others. */
-function Topics({ of, open }: { of: readonly Topic[]; open: boolean }) {
-  return (
-    <section class="help-topics" aria-label={strings.helpTopics}>
-      {of.map(({ id, title, text }) => (
-        <details key={`${id} ${open}`} open={open}>
-          <summary>{title}</summary>
-          <p>{text}</p>
-        </details>
-      ))}
-    </section>
-  );
-}
-
-function Keys({ of }: { of: readonly KeyLine[] }) {
-  return (
-    <section class="help-keys">
-      <h3>{strings.keys}</h3>
-      <dl class="keys">
-        {of.map(({ keys, does }) => (
-          <div key={does}>
-            <dt>
-              {keys.map((key) => (
-                <kbd key={key}>{key}</kbd>
-              ))}
-            </dt>
-            <dd>{does}</dd>
-          </div>
-        ))}
-      </dl>
-    </section>
-  );
-}
+export const HelpDialog = Object.assign(View, { preload: loadFound });

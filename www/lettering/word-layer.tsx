@@ -23,13 +23,15 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
   const editing = lettering.editing.value;
 
   useEffect(() => {
+    const troubles = messages.troubles();
     painter.current = createWordPainter(canvas.current as HTMLCanvasElement, {
       render: engine.renderWord,
       subjectsOf: (document) => subjectsOf(store, document),
-      onPainted: (document) => {
+      onPainted: (document, whole) => {
+        if (whole) troubles.solved();
         ui.lettered.value = document;
       },
-      onError: (error) => messages.alert(strings.wordsFailed({ why: explain(error) })),
+      onError: (error) => troubles.tell(strings.wordsFailed({ why: explain(error) })),
     });
     return () => painter.current?.dispose();
   }, []);

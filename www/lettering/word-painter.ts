@@ -24,7 +24,8 @@ export function createWordPainter(
     render: Engine['renderWord'];
     /** a text that changes when the subject masks in front of sound effects change */
     subjectsOf?: (document: PageDocument) => string;
-    onPainted: (document: PageDocument | null) => void;
+    /** `whole`: all text items are drawn, and none failed. */
+    onPainted: (document: PageDocument | null, whole: boolean) => void;
     onError: (error: Error & { code?: string }) => void;
   },
 ) {
@@ -110,7 +111,8 @@ export function createWordPainter(
     for (const patch of paintOrder(document).map((index) => shown[index])) {
       if (patch) context?.drawImage(patch.bitmap, patch.x, patch.y);
     }
-    onPainted(keys.every((key) => kept.has(key) || failed.has(key)) ? document : null);
+    const done = keys.every((key) => kept.has(key) || failed.has(key));
+    onPainted(done ? document : null, done && !keys.some((key) => failed.has(key)));
   }
 
   function dispose() {

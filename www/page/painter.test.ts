@@ -98,10 +98,10 @@ test('another layout appears at once when all of its panels are there', async ()
   show(other, geometry(other.layout), 10);
   await finish('Bs0');
   expect(drawn).toEqual(['As0', 'As1']);
-  expect(painted).toHaveBeenLastCalledWith(null);
+  expect(painted).toHaveBeenLastCalledWith(null, false);
   await finish('Bs1');
   expect(drawn).toEqual(['Bs0', 'Bs1']);
-  expect(painted).toHaveBeenLastCalledWith(other);
+  expect(painted).toHaveBeenLastCalledWith(other, true);
 });
 
 test('a panel is drawn again when the subject of its photo is known', async () => {
@@ -182,7 +182,7 @@ test('a photo that is still being read leaves its panel empty, and the page coun
   show(document, geometry(document.layout), 10);
   await finish('As0');
   expect(drawn).toEqual(['As0', 'wait']);
-  expect(painted).toHaveBeenLastCalledWith(document);
+  expect(painted).toHaveBeenLastCalledWith(document, true);
 });
 
 test('a panel that fails is told once, and does not hold the page', async () => {
@@ -192,7 +192,13 @@ test('a panel that fails is told once, and does not hold the page', async () => 
   jobs[0].fail('worker-lost');
   await finish('As1');
   expect(errors).toHaveBeenCalledTimes(1);
-  expect(painted).toHaveBeenLastCalledWith(document);
+  expect(painted).toHaveBeenLastCalledWith(document, false);
+  // It is drawn at the next opportunity.
+  const again = page('A');
+  show(again, geometry(again.layout), 10);
+  jobs[2].done();
+  await vi.advanceTimersByTimeAsync(20);
+  expect(painted).toHaveBeenLastCalledWith(again, true);
 });
 
 test('a page that was prepared appears at once, and its unfinished panels become urgent', async () => {

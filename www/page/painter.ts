@@ -41,7 +41,8 @@ export function createPainter(
       /** A small image of a photo that is not read yet. */
       thumbnailOf?: (photo: string) => ExifThumbnail | undefined;
     };
-    onPainted: (document: PageDocument | null) => void;
+    /** `whole`: all panels are drawn, and none failed. */
+    onPainted: (document: PageDocument | null, whole: boolean) => void;
     onError: (error: Error & { code?: string }) => void;
   },
 ) {
@@ -182,7 +183,7 @@ export function createPainter(
 
   function report() {
     const done = sheet !== null && sheet === visible && frame === 0 && complete(sheet);
-    onPainted(done ? (sheet as Sheet).document : null);
+    onPainted(done ? (sheet as Sheet).document : null, done && !(sheet as Sheet).slots.some(({ failed }) => failed));
   }
 
   function dispose() {

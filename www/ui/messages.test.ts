@@ -36,6 +36,20 @@ test('closing what was never said closes nothing', () => {
   expect(texts(messages)).toEqual(['a.jpg: broken.']);
 });
 
+test('alerts about a repeated task disappear when it succeeds, and only they', () => {
+  const messages = createMessages();
+  const drawing = messages.troubles();
+  messages.alert('Something else.');
+  drawing.tell('A panel could not be drawn.');
+  drawing.tell('A panel could not be drawn.');
+  drawing.tell('A panel is too large.');
+  expect(texts(messages)).toEqual(['Something else.', 'A panel could not be drawn.', 'A panel is too large.']);
+  drawing.solved();
+  expect(texts(messages)).toEqual(['Something else.']);
+  drawing.tell('A panel could not be drawn.');
+  expect(texts(messages)).toEqual(['Something else.', 'A panel could not be drawn.']);
+});
+
 test('where there is too much, notes go first, then what was said first', () => {
   const messages = createMessages();
   messages.note('a note');
