@@ -71,10 +71,11 @@ fn with_small_pages(command: &str) -> String {
         let draws_photos = rest.contains(" photos/") && !rest.contains("--document");
         draws_photos && !rest.contains("--width") && crate::trials(0, 1) == 0
     };
-    match command.strip_prefix("inkpanel render ") {
-        Some(rest) if is_small(rest) => format!("inkpanel render --width {WIDTH} {rest}"),
-        _ => command.to_owned(),
-    }
+    let small = ["inkpanel render ", "inkpanel book "].into_iter().find_map(|start| {
+        let rest = command.strip_prefix(start).filter(|rest| is_small(rest))?;
+        Some(format!("{start}--width {WIDTH} {rest}"))
+    });
+    small.unwrap_or_else(|| command.to_owned())
 }
 
 /// Runs the `inkpanel` commands of a document in a folder with the sample files. Returns their number and the errors.
