@@ -48,7 +48,7 @@ export function Stage() {
   });
 
   useLayoutEffect(() => {
-    const troubles = messages.troubles();
+    const alerts = messages.alertGroup();
     const made = createPainter(canvas.current as HTMLCanvasElement, {
       engine: {
         renderPictures: engine.renderPictures,
@@ -57,11 +57,11 @@ export function Stage() {
         hasPhoto: (id) => !store.sketch.peek() && engine.hasPhoto(id),
       },
       onPainted: (document, whole) => {
-        if (whole) troubles.solved();
+        if (whole) alerts.clear();
         // A sketch is not visible yet.
         ui.painted.value = store.sketch.peek() ? null : document;
       },
-      onError: (error) => troubles.tell(strings.panelFailed({ why: explain(error) })),
+      onError: (error) => alerts.report(strings.panelFailed({ why: explain(error) })),
     });
     painter.current = made;
     return () => {

@@ -53,19 +53,19 @@ export function Comparison({
   drawn.current = subject;
 
   useEffect(() => {
-    const troubles = messages.troubles();
+    const alerts = messages.alertGroup();
     const made = createPreviewLoop({
       draw: (...wish) => drawn.current.draw(...wish),
       drawCards: (...wish) => drawn.current.drawCards(...wish),
       drawWhole: (...wish) => drawn.current.drawWhole(...wish),
       cards: () => stages.current !== null,
       onPicture: ({ bitmap }) => {
-        troubles.solved();
+        alerts.clear();
         show(styled.current, bitmap);
       },
       onStages: (designed) => stages.current?.(designed),
       onBusy,
-      onError: (error) => troubles.tell(strings.notDone({ why: explain(error) })),
+      onError: (error) => alerts.report(strings.notDone({ why: explain(error) })),
     });
     loop.current = made;
     return () => {

@@ -23,15 +23,15 @@ export function WordLayer({ page, geometry, width }: { page: PageDocument; geome
   const editing = lettering.editing.value;
 
   useEffect(() => {
-    const troubles = messages.troubles();
+    const alerts = messages.alertGroup();
     painter.current = createWordPainter(canvas.current as HTMLCanvasElement, {
       render: engine.renderWord,
       subjectsOf: (document) => subjectsOf(store, document),
       onPainted: (document, whole) => {
-        if (whole) troubles.solved();
+        if (whole) alerts.clear();
         ui.lettered.value = document;
       },
-      onError: (error) => troubles.tell(strings.wordsFailed({ why: explain(error) })),
+      onError: (error) => alerts.report(strings.wordsFailed({ why: explain(error) })),
     });
     return () => painter.current?.dispose();
   }, []);

@@ -38,15 +38,15 @@ test('closing what was never said closes nothing', () => {
 
 test('alerts about a repeated task disappear when it succeeds, and only they', () => {
   const messages = createMessages();
-  const drawing = messages.troubles();
+  const drawing = messages.alertGroup();
   messages.alert('Something else.');
-  drawing.tell('A panel could not be drawn.');
-  drawing.tell('A panel could not be drawn.');
-  drawing.tell('A panel is too large.');
+  drawing.report('A panel could not be drawn.');
+  drawing.report('A panel could not be drawn.');
+  drawing.report('A panel is too large.');
   expect(texts(messages)).toEqual(['Something else.', 'A panel could not be drawn.', 'A panel is too large.']);
-  drawing.solved();
+  drawing.clear();
   expect(texts(messages)).toEqual(['Something else.']);
-  drawing.tell('A panel could not be drawn.');
+  drawing.report('A panel could not be drawn.');
   expect(texts(messages)).toEqual(['Something else.', 'A panel could not be drawn.']);
 });
 

@@ -82,11 +82,11 @@ export function createMessages() {
   }
 
   /** Alerts about failures of a repeated task. They disappear when the task succeeds, or when the user closes them. */
-  function troubles() {
+  function alertGroup() {
     const ids: Set<number> = new Set();
     return {
-      tell: (text: string) => void ids.add(say('alert', text)),
-      solved() {
+      report: (text: string) => void ids.add(say('alert', text)),
+      clear() {
         if (ids.size === 0) return;
         list.value = list.value.filter(({ id }) => !ids.has(id));
         ids.clear();
@@ -163,7 +163,7 @@ export function createMessages() {
     note: (text: string, way?: Way, more?: Way) => say('note', text, way, more),
     /** An action for now or later. */
     offer: (text: string, way?: Way) => say('offer', text, way),
-    troubles,
+    alertGroup,
     fileFailed,
     change,
     close,
