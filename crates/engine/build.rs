@@ -1,5 +1,5 @@
 //! Embeds the layouts: every file of `layouts/` becomes a (name, text) pair of a table in `OUT_DIR`, which
-//! `layout` includes. `crates/style/build.rs` does the same for `styles/`. Text colours are computed from the
+//! `layout` includes. `crates/style/build.rs` embeds `styles/`. Text colours are computed from the
 //! styles. The fonts of `fonts/` become the table of glyphs, except for WebAssembly modules, which receive it
 //! at run time.
 

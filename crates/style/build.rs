@@ -1,6 +1,6 @@
 //! Embeds the designed styles: every file of `styles/` becomes a (name, text) pair of a table in `OUT_DIR`, which
-//! `catalogue.rs` includes. As `build.rs` at the top does with the layouts: a file that both scripts include would be in the
-//! package of neither.
+//! `catalogue.rs` includes. `crates/engine/build.rs` embeds the layouts with equal code: a file that both scripts include would be
+//! in the package of neither.
 
 use std::fmt::Write as _;
 use std::path::Path;

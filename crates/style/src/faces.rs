@@ -80,7 +80,7 @@ const LIKE: (f32, f32) = (0.45, 0.86);
 const NEGATIVE: f32 = -0.3;
 /// The contrast of a drawn face, relative to the photo, below which features are missing, and which needs nothing.
 const FEATURES: (f32, f32) = (0.4, 0.85);
-/// Rows of the grid from a feature to what is above and below it.
+/// Rows of the grid from a feature to the skin above and below it.
 const BESIDE: usize = 2;
 /// Part of the features of the photo below which a face is hard to recognise, and which needs nothing.
 const DETAIL: (f32, f32) = (0.3, 0.75);
@@ -99,7 +99,7 @@ const FEATURE: f32 = 0.022;
 const SURROUNDINGS: f32 = 0.1;
 /// How much darker than its surroundings a pixel is that gets no ink, and all ink, in grey levels.
 const EDGE: (f32, f32) = (3.0, 13.0);
-/// Luma up to which hair and pupils get all ink, and from which on only features do.
+/// Luma of hair and pupils, which get all ink, and least luma of skin, whose features get ink.
 const BLACK: (f32, f32) = (36.0, 64.0);
 /// Minimum height of a face that can be compared, in pixels.
 const COMPARED: f64 = 12.0;
@@ -238,11 +238,7 @@ impl<'a> Care<'a> {
             let radius = ((FEATURE * face.height as f32).round() as usize).max(1);
             let (wanted, now) = (softened(&before, radius), softened(&after, radius));
             let ends = *ends.get_or_insert_with(|| Ends::of(drawn, recolours));
-            each_pixel(face, photo.width(), photo.height(), |x, y, share| {
-                let (Some(i), Some(j)) = (x.checked_sub(room.x), y.checked_sub(room.y)) else { return };
-                if i >= room.width || j >= room.height {
-                    return;
-                }
+            room.each_pixel(face, (photo.width(), photo.height()), |(x, y), (i, j), share| {
                 let by = fit.wanted(f32::from(wanted.at(i, j))) - f32::from(now.at(i, j));
                 ends.shift(drawn, (x, y), share * part * by);
             });
@@ -258,11 +254,7 @@ impl<'a> Care<'a> {
             let luma = room.cut_plane(&luma);
             let mean = |part: f32| softened(&luma, ((part * face.height as f32).round() as usize).max(1));
             let (fine, around) = (mean(FEATURE / 2.0), mean(SURROUNDINGS));
-            each_pixel(face, photo.width(), photo.height(), |x, y, share| {
-                let (Some(i), Some(j)) = (x.checked_sub(room.x), y.checked_sub(room.y)) else { return };
-                if i >= room.width || j >= room.height {
-                    return;
-                }
+            room.each_pixel(face, (photo.width(), photo.height()), |(x, y), (i, j), share| {
                 let (tone, around) = (f32::from(fine.at(i, j)), f32::from(around.at(i, j)));
                 let ink = step(EDGE, around - tone).max(1.0 - step(BLACK, tone));
                 for plane in lines.planes_mut() {
@@ -399,8 +391,8 @@ impl Fit {
     }
 }
 
-/// The part of the features of the photo that a drawing has. Eyes, nostrils and a mouth are darker than what is above and below;
-/// light and shadow are not. `cells`: pixels of each cell, and the sums of both pictures.
+/// The part of the features of the photo that a drawing has. Eyes, nostrils and a mouth are darker than the skin above and below
+/// them; light and shadow are not. `cells`: pixels of each cell, and the sums of both pictures.
 fn features(cells: &[[f32; 3]]) -> f32 {
     let mean = |row: usize, column: usize, of: usize| {
         let cell = cells[row * GRID.0 + column];
@@ -534,6 +526,21 @@ impl Room {
         Some(Self { x, y, width, height })
     }
 
+    /// Calls `f` with each pixel of a face's ellipse in the image, its place in this part, and its share of the ellipse.
+    fn each_pixel(
+        &self,
+        face: &FaceBox,
+        (width, height): (usize, usize),
+        mut f: impl FnMut((usize, usize), (usize, usize), f32),
+    ) {
+        each_pixel(face, width, height, |x, y, share| {
+            let (Some(i), Some(j)) = (x.checked_sub(self.x), y.checked_sub(self.y)) else { return };
+            if i < self.width && j < self.height {
+                f((x, y), (i, j), share);
+            }
+        });
+    }
+
     fn cut_plane(&self, plane: &Plane) -> Plane {
         Plane::from_fn(self.width, self.height, |x, y| plane.at(self.x + x, self.y + y))
     }
@@ -552,15 +559,11 @@ impl Room {
         if whole.is_luma() != again.is_luma() {
             return;
         }
-        let (width, height) = (whole.width(), whole.height());
-        let end = (self.x + self.width, self.y + self.height);
-        each_pixel(face, width, height, |x, y, share| {
-            if x < self.x || y < self.y || x >= end.0 || y >= end.1 {
-                return;
-            }
+        let size = (whole.width(), whole.height());
+        self.each_pixel(face, size, |(x, y), (i, j), share| {
             for (plane, again) in whole.planes_mut().iter_mut().zip(again.planes()) {
                 let sample = &mut plane.row_mut(y)[x];
-                let (before, after) = (f32::from(*sample), f32::from(again.at(x - self.x, y - self.y)));
+                let (before, after) = (f32::from(*sample), f32::from(again.at(i, j)));
                 *sample = (before + share * (after - before)).round() as u8;
             }
         });

@@ -28,7 +28,7 @@ const BLUE_WEIGHT: f64 = 0.5;
 /// Parts of a correction that are tried on skin, the largest first, and the distance from natural skin that always passes.
 const TRIED: [f64; 4] = [1.0, 0.75, 0.5, 0.25];
 const NATURAL: f64 = 0.06;
-/// Differences of red and green, and of green and blue, between which a colour can be skin in some light.
+/// Range of both differences for the colour of skin in any light.
 const SKIN_IN_LIGHT: (f64, f64) = (0.03, 0.65);
 /// Part of the sides of a face in which its colour is measured: cheeks and nose. Samples on each side.
 const CHEEKS: f64 = 0.5;
@@ -119,7 +119,7 @@ fn differences([r, g, b]: [f64; 3]) -> (f64, f64) {
     (2.0 * (r - g) / (r + g).max(1.0), 2.0 * (g - b) / (g + b).max(1.0))
 }
 
-/// The largest part of a correction after which skin is natural, or not less natural than before.
+/// The largest part of a correction that keeps skin natural. Skin in coloured light does not become less natural.
 fn part_for(skin: [f64; 3], factors: [f64; 3]) -> f64 {
     let distance = |part: f64| {
         let (red, blue) = differences([0, 1, 2].map(|i| skin[i] * (1.0 + part * (factors[i] - 1.0))));
