@@ -52,7 +52,7 @@ fn settings(block: &Block) -> Vec<Vec<f32>> {
 }
 
 fn run(block: &'static Block, values: &[f32], image: &Image, context: &mut Context<'_>) -> Image {
-    let step = Step { block, values: values.to_vec(), texture: None, bypass: false, part: None };
+    let step = Step { block, values: values.to_vec(), texture: None, model: None, bypass: false, part: None };
     if block.id == "painter" {
         context.show_painters(Some(crate::painters::painters()));
     }

@@ -9,6 +9,7 @@ use inkpanel_engine::output::animatic::{self, Animatic};
 use inkpanel_engine::page::words::model::FARTHEST;
 use inkpanel_engine::raster::heif;
 use inkpanel_engine::select;
+use inkpanel_engine::style::painters;
 use serde_json::Value;
 
 /// Returns the expected module of limits, in the format of Biome.
@@ -25,6 +26,7 @@ fn bounds() -> String {
         ),
         ("Blocks of one layer of a style.", "blocks", limits::MOST_BLOCKS),
         ("Bytes of the file of a texture.", "texture", limits::TEXTURE),
+        ("Bytes of the file of a model of painters.", "painters", painters::MAX_BYTES),
         ("Characters of a name.", "name", limits::LONGEST_NAME),
         ("A place of a word, in widths and heights of its panel to either side.", "away", FARTHEST as usize),
         ("Bytes of the text of a project.", "text", limits::PROJECT.bytes),
@@ -180,7 +182,7 @@ fn file_table() -> String {
     };
     [
         "/** Kinds of files. `cargo xtask bless` generates this file from `crates/engine/src/kinds.rs`. */\n\n",
-        "export type Role =\n  | 'photo'\n  | 'video'\n  | 'subtitles'\n  | 'text'\n  | 'board'\n  | 'json'\n  | 'project'\n  | 'archive'\n  | 'sidecar'\n  | 'unsupported';\n",
+        "export type Role =\n  | 'photo'\n  | 'video'\n  | 'subtitles'\n  | 'text'\n  | 'board'\n  | 'json'\n  | 'project'\n  | 'archive'\n  | 'painters'\n  | 'sidecar'\n  | 'unsupported';\n",
         "export type Remedy = 'jpeg' | 'unpack' | 'pages' | 'mp4' | 'srt' | 'fountain' | 'csv' | 'text';\n",
         "/** `endings` of names, separated by spaces; `type`: media type, if any; `remedy` for files that cannot be read */\n",
         "export type FileKind = { name: string; type: string; endings: string; role: Role; remedy?: Remedy };\n\n",

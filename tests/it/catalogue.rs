@@ -81,6 +81,7 @@ fn parameter(param: &Value) -> String {
     let domain = match text(param, "kind").as_str() {
         "boolean" => "true or false".to_owned(),
         "texture" => return format!("`{}` a PNG or JPEG picture as a data URL (none)", text(param, "id")),
+        "model" => return format!("`{}` a hash and a file name (none)", text(param, "id")),
         "colour" => "`#rrggbb`".to_owned(),
         "choice" => {
             let choices: Vec<_> =

@@ -214,19 +214,18 @@ fn work_that_is_cancelled_ends_early() {
 fn damaged_and_foreign_models_are_refused_with_a_reason() {
     let bytes = file();
     let reason = |bytes: &[u8]| match Painters::new(bytes) {
-        Err(error) => {
-            assert_eq!(error.code(), "invalid-painters");
-            error.to_string()
-        }
+        Err(error) => format!("{}: {error}", error.code()),
         Ok(_) => "none".to_owned(),
     };
     for length in (0..bytes.len()).step_by(bytes.len() / 50) {
-        assert!(reason(&bytes[..length]).len() > 20, "{length} bytes");
+        let reason = reason(&bytes[..length]);
+        assert!(reason.starts_with("damaged-painters: this is not"), "{length} bytes: {reason}");
     }
-    assert!(reason(&vec![0; MAX_BYTES + 1]).contains("limit"));
+    let large = reason(&vec![0; MAX_BYTES + 1]);
+    assert!(large.starts_with("large-painters: ") && large.contains("limit"), "{large}");
     let subject = fs::read(crate::root("www/models/subject.onnx")).expect("run `cargo xtask models`");
     let subject = reason(&subject);
-    assert!(subject.contains("this is not a model of painters: "), "{subject}");
+    assert!(subject.starts_with("invalid-painters: this is not a model of painters: "), "{subject}");
     let replaced = |from: &[u8], to: &[u8]| {
         let mut bytes = bytes.clone();
         for at in 0..bytes.len() - from.len() {
@@ -246,6 +245,35 @@ fn damaged_and_foreign_models_are_refused_with_a_reason() {
         damaged[at] = random.rand_range(0..256) as u8;
         let _: Result<Painters> = Painters::new(&damaged);
     }
+}
+
+/// A style names a model of the user by its hash. Without this model, the built-in one replaces it.
+#[test]
+fn a_style_is_painted_with_the_model_that_it_names() {
+    let photo = sized(&photo("www/public/samples/05-path.jpg"), 96, 64);
+    // Weights of an inner layer are missing.
+    let mut bytes = file();
+    let middle = bytes.len() / 2;
+    bytes[middle..middle + 4000].fill(0);
+    let own = Arc::new(Painters::new(&bytes).unwrap());
+    let named = style(r#","model":"00112233445566ff own model.onnx""#);
+    let draw = |style: &Style, models: &[(&str, &Arc<Painters>)]| {
+        let mut context = Context::for_image(&photo);
+        context.show_painters(Some(painters()));
+        for (hash, model) in models {
+            context.show_own_painters(hash, Arc::clone(model));
+        }
+        stylize(&photo, style, &mut context).unwrap()
+    };
+    let known = [("ffeeddccbbaa9988", &painters()), ("00112233445566ff", &own)];
+    let (built_in, owned) = (draw(&style(""), &known), draw(&named, &known));
+    assert!(difference(&built_in, &owned) > 2.0);
+    let mut alone = Context::for_image(&photo);
+    alone.show_painters(Some(own.clone()));
+    assert!(stylize(&photo, &style(""), &mut alone).unwrap() == owned);
+    assert!(draw(&named, &known[..1]) == built_in);
+    // A number beyond the last painter is the last painter.
+    assert!(draw(&style(r#","painter":40"#), &[]) == draw(&style(r#","painter":10"#), &[]));
 }
 
 #[test]

@@ -45,7 +45,8 @@ fn noise(width: usize, height: usize, seed: u64) -> Plane {
 fn run(radius: f32, image: Image) -> Image {
     let mut context = Context::default();
     context.set_scale(1.0);
-    let step = Step { block: &BLOCK, values: vec![radius], texture: None, bypass: false, part: None };
+    let step =
+        Step { block: &BLOCK, values: vec![radius], texture: None, model: None, bypass: false, part: None };
     chain::run_owned(&[step], image, &mut context).unwrap()
 }
 

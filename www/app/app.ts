@@ -14,6 +14,7 @@ import { letteringFeature } from '../lettering/feature.ts';
 import { motionFeature } from '../motion/feature.ts';
 import { offlineFeature } from '../offline/feature.ts';
 import { pageFeature } from '../page/feature.ts';
+import { paintersFeature } from '../painters/feature.ts';
 import { photosFeature } from '../photos/feature.ts';
 import { storageFeature } from '../storage/feature.ts';
 import { stylesFeature } from '../styles/feature.ts';
@@ -30,6 +31,7 @@ const FEATURES: readonly Feature<object>[] = [
   letteringFeature,
   layoutsFeature,
   designerFeature,
+  paintersFeature,
   stylesFeature,
   explorerFeature,
   imitationFeature,

@@ -15,15 +15,16 @@ type Tab = Awaited<ReturnType<ReturnType<typeof fakeBrowser>['tab']>>;
 function dropsOn(tab: Tab) {
   const showProjects = vi.fn();
   const opened = () => vi.fn(async (_files: readonly File[]) => {});
-  const [speech, layouts, styles] = [opened(), opened(), opened()];
+  const [speech, layouts, styles, models] = [opened(), opened(), opened(), opened()];
   const made = createDroppedFiles({
     ...(tab as any),
     subtitling: { open: speech },
     ownLayouts: { open: layouts },
     ownStyles: { open: styles },
+    ownPainters: { open: models },
     showProjects,
   });
-  return { ...made, showProjects, speech, layouts, styles };
+  return { ...made, showProjects, speech, layouts, styles, models };
 }
 
 /** The names of the files that a mock was called with. */
@@ -316,6 +317,13 @@ describe('JSON files', () => {
     // The layout reader reports errors of a file that is not JSON.
     expect(namesIn(drops.layouts)).toEqual(['layout.json', 'broken.json']);
     expect([tab.names(), texts(tab)]).toEqual([['a.jpg'], []]);
+  });
+
+  it('of painters join no album', async () => {
+    const tab = await fakeBrowser().tab();
+    const drops = dropsOn(tab);
+    await drops.take([new File(['x'], 'Night.ONNX'), ...tab.files('a.jpg')]);
+    expect([namesIn(drops.models), tab.names(), texts(tab)]).toEqual([['Night.ONNX'], ['a.jpg'], []]);
   });
 
   it('of other programs that come alone are said to be neither layouts nor styles', async () => {

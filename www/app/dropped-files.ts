@@ -27,6 +27,7 @@ import type { Reading } from '../photos/reading.ts';
 import type { Moments } from '../lettering/cue-times.ts';
 import type { Keeping } from '../storage/storage.ts';
 import type { PageFile } from '../storage/files/page-file.ts';
+import type { OwnPainters } from '../painters/own-painters.ts';
 import type { OwnStyles } from '../styles/own-styles.ts';
 import type { Messages } from '../ui/messages.ts';
 
@@ -55,6 +56,7 @@ export function createDroppedFiles({
   messages,
   ownLayouts,
   ownStyles,
+  ownPainters,
   showProjects,
 }: {
   store: Store;
@@ -64,6 +66,7 @@ export function createDroppedFiles({
   messages: Pick<Messages, 'note' | 'offer' | 'fileFailed'>;
   ownLayouts: Pick<OwnLayouts, 'open'>;
   ownStyles: Pick<OwnStyles, 'open'>;
+  ownPainters: Pick<OwnPainters, 'open'>;
   showProjects: () => void;
 }) {
   /** Projects of one drop are not mixed with projects of the next one, and photos wait for earlier photos. */
@@ -91,10 +94,14 @@ export function createDroppedFiles({
     const packed = await zipped(files);
     const archives = files.filter((file) => !projects.includes(file) && (isArchiveFile(file) || packed.includes(file)));
     const boards = files.filter(({ name }) => hasRole(name, 'board'));
-    const pictures = files.filter((file) => ![plans, projects, archives, boards].some((list) => list.includes(file)));
+    const models = files.filter(({ name }) => hasRole(name, 'painters'));
+    const pictures = files.filter(
+      (file) => ![plans, projects, archives, boards, models].some((list) => list.includes(file)),
+    );
     for (const { name } of boards) messages.fileFailed(name, strings.boardFile);
     const beside = projects.length + archives.length > 0 || pictures.some((file) => !isSpeech(file));
     const speech = speechAmong(files);
+    void ownPainters.open(models);
     void openPlans(plans, { ownLayouts, ownStyles, messages, beside });
     // Files that are dropped while another project opens belong to that project.
     const turn = Promise.all([speech, before, keeping.turned()]).then(([spoken]) =>

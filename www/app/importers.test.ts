@@ -15,6 +15,7 @@ import { failure } from '../engine/protocol.ts';
 import { zipOf } from '../engine/testing-archives.ts';
 import { readAssetsFromFiles } from '../engine/testing-assets.ts';
 import { core } from '../engine/testing-core.ts';
+import { smallModel } from '../engine/testing-painters.ts';
 import { createImitation } from '../imitation/imitation.ts';
 import { createOwnLayouts } from '../layouts/own-layouts.ts';
 import { momentsOf } from '../lettering/cue-times.ts';
@@ -23,6 +24,7 @@ import { createSubtitling } from '../lettering/subtitling.ts';
 import { soundOf } from '../motion/sound.ts';
 import { downloaded } from '../storage/files/testing-pages.ts';
 import { allDie, fakeBrowser } from '../storage/testing.ts';
+import { createOwnPainters } from '../painters/own-painters.ts';
 import { createOwnStyles } from '../styles/own-styles.ts';
 import { linkOf } from '../styles/style-link.ts';
 import { save as saveFile } from '../ui/files.ts';
@@ -251,6 +253,16 @@ describe('pictures for styles and boards', () => {
     });
   });
 
+  test('models of painters', async () => {
+    const { messages, said } = counted();
+    const shelf = { all: async () => [], put: async () => {}, remove: async () => {} };
+    const parts = { designer: { draft: { peek: () => null } }, ui: { work: { peek: () => null } }, shelf };
+    const store = { planner: { peek: () => core }, page: { value: null } };
+    const { open } = createOwnPainters({ ...parts, store, messages } as any);
+    const files = [smallModel(), smallModel({ painters: 12, channels: 8 })];
+    await survives({ files, names: ['a.onnx'], runs: MANY }, { said }, (file) => open([file]));
+  });
+
   test('logos, which the browser decodes', async () => {
     const { messages, said } = counted();
     vi.stubGlobal(
@@ -343,6 +355,7 @@ describe('files that are dropped', () => {
       subtitling: { open },
       ownLayouts: { open },
       ownStyles: { open },
+      ownPainters: { open },
       showProjects: () => {},
     });
     const state = () => `${tab.keeping.current.peek()} ${tab.names().length}`;

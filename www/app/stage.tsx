@@ -17,6 +17,7 @@ import { useSwipe } from '../page/swipe.ts';
 import { ActionButton } from '../ui/action-button.tsx';
 import { WordLayer } from '../lettering/word-layer.tsx';
 import { drawsParts, useSubjectsOf } from '../page/subjects-of.ts';
+import { modelsOf } from '../painters/references.ts';
 import { styleOfPage } from '../styles/style-actions.ts';
 import { CoarseHide, CoarseMarks } from '../export/print-check.tsx';
 import { SafeArea } from '../page/safe-area.tsx';
@@ -29,7 +30,7 @@ const SHARPEST = 2800;
 
 export function Stage() {
   const app = useApp();
-  const { store, pages, engine, messages, ui, selection, lettering, reshaping, ahead } = app;
+  const { store, pages, engine, messages, ui, selection, lettering, reshaping, ahead, ownPainters } = app;
   const canvas = useRef(null as HTMLCanvasElement | null);
   const sheet = useRef(null as HTMLDivElement | null);
   const painter = useRef(null as ReturnType<typeof createPainter> | null);
@@ -53,6 +54,7 @@ export function Stage() {
       engine: {
         renderPictures: engine.renderPictures,
         subjectOf: (document, photo) => (drawsParts(store, document) ? store.masks.peek().get(photo) : undefined),
+        modelsOf: ({ style }) => modelsOf(ownPainters.models.peek(), style),
         thumbnailOf: (id) => store.thumbnails.peek().get(id),
         hasPhoto: (id) => !store.sketch.peek() && engine.hasPhoto(id),
       },

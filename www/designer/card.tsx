@@ -4,6 +4,7 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import { MOST } from '../document/limits.ts';
+import { partsOf } from '../painters/references.ts';
 import { strings } from '../strings/strings.ts';
 import { IconButton } from '../ui/button.tsx';
 import { useApp } from '../ui/context.ts';
@@ -40,7 +41,7 @@ export function Card({
   onTake: (event: PointerEvent) => void;
   onInsert: () => void;
 }) {
-  const { designer } = useApp();
+  const { designer, ownPainters } = useApp();
   const ref = useRef(null as HTMLLIElement | null);
   const block = designer.blocks.value.find(({ id }) => id === step.block);
   if (!block) return null;
@@ -83,13 +84,19 @@ export function Card({
     event.stopPropagation();
   }
 
+  const model = ownPainters.models.value.get(partsOf(String(step.values.model ?? '')).id);
+
   /** Custom colours are shown only if the parameter uses them, in the required number. */
   const asked = ({ id, kind }: BlockParam) => {
+    if (model?.painters === 1 && id === 'painter') return false;
     if (kind !== 'colour') return true;
     const place = /^color_(\d)$/.exec(id)?.[1];
     const own = Object.values(step.values).includes(OWN);
     return own && (place === undefined || Number(place) <= Number(step.values.colors));
   };
+
+  /** A model of the user has its own number of painters. */
+  const ranged = (param: BlockParam) => (model && param.id === 'painter' ? { ...param, max: model.painters } : param);
 
   const name = strings.card({ name: strings.blockName(block), n: at + 1 });
   return (
@@ -178,7 +185,7 @@ export function Card({
         <Parameter
           key={param.id}
           block={block.id}
-          param={param}
+          param={ranged(param)}
           value={step.values[param.id]}
           onMove={(value) => designer.hold({ type: 'set', layer, at, param: param.id, value })}
           onSet={(value) => designer.change({ type: 'set', layer, at, param: param.id, value })}

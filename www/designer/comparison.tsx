@@ -27,16 +27,18 @@ const STEPS: Record<string, number> = {
   End: 1,
 };
 
-/** @param props `split`: the unstyled part during a comparison */
+/** @param props `models`: the models of the user in the style; `split`: the unstyled part during a comparison */
 export function Comparison({
   subject,
   style,
+  models,
   split,
   onStages,
   onBusy,
 }: {
   subject: Subject;
   style: Style;
+  models: string;
   split: Signal<number> | null;
   onStages: ((designed: Designed) => void) | null;
   onBusy: (busy: boolean) => void;
@@ -78,7 +80,7 @@ export function Comparison({
     const { clientWidth = 0, clientHeight = 0 } = box.current ?? {};
     const full = Math.min(subject.most, screenPixels(Math.min(clientWidth, (clientHeight * size.width) / size.height)));
     loop.current?.show({ style, ...size, full });
-  }, [of, style, size.width, size.height]);
+  }, [of, style, models, size.width, size.height]);
 
   const compared = split !== null;
   useEffect(() => {

@@ -1,8 +1,9 @@
 /**
  * A control for a parameter of a block, by its descriptor: a slider with a number field, a switch, a choice, a colour,
- * or a picture.
+ * a picture, or a model.
  */
 
+import { ModelChoice } from './model-choice.tsx';
 import { TextureChoice } from './texture-choice.tsx';
 import { strings } from '../strings/strings.ts';
 import type { BlockParam, ParamValue } from '../engine/types.ts';
@@ -62,6 +63,7 @@ export function Parameter({
     );
   }
   if (kind === 'texture') return <TextureChoice label={label} help={help} value={String(value)} onSet={onSet} />;
+  if (kind === 'model') return <ModelChoice label={label} help={help} value={String(value)} onSet={onSet} />;
   return (
     <Range
       param={param}
@@ -79,7 +81,7 @@ function Range({
   param: { min = 0, max = 1, step = 1, unit = '', default: standard },
   label,
   help,
-  value,
+  value: set,
   onMove,
   onSet,
   onRest,
@@ -92,6 +94,8 @@ function Range({
   onSet: (value: number) => void;
   onRest: () => void;
 }) {
+  // A style may be for a model with more painters.
+  const value = Math.min(set, max);
   const usual = Number(standard);
   const mark = (usual - min) / (max - min);
   const told = (number: number) => `${strings.decimal(number)}${unit ? ` ${unit}` : ''}`;

@@ -5,6 +5,7 @@ import { useMemo } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { PLAIN } from '../photos/cover.ts';
+import { modelsOf } from '../painters/references.ts';
 import { useHero } from '../photos/hero.ts';
 import { PhotoPicker, useDrawnPhotos } from '../photos/photo-picker.tsx';
 import { Comparison } from './comparison.tsx';
@@ -14,7 +15,7 @@ import type { Designed } from '../engine/design.ts';
 const KINDS = ['photo', 'page'] as const;
 
 export function Preview({ onStages }: { onStages: (designed: Designed) => void }) {
-  const { store, engine, designer, lettering } = useApp();
+  const { store, engine, designer, lettering, ownPainters } = useApp();
   const chosen = useSignal(null as string | null);
   const four = useSignal(false);
   const compare = useSignal(false);
@@ -50,6 +51,7 @@ export function Preview({ onStages }: { onStages: (designed: Designed) => void }
               key={key}
               subject={subject}
               style={designer.shown.value ?? PLAIN}
+              models={modelsOf(ownPainters.models.value, designer.shown.value)}
               split={compare.value ? split : null}
               onStages={i === 0 ? onStages : null}
               onBusy={(now) => {

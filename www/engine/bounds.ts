@@ -18,6 +18,8 @@ export const MOST = Object.freeze({
   blocks: 32,
   /** Bytes of the file of a texture. */
   texture: 262_144,
+  /** Bytes of the file of a model of painters. */
+  painters: 4_194_304,
   /** Characters of a name. */
   name: 1_000,
   /** A place of a word, in widths and heights of its panel to either side. */

@@ -84,6 +84,8 @@ export function createPlanner() {
      * @param file its name, for the message
      */
     checkLayout: (json: string, file: string): Template => JSON.parse(core.check_layout(json, file)),
+    /** @returns the number of painters in a model. Throws if it is not one */
+    paintersIn: (onnx: Uint8Array): number => core.painters_in(onnx),
     geometry: (layout: LayoutChoice, page: PageSettings): Geometry =>
       JSON.parse(core.page_geometry(JSON.stringify({ layout, page }))),
     /**

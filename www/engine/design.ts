@@ -3,8 +3,10 @@
  * computes only the blocks after a change. The worker starts with the first call.
  */
 
+import { withOwnModels } from './painters.ts';
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
+import type { FindOwn } from './painters.ts';
 import type { Pool } from './pool.ts';
 import type { Style } from './types.ts';
 import type { Call } from './engine.ts';
@@ -20,7 +22,11 @@ export type Designed = BitmapPatch & { times: [number, number][]; stages: { plac
 /** Offset of the block indices in the foreground. */
 export const FOREGROUND = 256;
 
-export function createDesign(photos: ReturnType<typeof createPhotos>) {
+/** @param ownPainters returns the function that finds models of the user */
+export function createDesign(
+  photos: ReturnType<typeof createPhotos>,
+  ownPainters: () => FindOwn | undefined = () => undefined,
+) {
   let spawn: (() => Worker) | undefined;
   let pool: Pool | undefined;
 
@@ -46,7 +52,8 @@ export function createDesign(photos: ReturnType<typeof createPhotos>) {
     const { name } = photos.get(id);
     const work = photos.handle(id, 'work');
     pool ??= createPool({ size: 1, spawn: spawn as () => Worker });
-    const args = { photo: work, style: JSON.stringify(style), width, height, stages };
+    const plain = { photo: work, style: JSON.stringify(style), width, height, stages };
+    const args = await withOwnModels(plain, ownPainters());
     return pool.run({ op: 'design', args, photo: name, holds: [work.key], priority: Priority.PANEL, ...call });
   }
 }

@@ -15,6 +15,7 @@ import { createImitating } from './imitate.ts';
 import { createLiving } from './living.ts';
 import { createMasking } from './masking.ts';
 import { createMeasures } from './measures.ts';
+import { ownModelsIn, withOwnModels } from './painters.ts';
 import { createPhotos } from './photos.ts';
 import { createPool } from './pool.ts';
 import { Priority } from './queue.ts';
@@ -27,6 +28,7 @@ import { givesWebp } from './webp.ts';
 import { createWarming } from './warming.ts';
 import { createWords } from './words.ts';
 import type { Block, Detection, Layout, PageDocument, Style } from './types.ts';
+import type { FindOwn } from './painters.ts';
 import type { Job, Pool } from './pool.ts';
 import type { Imported, Operations, PixelPatch, Program, Start } from './protocol.ts';
 import type { Scheduler } from './scheduler.ts';
@@ -71,10 +73,11 @@ export function createEngine({
   const size = Math.max(1, Math.min(most.workers, Math.floor(workers)));
   const photos = createPhotos();
   const detector = createDetector(photos, { scheduler, spare: (count) => pool?.spare(count), linger: most.nets });
-  const design = createDesign(photos);
+  const design = createDesign(photos, () => ownPainters);
   const words = createWords();
   const files = createFiles();
   let pool: Pool | undefined;
+  let ownPainters: FindOwn | undefined;
   let imported = 0;
 
   const ready = loadCore().then(({ program, planner }) => {
@@ -107,6 +110,10 @@ export function createEngine({
     importVideo,
     /** Sounds of a video that can become sound effects. */
     hearFilm,
+    /** Sets the function that finds models of the user for the block Painter. */
+    ownPaintersFrom: (find: FindOwn) => {
+      ownPainters = find;
+    },
     prepareDetectors: detector.prepare,
     facesReady: detector.facesReady,
     /** Subjects of an imported photo, in fractions of it. */
@@ -152,7 +159,9 @@ export function createEngine({
   async function ask<Op extends keyof Operations>(job: Job<Operations, Op>): Promise<Operations[Op]['ok']> {
     // With a pool, a job is passed on at once, before later tasks such as drawing the whole window.
     if (!pool) await ready;
-    return (pool as NonNullable<typeof pool>).run(job);
+    const needs = ownPainters !== undefined && ownModelsIn(job.args).length > 0;
+    const whole = needs ? { ...job, args: await withOwnModels(job.args, ownPainters) } : job;
+    return (pool as NonNullable<typeof pool>).run(whole);
   }
 
   /** @param image RGBA */

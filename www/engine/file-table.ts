@@ -9,6 +9,7 @@ export type Role =
   | 'json'
   | 'project'
   | 'archive'
+  | 'painters'
   | 'sidecar'
   | 'unsupported';
 export type Remedy = 'jpeg' | 'unpack' | 'pages' | 'mp4' | 'srt' | 'fountain' | 'csv' | 'text';
@@ -195,6 +196,12 @@ export const FILE_KINDS: readonly FileKind[] = [
     type: 'application/vnd.comicbook+zip',
     endings: 'cbz',
     role: 'archive',
+  },
+  {
+    name: 'ONNX',
+    type: '',
+    endings: 'onnx',
+    role: 'painters',
   },
   {
     name: 'edits of a photo',

@@ -1199,7 +1199,7 @@ export type BlockParam = {
 };
 
 /** Type of a parameter. */
-export type ParamKind = "number" | "integer" | "boolean" | "choice" | "texture" | "colour";
+export type ParamKind = "number" | "integer" | "boolean" | "choice" | "texture" | "model" | "colour";
 
 /** Input and output channels of a block. */
 export type Channels = "luma" | "color" | "any";

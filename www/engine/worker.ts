@@ -22,7 +22,7 @@ serveJobs<Operations, Start>(
     const { studio, operations, loadPainters } = await (started as NonNullable<typeof started>);
     if (mentionsPainter(args)) {
       slow();
-      await loadPainters();
+      await loadPainters(args);
     }
     const answer = await operations[op](args, slow);
     return { ...answer, memory: studio.memory() };
@@ -40,6 +40,6 @@ async function start({ program, budget }: Start): Promise<Started> {
   return {
     studio,
     operations: createOperations(studio, createLru(budget), createLru(budget / PASSING)),
-    loadPainters: paintersLoader((onnx) => studio.know_painters(onnx)),
+    loadPainters: paintersLoader(studio),
   };
 }

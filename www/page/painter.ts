@@ -38,6 +38,7 @@ export function createPainter(
   }: {
     engine: Pick<Engine, 'renderPictures' | 'hasPhoto'> & {
       subjectOf?: (document: PageDocument, photo: string) => string | undefined;
+      modelsOf?: (document: PageDocument) => string;
       /** A small image of a photo that is not read yet. */
       thumbnailOf?: (photo: string) => ExifThumbnail | undefined;
     };
@@ -46,7 +47,7 @@ export function createPainter(
     onError: (error: Error & { code?: string }) => void;
   },
 ) {
-  const patches = createPatches(engine.renderPictures, engine.subjectOf);
+  const patches = createPatches(engine.renderPictures, engine.subjectOf, engine.modelsOf);
   let sheet: Sheet | null = null;
   /** The content of the canvas. */
   let visible: Sheet | null = null;

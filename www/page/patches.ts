@@ -25,10 +25,14 @@ type Flight = { promise: Promise<Patch>; stop: AbortController; promote: () => v
 /** Maximum bytes of cached pictures: a dozen pages on a large screen. */
 const BUDGET = 96 * 2 ** 20;
 
-/** @param subjectOf the subject mask of a photo, if the style of the page uses it */
+/**
+ * @param subjectOf the subject mask of a photo, if the style of the page uses it
+ * @param modelsOf the models of the user that the style of the page uses
+ */
 export function createPatches(
   render: Engine['renderPictures'],
   subjectOf: (document: PageDocument, photo: string) => string | undefined = () => undefined,
+  modelsOf: (document: PageDocument) => string = () => '',
 ) {
   /** Oldest first. */
   const kept: Map<string, Patch> = new Map();
@@ -54,6 +58,7 @@ export function createPatches(
     const shapes = group.map((i) => geometry.panels[i]);
     return JSON.stringify([
       style,
+      modelsOf(document),
       page,
       photo,
       crop,

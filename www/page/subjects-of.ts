@@ -1,5 +1,6 @@
-/** Subject masks of a page's photos, for pictures that depend on them. */
+/** Subject masks of a page's photos and models of its style, for pictures that depend on them. */
 
+import { modelsOf } from '../painters/references.ts';
 import { hasParts } from '../styles/parts.ts';
 import { frontsOf } from '../engine/figures.ts';
 import { useApp } from '../ui/context.ts';
@@ -33,7 +34,8 @@ export function subjectOf({ page, masks }: Pick<Store, 'page' | 'masks'>, { pane
   return (photo && masks.value.get(photo)) || '';
 }
 
-/** @returns as `subjectsOf` */
+/** @returns as `subjectsOf`, and for the models of its painters */
 export function useSubjectsOf(page: PageDocument | null): string {
-  return subjectsOf(useApp().store, page);
+  const { store, ownPainters } = useApp();
+  return [modelsOf(ownPainters.models.value, page?.style), subjectsOf(store, page)].filter(Boolean).join(' ');
 }

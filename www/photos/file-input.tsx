@@ -4,7 +4,7 @@ import { ChosenFiles } from './chosen-files.tsx';
 import { useApp } from '../ui/context.ts';
 
 const ID = 'files';
-const ACCEPT = `image/*,video/*,${endingsOf('photo', 'video', 'subtitles', 'archive')}`;
+const ACCEPT = `image/*,video/*,${endingsOf('photo', 'video', 'subtitles', 'archive', 'painters')}`;
 
 /** The one file input of the page; the buttons open it. */
 export function FileInput() {

@@ -11,6 +11,7 @@ import { Thumbnail } from '../ui/bitmap.tsx';
 import { StyleShuffle } from './style-shuffle.tsx';
 import { useApp } from '../ui/context.ts';
 import { hasParts } from './parts.ts';
+import { modelsOf } from '../painters/references.ts';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
 import { Listbox } from '../ui/listbox.tsx';
@@ -24,7 +25,7 @@ const KEEP = Object.freeze({ layout: true, style: true, photos: true });
 type Kind = { id: string; name: string; options: Style[] };
 
 export function StylesList() {
-  const { store, pages, engine, ownStyles, recentStyles, actions, ui } = useApp();
+  const { store, pages, engine, ownStyles, ownPainters, recentStyles, actions, ui } = useApp();
   const hero = useHero();
   const kind = useSignal('');
   const sought = useSignal('');
@@ -101,7 +102,7 @@ export function StylesList() {
             <span class="bitmap" />
           ) : (
             <Thumbnail
-              of={`${designed.has(option) ? hero : `${hero} ${JSON.stringify(option)}`} ${hasParts(option) ? (store.masks.value.get(hero) ?? '') : ''}`}
+              of={`${designed.has(option) ? hero : `${hero} ${JSON.stringify(option)}`} ${hasParts(option) ? (store.masks.value.get(hero) ?? '') : ''} ${modelsOf(ownPainters.models.value, option)}`}
               by={JSON.stringify(size.crop)}
               draw={(call) => engine.photoFile(hero, option, size, call)}
             />

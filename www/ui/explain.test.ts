@@ -15,7 +15,6 @@ const INTERNAL = new Set([
   'empty-project',
   'invalid-bank',
   'invalid-document',
-  'invalid-painters',
   'missing-page',
   'sound-large',
   'sound-long',

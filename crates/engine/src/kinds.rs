@@ -23,6 +23,8 @@ pub enum Role {
     Project,
     /// An archive of pages or photos.
     Archive,
+    /// A model of painters of the user.
+    Painters,
     /// A file that a system or a program stores next to photos. It is skipped.
     Sidecar,
     /// A file that cannot be read.
@@ -114,6 +116,7 @@ pub const KINDS: &[Kind] = &[
     kind("Inkpanel project", "application/x-inkpanel", &["inkpanel"], Role::Project),
     kind("ZIP", "application/zip", &["zip"], Role::Archive),
     kind("CBZ", "application/vnd.comicbook+zip", &["cbz"], Role::Archive),
+    kind("ONNX", "", &["onnx"], Role::Painters),
     // Edits of photos by iPhones and by programs for raw photos; previews and indexes of cameras.
     kind("edits of a photo", "", &["aae", "xmp", "pp3", "dop", "on1", "cos"], Role::Sidecar),
     kind("preview of a camera", "", &["thm", "lrv", "ctg"], Role::Sidecar),
@@ -287,6 +290,7 @@ impl Display for Explained {
                 write!(out, "this is a video ({name}), not a photo; `inkpanel shots` finds its frames")
             }
             Role::Archive => write!(out, "this is an archive ({name}); unpack it and name the folder"),
+            Role::Painters => write!(out, "this is a model ({name}), not a photo; `--painters` uses it"),
             Role::Project => write!(out, "this is a project; `inkpanel render` draws it"),
             Role::Subtitles => write!(out, "this file has subtitles ({name}), not a photo; the app reads it"),
             Role::Board | Role::Json | Role::Text => {
@@ -342,6 +346,7 @@ impl Role {
             Self::Json => "json",
             Self::Project => "project",
             Self::Archive => "archive",
+            Self::Painters => "painters",
             Self::Sidecar => "sidecar",
             Self::Unsupported(_) => "unsupported",
         }

@@ -155,7 +155,16 @@ pub enum Error {
     /// A model is damaged, unexpected, or failed.
     #[error("the detector failed: {0}")]
     Detector(String),
-    /// A file with painters is damaged or has unknown operators.
+    /// A file with painters is truncated, or of another kind.
+    #[error("this is not a model of painters: {0}")]
+    DamagedPainters(String),
+    /// A file with painters is too large.
+    #[error("this model of painters is too large: {0}")]
+    LargePainters(String),
+    /// A network with painters has too many layers, channels or multiplications.
+    #[error("this model of painters would take too long: {0}")]
+    SlowPainters(String),
+    /// A network has other operators than painters.
     #[error("this is not a model of painters: {0}")]
     InvalidPainters(String),
     /// A page could not be encoded.
@@ -190,6 +199,9 @@ impl Error {
             Self::PlainPhoto => "plain-photo",
             Self::Cancelled => "cancelled",
             Self::Detector(_) => "detector",
+            Self::DamagedPainters(_) => "damaged-painters",
+            Self::LargePainters(_) => "large-painters",
+            Self::SlowPainters(_) => "slow-painters",
             Self::InvalidPainters(_) => "invalid-painters",
             Self::Encode(_) => "encode",
         }

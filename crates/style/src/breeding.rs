@@ -65,7 +65,7 @@ fn mutate(layer: &mut Vec<Step>, surprise: f64, random: &mut Rand64) {
             let (least, most) = param.kind.range();
             let changed = match param.kind {
                 // Any change of the number would be another colour altogether.
-                Kind::Colour { .. } | Kind::Texture => *value,
+                Kind::Colour { .. } | Kind::Texture | Kind::Model => *value,
                 Kind::Flag { .. } | Kind::Choice { .. } => {
                     let other = least + (most - least + 1.0) * random.rand_float() as f32;
                     if random.rand_float() < 0.4 * surprise { other.floor().min(most) } else { *value }

@@ -26,6 +26,8 @@ pub struct Context<'a> {
     faces: Vec<FaceBox>,
     subject: Option<Plane>,
     painters: Option<Arc<Painters>>,
+    /// Models of the user, by the hash in their references.
+    own_painters: Vec<(String, Arc<Painters>)>,
     steady: Steady,
     tones: KnownTones,
     planes: Vec<Vec<u8>>,
@@ -158,9 +160,23 @@ impl<'a> Context<'a> {
         self.painters.is_some()
     }
 
-    /// Returns the model of the block Painter, if there is one.
-    pub(crate) fn painters(&self) -> Option<Arc<Painters>> {
-        self.painters.clone()
+    /// Adds a model of the user. `hash` is the part of its references in styles.
+    pub fn show_own_painters(&mut self, hash: &str, painters: Arc<Painters>) {
+        self.own_painters.retain(|(known, _)| known != hash);
+        self.own_painters.push((hash.to_owned(), painters));
+    }
+
+    /// Removes the models of the user.
+    pub fn hide_own_painters(&mut self) {
+        self.own_painters.clear();
+    }
+
+    /// Returns the model of the block Painter, if there is one. An unknown model of a user is replaced by the built-in
+    /// one, so that a style without its model can be drawn.
+    pub(crate) fn painters(&self, reference: Option<&str>) -> Option<Arc<Painters>> {
+        let hash = reference.and_then(|reference| reference.split(' ').next());
+        let own = self.own_painters.iter().find(|(known, _)| Some(known.as_str()) == hash);
+        own.map(|(_, painters)| painters.clone()).or_else(|| self.painters.clone())
     }
 
     /// Starts a series of frames. Painters measure only the first frame.

@@ -5,6 +5,7 @@
 
 use super::blocks::{self, Block, Channels};
 use super::faces;
+use super::painters;
 use super::params::{Kind, Param, colour_of, colour_value};
 use super::part::{Part, Parts};
 use super::texture::Texture;
@@ -59,6 +60,8 @@ pub struct Step {
     pub values: Vec<f32>,
     /// The picture of the texture parameter, if the block has one and the user chose a picture.
     pub texture: Option<Arc<Texture>>,
+    /// The model of the user, if the block has this parameter and the user chose a model.
+    pub model: Option<Arc<str>>,
     /// The block stays in the file but is left out of the chain.
     pub bypass: bool,
     /// The part of the picture that it applies to; the whole picture if no part is defined.
@@ -175,15 +178,25 @@ impl Step {
     #[must_use]
     pub fn new(block: &'static Block) -> Self {
         let values = block.params.iter().map(|param| param.kind.default()).collect();
-        Self { block, values, texture: None, bypass: false, part: None }
+        Self { block, values, texture: None, model: None, bypass: false, part: None }
+    }
+
+    /// Returns the value of a parameter that is a text, unless it is empty.
+    #[must_use]
+    pub fn text(&self, param: &Param) -> Option<&str> {
+        match param.kind {
+            Kind::Texture => self.texture.as_ref().map(|texture| texture.url()),
+            Kind::Model => self.model.as_deref(),
+            _ => None,
+        }
     }
 
     fn to_value(&self) -> Value {
         let mut map = Map::new();
         map.insert("block".into(), json!(self.block.id));
         for (param, &value) in self.block.params.iter().zip(&self.values) {
-            if matches!(param.kind, Kind::Texture) {
-                map.extend(self.texture.iter().map(|texture| (param.id.to_owned(), json!(texture.url()))));
+            if matches!(param.kind, Kind::Texture | Kind::Model) {
+                map.extend(self.text(param).map(|text| (param.id.to_owned(), json!(text))));
             } else if (value - param.kind.default()).abs() > f32::EPSILON {
                 map.insert(param.id.into(), param.value_to_json(value));
             }
@@ -218,7 +231,7 @@ impl Param {
                 let [r, g, b] = colour_of(value);
                 json!(format!("#{r:02x}{g:02x}{b:02x}"))
             }
-            Kind::Texture => json!(""),
+            Kind::Texture | Kind::Model => json!(""),
         }
     }
 
@@ -229,6 +242,7 @@ impl Param {
     pub fn normalized(&self, value: &Value) -> std::result::Result<Value, String> {
         match self.kind {
             Kind::Texture => texture(value).map(|texture| json!(texture.map_or("", |(url, _)| url))),
+            Kind::Model => model(value).map(|model| json!(model.unwrap_or_default())),
             _ => self.value_from_json(value).map(|value| self.value_to_json(value)),
         }
     }
@@ -237,6 +251,7 @@ impl Param {
     pub(crate) fn value_from_json(&self, value: &Value) -> std::result::Result<f32, String> {
         let in_range = |number: f64| {
             let (min, max) = self.kind.range();
+            let max = self.most.unwrap_or(max);
             // Compared as f32, like the limits, so that 0.3 is accepted if the minimum is 0.3.
             let value = number as f32;
             if (min..=max).contains(&value) {
@@ -262,6 +277,7 @@ impl Param {
                 Ok(position.ok_or(format!("is {value}, it must be one of: {}", names.join(", ")))? as f32)
             }
             Kind::Texture => texture(value).map(|_| 0.0),
+            Kind::Model => model(value).map(|_| 0.0),
             Kind::Colour { .. } => {
                 let colour = value.as_str().and_then(crate::raster::color::parse_hex);
                 let bad = || format!("is {value}, it must be a colour like \"#101014\"");
@@ -278,6 +294,13 @@ fn texture(value: &Value) -> std::result::Result<Option<(&str, Texture)>, String
         Some(url) => Texture::read(url).map(|texture| Some((url, texture))),
         None => Err("must be a text, the data URL of a PNG or JPEG picture".into()),
     }
+}
+
+/// The reference of a model; `None` for an empty text.
+fn model(value: &Value) -> std::result::Result<Option<&str>, String> {
+    let text = value.as_str().filter(|text| text.is_empty() || painters::is_reference(text));
+    let wrong = "must be a text, 16 hexadecimal digits and the name of a file";
+    text.map(|text| Some(text).filter(|text| !text.is_empty())).ok_or_else(|| wrong.into())
 }
 
 fn invalid(file: &str, location: &str, reason: impl Into<String>) -> Error {
@@ -394,6 +417,10 @@ fn step(file: &str, place: &str, value: &Value) -> Result<Step> {
             step.texture = read.map(|(_, texture)| Arc::new(texture));
             continue;
         }
+        if matches!(block.params[i].kind, Kind::Model) {
+            step.model = model(value).map_err(|reason| invalid(file, &place, reason))?.map(Arc::from);
+            continue;
+        }
         step.values[i] =
             block.params[i].value_from_json(value).map_err(|reason| invalid(file, &place, reason))?;
     }
@@ -450,7 +477,8 @@ mod tests {
     #[test]
     fn what_is_written_reads_back_the_same() {
         let json = r##"{"id":"a","name":"A","tags":["ink"],"background":[{"block":"posterize","levels":5,
-            "bypass":true},{"block":"gaussian","sigma":1.2,"where":"background"}],
+            "bypass":true},{"block":"gaussian","sigma":1.2,"where":"background"},
+            {"block":"painter","painter":12.5,"model":"00112233445566ff my own.onnx"}],
             "foreground":[{"block":"sobel","invert":true}],"where":{"foreground":"subject"},"ink":"#101014"}"##;
         let value = Style::parse("a.json", json).unwrap().to_value();
         assert_eq!(value, serde_json::from_str::<Value>(json).unwrap());
@@ -488,6 +516,12 @@ mod tests {
                 r#"{"background":[{"block":"to_gray","where":"subject"},{"block":"pattern"}]}"#,
                 "background[1] (pattern): needs gray",
             ),
+            (
+                r#"{"background":[{"block":"painter","model":5}]}"#,
+                "model: must be a text, 16 hexadecimal digits",
+            ),
+            (r#"{"background":[{"block":"painter","model":"own.onnx"}]}"#, "model: must be a text"),
+            (r#"{"background":[{"block":"painter","painter":65}]}"#, "is 65, it must be from 1 to 64"),
             (r#"{"background":[],"ink":"red"}"#, "ink: is \"red\", it must be a colour"),
             (r#"{"background":[],"id":""}"#, "id: must be a text"),
             (r#"{"background":[],"tags":[1]}"#, "tags: must be a list"),

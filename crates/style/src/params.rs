@@ -24,6 +24,8 @@ pub struct Param {
     pub is_fixed: bool,
     /// How a repeating structure depends on it.
     pub repeat: Option<Repeat>,
+    /// Largest value in a style file, if it is above the range. Only models of the user need such values.
+    pub most: Option<f32>,
 }
 
 /// Maximum of a length on a face. The shares are for a face that is one pixel high, in pixels of a style.
@@ -114,6 +116,9 @@ pub enum Kind {
     /// A picture of the user as a data URL; an empty text means no picture. It is stored next to the numbers
     /// ([`Step::texture`](super::file::Step)).
     Texture,
+    /// A model of painters of the user, as `HASH NAME`; an empty text means the built-in model. It is stored next to
+    /// the numbers ([`Step::model`](super::file::Step)).
+    Model,
     /// A colour; in style files it is `#rrggbb`.
     Colour {
         /// The default if a style file has no value.
@@ -157,7 +162,7 @@ impl Kind {
             Self::Number { default, .. } => default,
             Self::Integer { default, .. } => default as f32,
             Self::Flag { default } => f32::from(u8::from(default)),
-            Self::Choice { .. } | Self::Texture => 0.0,
+            Self::Choice { .. } | Self::Texture | Self::Model => 0.0,
             Self::Colour { default } => colour_value(default),
         }
     }
@@ -170,7 +175,7 @@ impl Kind {
             Self::Integer { min, max, .. } => (min as f32, max as f32),
             Self::Flag { .. } => (0.0, 1.0),
             Self::Choice { names } => (0.0, names.len().saturating_sub(1) as f32),
-            Self::Texture => (0.0, 0.0),
+            Self::Texture | Self::Model => (0.0, 0.0),
             Self::Colour { .. } => (0.0, colour_value([255; 3])),
         }
     }
@@ -193,6 +198,12 @@ impl Param {
     #[must_use]
     pub const fn fixed(self) -> Self {
         Self { is_fixed: true, ..self }
+    }
+
+    /// Accepts values above the range in style files.
+    #[must_use]
+    pub const fn up_to(self, most: f32) -> Self {
+        Self { most: Some(most), ..self }
     }
 
     /// Marks the size of a repeating structure.
@@ -228,7 +239,7 @@ impl Param {
 /// A parameter of any type.
 #[must_use]
 pub const fn param(id: &'static str, label: &'static str, help: &'static str, kind: Kind) -> Param {
-    Param { id, label, help, kind, face: None, gaps: None, is_fixed: false, repeat: None }
+    Param { id, label, help, kind, face: None, gaps: None, is_fixed: false, repeat: None, most: None }
 }
 
 /// A number parameter; the shorthand in which the blocks declare theirs.
@@ -285,6 +296,7 @@ pub fn colour_of(value: f32) -> [u8; 3] {
 pub struct Args<'a> {
     values: &'a [f32],
     texture: Option<&'a Arc<Texture>>,
+    model: Option<&'a str>,
     scale: f32,
 }
 
@@ -292,19 +304,25 @@ impl<'a> Args<'a> {
     /// `values` in the order of the descriptor; `scale` = sqrt(w h / (1920 * 1080)) of the render.
     #[must_use]
     pub fn new(values: &'a [f32], scale: f32) -> Self {
-        Self { values, texture: None, scale }
+        Self { values, texture: None, model: None, scale }
     }
 
     /// The values of a step.
     #[must_use]
     pub fn of(step: &'a Step, scale: f32) -> Self {
-        Self { values: &step.values, texture: step.texture.as_ref(), scale }
+        Self { values: &step.values, texture: step.texture.as_ref(), model: step.model.as_deref(), scale }
     }
 
     /// A custom texture.
     #[must_use]
     pub fn texture(&self) -> Option<&'a Arc<Texture>> {
         self.texture
+    }
+
+    /// A model of the user.
+    #[must_use]
+    pub fn model(&self) -> Option<&'a str> {
+        self.model
     }
 
     /// The stored value of parameter `i`.

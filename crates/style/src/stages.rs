@@ -153,6 +153,7 @@ fn same_step(a: &Step, b: &Step) -> bool {
         && a.part == b.part
         && bits(a) == bits(b)
         && a.texture == b.texture
+        && a.model == b.model
 }
 
 fn is_point(step: &Step) -> bool {

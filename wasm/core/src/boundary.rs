@@ -70,6 +70,13 @@ pub fn layouts() -> String {
     listed(&catalogue::layouts())
 }
 
+/// Number of painters in a model of the user. Throws `damaged-painters`, `large-painters`, `slow-painters` or
+/// `invalid-painters`.
+#[wasm_bindgen]
+pub fn painters_in(onnx: &[u8]) -> Result<usize> {
+    Ok(Painters::new(onnx)?.count())
+}
+
 /// All designed styles, a JSON array of style files.
 #[wasm_bindgen]
 #[must_use]
@@ -226,6 +233,20 @@ impl Studio {
         let painters = Painters::new(onnx)?;
         self.context.show_painters(Some(Arc::new(painters)));
         Ok(())
+    }
+
+    /// Adds a model of the user, whose references in styles begin with `hash`. Throws as `painters_in`.
+    pub fn know_own_painters(&mut self, hash: &str, onnx: &[u8]) -> Result<()> {
+        let painters = Painters::new(onnx)?;
+        self.context.show_own_painters(hash, Arc::new(painters));
+        self.designs = style::Designs::default();
+        Ok(())
+    }
+
+    /// Removes the models of the user.
+    pub fn forget_own_painters(&mut self) {
+        self.context.hide_own_painters();
+        self.designs = style::Designs::default();
     }
 
     /// Whether a photo is here.

@@ -194,9 +194,8 @@ impl Draft {
                 key += 1;
                 let values = step.block.params.iter().zip(&step.values);
                 let values = values.map(|(param, value)| {
-                    let texture = step.texture.as_ref().filter(|_| matches!(param.kind, Kind::Texture));
                     let value =
-                        texture.map_or_else(|| param.value_to_json(*value), |texture| json!(texture.url()));
+                        step.text(param).map_or_else(|| param.value_to_json(*value), |text| json!(text));
                     (param.id.to_owned(), value)
                 });
                 let values = values.collect();

@@ -78,6 +78,8 @@ pub enum ParamKind {
     Choice,
     /// A custom image: its data URL, or an empty text.
     Texture,
+    /// A model of the user: a reference, or an empty text.
+    Model,
     /// `#rrggbb`.
     Colour,
 }
@@ -141,6 +143,7 @@ fn param(param: &Param) -> ParamEntry {
             ParamEntry { kind: ParamKind::Choice, default, choices: Some(names), ..entry }
         }
         Kind::Texture => ParamEntry { kind: ParamKind::Texture, default: "".into(), ..entry },
+        Kind::Model => ParamEntry { kind: ParamKind::Model, default: "".into(), ..entry },
         Kind::Colour { .. } => ParamEntry {
             kind: ParamKind::Colour,
             default: param.value_to_json(param.kind.default()),

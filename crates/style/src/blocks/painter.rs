@@ -9,15 +9,16 @@
 //! gain     = covariance(luma(small), luma(network(small))) / variance(luma(small)), in windows of 3 x 3 pixels
 //! ```
 //!
-//! Without a model of painters, the block changes nothing.
+//! Without a model of painters, the block changes nothing. A model of the user may have more painters than the built-in
+//! one. Numbers beyond the last painter of a model mean this painter.
 //!
 //! Source of the gain: He, Sun and Tang, "Guided Image Filtering", 2013.
 
 use super::{Block, Channels, Kernel};
 use crate::context::Context;
 use crate::error::Result;
-use crate::painters::Choice;
-use crate::params::{Args, FaceLimit, Gaps, Unit, number};
+use crate::painters::{Choice, MAX_PAINTERS};
+use crate::params::{Args, FaceLimit, Gaps, Kind, Unit, number, param};
 use crate::raster::resize::{Region, resample, resample_image};
 use crate::raster::{Image, Plane};
 use crate::simd::point::{luma_plane, shift_luma};
@@ -38,7 +39,8 @@ pub(super) static BLOCK: Block = Block {
             "Number of the painter; values between two numbers mix both.",
             (1.0, 1.0, PAINTERS as f32, 0.1),
             Unit::None,
-        ),
+        )
+        .up_to(MAX_PAINTERS as f32),
         // Only halved in a face that is drawn again: a finer brush everywhere would take four times as long.
         number("brush", "Brush", "Size of a dab of paint.", (3.0, 2.0, 8.0, 0.1), Unit::Pixels)
             .for_face(FaceLimit::Length(1.0))
@@ -57,6 +59,7 @@ pub(super) static BLOCK: Block = Block {
             (0.0, 0.0, 100.0, 1.0),
             Unit::Percent,
         ),
+        param("model", "Model", "The file that painters come from.", Kind::Model),
     ],
     kernel: Kernel::Image(run),
     recolors: |values| values[3] < 50.0,
@@ -76,7 +79,7 @@ const NOISE: i32 = 40;
 
 fn run(args: Args<'_>, mut image: Image, context: &mut Context<'_>) -> Result<Image> {
     let strength = (args.number(2) * 2.56).round() as i32;
-    let Some(painters) = context.painters().filter(|_| strength > 0) else { return Ok(image) };
+    let Some(painters) = context.painters(args.model()).filter(|_| strength > 0) else { return Ok(image) };
     let (width, height) = (image.width(), image.height());
     let small = reduced(&image, args.pixels(1));
     let place = (args.number(0) - 1.0).clamp(0.0, (painters.count() - 1) as f32);

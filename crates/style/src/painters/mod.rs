@@ -13,11 +13,28 @@ mod onnx;
 mod protobuf;
 
 pub use network::{Choice, Norms};
-pub use onnx::MAX_BYTES;
+pub use onnx::{MAX_BYTES, MAX_PAINTERS};
 
 use crate::error::Result;
 use crate::raster::Image;
 use network::Network;
+
+/// Largest reference of a model, in bytes.
+const MAX_REFERENCE: usize = 200;
+
+/// Whether a text is the reference of a user's model in a style: 16 hexadecimal digits that identify its content, a
+/// space, and the name of its file.
+#[must_use]
+pub fn is_reference(text: &str) -> bool {
+    let digit = |byte: u8| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte);
+    text.len() <= MAX_REFERENCE
+        && text.split_once(' ').is_some_and(|(hash, name)| {
+            hash.len() == 16
+                && hash.bytes().all(digit)
+                && !name.is_empty()
+                && !name.contains(char::is_control)
+        })
+}
 
 /// A model of painters.
 #[derive(Debug)]
@@ -27,7 +44,7 @@ impl Painters {
     /// Reads an ONNX file, which is untrusted input.
     ///
     /// # Errors
-    /// `invalid-painters` with the reason.
+    /// `damaged-painters`, `large-painters`, `slow-painters` or `invalid-painters`, with the reason.
     pub fn new(onnx: &[u8]) -> Result<Self> {
         Ok(Self(Network::new(onnx::read(onnx)?)))
     }

@@ -19,7 +19,7 @@ const MAX_CHANNELS: usize = 128;
 /// Largest side of a kernel.
 const MAX_SIDE: usize = 9;
 /// Largest number of painters.
-const MAX_PAINTERS: usize = 64;
+pub const MAX_PAINTERS: usize = 64;
 /// Most multiplications per pixel.
 const MAX_COST: usize = 40_000;
 
@@ -79,13 +79,15 @@ enum Found {
 /// Reads a model.
 ///
 /// # Errors
-/// `invalid-painters` with the reason.
+/// `damaged-painters`, `large-painters`, `slow-painters` or `invalid-painters`, with the reason.
 pub(super) fn read(bytes: &[u8]) -> Result<Graph> {
     if bytes.len() > MAX_BYTES {
-        return Err(invalid(format!("it has {} bytes, the limit is {MAX_BYTES}", bytes.len())));
+        let reason = format!("it has {} bytes, the limit is {MAX_BYTES}", bytes.len());
+        return Err(Error::LargePainters(reason));
     }
     let model = Message::new(bytes)?;
-    let graph = Message::new(model.bytes(7).ok_or_else(|| invalid("it has no graph"))?)?;
+    let graph =
+        Message::new(model.bytes(7).ok_or_else(|| Error::DamagedPainters("it has no graph".into()))?)?;
     let mut reader =
         Reader { constants: HashMap::new(), found: HashMap::new(), layers: Vec::new(), painters: 1 };
     for tensor in graph.messages(5)? {
@@ -290,7 +292,8 @@ impl<'a> Reader<'a> {
             return Err(invalid(format!("a Conv has weights of {shape:?} and a padding of {pad}")));
         }
         if !(1..=MAX_CHANNELS).contains(&outputs) || self.layers.len() >= MAX_LAYERS {
-            return Err(invalid(format!("it has over {MAX_LAYERS} layers or {MAX_CHANNELS} channels")));
+            let reason = format!("it has over {MAX_LAYERS} layers or {MAX_CHANNELS} channels");
+            return Err(Error::SlowPainters(reason));
         }
         self.layers.push(Layer {
             side,
@@ -346,7 +349,8 @@ impl<'a> Reader<'a> {
             return Err(invalid("its output is not a colour picture of the size of its input"));
         }
         if cost > MAX_COST as f64 {
-            return Err(invalid(format!("it multiplies {cost:.0} times per pixel, the limit is {MAX_COST}")));
+            let reason = format!("it multiplies {cost:.0} times per pixel, the limit is {MAX_COST}");
+            return Err(Error::SlowPainters(reason));
         }
         let values = self.layers.iter().flat_map(|it| it.weights.iter().chain(&it.scales).chain(&it.offsets));
         if values.clone().any(|value| value.is_nan() || value.abs() > 1e4) {

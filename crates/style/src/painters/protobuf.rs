@@ -17,7 +17,7 @@ impl<'a> Message<'a> {
     /// Splits a message into its fields.
     ///
     /// # Errors
-    /// `invalid-painters` for truncated bytes.
+    /// `damaged-painters` for truncated bytes.
     pub(super) fn new(mut bytes: &'a [u8]) -> Result<Self> {
         let mut fields = Vec::new();
         while !bytes.is_empty() {
@@ -67,7 +67,7 @@ impl<'a> Message<'a> {
     /// A list of numbers, single or packed.
     ///
     /// # Errors
-    /// `invalid-painters` for truncated bytes.
+    /// `damaged-painters` for truncated bytes.
     pub(super) fn numbers(&self, field: u64) -> Result<Vec<u64>> {
         let mut list = Vec::new();
         for value in self.all(field) {
@@ -86,7 +86,7 @@ impl<'a> Message<'a> {
     /// A list of messages.
     ///
     /// # Errors
-    /// `invalid-painters` for truncated bytes.
+    /// `damaged-painters` for truncated bytes.
     pub(super) fn messages(&self, field: u64) -> Result<Vec<Self>> {
         self.all(field).filter_map(bytes_of).map(Self::new).collect()
     }
@@ -118,7 +118,7 @@ fn take<'a>(bytes: &mut &'a [u8], count: u64) -> Result<&'a [u8]> {
 }
 
 fn truncated() -> Error {
-    Error::InvalidPainters("it is not an ONNX file, or it is truncated".into())
+    Error::DamagedPainters("it is not an ONNX file, or it is truncated".into())
 }
 
 #[cfg(test)]
