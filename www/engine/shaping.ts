@@ -23,6 +23,8 @@ const JOINED =
   /[\p{Script=Arabic}\p{Script=Hebrew}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}\p{Script=Devanagari}\p{Script=Bengali}\p{Script=Gurmukhi}\p{Script=Gujarati}\p{Script=Oriya}\p{Script=Tamil}\p{Script=Telugu}\p{Script=Kannada}\p{Script=Malayalam}\p{Script=Sinhala}\p{Script=Thai}\p{Script=Lao}\p{Script=Tibetan}\p{Script=Myanmar}\p{Script=Khmer}\p{Script=Mongolian}]/u;
 const LEFTWARD = /[\p{Script=Arabic}\p{Script=Hebrew}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}]/u;
 const EMOJI = /\p{Extended_Pictographic}/u;
+/** Spaces, and characters that direct the order of others: they are not drawn, and end a run. */
+const APART = /[\s\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]+/;
 /** Characters with a shape: all except marks, joiners, controls and spaces. */
 const SEEN = /[^\p{M}\p{Cf}\p{Cc}\p{Z}]/u;
 /**
@@ -55,7 +57,7 @@ export function createShaping(letters: Learner) {
 
   function runsOf(text: string): string[] {
     const segmenter = new Intl.Segmenter(undefined, { granularity: 'grapheme' });
-    return text.split(/\s+/).flatMap((word) => {
+    return text.split(APART).flatMap((word) => {
       if (letters.missing(word, FONT) === '') return [];
       if (JOINED.test(word)) return word.length <= LONGEST ? [word] : pieces(word, LONGEST);
       return [...segmenter.segment(word)].flatMap(({ segment }) =>

@@ -18,19 +18,24 @@ pub(super) fn is_leftward(letter: char) -> bool {
     matches!(bidi_class(letter), BidiClass::R | BidiClass::AL)
 }
 
+/// Whether a character only directs the order of others: marks, embeddings, overrides and isolates. It is not drawn.
+pub(super) fn is_director(letter: char) -> bool {
+    matches!(letter, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
 /// Whether a letter is a part of words, and no digit or sign.
 #[cfg(not(target_arch = "wasm32"))]
 pub(super) fn is_of_words(letter: char) -> bool {
     matches!(bidi_class(letter), BidiClass::L | BidiClass::R | BidiClass::AL | BidiClass::NSM | BidiClass::BN)
 }
 
-/// The lines of a text item from left to right. `sign` gives the character that decides the direction of a letter.
+/// The lines of a text item from left to right, without characters that only direct the order. `sign` gives the character that decides the direction of a letter.
 pub(super) fn ordered(lines: &[&[char]], sign: impl Fn(char) -> char) -> Vec<Vec<Seen>> {
     let unturned =
         |line: &&[char]| line.iter().enumerate().map(|(at, &letter)| Seen { at, letter }).collect();
     let signs: Vec<Vec<char>> =
         lines.iter().map(|line| line.iter().map(|&letter| sign(letter)).collect()).collect();
-    if !signs.iter().flatten().any(|&letter| is_leftward(letter)) {
+    if !signs.iter().flatten().any(|&letter| is_leftward(letter) || is_director(letter)) {
         return lines.iter().map(unturned).collect();
     }
     // Lines part at spaces.
@@ -42,7 +47,8 @@ pub(super) fn ordered(lines: &[&[char]], sign: impl Fn(char) -> char) -> Vec<Vec
         let levels = levels(&info, start..end);
         start = end + 1;
         let seen = |at: usize| Seen { at, letter: mirrored(letters[at], levels[at]) };
-        BidiInfo::reorder_visual(&levels).into_iter().map(seen).collect()
+        let order = BidiInfo::reorder_visual(&levels).into_iter();
+        order.filter(|&at| !is_director(letters[at])).map(seen).collect()
     };
     lines.iter().zip(&signs).map(line).collect()
 }
@@ -89,6 +95,27 @@ mod tests {
             count += 1;
         }
         assert!(count > 300, "{count}");
+    }
+
+    #[test]
+    fn marks_and_embeddings_direct_the_order_as_in_fribidi_and_are_not_drawn() {
+        // Made by tests/oracles/directors.py.
+        let cases = include_str!("../../../../../tests/oracles/data/directors.tsv");
+        let mut count = 0;
+        for (logical, visual) in cases.lines().filter_map(|case| case.split_once('\t')) {
+            assert_eq!(line(logical), visual, "{}", logical.escape_unicode());
+            count += 1;
+        }
+        assert!(count > 300, "{count}");
+    }
+
+    #[test]
+    fn an_override_goes_on_in_the_next_line() {
+        let lines: Vec<Vec<char>> = ["\u{202e}abc", "def\u{202c}"].map(|line| line.chars().collect()).into();
+        let seen = ordered(&[&lines[0], &lines[1]], |letter| letter);
+        let text = |at: usize| seen[at].iter().map(|seen| seen.letter).collect::<String>();
+        assert_eq!([text(0), text(1)], ["cba", "fed"]);
+        assert_eq!(seen[0].iter().map(|seen| seen.at).collect::<Vec<_>>(), [3, 2, 1]);
     }
 
     #[test]

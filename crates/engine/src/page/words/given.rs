@@ -150,6 +150,11 @@ fn stretches(letters: &Letters, word: &str) -> Vec<String> {
     let mut out: Vec<((bool, bool), String)> = Vec::new();
     let mut open = false;
     for letter in word.chars() {
+        // It has an effect of its own on the order.
+        if bidi::is_director(letter) {
+            open = false;
+            continue;
+        }
         // A character without width belongs to the character before it.
         let bound = letters.cleaned(letter.encode_utf8(&mut [0; 4])).is_empty();
         let lacks = !bound && !font.has(letter) || number(letter).is_some();

@@ -87,6 +87,11 @@ impl Letters {
     /// width, converts line ends to `\n`.
     #[must_use]
     pub fn cleaned(&self, text: &str) -> Vec<char> {
+        self.directed(text).into_iter().filter(|&letter| !bidi::is_director(letter)).collect()
+    }
+
+    /// Normalises text like [`Letters::cleaned`], but retains the characters that direct the order of others.
+    pub(super) fn directed(&self, text: &str) -> Vec<char> {
         let mut out: Vec<char> = Vec::new();
         let mut rest = text;
         while let Some(letter) = rest.chars().next() {
@@ -105,8 +110,8 @@ impl Letters {
                         *last = composed;
                     }
                 }
-                '\u{200b}'..='\u{200f}'
-                | '\u{202a}'..='\u{202e}'
+                _ if bidi::is_director(letter) => out.push(letter),
+                '\u{200b}'..='\u{200d}'
                 | '\u{2060}'..='\u{206f}'
                 | '\u{fe00}'..='\u{fe0f}'
                 | '\u{feff}'
@@ -334,6 +339,9 @@ impl Font {
     /// Advance of a single character, in ems.
     #[must_use]
     pub fn step(&self, letter: char) -> f64 {
+        if bidi::is_director(letter) {
+            return 0.0;
+        }
         self.glyph(letter).map_or(0.0, |glyph| glyph.advance)
     }
 
@@ -542,6 +550,12 @@ mod tests {
             "éä x\nn".chars().collect::<Vec<_>>()
         );
         assert_eq!(letters.cleaned("\u{301}x\u{36f}"), ['x']);
+        let directed = "a\u{61c}\u{200e}\u{202b}\u{2067}b";
+        assert_eq!((letters.cleaned(directed), letters.directed(directed).len()), (vec!['a', 'b'], 6));
+        let font = letters.font("comic-neue").unwrap();
+        let width = |text: &str| letters.width(font, &letters.directed(text));
+        assert!((width("x\u{200f}.") - width("x.")).abs() < 0.1 && font.step('\u{200f}').abs() < 1e-9);
+        assert!(letters.missing(directed, font).is_empty());
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //!
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot); the patterns of `TeX` by way of `hypher`.
 
+use super::bidi::is_director;
 use super::letters::{Font, Letters, STEM};
 use super::model::TextItem;
 use super::ruby;
@@ -50,17 +51,50 @@ impl Mark {
 #[must_use]
 pub fn marks(word: &TextItem, letters: &Letters, font: &Font) -> Vec<Mark> {
     if word.plain {
-        return letters.cleaned(&word.text).into_iter().map(Mark::plain).collect();
+        return letters.directed(&word.text).into_iter().map(Mark::plain).collect();
     }
     let language = word.language.as_deref().unwrap_or_default().get(..2).unwrap_or_default().to_lowercase();
-    let (mut marks, _) = read_apart(written(word, letters), letters);
+    let (written, directors) = directed_apart(written(word, letters));
+    let (mut marks, _) = read_apart(written, letters);
     quotes(&mut marks, &language);
     parts(&mut marks, &language);
     beside(&mut marks, letters);
-    if word.in_capitals() {
+    // Columns have no order to direct, and ruby is by place.
+    let plain = word.vertical || directors.is_empty() || word.text.contains('《');
+    let sizes: Vec<usize> = if word.in_capitals() {
+        let sizes = marks.iter().map(|mark| mark.letter.to_uppercase().count()).collect();
         marks = capitals(&marks, &language, font);
+        sizes
+    } else {
+        vec![1; marks.len()]
+    };
+    if plain { marks } else { directed(marks, &sizes, &directors) }
+}
+
+/// Separates the characters that direct the order of others, each with the number of characters before it.
+fn directed_apart(marks: Vec<Mark>) -> (Vec<Mark>, Vec<(usize, Mark)>) {
+    let (mut out, mut directors) = (Vec::with_capacity(marks.len()), Vec::new());
+    for mark in marks {
+        if is_director(mark.letter) {
+            directors.push((out.len(), mark));
+        } else {
+            out.push(mark);
+        }
     }
-    marks
+    (out, directors)
+}
+
+/// Puts the characters that direct the order back. `sizes` are the numbers of characters that each character has become.
+fn directed(marks: Vec<Mark>, sizes: &[usize], directors: &[(usize, Mark)]) -> Vec<Mark> {
+    let mut out = Vec::with_capacity(marks.len() + directors.len());
+    let mut marks = marks.into_iter();
+    let mut directors = directors.iter().peekable();
+    for at in 0..=sizes.len() {
+        let here = std::iter::from_fn(|| directors.next_if(|(place, _)| *place == at));
+        out.extend(here.map(|(_, mark)| *mark));
+        out.extend(marks.by_ref().take(sizes.get(at).copied().unwrap_or_default()));
+    }
+    out
 }
 
 /// The readings of a text item, by number minus one.
@@ -69,7 +103,7 @@ pub fn readings(word: &TextItem, letters: &Letters) -> Vec<Vec<char>> {
     if word.plain || !word.text.contains('《') {
         return Vec::new();
     }
-    let (_, mut readings) = read_apart(written(word, letters), letters);
+    let (_, mut readings) = read_apart(directed_apart(written(word, letters)).0, letters);
     if word.in_capitals() {
         for reading in &mut readings {
             *reading = reading.iter().flat_map(|letter| letter.to_uppercase()).collect();
@@ -83,7 +117,7 @@ fn written(word: &TextItem, letters: &Letters) -> Vec<Mark> {
     let own = |letter: char| if matches!(letter, STEM | SOFT) { '\u{fffd}' } else { letter };
     let text: String =
         word.text.chars().map(|letter| if letter == '\u{ad}' { SOFT } else { own(letter) }).collect();
-    emphasised(&letters.cleaned(&text))
+    emphasised(&letters.directed(&text))
 }
 
 /// Separates the visible characters from their readings.
@@ -358,6 +392,26 @@ mod tests {
         for (from, language, to) in cases {
             assert_eq!(text(&marked(from, language)), to);
         }
+    }
+
+    #[test]
+    fn characters_that_direct_the_order_stay_and_change_no_other() {
+        for (from, to) in [
+            ("\u{200f}\"Ha\"\u{200f} *yes*!\u{200e}", "\u{200f}“Ha”\u{200f} yes!\u{200e}"),
+            ("\u{2067}a\u{2069}", "\u{2067}a\u{2069}"),
+            ("漢《\u{200f}かん》字", "漢字"),
+        ] {
+            let letters = Letters::bundled().unwrap();
+            let read: String = marked(from, "en").iter().map(|mark| letters.text_of(mark.letter)).collect();
+            assert_eq!(read, to);
+        }
+        let letters = Letters::bundled().unwrap();
+        let word = json!({ "kind": "balloon", "text": "aß\u{200e}ß!", "capitals": true });
+        let word = TextItem::read(word).unwrap();
+        let font = letters.font(word.font()).unwrap();
+        assert_eq!(text(&marks(&word, &letters, font)), "ASS\u{200e}SS!");
+        let standing = TextItem { vertical: true, ..word };
+        assert_eq!(text(&marks(&standing, &letters, font)), "ASSSS!");
     }
 
     #[test]
