@@ -5,6 +5,7 @@ import { beforeAll, expect, test, vi } from 'vitest';
 import { fakeApp, orderByName } from '../document/testing.ts';
 import { readAssetsFromFiles } from '../engine/testing-assets.ts';
 import { initSync, shotFile } from '../pkg-exports/inkpanel.js';
+import { choosing } from '../ui/encodings.ts';
 import { importShots } from './board-import.ts';
 import { createBoards } from './boards.ts';
 
@@ -83,6 +84,31 @@ test('files in Windows-1252 are read, and the guess is reported', async () => {
   const script = await board('a.jpg');
   await script.take('buch.fountain', latin('INT. KÜCHE - TAG\n\nSie geht.\n\nMÜLLER\nGrüß Gott!\n'));
   expect(script.shots()).toEqual([{ scene: 'INT. KÜCHE - TAG', action: 'Sie geht.', dialogue: 'MÜLLER: Grüß Gott!' }]);
+});
+
+test('a changed encoding replaces the imported fields after other edits, as one step', async () => {
+  const { take, messages, boards, shots, store } = await board('a.jpg', 'b.jpg');
+  const names = boards.rows.peek().map(({ id }) => id);
+  await take('liste.csv', latin('Scene;Action;Kühl;Notes\r\n1;Öffnet die Tür leise;é;ü\r\n2;Schließt;ß;ö\r\n'));
+  const [, way] = messages.alert.mock.calls[0];
+  boards.describe({ [names[0]]: { ...shots()[0], action: 'Edited', number: '9' } });
+  store.change({ type: 'rename', name: 'Other' });
+  way.run();
+  choosing.value?.again('KOI8-R');
+  await vi.waitFor(() => expect(boards.board.peek().columns).not.toEqual(['Kühl']));
+  const [column] = boards.board.peek().columns;
+  const koi = (text: string) => new TextDecoder('koi8-r').decode(latin(text));
+  expect(column).toBe(koi('Kühl'));
+  expect(shots()).toEqual([
+    { scene: '1', number: '9', action: 'Edited', notes: koi('ü'), more: { [column]: koi('é') } },
+    { scene: '2', action: koi('Schließt'), notes: koi('ö'), more: { [column]: koi('ß') } },
+  ]);
+  expect(store.project.peek().name).toBe('Other');
+  await vi.waitFor(() =>
+    expect(messages.note).toHaveBeenLastCalledWith('5 texts were replaced. Edited texts did not change.'),
+  );
+  store.change({ type: 'undo' });
+  expect([boards.board.peek().columns, shots()[0].action, shots()[1].action]).toEqual([['Kühl'], 'Edited', 'Schließt']);
 });
 
 test('a text file with scenes is a screenplay, any other is a table', async () => {

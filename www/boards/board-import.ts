@@ -3,11 +3,13 @@
 import { readText } from '../engine/text-file.ts';
 import { strings } from '../strings/strings.ts';
 import { importText } from '../ui/encodings.ts';
+import type { ImportedText } from '../ui/encodings.ts';
 import { importing } from '../ui/importing.ts';
-import type { DecodedText } from '../engine/text-file.ts';
 import type { Store } from '../document/store.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Boards } from './boards.ts';
+import type { ShotRow } from './shots.ts';
+import type { Board, Shot } from '../engine/types.ts';
 import { HEADINGS } from './headings.ts';
 import { UserError } from '../ui/user-error.ts';
 import type { Imported } from './imports.ts';
@@ -27,19 +29,28 @@ export async function importShots(file: File, app: App) {
   await importing(app.messages, file.name, () => importText(file, app, (encoding) => take(file, app, encoding)));
 }
 
-async function take(file: File, { boards, store, messages }: App, encoding: string): Promise<DecodedText> {
+/** The shots and the settings that an import began with, and what it imported. */
+type Before = { rows: readonly ShotRow[]; board: Board; imported: Imported };
+
+/** @param before the import whose texts are replaced */
+async function take(file: File, app: App, encoding: string, before?: Before): Promise<ImportedText> {
+  const { boards, store, messages } = app;
   const { MAX_BYTES, fromFountain, fromTable, isFountain } = await import('./imports.ts').catch(() => {
     throw new UserError(strings.boards.missing);
   });
   if (file.size > MAX_BYTES) throw new UserError(strings.boards.tooLarge({ name: file.name }));
   const decoded = await readText(file, encoding);
   const { text } = decoded;
-  const rows = boards.rows.peek();
+  const rows = before?.rows ?? boards.rows.peek();
+  const board = before?.board ?? boards.board.peek();
   const names = new Map([...store.album.peek().values()].map(({ id, name }) => [id, name]));
   const isScript = /\.(fountain|spmd)$/i.test(file.name) || (/\.txt$/i.test(file.name) && isFountain(text));
-  const imported = isScript
-    ? fromFountain(text, rows)
-    : fromTable(text, { rows, board: boards.board.peek(), headings: HEADINGS, names });
+  const imported = isScript ? fromFountain(text, rows) : fromTable(text, { rows, board, headings: HEADINGS, names });
+  const amend = (other: string) => take(file, app, other, { rows, board, imported });
+  if (before) {
+    messages.note(strings.textReplaced({ n: replace(before.imported, imported, app) }));
+    return { decoded, amend };
+  }
   const { shots, columns } = imported;
   const count = Object.keys(shots).length;
   if (count > 0) {
@@ -53,7 +64,53 @@ async function take(file: File, { boards, store, messages }: App, encoding: stri
     count > 0 ? strings.boards.taken({ count, name: file.name }) : strings.boards.nothingIn({ name: file.name });
   if (count > 0 && losses.length === 0) messages.note(done);
   else messages.alert(strings.sentences([done, ...losses]));
-  return decoded;
+  return { decoded, amend };
+}
+
+/**
+ * Replaces what an import wrote by what it would have written. Fields that changed since are retained. One step of the undo.
+ * @returns number of replaced fields
+ */
+function replace(was: Imported, now: Imported, { boards }: App): number {
+  const gesture = `import ${performance.now()}`;
+  let count = 0;
+  /** @returns the value that a field has afterwards */
+  const next = <T>(here: T, old: T, fresh: T): T => {
+    if (here !== old || old === fresh) return here;
+    count += 1;
+    return fresh;
+  };
+  const { columns } = boards.board.peek();
+  const rows = boards.rows.peek();
+  const renamed = new Map(was.columns.map((name, i) => [name, now.columns[i]]));
+  const named = columns.flatMap((name) => (renamed.has(name) ? (renamed.get(name) ?? []) : name));
+  const fresh = now.columns.filter((name) => !named.includes(name));
+  if (was.columns.join('\n') !== now.columns.join('\n')) boards.change({ columns: [...named, ...fresh] }, gesture);
+  const shots = rows.flatMap(({ id, shot }) => {
+    const [old, other] = [was.shots[id] ?? {}, now.shots[id] ?? {}];
+    const before = count;
+    const fields = [...new Set([...Object.keys(old), ...Object.keys(other)])].filter((field) => field !== 'more');
+    const told = fields.map((field) => {
+      const of = (one: Shot) => one[field as 'action'];
+      return [field, next(of(shot), of(old), of(other))] as const;
+    });
+    const own = Object.keys(other.more ?? {}).filter((name) => !now.columns.includes(name));
+    const names = new Set([...Object.keys(shot.more ?? {}), ...Object.keys(old.more ?? {}), ...own]);
+    const cells = [...names].flatMap((name) => {
+      const to = renamed.get(name) ?? name;
+      const cell = next(shot.more?.[name], old.more?.[name], other.more?.[to]);
+      return cell === undefined ? [] : [[to, cell] as const];
+    });
+    if (count === before && renamed.size === 0) return [];
+    const more = Object.fromEntries(cells);
+    const whole = { ...shot, ...Object.fromEntries(told), more };
+    const kept = Object.entries(whole).filter(
+      ([, value]) => value !== undefined && (value !== more || cells.length > 0),
+    );
+    return [[id, Object.fromEntries(kept) as Shot] as const];
+  });
+  boards.describe(Object.fromEntries(shots), gesture);
+  return count;
 }
 
 /** Returns a sentence for each kind of loss. */

@@ -66,6 +66,38 @@ describe('words', () => {
     expect(lettering.words.value).toEqual([]);
   });
 
+  test('texts are replaced on pages and among unplaced ones as one step, and others stay', async () => {
+    await lettering.ready();
+    const word = { kind: 'balloon', auto: true } as const;
+    lettering.lay([
+      { ...word, text: 'old', sheet: store.project.peek().sheet, panel: 0 },
+      { ...word, text: 'gone', sheet: store.project.peek().sheet, panel: 1 },
+      { ...word, text: 'waits' },
+      { ...word, text: 'stays' },
+    ]);
+    const texts = () => [lettering.words.value, lettering.waiting.value].map((list) => list.map(({ text }) => text));
+    expect(texts()).toEqual([
+      ['old', 'gone'],
+      ['waits', 'stays'],
+    ]);
+    lettering.edit(0, { x: 0.7, auto: false });
+    const steps = past();
+    const news = new Map([
+      ['old', 'new'],
+      ['gone', ''],
+      ['waits', 'came'],
+      ['other', 'x'],
+    ]);
+    expect(lettering.reword(news, lettering.step())).toBe(3);
+    expect(texts()).toEqual([['new'], ['came', 'stays']]);
+    expect([lettering.words.value[0].x, past() - steps]).toEqual([0.7, 1]);
+    pages.undo();
+    expect(texts()).toEqual([
+      ['old', 'gone'],
+      ['waits', 'stays'],
+    ]);
+  });
+
   test('text is written; nothing removes the word', async () => {
     await lettering.add('caption');
     lettering.write(0, ' e\u0301te\u0301 \n');

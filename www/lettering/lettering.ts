@@ -6,6 +6,7 @@
 import { computed, signal } from '@preact/signals';
 import { language, strings } from '../strings/strings.ts';
 import { MOST, wellFormed } from '../document/limits.ts';
+import { sheetsOf } from '../engine/sheets.ts';
 import { chainOf, hangsOn, joinedBefore, parted } from './joining.ts';
 import { anchored, pagePoint } from './word-places.ts';
 import { createWordPlanning } from './word-planning.ts';
@@ -73,6 +74,7 @@ export function createLettering({
     add,
     addAll,
     lay,
+    reword,
     waiting,
     take,
     drop,
@@ -156,7 +158,7 @@ export function createLettering({
    * not added again.
    * @returns the number of added text items on pages and in the list of unplaced text
    */
-  function lay(fresh: readonly AddedWord[]): { shown: number; waiting: number } {
+  function lay(fresh: readonly AddedWord[], gesture?: string): { shown: number; waiting: number } {
     const count = () => ({
       shown: store.sheets.peek().reduce((sum, page) => sum + (page.words?.length ?? 0), 0),
       waiting: waiting.peek().length,
@@ -164,9 +166,42 @@ export function createLettering({
     const before = count();
     // The language of a video may differ from the language of the page, so its words are not hyphenated.
     const laid = fresh.slice(0, MOST.added).map((word): AddedWord => ({ ...word, text: bounded(word.text) }));
-    store.change({ type: 'add-words', words: laid });
+    store.change({ type: 'add-words', words: laid, ...(gesture && { gesture }) });
     const after = count();
     return { shown: after.shown - before.shown, waiting: after.waiting - before.waiting };
+  }
+
+  /**
+   * Replaces texts on all pages and in the list of unplaced text. Items with other texts do not change.
+   * @param texts new texts by their old ones; an empty text deletes its items
+   * @returns number of changed items
+   */
+  function reword(texts: ReadonlyMap<string, string>, gesture: string): number {
+    let count = 0;
+    const reworded = <One extends { text: string }>(list: readonly One[]): One[] => {
+      const all = list.map((word) => {
+        const text = texts.get(word.text);
+        if (text === undefined || text === word.text) return word;
+        count += 1;
+        return { ...word, text: bounded(text) };
+      });
+      return all.filter(({ text }) => text !== '');
+    };
+    const project = store.project.peek();
+    const sheets = sheetsOf(project).map((sheet) => {
+      const before = count;
+      const said = reworded(sheet.page.words ?? []);
+      return count === before ? sheet : { ...sheet, page: { ...sheet.page, words: said } };
+    });
+    if (count > 0) store.change({ type: 'set-sheets', sheets, at: project.at, gesture });
+    const onPages = count;
+    const unplaced = waiting.peek();
+    const kept = reworded(unplaced);
+    if (count > onPages) {
+      store.change({ type: 'drop-waiting', words: unplaced.map((_, i) => i), gesture });
+      store.change({ type: 'add-words', words: kept, gesture });
+    }
+    return count;
   }
 
   /** Places an unplaced text item on the page. It belongs to the photo of the selected panel, or of the first one. */

@@ -17,6 +17,7 @@ function app(told: (text: string) => ReadSubtitles, { film = true } = {}) {
     store.project.value = { ...store.project.value };
     return { shown: words.length, waiting: 0 };
   });
+  const reword = vi.fn((texts: ReadonlyMap<string, string>) => texts.size);
   const frame = (id: string, time: number) => [id, { id, name: 'film.mp4', video: 'v', time }] as const;
   const page = { panels: [{ photo: 'f' }, { photo: 'f' }, { photo: 'x' }], merges: [[0, 1]] };
   const project = { page, pageId: 1, sheet: 4, others: [{ page, pageId: 2, sheet: 5 }], at: 1 };
@@ -37,11 +38,11 @@ function app(told: (text: string) => ReadSubtitles, { film = true } = {}) {
   };
   const subtitling = createSubtitling({
     store,
-    lettering: { lay, ready: async () => ({}) },
+    lettering: { lay, reword, step: () => 'step', ready: async () => ({}) },
     texts: async () => ({ subtitles, script }),
     messages: { alert, note, fileFailed },
   } as any);
-  return { ...subtitling, subtitles, script, alert, note, lay, fileFailed, change, store };
+  return { ...subtitling, subtitles, script, alert, note, lay, reword, fileFailed, change, store };
 }
 
 test('subtitles are told by their names, and a text is a script where somebody speaks in it', async () => {
@@ -192,5 +193,50 @@ test('a guessed encoding can be changed: the import is undone and repeated', asy
   expect(subtitles.mock.calls.map(([said]) => said)).toEqual([
     'Привет, мир! Как дела?',
     expect.stringMatching(/^оПХБЕР/),
+  ]);
+});
+
+test('after another edit, the changed encoding replaces the texts of the import and undoes nothing', async () => {
+  const words = (text: string): Spoken[] =>
+    text.split('\n').map((line) => ({ kind: 'balloon', text: line, frame: 0, auto: true }));
+  const { open, alert, note, lay, reword, change, store } = app((text) => ({ ...NONE, words: words(text) }));
+  const cyrillic = (text: string) => {
+    const letters = [...text].map((letter) => {
+      const code = letter.charCodeAt(0);
+      return code >= 0x410 ? code - 0x350 : code;
+    });
+    return new File([Uint8Array.from(letters)], 'a.srt');
+  };
+  await open([cyrillic('Привет, мир! Как дела?\nХорошо')]);
+  store.project.value = { ...store.project.value };
+  alert.mock.calls[0][1].run();
+  choosing.value?.again('KOI8-R');
+  await vi.waitFor(() => expect(reword).toHaveBeenCalledOnce());
+  const [texts, gesture] = reword.mock.calls[0] as unknown as [Map<string, string>, string];
+  expect([[...texts.keys()], gesture]).toEqual([['Привет, мир! Как дела?', 'Хорошо'], 'step']);
+  expect([...texts.values()]).toEqual([expect.stringMatching(/^оПХБЕР/), expect.stringMatching(/^уНПНЬН/)]);
+  expect([lay.mock.calls.length, change.mock.calls.length]).toEqual([1, 0]);
+  await vi.waitFor(() => expect(note).toHaveBeenCalledWith('2 texts were replaced. Edited texts did not change.'));
+});
+
+test('if another encoding has other texts, those of the import are deleted and the others are added', async () => {
+  const words = (text: string): Spoken[] =>
+    (text.startsWith('оПХБЕР') ? ['one', 'two'] : ['zero']).map((line) => ({
+      kind: 'balloon',
+      text: line,
+      frame: 0,
+      auto: true,
+    }));
+  const { open, alert, lay, reword, store } = app((text) => ({ ...NONE, words: words(text) }));
+  const cyrillic = Uint8Array.from(Buffer.from('cff0e8e2e5f22c20ece8f02120cae0ea20e4e5ebe03f', 'hex'));
+  await open([new File([cyrillic], 'a.srt')]);
+  store.project.value = { ...store.project.value };
+  alert.mock.calls[0][1].run();
+  choosing.value?.again('KOI8-R');
+  await vi.waitFor(() => expect(lay).toHaveBeenCalledTimes(2));
+  expect(reword.mock.calls).toEqual([[new Map([['zero', '']]), 'step']]);
+  expect(lay.mock.calls[1]).toEqual([
+    [expect.objectContaining({ text: 'one' }), expect.objectContaining({ text: 'two' })],
+    'step',
   ]);
 });

@@ -11,6 +11,7 @@ import { readText } from '../engine/text-file.ts';
 import { textModule } from '../engine/text-module.ts';
 import { strings } from '../strings/strings.ts';
 import { importText } from '../ui/encodings.ts';
+import type { ImportedText } from '../ui/encodings.ts';
 import { explain } from '../ui/explain.ts';
 import { importing } from '../ui/importing.ts';
 import { MOST } from '../document/limits.ts';
@@ -21,7 +22,6 @@ import { UserError } from '../ui/user-error.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { Speech, SubtitleFlaw } from '../engine/speech.ts';
-import type { DecodedText } from '../engine/text-file.ts';
 import type { Texts } from '../engine/text-module.ts';
 import type { AddedWord, Lettering } from './lettering.ts';
 import type { Signal } from '@preact/signals';
@@ -31,6 +31,8 @@ export type Subtitling = ReturnType<typeof createSubtitling>;
 /** A frame of a film, and the panels of pages. */
 type Frame = { id: string; name: string; time: number; shown: boolean };
 type Place = { sheet: number; panel: number };
+/** Puts text items on pages. Without a result, it reports the changes itself. */
+type Put = (words: readonly AddedWord[]) => { shown: number; waiting: number } | null;
 
 /** A line that tells who speaks, as `ANNA: Hello` does. */
 const SPEAKER = /^[ \t]*[\p{L}\p{N}][^:：\n]{0,60}[:：][ \t]*\S/mu;
@@ -60,7 +62,7 @@ export function createSubtitling({
   texts = textModule,
 }: {
   store: Store;
-  lettering: Pick<Lettering, 'lay' | 'ready'>;
+  lettering: Pick<Lettering, 'lay' | 'reword' | 'step' | 'ready'>;
   messages: Pick<Messages, 'alert' | 'note' | 'fileFailed'>;
   texts?: () => Promise<Pick<Texts, 'script' | 'subtitles'>>;
 }) {
@@ -80,12 +82,28 @@ export function createSubtitling({
       );
   }
 
-  async function take(file: File, encoding: string): Promise<DecodedText> {
+  async function take(file: File, encoding: string, put: Put = lettering.lay): Promise<ImportedText> {
     if (file.size > MOST.subtitles) throw new UserError(strings.subtitleErrors.large);
     const decoded = await readText(file, encoding);
-    if (hasRole(file.name, 'text')) await lay(decoded.text);
-    else await subtitle(file.name, decoded.text);
-    return decoded;
+    let texts: readonly string[] = [];
+    const noted: Put = (words) => {
+      texts = words.map(({ text }) => text);
+      return put(words);
+    };
+    if (hasRole(file.name, 'text')) await lay(decoded.text, noted);
+    else await subtitle(file.name, decoded.text, noted);
+    return { decoded, amend: (other) => take(file, other, (words) => amend(texts, words)) };
+  }
+
+  /** Replaces the texts of an import that the user has not edited, as one step. */
+  function amend(before: readonly string[], words: readonly AddedWord[]): null {
+    const gesture = lettering.step();
+    // In most encodings, the same number of texts is found.
+    const alike = words.length === before.length;
+    const n = lettering.reword(new Map(before.map((text, i) => [text, alike ? words[i].text : ''])), gesture);
+    if (!alike) lettering.lay(words, gesture);
+    messages.note(strings.textReplaced({ n }));
+    return null;
   }
 
   /**
@@ -101,18 +119,18 @@ export function createSubtitling({
     }
   }
 
-  async function lay(text: string): Promise<boolean> {
+  async function lay(text: string, put: Put = lettering.lay): Promise<boolean> {
     if (!(await lettering.ready())) return false;
     const panels = panelsInOrder();
     if (panels.length === 0) throw new UserError(strings.scriptNoPage);
     const { script } = await texts();
     const told = script(text, panels.length, { kind: kind.peek(), sounds: sounds.peek() });
     if (told.words.length === 0) throw new UserError(strings.scriptEmpty);
-    spread(told, panels);
+    spread(told, panels, put);
     return true;
   }
 
-  async function subtitle(name: string, text: string) {
+  async function subtitle(name: string, text: string, put: Put) {
     if (!(await lettering.ready())) return;
     const frames = framesOf(name);
     const panels = panelsInOrder();
@@ -128,17 +146,20 @@ export function createSubtitling({
     if (skipped > 0) tell(strings.subtitlesSkipped({ n: skipped, why: strings.sentences(flaws.map(sentence)) }));
     if (words.length === 0) throw new UserError(strings.subtitlesNoMatch);
     if (frames.length === 0) {
-      spread({ words, unplaced }, panels);
+      spread({ words, unplaced }, panels, put);
       return;
     }
-    const added = lettering.lay(words.map((word) => onFrame(word, frames[word.frame as number])));
+    const added = put(words.map((word) => onFrame(word, frames[word.frame as number])));
+    if (!added) return;
     if (added.shown + added.waiting === 0) messages.note(strings.fileFailed({ name, why: strings.subtitlesThere }));
     else messages.note(strings.subtitlesLaid({ ...added, homeless }));
   }
 
   /** Lays speech over panels, and reports how much of it did not fit. */
-  function spread({ words, unplaced }: Speech, panels: readonly Place[]) {
-    const { shown, waiting } = lettering.lay(words.map((word) => onPanel(word, panels)));
+  function spread({ words, unplaced }: Speech, panels: readonly Place[], put: Put) {
+    const added = put(words.map((word) => onPanel(word, panels)));
+    if (!added) return;
+    const { shown, waiting } = added;
     const total = words.filter(({ place }) => place !== undefined).length + unplaced;
     const left = total - shown - waiting;
     const spread = { shown, total, missing: total - shown, unplaced: waiting, left };
