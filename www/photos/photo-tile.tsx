@@ -1,6 +1,7 @@
 /** A photo in the tray: its thumbnail, its status with the reason, and its actions. */
 
 import { useComputed } from '@preact/signals';
+import { useRef } from 'preact/hooks';
 import { strings } from '../strings/strings.ts';
 import { Thumbnail } from '../ui/bitmap.tsx';
 import { useApp } from '../ui/context.ts';
@@ -13,6 +14,8 @@ import type { PageDocument } from '../engine/types.ts';
 import type { TrayItem } from '../document/project.ts';
 
 const SIDE = 96;
+/** The key that rotates the focused photo. */
+const ROTATE = 'R';
 
 /** @param props `stack`: number of photos in its closed stack; `onTake`: uses it instead of the others */
 export function PhotoTile({
@@ -26,7 +29,8 @@ export function PhotoTile({
   stack?: number;
   onTake?: () => void;
 }) {
-  const { store, pages, reading, choosing, engine, selection, framing, messages, ui } = useApp();
+  const { store, pages, reading, choosing, rotating, engine, selection, framing, messages, ui } = useApp();
+  const tile = useRef(null as HTMLLIElement | null);
   const [panel, ...others] = selection.panels.value;
   const takes = panel !== undefined && others.length === 0 && !framing.isLocked(panel);
   // Each new photo changes the album, but only its own tile is drawn again.
@@ -52,9 +56,25 @@ export function PhotoTile({
     if (!on) noteWithUndo({ messages, store, pages }, strings.leftOut({ name }));
   }
 
+  /** Rotates by a quarter. The rotated photo has another tile, which gets the focus and remains picked. */
+  async function rotate() {
+    const focused = tile.current?.contains(document.activeElement);
+    const { className = '' } = (focused && document.activeElement) || {};
+    const fresh = await rotating.rotate(() => id, 'right');
+    if (fresh === undefined) return;
+    if (picked) framing.place(fresh);
+    requestAnimationFrame(() => {
+      const next = document.querySelector(`.photo[data-photo="${CSS.escape(fresh)}"]`);
+      if (focused)
+        next?.querySelector<HTMLElement>(className === 'photo-rotate' ? '.photo-rotate' : '.photo-picture')?.focus();
+    });
+  }
+
   return (
     <li
       class="photo"
+      ref={tile}
+      data-photo={id}
       data-used={used}
       data-stack={stack > 1}
       title={about}
@@ -71,10 +91,15 @@ export function PhotoTile({
         aria-pressed={picked}
         aria-disabled={!ready}
         onClick={() => ready && pick()}
+        aria-keyshortcuts={ROTATE}
         onKeyDown={(event) => {
-          if (!ready || (event.key !== 'Enter' && event.key !== ' ')) return;
+          const { key, ctrlKey, metaKey, altKey } = event;
+          const rotates = key.toUpperCase() === ROTATE && !ctrlKey && !metaKey && !altKey && !fact?.absent;
+          if (!ready || !(rotates || key === 'Enter' || key === ' ')) return;
           event.preventDefault();
-          pick();
+          event.stopPropagation();
+          if (rotates) void rotate();
+          else pick();
         }}
       >
         {ready ? (
@@ -133,6 +158,19 @@ export function PhotoTile({
           }}
         >
           <Icon name="brush" />
+        </button>
+      )}
+      {ready && !fact?.absent && (
+        <button
+          type="button"
+          class="photo-rotate"
+          data-picked={picked}
+          tabIndex={picked ? 0 : -1}
+          aria-label={strings.rotateNamed({ name })}
+          title={`${strings.rotatePhoto} (${ROTATE})`}
+          onClick={() => void rotate()}
+        >
+          <Icon name="rotate" />
         </button>
       )}
       {takes && ready && (

@@ -102,3 +102,19 @@ test('a photo that cannot be rotated is named, and nothing changes', async () =>
   expect(JSON.stringify(messages)).toContain(store.album.value.get(photoAt(0))?.name);
   expect(rotating.busy()).toBe(false);
 });
+
+test('the tile of a photo rotates what the photo has become, also after undo', async () => {
+  const { store, pages, rotating, rotated, photoAt } = await app();
+  const id = photoAt(0);
+  const [first, second] = await Promise.all([rotating.rotate(() => id, 'right'), rotating.rotate(() => id, 'right')]);
+  expect(rotated.map((one) => one.id)).toEqual([id, first]);
+  expect([photoAt(0), await rotating.rotate(() => 'none', 'right')]).toEqual([second, undefined]);
+  pages.undo();
+  pages.undo();
+  const third = await rotating.rotate(() => id, 'right');
+  expect([rotated.at(-1)?.id, photoAt(0), store.album.value.get(third ?? '')?.name]).toEqual([
+    id,
+    third,
+    store.album.value.get(id)?.name,
+  ]);
+});

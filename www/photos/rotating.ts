@@ -36,7 +36,9 @@ export function createRotating({
   messages: Pick<Messages, 'fileFailed'>;
 }) {
   const waiting = signal(0);
-  let last: Promise<void> = Promise.resolve();
+  let last: Promise<string | undefined> = Promise.resolve(undefined);
+  /** The rotated photo of each photo. */
+  const later: Map<string, string> = new Map();
 
   return {
     /** Whether a photo is being rotated. */
@@ -44,19 +46,30 @@ export function createRotating({
     rotate,
   };
 
-  /** @param photoOf returns the id of the photo. It is called after earlier rotations, which change ids */
-  function rotate(photoOf: () => string | null, rotation: Rotation): Promise<void> {
+  /**
+   * @param photoOf returns the id of the photo. It is called after earlier rotations, which change ids
+   * @returns the new id; undefined if nothing was rotated
+   */
+  function rotate(photoOf: () => string | null, rotation: Rotation): Promise<string | undefined> {
     waiting.value += 1;
     last = last
-      .then(() => rotateNow(store.album.peek().get(photoOf() ?? ''), rotation))
+      .then(() => rotateNow(store.album.peek().get(latest(photoOf() ?? '')), rotation))
       .finally(() => {
         waiting.value -= 1;
       });
     return last;
   }
 
-  async function rotateNow(fact: Fact | undefined, rotation: Rotation) {
-    if (!fact?.meta || fact.absent) return;
+  /** @returns the photo of the tray that a photo has become, by rotations that were not undone */
+  function latest(id: string): string {
+    const there = new Set(store.tray.peek().map((item) => item.id));
+    let now = id;
+    while (!there.has(now) && later.has(now)) now = later.get(now) as string;
+    return now;
+  }
+
+  async function rotateNow(fact: Fact | undefined, rotation: Rotation): Promise<string | undefined> {
+    if (!fact?.meta || fact.absent) return undefined;
     const { id, name, credit, meta: before } = fact;
     const [fresh] = reading.freshIds(1);
     const meta = await importing(messages, name, async () => {
@@ -72,7 +85,7 @@ export function createRotating({
     });
     const item = store.tray.peek().find((other) => other.id === id);
     // Another project may be open now, without this photo.
-    if (!meta || !item) return;
+    if (!meta || !item) return undefined;
     const gesture = `rotate-${fresh}`;
     batch(() => {
       // A photo that the user rotated is never excluded as a near-duplicate.
@@ -91,6 +104,8 @@ export function createRotating({
       store.change({ type: 'exchange-photo', id, by: fresh, gesture });
       cropAgain(fresh, gesture);
     });
+    later.set(id, fresh);
+    return fresh;
   }
 
   /** Computes the crops of a photo again, on all pages. */
