@@ -189,7 +189,7 @@ function Row({
         </span>
       </th>
       {boards.columns.value.map((column, i) => (
-        <td key={`${column.kind} ${column.id}`}>
+        <td key={`${column.kind} ${column.id}`} data-label={headingOf(column)}>
           <Cell row={row} column={column} place={{ row: at, column: i }} focus={focus} carry={(by) => carry(by, i)} />
         </td>
       ))}
