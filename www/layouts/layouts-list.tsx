@@ -105,6 +105,7 @@ export function LayoutsList() {
         onPoint={glimpse.point}
         names
         nameOf={strings.layoutTitle}
+        tileOf={strings.layoutTile}
         noteOf={({ count }) => strings.panelCount({ n: count })}
         empty={strings.noLayouts}
         picture={(layout) => pictures.get(layout.id) ?? <LayoutPicture layout={layout} aspect={aspect} />}

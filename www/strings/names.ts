@@ -36,10 +36,15 @@ type Named = {
   };
 };
 
+const withoutHyphens = (title: string) => title.replaceAll('\u00ad', '');
+
 const asName = (id: string) => id.charAt(0).toUpperCase() + id.slice(1).replaceAll(/[-_]/g, ' ');
 
 /** @param names missing in English */
 export function naming({ blockNames, choices, verdicts }: Named, names: Partial<Names> = {}) {
+  /** Titles with soft hyphens, for narrow tiles: not every browser hyphenates every language. */
+  const layoutTile = (layout: { id: string; name: string }) => names.layouts?.[layout.id] ?? layout.name;
+  const styleTile = (style: { id: string; name: string }) => names.styles?.[style.id] ?? style.name;
   const parameterOf = (block: string, { id }: Parameter) => names.parameters?.[block]?.[id];
   return {
     /** @param id of a family of layouts or a tag of styles */
@@ -60,7 +65,9 @@ export function naming({ blockNames, choices, verdicts }: Named, names: Partial<
         .replace(/^blurred$/, verdicts.blurred),
     /** @returns a sentence for an error of the core, or undefined in English */
     coreReason: (code: string) => names.reasons?.[code],
-    layoutTitle: (layout: { id: string; name: string }) => names.layouts?.[layout.id] ?? layout.name,
-    styleTitle: (style: { id: string; name: string }) => names.styles?.[style.id] ?? style.name,
+    layoutTitle: (layout: { id: string; name: string }) => withoutHyphens(layoutTile(layout)),
+    styleTitle: (style: { id: string; name: string }) => withoutHyphens(styleTile(style)),
+    layoutTile,
+    styleTile,
   };
 }

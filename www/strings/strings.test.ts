@@ -169,6 +169,16 @@ it('blocks have a plain name first, then the term of the field in brackets', () 
   }
 });
 
+it('long words break at syllables in narrow tiles, and nowhere else', () => {
+  const strings = inLanguage('de');
+  const style = { id: 'clear-line', name: 'Adventure Album' };
+  expect([strings.styleTile(style), strings.styleTitle(style)]).toEqual(['Abenteuer\u00adalbum', 'Abenteueralbum']);
+  // Words that are wider than a tile at its smallest.
+  const { styles, layouts } = catalogue('names', 'de') as Record<string, Record<string, string>>;
+  const long = Object.values({ ...styles, ...layouts }).filter((name) => /[^\s\u00ad-]{13}/.test(name));
+  expect(long).toEqual([]);
+});
+
 it('what a language has no name for is called as in English', () => {
   const strings = compose('de', { ...translations.de, names: undefined });
   expect(strings.styleTitle({ id: 'new', name: 'New Style' })).toBe('New Style');

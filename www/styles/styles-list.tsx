@@ -97,6 +97,7 @@ export function StylesList() {
         empty={strings.noStyles}
         names
         nameOf={strings.styleTitle}
+        tileOf={strings.styleTile}
         picture={(option) =>
           hero === null ? (
             <span class="bitmap" />

@@ -19,6 +19,7 @@ export function Listbox<T extends Option>({
   onChoose,
   picture,
   nameOf = asItIs,
+  tileOf = nameOf,
   names = false,
   noteOf,
   empty = '',
@@ -31,6 +32,8 @@ export function Listbox<T extends Option>({
   onChoose: (id: string) => void;
   picture: (option: T) => ComponentChild;
   nameOf?: (option: T) => string;
+  /** The name as it is shown, perhaps with soft hyphens. */
+  tileOf?: (option: T) => string;
   names?: boolean;
   /** A second line below the name. */
   noteOf?: (option: T) => string;
@@ -114,7 +117,7 @@ export function Listbox<T extends Option>({
                 {picture(option)}
                 {names && (
                   <span class="option-name" aria-hidden="true">
-                    {nameOf(option)}
+                    {tileOf(option)}
                     {noteOf && <small>{noteOf(option)}</small>}
                   </span>
                 )}
