@@ -168,7 +168,7 @@ mod hevc {
     use super::super::decode::{Limits, check_memory};
     use super::super::samples::{Alpha, Channels, Pixels};
     use crate::error::{Error, Result};
-    use heic_decoder::{ColorInfo, HeifError, decode as decode_heic, probe};
+    use heic_decoder::{ChromaSampling, ColorInfo, HeifError, decode as decode_heic, probe};
 
     /// Bytes per pixel during decoding: 32-bit planes, their copies for tiles, and RGB.
     const BYTES_PER_PIXEL: u64 = 16;
@@ -181,6 +181,7 @@ mod hevc {
             check_memory((width, height), BYTES_PER_PIXEL, limits)?;
         }
         let mut image = decode_heic(bytes).map_err(explained)?;
+        centre_chroma(&mut image.chroma_sampling);
         let size = (image.width, image.height);
         let profile = image.metadata.icc_profile.take().or_else(|| image.color_info.and_then(profile_of));
         let (samples, channels, alpha) = if image.alpha.is_some() {
@@ -192,6 +193,18 @@ mod hevc {
         };
         drop(image);
         Ok(Pixels::flattened(size, samples, channels, alpha).with_profile(profile))
+    }
+
+    /// Moves the samples of colour to the middle of their pixels. The standard of HEVC puts them at the left pixel if a
+    /// file says nothing, and photos say nothing; but libheif, and encoders of still pictures, use the mean of the pixels.
+    fn centre_chroma(chroma: &mut ChromaSampling) {
+        // A mirrored picture has the samples at the right pixel.
+        let centred = |origin: f32| if origin >= 1.0 { origin - 0.5 } else { origin + 0.5 };
+        for (count, origin) in [(chroma.sub_x, &mut chroma.origin_x), (chroma.sub_y, &mut chroma.origin_y)] {
+            if count == 2 && origin.fract() == 0.0 {
+                *origin = centred(*origin);
+            }
+        }
     }
 
     /// An ICC profile for the primaries and the transfer function of a file without one; `None` for sRGB.
