@@ -11,7 +11,6 @@ use crate::raster::color::parse_hex;
 use crate::style::Style;
 use crate::style::blocks::{self, Block, Channels};
 use crate::style::file::Step;
-use crate::style::params::Kind;
 use crate::style::part::{Part, Parts};
 use serde_json::{Map, Value, json};
 

@@ -31,7 +31,7 @@ async function openPainter(page) {
 test('an own model paints previews and pages, also after a reload, and can be replaced', async ({ page }) => {
   await openPainter(page);
   const builtIn = await preview(page);
-  await expect(choice(page).getByRole('button')).toHaveText(['Use your own model']);
+  await expect(choice(page).getByRole('button', { name: /^Use/ })).toHaveText(['Use your own model']);
   const painter = cards(page).first().getByRole('slider', { name: 'Painter' });
   await expect(painter).toHaveAttribute('max', '10');
   await chooseModel(page, model('My night.onnx'));
@@ -94,7 +94,8 @@ test('a style without its model is drawn with the built-in painters, says so, an
   await page.getByRole('button', { name: 'Undo', exact: true }).first().click();
   await expect(choice(page)).toContainText('dropped.onnx is not in this browser. The built-in painters replace it.');
   expect(await preview(page)).not.toBe(own);
-  await region(page).getByRole('button', { name: 'Close', exact: true }).click();
+  await page.keyboard.press('Escape');
+  await expect(region(page)).toHaveCount(0);
   await idle(page);
   await expect(page.getByText('needs a painter model that is not in this browser: dropped.onnx.')).toBeVisible();
   expect(await picture(page)).not.toBe(painted);
