@@ -479,7 +479,7 @@ fn request(lengths: &[Option<u32>]) -> Request {
         },
         pictures: (0..lengths.len()).map(picture).collect(),
         size: [1920, 1080],
-        style: json!("storyboard"),
+        style: "storyboard".into(),
         ..Request::default()
     }
 }

@@ -73,7 +73,7 @@ fn page(photos: &[(PhotoMeta, Image)], seed: u32) -> Document {
     plan(&Request {
         seed,
         photos: photos.iter().map(|(meta, _)| meta.clone()).collect(),
-        style: Some(style()),
+        style: Some(serde_json::from_value(style()).unwrap()),
         figures: Some(true),
         ..Request::default()
     })

@@ -51,10 +51,9 @@ pub(crate) fn told_page(page: &Planned, photos: &Photos) -> Result<Value, CliErr
             })
         })
         .collect();
-    let id = |value: &Value| value.as_str().map_or_else(|| value["id"].clone(), |id| json!(id));
     let mut told = json!({
-        "layout": id(&document.layout),
-        "style": id(&document.style),
+        "layout": document.layout.id(),
+        "style": document.style.id(),
         "score": rounded(page.score.total()),
         "terms": terms(&page.score),
         "page": { "width": document.page.width, "height": document.page.height },

@@ -6,7 +6,7 @@ use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, PROJECT}
 use super::project::{Draft, DraftStep};
 use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer, Wrong, text_of};
-use crate::page::document::style_of;
+use crate::page::StyleRef;
 use crate::raster::color::parse_hex;
 use crate::style::Style;
 use crate::style::blocks::{self, Block, Channels};
@@ -387,8 +387,8 @@ pub fn empty_json(id: &str, name: &str) -> String {
 ///
 /// # Errors
 /// `invalid-style`, `unknown-style`.
-pub fn of_json(style: &Value) -> Result<String> {
-    Ok(written(&Draft::of(&*style_of(style)?)))
+pub fn of_json(style: &StyleRef) -> Result<String> {
+    Ok(written(&Draft::of(&*style.style()?)))
 }
 
 /// [`Draft::after`] in JSON; null if nothing changes or the edit is impossible.
@@ -679,7 +679,7 @@ mod tests {
             begun,
             json!({ "id": "my-2", "name": "New", "tags": [], "background": [], "foreground": [], "ink": "#000000" })
         );
-        assert!(of_json(&json!("noir")).is_ok() && of_json(&json!("none such")).is_err());
+        assert!(of_json(&"noir".into()).is_ok() && of_json(&"none such".into()).is_err());
     }
 
     #[test]

@@ -16,8 +16,8 @@ use crate::framing::FacePoints;
 use crate::json::{self, Fields, Read, Writer, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
 use crate::output::shots::timecode::StartTimecode;
-use crate::page::Document;
 use crate::page::words::TextItem;
+use crate::page::{CustomFile, Document};
 use crate::raster::Matte;
 use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
 use serde_json::Value;
@@ -436,12 +436,17 @@ struct Inline {
 }
 
 impl Inline {
-    fn own(&mut self, values: Vec<Value>, field: &str, read: fn(Value) -> Read<Arc<Value>>) -> List<Value> {
+    fn own(
+        &mut self,
+        values: Vec<Value>,
+        field: &str,
+        read: fn(Value) -> Read<Arc<CustomFile>>,
+    ) -> List<CustomFile> {
         let mut seen = HashSet::new();
         let mut all = Vec::new();
         keep(values, &format!("present.{field}"), &mut self.dropped, &mut |value| {
             let value = read(value)?;
-            if !value["id"].as_str().is_some_and(|id| seen.insert(id.to_owned())) {
+            if !seen.insert(value.id().to_owned()) {
                 return Err(Wrong::new("is used twice").at("id"));
             }
             all.push(value);
@@ -480,11 +485,11 @@ impl Parts for Inline {
         Ok(each(items(value, MOST_WAITING)?, &pages::waiting)?.into())
     }
 
-    fn styles(&mut self, value: Value, field: &str) -> Read<List<Value>> {
-        Ok(self.own(items(value, MOST_STYLES)?, field, project::style))
+    fn styles(&mut self, value: Value, field: &str) -> Read<List<CustomFile>> {
+        Ok(self.own(items(value, MOST_STYLES)?, field, CustomFile::style))
     }
 
-    fn layouts(&mut self, value: Value, field: &str) -> Read<List<Value>> {
-        Ok(self.own(items(value, MOST_LAYOUTS)?, field, project::layout))
+    fn layouts(&mut self, value: Value, field: &str) -> Read<List<CustomFile>> {
+        Ok(self.own(items(value, MOST_LAYOUTS)?, field, CustomFile::layout))
     }
 }

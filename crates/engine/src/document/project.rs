@@ -6,15 +6,15 @@ use super::draft;
 use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, MOST_LOVED, MOST_TAGS, MOST_WANTED};
 use super::shots::{Board, Shot};
 use crate::json::{Fields, Read, Writer, Wrong, fields};
-use crate::layout::{PageSettings, Template};
-use crate::page::Document;
+use crate::layout::PageSettings;
 use crate::page::words::TextItem;
+use crate::page::{CustomFile, Document};
 use crate::raster::Matte;
 use crate::raster::color::parse_hex;
 use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
 use crate::select::DUPLICATE_THRESHOLD;
+use crate::style::blocks;
 use crate::style::part::{Part, Parts as LayerParts};
-use crate::style::{Style, blocks};
 use serde_json::{Map, Value};
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -60,13 +60,13 @@ pub struct Project {
     pub waiting: List<TextItem>,
     /// Custom styles, which all projects share.
     #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
-    pub mine: List<Value>,
+    pub mine: List<CustomFile>,
     /// Styles that are favourites, which all projects share.
     #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
-    pub favourites: List<Value>,
+    pub favourites: List<CustomFile>,
     /// Custom layouts, which all projects share.
-    #[cfg_attr(test, ts(as = "Vec<Template>"))]
-    pub own_layouts: List<Value>,
+    #[cfg_attr(test, ts(as = "Vec<crate::layout::Template>"))]
+    pub own_layouts: List<CustomFile>,
     /// Favourite pages of the page history, by id.
     pub loved: Arc<[u64]>,
     /// How a shuffle draws styles.
@@ -265,8 +265,8 @@ pub(super) trait Parts {
     fn draft(&mut self, value: Value) -> Read<Arc<Draft>>;
     fn board(&mut self, value: Value) -> Read<Arc<Board>>;
     fn waiting(&mut self, value: Value) -> Read<List<TextItem>>;
-    fn styles(&mut self, value: Value, field: &str) -> Read<List<Value>>;
-    fn layouts(&mut self, value: Value, field: &str) -> Read<List<Value>>;
+    fn styles(&mut self, value: Value, field: &str) -> Read<List<CustomFile>>;
+    fn layouts(&mut self, value: Value, field: &str) -> Read<List<CustomFile>>;
 }
 
 impl Project {
@@ -349,24 +349,6 @@ pub(super) fn tray(mut items: Vec<Arc<TrayItem>>) -> List<TrayItem> {
     let mut seen = HashSet::new();
     items.retain(|item| seen.insert(item.id.clone()));
     items.into()
-}
-
-/// Reads a custom style: a style file with an id.
-pub(super) fn style(value: Value) -> Read<Arc<Value>> {
-    identified(&value)?;
-    Style::from_value("style", &value).map_err(Wrong::of)?;
-    Ok(Arc::new(value))
-}
-
-/// Reads a custom layout.
-pub(super) fn layout(value: Value) -> Read<Arc<Value>> {
-    identified(&value)?;
-    Template::from_value("layout", &value).map_err(Wrong::of)?;
-    Ok(Arc::new(value))
-}
-
-fn identified(value: &Value) -> Read<()> {
-    if value["id"].is_string() { Ok(()) } else { Err(Wrong::new("is missing").at("id")) }
 }
 
 impl Order {

@@ -8,11 +8,11 @@ use super::shots::ShotList;
 use crate::error::{Error, Result};
 use crate::framing::{Crop, FACE, Subject};
 use crate::layout::PageSettings;
-use crate::page::Document;
 use crate::page::document::PanelContent;
 use crate::page::words::{TextItem, TextKind};
+use crate::page::{Document, LayoutRef, StyleRef};
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
+use serde_json::json;
 
 /// Sides of a frame in pixels, from the smallest to the largest.
 pub const SIDES: [u32; 2] = [64, 3840];
@@ -58,7 +58,7 @@ pub struct Request {
     pub living: u32,
     /// The style: an id, or a complete style.
     #[cfg_attr(test, ts(as = "Option<crate::page::document::StyleChoice>"))]
-    pub style: Value,
+    pub style: StyleRef,
 }
 
 /// The image of a shot.
@@ -446,10 +446,12 @@ fn inside(crop: &Crop) -> Crop {
 }
 
 /// A layout of one panel that is the page.
-fn full([width, height]: [u32; 2]) -> Value {
+fn full([width, height]: [u32; 2]) -> LayoutRef {
     let aspect = f64::from(width) / f64::from(height);
     let polygons = [[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]];
-    json!({ "id": "frame", "name": "Frame", "family": "board", "aspect": aspect, "polygons": polygons })
+    LayoutRef::from_file(json!({
+        "id": "frame", "name": "Frame", "family": "board", "aspect": aspect, "polygons": polygons,
+    }))
 }
 
 fn plain([width, height]: [u32; 2]) -> PageSettings {

@@ -7,6 +7,7 @@
 //! | [`catalogue`] | blocks, layouts and styles as JSON |
 //! | [`layouts`] | layouts listed, made and changed, as JSON |
 //! | [`carrying`] | text items that follow their photos |
+//! | [`reference`] | the layout and the style of a page, by id or in full |
 //! | [`request`] | parameters for planning a document |
 //! | [`shuffle`] | a new document from photos, locks and a seed |
 //! | [`storyboard`] | the photos of an album that pages are made of, and its pages |
@@ -50,6 +51,7 @@ pub mod mask;
 pub mod pdf;
 pub mod plates;
 pub mod png;
+pub mod reference;
 pub mod request;
 pub mod scene;
 pub mod shuffle;
@@ -63,4 +65,5 @@ pub mod words;
 
 pub use compose::Patch;
 pub use document::Document;
+pub use reference::{CustomFile, LayoutRef, StyleRef};
 pub use scene::Scene;

@@ -1,6 +1,7 @@
 //! The parameters of [`plan`](super::shuffle::plan).
 
 use super::document::Document;
+use super::reference::{LayoutRef, StyleRef};
 pub use super::styling::Styling;
 use crate::framing::PhotoMeta;
 use crate::layout::PageSettings;
@@ -33,11 +34,11 @@ pub struct Request {
     /// The layout, by id or in full. Default: chosen automatically.
     #[serde(default)]
     #[cfg_attr(test, ts(as = "Option<crate::page::document::LayoutChoice>"))]
-    pub layout: Option<Value>,
+    pub layout: Option<LayoutRef>,
     /// The style, by id or in full. Default: chosen automatically.
     #[serde(default)]
     #[cfg_attr(test, ts(as = "Option<crate::page::document::StyleChoice>"))]
-    pub style: Option<Value>,
+    pub style: Option<StyleRef>,
     /// Options of the random choice of a style.
     #[serde(default)]
     #[cfg_attr(test, ts(as = "Option<_>", optional))]
@@ -45,7 +46,7 @@ pub struct Request {
     /// The preferred layout if none is set. Another layout replaces it only if it is clearly better.
     #[serde(default)]
     #[cfg_attr(test, ts(as = "Option<crate::page::document::LayoutChoice>"))]
-    pub prefer: Option<Value>,
+    pub prefer: Option<LayoutRef>,
     /// Wanted number of panels if no layout is set.
     #[serde(default)]
     pub panels: Option<usize>,
