@@ -1,12 +1,13 @@
 //! Edits of a project, with undo: the cases of the app's former tests, invariants after any edit, and the
 //! results of the former JavaScript implementation (`tests/oracles/edits.mjs`).
 
+use inkpanel_engine::document::draft::Draft;
 use inkpanel_engine::document::edit::{Edit, How, Part, Shelf};
 use inkpanel_engine::document::editor::Editor;
 use inkpanel_engine::document::file::ProjectFile;
 use inkpanel_engine::document::history::History;
 use inkpanel_engine::document::planning::{Planning, Seeds};
-use inkpanel_engine::document::project::{Draft, Focus, List, Order, Project, Sheet, Styling};
+use inkpanel_engine::document::project::{Focus, List, Order, Project, Sheet, Styling};
 use inkpanel_engine::document::sheets::photos_on;
 use inkpanel_engine::document::shots::{Board, RATES, Shot};
 use inkpanel_engine::document::spreading::balanced;

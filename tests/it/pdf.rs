@@ -1,9 +1,9 @@
 //! Pages as PDF files: their size, the pictures of their panels, and text that can be found. That they look as the page
 //! of pixels does is for the browser tests, which have a program that draws them.
 
-use inkpanel_engine::page::mask::PixelRect;
 use inkpanel_engine::page::pdf::{Imposition, Leaf, Options, impose, picture, write};
 use inkpanel_engine::page::plates::{self, Separation};
+use inkpanel_engine::page::rect::PixelRect;
 use inkpanel_engine::page::words::{Letters, truetype};
 use inkpanel_engine::page::{Document, Scene, StyleRef, compose};
 use inkpanel_engine::raster::decode::{Limits, decode};

@@ -28,7 +28,7 @@ use inkpanel_engine::layout::Template;
 use inkpanel_engine::page::compose::{Sheet, compose, render_together};
 use inkpanel_engine::page::cutout::cut_out;
 use inkpanel_engine::page::import::{Imported, import};
-use inkpanel_engine::page::mask::PixelRect;
+use inkpanel_engine::page::rect::PixelRect;
 use inkpanel_engine::page::{Document, StyleRef};
 use inkpanel_engine::page::{Scene, catalogue, png};
 use inkpanel_engine::raster::decode::{Limits, decode};

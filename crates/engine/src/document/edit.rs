@@ -1,10 +1,11 @@
 //! All edits of a project as plain data, and the pure function that applies them to a state.
 
+use super::draft::Draft;
 use super::limits::{
     GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_ADDED, MOST_LAYOUTS, MOST_LOVED, MOST_PHOTOS, MOST_SHEETS,
     MOST_STYLES, MOST_WAITING, MOST_WANTED,
 };
-use super::project::{self, Draft, Focus, List, Order, Project, Sheet, Styling, TrayItem};
+use super::project::{self, Focus, List, Order, Project, Sheet, Styling, TrayItem};
 use super::shots::{self, Board, Shot};
 use super::{following, own, pages, sheets};
 use crate::json::fields::whole_of;
@@ -318,7 +319,9 @@ impl Project {
                 if self.board == *board {
                     return None;
                 }
-                next.tray = mapped(&self.tray, |item| board.taken(&self.board, item));
+                next.tray = mapped(&self.tray, |item| {
+                    board.taken(&self.board, &item.shot).map(|shot| TrayItem { shot, ..item.clone() })
+                });
                 next.board = board.clone();
             }
             Edit::Lock { part, on } => {

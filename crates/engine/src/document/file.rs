@@ -2,13 +2,14 @@
 //! of each photo and video. Undo states are not included. Photos are measured again after opening. Except id,
 //! name and place, their metadata is a hint: invalid values and unknown fields are ignored.
 
+use super::draft::Draft;
 use super::history::{History, keep};
 use super::kept::Interner;
 use super::limits::{
     ARCHIVE_ENTRIES, LONGEST_ID, LONGEST_NAME, LONGEST_PATH, LONGEST_SIDE, MOST_LAYOUTS, MOST_PHOTOS,
     MOST_SHEETS, MOST_STYLES, MOST_SUBJECTS, MOST_VIDEOS, MOST_WAITING, PROJECT,
 };
-use super::project::{self, Draft, List, Parts, Sheet, TrayItem};
+use super::project::{self, List, Parts, Sheet, TrayItem};
 use super::shots::Board;
 use super::{Dropped, VERSION, pages, refusal, version};
 use crate::error::Result;

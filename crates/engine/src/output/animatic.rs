@@ -3,7 +3,7 @@
 //! of one panel, and the camera moves over that image. Its lines do not move, and a shot without a camera
 //! move is equal in every frame.
 
-use super::motion::{Reading, Told};
+use super::reading::{Reading, Told, between, eased};
 use super::shots::ShotList;
 use crate::error::{Error, Result};
 use crate::framing::{Crop, FACE, Subject};
@@ -327,25 +327,6 @@ impl Clip {
         }
         let t = f64::from(frame.saturating_sub(self.from)) / f64::from((self.to - self.from).max(2) - 1);
         between(&self.first, &self.last, eased(t))
-    }
-}
-
-/// A part of a way, 0 to 1, that sets out and arrives slowly: a cubic curve.
-pub(super) fn eased(t: f64) -> f64 {
-    t * t * (3.0 - 2.0 * t)
-}
-
-/// The view at a part of the way from one to another, 0 to 1.
-pub(super) fn between(first: &Crop, last: &Crop, part: f64) -> Crop {
-    if first == last {
-        return *first;
-    }
-    let along = |a: f64, b: f64| a + (b - a) * part;
-    Crop {
-        x: along(first.x, last.x),
-        y: along(first.y, last.y),
-        width: along(first.width, last.width),
-        height: along(first.height, last.height),
     }
 }
 

@@ -15,6 +15,8 @@
 //! | [`styling`] | the style of a page that leaves it to chance |
 //! | `fill` | the panels of a template filled with photos |
 //! | [`scene`] | a document resolved to pixels of one size |
+//! | [`patch`] | panels as pixels |
+//! | [`rect`] | rectangles of whole pixels |
 //! | [`mask`] | the inside of a panel and its border |
 //! | `bleed` | panels that extend into the bleed |
 //! | [`breaking`] | subjects that break their panel border |
@@ -48,9 +50,11 @@ pub(crate) mod language;
 pub mod layouts;
 pub mod living;
 pub mod mask;
+pub mod patch;
 pub mod pdf;
 pub mod plates;
 pub mod png;
+pub mod rect;
 pub mod reference;
 pub mod request;
 pub mod scene;
@@ -63,7 +67,7 @@ pub mod styling;
 pub mod webp;
 pub mod words;
 
-pub use compose::Patch;
 pub use document::Document;
+pub use patch::Patch;
 pub use reference::{CustomFile, LayoutRef, StyleRef};
 pub use scene::Scene;

@@ -11,8 +11,6 @@ use crate::plan::layouts::is_within;
 use crate::plan::tones::{self, Shown};
 use crate::style::{Style, catalogue, procedural};
 use oorandom::Rand64;
-use serde::Deserialize;
-use serde_json::Value;
 
 /// Share of shuffles whose style keeps the colours of the photos.
 const IN_COLOUR: f64 = 0.5;
@@ -21,45 +19,6 @@ const FIRST_IN_COLOUR: f64 = 0.9;
 /// Colours of paper and borders for a dark style.
 const DARK_PAPER: &str = "#15141a";
 const DARK_BORDER: &str = "#07070a";
-
-/// Options of the random choice of a style. As JSON `{extra, invented, inventions, keepLines, keepColours}`;
-/// all fields are optional.
-#[derive(Debug, Clone, Default, Deserialize)]
-#[serde(from = "Value")]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "StylingRequest", rename_all = "camelCase"))]
-pub struct Styling {
-    /// Complete custom and favourite styles. They are chosen like built-in ones.
-    #[cfg_attr(test, ts(as = "Option<Vec<crate::style::Style>>", optional))]
-    pub extra: Vec<StyleRef>,
-    /// Probability of a generated style, 0 to 1.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
-    pub invented: f64,
-    /// Generated styles that passed a test. If the list is present, even if it is empty, only its styles are used.
-    #[cfg_attr(test, ts(as = "Option<Vec<crate::style::Style>>", optional))]
-    pub inventions: Option<Vec<StyleRef>>,
-    /// Retain the line layer and its ink.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
-    pub keep_lines: bool,
-    /// Retain the colour layer.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
-    pub keep_colours: bool,
-}
-
-impl From<Value> for Styling {
-    fn from(mut value: Value) -> Self {
-        let flag = |key: &str| value[key].as_bool().unwrap_or_default();
-        let (keep_lines, keep_colours) = (flag("keepLines"), flag("keepColours"));
-        let invented = value["invented"].as_f64().unwrap_or_default();
-        let mut list = |key: &str| match value.get_mut(key).map(Value::take) {
-            Some(Value::Array(styles)) => Some(
-                styles.into_iter().filter_map(|style| serde_json::from_value(style).ok()).collect::<Vec<_>>(),
-            ),
-            _ => None,
-        };
-        let (extra, inventions) = (list("extra").unwrap_or_default(), list("inventions"));
-        Self { extra, invented, inventions, keep_lines, keep_colours }
-    }
-}
 
 /// Returns the style of the request, the retained style, or a random style.
 pub(super) fn choose_style(
@@ -198,7 +157,9 @@ mod tests {
     use super::*;
     use crate::framing::PhotoMeta;
     use crate::page::document::Document;
+    use crate::page::request::Styling;
     use crate::page::shuffle::plan;
+    use serde_json::Value;
     use std::collections::BTreeSet;
 
     fn request(seed: u32, styling: Styling) -> Request {

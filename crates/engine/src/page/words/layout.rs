@@ -1,9 +1,10 @@
 //! Positions and sizes of the text items of a document. Lengths are in page widths.
 
+use super::fitting::set;
 use super::letters::Letters;
 use super::model::{Kind, TextItem};
 use super::palette::{self, Palette};
-use super::setting::{Setting, Wish, set};
+use super::setting::{Setting, Wish};
 use super::shapes::reach;
 use super::wording::{marks, readings};
 use crate::error::Result;
