@@ -333,15 +333,10 @@ pub(crate) fn tell_differences(pages: &[Planned], wanted: Option<usize>, used: &
         .collect();
     if !unseen.is_empty() {
         let of = used.len();
-        report::note(None, &format!("{} of {of} photos have no panel: {}", unseen.len(), some(&unseen)));
-    }
-}
-
-/// Returns the first names of a list, and the number of the others.
-pub(crate) fn some(names: &[&str]) -> String {
-    match names.len() {
-        0..=4 => names.join(", "),
-        many => format!("{} and {} more", names[..3].join(", "), many - 3),
+        report::note(
+            None,
+            &format!("{} of {of} photos have no panel: {}", unseen.len(), report::some(&unseen)),
+        );
     }
 }
 

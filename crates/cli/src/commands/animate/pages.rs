@@ -3,8 +3,8 @@
 use super::Animate;
 use super::drawn::{Drawn, Page};
 use super::reel::Step;
-use crate::commands::segment::Masks;
 use crate::drawing::{self, Means};
+use crate::masks::Masks;
 use crate::{CliError, reopening};
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::native::{self, QUALITY};

@@ -5,7 +5,7 @@ use super::drawn::Drawn;
 use super::reel::Step;
 use crate::boards::{self, ShotPhoto};
 use crate::commands::read_style;
-use crate::commands::segment::Masks;
+use crate::masks::Masks;
 use crate::{CliError, reopening, report};
 use inkpanel::survived;
 use inkpanel_engine::document::saved::Saved;
