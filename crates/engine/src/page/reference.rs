@@ -15,7 +15,7 @@ use std::sync::Arc;
 #[serde(transparent)]
 pub struct CustomFile(Value);
 
-/// What a [`LayoutRef`] and a [`StyleRef`] have in common. A custom one is checked when it is used.
+/// A built-in layout or style by its id, or a custom one by its file. The file is checked when it is used.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Reference {
     /// The id of a built-in layout or style.
