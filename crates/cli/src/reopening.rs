@@ -40,7 +40,7 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, CliError>> {
     }
 }
 
-/// What is drawn of a project.
+/// The options of `render` that apply to a saved project.
 pub(crate) struct Asked<'a> {
     /// Page number, from 1.
     pub(crate) page: Option<u32>,
