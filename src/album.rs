@@ -8,7 +8,7 @@ use crate::nets::Nets;
 use crate::note::Note;
 use crate::options::{BookOptions, PageOptions};
 use crate::page::{Book, Page};
-use crate::photo::Photo;
+use crate::photo::{Photo, id};
 use crate::places::PlaceNames;
 use inkpanel_engine::document::limits::MOST_SHEETS;
 use inkpanel_engine::framing::{PhotoMeta, Subject};
@@ -53,11 +53,6 @@ pub struct BookPlan {
     pub title: String,
     /// The pages with their text.
     pub pages: Vec<BookPage>,
-}
-
-/// Returns the page's id of the photo at a place in the list.
-pub(crate) fn id(place: usize) -> String {
-    format!("photo-{place}")
 }
 
 impl Album {

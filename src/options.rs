@@ -4,11 +4,10 @@ use crate::failure::Failure;
 use crate::style::Style;
 use inkpanel_engine::layout::{PageSettings, PaperSize};
 use inkpanel_engine::page::catalogue;
-use inkpanel_engine::page::document::template_of;
 use inkpanel_engine::page::request::{Families, Request};
 use inkpanel_engine::page::storyboard::Choice;
 use inkpanel_engine::page::words::TextItem;
-use serde_json::Value;
+use inkpanel_engine::page::{LayoutRef, StyleRef};
 use std::collections::HashMap;
 
 /// The most pages that an album is cut into, as on the command line.
@@ -26,7 +25,7 @@ pub struct PageOptions {
     seed: u32,
     panels: Option<usize>,
     merge: bool,
-    layout: Option<Value>,
+    layout: Option<LayoutRef>,
     style: Option<Style>,
     families: Families,
     figures: Option<bool>,
@@ -147,7 +146,7 @@ impl PageOptions {
     /// # Errors
     /// `unknown-layout`.
     pub fn layout(self, id: &str) -> Result<Self, Failure> {
-        self.layout_value(id.into())
+        self.layout_ref(id.into())
     }
 
     /// The page template of a layout file.
@@ -155,14 +154,14 @@ impl PageOptions {
     /// # Errors
     /// `invalid-argument` if the text is not valid JSON; `invalid-layout`, with location and reason.
     pub fn layout_from_json(self, json: &str) -> Result<Self, Failure> {
-        let told =
+        let file =
             serde_json::from_str(json).map_err(|error| Failure::argument("layout", &error.to_string()))?;
-        self.layout_value(told)
+        self.layout_ref(LayoutRef::from_file(file))
     }
 
-    fn layout_value(mut self, layout: Value) -> Result<Self, Failure> {
+    fn layout_ref(mut self, layout: LayoutRef) -> Result<Self, Failure> {
         // Report layout errors before photos are read.
-        template_of(&layout)?;
+        layout.template()?;
         self.layout = Some(layout);
         Ok(self)
     }
@@ -327,7 +326,7 @@ impl PageOptions {
             seed: self.seed,
             page: self.page.clone(),
             layout: self.layout.clone(),
-            style: self.style.as_ref().map(Style::to_value),
+            style: self.style.as_ref().map(|style| StyleRef::of(style.chain())),
             panels: self.panels,
             within: self.families.clone(),
             figures: self.figures,

@@ -1,9 +1,8 @@
 //! Planned pages. They are drawn when the caller requests their pixels or a file.
 
-use crate::album::id;
 use crate::failure::Failure;
 use crate::note::Note;
-use crate::photo::Photo;
+use crate::photo::{Photo, id};
 use crate::pixels::Pixels;
 use inkpanel_engine::framing::Subject;
 use inkpanel_engine::native::{self, QUALITY};

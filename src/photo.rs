@@ -129,3 +129,8 @@ fn read(path: &Path) -> Result<Vec<u8>, Failure> {
         Failure::new(code, format!("{error}{folder}"))
     })
 }
+
+/// Returns the page's id of the photo at a place in the list.
+pub(crate) fn id(place: usize) -> String {
+    format!("photo-{place}")
+}

@@ -87,10 +87,6 @@ impl Style {
     pub fn chain(&self) -> &style::Style {
         &self.0
     }
-
-    pub(crate) fn to_value(&self) -> Value {
-        self.0.to_value()
-    }
 }
 
 /// The largest seed of a block; `None` if it has no seed.

@@ -78,7 +78,7 @@ fn counted(document: &Document, album: &[PhotoMeta], photos: &[Photo]) -> Result
     let mut counted = Counted {
         family: template.family().to_owned(),
         layout: template.id().to_owned(),
-        style: document.style.as_str().unwrap_or("own").to_owned(),
+        style: document.style.built_in().unwrap_or("own").to_owned(),
         merged: !document.merges.is_empty(),
         ..Counted::default()
     };

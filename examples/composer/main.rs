@@ -104,8 +104,8 @@ fn sheet(photos: &[Photo], folder: &Path) -> Result<(), Failure> {
         Ok(format!(
             "{number:02}  {:.2}  {}  {}  merges {}  {}\n    {}\n",
             planned.score.total(),
-            document.layout.as_str().unwrap_or("?"),
-            document.style.as_str().unwrap_or("?"),
+            document.layout.built_in().unwrap_or("?"),
+            document.style.built_in().unwrap_or("?"),
             document.merges.len(),
             terms.join(", "),
             shown.join(", "),

@@ -6,7 +6,8 @@ use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::framing::{Crop, FACE, Subject};
 use inkpanel_engine::native::{self, Photo, Photos};
 use inkpanel_engine::output::animatic::{Animatic, Clip, Picture, Request};
-use inkpanel_engine::output::motion::{self, Reading};
+use inkpanel_engine::output::motion;
+use inkpanel_engine::output::reading::{Reading, Said, Stop};
 use inkpanel_engine::output::shots::timecode::Pace;
 use inkpanel_engine::output::shots::{ListedShot, ShotList};
 use inkpanel_engine::page::Document;
@@ -216,13 +217,13 @@ fn pages_are_read_as_the_plan_of_the_page_says() {
         assert_eq!(pages.len(), plan.clips.len());
         for (i, (told, clip)) in pages.iter().zip(&plan.clips).enumerate() {
             let reading = clip.reading.as_ref().unwrap();
-            let stop = |stop: &motion::Stop| {
+            let stop = |stop: &Stop| {
                 json!({
                     "panel": stop.panel.map(|panel| panel + 1), "first": stop.from + 1,
                     "frames": stop.to - stop.from, "from": stop.first, "to": stop.last,
                 })
             };
-            let word = |said: &motion::Said| json!({ "word": said.word + 1, "panel": said.panel + 1, "first": said.from + 1 });
+            let word = |said: &Said| json!({ "word": said.word + 1, "panel": said.panel + 1, "first": said.from + 1 });
             let expected = json!({
                 "page": i + 1, "first": clip.start + 1, "frames": clip.frames,
                 "stops": reading.stops.iter().map(stop).collect::<Vec<_>>(),
@@ -479,7 +480,7 @@ fn request(lengths: &[Option<u32>]) -> Request {
         },
         pictures: (0..lengths.len()).map(picture).collect(),
         size: [1920, 1080],
-        style: json!("storyboard"),
+        style: "storyboard".into(),
         ..Request::default()
     }
 }

@@ -70,7 +70,7 @@ fn request(logo: bool) -> Request {
         list: ShotList { title: "Night".into(), shots: vec![shot("1"), shot("2")], ..ShotList::default() },
         pictures: vec![picture("a"), picture("b")],
         frames: 2,
-        style: json!("noir"),
+        style: "noir".into(),
         author: "Ann".into(),
         logo: logo.then(|| Logo { photo: "logo".into(), aspect: 2.0 }),
         ..Request::default()

@@ -6,7 +6,7 @@ use inkpanel_engine::framing::{PhotoMeta, Subject};
 use inkpanel_engine::layout::{Bounds, Point, ResolvedShape};
 use inkpanel_engine::native;
 use inkpanel_engine::page::breaking::{breaks, broken};
-use inkpanel_engine::page::mask::PixelRect;
+use inkpanel_engine::page::rect::PixelRect;
 use inkpanel_engine::page::request::Request;
 use inkpanel_engine::page::shuffle::plan;
 use inkpanel_engine::page::words::given::GivenFonts;
@@ -73,7 +73,7 @@ fn page(photos: &[(PhotoMeta, Image)], seed: u32) -> Document {
     plan(&Request {
         seed,
         photos: photos.iter().map(|(meta, _)| meta.clone()).collect(),
-        style: Some(style()),
+        style: Some(serde_json::from_value(style()).unwrap()),
         figures: Some(true),
         ..Request::default()
     })
@@ -286,7 +286,7 @@ fn without_its_figure_a_page_differs_outside_of_the_panel_alone() {
     assert!(!breaks(&plain).unwrap().contains(&true));
     let (with, without) = (drawn(&page), drawn(&plain));
     let scene = Scene::new(&page, 620).unwrap();
-    let area = mask::PixelRect { x: 0, y: 0, width: 620, height: scene.height };
+    let area = PixelRect { x: 0, y: 0, width: 620, height: scene.height };
     let inside = mask::inside(&scene.panels[own].shape, 0.0, area);
     let pixels = with.rgb().chunks_exact(3).zip(without.rgb().chunks_exact(3)).zip(&inside);
     let (mut outside, mut within) = (0, 0);

@@ -1,12 +1,13 @@
 //! Edits of a project, with undo: the cases of the app's former tests, invariants after any edit, and the
 //! results of the former JavaScript implementation (`tests/oracles/edits.mjs`).
 
+use inkpanel_engine::document::draft::Draft;
 use inkpanel_engine::document::edit::{Edit, How, Part, Shelf};
 use inkpanel_engine::document::editor::Editor;
 use inkpanel_engine::document::file::ProjectFile;
 use inkpanel_engine::document::history::History;
 use inkpanel_engine::document::planning::{Planning, Seeds};
-use inkpanel_engine::document::project::{Draft, Focus, List, Order, Project, Sheet, Styling};
+use inkpanel_engine::document::project::{Focus, List, Order, Project, Sheet, Styling};
 use inkpanel_engine::document::sheets::photos_on;
 use inkpanel_engine::document::shots::{Board, RATES, Shot};
 use inkpanel_engine::document::spreading::balanced;
@@ -14,11 +15,11 @@ use inkpanel_engine::document::upkeep::Groups;
 use inkpanel_engine::document::{kept, limits, own};
 use inkpanel_engine::framing::PhotoMeta;
 use inkpanel_engine::layout::{self, PageSettings};
-use inkpanel_engine::page::Document;
 use inkpanel_engine::page::request::{Keep, Mode, Request};
 use inkpanel_engine::page::shuffle;
 use inkpanel_engine::page::words::model::NewText;
 use inkpanel_engine::page::words::{TextItem, TextKind};
+use inkpanel_engine::page::{CustomFile, Document};
 use inkpanel_engine::raster::Matte;
 use oorandom::Rand64;
 use serde_json::{Map, Value, json};
@@ -186,12 +187,16 @@ fn a_photo_in_the_place_of_another_is_it_everywhere() {
     assert_eq!(editor.project().page.as_ref().unwrap().order, ["b"]);
 }
 
-fn shelf(ids: &[&str]) -> List<Value> {
-    ids.iter().map(|id| Arc::new(json!({ "id": id }))).collect()
+fn custom(file: Value) -> Arc<CustomFile> {
+    Arc::new(CustomFile::new(file))
 }
 
-fn ids_of(list: &List<Value>) -> Vec<&str> {
-    list.iter().map(|item| item["id"].as_str().unwrap()).collect()
+fn shelf(ids: &[&str]) -> List<CustomFile> {
+    ids.iter().map(|id| custom(json!({ "id": id }))).collect()
+}
+
+fn ids_of(list: &List<CustomFile>) -> Vec<&str> {
+    list.iter().map(|item| item.id()).collect()
 }
 
 #[test]
@@ -413,8 +418,8 @@ fn word_of(photo: &str, text: &str) -> NewText {
     NewText::read(word).unwrap()
 }
 
-fn own_styles() -> List<Value> {
-    ["x", "y"].iter().map(|id| Arc::new(json!({ "id": id, "background": [] }))).collect()
+fn own_styles() -> List<CustomFile> {
+    ["x", "y"].iter().map(|id| custom(json!({ "id": id, "background": [] }))).collect()
 }
 
 /// Checks the invariants after any edit.
@@ -645,11 +650,11 @@ fn a_forgotten_photo_is_gone_from_the_pages_of_all_times_and_what_these_share_th
 fn what_was_done_to_a_list_is_done_to_another_state_of_it() {
     sequences(2_000, |seed| {
         let mut random = Rand64::new(u128::from(seed));
-        let mut some_list = || -> List<Value> {
+        let mut some_list = || -> List<CustomFile> {
             let mut items = Vec::new();
             for id in ["a", "b", "c", "d"] {
                 if random.rand_float() < 0.6 {
-                    items.push(Arc::new(json!({ "id": id, "name": random.rand_range(0..2) })));
+                    items.push(custom(json!({ "id": id, "name": random.rand_range(0..2) })));
                 }
             }
             items.into()
@@ -657,13 +662,13 @@ fn what_was_done_to_a_list_is_done_to_another_state_of_it() {
         let (state, before, after) = (some_list(), some_list(), some_list());
         assert_eq!(own::carried(&before, &before, &after), after);
         assert_eq!(own::carried(&state, &before, &before), state);
-        let plain = |list: &List<Value>| list.iter().map(|item| Value::clone(item)).collect::<Value>();
+        let plain = |list: &List<CustomFile>| list.iter().map(|item| item.json().clone()).collect::<Value>();
         let told =
             json!({ "list": plain(&state), "before": plain(&before), "after": plain(&after) }).to_string();
         let found: Vec<Value> = serde_json::from_str(&own::carried_json(&told).unwrap()).unwrap();
-        let found: List<Value> = found.into_iter().map(Arc::new).collect();
+        let found: List<CustomFile> = found.into_iter().map(custom).collect();
         assert_eq!(found, own::carried(&state, &before, &after));
-        let has = |list: &List<Value>, id: &str| ids_of(list).contains(&id);
+        let has = |list: &List<CustomFile>, id: &str| ids_of(list).contains(&id);
         assert_eq!(ids_of(&found).iter().collect::<HashSet<_>>().len(), found.len());
         for id in ["a", "b", "c", "d"] {
             if has(&after, id) && !has(&before, id) {
@@ -679,8 +684,8 @@ fn what_was_done_to_a_list_is_done_to_another_state_of_it() {
 
 #[test]
 fn the_lists_of_a_project_join_those_that_are_there() {
-    let styles = |count: usize, of: &str| -> List<Value> {
-        (0..count).map(|i| Arc::new(json!({ "id": format!("{of}{i}"), "background": [] }))).collect()
+    let styles = |count: usize, of: &str| -> List<CustomFile> {
+        (0..count).map(|i| custom(json!({ "id": format!("{of}{i}"), "background": [] }))).collect()
     };
     let mut editor =
         played([Edit::OwnStyles { mine: styles(900, "a") }, Edit::Favourites { favourites: styles(1, "f") }]);
@@ -695,8 +700,8 @@ fn the_lists_of_a_project_join_those_that_are_there() {
 fn a_list_that_many_share_never_grows_too_long_to_be_opened() {
     let many = |from: usize| {
         (from..from + 1000)
-            .map(|i| Arc::new(json!({ "id": format!("{i}"), "background": [] })))
-            .collect::<List<Value>>()
+            .map(|i| custom(json!({ "id": format!("{i}"), "background": [] })))
+            .collect::<List<CustomFile>>()
     };
     let mut editor = played([Edit::OwnStyles { mine: many(0) }, Edit::OwnStyles { mine: shelf(&[]) }]);
     editor.apply(&Edit::Undo, &How::default());
@@ -953,7 +958,7 @@ fn a_large_album_has_no_more_pages_than_a_storyboard_each_with_no_more_words_tha
     assert_eq!(sheets.iter().map(|sheet| sheet.page.words.len()).max(), Some(limits::MOST_WORDS));
     let mut editor = opened(&photos);
     let splash = Document::clone(&page(1));
-    let splash = Document { layout: json!("splash"), panels: splash.panels[..1].to_vec(), ..splash };
+    let splash = Document { layout: "splash".into(), panels: splash.panels[..1].to_vec(), ..splash };
     editor.apply(&Edit::ChangePage { page: Arc::new(splash) }, &How::default());
     editor.apply(&Edit::Lock { part: Part::Layout, on: true }, &How::default());
     let planning = Planning::new(editor.project(), &photos);
@@ -1044,7 +1049,7 @@ fn other_paper_changes_what_it_must() {
     assert_eq!((&same.layout, &same.order, &same.page), (&page.layout, &page.order, &wider));
     // A page among others retains its photos in any layout.
     let wide = PageSettings { width: settings.height, height: settings.width / 2, ..settings.clone() };
-    let template = layout::find(page.layout.as_str().unwrap()).unwrap();
+    let template = layout::find(page.layout.built_in().unwrap()).unwrap();
     let turned = planning.on_paper(page, &wide).unwrap();
     assert_eq!(turned.layout == page.layout, template.good_for(wide.aspect()));
     assert_eq!(photos_on(&[&turned]), photos_on(&[page]));

@@ -1,11 +1,11 @@
 //! Pages as PDF files: their size, the pictures of their panels, and text that can be found. That they look as the page
 //! of pixels does is for the browser tests, which have a program that draws them.
 
-use inkpanel_engine::page::mask::PixelRect;
 use inkpanel_engine::page::pdf::{Imposition, Leaf, Options, impose, picture, write};
 use inkpanel_engine::page::plates::{self, Separation};
+use inkpanel_engine::page::rect::PixelRect;
 use inkpanel_engine::page::words::{Letters, truetype};
-use inkpanel_engine::page::{Document, Scene, compose};
+use inkpanel_engine::page::{Document, Scene, StyleRef, compose};
 use inkpanel_engine::raster::decode::{Limits, decode};
 use inkpanel_engine::raster::{Image, Plane};
 use inkpanel_engine::style::Context;
@@ -136,6 +136,10 @@ fn poppler(program: &str, arguments: &[&str], file: &[u8]) -> Vec<u8> {
 }
 
 /// A page that is one panel, without gutter, margin or line.
+fn style(file: Value) -> StyleRef {
+    serde_json::from_value(file).unwrap()
+}
+
 fn full_page() -> Document {
     let value = json!({
         "version": 1, "seed": 1, "layout": "splash", "style": "noir", "merges": [], "words": [],
@@ -221,7 +225,7 @@ fn sheets_hold_their_pages_and_fit_their_paper() {
 /// The photo of [`full_page`] in red, darker to the left.
 fn bled_leaf(crop: Value) -> Leaf {
     let mut document = full_page();
-    document.style = json!({ "id": "plain", "name": "Plain", "tags": ["paint"], "background": [] });
+    document.style = style(json!({ "id": "plain", "name": "Plain", "tags": ["paint"], "background": [] }));
     document.panels[0].crop = serde_json::from_value(crop).unwrap();
     document.page.bleed = 0.05;
     let plane =
@@ -295,8 +299,9 @@ fn a_page_without_bleed_has_the_pixels_it_had() {
 #[test]
 fn what_has_no_colour_is_gray_and_a_plate_is_the_cover_of_its_ink() {
     let mut gray = document(&json!([]));
-    gray.style =
-        json!({ "id": "gray", "name": "Gray", "tags": ["ink"], "background": [{ "block": "to_gray" }] });
+    gray.style = style(
+        json!({ "id": "gray", "name": "Gray", "tags": ["ink"], "background": [{ "block": "to_gray" }] }),
+    );
     let file = write(
         &[Leaf { pictures: vec![first_panel(&gray)], document: gray, alts: Vec::new() }],
         &titled("Gray"),
@@ -306,9 +311,9 @@ fn what_has_no_colour_is_gray_and_a_plate_is_the_cover_of_its_ink() {
     assert_eq!((count(&file, "/DeviceGray"), count(&file, "/DeviceRGB")), (1, 0));
 
     let mut document = full_page();
-    document.style = json!({ "id": "two", "name": "Two", "tags": ["print"], "background": [
+    document.style = style(json!({ "id": "two", "name": "Two", "tags": ["print"], "background": [
         { "block": "plates", "inks": "red-blue", "shift": 9, "grain": 80 }, { "block": "paper" }
-    ] });
+    ] }));
     let exact = plates::exact(&document).unwrap();
     let step = &exact.style().unwrap().background[0];
     assert_eq!(step.values[1..3], [0.0, 0.0]);

@@ -452,7 +452,7 @@ fn fresh_ids_are_given_to_photos_alone() {
     );
     let present = &project.history.present;
     let page = present.page.as_ref().unwrap();
-    assert_eq!((page.layout.as_str(), present.tray[0].id.as_str()), (Some("grid-4"), "q0"));
+    assert_eq!((page.layout.built_in(), present.tray[0].id.as_str()), (Some("grid-4"), "q0"));
     let shown = project.history.shown.iter().flat_map(|shown| &shown.page.panels).chain(&page.panels);
     assert!(shown.filter_map(|panel| panel.photo.as_ref()).chain(&page.order).all(|id| id.starts_with('q')));
 }

@@ -1,5 +1,5 @@
-//! Dependencies between the modules of the engine and between the folders of the page. `ARCHITECTURE.md` lists the modules in this
-//! order. A module depends only on modules below it. The compiler checks the crates.
+//! Dependencies between the modules of the engine, between the files of the crates, and between the folders of the page.
+//! `ARCHITECTURE.md` lists the modules in this order. A module depends only on modules below it. The compiler checks the crates.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -7,6 +7,10 @@ use std::path::{Component, Path, PathBuf};
 
 /// The sources of the engine.
 const ENGINE: &str = "crates/engine/src";
+
+/// Crates whose files must not depend on each other in a circle.
+const CRATES: [&str; 6] =
+    ["crates/image/src", "crates/style/src", "crates/detect/src", ENGINE, "src", "crates/cli/src"];
 
 /// The modules from the lowest to the highest.
 const ROOMS: [&str; 13] = [
@@ -77,6 +81,83 @@ fn no_room_of_the_engine_knows_one_above_it() {
     assert!(wrong.is_empty(), "a room may use those below it only:\n  {}", wrong.join("\n  "));
 }
 
+/// Adds the paths of a path or a tree of paths to `found`, and returns the text after it. `start` is the path before it.
+fn grow<'t>(mut text: &'t str, start: &[&'t str], found: &mut Vec<Vec<&'t str>>) -> &'t str {
+    let mut path = start.to_vec();
+    loop {
+        text = text.trim_start();
+        if let Some(list) = text.strip_prefix('{') {
+            text = list.trim_start();
+            while !text.is_empty() && !text.starts_with('}') {
+                let rest = grow(text, &path, found).trim_start();
+                text = rest.strip_prefix(',').unwrap_or(rest).trim_start();
+            }
+            return text.get(1..).unwrap_or_default();
+        }
+        let end = text.find(|c: char| !c.is_alphanumeric() && !matches!(c, '_' | '*')).unwrap_or(text.len());
+        let (name, rest) = text.split_at(end);
+        path.extend(Some(name).filter(|name| !name.is_empty()));
+        let rest =
+            rest.strip_prefix(" as ").map_or(rest, |rest| &rest[rest.find([',', '}', ';']).unwrap_or(0)..]);
+        match rest.strip_prefix("::") {
+            Some(next) => text = next,
+            None => {
+                found.push(path);
+                return rest;
+            }
+        }
+    }
+}
+
+/// The modules that a module uses, as paths from its crate. Unit tests and comments are left out.
+fn used(code: &str, here: &[String], modules: &BTreeSet<Vec<String>>) -> BTreeSet<Vec<String>> {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
+    let mut paths = Vec::new();
+    for start in ["crate::", "super::", "self::"] {
+        for (at, _) in code.match_indices(start).filter(|(at, _)| !code[..*at].ends_with(is_part)) {
+            grow(&code[at..], &[], &mut paths);
+        }
+    }
+    let module = |path: Vec<&str>| {
+        let up = path.iter().take_while(|name| **name == "super").count();
+        let base = if path[0] == "crate" { &[] } else { &here[..here.len() - up] };
+        let names = path[up..].iter().filter(|name| !matches!(**name, "crate" | "self"));
+        let mut whole: Vec<String> =
+            base.iter().cloned().chain(names.map(|name| (*name).to_owned())).collect();
+        while !modules.contains(&whole) && whole.pop().is_some() {}
+        whole
+    };
+    // A module may use the modules around it, which only declare it.
+    paths.into_iter().map(module).filter(|there| !here.starts_with(there)).collect()
+}
+
+#[test]
+fn no_files_of_a_crate_know_each_other_in_a_circle() {
+    for top in CRATES.map(crate::root) {
+        let module = |file: &PathBuf| {
+            let path = file.strip_prefix(&top).unwrap().with_extension("");
+            let names = path.iter().map(|name| name.to_str().unwrap().to_owned());
+            names.filter(|name| !matches!(name.as_str(), "mod" | "lib" | "main")).collect::<Vec<_>>()
+        };
+        let files = files(&top, &[".rs"]);
+        let modules: BTreeSet<Vec<String>> = files.iter().map(module).collect();
+        let mut doors: BTreeMap<(String, String), String> = BTreeMap::new();
+        for file in &files {
+            let text = fs::read_to_string(file).unwrap();
+            let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap();
+            let code: Vec<&str> = code.lines().map(|line| line.split("//").next().unwrap()).collect();
+            let here = module(file);
+            for there in used(&code.join("\n"), &here, &modules) {
+                let (from, to) = (here.join("/"), there.join("/"));
+                doors.insert((from.clone(), to.clone()), format!("{from} uses {to}"));
+            }
+        }
+        assert!(doors.len() >= files.len() / 2, "the imports were found: {}", doors.len());
+        let circles = circles(&doors);
+        assert!(circles.is_empty(), "files that know each other in a circle:\n  {circles:#?}");
+    }
+}
+
 /// Returns the files that a script imports at run time. Type-only imports are not included.
 fn imports(text: &str) -> Vec<String> {
     let mut found = Vec::new();
@@ -121,6 +202,21 @@ fn end_of<'a>(rooms: &BTreeSet<&'a str>, doors: &'a BTreeMap<(String, String), S
     rooms.iter().copied().find(|room| !knows(room) || !is_known(room))
 }
 
+/// The dependencies in circles and between circles.
+fn circles(doors: &BTreeMap<(String, String), String>) -> Vec<&String> {
+    let mut rooms: BTreeSet<&str> = doors.keys().flat_map(|(a, b)| [a.as_str(), b.as_str()]).collect();
+    // Removes modules without dependencies or without dependents, until only cycles and the modules between
+    // them are left.
+    while let Some(end) = end_of(&rooms, doors) {
+        rooms.remove(end);
+    }
+    doors
+        .iter()
+        .filter(|((from, to), _)| rooms.contains(from.as_str()) && rooms.contains(to.as_str()))
+        .map(|(_, file)| file)
+        .collect()
+}
+
 #[test]
 fn no_rooms_of_the_page_know_each_other_in_a_circle() {
     let top = crate::root("www");
@@ -140,16 +236,6 @@ fn no_rooms_of_the_page_know_each_other_in_a_circle() {
         }
     }
     assert!(doors.len() > 40, "the imports were found: {}", doors.len());
-    let mut rooms: BTreeSet<&str> = doors.keys().flat_map(|(a, b)| [a.as_str(), b.as_str()]).collect();
-    // Removes modules without dependencies or without dependents, until only cycles and the modules between
-    // them are left.
-    while let Some(end) = end_of(&rooms, &doors) {
-        rooms.remove(end);
-    }
-    let inside: Vec<&String> = doors
-        .iter()
-        .filter(|((from, to), _)| rooms.contains(from.as_str()) && rooms.contains(to.as_str()))
-        .map(|(_, file)| file)
-        .collect();
-    assert!(rooms.is_empty(), "rooms that know each other in a circle, {rooms:?}:\n  {inside:#?}");
+    let inside = circles(&doors);
+    assert!(inside.is_empty(), "rooms that know each other in a circle:\n  {inside:#?}");
 }

@@ -161,13 +161,13 @@ fn what_was_saved_opens_as_it_was() {
 fn what_is_in_a_project_is_what_was_made() {
     let saved = read("version-1/merged-words.png");
     let page = saved.pages().0[0].clone();
-    assert_eq!((page.layout.as_str(), page.style.as_str()), (Some("grid-4"), Some("comic")));
+    assert_eq!((page.layout.built_in(), page.style.built_in()), (Some("grid-4"), Some("comic")));
     assert_eq!((page.merges.clone(), page.words.len()), (vec![vec![0, 1]], 3));
     assert_eq!((page.page.width, page.page.height, page.page.dpi), (360, 480, 150));
     let saved = read("version-1/own-style.png");
     let page = saved.pages().0[0].clone();
-    assert_eq!(page.style["name"], "Own");
-    assert!(page.layout.is_object() && page.panels[0].edited);
+    assert_eq!(page.style().unwrap().name, "Own");
+    assert!(page.layout.custom().is_some() && page.panels[0].edited);
     let saved = read("version-1/storyboard.inkpanel");
     assert_eq!((saved.project().history.present.name.as_str(), saved.pages().1), ("Garden", 1));
     assert_eq!(saved.project().photos.len(), 5);

@@ -512,7 +512,7 @@ fn two_balloons_have_two_speakers_and_what_was_moved_stays() {
 #[test]
 fn words_outlive_a_layout_of_fewer_panels_and_never_leave_the_page() {
     let mut document = document(&json!([{ "kind": "caption", "text": "Here", "panel": 5, "x": 9, "y": -9 }]));
-    document.layout = json!("splash");
+    document.layout = "splash".into();
     document.panels.truncate(1);
     let laid = &layout::lay_all(&document, &letters()).unwrap()[0];
     let (a, b) = layout::extent(&laid.word, &laid.setting);

@@ -4,6 +4,7 @@ use crate::CliError;
 use crate::commands::read_style;
 use crate::drawing;
 use crate::paper::Paper;
+use crate::photos::Photos;
 use clap::builder::PossibleValuesParser;
 use inkpanel::PageOptions;
 use inkpanel_engine::layout::PageSettings;
@@ -102,5 +103,12 @@ impl Chosen {
             options = options.duplicate_threshold(bits);
         }
         Ok(options)
+    }
+    /// Detects faces and subjects, if that is wanted, and marks the starred photos. Returns whether the models were
+    /// available.
+    pub(crate) fn prepare(&self, photos: &mut Photos) -> bool {
+        let looked = !self.no_detect && photos.add_subjects(self.models.as_deref());
+        photos.star(&self.star);
+        looked
     }
 }

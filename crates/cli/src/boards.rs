@@ -6,17 +6,13 @@ use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::document::shots::{ASPECTS, logo_file};
 use inkpanel_engine::framing::Subject;
 use inkpanel_engine::output::board::{Logo, PictureOf, Request};
-use inkpanel_engine::page::Document;
 use inkpanel_engine::page::fill::framed_json;
 use inkpanel_engine::page::import::import;
+use inkpanel_engine::page::{Document, StyleRef};
 use inkpanel_engine::raster::Image;
 use inkpanel_engine::raster::decode::{Limits, decode};
 use rayon::prelude::*;
-use serde_json::json;
 use std::collections::HashMap;
-
-/// The style of a project without a page.
-pub(crate) const STYLE: &str = "storyboard";
 
 /// The id of the logo on sheets: no photo of a project is called so.
 pub(crate) const LOGO: &str = "board/logo";
@@ -54,7 +50,7 @@ pub(crate) fn sheets(
     if list.title.trim().is_empty() {
         title.clone_into(&mut list.title);
     }
-    let style = present.page.as_ref().map_or_else(|| json!(STYLE), |page| page.style.clone());
+    let style = present.page.as_ref().map_or_else(StyleRef::default, |page| page.style.clone());
     let request = Request {
         list,
         pictures,

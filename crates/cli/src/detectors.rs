@@ -8,10 +8,8 @@ use inkpanel_engine::native;
 use inkpanel_engine::page::import::Imported;
 use inkpanel_engine::places::Places;
 use inkpanel_engine::style::painters::Painters;
-use rayon::prelude::*;
 use serde_json::{Value, json};
 
-use crate::photos::Photos;
 use crate::{CliError, report};
 
 /// Reads the models from `folder`, or from the default folder.
@@ -93,17 +91,6 @@ fn find() -> Option<PathBuf> {
     let above = here.ancestors().map(|folder| folder.join("www/models"));
     let built = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../www/models");
     beside.into_iter().chain(above).chain([built]).find(|folder| folder.join("faces.onnx").is_file())
-}
-
-/// Boxes of each photo. A failure is reported and counts as no result.
-pub(crate) fn run(detectors: &Detectors, photos: &Photos) -> Vec<Vec<Detection>> {
-    let found = photos.album.imported().par_iter().map(|(place, photo)| {
-        detectors.detect(&photo.work).unwrap_or_else(|error| {
-            report::note(Some(&photos.file(*place).display().to_string()), &error.to_string());
-            Vec::new()
-        })
-    });
-    found.collect()
 }
 
 /// The boxes of a photo in pixels of the oriented original, with a digit after the point.

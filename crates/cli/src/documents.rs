@@ -1,10 +1,10 @@
 //! Pages as plain data on the command line: written with the names of their photos, and drawn again.
 
 use crate::args::How;
-use crate::commands::segment::Masks;
 use crate::destination::{Output, write};
 use crate::format::Format;
 use crate::input::{decode_file, name};
+use crate::masks::Masks;
 use crate::report::{check_strict, done};
 use crate::{CliError, drawing, plans, reading};
 use inkpanel::with_names;
@@ -67,7 +67,7 @@ pub(crate) fn draw(file: &Path, files: &[PathBuf], output: &Output, how: &How) -
             drop(decode_file(path));
         }
     }
-    check_strict(how)?;
+    check_strict(how.strict)?;
     if let Format::Comic(kind) = Format::of(&output.named)? {
         let title = output.named.file_stem().map(|stem| stem.to_string_lossy()).unwrap_or_default();
         let told = reading::Telling { title: &title, language: how.printing.language() };

@@ -1,11 +1,11 @@
 //! Writes pages of the command line as files: rendered from full-size photos, with their text.
 
-use crate::commands::segment::Masks;
 use crate::destination::{Output, write};
 use crate::format::Format;
 use crate::input::{self, is_standard};
+use crate::masks::Masks;
 use crate::photos::Photos;
-use crate::{CliError, own_pages, reading, report};
+use crate::{CliError, language, own_pages, report};
 use inkpanel_engine::framing::Subject;
 use inkpanel_engine::layout::{self, PagePreset, PaperSize};
 use inkpanel_engine::native::{self, QUALITY, alts};
@@ -143,7 +143,7 @@ pub(crate) struct Printing {
     #[arg(long)]
     plates: bool,
     /// Language of the text, for screen readers and hyphenation: a tag such as en or pt-BR (PDF and comics). [default: en]
-    #[arg(long, value_name = "TAG", value_parser = reading::language)]
+    #[arg(long, value_name = "TAG", value_parser = language::tag)]
     language: Option<String>,
     /// Fallback font file (TrueType or OpenType) for missing characters, such as Arabic. Can be repeated.
     #[arg(long, value_name = "FILE")]

@@ -16,6 +16,8 @@ mod documents;
 mod drawing;
 mod format;
 mod input;
+mod language;
+mod masks;
 mod own_pages;
 mod paper;
 mod photos;

@@ -1,8 +1,7 @@
 //! The photos of a command: an album of the public API, and the files of its photos.
 
-use crate::args::Chosen;
 use crate::input::{self, is_standard, name, told};
-use crate::{CliError, detectors, plans, report};
+use crate::{CliError, detectors, report};
 use inkpanel::{Album, Nets, PageOptions, Photo};
 use inkpanel_engine::framing::PhotoMeta;
 use inkpanel_engine::page::import::Imported;
@@ -68,14 +67,6 @@ impl Photos {
         self.iter().map(|(_, photo)| photo.meta.clone()).collect()
     }
 
-    /// Detects faces and subjects, if that is wanted, and marks the starred photos. Returns whether the models were
-    /// available.
-    pub(crate) fn prepare(&mut self, chosen: &Chosen) -> bool {
-        let looked = !chosen.no_detect && self.add_subjects(chosen.models.as_deref());
-        self.star(&chosen.star);
-        looked
-    }
-
     /// Adds the detected faces and subjects to the photos. Without the models, crops follow contrast, and a
     /// warning is printed once.
     ///
@@ -97,7 +88,7 @@ impl Photos {
     }
 
     /// Marks the starred photos, and warns about names that match no photo.
-    fn star(&mut self, names: &[PathBuf]) {
+    pub(crate) fn star(&mut self, names: &[PathBuf]) {
         for star in names {
             let places: Vec<usize> = self.album.imported().iter().map(|(place, _)| *place).collect();
             let starred = places.into_iter().filter(|place| is_named(&self.files[*place], star));
@@ -116,7 +107,7 @@ impl Photos {
             judged.map(|((path, _), verdict)| (name(path), verdict.why.as_str())).collect();
         if left.len() > FEW {
             let names: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
-            let (count, some) = (left.len(), plans::some(&names));
+            let (count, some) = (left.len(), report::some(&names));
             report::note(
                 None,
                 &format!("{count} photos are left out; `inkpanel select` lists the reasons: {some}"),

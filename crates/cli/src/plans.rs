@@ -51,10 +51,9 @@ pub(crate) fn told_page(page: &Planned, photos: &Photos) -> Result<Value, CliErr
             })
         })
         .collect();
-    let id = |value: &Value| value.as_str().map_or_else(|| value["id"].clone(), |id| json!(id));
     let mut told = json!({
-        "layout": id(&document.layout),
-        "style": id(&document.style),
+        "layout": document.layout.id(),
+        "style": document.style.id(),
         "score": rounded(page.score.total()),
         "terms": terms(&page.score),
         "page": { "width": document.page.width, "height": document.page.height },
@@ -334,15 +333,10 @@ pub(crate) fn tell_differences(pages: &[Planned], wanted: Option<usize>, used: &
         .collect();
     if !unseen.is_empty() {
         let of = used.len();
-        report::note(None, &format!("{} of {of} photos have no panel: {}", unseen.len(), some(&unseen)));
-    }
-}
-
-/// Returns the first names of a list, and the number of the others.
-pub(crate) fn some(names: &[&str]) -> String {
-    match names.len() {
-        0..=4 => names.join(", "),
-        many => format!("{} and {} more", names[..3].join(", "), many - 3),
+        report::note(
+            None,
+            &format!("{} of {of} photos have no panel: {}", unseen.len(), report::some(&unseen)),
+        );
     }
 }
 

@@ -1,11 +1,11 @@
 //! Saved projects and pages on the command line, drawn like exports of the app.
 
-use crate::commands::render::Render;
-use crate::commands::segment::Masks;
+use crate::args::How;
 use crate::destination::Output;
 use crate::drawing;
 use crate::format::Format;
 use crate::input::{self, told};
+use crate::masks::Masks;
 use crate::report::check_strict;
 use crate::{CliError, boards, plans, reading, report, strips};
 use inkpanel::survived;
@@ -40,6 +40,16 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, CliError>> {
     }
 }
 
+/// The options of `render` that apply to a saved project.
+pub(crate) struct Asked<'a> {
+    /// Page number, from 1.
+    pub(crate) page: Option<u32>,
+    /// Frames on the sheets of a board, which are drawn instead of pages.
+    pub(crate) board: Option<u32>,
+    /// Options of the output.
+    pub(crate) how: &'a How,
+}
+
 /// Draws the present page, or the page with this number, from 1. Books and comics have all pages by default.
 /// `board`: frames on the sheets of a board, which are drawn in their place.
 ///
@@ -47,10 +57,10 @@ pub(crate) fn open(input: &Path) -> Option<Result<Saved, CliError>> {
 pub(crate) fn draw(
     saved: Saved,
     input: &Path,
-    render: &Render,
+    asked: &Asked<'_>,
     output: &Output,
 ) -> Result<Vec<PathBuf>, CliError> {
-    drawn(saved, render, output).map_err(|error| error.at(told(input)))
+    drawn(saved, asked, output).map_err(|error| error.at(told(input)))
 }
 
 /// Returns whether a file name is the name of a project.
@@ -58,8 +68,8 @@ pub(crate) fn is_project(file: &Path) -> bool {
     file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(EXTENSION))
 }
 
-fn drawn(mut saved: Saved, render: &Render, output: &Output) -> Result<Vec<PathBuf>, CliError> {
-    let &Render { page: number, board, ref how, .. } = render;
+fn drawn(mut saved: Saved, asked: &Asked<'_>, output: &Output) -> Result<Vec<PathBuf>, CliError> {
+    let &Asked { page: number, board, how } = asked;
     let (kind, printing) = (Format::of(&output.named)?, &how.printing);
     if let Format::Shots(kind) = kind {
         output.write(saved.project().shot_list().written(kind).as_bytes())?;
@@ -97,7 +107,7 @@ fn drawn(mut saved: Saved, render: &Render, output: &Output) -> Result<Vec<PathB
             drop(photos(id));
         }
     }
-    check_strict(how)?;
+    check_strict(how.strict)?;
     // Projects have no capture times.
     let wanted = if how.strip { strips::pages(&wanted, &means, &|_| None, &found)? } else { wanted };
     match kind {

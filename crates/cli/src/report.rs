@@ -1,7 +1,6 @@
 //! Progress and warnings on standard error: sentences, or one line of JSON per step.
 
 use crate::CliError;
-use crate::args::How;
 use inkpanel_engine::raster::decode::Damage;
 use serde_json::{Value, json};
 use std::collections::HashSet;
@@ -89,11 +88,19 @@ pub(crate) fn done(files: &[PathBuf]) -> Result<(), CliError> {
 }
 
 /// With `--strict`, a warning is an error.
-pub(crate) fn check_strict(how: &How) -> Result<(), CliError> {
+pub(crate) fn check_strict(strict: bool) -> Result<(), CliError> {
     let notes = notes();
-    if !how.strict || notes == 0 {
+    if !strict || notes == 0 {
         return Ok(());
     }
     let warnings = if notes == 1 { "1 warning".to_owned() } else { format!("{notes} warnings") };
     Err(CliError::new("warnings", format!("--strict: {warnings}, so nothing is written")))
+}
+
+/// Returns the first names of a list, and the number of the others.
+pub(crate) fn some(names: &[&str]) -> String {
+    match names.len() {
+        0..=4 => names.join(", "),
+        many => format!("{} and {} more", names[..3].join(", "), many - 3),
+    }
 }

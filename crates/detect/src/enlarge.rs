@@ -5,7 +5,7 @@ use tract_onnx::pb::NodeProto;
 #[allow(clippy::wildcard_imports, reason = "tract means it as a prelude for operators")]
 use tract_onnx::tract_hir::internal::*;
 
-use super::operators::constant;
+use super::constants::constant;
 use super::planes::{self, Work};
 
 /// Upscaling by factors in a constant.

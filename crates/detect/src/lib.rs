@@ -9,6 +9,7 @@
 //! Coordinates are fractions of the photo, so that results of a reduced copy are valid for the original.
 
 mod aesthetics;
+mod constants;
 mod enlarge;
 mod faces;
 mod letterbox;

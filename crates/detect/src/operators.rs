@@ -11,6 +11,7 @@ use tract_onnx::tract_hir::ops::nn::{DataFormat, GlobalAvgPool};
 use tract_onnx::tract_hir::ops::{activations, array, math};
 use tract_onnx::tract_hir::tract_core::ops::change_axes::to_axis_ops_with_onnx_rules;
 
+use super::constants::constant;
 use super::enlarge::Enlarge;
 use super::winograd::Convolution;
 
@@ -65,11 +66,6 @@ fn max_pool(_: &ParsingContext, node: &NodeProto) -> Built {
     let (size, strides) = (node.get_attr_tvec("kernel_shape")?, node.get_attr_tvec("strides")?);
     let pool = PoolSpec::new(DataFormat::NCHW, size, padding(node)?, None, Some(strides), 0, 0);
     built(expand(HirMaxPool::new(pool, None)))
-}
-
-/// The constant that an input is.
-pub(super) fn constant(model: &TypedModel, input: OutletId) -> TractResult<Arc<Tensor>> {
-    model.outlet_fact(input)?.konst.clone().context("an input that should be constant is not")
 }
 
 /// Limits by two constants.

@@ -9,7 +9,7 @@ use tract_onnx::tract_hir::internal::*;
 use tract_onnx::tract_hir::ops::cnn::{Conv, PaddingSpec};
 use wide::f32x4;
 
-use super::operators::constant;
+use super::constants::constant;
 use super::planes::{self, Work};
 
 /// Pixels along a tile of the result, and along what it is made of.

@@ -4,14 +4,14 @@
 #![allow(dead_code, clippy::unwrap_used, reason = "only for the TypeScript types; a test may panic")]
 
 use crate::detect::{Detection, FirstLook};
-use crate::document::draft::{self, DraftEdit, Layer, Place};
+use crate::document::draft::{self, Draft, DraftEdit, DraftStep, Layer, Place};
 use crate::document::edit::{Edit, How, Part};
 use crate::document::editor::Editor;
 use crate::document::file::{FilePhoto, FileVideo, Likeness, ProjectFile};
 use crate::document::history::{History, Shown};
 use crate::document::kept;
 use crate::document::planning::{Planning, Seeds};
-use crate::document::project::{Draft, DraftStep, Focus, Locks, Order, Project, Sheet, Styling, TrayItem};
+use crate::document::project::{Focus, Locks, Order, Project, Sheet, Styling, TrayItem};
 use crate::document::shots::{Board, Shot};
 use crate::document::upkeep::Groups;
 use crate::framing::{Crop, PhotoMeta, Subject};
@@ -23,7 +23,8 @@ use crate::layout::{
 };
 use crate::output::animatic::{self, Animatic, Clip};
 use crate::output::board::{self, Labels, Logo, PictureOf};
-use crate::output::motion::{self, Reading, Said, Stop};
+use crate::output::motion;
+use crate::output::reading::{Reading, Said, Stop};
 use crate::output::shots::timecode::{Pace, StartTimecode};
 use crate::output::shots::{Film, ListedShot, ShotList};
 use crate::output::{self, Comic, ComicPage, PictureKind, Piece};

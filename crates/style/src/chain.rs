@@ -4,11 +4,11 @@
 //! one table. Blocks that read neighbouring pixels run between these passes. U and V are computed only if a
 //! later To Color needs them.
 
-use super::blocks::{Channels, Kernel, PointOp};
+use super::blocks::{Channels, Kernel};
 use super::context::Context;
 use super::file::Step;
-use super::params::Args;
 use super::part::{self, widened};
+use super::point_op::PointOp;
 use crate::error::Result;
 use crate::raster::resize::{Region, resample};
 use crate::raster::{Image, Plane};
@@ -118,7 +118,7 @@ fn copy(photo: &Image, context: &mut Context<'_>) -> Result<Image> {
 fn point_op(step: &Step, scale: f32) -> Option<PointOp> {
     match step.block.kernel {
         // A block with a part is mixed with its input, so it cannot join a longer pass.
-        Kernel::Point(op) if step.part.is_none() => Some(op(Args::of(step, scale))),
+        Kernel::Point(op) if step.part.is_none() => Some(op(step.args(scale))),
         _ => None,
     }
 }
@@ -147,7 +147,7 @@ fn run_everywhere(
     image: Image,
     context: &mut Context<'_>,
 ) -> Result<Image> {
-    let args = Args::of(step, context.scale());
+    let args = step.args(context.scale());
     match step.block.kernel {
         Kernel::Point(op) => run_points(&[op(args)], image, chroma_wanted, context),
         Kernel::Tones(make) => {

@@ -1,8 +1,8 @@
 //! State that a run passes to its blocks: scale, scratch memory, cancellation.
 
-use super::blocks::PointOp;
-use super::faces::FaceBox;
+use super::face_box::FaceBox;
 use super::painters::{Norms, Painters};
+use super::point_op::PointOp;
 use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};
 use crate::simd::gaussian::Buffers;

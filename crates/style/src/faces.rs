@@ -4,10 +4,11 @@
 //! All lengths depend on the height of a face, which grows with the render like any length of a style:
 //! thumbnail, preview and print agree. The shares were chosen by visual comparison.
 
-use super::blocks::Channels;
 use super::chain;
 use super::context::Context;
-use super::file::{Step, Style};
+pub use super::face_box::FaceBox;
+use super::face_box::{MASK, each_pixel, luma, rgb_at};
+use super::file::{Step, Style, recolours};
 use super::params::FaceLimit;
 use super::shadows::step;
 use super::skin::Skin;
@@ -15,19 +16,6 @@ use crate::error::Result;
 use crate::raster::guided::softened;
 use crate::raster::{Image, Plane};
 use crate::simd::point::luma_plane;
-
-/// A face in pixels of the image that shows it, parts of it perhaps beyond the border.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FaceBox {
-    /// Left edge.
-    pub x: f64,
-    /// Top edge.
-    pub y: f64,
-    /// Width.
-    pub width: f64,
-    /// Height.
-    pub height: f64,
-}
 
 /// Faces of less than this share of the largest are of a crowd: they need not be read.
 const CROWD: f64 = 0.42;
@@ -105,10 +93,6 @@ const BLACK: (f32, f32) = (36.0, 64.0);
 const COMPARED: f64 = 12.0;
 /// Part of the picture that counts as its darkest and as its lightest colour.
 const ENDS: f32 = 0.04;
-
-/// Distances from the centre of a face at which its mask starts to fall and reaches 0, in half sides of its
-/// box.
-const MASK: (f64, f64) = (0.9, 1.5);
 
 /// The faces of an image that must stay recognisable.
 pub(super) struct Care<'a> {
@@ -297,11 +281,6 @@ impl<'a> Care<'a> {
             }
         }
     }
-}
-
-/// The red, green and blue of a pixel of an image with colours.
-pub(super) fn rgb_at(image: &Image, x: usize, y: usize) -> [f32; 3] {
-    [0, 1, 2].map(|i| f32::from(image.planes()[i].at(x, y)))
 }
 
 /// How the tones of a drawn face follow the tones of the photo.
@@ -579,22 +558,6 @@ fn first_screen(steps: &[Step]) -> usize {
     if wants_colour { 0 } else { first }
 }
 
-/// Whether a layer replaces or removes the colours of the photo. Faces then have the colours of the style.
-pub(super) fn recolours(steps: &[Step]) -> bool {
-    let mut colour = true;
-    for step in steps.iter().filter(|step| !step.bypass) {
-        if (step.block.recolors)(&step.values) {
-            return true;
-        }
-        if step.block.restores_color {
-            colour = true;
-        } else if step.block.output == Channels::Luma && step.part.is_none() {
-            colour = false;
-        }
-    }
-    !colour
-}
-
 /// A block for a face that is drawn again.
 fn finer(step: &Step, scale: f32) -> Step {
     let mut step = step.clone();
@@ -626,10 +589,6 @@ fn shorten(step: &mut Step, height: f32) {
             *value = value.min((height * share).max(floor));
         }
     }
-}
-
-pub(super) fn luma([r, g, b]: [f32; 3]) -> f32 {
-    0.299 * r + 0.587 * g + 0.114 * b
 }
 
 /// Distance from gray of the same luma.
@@ -670,25 +629,6 @@ fn light(luma: &Plane, face: &FaceBox) -> Option<(f32, f32, f32)> {
         at.unwrap_or_default() as f32
     };
     (all > 0).then(|| (percentile(5), percentile(50), percentile(95)))
-}
-
-/// Calls `f` with each pixel of a face's ellipse and its share of it, 0 to 1.
-fn each_pixel(face: &FaceBox, width: usize, height: usize, mut f: impl FnMut(usize, usize, f32)) {
-    let (rx, ry) = (face.width / 2.0, face.height / 2.0);
-    let (cx, cy) = (face.x + rx, face.y + ry);
-    let span = |centre: f64, radius: f64, side: usize| {
-        let clamp = |at: f64| at.clamp(0.0, side as f64) as usize;
-        clamp((centre - MASK.1 * radius).floor())..clamp((centre + MASK.1 * radius).ceil())
-    };
-    for y in span(cy, ry, height) {
-        for x in span(cx, rx, width) {
-            let (dx, dy) = ((x as f64 + 0.5 - cx) / rx, (y as f64 + 0.5 - cy) / ry);
-            let t = ((MASK.1 - dx.hypot(dy)) / (MASK.1 - MASK.0)).clamp(0.0, 1.0);
-            if t > 0.0 {
-                f(x, y, (t * t * (3.0 - 2.0 * t)) as f32);
-            }
-        }
-    }
 }
 
 #[cfg(test)]

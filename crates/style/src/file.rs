@@ -4,9 +4,8 @@
 //! out of range is an error that names the file, the block's position and the parameter.
 
 use super::blocks::{self, Block, Channels};
-use super::faces;
 use super::painters;
-use super::params::{Kind, Param, colour_of, colour_value};
+use super::params::{Args, Kind, Param, colour_of, colour_value};
 use super::part::{Part, Parts};
 use super::texture::Texture;
 use crate::error::{Error, Result};
@@ -66,6 +65,16 @@ pub struct Step {
     pub bypass: bool,
     /// The part of the picture that it applies to; the whole picture if no part is defined.
     pub part: Option<Part>,
+}
+
+impl Step {
+    /// The input of its block at the scale of a render.
+    #[must_use]
+    pub fn args(&self, scale: f32) -> Args<'_> {
+        Args::new(&self.values, scale)
+            .with_texture(self.texture.as_ref())
+            .with_model(self.model.as_deref())
+    }
 }
 
 impl Style {
@@ -154,7 +163,7 @@ impl Style {
     /// Whether pictures in this style have the colours of the photo, if stronger or paler ones.
     #[must_use]
     pub fn keeps_colours(&self) -> bool {
-        !faces::recolours(&self.background)
+        !recolours(&self.background)
     }
 
     /// Returns whether an active layer or block applies to a part of the picture, so that the subject mask is
@@ -301,6 +310,22 @@ fn model(value: &Value) -> std::result::Result<Option<&str>, String> {
     let text = value.as_str().filter(|text| text.is_empty() || painters::is_reference(text));
     let wrong = "must be a text, 16 hexadecimal digits and the name of a file";
     text.map(|text| Some(text).filter(|text| !text.is_empty())).ok_or_else(|| wrong.into())
+}
+
+/// Whether a layer replaces or removes the colours of the photo. Faces then have the colours of the style.
+pub(super) fn recolours(steps: &[Step]) -> bool {
+    let mut colour = true;
+    for step in steps.iter().filter(|step| !step.bypass) {
+        if (step.block.recolors)(&step.values) {
+            return true;
+        }
+        if step.block.restores_color {
+            colour = true;
+        } else if step.block.output == Channels::Luma && step.part.is_none() {
+            colour = false;
+        }
+    }
+    !colour
 }
 
 fn invalid(file: &str, location: &str, reason: impl Into<String>) -> Error {

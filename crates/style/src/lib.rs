@@ -6,6 +6,7 @@
 //! |---|---|
 //! | [`part`] | layers and blocks that apply only to the subject or the background of a photo |
 //! | [`params`] | parameter descriptors: kind, default, range, step, unit |
+//! | [`point_op`] | operations on single pixels |
 //! | [`blocks`] | the registry, with one file per block |
 //! | [`blade`] | operators learned from photos, as banks of small filters |
 //! | [`painters`] | a small network that learned from paintings |
@@ -31,6 +32,7 @@ pub mod breeding;
 pub mod catalogue;
 pub mod chain;
 pub mod context;
+mod face_box;
 pub mod faces;
 pub mod file;
 pub mod grain;
@@ -39,6 +41,7 @@ pub mod look;
 pub mod painters;
 pub mod params;
 pub mod part;
+pub mod point_op;
 pub mod procedural;
 mod shadows;
 mod skin;

@@ -1,7 +1,6 @@
 //! Parameters of a block. Controls, the JSON check, the style generator and the documentation all use these
 //! descriptors.
 
-use super::file::Step;
 use super::texture::Texture;
 use std::sync::Arc;
 
@@ -307,10 +306,16 @@ impl<'a> Args<'a> {
         Self { values, texture: None, model: None, scale }
     }
 
-    /// The values of a step.
+    /// Sets the custom texture.
     #[must_use]
-    pub fn of(step: &'a Step, scale: f32) -> Self {
-        Self { values: &step.values, texture: step.texture.as_ref(), model: step.model.as_deref(), scale }
+    pub fn with_texture(self, texture: Option<&'a Arc<Texture>>) -> Self {
+        Self { texture, ..self }
+    }
+
+    /// Sets the reference of the custom model.
+    #[must_use]
+    pub fn with_model(self, model: Option<&'a str>) -> Self {
+        Self { model, ..self }
     }
 
     /// A custom texture.

@@ -3,7 +3,7 @@
 //! Only dark areas with detail get light: a black background and a silhouette stay black. The amount depends on the
 //! part of the bodies in the picture that would be one black area.
 
-use super::faces::FaceBox;
+use super::face_box::FaceBox;
 use crate::raster::guided::softened;
 use crate::raster::{Image, Plane};
 use crate::simd::point::luma_plane;

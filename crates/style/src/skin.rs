@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use super::faces::{FaceBox, luma, rgb_at};
+use super::face_box::{FaceBox, luma, rgb_at};
 use crate::raster::Image;
 
 /// Reach of a body around a face, in sides of the face: to each side, above and below.

@@ -27,9 +27,9 @@ use inkpanel_engine::json::plain as parse;
 use inkpanel_engine::layout::Template;
 use inkpanel_engine::page::compose::{Sheet, compose, render_together};
 use inkpanel_engine::page::cutout::cut_out;
-use inkpanel_engine::page::document::{self, Document};
 use inkpanel_engine::page::import::{Imported, import};
-use inkpanel_engine::page::mask::PixelRect;
+use inkpanel_engine::page::rect::PixelRect;
+use inkpanel_engine::page::{Document, StyleRef};
 use inkpanel_engine::page::{Scene, catalogue, png};
 use inkpanel_engine::raster::decode::{Limits, decode};
 use inkpanel_engine::raster::heif;
@@ -391,7 +391,8 @@ fn find<'p>(photos: &'p HashMap<String, Image>, id: &str, tier: &str) -> Result<
 
 #[inline(never)]
 fn style_of(json: &str) -> Result<Style> {
-    Ok(document::style_of(&parse(json, "style")?)?.into_owned())
+    let style: StyleRef = parse(json, "style")?;
+    Ok(style.style()?.into_owned())
 }
 
 fn not_begun() -> Error {

@@ -9,9 +9,9 @@
 use crate::letters::Lettering;
 use inkpanel_engine::error::{Error, Result};
 use inkpanel_engine::page::compose::Sheet;
-use inkpanel_engine::page::mask::PixelRect;
 use inkpanel_engine::page::pdf::{self, Leaf, Options, Picture, picture};
 use inkpanel_engine::page::plates::Separation;
+use inkpanel_engine::page::rect::PixelRect;
 use inkpanel_engine::page::{Document, jpeg, webp};
 use wasm_bindgen::prelude::*;
 

@@ -10,7 +10,7 @@
 use crate::letters::Lettering;
 use inkpanel_engine::error::{Error, Result};
 use inkpanel_engine::framing::Subject;
-use inkpanel_engine::page::mask::PixelRect;
+use inkpanel_engine::page::rect::PixelRect;
 use inkpanel_engine::page::words::place::{self, Known};
 use inkpanel_engine::page::words::{draw, layout};
 use inkpanel_engine::page::{Document, Patch};
@@ -91,7 +91,7 @@ pub struct Picture {
 #[wasm_bindgen]
 impl Picture {
     /// Reduces the opacity where a subject in front covers the item; a patch of the same page. See
-    /// `page::compose::Patch::stand_behind`.
+    /// `page::Patch::stand_behind`.
     pub fn stand_behind(&mut self, x: i32, y: i32, width: usize, height: usize, rgba: &[u8]) {
         let own = PixelRect {
             x: i64::from(self.x),

@@ -101,7 +101,7 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
     let fonts = how.printing.fonts()?;
     let mut photos = Photos::read(input::files(given)?)?;
     photos.album.set_fonts(fonts.clone());
-    let looked = photos.prepare(chosen);
+    let looked = chosen.prepare(&mut photos);
     let used = photos.choose(&options);
     let ids: Vec<String> = used.iter().map(|photo| photo.id.clone()).collect();
     let mut book = BookOptions::new()
@@ -125,7 +125,7 @@ pub(crate) fn make(made: &Book) -> Result<(), CliError> {
     }
     let drawn: Vec<Document> = pages.iter().map(|page| page.planned.document.clone()).collect();
     drawing::tell_missing(&drawn, &fonts)?;
-    check_strict(how)?;
+    check_strict(how.strict)?;
     let album = projects::Album { name: title, pages: &drawn, photos: &photos, used: &ids, looked };
     let written = write_album(&album, &fonts, output.as_ref(), &Writing { how, several: true, chosen })?;
     if chosen.json {

@@ -2,8 +2,10 @@
 
 use crate::destination::{print_json, print_lines};
 use crate::photos::Photos;
-use crate::{CliError, detectors, input};
+use crate::{CliError, detectors, input, report};
 use inkpanel_engine::Error;
+use inkpanel_engine::detect::{Detection, Detectors};
+use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -27,7 +29,7 @@ pub(crate) fn detect_photos(asked: &DetectArgs) -> Result<(), CliError> {
     if photos.album.imported().is_empty() {
         return Err(Error::NoPhotos.into());
     }
-    let found = detectors::run(&detectors, &photos);
+    let found = run(&detectors, &photos);
     let rows = photos.iter().zip(&found).map(|((path, photo), found)| {
         json!({ "file": path.display().to_string(), "boxes": detectors::boxes(photo, found) })
     });
@@ -39,4 +41,15 @@ pub(crate) fn detect_photos(asked: &DetectArgs) -> Result<(), CliError> {
             found.iter().map(|d| format!("{} {:.0} %", d.label, d.score * 100.0)).collect();
         format!("{}  {}", path.display(), words.join(", "))
     }))
+}
+
+/// Boxes of each photo. A failure is reported and counts as no result.
+fn run(detectors: &Detectors, photos: &Photos) -> Vec<Vec<Detection>> {
+    let found = photos.album.imported().par_iter().map(|(place, photo)| {
+        detectors.detect(&photo.work).unwrap_or_else(|error| {
+            report::note(Some(&photos.file(*place).display().to_string()), &error.to_string());
+            Vec::new()
+        })
+    });
+    found.collect()
 }

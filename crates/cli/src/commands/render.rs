@@ -1,11 +1,12 @@
 //! `inkpanel render`: pages of photos, saved projects and planned pages.
 
-use super::segment::{self, Masks};
+use super::segment;
 use super::with_layout;
 use crate::args::{Chosen, How};
 use crate::destination::{Output, print_json};
 use crate::format::Format;
 use crate::input::{self, decode_file, told};
+use crate::masks::Masks;
 use crate::photos::Photos;
 use crate::report::{check_strict, done};
 use crate::{CliError, documents, drawing, plans, projects, reading, reopening, report, strips};
@@ -125,7 +126,12 @@ pub(crate) fn render(render: &Render) -> Result<(), CliError> {
     {
         planned_already(planned, file)?;
         let output = output.as_ref().ok_or(NO_OUTPUT)?;
-        return done(&reopening::draw(saved?, file, render, output)?);
+        return done(&reopening::draw(
+            saved?,
+            file,
+            &reopening::Asked { page: *page, board: *board, how },
+            output,
+        )?);
     }
     if let Some(project) = files.iter().find(|file| reopening::is_project(file)) {
         return Err(format!("{}: a project cannot be combined with other files", project.display()).into());
@@ -198,7 +204,7 @@ fn plan_page(
     }
     let fonts = how.printing.fonts()?;
     let mut photos = Photos::read(input.files.to_vec())?;
-    let looked = photos.prepare(&render.album);
+    let looked = render.album.prepare(&mut photos);
     if render.figures {
         segment::add_masks(&mut photos, render.album.models.as_deref())?;
     }
@@ -214,7 +220,7 @@ fn plan_page(
     plans::tell_differences(&pages, render.panels, &used, &photos);
     let drawn: Vec<Document> = pages.iter().map(|page| page.document.clone()).collect();
     drawing::tell_missing(&drawn, &fonts)?;
-    check_strict(how)?;
+    check_strict(how.strict)?;
     let album =
         projects::Album { name: input.name.to_owned(), pages: &drawn, photos: &photos, used: &used, looked };
     let written = write_album(

@@ -1,10 +1,10 @@
 //! `inkpanel stylize`: one photo in a style.
 
 use super::read_style;
-use super::segment::Masks;
 use crate::destination::Output;
 use crate::format::Format;
 use crate::input::decode_file;
+use crate::masks::Masks;
 use crate::{CliError, detectors, drawing, report};
 use inkpanel_engine::framing::Subject;
 use inkpanel_engine::native::{self, QUALITY};

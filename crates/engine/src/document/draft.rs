@@ -2,17 +2,66 @@
 //! values, so that a control never guesses.
 
 use super::invalid;
-use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, PROJECT};
-use super::project::{Draft, DraftStep};
+use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, MOST_TAGS, PROJECT};
 use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer, Wrong, text_of};
-use crate::page::document::style_of;
+use crate::page::StyleRef;
 use crate::raster::color::parse_hex;
 use crate::style::Style;
 use crate::style::blocks::{self, Block, Channels};
 use crate::style::file::Step;
 use crate::style::part::{Part, Parts};
 use serde_json::{Map, Value, json};
+use std::sync::Arc;
+
+/// A style while it is designed. Every block has a key, so that its card stays the same card wherever it is moved, and all
+/// of its values.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub struct Draft {
+    /// Id of the style.
+    pub id: String,
+    /// Display name.
+    pub name: String,
+    /// Families that it belongs to.
+    pub tags: Vec<String>,
+    /// The colour layer.
+    pub background: Vec<DraftStep>,
+    /// The line layer.
+    pub foreground: Vec<DraftStep>,
+    /// Colour of the lines, `#rrggbb`.
+    pub ink: String,
+    /// Whether face protection is off.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub careless: bool,
+    /// The parts of the image that the layers apply to.
+    #[cfg_attr(test, ts(rename = "where", as = "Option<Parts>", optional))]
+    pub parts: Parts,
+    /// Unknown fields, preserved for newer programs.
+    #[cfg_attr(test, ts(skip))]
+    pub rest: Map<String, Value>,
+}
+
+/// A block of a draft.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub struct DraftStep {
+    /// Names it within the draft.
+    pub key: u64,
+    /// Id of the block.
+    pub block: String,
+    /// Its values by the ids of the parameters.
+    #[cfg_attr(test, ts(type = "Record<string, ParamValue>"))]
+    pub values: Map<String, Value>,
+    /// Whether the block is bypassed.
+    pub bypass: bool,
+    /// The part of the image that it applies to. `None`: the whole image.
+    #[cfg_attr(test, ts(rename = "where", optional))]
+    pub part: Option<Part>,
+    /// Unknown fields, preserved for newer programs.
+    #[cfg_attr(test, ts(skip))]
+    pub rest: Map<String, Value>,
+}
 
 /// A layer of a style.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -385,8 +434,8 @@ pub fn empty_json(id: &str, name: &str) -> String {
 ///
 /// # Errors
 /// `invalid-style`, `unknown-style`.
-pub fn of_json(style: &Value) -> Result<String> {
-    Ok(written(&Draft::of(&*style_of(style)?)))
+pub fn of_json(style: &StyleRef) -> Result<String> {
+    Ok(written(&Draft::of(&*style.style()?)))
 }
 
 /// [`Draft::after`] in JSON; null if nothing changes or the edit is impossible.
@@ -536,6 +585,98 @@ fn layer(value: Value) -> Read<Layer> {
     }
 }
 
+impl Draft {
+    pub(super) fn read(value: Value) -> Read<Arc<Self>> {
+        let mut fields = Fields::of(value)?;
+        let ink = fields.text("ink", 7)?.unwrap_or_else(|| "#000000".into());
+        if parse_hex(&ink).is_none() {
+            return Err(Wrong::new("must be a colour like #101014").at("ink"));
+        }
+        Ok(Arc::new(Self {
+            id: fields.name("id", LONGEST_ID)?,
+            name: fields.text("name", LONGEST_NAME)?.unwrap_or_default(),
+            tags: fields.each("tags", MOST_TAGS, &|tag| text_of(tag, LONGEST_NAME))?,
+            background: fields.each("background", MOST_BLOCKS, &DraftStep::read)?,
+            foreground: fields.each("foreground", MOST_BLOCKS, &DraftStep::read)?,
+            ink,
+            careless: fields.flag("careless")?,
+            parts: fields.part("where", &mut read_parts)?.unwrap_or_default(),
+            rest: fields.rest(),
+        }))
+    }
+
+    pub(super) fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        out.key("id").text(&self.id);
+        out.key("name").text(&self.name);
+        out.key("tags").texts(&self.tags);
+        for (name, layer) in [("background", &self.background), ("foreground", &self.foreground)] {
+            out.key(name).list(layer, &|out, step| step.write(out));
+        }
+        out.key("ink").text(&self.ink);
+        if self.careless {
+            out.key("careless").flag(true);
+        }
+        if self.parts != Parts::default() {
+            out.key("where").open(b'{');
+            for (layer, part) in part_of_layers(self.parts) {
+                if let Some(part) = part {
+                    out.key(layer).text(part.id());
+                }
+            }
+            out.close(b'}');
+        }
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
+}
+
+fn read_parts(value: Value) -> Read<Parts> {
+    let mut fields = Fields::of(value)?;
+    let background = read_part(&mut fields, "background")?;
+    let foreground = read_part(&mut fields, "foreground")?;
+    fields.done()?;
+    Ok(Parts { background, foreground })
+}
+
+impl DraftStep {
+    fn read(value: Value) -> Read<Self> {
+        let mut fields = Fields::of(value)?;
+        let id = fields.name("block", LONGEST_ID)?;
+        let block = blocks::find(&id).ok_or_else(|| Wrong::new("is not a known block").at("block"))?;
+        let mut values = match fields.take("values") {
+            None => Map::new(),
+            Some(Value::Object(values)) => values,
+            Some(_) => return Err(Wrong::new("must be an object").at("values")),
+        };
+        for (name, value) in &mut values {
+            let wrong = |reason: &str| Wrong::new(reason).at(name).at("values");
+            let param = block.params.iter().find(|param| param.id == name);
+            let param = param.ok_or_else(|| wrong("is not a parameter of this block"))?;
+            // 2 and 2.0 are the same value.
+            *value = param.normalized(value).map_err(|reason| wrong(&reason))?;
+        }
+        let (key, bypass) = (fields.count("key", 0, GREATEST_ID)?, fields.flag("bypass")?);
+        let part = read_part(&mut fields, "where")?;
+        Ok(Self { key, block: id, values, bypass, part, rest: fields.rest() })
+    }
+
+    fn write(&self, out: &mut Writer) {
+        out.open(b'{');
+        out.key("key").whole(self.key);
+        out.key("block").text(&self.block);
+        out.key("values").open(b'{');
+        out.rest(&self.values);
+        out.close(b'}');
+        out.key("bypass").flag(self.bypass);
+        if let Some(part) = self.part {
+            out.key("where").text(part.id());
+        }
+        out.rest(&self.rest);
+        out.close(b'}');
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -677,7 +818,7 @@ mod tests {
             begun,
             json!({ "id": "my-2", "name": "New", "tags": [], "background": [], "foreground": [], "ink": "#000000" })
         );
-        assert!(of_json(&json!("noir")).is_ok() && of_json(&json!("none such")).is_err());
+        assert!(of_json(&"noir".into()).is_ok() && of_json(&"none such".into()).is_err());
     }
 
     #[test]

@@ -1,17 +1,18 @@
 //! All edits of a project as plain data, and the pure function that applies them to a state.
 
+use super::draft::Draft;
 use super::limits::{
     GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_ADDED, MOST_LAYOUTS, MOST_LOVED, MOST_PHOTOS, MOST_SHEETS,
     MOST_STYLES, MOST_WAITING, MOST_WANTED,
 };
-use super::project::{self, Draft, Focus, List, Order, Project, Sheet, Styling, TrayItem};
+use super::project::{self, Focus, List, Order, Project, Sheet, Styling, TrayItem};
 use super::shots::{self, Board, Shot};
 use super::{following, own, pages, sheets};
 use crate::json::fields::whole_of;
 use crate::json::{Fields, Read, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
-use crate::page::Document;
 use crate::page::words::model::NewText;
+use crate::page::{CustomFile, Document};
 use crate::raster::Matte;
 use serde_json::Value;
 use std::collections::{HashMap, HashSet};
@@ -160,19 +161,19 @@ pub enum Edit {
     OwnStyles {
         /// All of them.
         #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
-        mine: List<Value>,
+        mine: List<CustomFile>,
     },
     /// Styles that are favourites.
     Favourites {
         /// All of them.
         #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
-        favourites: List<Value>,
+        favourites: List<CustomFile>,
     },
     /// Sets the custom layouts.
     OwnLayouts {
         /// All of them.
         #[cfg_attr(test, ts(as = "Vec<crate::layout::Template>"))]
-        own_layouts: List<Value>,
+        own_layouts: List<CustomFile>,
     },
     /// A page shown is a favourite, or no longer.
     LovePage {
@@ -199,13 +200,13 @@ pub enum Edit {
     Share {
         /// The lists that changed.
         #[cfg_attr(test, ts(type = "Partial<SharedLists>"))]
-        lists: Vec<(Shelf, List<Value>)>,
+        lists: Vec<(Shelf, List<CustomFile>)>,
     },
     /// Like `Share`, but other items of this project stay, at the end.
     Join {
         /// The lists to merge.
         #[cfg_attr(test, ts(type = "Partial<SharedLists>"))]
-        lists: Vec<(Shelf, List<Value>)>,
+        lists: Vec<(Shelf, List<CustomFile>)>,
     },
 }
 
@@ -239,7 +240,7 @@ impl Shelf {
 
     /// The list of a state.
     #[must_use]
-    pub fn of(self, project: &Project) -> &List<Value> {
+    pub fn of(self, project: &Project) -> &List<CustomFile> {
         match self {
             Self::Mine => &project.mine,
             Self::Favourites => &project.favourites,
@@ -247,7 +248,7 @@ impl Shelf {
         }
     }
 
-    pub(super) fn of_mut(self, project: &mut Project) -> &mut List<Value> {
+    pub(super) fn of_mut(self, project: &mut Project) -> &mut List<CustomFile> {
         match self {
             Self::Mine => &mut project.mine,
             Self::Favourites => &mut project.favourites,
@@ -318,7 +319,9 @@ impl Project {
                 if self.board == *board {
                     return None;
                 }
-                next.tray = mapped(&self.tray, |item| board.taken(&self.board, item));
+                next.tray = mapped(&self.tray, |item| {
+                    board.taken(&self.board, &item.shot).map(|shot| TrayItem { shot, ..item.clone() })
+                });
                 next.board = board.clone();
             }
             Edit::Lock { part, on } => {
@@ -659,15 +662,15 @@ fn part(value: Value) -> Read<Part> {
 }
 
 /// A list of that name, in full.
-fn own(fields: &mut Fields, name: &str, shelf: Shelf) -> Read<List<Value>> {
+fn own(fields: &mut Fields, name: &str, shelf: Shelf) -> Read<List<CustomFile>> {
     let list = fields.part(name, &mut |list| self::shelf(list, shelf))?;
     Ok(list.unwrap_or_else(|| Arc::new([])))
 }
 
-fn shelf(value: Value, shelf: Shelf) -> Read<List<Value>> {
+fn shelf(value: Value, shelf: Shelf) -> Read<List<CustomFile>> {
     let all = match shelf {
-        Shelf::Mine | Shelf::Favourites => each(items(value, MOST_STYLES)?, &project::style),
-        Shelf::Layouts => each(items(value, MOST_LAYOUTS)?, &project::layout),
+        Shelf::Mine | Shelf::Favourites => each(items(value, MOST_STYLES)?, &CustomFile::style),
+        Shelf::Layouts => each(items(value, MOST_LAYOUTS)?, &CustomFile::layout),
     };
     Ok(own::first_of_each(all?))
 }

@@ -3,12 +3,12 @@
 use super::edit::{Edit, How, Shelf, Without};
 use super::history::{History, Shown};
 use super::limits::{MOST_SHOWN, MOST_STEPS, PROJECT};
-use super::project::{Project, Sheet};
+use super::project::{List, Project, Sheet};
 use super::{invalid, kept, own};
 use crate::error::Result;
 use crate::json;
-use crate::page::Document;
-use serde_json::{Map, Value};
+use crate::page::{CustomFile, Document};
+use serde_json::Map;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
@@ -152,13 +152,13 @@ impl Editor {
 
     /// Applies changes of shared lists by another project or tab to every state, so that undo does not revert
     /// them.
-    fn share(&mut self, lists: &[(Shelf, super::project::List<Value>)]) -> bool {
+    fn share(&mut self, lists: &[(Shelf, List<CustomFile>)]) -> bool {
         let history = &mut self.history;
         let present = history.present.clone();
         let news: Vec<_> = lists.iter().filter(|(shelf, list)| list != shelf.of(&present)).collect();
         for (shelf, list) in &news {
             // A list that many states share stays shared.
-            let mut made: HashMap<usize, super::project::List<Value>> = HashMap::new();
+            let mut made: HashMap<usize, List<CustomFile>> = HashMap::new();
             let states = history.past.iter_mut().chain(&mut history.future).chain([&mut history.present]);
             for state in states {
                 let was = shelf.of(state).clone();

@@ -2,13 +2,14 @@
 //! of each photo and video. Undo states are not included. Photos are measured again after opening. Except id,
 //! name and place, their metadata is a hint: invalid values and unknown fields are ignored.
 
+use super::draft::Draft;
 use super::history::{History, keep};
 use super::kept::Interner;
 use super::limits::{
     ARCHIVE_ENTRIES, LONGEST_ID, LONGEST_NAME, LONGEST_PATH, LONGEST_SIDE, MOST_LAYOUTS, MOST_PHOTOS,
     MOST_SHEETS, MOST_STYLES, MOST_SUBJECTS, MOST_VIDEOS, MOST_WAITING, PROJECT,
 };
-use super::project::{self, Draft, List, Parts, Sheet, TrayItem};
+use super::project::{self, List, Parts, Sheet, TrayItem};
 use super::shots::Board;
 use super::{Dropped, VERSION, pages, refusal, version};
 use crate::error::Result;
@@ -16,8 +17,8 @@ use crate::framing::FacePoints;
 use crate::json::{self, Fields, Read, Writer, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
 use crate::output::shots::timecode::StartTimecode;
-use crate::page::Document;
 use crate::page::words::TextItem;
+use crate::page::{CustomFile, Document};
 use crate::raster::Matte;
 use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
 use serde_json::Value;
@@ -436,12 +437,17 @@ struct Inline {
 }
 
 impl Inline {
-    fn own(&mut self, values: Vec<Value>, field: &str, read: fn(Value) -> Read<Arc<Value>>) -> List<Value> {
+    fn own(
+        &mut self,
+        values: Vec<Value>,
+        field: &str,
+        read: fn(Value) -> Read<Arc<CustomFile>>,
+    ) -> List<CustomFile> {
         let mut seen = HashSet::new();
         let mut all = Vec::new();
         keep(values, &format!("present.{field}"), &mut self.dropped, &mut |value| {
             let value = read(value)?;
-            if !value["id"].as_str().is_some_and(|id| seen.insert(id.to_owned())) {
+            if !seen.insert(value.id().to_owned()) {
                 return Err(Wrong::new("is used twice").at("id"));
             }
             all.push(value);
@@ -480,11 +486,11 @@ impl Parts for Inline {
         Ok(each(items(value, MOST_WAITING)?, &pages::waiting)?.into())
     }
 
-    fn styles(&mut self, value: Value, field: &str) -> Read<List<Value>> {
-        Ok(self.own(items(value, MOST_STYLES)?, field, project::style))
+    fn styles(&mut self, value: Value, field: &str) -> Read<List<CustomFile>> {
+        Ok(self.own(items(value, MOST_STYLES)?, field, CustomFile::style))
     }
 
-    fn layouts(&mut self, value: Value, field: &str) -> Read<List<Value>> {
-        Ok(self.own(items(value, MOST_LAYOUTS)?, field, project::layout))
+    fn layouts(&mut self, value: Value, field: &str) -> Read<List<CustomFile>> {
+        Ok(self.own(items(value, MOST_LAYOUTS)?, field, CustomFile::layout))
     }
 }

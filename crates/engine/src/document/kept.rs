@@ -15,19 +15,20 @@
 //!
 //! Each part is checked once.
 
+use super::draft::Draft;
 use super::edit::Shelf;
 use super::history::{History, Shown};
 use super::limits::{
     HISTORY, MOST_LAYOUTS, MOST_PHOTOS, MOST_SHEETS, MOST_SHOWN, MOST_STEPS, MOST_STYLES, MOST_WAITING,
 };
-use super::project::{self, Draft, List, Order, Parts, Project, Sheet, TrayItem};
+use super::project::{self, List, Order, Parts, Project, Sheet, TrayItem};
 use super::shots::Board;
 use super::{Dropped, VERSION, leave_out, own, pages, refusal, version};
 use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer, Wrong, items};
 use crate::layout::PageSettings;
-use crate::page::Document;
 use crate::page::words::TextItem;
+use crate::page::{CustomFile, Document};
 use serde_json::Value;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -193,8 +194,8 @@ struct Tables {
     pages: Table<Arc<Document>>,
     books: Table<List<Sheet>>,
     waits: Table<List<TextItem>>,
-    shelves: Table<List<Value>>,
-    layout_shelves: Table<List<Value>>,
+    shelves: Table<List<CustomFile>>,
+    layout_shelves: Table<List<CustomFile>>,
     settings: Table<Arc<PageSettings>>,
     drafts: Table<Arc<Draft>>,
     boards: Table<Arc<Board>>,
@@ -210,8 +211,8 @@ impl Tables {
         let pages = all(table("pages")?, &pages::page);
         let sheets = all(table("sheets")?, &|value| Sheet::read(value, &|page| part(&pages, &page, "page")));
         let words = all(table("words")?, &pages::waiting);
-        let styles = own_parts(table("styles")?, "styles", project::style, dropped);
-        let layouts = own_parts(table("layouts")?, "layouts", project::layout, dropped);
+        let styles = own_parts(table("styles")?, "styles", CustomFile::style, dropped);
+        let layouts = own_parts(table("layouts")?, "layouts", CustomFile::layout, dropped);
         Ok(Self {
             trays: listed(table("trays")?, MOST_PHOTOS, &tray_items, "photo", &project::tray),
             books: listed(table("books")?, MOST_SHEETS, &sheets, "page", &Into::into),
@@ -255,11 +256,11 @@ impl Parts for Tables {
         part(&self.waits, &value, "list")
     }
 
-    fn styles(&mut self, value: Value, _field: &str) -> Read<List<Value>> {
+    fn styles(&mut self, value: Value, _field: &str) -> Read<List<CustomFile>> {
         part(&self.shelves, &value, "list")
     }
 
-    fn layouts(&mut self, value: Value, _field: &str) -> Read<List<Value>> {
+    fn layouts(&mut self, value: Value, _field: &str) -> Read<List<CustomFile>> {
         part(&self.layout_shelves, &value, "list")
     }
 }
@@ -277,9 +278,9 @@ fn all<T>(values: Vec<Value>, read: &dyn Fn(Value) -> Read<T>) -> Table<T> {
 fn own_parts(
     values: Vec<Value>,
     name: &str,
-    read: fn(Value) -> Read<Arc<Value>>,
+    read: fn(Value) -> Read<Arc<CustomFile>>,
     dropped: &mut Dropped,
-) -> Table<Arc<Value>> {
+) -> Table<Arc<CustomFile>> {
     let mut good = Vec::with_capacity(values.len());
     for (i, value) in values.into_iter().enumerate() {
         good.push(Ok(read(value).unwrap_or_else(|wrong| {
@@ -302,9 +303,9 @@ fn listed<T>(
 }
 
 /// Lists of styles or layouts: of each id the first.
-fn shelves(lists: Vec<Value>, most: usize, table: &[Read<Arc<Value>>]) -> Table<List<Value>> {
-    listed(lists, most, table, "part", &|mut shelf: Vec<Arc<Value>>| {
-        shelf.retain(|value| !value.is_null());
+fn shelves(lists: Vec<Value>, most: usize, table: &[Read<Arc<CustomFile>>]) -> Table<List<CustomFile>> {
+    listed(lists, most, table, "part", &|mut shelf: Vec<Arc<CustomFile>>| {
+        shelf.retain(|file| !file.json().is_null());
         own::first_of_each(shelf)
     })
 }
@@ -477,7 +478,7 @@ impl Interner {
         for (shelf, name) in Shelf::ALL {
             if fresh(&|was| same_list(shelf.of(was), shelf.of(state))) {
                 let table = if shelf == Shelf::Layouts { LAYOUTS } else { STYLES };
-                self.list(out.key(name), table, shelf.of(state), &|_, out, value| out.value(value));
+                self.list(out.key(name), table, shelf.of(state), &|_, out, value| out.value(value.json()));
             }
         }
         if fresh(&|was| was.loved == state.loved) {

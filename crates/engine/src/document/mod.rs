@@ -62,6 +62,7 @@ pub mod shots;
 pub mod speech;
 pub mod spreading;
 pub mod subtitles;
+mod text_lines;
 pub mod upkeep;
 
 use crate::error::Error;

@@ -5,7 +5,7 @@ use super::limits::{MOST_LAYOUTS, MOST_STYLES, PROJECT};
 use super::project::List;
 use crate::error::Result;
 use crate::json::{self, Fields, Read, Writer};
-use serde_json::Value;
+use crate::page::CustomFile;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
@@ -14,20 +14,24 @@ const MOST: usize = if MOST_STYLES < MOST_LAYOUTS { MOST_STYLES } else { MOST_LA
 
 /// Applies the changes between two states of a list to another state of the list.
 #[must_use]
-pub fn carried(list: &List<Value>, before: &List<Value>, after: &List<Value>) -> List<Value> {
+pub fn carried(
+    list: &List<CustomFile>,
+    before: &List<CustomFile>,
+    after: &List<CustomFile>,
+) -> List<CustomFile> {
     if list == before {
         return after.clone();
     }
     let was = by_id(before);
-    let is: HashSet<&str> = after.iter().map(|item| id(item)).collect();
-    let fresh = after.iter().filter(|item| was.get(id(item)) != Some(item));
-    let gone = before.iter().filter(|item| !is.contains(id(item)));
-    let touched: HashSet<&str> = fresh.clone().chain(gone).map(|item| id(item)).collect();
+    let is: HashSet<&str> = after.iter().map(|item| item.id()).collect();
+    let fresh = after.iter().filter(|item| was.get(item.id()) != Some(item));
+    let gone = before.iter().filter(|item| !is.contains(item.id()));
+    let touched: HashSet<&str> = fresh.clone().chain(gone).map(|item| item.id()).collect();
     if touched.is_empty() {
         return list.clone();
     }
     // A longer list could not be opened again.
-    fresh.chain(list.iter().filter(|item| !touched.contains(id(item)))).take(MOST).cloned().collect()
+    fresh.chain(list.iter().filter(|item| !touched.contains(item.id()))).take(MOST).cloned().collect()
 }
 
 /// [`carried`] of lists in JSON: `{list, before, after}`.
@@ -37,11 +41,14 @@ pub fn carried(list: &List<Value>, before: &List<Value>, after: &List<Value>) ->
 pub fn carried_json(lists: &str) -> Result<String> {
     let read = || -> Read<String> {
         let mut fields = Fields::of(json::parse(lists, PROJECT)?)?;
-        let mut list =
-            |name| fields.list(name, usize::MAX).map(|list| list.into_iter().map(Arc::new).collect());
+        let mut list = |name| {
+            fields
+                .list(name, usize::MAX)
+                .map(|list| list.into_iter().map(CustomFile::new).map(Arc::new).collect())
+        };
         let (list, before, after) = (list("list")?, list("before")?, list("after")?);
         let mut out = Writer::default();
-        out.list(&carried(&list, &before, &after), &|out, item| out.value(item));
+        out.list(&carried(&list, &before, &after), &|out, item| out.value(item.json()));
         Ok(out.finish())
     };
     read().map_err(|wrong| invalid(&wrong))
@@ -49,39 +56,27 @@ pub fn carried_json(lists: &str) -> Result<String> {
 
 /// The list that items make: of each id the first.
 #[must_use]
-pub fn first_of_each(mut items: Vec<Arc<Value>>) -> List<Value> {
+pub fn first_of_each(mut items: Vec<Arc<CustomFile>>) -> List<CustomFile> {
     let mut seen = HashSet::new();
-    items.retain(|item| seen.insert(id(item).to_owned()));
+    items.retain(|item| seen.insert(item.id().to_owned()));
     items.into()
 }
 
 /// Returns the list with equal items replaced by the objects of `before`.
 #[must_use]
-pub fn reusing(before: &List<Value>, list: &List<Value>) -> List<Value> {
+pub fn reusing(before: &List<CustomFile>, list: &List<CustomFile>) -> List<CustomFile> {
     let known = by_id(before);
-    let same = |item: &Arc<Value>| known.get(id(item)).copied().filter(|known| *known == item).cloned();
+    let same = |item: &Arc<CustomFile>| known.get(item.id()).copied().filter(|known| *known == item).cloned();
     list.iter().map(|item| same(item).unwrap_or_else(|| item.clone())).collect()
-}
-
-/// Adds an item to a list, or replaces the item with its id. If the list is longer than `most`, the oldest
-/// items are dropped.
-#[must_use]
-pub fn with(list: &List<Value>, item: Value, most: usize) -> List<Value> {
-    let others = list.iter().filter(|other| id(other) != id(&item)).cloned().collect::<Vec<_>>();
-    std::iter::once(item.into()).chain(others).take(most).collect()
 }
 
 /// Merges the lists of a project into existing lists. For equal ids the existing item stays.
 #[must_use]
-pub fn joined(own: &List<Value>, there: &List<Value>) -> List<Value> {
-    let known: HashSet<&str> = there.iter().map(|item| id(item)).collect();
-    there.iter().chain(own.iter().filter(|item| !known.contains(id(item)))).take(MOST).cloned().collect()
+pub fn joined(own: &List<CustomFile>, there: &List<CustomFile>) -> List<CustomFile> {
+    let known: HashSet<&str> = there.iter().map(|item| item.id()).collect();
+    there.iter().chain(own.iter().filter(|item| !known.contains(item.id()))).take(MOST).cloned().collect()
 }
 
-fn by_id(list: &List<Value>) -> HashMap<&str, &Arc<Value>> {
-    list.iter().map(|item| (id(item), item)).collect()
-}
-
-fn id(item: &Value) -> &str {
-    item["id"].as_str().unwrap_or_default()
+fn by_id(list: &List<CustomFile>) -> HashMap<&str, &Arc<CustomFile>> {
+    list.iter().map(|item| (item.id(), item)).collect()
 }

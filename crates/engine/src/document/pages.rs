@@ -3,8 +3,8 @@
 
 use crate::json::{Read, Wrong};
 use crate::layout::PageSettings;
+use crate::page::Document;
 use crate::page::carrying::tie;
-use crate::page::document::{Document, style_of, template_of};
 use crate::page::words::TextItem;
 use serde_json::Value;
 use std::sync::Arc;
@@ -29,10 +29,8 @@ pub fn page(value: Value) -> Read<Arc<Document>> {
 /// Returns the location of the error.
 pub fn check(page: &Document) -> Read<()> {
     page.page.validate().map_err(Wrong::of)?;
-    known(&page.layout).map_err(|wrong| wrong.at("layout"))?;
-    let template = template_of(&page.layout).map_err(|error| Wrong::of(error).at("layout"))?;
-    known(&page.style).map_err(|wrong| wrong.at("style"))?;
-    style_of(&page.style).map_err(|error| Wrong::of(error).at("style"))?;
+    let template = page.template().map_err(|error| Wrong::of(error).at("layout"))?;
+    page.style().map_err(|error| Wrong::of(error).at("style"))?;
     let (has, wants) = (page.panels.len(), template.panels().len());
     if has != wants {
         return Err(Wrong::new(&format!("has {has} entries, the layout has {wants} panels")).at("panels"));
@@ -56,13 +54,4 @@ pub fn settings(value: Value) -> Read<Arc<PageSettings>> {
     let page = PageSettings::read(value)?;
     page.validate().map_err(|error| Wrong::of(error).without("page."))?;
     Ok(Arc::new(page))
-}
-
-/// A layout or style is an id or an object.
-fn known(value: &Value) -> Read<()> {
-    if value.is_string() || value.is_object() {
-        Ok(())
-    } else {
-        Err(Wrong::new("must be an id or an object"))
-    }
 }

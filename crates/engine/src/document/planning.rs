@@ -11,7 +11,6 @@ use crate::json::Writer;
 use crate::layout::PageSettings;
 use crate::page::Document;
 use crate::page::carrying::photo_of;
-use crate::page::document::template_of;
 use crate::page::request::{Keep, Request, Taste};
 use crate::page::shuffle;
 use crate::plan::prepared::{Place, is_document};
@@ -334,8 +333,7 @@ pub fn planned_of(mut request: Request, photos: &[Known]) -> Result<Document> {
 /// Returns the photos of a page. The photo of the largest panel is first.
 #[must_use]
 pub fn seen_on(page: &Document) -> Vec<String> {
-    let shares =
-        template_of(&page.layout).map_or_else(|_| Vec::new(), |template| template.shares(page.page.aspect()));
+    let shares = page.template().map_or_else(|_| Vec::new(), |template| template.shares(page.page.aspect()));
     let share = |at: usize| shares.get(at).copied().unwrap_or(0.0);
     let largest = (0..page.panels.len()).fold(0, |most, at| if share(at) > share(most) { at } else { most });
     let mut seen: Vec<String> = Vec::new();
@@ -352,14 +350,14 @@ fn spoken_on(page: &Document) -> HashSet<String> {
 
 /// Returns whether the layout suits the new paper as well as the old one.
 fn suits(page: &Document, settings: &PageSettings) -> Result<bool> {
-    let template = template_of(&page.layout)?;
+    let template = page.template()?;
     Ok(template.good_for(settings.aspect()) || !template.good_for(page.page.aspect()))
 }
 
 /// The photos that fill the page without repeats; one where its layout is still to be drawn.
 fn needed(request: &Request) -> Result<usize> {
     Ok(match (&request.layout, request.panels, &request.current) {
-        (Some(layout), ..) => template_of(layout)?.panels().len(),
+        (Some(layout), ..) => layout.template()?.panels().len(),
         (None, Some(panels), _) => panels,
         (None, None, Some(current)) if request.keep.layout => places_of(current),
         _ => 1,

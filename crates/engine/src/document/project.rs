@@ -2,19 +2,16 @@
 //! Properties of a photo (its name, size, measurements) never change and are stored in the album, so undo
 //! does not affect them. States of a history share equal parts.
 
-use super::draft;
-use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_BLOCKS, MOST_LOVED, MOST_TAGS, MOST_WANTED};
+use super::draft::Draft;
+use super::limits::{GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_LOVED, MOST_WANTED};
 use super::shots::{Board, Shot};
 use crate::json::{Fields, Read, Writer, Wrong, fields};
-use crate::layout::{PageSettings, Template};
-use crate::page::Document;
+use crate::layout::PageSettings;
 use crate::page::words::TextItem;
+use crate::page::{CustomFile, Document};
 use crate::raster::Matte;
-use crate::raster::color::parse_hex;
 use crate::raster::matte::MOST_TEXT as LONGEST_MASK;
 use crate::select::DUPLICATE_THRESHOLD;
-use crate::style::part::{Part, Parts as LayerParts};
-use crate::style::{Style, blocks};
 use serde_json::{Map, Value};
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -60,13 +57,13 @@ pub struct Project {
     pub waiting: List<TextItem>,
     /// Custom styles, which all projects share.
     #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
-    pub mine: List<Value>,
+    pub mine: List<CustomFile>,
     /// Styles that are favourites, which all projects share.
     #[cfg_attr(test, ts(as = "Vec<crate::style::Style>"))]
-    pub favourites: List<Value>,
+    pub favourites: List<CustomFile>,
     /// Custom layouts, which all projects share.
-    #[cfg_attr(test, ts(as = "Vec<Template>"))]
-    pub own_layouts: List<Value>,
+    #[cfg_attr(test, ts(as = "Vec<crate::layout::Template>"))]
+    pub own_layouts: List<CustomFile>,
     /// Favourite pages of the page history, by id.
     pub loved: Arc<[u64]>,
     /// How a shuffle draws styles.
@@ -177,55 +174,6 @@ pub struct Sheet {
     pub rest: Map<String, Value>,
 }
 
-/// A style while it is designed. Every block has a key, so that its card stays the same card wherever it is moved, and all
-/// of its values.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
-pub struct Draft {
-    /// Id of the style.
-    pub id: String,
-    /// Display name.
-    pub name: String,
-    /// Families that it belongs to.
-    pub tags: Vec<String>,
-    /// The colour layer.
-    pub background: Vec<DraftStep>,
-    /// The line layer.
-    pub foreground: Vec<DraftStep>,
-    /// Colour of the lines, `#rrggbb`.
-    pub ink: String,
-    /// Whether face protection is off.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
-    pub careless: bool,
-    /// The parts of the image that the layers apply to.
-    #[cfg_attr(test, ts(rename = "where", as = "Option<LayerParts>", optional))]
-    pub parts: LayerParts,
-    /// Unknown fields, preserved for newer programs.
-    #[cfg_attr(test, ts(skip))]
-    pub rest: Map<String, Value>,
-}
-
-/// A block of a draft.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename_all = "camelCase"))]
-pub struct DraftStep {
-    /// Names it within the draft.
-    pub key: u64,
-    /// Id of the block.
-    pub block: String,
-    /// Its values by the ids of the parameters.
-    #[cfg_attr(test, ts(type = "Record<string, ParamValue>"))]
-    pub values: Map<String, Value>,
-    /// Whether the block is bypassed.
-    pub bypass: bool,
-    /// The part of the image that it applies to. `None`: the whole image.
-    #[cfg_attr(test, ts(rename = "where", optional))]
-    pub part: Option<Part>,
-    /// Unknown fields, preserved for newer programs.
-    #[cfg_attr(test, ts(skip))]
-    pub rest: Map<String, Value>,
-}
-
 impl Default for Project {
     fn default() -> Self {
         Self {
@@ -265,8 +213,8 @@ pub(super) trait Parts {
     fn draft(&mut self, value: Value) -> Read<Arc<Draft>>;
     fn board(&mut self, value: Value) -> Read<Arc<Board>>;
     fn waiting(&mut self, value: Value) -> Read<List<TextItem>>;
-    fn styles(&mut self, value: Value, field: &str) -> Read<List<Value>>;
-    fn layouts(&mut self, value: Value, field: &str) -> Read<List<Value>>;
+    fn styles(&mut self, value: Value, field: &str) -> Read<List<CustomFile>>;
+    fn layouts(&mut self, value: Value, field: &str) -> Read<List<CustomFile>>;
 }
 
 impl Project {
@@ -349,24 +297,6 @@ pub(super) fn tray(mut items: Vec<Arc<TrayItem>>) -> List<TrayItem> {
     let mut seen = HashSet::new();
     items.retain(|item| seen.insert(item.id.clone()));
     items.into()
-}
-
-/// Reads a custom style: a style file with an id.
-pub(super) fn style(value: Value) -> Read<Arc<Value>> {
-    identified(&value)?;
-    Style::from_value("style", &value).map_err(Wrong::of)?;
-    Ok(Arc::new(value))
-}
-
-/// Reads a custom layout.
-pub(super) fn layout(value: Value) -> Read<Arc<Value>> {
-    identified(&value)?;
-    Template::from_value("layout", &value).map_err(Wrong::of)?;
-    Ok(Arc::new(value))
-}
-
-fn identified(value: &Value) -> Read<()> {
-    if value["id"].is_string() { Ok(()) } else { Err(Wrong::new("is missing").at("id")) }
 }
 
 impl Order {
@@ -500,98 +430,6 @@ impl Styling {
         out.key("invented").number(self.invented);
         out.key("keepLines").flag(self.keep_lines);
         out.key("keepColours").flag(self.keep_colours);
-        out.rest(&self.rest);
-        out.close(b'}');
-    }
-}
-
-impl Draft {
-    pub(super) fn read(value: Value) -> Read<Arc<Self>> {
-        let mut fields = Fields::of(value)?;
-        let ink = fields.text("ink", 7)?.unwrap_or_else(|| "#000000".into());
-        if parse_hex(&ink).is_none() {
-            return Err(Wrong::new("must be a colour like #101014").at("ink"));
-        }
-        Ok(Arc::new(Self {
-            id: fields.name("id", LONGEST_ID)?,
-            name: fields.text("name", LONGEST_NAME)?.unwrap_or_default(),
-            tags: fields.each("tags", MOST_TAGS, &|tag| fields::text_of(tag, LONGEST_NAME))?,
-            background: fields.each("background", MOST_BLOCKS, &DraftStep::read)?,
-            foreground: fields.each("foreground", MOST_BLOCKS, &DraftStep::read)?,
-            ink,
-            careless: fields.flag("careless")?,
-            parts: fields.part("where", &mut read_parts)?.unwrap_or_default(),
-            rest: fields.rest(),
-        }))
-    }
-
-    pub(super) fn write(&self, out: &mut Writer) {
-        out.open(b'{');
-        out.key("id").text(&self.id);
-        out.key("name").text(&self.name);
-        out.key("tags").texts(&self.tags);
-        for (name, layer) in [("background", &self.background), ("foreground", &self.foreground)] {
-            out.key(name).list(layer, &|out, step| step.write(out));
-        }
-        out.key("ink").text(&self.ink);
-        if self.careless {
-            out.key("careless").flag(true);
-        }
-        if self.parts != LayerParts::default() {
-            out.key("where").open(b'{');
-            for (layer, part) in draft::part_of_layers(self.parts) {
-                if let Some(part) = part {
-                    out.key(layer).text(part.id());
-                }
-            }
-            out.close(b'}');
-        }
-        out.rest(&self.rest);
-        out.close(b'}');
-    }
-}
-
-fn read_parts(value: Value) -> Read<LayerParts> {
-    let mut fields = Fields::of(value)?;
-    let background = draft::read_part(&mut fields, "background")?;
-    let foreground = draft::read_part(&mut fields, "foreground")?;
-    fields.done()?;
-    Ok(LayerParts { background, foreground })
-}
-
-impl DraftStep {
-    fn read(value: Value) -> Read<Self> {
-        let mut fields = Fields::of(value)?;
-        let id = fields.name("block", LONGEST_ID)?;
-        let block = blocks::find(&id).ok_or_else(|| Wrong::new("is not a known block").at("block"))?;
-        let mut values = match fields.take("values") {
-            None => Map::new(),
-            Some(Value::Object(values)) => values,
-            Some(_) => return Err(Wrong::new("must be an object").at("values")),
-        };
-        for (name, value) in &mut values {
-            let wrong = |reason: &str| Wrong::new(reason).at(name).at("values");
-            let param = block.params.iter().find(|param| param.id == name);
-            let param = param.ok_or_else(|| wrong("is not a parameter of this block"))?;
-            // 2 and 2.0 are the same value.
-            *value = param.normalized(value).map_err(|reason| wrong(&reason))?;
-        }
-        let (key, bypass) = (fields.count("key", 0, GREATEST_ID)?, fields.flag("bypass")?);
-        let part = draft::read_part(&mut fields, "where")?;
-        Ok(Self { key, block: id, values, bypass, part, rest: fields.rest() })
-    }
-
-    fn write(&self, out: &mut Writer) {
-        out.open(b'{');
-        out.key("key").whole(self.key);
-        out.key("block").text(&self.block);
-        out.key("values").open(b'{');
-        out.rest(&self.values);
-        out.close(b'}');
-        out.key("bypass").flag(self.bypass);
-        if let Some(part) = self.part {
-            out.key("where").text(part.id());
-        }
         out.rest(&self.rest);
         out.close(b'}');
     }

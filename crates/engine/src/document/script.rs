@@ -2,7 +2,7 @@
 
 use super::limits::MOST_WAITING;
 use super::speech::{self, Manner, Said, Taking, laid, named};
-use super::subtitles::{lines, trimmed};
+use super::text_lines::{lines, trimmed};
 use crate::json::Writer;
 use crate::page::words::model::NewText;
 

@@ -6,7 +6,6 @@ use super::limits::{
     LONGEST_FIELD, LONGEST_ID, LONGEST_LABEL, LONGEST_LOGO, LONGEST_NAME, MOST_COLUMNS, MOST_PHOTOS,
     MOST_SHOT_FRAMES,
 };
-use super::project::TrayItem;
 use crate::json::{Fields, Read, Writer, Wrong, text_of};
 use crate::output::shots::timecode::Pace;
 use base64::Engine;
@@ -249,10 +248,10 @@ impl Board {
         out.close(b'}');
     }
 
-    /// Adapts a photo to this board, which replaces another board. Durations keep their seconds, and values
+    /// Adapts a shot to this board, which replaces another board. Durations keep their seconds, and values
     /// follow renamed columns. `None` if nothing changes.
-    pub(super) fn taken(&self, before: &Self, item: &TrayItem) -> Option<TrayItem> {
-        let mut shot = item.shot.clone();
+    pub(super) fn taken(&self, before: &Self, own: &Shot) -> Option<Shot> {
+        let mut shot = own.clone();
         if let Some(frames) = shot.frames {
             let same = u64::from(frames) * u64::from(self.fps) * 2 / u64::from(before.fps.max(1));
             shot.frames = Some((same.div_ceil(2).max(1) as u32).min(MOST_SHOT_FRAMES));
@@ -264,7 +263,7 @@ impl Board {
                 .filter_map(|(name, text)| Some((self.column(before, name)?, text)))
                 .collect();
         }
-        (shot != item.shot).then(|| TrayItem { shot, ..item.clone() })
+        (shot != *own).then_some(shot)
     }
 
     /// The new name of a renamed column. `None` if it was deleted.
@@ -362,19 +361,18 @@ mod tests {
     #[test]
     fn another_rate_keeps_seconds_and_a_column_its_name() {
         let before = Board { columns: vec!["Lens".into(), "Sound".into()], ..Board::default() };
-        let mut item = TrayItem::new("a".into());
-        item.shot.frames = Some(49);
-        item.shot.more =
+        let mut shot = Shot { frames: Some(49), ..Shot::default() };
+        shot.more =
             [("Lens".to_owned(), "35".into()), ("Sound".to_owned(), "wind".into())].into_iter().collect();
         let now = Board { fps: 30, columns: vec!["Optics".into(), "Sound".into()], ..Board::default() };
-        let taken = now.taken(&before, &item).unwrap().shot;
+        let taken = now.taken(&before, &shot).unwrap();
         assert_eq!(
             (taken.frames, &taken.more["Optics"], &taken.more["Sound"]),
             (Some(61), &"35".into(), &"wind".into())
         );
         let fewer = Board { columns: vec!["Sound".into()], ..Board::default() };
-        assert_eq!(fewer.taken(&before, &item).unwrap().shot.more.len(), 1);
-        assert!(before.taken(&before, &item).is_none());
+        assert_eq!(fewer.taken(&before, &shot).unwrap().more.len(), 1);
+        assert!(before.taken(&before, &shot).is_none());
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Splits text for balloons: separates speakers, distinguishes sounds from speech, and splits long texts at
 //! natural pauses.
 
-use super::subtitles::{is_space, trimmed};
+use super::text_lines::{is_space, trimmed};
 use crate::page::words::model::{NewText, Shape, TextItem, TextKind};
 
 /// Maximum length of a balloon's text in characters, about six short lines. Longer texts are split.

@@ -7,11 +7,11 @@ use super::sheets;
 use crate::error::Result;
 use crate::json::Writer;
 use crate::layout;
-use crate::page::Document;
 use crate::page::carrying::{belongs, photo_of, tied};
 use crate::page::request::{Keep, Mode, Request};
+use crate::page::{Document, LayoutRef};
 pub use crate::plan::spread::balanced;
-use serde_json::{Map, Value};
+use serde_json::Map;
 use std::sync::Arc;
 
 /// Default number of panels of later pages, and maximum of a first page. At this size photos are easy to see.
@@ -164,7 +164,7 @@ fn varied(
     seeds: &mut Seeds,
     draw: &dyn Fn(u32) -> Result<Option<Document>>,
 ) -> Result<Option<Document>> {
-    let seen: Vec<&Value> = made.iter().rev().take(2).map(|page| &page.layout).collect();
+    let seen: Vec<&LayoutRef> = made.iter().rev().take(2).map(|page| &page.layout).collect();
     let mut page = draw(seeds.next_seed())?;
     for _ in 1..TRIES {
         if !page.as_ref().is_some_and(|page| seen.contains(&&page.layout)) {

@@ -1,6 +1,6 @@
 //! Uniform bars at the edges of a photo: letterbox bars, white borders, the address line of a screenshot.
 
-use super::energy::{luma, rgb};
+use super::pixel::{luma, rgb};
 use crate::raster::Image;
 
 /// Maximum difference of luma from the colour of a bar, in grey levels.

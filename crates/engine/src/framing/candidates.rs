@@ -6,9 +6,9 @@
 
 use std::borrow::Cow;
 
-use super::frame::Target;
-use super::photo::{Crop, FACE, PhotoMeta, Subject};
-use super::score::ROOM;
+use super::crop::Crop;
+use super::photo::{FACE, PhotoMeta, Subject};
+use super::target::Target;
 use crate::layout::Bounds;
 use crate::order::sort_by;
 
@@ -30,6 +30,9 @@ const STEPS: [f64; 3] = [1.0, 0.8, 0.6];
 const PLACES: u32 = 7;
 /// Zoom factors for a photo that is used again.
 const CLOSER_STEPS: [f64; 2] = [0.5, 0.4];
+
+/// Share of the crop that a face in full profile is away from the middle, to leave room where it looks.
+pub(super) const ROOM: f64 = 0.14;
 
 /// A rectangle in pixels of the photo.
 #[derive(Debug, Clone, Copy, PartialEq)]

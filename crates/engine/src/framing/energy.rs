@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::photo::Crop;
-use super::sums::Sums;
+use super::crop::Crop;
+use super::pixel::{luma, rgb};
 use crate::raster::Image;
 
 /// Cells along the longer side of a photo.
@@ -92,11 +92,6 @@ impl EnergyMap {
         let row = |y: usize| self.values[y * self.columns + left..y * self.columns + right].iter().copied();
         Self { columns: right - left, rows: bottom - top, values: (top..bottom).flat_map(row).collect() }
     }
-
-    /// The summed-area table with the centre prior, for many questions about one photo.
-    pub(super) fn sums(&self) -> Sums {
-        Sums::of(self)
-    }
 }
 
 /// Sums over the samples of a cell.
@@ -148,20 +143,6 @@ fn stretched(values: &[f64]) -> Vec<f64> {
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let range = if high - low > 1e-9 { high - low } else { f64::INFINITY };
     values.iter().map(|value| (value - low) / range).collect()
-}
-
-/// The channels of a pixel; a grey one thrice.
-pub(super) fn rgb(image: &Image, x: usize, y: usize) -> [u8; 3] {
-    match image.planes() {
-        [r, g, b] => [r.at(x, y), g.at(x, y), b.at(x, y)],
-        planes => [planes.first().map_or(0, |plane| plane.at(x, y)); 3],
-    }
-}
-
-/// The luma of a pixel, 0 to 255.
-pub(super) fn luma(rgb: [u8; 3]) -> u32 {
-    let [r, g, b] = rgb.map(u32::from);
-    (r * 77 + g * 150 + b * 29) >> 8
 }
 
 /// An energy map as JSON has it: two hexadecimal digits a cell.

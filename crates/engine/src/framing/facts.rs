@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::bars::bars;
-use super::energy::{luma, rgb};
+use super::pixel::{luma, rgb};
 use crate::raster::Image;
 
 /// Maximum pixels along the longer side that are analysed.

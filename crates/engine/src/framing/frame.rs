@@ -1,9 +1,10 @@
 //! The crop of one photo for one panel.
 
 use super::candidates::{Area, Search, View, all};
-use super::photo::{Crop, FACE, PhotoMeta};
-use super::region::Region;
+use super::crop::Crop;
+use super::photo::{FACE, PhotoMeta};
 use super::score::Judge;
+use super::target::Target;
 
 /// Crops of one photo that differ; a photo used still more often starts again.
 const VARIANTS: u32 = 8;
@@ -19,28 +20,6 @@ const CLOSER: [f64; 2] = [0.5, 0.72];
 const MAIN: f64 = 0.6;
 /// Maximum enlargement of a close crop. A style draws a soft face without features.
 const MOST_ENLARGED: f64 = 1.5;
-
-/// The panel that a crop is made for.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Target {
-    /// Width over height of the panel's bounds.
-    pub aspect: f64,
-    /// Width of the panel in pixels of the exported page; 0 when it does not matter.
-    pub width: f64,
-    /// True for a circle: only the inscribed circle of the crop will be seen.
-    pub round: bool,
-    /// The visible part of the rectangle: slanted edges, later panels and the gutters of a merge hide parts
-    /// of it.
-    pub region: Region,
-}
-
-impl Target {
-    /// A rectangular panel of that aspect, whatever its size.
-    #[must_use]
-    pub fn of_aspect(aspect: f64) -> Self {
-        Self { aspect, width: 0.0, round: false, region: Region::default() }
-    }
-}
 
 /// The crop of `photo` that suits the panel best. It lies inside the photo and has the aspect ratio of the panel, in pixels of the photo.
 ///

@@ -6,14 +6,11 @@
 //! stroke width transform". Here they apply to connected components of a locally thresholded image. The
 //! detector prefers misses to false positives, such as fences.
 
-use super::Subject;
-use super::energy::{luma, rgb};
+use super::photo::{LETTERING, Subject};
+use super::pixel::{luma, rgb};
 use crate::order::{sort_by, sort_by_key};
 use crate::raster::Image;
 use crate::raster::sets::Sets;
-
-/// The label of lettering among the subjects.
-pub const LETTERING: &str = "lettering";
 
 /// Maximum number of lines per photo, the largest first.
 const MOST: usize = 4;

@@ -6,19 +6,24 @@
 
 mod bars;
 mod candidates;
+mod crop;
 pub mod energy;
 mod facts;
 mod frame;
 mod lettering;
 mod photo;
+mod pixel;
 pub mod region;
 mod score;
 mod sums;
+mod target;
 
+pub use crop::Crop;
 pub use energy::EnergyMap;
 pub use facts::Facts;
-pub use frame::{Target, closeup, frame, sketch};
-pub use lettering::{LETTERING, lettering};
-pub use photo::{Crop, FACE, FIGURE, FacePoints, Focus, PhotoMeta, Subject};
+pub use frame::{closeup, frame, sketch};
+pub use lettering::lettering;
+pub use photo::{FACE, FIGURE, FacePoints, Focus, LETTERING, PhotoMeta, Subject};
 pub use region::Region;
 pub(crate) use score::{MEDIUM, SURE};
+pub use target::Target;

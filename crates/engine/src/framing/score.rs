@@ -6,8 +6,9 @@
 
 use std::borrow::Cow;
 
-use super::candidates::{Area, View, reach};
-use super::photo::{Crop, FACE, PhotoMeta, Subject};
+use super::candidates::{Area, ROOM, View, reach};
+use super::crop::Crop;
+use super::photo::{FACE, PhotoMeta, Subject};
 use super::sums::Sums;
 
 /// Maximum enlargement, unless nothing else fits.
@@ -35,9 +36,7 @@ const SOME_SIZE: f64 = 0.01;
 /// The upper part of an animal, and of a person without a known face, that contains the head.
 const CROWN: f64 = 0.4;
 const PERSON_HEAD: f64 = 0.24;
-/// Share of the crop that a face in full profile is away from the middle, to leave room where it looks, and the
-/// cost of less room, in widths of the crop.
-pub(super) const ROOM: f64 = 0.14;
+/// Cost of less room than [`ROOM`] where a face looks, in widths of the crop.
 const CRAMPED: f64 = 0.8;
 /// Cost of one edge through an area of average energy.
 const CUT_COST: f64 = 0.022;

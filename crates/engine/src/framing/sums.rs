@@ -1,7 +1,7 @@
 //! Questions about the energy of any part of a photo, each answered in constant time.
 
+use super::crop::Crop;
 use super::energy::EnergyMap;
-use super::photo::Crop;
 
 /// Width of the band along the edges of a crop, as part of its side.
 const BAND: f64 = 0.05;
@@ -15,8 +15,15 @@ pub(super) struct Sums {
     table: Vec<f64>,
 }
 
+impl EnergyMap {
+    /// The summed-area table with the centre prior, for many questions about one photo.
+    pub(super) fn sums(&self) -> Sums {
+        Sums::of(self)
+    }
+}
+
 impl Sums {
-    pub(super) fn of(map: &EnergyMap) -> Self {
+    fn of(map: &EnergyMap) -> Self {
         let (columns, rows) = (map.columns(), map.rows());
         let mut table = vec![0.0; (columns + 1) * (rows + 1)];
         for row in 0..rows {

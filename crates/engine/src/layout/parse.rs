@@ -5,9 +5,9 @@ use std::ops::RangeInclusive;
 use serde_json::Value;
 
 use super::FAMILIES;
-use super::json::Field;
+use super::json::{self, Field};
 use super::polygon::{Point, area, intersection, normalised};
-use super::template::{Body, Panel, Shape, Template, base_cells, natural_weight};
+use super::template::{Body, Panel, Shape, Template, WHOLE, base_cells, natural_weight};
 use super::tree::{Axis, Node, Split};
 use crate::error::Result;
 
@@ -23,16 +23,32 @@ pub(super) const LEAST_STEP: f64 = 0.02;
 const TILING: f64 = 1e-6;
 /// The family of sheets of a board, which the program makes: frames in a page that is theirs in part only.
 pub(super) const BOARD: &str = "board";
-/// Beginning of the ids of layouts that show photos whole. They may leave the edge of the page free.
-pub(super) const WHOLE: &str = "whole-";
 const SHARE: RangeInclusive<f64> = 0.01..=100.0;
 const WEIGHT: RangeInclusive<f64> = 0.01..=100.0;
 const ASPECT: RangeInclusive<f64> = 0.1..=10.0;
 const HALO: RangeInclusive<f64> = 0.0..=3.0;
 const UNIT: RangeInclusive<f64> = 0.0..=1.0;
 
+impl Template {
+    /// Reads a template from the text of a layout file; `file_name` is only used to name it in errors.
+    ///
+    /// # Errors
+    /// `invalid-layout` with the file, the path of the field and the reason.
+    pub fn parse(file_name: &str, json: &str) -> Result<Self> {
+        template(file_name, &json::read(file_name, json)?)
+    }
+
+    /// Reads a template that stands inside another document; `file_name` names it in errors.
+    ///
+    /// # Errors
+    /// `invalid-layout`, as [`Template::parse`].
+    pub fn from_value(file_name: &str, value: &Value) -> Result<Self> {
+        template(file_name, value)
+    }
+}
+
 /// Checks a whole layout file.
-pub(super) fn template(file: &str, value: &Value) -> Result<Template> {
+fn template(file: &str, value: &Value) -> Result<Template> {
     let root = Field::root(file, value);
     root.object(&[
         "id", "name", "family", "aspect", "tree", "polygons", "order", "weights", "bleeds", "overlays",

@@ -3,7 +3,6 @@
 use super::polygon::{Bounds, Point, TINY, clip, edges, eroded};
 use super::settings::PageSettings;
 use super::template::{Shape, Template, circle_radius};
-use super::write::PlacedPanel;
 
 /// The least part of a panel's half thickness that gutters leave.
 const KEPT: f64 = 0.5;
@@ -37,14 +36,6 @@ pub struct ResolvedPanel {
     pub overlay: bool,
     /// Width of the paper-coloured outline around the panel, in page widths. 0 without an outline.
     pub halo: f64,
-}
-
-impl ResolvedPanel {
-    /// The panel as JSON has it.
-    #[must_use]
-    pub fn placed(&self) -> PlacedPanel<'_> {
-        super::write::placed(self)
-    }
 }
 
 /// The panels of a template on a page of the aspect `page_aspect` (width over height), in the order in which

@@ -1,13 +1,8 @@
 //! A page template: the panels in unit coordinates, and their reading order.
 
-use serde_json::Value;
-
-use super::parse;
 use super::polygon::{Bounds, Point, area, edges, eroded, normalised, thickness};
 use super::settings::DEFAULT_GUTTER;
 use super::tree::{Node, PAGE};
-use super::write::Descriptor;
-use crate::error::Result;
 
 /// Minimum thickness of a panel, in page widths. Templates with thinner panels are not offered.
 pub const LEAST_THICKNESS: f64 = 0.12;
@@ -16,6 +11,9 @@ pub const LEAST_THICKNESS: f64 = 0.12;
 const MOST_ELONGATED: [(f64, f64); 2] = [(4.6, 3.2), (3.2, 2.1)];
 /// How far an aspect may be from another and still be near.
 const NEAR: f64 = 1.35;
+
+/// Beginning of the ids of layouts that show photos whole. They may leave the edge of the page free.
+pub(super) const WHOLE: &str = "whole-";
 
 /// The outline of a panel.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,40 +83,12 @@ pub struct Template {
 }
 
 impl Template {
-    /// Reads a template from the text of a layout file; `file_name` is only used to name it in errors.
-    ///
-    /// # Errors
-    /// `invalid-layout` with the file, the path of the field and the reason.
-    pub fn parse(file_name: &str, json: &str) -> Result<Self> {
-        parse::template(file_name, &super::json::read(file_name, json)?)
-    }
-
-    /// Reads a template that stands inside another document; `file_name` names it in errors.
-    ///
-    /// # Errors
-    /// `invalid-layout`, as [`Template::parse`].
-    pub fn from_value(file_name: &str, value: &Value) -> Result<Self> {
-        parse::template(file_name, value)
-    }
-
-    /// The template as the text of a layout file, which [`Template::parse`] reads back to an equal template.
-    #[must_use]
-    pub fn to_json(&self) -> String {
-        super::write::file(self)
-    }
-
     /// Returns a template without overlays, in the order of its body. The parts must be valid.
     pub(super) fn assemble(id: &str, name: &str, family: &str, aspect: f64, body: Body) -> Self {
         let cells = base_cells(&body);
         let panels = cells.iter().map(|cell| Panel::base(cell, cells.len())).collect();
         let order = (0..cells.len()).collect();
         Self { id: id.into(), name: name.into(), family: family.into(), aspect, body, order, panels }
-    }
-
-    /// The entry of this template in the list of layouts.
-    #[must_use]
-    pub fn descriptor(&self) -> Descriptor<'_> {
-        super::write::descriptor(self)
     }
 
     /// Unique name in kebab-case; the name of its file.
@@ -165,7 +135,7 @@ impl Template {
     /// Whether it was made for the aspect ratios of photos, see [`whole`](super::whole()).
     #[must_use]
     pub fn shows_whole(&self) -> bool {
-        self.id.starts_with(parse::WHOLE)
+        self.id.starts_with(WHOLE)
     }
 
     /// The slants of the dividers, from the largest ones.

@@ -9,11 +9,11 @@
 
 use oorandom::Rand64;
 
-use super::parse::{DEEPEST, LEAST_STEP, MOST_PANELS, WHOLE};
+use super::parse::{DEEPEST, LEAST_STEP, MOST_PANELS};
 use super::polygon::Point;
 use super::resolve::Page;
 use super::settings::PageSettings;
-use super::template::{Body, Template};
+use super::template::{Body, Template, WHOLE};
 use super::tree::{Axis, Node, Split};
 
 /// Trees that are tried, and the number of starts among them: for any number of photos, and more by the photo for few photos,

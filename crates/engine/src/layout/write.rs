@@ -8,8 +8,41 @@ use super::resolve::{ResolvedPanel, ResolvedShape};
 use super::template::{Body, Panel, Shape, Template};
 use super::tree::{Axis, Node};
 
+impl Template {
+    /// The template as the text of a layout file, which [`Template::parse`] reads back to an equal template.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        file(self)
+    }
+
+    /// The entry of this template in the list of layouts.
+    #[must_use]
+    pub fn descriptor(&self) -> Descriptor<'_> {
+        Descriptor {
+            id: &self.id,
+            name: &self.name,
+            family: &self.family,
+            aspect: self.aspect,
+            count: self.panels.len(),
+            panels: self.panels.iter().map(layout_panel).collect(),
+        }
+    }
+}
+
+impl ResolvedPanel {
+    /// The panel as JSON has it.
+    #[must_use]
+    pub fn placed(&self) -> PlacedPanel<'_> {
+        let (polygon, circle) = match &self.shape {
+            ResolvedShape::Polygon(corners) => (Some(&corners[..]), None),
+            ResolvedShape::Circle { center, radius } => (None, Some(circle(*center, *radius))),
+        };
+        PlacedPanel { polygon, circle, bounds: self.bounds, overlay: self.overlay, halo: self.halo }
+    }
+}
+
 /// The text of the layout file.
-pub(super) fn file(template: &Template) -> String {
+fn file(template: &Template) -> String {
     let mut lines = vec![
         format!("  \"id\": {}", json!(template.id)),
         format!("  \"name\": {}", json!(template.name)),
@@ -113,27 +146,6 @@ pub struct PlacedPanel<'a> {
     pub overlay: bool,
     /// Width of the paper-coloured outline around the panel. 0 without an outline.
     pub halo: f64,
-}
-
-/// See [`Template::descriptor`].
-pub(super) fn descriptor(template: &Template) -> Descriptor<'_> {
-    Descriptor {
-        id: &template.id,
-        name: &template.name,
-        family: &template.family,
-        aspect: template.aspect,
-        count: template.panels.len(),
-        panels: template.panels.iter().map(layout_panel).collect(),
-    }
-}
-
-/// See [`ResolvedPanel::placed`].
-pub(super) fn placed(panel: &ResolvedPanel) -> PlacedPanel<'_> {
-    let (polygon, circle) = match &panel.shape {
-        ResolvedShape::Polygon(corners) => (Some(&corners[..]), None),
-        ResolvedShape::Circle { center, radius } => (None, Some(circle(*center, *radius))),
-    };
-    PlacedPanel { polygon, circle, bounds: panel.bounds, overlay: panel.overlay, halo: panel.halo }
 }
 
 fn layout_panel(panel: &Panel) -> LayoutPanel<'_> {

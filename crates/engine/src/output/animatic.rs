@@ -3,16 +3,16 @@
 //! of one panel, and the camera moves over that image. Its lines do not move, and a shot without a camera
 //! move is equal in every frame.
 
-use super::motion::{Reading, Told};
+use super::reading::{Reading, Told, between, eased};
 use super::shots::ShotList;
 use crate::error::{Error, Result};
 use crate::framing::{Crop, FACE, Subject};
 use crate::layout::PageSettings;
-use crate::page::Document;
 use crate::page::document::PanelContent;
 use crate::page::words::{TextItem, TextKind};
+use crate::page::{Document, LayoutRef, StyleRef};
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
+use serde_json::json;
 
 /// Sides of a frame in pixels, from the smallest to the largest.
 pub const SIDES: [u32; 2] = [64, 3840];
@@ -58,7 +58,7 @@ pub struct Request {
     pub living: u32,
     /// The style: an id, or a complete style.
     #[cfg_attr(test, ts(as = "Option<crate::page::document::StyleChoice>"))]
-    pub style: Value,
+    pub style: StyleRef,
 }
 
 /// The image of a shot.
@@ -330,25 +330,6 @@ impl Clip {
     }
 }
 
-/// A part of a way, 0 to 1, that sets out and arrives slowly: a cubic curve.
-pub(super) fn eased(t: f64) -> f64 {
-    t * t * (3.0 - 2.0 * t)
-}
-
-/// The view at a part of the way from one to another, 0 to 1.
-pub(super) fn between(first: &Crop, last: &Crop, part: f64) -> Crop {
-    if first == last {
-        return *first;
-    }
-    let along = |a: f64, b: f64| a + (b - a) * part;
-    Crop {
-        x: along(first.x, last.x),
-        y: along(first.y, last.y),
-        width: along(first.width, last.width),
-        height: along(first.height, last.height),
-    }
-}
-
 /// Returns size and rate of frames, with the size rounded to even numbers, as encoders require.
 pub(super) fn framed(size: [u32; 2], fps: u32) -> Result<([u32; 2], u32)> {
     let [least, most] = SIDES;
@@ -446,10 +427,12 @@ fn inside(crop: &Crop) -> Crop {
 }
 
 /// A layout of one panel that is the page.
-fn full([width, height]: [u32; 2]) -> Value {
+fn full([width, height]: [u32; 2]) -> LayoutRef {
     let aspect = f64::from(width) / f64::from(height);
     let polygons = [[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]];
-    json!({ "id": "frame", "name": "Frame", "family": "board", "aspect": aspect, "polygons": polygons })
+    LayoutRef::from_file(json!({
+        "id": "frame", "name": "Frame", "family": "board", "aspect": aspect, "polygons": polygons,
+    }))
 }
 
 fn plain([width, height]: [u32; 2]) -> PageSettings {

@@ -7,9 +7,9 @@ use super::shots::{ListedShot, ShotList};
 use crate::error::{Error, Result};
 use crate::framing::Crop;
 use crate::layout::PageSettings;
-use crate::page::Document;
 use crate::page::document::PanelContent;
 use crate::page::words::{TextItem, TextKind};
+use crate::page::{Document, LayoutRef, StyleRef};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -72,7 +72,7 @@ pub struct Request {
     pub letter: bool,
     /// The style of the frames: an id, or a style in full.
     #[cfg_attr(test, ts(as = "Option<crate::page::document::StyleChoice>"))]
-    pub style: Value,
+    pub style: StyleRef,
     /// Labels of the fields, in the language of the reader.
     pub labels: Labels,
 }
@@ -197,7 +197,9 @@ impl Request {
             });
         }
         let pixels = |millimetres: f64| (millimetres / 25.4 * f64::from(DPI)).round();
-        let layout = json!({ "id": "board", "name": "Board", "family": "board", "aspect": grid.width / grid.height, "polygons": polygons });
+        let layout = LayoutRef::from_file(json!({
+            "id": "board", "name": "Board", "family": "board", "aspect": grid.width / grid.height, "polygons": polygons,
+        }));
         let page = PageSettings {
             width: pixels(grid.width) as u32,
             height: pixels(grid.height) as u32,
@@ -417,7 +419,7 @@ mod tests {
             pictures: (0..shots).map(picture).collect(),
             frames,
             aspect,
-            style: json!("storyboard"),
+            style: "storyboard".into(),
             author: "Ann".into(),
             ..Request::default()
         }

@@ -13,6 +13,7 @@
 //! | [`board`] | storyboard sheets, as pages |
 //! | [`animatic`] | timing of storyboard shots: visible shot and camera position of each frame |
 //! | [`motion`] | timing of comic pages: active panel and caption of each frame |
+//! | [`reading`] | how a page is read in time |
 //! | [`strip`] | panels below each other, for webtoon readers |
 //! | [`shots`] | shot lists for spreadsheets and video editors |
 //! | `markup` | text in XML and HTML |
@@ -30,6 +31,7 @@ pub mod html;
 mod markup;
 pub mod motion;
 pub mod phrases;
+pub mod reading;
 pub mod shots;
 pub mod strip;
 pub mod telling;

@@ -92,17 +92,6 @@ impl Phrases {
     pub fn panel_alone(&self, panel: usize) -> String {
         self.panel_short.replace("{panel}", &(panel + 1).to_string())
     }
-
-    /// Name of a kind of text.
-    #[must_use]
-    pub fn word(&self, kind: super::telling::WordKind) -> &str {
-        use super::telling::WordKind;
-        match kind {
-            WordKind::Caption => &self.caption,
-            WordKind::Balloon => &self.balloon,
-            WordKind::Effect => &self.effect,
-        }
-    }
 }
 
 /// The languages that there are.

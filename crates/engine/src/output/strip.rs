@@ -7,12 +7,12 @@
 use crate::error::{Error, Result};
 use crate::framing::Subject;
 use crate::layout::{Bounds, PageSettings, resolve};
-use crate::page::Document;
 use crate::page::document::PanelContent;
 use crate::page::words::Letters;
 use crate::page::words::layout::measured;
 use crate::page::words::model::{Tail, TextItem};
 use crate::page::words::place::{Known, settle};
+use crate::page::{Document, LayoutRef};
 use crate::plan::moments::Moment;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -132,7 +132,8 @@ fn joined(blocks: &[Block], slice: &Slice, like: usize) -> Document {
             let at = |i: usize| corner[i].as_f64().unwrap_or_default();
             json!([at(0), ((f64::from(y) + at(1) * own) / height).min(1.0)])
         };
-        let corners = page.layout["polygons"][0].as_array().into_iter().flatten();
+        let corners =
+            page.layout.custom().and_then(|file| file.json()["polygons"][0].as_array()).into_iter().flatten();
         polygons.push(corners.map(inside).collect::<Vec<_>>());
         for word in &page.words {
             let mut word = word.clone();
@@ -164,10 +165,10 @@ fn joined(blocks: &[Block], slice: &Slice, like: usize) -> Document {
     }
 }
 
-fn layout(aspect: f64, polygons: &Value) -> Value {
-    json!({
+fn layout(aspect: f64, polygons: &Value) -> LayoutRef {
+    LayoutRef::from_file(json!({
         "id": "whole-strip", "name": "Strip", "family": "generated", "aspect": aspect.clamp(0.1, 10.0), "polygons": polygons,
-    })
+    }))
 }
 
 /// Returns the panels of pages as blocks, in reading order.

@@ -74,6 +74,18 @@ pub enum WordKind {
     Effect,
 }
 
+impl Phrases {
+    /// Name of a kind of text.
+    #[must_use]
+    pub fn word(&self, kind: WordKind) -> &str {
+        match kind {
+            WordKind::Caption => &self.caption,
+            WordKind::Balloon => &self.balloon,
+            WordKind::Effect => &self.effect,
+        }
+    }
+}
+
 impl ToldPanel {
     /// Area that must be visible to read the panel: its bounds and text items that extend past it, in pixels,
     /// clipped to the page.

@@ -1,7 +1,7 @@
 //! Bleed: printed area beyond the trim edge of a page, so that trimming leaves no white border. Panels at the
 //! edge are extended with more of their photo, or with its mirror image. Everything else is paper.
 
-use super::mask::PixelRect;
+use super::rect::PixelRect;
 use crate::framing::Crop;
 use crate::layout::{Bounds, Point, ResolvedShape};
 use crate::raster::{Image, Plane};

@@ -7,7 +7,7 @@
 
 use super::bleed::widened;
 use super::document::{Document, PanelContent};
-use super::scene::{self, Scene, ScenePanel};
+use super::scene::{self, Around, Scene, ScenePanel};
 use crate::error::Result;
 use crate::framing::{Crop, PhotoMeta, Subject};
 use crate::layout::polygon::edges;
@@ -33,19 +33,6 @@ const SURE: f64 = 0.68;
 const SURE_OF_LIFE: f64 = 0.25;
 /// Free distance around other faces, as a share of their size.
 const ABOUT_FACES: f64 = 0.15;
-
-/// Areas that a subject must not cover, in pixels of the page.
-#[derive(Clone)]
-pub struct Around {
-    /// The area inside the page margin.
-    pub room: Bounds,
-    /// Faces that other panels show.
-    pub faces: Vec<Bounds>,
-    /// Width of the panels' borders.
-    pub border: f64,
-    /// Whether another panel may cover this one. Then the whole subject is drawn again above it.
-    pub covered: bool,
-}
 
 /// A subject that extends over the edges of its panel.
 pub(super) struct Figure {
@@ -339,7 +326,7 @@ fn way_out(
             height: subject.height / 2.0,
         }));
     }
-    let around = around(document, &panels, size);
+    let around = scene::around(document, &panels, size);
     let content = &document.panels[panel];
     let sure = photos.map(|photos| {
         let own = photos.iter().find(|photo| Some(&photo.id) == content.photo.as_ref());
@@ -438,49 +425,4 @@ pub(super) fn widened_panel(panel: &ScenePanel, outside: Bounds, room: f64) -> S
     let outside = Bounds { x: left, y: top, width: (right - left).max(1.0), height: (bottom - top).max(1.0) };
     let image_bounds = bounds.union(outside);
     ScenePanel { crop: widened(crop, bounds, image_bounds), image_bounds, ..panel.clone() }
-}
-
-/// Returns the areas that the subject of each panel must not cover. `size` is the page size in pixels.
-pub(super) fn around(document: &Document, panels: &[ScenePanel], size: (usize, usize)) -> Vec<Around> {
-    let (width, height) = (size.0 as f64, size.1 as f64);
-    let margin = document.page.margin * width;
-    let room = Bounds {
-        x: margin,
-        y: margin,
-        width: (width - 2.0 * margin).max(0.0),
-        height: (height - 2.0 * margin).max(0.0),
-    };
-    let faces: Vec<Vec<Bounds>> = panels.iter().map(faces_of).collect();
-    let others = |own: usize| {
-        let others = faces.iter().enumerate().filter(|(other, _)| *other != own);
-        others.flat_map(|(_, faces)| faces.iter().copied()).collect()
-    };
-    let border = document.page.border * width;
-    let covered = |own: usize| panels[own + 1..].iter().any(|over| meet(over, &panels[own]));
-    (0..panels.len()).map(|own| Around { room, faces: others(own), border, covered: covered(own) }).collect()
-}
-
-/// Returns whether the pictures of two panels overlap.
-fn meet(one: &ScenePanel, other: &ScenePanel) -> bool {
-    let (a, b) = (one.image_bounds, other.image_bounds);
-    a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height
-}
-
-/// The faces that a panel shows, in pixels of the page.
-fn faces_of(panel: &ScenePanel) -> Vec<Bounds> {
-    let (crop, bounds) = (panel.crop, panel.image_bounds);
-    let place = |at: f64, start: f64, length: f64, from: f64, side: f64| from + (at - start) / length * side;
-    let face = |face: &Crop| {
-        let x = place(face.x, crop.x, crop.width, bounds.x, bounds.width);
-        let y = place(face.y, crop.y, crop.height, bounds.y, bounds.height);
-        let (width, height) =
-            (face.width / crop.width * bounds.width, face.height / crop.height * bounds.height);
-        Bounds { x, y, width, height }
-    };
-    let seen = |face: &Bounds| {
-        let apart = |at: f64, length: f64, from: f64, side: f64| at + length <= from || at >= from + side;
-        !apart(face.x, face.width, bounds.x, bounds.width)
-            && !apart(face.y, face.height, bounds.y, bounds.height)
-    };
-    panel.faces.iter().map(face).filter(seen).collect()
 }

@@ -7,7 +7,7 @@
 //! Source: the signed-area accumulation of font rasterisers (Levien, "Inside the fastest font renderer in the
 //! world", 2016), one row at a time.
 
-use super::mask::PixelRect;
+use super::rect::PixelRect;
 use crate::layout::Point;
 use crate::order::sort_by;
 

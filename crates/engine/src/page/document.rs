@@ -1,6 +1,7 @@
 //! The page as plain data. The front end stores, undoes and saves these documents. A document and its photos
 //! give exactly one image.
 
+use super::reference::{LayoutRef, StyleRef};
 use super::words::model::{MOST_WORDS, TextItem, TextKind};
 use crate::error::{Error, Result};
 use crate::framing::Crop;
@@ -9,7 +10,7 @@ use crate::json::typed::{self, is_default, nullable, typed_by};
 use crate::json::{Read, Writer, Wrong};
 use crate::layout::{self, PageSettings, Template};
 use crate::raster::Matte;
-use crate::style::{Style, catalogue};
+use crate::style::Style;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
@@ -40,10 +41,10 @@ pub struct Document {
     pub seed: u32,
     /// Id of a layout, or a template in full.
     #[cfg_attr(test, ts(as = "LayoutChoice"))]
-    pub layout: Value,
+    pub layout: LayoutRef,
     /// Id of a style, or a style in full.
     #[cfg_attr(test, ts(as = "StyleChoice"))]
-    pub style: Value,
+    pub style: StyleRef,
     /// Photos in reading order, possibly more than panels.
     #[serde(default)]
     pub order: Vec<String>,
@@ -154,7 +155,7 @@ impl Document {
 
     /// A page of this layout and style without panels.
     #[must_use]
-    pub fn new(layout: Value, style: Value, page: PageSettings) -> Self {
+    pub fn new(layout: LayoutRef, style: StyleRef, page: PageSettings) -> Self {
         Self {
             version: VERSION,
             seed: 0,
@@ -254,7 +255,7 @@ impl Document {
     /// # Errors
     /// `unknown-layout`, `invalid-layout`.
     pub fn template(&self) -> Result<Cow<'static, Template>> {
-        template_of(&self.layout)
+        self.layout.template()
     }
 
     /// The panels in the order in which they are read. Without a valid layout, it is the order of the document.
@@ -273,7 +274,7 @@ impl Document {
     /// # Errors
     /// `unknown-style`, `invalid-style`.
     pub fn style(&self) -> Result<Cow<'static, Style>> {
-        style_of(&self.style)
+        self.style.style()
     }
 
     /// Whether a panel has a breakout.
@@ -356,28 +357,6 @@ fn in_limits(area: &Crop, [place, size]: [(f64, f64); 2]) -> Read<()> {
         Some((name, _, (least, most))) => {
             Err(Wrong::new(&format!("must be a number from {least} to {most}")).at(name))
         }
-    }
-}
-
-/// A template by id, or one given in full.
-///
-/// # Errors
-/// `unknown-layout`, `invalid-layout`.
-pub fn template_of(value: &Value) -> Result<Cow<'static, Template>> {
-    match value {
-        Value::String(id) => layout::find(id).map(Cow::Borrowed),
-        other => Template::parse("layout of the page", &other.to_string()).map(Cow::Owned),
-    }
-}
-
-/// A style by id, or one given in full.
-///
-/// # Errors
-/// `unknown-style`, `invalid-style`.
-pub fn style_of(value: &Value) -> Result<Cow<'static, Style>> {
-    match value {
-        Value::String(id) => catalogue::find(id).map(Cow::Borrowed),
-        other => Style::from_value("style of the page", other).map(Cow::Owned),
     }
 }
 

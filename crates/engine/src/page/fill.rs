@@ -1,6 +1,7 @@
 //! The panels of a template as places for photos, with locked and preserved content, and their new content.
 
 use super::document::{Document, MOST_FACES, PanelContent};
+use super::reference::LayoutRef;
 use super::request::Request;
 use crate::framing::{Crop, PhotoMeta, Subject, Target, frame};
 use crate::json::Writer;
@@ -9,7 +10,6 @@ use crate::order::sort_by;
 use crate::plan::assign::is_gray;
 use crate::plan::slots::slot;
 use crate::plan::{Assignment, Candidate, Slot};
-use serde_json::Value;
 
 /// Difference of two aspect ratios, as a logarithm, at which a photo counts as whole.
 const ALIKE: f64 = 0.02;
@@ -17,7 +17,7 @@ const ALIKE: f64 = 0.02;
 /// A layout that may become the page.
 pub(super) struct Stage {
     /// Its id, or it in full.
-    pub(super) layout: Value,
+    pub(super) layout: LayoutRef,
     /// Groups of panels that share an image.
     pub(super) merges: Vec<Vec<usize>>,
     /// The places for photos: a slot for each panel, or group of panels.
@@ -34,7 +34,7 @@ impl Stage {
     /// Returns the stage of a layout on the page of `request`. `place` has its index and its prior weight.
     pub(super) fn new(
         request: &Request,
-        layout: Value,
+        layout: LayoutRef,
         template: &Template,
         merges: Vec<Vec<usize>>,
         same_layout: bool,
@@ -64,7 +64,7 @@ impl Stage {
     pub(super) fn whole(
         &self,
         request: &Request,
-        layout: Value,
+        layout: LayoutRef,
         template: &Template,
         photos: &[usize],
     ) -> (Self, Vec<Assignment>) {

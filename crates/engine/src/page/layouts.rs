@@ -1,7 +1,7 @@
 //! Layout functions for the app, as JSON: the list with thumbnails, properties of one layout, a generated
 //! layout, and manual changes.
 
-use super::document::template_of;
+use super::reference::LayoutRef;
 use crate::error::{Error, Result};
 use crate::layout::edit::{Cut, cuts, move_cut, place_overlay, remove_panel, split_panel};
 use crate::layout::join::join_panels;
@@ -12,7 +12,6 @@ use crate::layout::{
     reading_order, resolve,
 };
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 use std::fmt::Write as _;
 
 /// Width of a drawn template, large enough for whole numbers. The height follows the page.
@@ -30,7 +29,7 @@ pub(crate) struct LayoutsRequest {
     /// Whether it is a custom layout.
     #[serde(default)]
     #[cfg_attr(test, ts(as = "Option<Vec<Template>>", optional))]
-    own: Vec<Value>,
+    own: Vec<LayoutRef>,
 }
 
 /// A layout in the list.
@@ -100,7 +99,7 @@ pub fn list(json: &str) -> Result<String> {
     let LayoutsRequest { page, own } = parse(json)?;
     page.validate()?;
     let aspect = page.aspect();
-    let own = own.iter().map(template_of).collect::<Result<Vec<_>>>()?;
+    let own = own.iter().map(LayoutRef::template).collect::<Result<Vec<_>>>()?;
     let own = own.iter().enumerate().map(|(i, template)| entry(template, Some(i), aspect));
     let good = good_for(aspect);
     let good = good.iter().map(|template| entry(template, None, aspect));
@@ -114,7 +113,7 @@ pub fn list(json: &str) -> Result<String> {
 pub fn geometry(json: &str) -> Result<String> {
     let Of { layout, page } = parse(json)?;
     page.validate()?;
-    let panels = resolve(&*template_of(&layout)?, page.aspect(), &page);
+    let panels = resolve(&*layout.template()?, page.aspect(), &page);
     let order = reading_order(&panels, page.rtl);
     let panels = panels.iter().map(ResolvedPanel::placed).collect();
     text_of(&Geometry { width: 1.0, height: 1.0 / page.aspect(), panels, order })
@@ -127,7 +126,7 @@ pub fn geometry(json: &str) -> Result<String> {
 pub fn facts(json: &str) -> Result<String> {
     let Of { layout, page } = parse(json)?;
     page.validate()?;
-    let template = template_of(&layout)?;
+    let template = layout.template()?;
     text_of(&LayoutFacts {
         id: template.id(),
         name: template.name(),
@@ -147,7 +146,7 @@ pub fn facts(json: &str) -> Result<String> {
 /// As [`facts`].
 pub fn file(json: &str) -> Result<String> {
     let Of { layout, .. } = parse(json)?;
-    Ok(template_of(&layout)?.to_json())
+    Ok(layout.template()?.to_json())
 }
 
 /// Requirements of a generated layout.
@@ -221,13 +220,13 @@ pub(crate) enum LayoutChange {
 pub fn changed(json: &str) -> Result<String> {
     #[derive(Deserialize)]
     struct Wanted {
-        layout: Value,
+        layout: LayoutRef,
         change: LayoutChange,
         #[serde(default)]
         page: PageSettings,
     }
     let Wanted { layout, change, page } = parse(json)?;
-    let template = template_of(&layout)?;
+    let template = layout.template()?;
     let changed = match change {
         LayoutChange::MoveCut { cut, fraction, slant } => move_cut(&template, cut, fraction, slant),
         LayoutChange::Split { panel, axis } => split_panel(&template, panel, axis),
@@ -243,7 +242,7 @@ pub fn changed(json: &str) -> Result<String> {
 
 #[derive(Deserialize)]
 struct Of {
-    layout: Value,
+    layout: LayoutRef,
     #[serde(default)]
     page: PageSettings,
 }
@@ -306,7 +305,7 @@ fn invalid(reason: String) -> Error {
 mod tests {
     use super::*;
     use crate::layout::catalogue;
-    use serde_json::json;
+    use serde_json::{Value, json};
 
     fn ask(of: &Value, answer: impl Fn(&str) -> Result<String>) -> Value {
         serde_json::from_str(&answer(&of.to_string()).unwrap()).unwrap()

@@ -5,7 +5,8 @@
 //! video coders) holds the source blocks that hardly change, and holds their drawing as well. Between still
 //! and moving areas the mix is gradual. A still source gives a still loop.
 
-use super::compose::{Patch, mix, render_panel};
+use super::compose::{mix, render_panel};
+use super::patch::Patch;
 use super::scene::Scene;
 use crate::error::{Error, Result};
 use crate::raster::{Image, Plane};

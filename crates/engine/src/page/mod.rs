@@ -7,6 +7,7 @@
 //! | [`catalogue`] | blocks, layouts and styles as JSON |
 //! | [`layouts`] | layouts listed, made and changed, as JSON |
 //! | [`carrying`] | text items that follow their photos |
+//! | [`reference`] | the layout and the style of a page, by id or in full |
 //! | [`request`] | parameters for planning a document |
 //! | [`shuffle`] | a new document from photos, locks and a seed |
 //! | [`storyboard`] | the photos of an album that pages are made of, and its pages |
@@ -14,6 +15,8 @@
 //! | [`styling`] | the style of a page that leaves it to chance |
 //! | `fill` | the panels of a template filled with photos |
 //! | [`scene`] | a document resolved to pixels of one size |
+//! | [`patch`] | panels as pixels |
+//! | [`rect`] | rectangles of whole pixels |
 //! | [`mask`] | the inside of a panel and its border |
 //! | `bleed` | panels that extend into the bleed |
 //! | [`breaking`] | subjects that break their panel border |
@@ -47,9 +50,12 @@ pub(crate) mod language;
 pub mod layouts;
 pub mod living;
 pub mod mask;
+pub mod patch;
 pub mod pdf;
 pub mod plates;
 pub mod png;
+pub mod rect;
+pub mod reference;
 pub mod request;
 pub mod scene;
 pub mod shuffle;
@@ -61,6 +67,7 @@ pub mod styling;
 pub mod webp;
 pub mod words;
 
-pub use compose::Patch;
 pub use document::Document;
+pub use patch::Patch;
+pub use reference::{CustomFile, LayoutRef, StyleRef};
 pub use scene::Scene;

@@ -3,7 +3,7 @@
 //!
 //! Inks multiply (`style/blocks/plates.rs`), so a colour is the product over inks of `1 - a (1 - ink)`. Least squares finds the coverages `a`, one ink after the other. Each step is exact, because the product is linear in one coverage. A table of 33 x 33 x 33 colours has the results, with linear interpolation.
 
-use crate::page::Document;
+use crate::page::{Document, StyleRef};
 use crate::style::Style;
 use crate::style::blocks::plates::{self, Ink};
 use crate::style::file::Step;
@@ -91,7 +91,7 @@ pub fn exact(document: &Document) -> crate::error::Result<Document> {
     };
     made_exact(&mut style.background);
     style.foreground.iter_mut().for_each(made_exact);
-    Ok(Document { style: style.to_value(), ..document.clone() })
+    Ok(Document { style: StyleRef::of(&style), ..document.clone() })
 }
 
 fn table(inks: &[[u8; 3]]) -> Vec<[f32; 3]> {

@@ -1,7 +1,7 @@
 //! The parameters of [`plan`](super::shuffle::plan).
 
 use super::document::Document;
-pub use super::styling::Styling;
+use super::reference::{LayoutRef, StyleRef};
 use crate::framing::PhotoMeta;
 use crate::layout::PageSettings;
 pub use crate::plan::layouts::Taste;
@@ -33,11 +33,11 @@ pub struct Request {
     /// The layout, by id or in full. Default: chosen automatically.
     #[serde(default)]
     #[cfg_attr(test, ts(as = "Option<crate::page::document::LayoutChoice>"))]
-    pub layout: Option<Value>,
+    pub layout: Option<LayoutRef>,
     /// The style, by id or in full. Default: chosen automatically.
     #[serde(default)]
     #[cfg_attr(test, ts(as = "Option<crate::page::document::StyleChoice>"))]
-    pub style: Option<Value>,
+    pub style: Option<StyleRef>,
     /// Options of the random choice of a style.
     #[serde(default)]
     #[cfg_attr(test, ts(as = "Option<_>", optional))]
@@ -45,7 +45,7 @@ pub struct Request {
     /// The preferred layout if none is set. Another layout replaces it only if it is clearly better.
     #[serde(default)]
     #[cfg_attr(test, ts(as = "Option<crate::page::document::LayoutChoice>"))]
-    pub prefer: Option<Value>,
+    pub prefer: Option<LayoutRef>,
     /// Wanted number of panels if no layout is set.
     #[serde(default)]
     pub panels: Option<usize>,
@@ -159,4 +159,43 @@ pub enum Mode {
     Shuffle,
     /// Any order: the strongest photo gets the most prominent panel.
     Photos,
+}
+
+/// Options of the random choice of a style. As JSON `{extra, invented, inventions, keepLines, keepColours}`;
+/// all fields are optional.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(from = "Value")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "StylingRequest", rename_all = "camelCase"))]
+pub struct Styling {
+    /// Complete custom and favourite styles. They are chosen like built-in ones.
+    #[cfg_attr(test, ts(as = "Option<Vec<crate::style::Style>>", optional))]
+    pub extra: Vec<StyleRef>,
+    /// Probability of a generated style, 0 to 1.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub invented: f64,
+    /// Generated styles that passed a test. If the list is present, even if it is empty, only its styles are used.
+    #[cfg_attr(test, ts(as = "Option<Vec<crate::style::Style>>", optional))]
+    pub inventions: Option<Vec<StyleRef>>,
+    /// Retain the line layer and its ink.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub keep_lines: bool,
+    /// Retain the colour layer.
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub keep_colours: bool,
+}
+
+impl From<Value> for Styling {
+    fn from(mut value: Value) -> Self {
+        let flag = |key: &str| value[key].as_bool().unwrap_or_default();
+        let (keep_lines, keep_colours) = (flag("keepLines"), flag("keepColours"));
+        let invented = value["invented"].as_f64().unwrap_or_default();
+        let mut list = |key: &str| match value.get_mut(key).map(Value::take) {
+            Some(Value::Array(styles)) => Some(
+                styles.into_iter().filter_map(|style| serde_json::from_value(style).ok()).collect::<Vec<_>>(),
+            ),
+            _ => None,
+        };
+        let (extra, inventions) = (list("extra").unwrap_or_default(), list("inventions"));
+        Self { extra, invented, inventions, keep_lines, keep_colours }
+    }
 }

@@ -1,9 +1,8 @@
 //! A document resolved to pixels of one size: the input of the renderer.
 
 use super::bleed;
-use super::breaking::{self, Around};
 use super::document::Document;
-use super::mask::PixelRect;
+use super::rect::PixelRect;
 use crate::error::{Error, Result};
 use crate::framing::Crop;
 use crate::layout::{self, Bounds, COARSE, Point, ResolvedPanel, ResolvedShape, Template};
@@ -91,6 +90,19 @@ pub struct ScenePanel {
     pub toned: bool,
     /// Whether the photo has no style and no border.
     pub plain: bool,
+}
+
+/// Areas that a subject must not cover, in pixels of the page.
+#[derive(Clone)]
+pub struct Around {
+    /// The area inside the page margin.
+    pub room: Bounds,
+    /// Faces that other panels show.
+    pub faces: Vec<Bounds>,
+    /// Width of the panels' borders.
+    pub border: f64,
+    /// Whether another panel may cover this one. Then the whole subject is drawn again above it.
+    pub covered: bool,
 }
 
 impl Scene {
@@ -238,13 +250,58 @@ fn figures(document: &Document, panels: &mut [ScenePanel], size: (usize, usize))
     if broken.is_empty() {
         return Vec::new();
     }
-    let around = breaking::around(document, panels, size);
+    let around = around(document, panels, size);
     let figure = |i: usize| {
         let matte = document.panels[i].figure.clone()?;
         panels[i].figure = Some((matte, around[i].clone()));
         Some(ScenePanel { shows: Shows::Figure, ..panels[i].clone() })
     };
     broken.into_iter().filter_map(figure).collect()
+}
+
+/// Returns the areas that the subject of each panel must not cover. `size` is the page size in pixels.
+pub(super) fn around(document: &Document, panels: &[ScenePanel], size: (usize, usize)) -> Vec<Around> {
+    let (width, height) = (size.0 as f64, size.1 as f64);
+    let margin = document.page.margin * width;
+    let room = Bounds {
+        x: margin,
+        y: margin,
+        width: (width - 2.0 * margin).max(0.0),
+        height: (height - 2.0 * margin).max(0.0),
+    };
+    let faces: Vec<Vec<Bounds>> = panels.iter().map(shown_faces).collect();
+    let others = |own: usize| {
+        let others = faces.iter().enumerate().filter(|(other, _)| *other != own);
+        others.flat_map(|(_, faces)| faces.iter().copied()).collect()
+    };
+    let border = document.page.border * width;
+    let covered = |own: usize| panels[own + 1..].iter().any(|over| meet(over, &panels[own]));
+    (0..panels.len()).map(|own| Around { room, faces: others(own), border, covered: covered(own) }).collect()
+}
+
+/// Returns whether the pictures of two panels overlap.
+fn meet(one: &ScenePanel, other: &ScenePanel) -> bool {
+    let (a, b) = (one.image_bounds, other.image_bounds);
+    a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height
+}
+
+/// The faces that a panel shows, in pixels of the page.
+fn shown_faces(panel: &ScenePanel) -> Vec<Bounds> {
+    let (crop, bounds) = (panel.crop, panel.image_bounds);
+    let place = |at: f64, start: f64, length: f64, from: f64, side: f64| from + (at - start) / length * side;
+    let face = |face: &Crop| {
+        let x = place(face.x, crop.x, crop.width, bounds.x, bounds.width);
+        let y = place(face.y, crop.y, crop.height, bounds.y, bounds.height);
+        let (width, height) =
+            (face.width / crop.width * bounds.width, face.height / crop.height * bounds.height);
+        Bounds { x, y, width, height }
+    };
+    let seen = |face: &Bounds| {
+        let apart = |at: f64, length: f64, from: f64, side: f64| at + length <= from || at >= from + side;
+        !apart(face.x, face.width, bounds.x, bounds.width)
+            && !apart(face.y, face.height, bounds.y, bounds.height)
+    };
+    panel.faces.iter().map(face).filter(seen).collect()
 }
 
 /// The panels whose subjects are in front of an effect.

@@ -2,8 +2,9 @@
 
 use super::breaking;
 use super::carrying::{carried, tied};
-use super::document::{Document, VERSION, style_of, template_of};
+use super::document::{Document, VERSION};
 use super::fill::{Stage, contents};
+use super::reference::LayoutRef;
 use super::request::{Mode, Request};
 use super::styling::{choose_style, papered};
 use crate::error::{Error, Result};
@@ -16,7 +17,6 @@ use crate::plan::prepared::worth_showing;
 use crate::plan::{Assignment, Candidate, Order, Plan, Score, Shelf, Turns, compose};
 use crate::select::DUPLICATE_THRESHOLD;
 use oorandom::Rand64;
-use serde_json::Value;
 use std::borrow::Cow;
 
 /// Probability of panels that share an image in a new layout.
@@ -81,7 +81,7 @@ pub fn planned(request: &Request, shelf: &Shelf) -> Result<Planned> {
         whole.as_ref().map_or((stage, &plan.panels), |(stage, assigned)| (stage, assigned));
     let (order, panels) = contents(request, stage, assigned);
     let style = choose_style(request, &stages[plan.candidate], &plan, &mut random)?;
-    style_of(&style)?;
+    style.style()?;
     // Text items follow their photos. Items of missing photos are left out, and the project stores them.
     let known =
         |current: &Document| current.words.iter().map(|word| tied(word, &current.panels)).collect::<Vec<_>>();
@@ -127,7 +127,7 @@ fn whole_photos(
 ) -> Result<Option<(Stage, Vec<Assignment>)>> {
     let photos: Vec<usize> = plan.panels.iter().map(|assigned| assigned.photo).collect();
     let metas: Vec<&PhotoMeta> = photos.iter().map(|&photo| &request.photos[photo]).collect();
-    let template = template_of(&stage.layout)?;
+    let template = stage.layout.template()?;
     // Slanted panels have other aspect ratios than their photos.
     let stays = request.current.as_ref().is_some_and(|current| {
         let shown = current.panels.iter().map(|panel| panel.photo.as_deref());
@@ -147,8 +147,7 @@ fn whole_photos(
     let made = whole(&wanted, free, request.page.aspect(), &request.page, (&slants, request.seed));
     let Some((template, order)) = made else { return Ok(None) };
     let photos: Vec<usize> = order.into_iter().map(|place| photos[place]).collect();
-    let layout: Value = serde_json::from_str(&template.to_json()).unwrap_or_default();
-    Ok(Some(stage.whole(request, layout, &template, &photos)))
+    Ok(Some(stage.whole(request, LayoutRef::of(&template), &template, &photos)))
 }
 
 /// Whether all photos are dated, and not all of one moment: only then their order means something.
@@ -162,7 +161,7 @@ fn stages(request: &Request, random: &mut Rand64) -> Result<Vec<Stage>> {
     let current = request.current.as_ref();
     let kept = current.filter(|_| request.keep.layout).map(|current| &current.layout);
     if let Some(layout) = request.layout.as_ref().or(kept) {
-        let template = template_of(layout)?;
+        let template = layout.template()?;
         let same_layout = current.is_some_and(|current| &current.layout == layout);
         let merges = merges_of(request, &template, same_layout, random)?;
         let stages = merges.into_iter().map(|merges| {
@@ -178,7 +177,7 @@ fn stages(request: &Request, random: &mut Rand64) -> Result<Vec<Stage>> {
         return Ok(stages.collect());
     }
     let shown: Vec<&str> = current
-        .and_then(|current| current.layout.as_str())
+        .and_then(|current| current.layout.built_in())
         .into_iter()
         .chain(request.avoid.layouts.iter().map(String::as_str))
         .collect();
@@ -194,7 +193,7 @@ fn stages(request: &Request, random: &mut Rand64) -> Result<Vec<Stage>> {
     let chance = request.merge.is_none() && request.panels.is_none() && random.rand_float() < MERGE_CHANCE;
     for (index, drawn) in layouts::draw(&wanted, random).into_iter().enumerate() {
         let template = Cow::Borrowed(drawn.template);
-        let layout = Value::String(template.id().to_owned());
+        let layout = LayoutRef::from(template.id());
         let same_layout = current.is_some_and(|current| current.layout == layout);
         let merges = merges_of(request, &template, same_layout, random)?;
         for merges in merges {
@@ -213,7 +212,7 @@ fn stages(request: &Request, random: &mut Rand64) -> Result<Vec<Stage>> {
         }
     }
     if let Some(layout) = &request.prefer {
-        let template = template_of(layout)?;
+        let template = layout.template()?;
         let place = (DRAWN, layouts::weight(template.family()));
         stages.push(Stage::new(request, layout.clone(), &template, Vec::new(), false, place));
     }
@@ -304,7 +303,7 @@ mod tests {
         assert!(other.panels.iter().all(|panel| part(&panel.crop.unwrap()) > 0.9));
         // A full page of a book stays full.
         let full = Request { layout: Some("splash-bleed".into()), panels: Some(1), ..wanted };
-        assert_eq!(plan(&full).unwrap().layout, "splash-bleed");
+        assert_eq!(plan(&full).unwrap().layout, "splash-bleed".into());
     }
 
     fn request(count: usize, seed: u32) -> Request {
@@ -525,13 +524,13 @@ mod tests {
         };
         assert!((20..100).contains(&merged(&|_| ())));
         assert_eq!(merged(&|wanted| wanted.panels = Some(6)), 0);
-        assert_eq!(merged(&|wanted| wanted.layout = Some(Value::String("grid-4".into()))), 0);
+        assert_eq!(merged(&|wanted| wanted.layout = Some("grid-4".into())), 0);
     }
 
     #[test]
     fn only_panels_that_hang_together_merge_on_demand() {
         let mut wanted = request(12, 1);
-        wanted.layout = Some(Value::String("grid-4".into()));
+        wanted.layout = Some("grid-4".into());
         wanted.merges = Some(vec![vec![0, 3]]);
         assert_eq!(plan(&wanted).unwrap_err().code(), "invalid-document");
         wanted.merges = Some(vec![vec![0, 1]]);
@@ -549,10 +548,10 @@ mod tests {
     #[test]
     fn unknown_layouts_and_styles_are_errors() {
         let mut wrong = request(3, 1);
-        wrong.layout = Some(Value::String("nope".into()));
+        wrong.layout = Some("nope".into());
         assert_eq!(plan(&wrong).unwrap_err().code(), "unknown-layout");
         let mut wrong = request(3, 1);
-        wrong.style = Some(Value::String("nope".into()));
+        wrong.style = Some("nope".into());
         assert_eq!(plan(&wrong).unwrap_err().code(), "unknown-style");
     }
 }

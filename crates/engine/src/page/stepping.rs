@@ -1,8 +1,9 @@
 //! The pixels of panel breakouts.
 
 use super::breaking::{Edges, Figure, widened_panel};
-use super::compose::{Drawing, Patch, fill_image, lay_under};
-use super::mask::{self, PixelRect};
+use super::mask;
+use super::patch::{Drawing, Patch, fill_image, lay_under};
+use super::rect::PixelRect;
 use super::scene::{Scene, ScenePanel};
 use crate::layout::Point;
 use crate::raster::Plane;

@@ -55,7 +55,7 @@ pub fn pages(request: &Request, count: Option<usize>) -> Result<Vec<Planned>> {
     for (number, size) in spread::into_pages(&request.photos, count).into_iter().enumerate() {
         let (own, later) = rest.split_at(size.min(rest.len()));
         rest = later;
-        let shown = made.iter().rev().take(2).filter_map(|page| page.document.layout.as_str());
+        let shown = made.iter().rev().take(2).filter_map(|page| page.document.layout.built_in());
         let wanted = Request {
             seed: request.seed.wrapping_add(number as u32),
             photos: own.to_vec(),

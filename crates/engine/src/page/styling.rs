@@ -1,8 +1,8 @@
 //! Automatic choice of a style: a built-in, a custom or a generated style. The request can retain the line
 //! layer or the colour layer.
 
-use super::document::style_of;
 use super::fill::Stage;
+use super::reference::StyleRef;
 use super::request::Request;
 use crate::error::{Error, Result};
 use crate::layout::PageSettings;
@@ -11,8 +11,6 @@ use crate::plan::layouts::is_within;
 use crate::plan::tones::{self, Shown};
 use crate::style::{Style, catalogue, procedural};
 use oorandom::Rand64;
-use serde::Deserialize;
-use serde_json::Value;
 
 /// Share of shuffles whose style keeps the colours of the photos.
 const IN_COLOUR: f64 = 0.5;
@@ -22,50 +20,13 @@ const FIRST_IN_COLOUR: f64 = 0.9;
 const DARK_PAPER: &str = "#15141a";
 const DARK_BORDER: &str = "#07070a";
 
-/// Options of the random choice of a style. As JSON `{extra, invented, inventions, keepLines, keepColours}`;
-/// all fields are optional.
-#[derive(Debug, Clone, Default, Deserialize)]
-#[serde(from = "Value")]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "StylingRequest", rename_all = "camelCase"))]
-pub struct Styling {
-    /// Complete custom and favourite styles. They are chosen like built-in ones.
-    #[cfg_attr(test, ts(as = "Option<Vec<crate::style::Style>>", optional))]
-    pub extra: Vec<Value>,
-    /// Probability of a generated style, 0 to 1.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
-    pub invented: f64,
-    /// Generated styles that passed a test. If the list is present, even if it is empty, only its styles are used.
-    #[cfg_attr(test, ts(as = "Option<Vec<crate::style::Style>>", optional))]
-    pub inventions: Option<Vec<Value>>,
-    /// Retain the line layer and its ink.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
-    pub keep_lines: bool,
-    /// Retain the colour layer.
-    #[cfg_attr(test, ts(as = "Option<_>", optional))]
-    pub keep_colours: bool,
-}
-
-impl From<Value> for Styling {
-    fn from(mut value: Value) -> Self {
-        let flag = |key: &str| value[key].as_bool().unwrap_or_default();
-        let (keep_lines, keep_colours) = (flag("keepLines"), flag("keepColours"));
-        let invented = value["invented"].as_f64().unwrap_or_default();
-        let mut list = |key: &str| match value.get_mut(key).map(Value::take) {
-            Some(Value::Array(styles)) => Some(styles),
-            _ => None,
-        };
-        let (extra, inventions) = (list("extra").unwrap_or_default(), list("inventions"));
-        Self { extra, invented, inventions, keep_lines, keep_colours }
-    }
-}
-
 /// Returns the style of the request, the retained style, or a random style.
 pub(super) fn choose_style(
     request: &Request,
     stage: &Stage,
     plan: &Plan,
     random: &mut Rand64,
-) -> Result<Value> {
+) -> Result<StyleRef> {
     if let Some(style) = &request.style {
         return Ok(style.clone());
     }
@@ -77,24 +38,29 @@ pub(super) fn choose_style(
     let shown = Shown::of(&stage.candidate.slots, &plan.panels, &request.photos, request.page.aspect());
     let drawn = draw(request, current, &shown, random)?;
     match current {
-        Some(current) if wish.keep_lines => Ok(joined(&*style_of(&drawn)?, &*style_of(current)?)),
-        Some(current) if wish.keep_colours => Ok(joined(&*style_of(current)?, &*style_of(&drawn)?)),
+        Some(current) if wish.keep_lines => Ok(joined(&*drawn.style()?, &*current.style()?)),
+        Some(current) if wish.keep_colours => Ok(joined(&*current.style()?, &*drawn.style()?)),
         _ => Ok(drawn),
     }
 }
 
-fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut Rand64) -> Result<Value> {
+fn draw(
+    request: &Request,
+    current: Option<&StyleRef>,
+    page: &Shown,
+    random: &mut Rand64,
+) -> Result<StyleRef> {
     let wish = &request.styling;
     // A generated style has no line layer, so it cannot replace only the lines.
     let lines_only = wish.keep_colours && current.is_some();
-    let before = current.and_then(|style| style.as_str().or_else(|| style["id"].as_str()));
+    let before = current.and_then(|style| style.id());
     let shown = |id: &str| Some(id) == before || request.avoid.styles.iter().any(|other| other == id);
     if wish.invented > 0.0 && !lines_only && random.rand_float() < wish.invented {
         let Some(tried) = &wish.inventions else {
-            return Ok(procedural::invent(random.rand_u64() as u32).to_value());
+            return Ok(StyleRef::of(&procedural::invent(random.rand_u64() as u32)));
         };
-        let fresh: Vec<&Value> =
-            tried.iter().filter(|style| !shown(style["id"].as_str().unwrap_or_default())).collect();
+        let fresh: Vec<&StyleRef> =
+            tried.iter().filter(|style| !shown(style.id().unwrap_or_default())).collect();
         if !fresh.is_empty() {
             return Ok(fresh[random.rand_range(0..fresh.len() as u64) as usize].clone());
         }
@@ -114,13 +80,18 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
         .map(|style| {
             let weight =
                 tones::weight(style, page, &request.taste) * if shown(&style.id) { 0.0 } else { 1.0 };
-            (weight, style.keeps_colours(), Value::String(style.id.clone()))
+            (weight, style.keeps_colours(), StyleRef::from(style.id.as_str()))
         });
-    let extra =
-        wish.extra.iter().filter(|style| !lines_only || style.get("foreground").is_some()).map(|style| {
-            let id = style["id"].as_str().unwrap_or_default();
+    let extra = wish
+        .extra
+        .iter()
+        .filter(|style| {
+            !lines_only || style.custom().is_some_and(|file| file.json().get("foreground").is_some())
+        })
+        .map(|style| {
+            let id = style.id().unwrap_or_default();
             let weight = if shown(id) { 0.0 } else { tones::weight_of_own(id, &request.taste) };
-            let keeps_colours = style_of(style).is_ok_and(|style| style.keeps_colours());
+            let keeps_colours = style.style().is_ok_and(|style| style.keeps_colours());
             (weight, keeps_colours, style.clone())
         });
     let others = shared(designed.chain(extra).collect(), colours);
@@ -130,13 +101,13 @@ fn draw(request: &Request, current: Option<&Value>, page: &Shown, random: &mut R
         left -= weight;
         left <= 0.0
     });
-    let other = || others.iter().find(|(_, style)| style.as_str().is_none_or(|id| Some(id) != before));
+    let other = || others.iter().find(|(_, style)| style.built_in().is_none_or(|id| Some(id) != before));
     drawn.or_else(other).map(|(_, style)| style.clone()).ok_or_else(|| Error::UnknownStyle("any".into()))
 }
 
 /// Styles with their weights. Styles with the colours of photos get a fixed share of all choices, if there
 /// are others.
-fn shared(styles: Vec<(f64, bool, Value)>, share: f64) -> Vec<(f64, Value)> {
+fn shared(styles: Vec<(f64, bool, StyleRef)>, share: f64) -> Vec<(f64, StyleRef)> {
     let sum =
         |kept: bool| styles.iter().filter(|(_, keeps, _)| *keeps == kept).map(|(weight, ..)| weight).sum();
     let (kept, others): (f64, f64) = (sum(true), sum(false));
@@ -150,13 +121,13 @@ fn shared(styles: Vec<(f64, bool, Value)>, share: f64) -> Vec<(f64, Value)> {
 
 /// The settings of a page in a style: white paper becomes dark for a dark style, and white again for others.
 /// Custom colours do not change.
-pub(super) fn papered(page: &PageSettings, style: &Value) -> PageSettings {
+pub(super) fn papered(page: &PageSettings, style: &StyleRef) -> PageSettings {
     let usual = PageSettings::default();
     let light = (usual.paper.as_str(), usual.border_color.as_str());
     let dark = (DARK_PAPER, DARK_BORDER);
     let mut page = page.clone();
     if [light, dark].contains(&(page.paper.as_str(), page.border_color.as_str())) {
-        let id = style.as_str().or_else(|| style["id"].as_str()).unwrap_or_default();
+        let id = style.id().unwrap_or_default();
         let (paper, border) = if tones::is_dark(id) { dark } else { light };
         page.paper = paper.into();
         page.border_color = border.into();
@@ -165,7 +136,7 @@ pub(super) fn papered(page: &PageSettings, style: &Value) -> PageSettings {
 }
 
 /// The colours of one style below the lines of another.
-fn joined(colours: &Style, lines: &Style) -> Value {
+fn joined(colours: &Style, lines: &Style) -> StyleRef {
     let mut style = colours.clone();
     style.foreground.clone_from(&lines.foreground);
     style.ink = lines.ink;
@@ -178,7 +149,7 @@ fn joined(colours: &Style, lines: &Style) -> Value {
     style.id = both(&colours.id, &lines.id, "+");
     style.name = both(&colours.name, &lines.name, " + ");
     style.score = None;
-    style.to_value()
+    StyleRef::of(&style)
 }
 
 #[cfg(test)]
@@ -186,7 +157,9 @@ mod tests {
     use super::*;
     use crate::framing::PhotoMeta;
     use crate::page::document::Document;
+    use crate::page::request::Styling;
     use crate::page::shuffle::plan;
+    use serde_json::Value;
     use std::collections::BTreeSet;
 
     fn request(seed: u32, styling: Styling) -> Request {
@@ -204,24 +177,28 @@ mod tests {
         }
     }
 
-    fn parts(style: &Value) -> (Value, Value, Value) {
-        let style = style_of(style).unwrap().to_value();
+    fn text(style: &StyleRef) -> String {
+        serde_json::to_string(style).unwrap()
+    }
+
+    fn parts(style: &StyleRef) -> (Value, Value, Value) {
+        let style = style.style().unwrap().to_value();
         (style["background"].clone(), style["foreground"].clone(), style["ink"].clone())
     }
 
     #[test]
     fn own_styles_come_as_often_as_others_and_invented_ones_by_their_share() {
-        let own = procedural::invent(7).to_value();
+        let own = StyleRef::of(&procedural::invent(7));
         let styling = |invented| Styling { extra: vec![own.clone()], invented, ..Styling::default() };
-        let drawn = |invented: f64| -> Vec<Value> {
+        let drawn = |invented: f64| -> Vec<StyleRef> {
             (0..400).map(|seed| plan(&request(seed, styling(invented))).unwrap().style).collect()
         };
-        let all: BTreeSet<String> = drawn(0.0).iter().map(Value::to_string).collect();
-        assert!(all.contains(&own.to_string()));
+        let all: BTreeSet<String> = drawn(0.0).iter().map(text).collect();
+        assert!(all.contains(&text(&own)));
         assert!(all.len() <= catalogue::catalogue().len() + 1);
-        let invented = drawn(0.5).iter().filter(|style| style.is_object() && **style != own).count();
+        let invented = drawn(0.5).iter().filter(|style| style.custom().is_some() && **style != own).count();
         assert!((150..250).contains(&invented), "{invented} of 400");
-        assert!(drawn(1.0).iter().all(Value::is_object));
+        assert!(drawn(1.0).iter().all(|style| style.custom().is_some()));
     }
 
     #[test]
@@ -230,7 +207,7 @@ mod tests {
         let share = |current: Option<&Document>| {
             let kept = (0..400).filter(|&seed| {
                 let request = Request { current: current.cloned(), ..request(seed, Styling::default()) };
-                style_of(&plan(&request).unwrap().style).unwrap().keeps_colours()
+                plan(&request).unwrap().style().unwrap().keeps_colours()
             });
             kept.count() as f64 / 400.0
         };
@@ -245,7 +222,7 @@ mod tests {
         let mut drawn = |families: &[&str]| -> Vec<String> {
             request.within.styles = families.iter().map(|&family| family.to_owned()).collect();
             let styles = (0..300).map(|seed| plan(&Request { seed, ..request.clone() }).unwrap().style);
-            styles.map(|style| style_of(&style).unwrap().id.clone()).collect()
+            styles.map(|style| style.id().unwrap().to_owned()).collect()
         };
         assert!(drawn(&[]).iter().all(|id| !tones::is_retired(id)));
         assert!(drawn(&["blueprint"]).iter().any(|id| tones::is_retired(id)));
@@ -273,7 +250,7 @@ mod tests {
                 let mut asked = request(seed, Styling::default());
                 asked.within.styles = vec![family.to_owned()];
                 let style = plan(&asked).unwrap().style;
-                assert_eq!(style_of(&style).unwrap().tags[0], family);
+                assert_eq!(style.style().unwrap().tags[0], family);
             }
         }
         let mut none = request(1, Styling::default());
@@ -283,17 +260,18 @@ mod tests {
 
     #[test]
     fn where_styles_were_tried_only_these_are_drawn_as_inventions() {
-        let tried: Vec<Value> = (1..4).map(|seed| procedural::invent(seed).to_value()).collect();
-        let styling = |inventions: &[Value]| Styling {
+        let tried: Vec<StyleRef> = (1..4).map(|seed| StyleRef::of(&procedural::invent(seed))).collect();
+        let styling = |inventions: &[StyleRef]| Styling {
             invented: 0.5,
             inventions: Some(inventions.to_vec()),
             ..Styling::default()
         };
-        let drawn = |inventions: &[Value]| -> Vec<Value> {
+        let drawn = |inventions: &[StyleRef]| -> Vec<StyleRef> {
             (0..200).map(|seed| plan(&request(seed, styling(inventions))).unwrap().style).collect()
         };
-        assert!(drawn(&[]).iter().all(Value::is_string));
-        let invented: Vec<Value> = drawn(&tried).into_iter().filter(Value::is_object).collect();
+        assert!(drawn(&[]).iter().all(|style| style.built_in().is_some()));
+        let invented: Vec<StyleRef> =
+            drawn(&tried).into_iter().filter(|style| style.custom().is_some()).collect();
         assert!((70..130).contains(&invented.len()), "{} of 200", invented.len());
         assert!(tried.iter().all(|style| invented.contains(style)));
         assert!(invented.iter().all(|style| tried.contains(style)));
@@ -312,7 +290,7 @@ mod tests {
                 let (now, before) = (parts(&style), parts(&current.style));
                 assert!(!keep_colours || now.0 == before.0);
                 assert!(!keep_lines || (&now.1, &now.2) == (&before.1, &before.2));
-                looks.insert(style.to_string());
+                looks.insert(text(&style));
             }
         }
         assert!(looks.len() > 20, "{} looks", looks.len());
@@ -320,7 +298,8 @@ mod tests {
 
     #[test]
     fn a_broken_style_of_ones_own_is_an_error() {
-        let extra = vec![serde_json::json!({ "id": "x", "background": [{ "block": "nope" }] })];
+        let broken = serde_json::json!({ "id": "x", "background": [{ "block": "nope" }] });
+        let extra: Vec<StyleRef> = vec![serde_json::from_value(broken).unwrap()];
         let broken = (0..200).find_map(|seed| {
             plan(&request(seed, Styling { extra: extra.clone(), ..Styling::default() })).err()
         });

@@ -9,8 +9,10 @@ use gif::{ColorOutput, DecodeOptions, Decoder, DecodingError, Frame};
 use gif_dispose::Screen;
 
 use super::Image;
-use super::decode::{Limits, check_memory, explained, out_of_memory, records_of_webp};
-use super::samples::{Alpha, Channels, Pixels};
+use super::channels::Channels;
+use super::decode::{explained, records_of_webp};
+use super::limits::{Limits, check_memory, out_of_memory};
+use super::samples::{Alpha, Pixels};
 use crate::error::{Error, Result};
 
 /// An animation that is read from its first frame to its last.

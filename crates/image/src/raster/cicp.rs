@@ -84,8 +84,8 @@ fn written(matrix: [[f64; 3]; 3], light: fn(f64) -> f64) -> Vec<u8> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::channels::Channels;
     use super::super::icc::{Correction, correction};
-    use super::super::samples::Channels;
     use super::super::{Image, Plane};
     use super::*;
 

@@ -4,10 +4,7 @@
 //! before memory is allocated. The readable part of a damaged JPEG or PNG file is decoded, and the damage
 //! is reported. Other damaged files are an error.
 
-use std::fmt::{self, Display, Formatter};
 use std::io::Cursor;
-
-use serde::Serialize;
 
 use ::image::codecs::bmp::BmpDecoder;
 #[cfg(feature = "rare")]
@@ -17,82 +14,16 @@ use ::image::{ImageDecoder, ImageError, ImageFormat, ImageResult};
 use super::exif::{self, Exif};
 use super::heif;
 use super::jpeg::{self, Markers};
+#[cfg(feature = "rare")]
+use super::limits::MOST_PROFILE;
+use super::limits::check_memory;
+pub use super::limits::{Damage, Limits};
 use super::orient::{swaps_sides, upright};
 use super::samples::{self, Alpha, Pixels};
 use super::{Image, png, resize};
 #[cfg(feature = "rare")]
 use super::{gif, tiff};
 use crate::error::{Error, Result};
-
-/// Maximum size of an ICC profile or another metadata record, in bytes. Larger records are skipped. No
-/// camera, screen or press writes such records.
-pub(super) const MOST_PROFILE: usize = 4 << 20;
-
-/// Limits for a decoded file.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Limits {
-    /// Width times height.
-    pub max_pixels: u64,
-    /// The longer side, in pixels.
-    pub max_side: u32,
-    /// Memory for decoding, in bytes: the decoder's pixels and ours together.
-    pub max_bytes: u64,
-}
-
-impl Default for Limits {
-    /// 120 megapixels (more than most phones produce by default), 32768 pixels per side, 1 GiB.
-    fn default() -> Self {
-        Self { max_pixels: 120_000_000, max_side: 32_768, max_bytes: 1 << 30 }
-    }
-}
-
-impl Limits {
-    /// Checks the announced sides before memory is allocated. `name` is the name of the format.
-    ///
-    /// # Errors
-    /// `damaged` for a side of 0, `too-large` for a side or an area beyond the limits.
-    pub fn check(&self, width: u32, height: u32, name: &'static str) -> Result<()> {
-        check_size(width, height, name, self)
-    }
-}
-
-/// Damage of a file that was decoded nevertheless.
-#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
-#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
-pub struct Damage {
-    /// Missing share of the image, drawn grey, from 0 to 1.
-    pub missing: f64,
-    /// Share of the image without detail, from 0 to 1.
-    pub coarse: f64,
-}
-
-impl Damage {
-    /// Maximum share of a picture that may be missing.
-    const MAX_MISSING: f64 = 0.5;
-
-    /// Returns `None` for a picture without damage, and an error for one that is mostly missing.
-    pub(super) fn checked(self, format: &'static str) -> Result<Option<Self>> {
-        if self.missing > Self::MAX_MISSING {
-            return Err(Error::MostlyDamaged { format, percent: ((1.0 - self.missing) * 100.0) as u8 });
-        }
-        Ok((self.missing > 0.0 || self.coarse > 0.0).then_some(self))
-    }
-}
-
-/// Describes the damage: `12 % of the picture is damaged and drawn grey`.
-impl Display for Damage {
-    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        let (share, what) = if self.missing > 0.0 {
-            (self.missing, "is damaged and drawn grey")
-        } else {
-            (self.coarse, "lacks detail, because the file is damaged or incomplete")
-        };
-        match (share * 100.0).round() {
-            0.0 => write!(out, "less than 1 % of the picture {what}"),
-            percent => write!(out, "{percent} % of the picture {what}"),
-        }
-    }
-}
 
 /// A decoded photo.
 #[derive(Clone, Debug)]
@@ -205,7 +136,7 @@ fn read(bytes: &[u8], format: ImageFormat, name: &'static str, limits: &Limits) 
             let (image, damage) = jpeg::readable(bytes, &markers, name, limits)?;
             let mut decoder = jpeg::Decoder::new(image, name)?;
             let (size, channels) = (decoder.size(), decoder.channels());
-            check_size(size.0 as u32, size.1 as u32, name, limits)?;
+            limits.check(size.0 as u32, size.1 as u32, name)?;
             check_memory(size, channels.count() as u64, limits)?;
             let exif = markers.exif.map(exif::read).unwrap_or_default();
             let (samples, profile) = (decoder.samples()?, markers.profile());
@@ -290,7 +221,7 @@ fn read_with<D: ImageDecoder>(
     allowance.max_alloc = Some(limits.max_bytes);
     decoder.set_limits(allowance).map_err(failed)?;
     let (width, height) = decoder.dimensions();
-    check_size(width, height, name, limits)?;
+    limits.check(width, height, name)?;
     let size = (width as usize, height as usize);
     let color = decoder.color_type();
     check_memory(size, u64::from(color.bytes_per_pixel()), limits)?;
@@ -305,25 +236,11 @@ fn read_with<D: ImageDecoder>(
     Ok(Pixels::flattened(size, samples, channels, alpha))
 }
 
-/// The decoder's pixels and ours together must fit.
-pub(super) fn check_memory(size: (usize, usize), bytes_per_pixel: u64, limits: &Limits) -> Result<()> {
-    let pixels = size.0 as u64 * size.1 as u64;
-    if pixels.saturating_mul(bytes_per_pixel + 4) > limits.max_bytes {
-        return Err(out_of_memory(size, limits));
-    }
-    Ok(())
-}
-
-/// The error of an image that needs more memory than the limits allow.
-pub(super) fn out_of_memory((width, height): (usize, usize), limits: &Limits) -> Error {
-    too_large(width as u32, height as u32, format!("{} MB of memory", limits.max_bytes >> 20))
-}
-
 #[inline(never)]
 fn check_jpeg<'a>(bytes: &'a [u8], name: &'static str, limits: &Limits) -> Result<Markers<'a>> {
     let markers = Markers::of(bytes);
     if let Some((width, height)) = markers.size {
-        check_size(width, height, name, limits)?;
+        limits.check(width, height, name)?;
     }
     if let Some(reason) = markers.unsupported() {
         return Err(Error::Unsupported { format: name, reason: reason.to_owned() });
@@ -344,23 +261,6 @@ fn check_riff(bytes: &[u8], name: &'static str) -> Result<()> {
     } else {
         Err(Error::damaged(name, "it is truncated"))
     }
-}
-
-fn check_size(width: u32, height: u32, name: &'static str, limits: &Limits) -> Result<()> {
-    if width == 0 || height == 0 {
-        return Err(Error::damaged(name, "its width or height is zero or missing"));
-    }
-    if width.max(height) > limits.max_side {
-        return Err(too_large(width, height, format!("{} pixels per side", limits.max_side)));
-    }
-    if u64::from(width) * u64::from(height) > limits.max_pixels {
-        return Err(too_large(width, height, format!("{} megapixels", limits.max_pixels / 1_000_000)));
-    }
-    Ok(())
-}
-
-fn too_large(width: u32, height: u32, limit: String) -> Error {
-    Error::TooLarge { width: width.into(), height: height.into(), limit }
 }
 
 pub(super) fn explained(error: ImageError, format: &'static str) -> Error {

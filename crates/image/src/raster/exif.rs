@@ -5,7 +5,7 @@
 //! (Exif 2.32), TIFF 6.0.
 
 #[cfg(feature = "rare")]
-use super::decode::MOST_PROFILE;
+use super::limits::MOST_PROFILE;
 
 const ORIENTATION: u16 = 0x0112;
 #[cfg(feature = "rare")]

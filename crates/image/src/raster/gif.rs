@@ -5,8 +5,9 @@
 
 use gif::{ColorOutput, DecodeOptions, DecodingError};
 
-use super::decode::{Limits, check_memory, out_of_memory};
-use super::samples::{Alpha, Channels, Pixels};
+use super::channels::Channels;
+use super::limits::{Limits, check_memory, out_of_memory};
+use super::samples::{Alpha, Pixels};
 use crate::error::{Error, Result};
 
 /// Reads the first frame of a file.

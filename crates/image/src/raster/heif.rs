@@ -4,8 +4,8 @@
 //! Orientation, mirroring and crop are properties of the container. The orientation of the EXIF record repeats them, and is ignored.
 //! Sources: ISO/IEC 14496-12, ISO/IEC 23008-12 (HEIF), ITU-T H.273 (colour codes).
 
-use super::decode::Limits;
 use super::exif::{self, Exif};
+use super::limits::Limits;
 use super::samples::Pixels;
 use crate::error::{Error, Result};
 
@@ -164,9 +164,10 @@ fn item_data(file: &[u8], meta: &[u8], wanted: u64) -> Option<Vec<u8>> {
 
 #[cfg(feature = "heic")]
 mod hevc {
+    use super::super::channels::Channels;
     use super::super::cicp;
-    use super::super::decode::{Limits, check_memory};
-    use super::super::samples::{Alpha, Channels, Pixels};
+    use super::super::limits::{Limits, check_memory};
+    use super::super::samples::{Alpha, Pixels};
     use crate::error::{Error, Result};
     use heic_decoder::{ChromaSampling, ColorInfo, HeifError, decode as decode_heic, probe};
 

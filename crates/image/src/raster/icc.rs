@@ -12,7 +12,7 @@
 #[cfg(feature = "rare")]
 use qcms::{DataType, Intent, Profile, Transform};
 
-use super::samples::Channels;
+use super::channels::Channels;
 use super::{Image, Plane};
 #[cfg(not(feature = "rare"))]
 use crate::error::Error;

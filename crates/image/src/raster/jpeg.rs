@@ -10,9 +10,10 @@ mod rescue;
 mod sound;
 
 use super::Plane;
-use super::decode::{Damage, Limits, MOST_PROFILE, check_memory};
+use super::channels::Channels;
+use super::limits::{Damage, Limits, MOST_PROFILE, check_memory};
 use super::resize::{self, Region};
-use super::samples::{Channels, rgb_of_ycc};
+use super::samples::rgb_of_ycc;
 use crate::error::{Error, Result};
 use crate::simd::ycc;
 use zune_jpeg::JpegDecoder;

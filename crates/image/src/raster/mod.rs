@@ -4,6 +4,8 @@
 pub mod animation;
 mod axis;
 pub mod balance;
+#[cfg(feature = "decode")]
+mod channels;
 #[cfg(feature = "heic")]
 mod cicp;
 pub mod color;
@@ -23,6 +25,8 @@ mod icc;
 pub mod image;
 #[cfg(feature = "decode")]
 mod jpeg;
+#[cfg(feature = "decode")]
+mod limits;
 #[cfg(feature = "decode")]
 pub mod location;
 pub mod matte;

@@ -11,9 +11,10 @@ use png::{
     BitDepth, ColorType, Decoder, DecodingError, InterlaceInfo, Reader, Transformations, splat_interlaced_row,
 };
 
-use super::decode::{Damage, Limits, MOST_PROFILE, check_memory, out_of_memory};
+use super::channels::Channels;
 use super::exif::{self, Exif};
-use super::samples::{self, Alpha, Channels, Pixels};
+use super::limits::{Damage, Limits, MOST_PROFILE, check_memory, out_of_memory};
+use super::samples::{self, Alpha, Pixels};
 use crate::error::{Error, Result};
 
 /// Most bytes that the decoder may collect besides pixels: EXIF records are all that it cannot pass over.

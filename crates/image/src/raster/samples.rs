@@ -3,7 +3,8 @@
 
 use ::image::ColorType;
 
-use super::decode::Damage;
+use super::channels::Channels;
+use super::limits::Damage;
 use super::resize::{self, Region};
 use super::{Image, Plane, icc};
 use crate::error::Result;
@@ -18,26 +19,6 @@ pub(super) struct Pixels {
     pub(super) profile: Option<Vec<u8>>,
     /// The damage of the file, if any.
     pub(super) damage: Option<Damage>,
-}
-
-/// Channels of a pixel.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Channels {
-    Grey,
-    Rgb,
-    /// Amounts of ink: 0 is bare paper.
-    Cmyk,
-}
-
-impl Channels {
-    /// Returns the number of samples per pixel.
-    pub(super) fn count(self) -> usize {
-        match self {
-            Self::Grey => 1,
-            Self::Rgb => 3,
-            Self::Cmyk => 4,
-        }
-    }
 }
 
 /// Meaning of the alpha channel.

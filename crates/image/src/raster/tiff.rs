@@ -22,10 +22,11 @@ use tiff::TiffError;
 use tiff::decoder::{ChunkType, Decoder, DecodingResult};
 use tiff::tags::Tag;
 
-use super::decode::{Limits, check_memory, out_of_memory};
+use super::channels::Channels;
 use super::exif::{ICC_PROFILE, Tiff};
 use super::jpeg::Markers;
-use super::samples::{Alpha, Channels, Pixels, of_16_bits, of_float, rgb_of_ycc};
+use super::limits::{Limits, check_memory, out_of_memory};
+use super::samples::{Alpha, Pixels, of_16_bits, of_float, rgb_of_ycc};
 use crate::error::{Error, Result};
 
 const PHOTOMETRIC: u16 = 262;

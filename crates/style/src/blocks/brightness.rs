@@ -1,8 +1,9 @@
 //! Brightness: luma times a gain, clipped. A colour image retains its colour differences, as in the paper.
 //! Alternatively, each channel is multiplied by the gain, which changes the strength of colours too.
 
-use super::{Block, Channels, Kernel, PointOp};
+use super::{Block, Channels, Kernel};
 use crate::params::{Gaps, Unit, channels, number};
+use crate::point_op::PointOp;
 use crate::simd::table::Table;
 
 pub(super) static BLOCK: Block = Block {

@@ -3,8 +3,9 @@
 //! With C = S (1 - |2 L - 1|), a channel of the hue's full strength k (0..=1) is L + C (k - 1/2): linear in C,
 //! so a pixel costs one product a channel.
 
-use super::{Block, Channels, Kernel, PointOp};
+use super::{Block, Channels, Kernel};
 use crate::params::{Unit, number};
+use crate::point_op::PointOp;
 
 pub(super) static BLOCK: Block = Block {
     id: "colorize",

@@ -2,8 +2,9 @@
 //! requested range. The tones are scaled around their midpoint to that range, and shifted so that both are in
 //! 0..=255.
 
-use super::{Block, Channels, Kernel, PointOp};
+use super::{Block, Channels, Kernel};
 use crate::params::{Unit, number};
+use crate::point_op::PointOp;
 use crate::simd::table::Table;
 
 pub(super) static BLOCK: Block = Block {

@@ -2,8 +2,9 @@
 //! CDF); unchanged where they meet. For a colour image, either only luma is stretched, as in the paper, or
 //! each channel, which makes colours stronger.
 
-use super::{Block, Channels, Kernel, PointOp};
+use super::{Block, Channels, Kernel};
 use crate::params::{Gaps, Unit, channels, number};
+use crate::point_op::PointOp;
 use crate::simd::table::Table;
 
 pub(super) static BLOCK: Block = Block {

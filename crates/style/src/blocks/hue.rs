@@ -1,7 +1,8 @@
 //! Hue: turns U and V by an angle (BT.601), then adds a bias to each channel.
 
-use super::{Block, Channels, ColorOp, Kernel, PointOp};
+use super::{Block, Channels, Kernel};
 use crate::params::{Param, Unit, number};
+use crate::point_op::{ColorOp, PointOp};
 
 pub(super) static BLOCK: Block = Block {
     id: "hue",

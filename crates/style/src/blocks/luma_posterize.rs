@@ -1,7 +1,8 @@
 //! Luma Posterization: the levels of Posterization on Y; the colour differences stay.
 
-use super::{Block, Channels, Kernel, PointOp, posterize};
+use super::{Block, Channels, Kernel, posterize};
 use crate::params::integer;
+use crate::point_op::PointOp;
 
 pub(super) static BLOCK: Block = Block {
     id: "luma_posterize",

@@ -1,7 +1,8 @@
 //! Posterization: floor(v n / 256) * 255 / (n - 1) on every channel.
 
-use super::{Block, Channels, Kernel, PointOp};
+use super::{Block, Channels, Kernel};
 use crate::params::integer;
+use crate::point_op::PointOp;
 use crate::simd::table::Table;
 
 pub(super) static BLOCK: Block = Block {

@@ -1,9 +1,8 @@
 //! Saturation: Y + amount (rgb - Y). 0 is gray, 1 unchanged.
 
-use super::{Block, Channels, ColorOp, Kernel, PointOp};
+use super::{Block, Channels, Kernel};
 use crate::params::{Unit, number};
-use crate::simd::point::{luma_q7, round};
-use wide::i16x8;
+use crate::point_op::{ColorOp, PointOp};
 
 pub(super) static BLOCK: Block = Block {
     id: "saturation",
@@ -25,15 +24,3 @@ pub(super) static BLOCK: Block = Block {
     is_coloring: true,
     ..Block::PLAIN
 };
-
-/// Eight pixels. The difference to luma keeps 7 fraction bits going in and 5 coming out: amounts up to 4 fit.
-#[inline]
-pub(super) fn lanes(amount: i16, r: i16x8, g: i16x8, b: i16x8) -> (i16x8, i16x8, i16x8) {
-    let y = luma_q7(r, g, b);
-    let base = y >> 2u32;
-    let away = |channel: i16x8| {
-        let difference = (channel << 7u32) - y;
-        round::<5>(base.saturating_add(difference.mul_scale_round_n(amount)))
-    };
-    (away(r), away(g), away(b))
-}

@@ -4,8 +4,9 @@
 //!
 //! Source: Winnemöller et al., "`XDoG`: an `eXtended` difference-of-Gaussians compendium", 2012.
 
-use super::{Block, Channels, Kernel, PointOp};
+use super::{Block, Channels, Kernel};
 use crate::params::{Gaps, Unit, channels, number};
+use crate::point_op::PointOp;
 use crate::simd::table::Table;
 
 pub(super) static BLOCK: Block = Block {

@@ -1,7 +1,8 @@
 //! To Color: R, G, B from luma and the U and V that To `GrayScale` kept (BT.601, full range): R = Y + 1.402 V,
 //! G = Y - .344 U - .714 V, B = Y + 1.772 U. Without stored U and V the result is neutral.
 
-use super::{Block, Channels, Kernel, PointOp};
+use super::{Block, Channels, Kernel};
+use crate::point_op::PointOp;
 
 pub(super) static BLOCK: Block = Block {
     id: "to_color",

@@ -1,6 +1,7 @@
 //! To `GrayScale`: Y = .299 R + .587 G + .114 B (BT.601), remembering U and V for To Color.
 
-use super::{Block, Channels, Kernel, PointOp};
+use super::{Block, Channels, Kernel};
+use crate::point_op::PointOp;
 
 pub(super) static BLOCK: Block = Block {
     id: "to_gray",

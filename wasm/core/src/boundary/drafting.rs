@@ -3,7 +3,7 @@
 use super::parse;
 use inkpanel_engine::document::draft;
 use inkpanel_engine::error::Result;
-use serde_json::Value;
+use inkpanel_engine::page::StyleRef;
 use wasm_bindgen::prelude::*;
 
 /// A draft of a style that has no block.
@@ -16,7 +16,7 @@ pub fn empty_draft(id: &str, name: &str) -> String {
 /// Returns the editable draft of a style. Throws `invalid-style`.
 #[wasm_bindgen]
 pub fn draft_of(style: &str) -> Result<String> {
-    draft::of_json(&parse::<Value>(style, "style")?)
+    draft::of_json(&parse::<StyleRef>(style, "style")?)
 }
 
 /// A draft after an edit, both as JSON: see `document::draft::DraftEdit`. Null if nothing changes or the edit

@@ -2,12 +2,13 @@
 
 use super::{Patch, Studio, parse, style_of};
 use inkpanel_engine::error::{Error, Result};
-use inkpanel_engine::page::{Document, document, plates};
+use inkpanel_engine::page::{Document, StyleRef, plates};
 use inkpanel_engine::raster::Image;
 use inkpanel_engine::raster::resize::{Region, fit, resample_image};
 use inkpanel_engine::style::aesthetic::{Fault, Judgement, judge};
 use inkpanel_engine::style::stages::{Layer, Stages};
 use inkpanel_engine::style::{Style, breeding, look, procedural, stylize};
+use serde::Deserialize;
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
@@ -45,10 +46,17 @@ pub fn plates_of(document: &str) -> Result<String> {
 /// A child of `{a, b, seed, surprise}`, as JSON; `a` and `b` are styles, by id or in full.
 #[wasm_bindgen]
 pub fn breed_style(json: &str) -> Result<String> {
-    let wanted: Value = parse(json, "request")?;
-    let number = |key: &str| wanted[key].as_f64().unwrap_or_default();
-    let (a, b) = (document::style_of(&wanted["a"])?, document::style_of(&wanted["b"])?);
-    Ok(breeding::breed(&a, &b, number("seed") as u32, number("surprise")).to_value().to_string())
+    #[derive(Deserialize)]
+    struct Wanted {
+        a: StyleRef,
+        b: StyleRef,
+        #[serde(default)]
+        seed: f64,
+        #[serde(default)]
+        surprise: f64,
+    }
+    let Wanted { a, b, seed, surprise } = parse(json, "request")?;
+    Ok(breeding::breed(&*a.style()?, &*b.style()?, seed as u32, surprise).to_value().to_string())
 }
 
 /// A styled image and its properties.

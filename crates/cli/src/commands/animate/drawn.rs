@@ -4,11 +4,11 @@
 use crate::CliError;
 use inkpanel_engine::framing::Crop;
 use inkpanel_engine::layout::Point;
-use inkpanel_engine::output::motion::Told;
+use inkpanel_engine::output::reading::Told;
 use inkpanel_engine::page::Patch;
 use inkpanel_engine::page::compose::Sheet;
 use inkpanel_engine::page::coverage::{Contour, coverage};
-use inkpanel_engine::page::mask::PixelRect;
+use inkpanel_engine::page::rect::PixelRect;
 use inkpanel_engine::raster::resize::{Region, resample, resample_image};
 use inkpanel_engine::raster::{Image, Plane};
 

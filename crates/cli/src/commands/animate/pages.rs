@@ -3,13 +3,14 @@
 use super::Animate;
 use super::drawn::{Drawn, Page};
 use super::reel::Step;
-use crate::commands::segment::Masks;
 use crate::drawing::{self, Means};
+use crate::masks::Masks;
 use crate::{CliError, reopening};
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::native::{self, QUALITY};
 use inkpanel_engine::output::animatic::{Animatic, Clip};
-use inkpanel_engine::output::motion::{FPS, MOST_DISSOLVE, MOST_SECONDS, Reading, Request, Said, Stop};
+use inkpanel_engine::output::motion::{FPS, MOST_DISSOLVE, MOST_SECONDS, Request};
+use inkpanel_engine::output::reading::{Reading, Said, Stop};
 use inkpanel_engine::page::Document;
 use inkpanel_engine::page::words::Letters;
 use inkpanel_engine::page::words::given::GivenFonts;

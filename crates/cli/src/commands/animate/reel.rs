@@ -4,7 +4,7 @@ use super::drawn::Drawn;
 use crate::destination::Output;
 use crate::{CliError, report};
 use inkpanel_engine::output::animatic::{Animatic, Shown};
-use inkpanel_engine::output::motion::Told;
+use inkpanel_engine::output::reading::Told;
 use inkpanel_engine::page::compose::mix;
 use inkpanel_engine::page::png;
 use rayon::prelude::*;

@@ -3,19 +3,19 @@
 use super::Animate;
 use super::drawn::Drawn;
 use super::reel::Step;
-use crate::boards::{self, STYLE, ShotPhoto};
+use crate::boards::{self, ShotPhoto};
 use crate::commands::read_style;
-use crate::commands::segment::Masks;
+use crate::masks::Masks;
 use crate::{CliError, reopening, report};
 use inkpanel::survived;
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::native;
 use inkpanel_engine::output::animatic::{Animatic, Clip, Picture, Request};
 use inkpanel_engine::output::board::PictureOf;
-use inkpanel_engine::page::Patch;
 use inkpanel_engine::page::words::Letters;
 use inkpanel_engine::page::words::draw;
 use inkpanel_engine::page::words::given::GivenFonts;
+use inkpanel_engine::page::{Patch, StyleRef};
 use inkpanel_engine::raster::Image;
 use inkpanel_engine::raster::decode::{Limits, decode};
 use serde_json::{Value, json};
@@ -102,8 +102,8 @@ fn request(saved: &Saved, asked: &Animate, photos: &[ShotPhoto]) -> Result<Reque
     let project = saved.project();
     let page = project.history.present.page.as_ref();
     let style = match &asked.style {
-        Some(style) => read_style(style)?.to_value(),
-        None => page.map_or_else(|| json!(STYLE), |page| page.style.clone()),
+        Some(style) => StyleRef::of(&read_style(style)?),
+        None => page.map_or_else(StyleRef::default, |page| page.style.clone()),
     };
     Ok(Request {
         list: project.shot_list(),

@@ -3,7 +3,8 @@
 //! error.
 
 use super::markup::{self, Dialect};
-use super::{Flaw, Result, is_space, lines, trimmed};
+use super::{Flaw, Result};
+use crate::document::text_lines::{is_space, lines, trimmed};
 
 /// A subtitle with the plain lines of its text.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! Markup in the text of subtitles: tags, line breaks, character references and ruby.
 
-use super::{is_space, lines};
+use crate::document::text_lines::{is_space, lines};
 
 /// Kinds of markup.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,12 +7,11 @@ pub mod naming;
 mod narration;
 mod phrases;
 
-use super::Document;
-use super::document::template_of;
 use super::fill::faces_of;
 use super::request::{Avoid, Request};
 use super::shuffle::{Planned, planned};
 use super::words::TextItem;
+use super::{Document, LayoutRef, StyleRef};
 use crate::error::{Error, Result};
 use crate::framing::{FACE, PhotoMeta, Subject, Target, closeup};
 use crate::layout;
@@ -23,7 +22,6 @@ use crate::plan::{Shelf, slots};
 use narration::Told;
 use phrases::Phrases;
 use serde::Deserialize;
-use serde_json::Value;
 use std::collections::HashMap;
 
 /// Layouts of the cover and of full pages, of other pages with one photo, and of the end page.
@@ -94,7 +92,7 @@ pub struct Book {
     captions: Vec<Vec<(usize, String, bool)>>,
     made: Vec<Option<Planned>>,
     /// The style of each chapter, or of the book.
-    styles: HashMap<usize, Value>,
+    styles: HashMap<usize, StyleRef>,
 }
 
 impl Book {
@@ -203,14 +201,14 @@ impl Book {
         };
         let shown = self.made.iter().take(at).flatten().rev().take(RECENT);
         let next = self.made.iter().skip(at + 1).take(RECENT).flatten();
-        let near = shown.chain(next).filter_map(|page| page.document.layout.as_str()).map(str::to_owned);
+        let near = shown.chain(next).filter_map(|page| page.document.layout.built_in()).map(str::to_owned);
         // Photos may be anywhere on a page that tells one moment only.
         let several = self.captions[at].iter().any(|(photo, ..)| *photo != leaf.photos[0]);
         let given = self.request.style.clone().filter(|_| chapter == 0);
         let request = Request {
             seed: self.request.seed.wrapping_add(at as u32),
             panels: Some(photos.len()),
-            layout: layout.map(Value::from),
+            layout: layout.map(LayoutRef::from),
             style: self.styles.get(&chapter).cloned().or(given),
             merge: Some(false),
             ordered: self.request.ordered.or(Some(several)),
@@ -227,8 +225,7 @@ impl Book {
 
     /// Ids of the styles of chapters.
     fn known_styles(&self) -> Vec<String> {
-        let id = |style: &Value| style.as_str().or_else(|| style["id"].as_str()).map(str::to_owned);
-        self.styles.values().filter_map(id).collect()
+        self.styles.values().filter_map(|style| style.id().map(str::to_owned)).collect()
     }
 
     fn words(&self, at: usize, page: &Document) -> Vec<TextItem> {
@@ -289,7 +286,7 @@ impl Book {
 
     /// Puts close crops of the cast onto the last panels of the end page.
     fn add_cast(&self, page: &mut Document, cast: &[usize]) {
-        let Ok(template) = template_of(&page.layout) else { return };
+        let Ok(template) = page.template() else { return };
         let panels = layout::resolve(&template, page.page.aspect(), &page.page);
         let first = page.panels.len().saturating_sub(cast.len());
         for ((panel, &photo), resolved) in page.panels[first..].iter_mut().zip(cast).zip(&panels[first..]) {
@@ -398,7 +395,7 @@ mod tests {
         assert_eq!(cast, 3);
         for pair in pages[1..].windows(2) {
             let [a, b] = [0, 1].map(|i| &pair[i].planned.document.layout);
-            assert!(a != b || *a == SINGLE, "{a}");
+            assert!(a != b || a.built_in() == Some(SINGLE), "{a:?}");
         }
     }
 
@@ -407,7 +404,7 @@ mod tests {
         let pages = made(request(40), Wish { styles: Styles::Chapters, ..Wish::default() });
         let of = |chapter: usize| -> HashSet<String> {
             let own = pages.iter().filter(|page| page.chapter == chapter);
-            own.map(|page| page.planned.document.style.to_string()).collect()
+            own.map(|page| serde_json::to_string(&page.planned.document.style).unwrap()).collect()
         };
         assert!((0..4).all(|chapter| of(chapter).len() == 1));
         assert_eq!((0..4).flat_map(of).collect::<HashSet<_>>().len(), 4);

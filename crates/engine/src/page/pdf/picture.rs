@@ -3,8 +3,8 @@
 use crate::error::{Error, Result};
 use crate::page::document::Document;
 use crate::page::jpeg;
-use crate::page::mask::PixelRect;
 use crate::page::plates::Separation;
+use crate::page::rect::PixelRect;
 use crate::page::scene;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::{Filter, Pdf, Ref};

@@ -4,8 +4,8 @@
 //!
 //! Source: Nate Piekos, "Comics Grammar & Tradition" (Blambot).
 
+use super::curves::{at, curve, steps, towards};
 use super::model::Shape;
-use super::shapes::{at, curve, steps, towards};
 use crate::layout::Point;
 use std::f64::consts::{PI, TAU};
 

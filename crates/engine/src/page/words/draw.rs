@@ -12,9 +12,10 @@ use super::vertical;
 use crate::error::{Error, Result};
 use crate::layout::{Bounds, Point};
 use crate::page::Document;
-use crate::page::compose::{Patch, Sheet, lay_over};
+use crate::page::compose::Sheet;
 use crate::page::coverage::{Contour, coverage};
-use crate::page::mask::PixelRect;
+use crate::page::patch::{Patch, lay_over};
+use crate::page::rect::PixelRect;
 use crate::page::scene::MAX_SIDE;
 
 /// Half the width of outlines, in page widths: about half a millimetre in total on A4.

@@ -10,8 +10,9 @@
 
 use super::TextItem;
 use super::bidi;
+use super::contour::Contour;
 use super::learning::number;
-use super::letters::{Contour, Letters};
+use super::letters::Letters;
 use super::vertical;
 use crate::error::Result;
 use crate::layout::Point;

@@ -1,15 +1,17 @@
 //! Positions and sizes of the text items of a document. Lengths are in page widths.
 
+use super::fitting::set;
 use super::letters::Letters;
 use super::model::{Kind, TextItem};
 use super::palette::{self, Palette};
-use super::setting::{Setting, Wish, set};
+use super::setting::{Setting, Wish};
 use super::shapes::reach;
 use super::wording::{marks, readings};
 use crate::error::Result;
 use crate::layout::{Bounds, Point, ResolvedPanel, resolve};
-use crate::page::Document;
+use crate::page::{CustomFile, Document, StyleRef};
 use serde::Serialize;
+use serde_json::Value;
 
 /// A text item with its position.
 pub struct Laid {
@@ -88,13 +90,13 @@ pub struct Ground {
 include!(concat!(env!("OUT_DIR"), "/palettes.rs"));
 
 /// Returns the text colours of a document's style.
-fn palette_of(style: &serde_json::Value) -> Palette {
-    let known = style.as_str().and_then(|id| PALETTES.iter().find(|(known, _)| *known == id));
+fn palette_of(style: &StyleRef) -> Palette {
+    let known = style.built_in().and_then(|id| PALETTES.iter().find(|(known, _)| *known == id));
     match known {
         Some((_, [ink, paper, note, accent, edge])) => {
             Palette { ink: *ink, paper: *paper, note: *note, accent: *accent, edge: *edge }
         }
-        None => palette::of(style),
+        None => palette::of(style.custom().map_or(&Value::Null, CustomFile::json)),
     }
 }
 

@@ -5,7 +5,7 @@
 //! The outline is at half coverage, by marching squares (Lorensen and Cline 1987, in the plane), simplified
 //! by the Douglas-Peucker algorithm.
 
-use super::letters::Contour;
+use super::contour::Contour;
 use crate::layout::Point;
 
 /// Maximum number of traced glyphs. They use private-use characters.

@@ -351,8 +351,9 @@ impl Goal {
 #[cfg(test)]
 mod tests {
     use crate::page::words::Letters;
+    use crate::page::words::fitting::set;
     use crate::page::words::model::{Kind, Shape, TextItem};
-    use crate::page::words::setting::{FULLNESS, Setting, Wish, set};
+    use crate::page::words::setting::{FULLNESS, Setting, Wish};
     use crate::page::words::wording::marks;
     use serde_json::json;
 

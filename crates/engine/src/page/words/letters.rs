@@ -1,6 +1,7 @@
 //! The glyph table: outlines, advances and kerning of the fonts, as `crates/engine/pack.rs` writes them.
 
 use super::bidi::{self, Seen};
+use super::contour::Contour;
 use super::learning::{self, Drawing, Learnt};
 use crate::error::{Error, Result};
 use crate::layout::Point;
@@ -44,13 +45,6 @@ pub(super) struct Glyph {
     letter: u32,
     pub(super) advance: f64,
     pub(super) contours: Vec<Contour>,
-}
-
-/// A closed contour: its start, and segments with a control point if they are curves.
-#[derive(Clone)]
-pub(super) struct Contour {
-    pub(super) start: Point,
-    pub(super) segments: Vec<(Option<Point>, Point)>,
 }
 
 impl Letters {
@@ -350,33 +344,6 @@ impl Font {
     pub fn outline(&self, letter: char, within: f64) -> Vec<Vec<Point>> {
         let contours = self.glyph(letter).map_or(&[][..], |glyph| &glyph.contours);
         contours.iter().map(|contour| contour.flattened(within)).collect()
-    }
-}
-
-impl Contour {
-    fn flattened(&self, within: f64) -> Vec<Point> {
-        let mut points = vec![self.start];
-        let mut from = self.start;
-        for &(control, end) in &self.segments {
-            let Some(control) = control else {
-                points.push(end);
-                from = end;
-                continue;
-            };
-            // A quadratic curve is off its chords by an eighth of its second difference over their number squared.
-            let bend = (from.x - 2.0 * control.x + end.x).hypot(from.y - 2.0 * control.y + end.y);
-            let steps = (bend / (4.0 * within)).sqrt().ceil().clamp(1.0, 32.0);
-            for i in 1..=steps as usize {
-                let t = i as f64 / steps;
-                let (a, b, c) = ((1.0 - t) * (1.0 - t), 2.0 * t * (1.0 - t), t * t);
-                points.push(Point::new(
-                    a * from.x + b * control.x + c * end.x,
-                    a * from.y + b * control.y + c * end.y,
-                ));
-            }
-            from = end;
-        }
-        points
     }
 }
 

@@ -29,8 +29,11 @@
 
 mod balloons;
 mod bidi;
+mod contour;
+mod curves;
 pub mod draw;
 #[cfg(not(target_arch = "wasm32"))]
+mod fitting;
 pub mod given;
 pub mod layout;
 pub mod learning;

@@ -3,7 +3,8 @@
 //!
 //! Source: the OpenType specification 1.9.1, tables `glyf`, `head`, `hhea`, `hmtx`, `loca`, `maxp`.
 
-use super::letters::{Contour, Font};
+use super::contour::Contour;
+use super::letters::Font;
 
 /// Corners of a box in font units: x and y of the lowest, then of the highest.
 type Corners = [i16; 4];

@@ -200,7 +200,7 @@ pub(super) fn steps(letters: &Letters, font: &Font, column: &[char]) -> Vec<f64>
 
 #[cfg(test)]
 mod tests {
-    use super::super::letters::Contour;
+    use super::super::contour::Contour;
     use super::*;
 
     /// A glyph table with squares for the characters of a text.

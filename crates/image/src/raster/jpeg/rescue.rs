@@ -14,7 +14,7 @@ use super::header::{Component, Header, Layout, segment};
 use super::huffman::Bits;
 use super::{APP0, APP14, APP15, COMMENT, END_OF_IMAGE, START_OF_SCAN, first_mark, next_marker};
 use super::{HUFFMAN_TABLES, QUANTIZATION_TABLES, RESTART_INTERVAL};
-use crate::raster::decode::Damage;
+use crate::raster::limits::Damage;
 use scan::{Block, Scan, State};
 use std::ops::Range;
 

@@ -16,10 +16,10 @@
 
 use super::{Figure, INSET, Scenery, Seen, above, center, contains, covered, gap, hidden, panel_of, shared};
 use crate::layout::{Bounds, Point, ResolvedPanel};
+use crate::page::words::fitting::LEGIBLE_ON_SCREENS;
 use crate::page::words::layout::{Ground, Laid};
 use crate::page::words::letters::Letters;
 use crate::page::words::model::{Kind, TextItem};
-use crate::page::words::setting::LEGIBLE_ON_SCREENS;
 
 /// Candidate positions along each side of a panel.
 const STEPS: usize = 15;
