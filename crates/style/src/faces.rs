@@ -29,7 +29,7 @@ pub struct FaceBox {
     pub height: f64,
 }
 
-/// Faces of less than this share of the largest are of a crowd: they need not be read.
+/// Faces of less than this share of the largest are of a crowd: lengths of the style do not shrink for them.
 const CROWD: f64 = 0.42;
 
 /// Minimum factor of a length, even for very small faces. Cells have no minimum.
@@ -113,7 +113,7 @@ const MASK: (f64, f64) = (0.9, 1.5);
 /// The faces of an image that must stay recognisable.
 pub(super) struct Care<'a> {
     faces: Vec<&'a FaceBox>,
-    /// Height of the smallest, in pixels.
+    /// Height of the smallest main face, in pixels.
     height: f32,
 }
 
@@ -127,11 +127,11 @@ impl<'a> Care<'a> {
                 && inside(face.x + face.width / 2.0, width)
                 && inside(face.y + face.height / 2.0, height)
         };
-        let seen: Vec<&FaceBox> =
+        let faces: Vec<&FaceBox> =
             faces.iter().filter(seen).filter(|face| !is_silhouette(luma, face)).collect();
-        let largest = seen.iter().map(|face| face.height).fold(0.0, f64::max);
-        let faces: Vec<&FaceBox> = seen.into_iter().filter(|face| face.height >= CROWD * largest).collect();
-        let least = faces.iter().map(|face| face.height).reduce(f64::min)?;
+        let heights = || faces.iter().map(|face| face.height);
+        let largest = heights().fold(0.0, f64::max);
+        let least = heights().filter(|height| *height >= CROWD * largest).reduce(f64::min)?;
         Some(Self { faces, height: least as f32 })
     }
 
