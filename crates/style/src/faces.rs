@@ -38,10 +38,12 @@ const LEAST: f32 = 0.5;
 /// Maximum spread of luma in a face, from the 5th to the 95th percentile, that is increased, and the maximum
 /// factor.
 const CONTRAST: (f32, f32) = (110.0, 1.5);
-/// Range of middle tones in which a face is not changed, and the maximum shift, in grey levels.
-const LIGHT: (f32, f32, f32) = (92.0, 176.0, 30.0);
+/// Light for the colour layer. More light would make dark skin lighter than the neck and the hands.
+const LIGHT: Light = Light { darkest: 92.0, lightest: 176.0, most: 30.0, part: 0.4 };
 /// Light for the line layer, whose blacks would fill dark skin.
-const LINE_LIGHT: (f32, f32, f32) = (124.0, 190.0, 64.0);
+const LINE_LIGHT: Light = Light { darkest: 124.0, lightest: 190.0, most: 64.0, part: f32::INFINITY };
+/// Grey levels above the light tones of a face from which its surroundings get no light.
+const BACKDROP: f32 = 40.0;
 /// Darkest tones that have no detail, up to this one, and the part of such pixels that makes a face a silhouette.
 const SILHOUETTE: (u8, f32) = (8, 0.2);
 /// Maximum colour strength of a face relative to the photo, and a difference that is always allowed, in grey
@@ -52,6 +54,8 @@ const CHROMA: (f32, f32) = (1.35, 9.0);
 const VIVID: f32 = 40.0;
 /// Largest factor of the strength of a colour that gets light. More light is added as gray.
 const STRONGER: f32 = 1.4;
+/// Largest factor of the strength of colours in a face that is lighter than in the photo.
+const LIGHTER: f32 = 1.8;
 /// Least strength of colours in a face, as a part of their strength in the photo.
 const PALEST: f32 = 0.7;
 /// Largest distance of colours in a face from the photo, at equal strength, in grey steps: skin has no green areas. Pale
@@ -110,6 +114,17 @@ const ENDS: f32 = 0.04;
 /// box.
 const MASK: (f64, f64) = (0.9, 1.5);
 
+/// How much light a face gets.
+struct Light {
+    /// Range of middle tones in which a face is not changed, in grey levels.
+    darkest: f32,
+    lightest: f32,
+    /// Maximum shift, in grey levels.
+    most: f32,
+    /// Maximum shift as a part of the middle tone.
+    part: f32,
+}
+
 /// The faces of an image that must stay recognisable.
 pub(super) struct Care<'a> {
     faces: Vec<&'a FaceBox>,
@@ -155,19 +170,20 @@ impl<'a> Care<'a> {
         self.lighted(photo, LINE_LIGHT)
     }
 
-    fn lighted(&self, photo: &Image, (darkest, lightest, most): (f32, f32, f32)) -> Image {
+    fn lighted(&self, photo: &Image, Light { darkest, lightest, most, part }: Light) -> Image {
         let luma = luma_plane(photo);
         let mut lit = photo.clone();
         for face in &self.faces {
             let Some((low, middle, high)) = light(&luma, face) else { continue };
             let gain = (CONTRAST.0 / (high - low).max(1.0)).clamp(1.0, CONTRAST.1);
-            let move_by = (middle.clamp(darkest, lightest) - middle).clamp(-most, most);
+            let move_by = (middle.clamp(darkest, lightest) - middle).clamp(-most, most.min(part * middle));
             if gain <= 1.0 && move_by.abs() < 1.0 {
                 continue;
             }
             each_pixel(face, photo.width(), photo.height(), |x, y, share| {
                 let v = f32::from(luma.at(x, y));
-                shift_luma(&mut lit, (x, y), v, share * ((v - middle) * (gain - 1.0) + move_by));
+                let own = share * ((high + BACKDROP - v) / BACKDROP).clamp(0.0, 1.0);
+                shift_luma(&mut lit, (x, y), v, own * ((v - middle) * (gain - 1.0) + move_by));
             });
         }
         lit
@@ -490,6 +506,9 @@ fn held(before: [f32; 3], after: [f32; 3]) -> [f32; 3] {
     let (own, now) = (chroma(before, y_before), chroma(after, y_after));
     // Products and square roots are rounded identically on all platforms.
     let length = |[u, v]: [f32; 2]| (u * u + v * v).sqrt();
+    // Colours of skin are stronger in more light.
+    let lighter = (y / y_before.max(1.0)).clamp(1.0, LIGHTER);
+    let own = own.map(|part| lighter * part);
     let (strength, strength_now) = (length(own), length(now));
     // As strong as the style makes it, up to a limit, and near the direction of the photo.
     let most = (CHROMA.0 * strength + CHROMA.1).min(VIVID.max(strength));
@@ -673,7 +692,7 @@ fn light(luma: &Plane, face: &FaceBox) -> Option<(f32, f32, f32)> {
 }
 
 /// Calls `f` with each pixel of a face's ellipse and its share of it, 0 to 1.
-fn each_pixel(face: &FaceBox, width: usize, height: usize, mut f: impl FnMut(usize, usize, f32)) {
+pub(super) fn each_pixel(face: &FaceBox, width: usize, height: usize, mut f: impl FnMut(usize, usize, f32)) {
     let (rx, ry) = (face.width / 2.0, face.height / 2.0);
     let (cx, cy) = (face.x + rx, face.y + ry);
     let span = |centre: f64, radius: f64, side: usize| {
