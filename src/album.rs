@@ -203,7 +203,7 @@ impl Album {
     fn notes_with(&self, selection: &Selection) -> Vec<Note> {
         let judged = self.read.iter().zip(&selection.verdicts).filter(|(_, verdict)| !verdict.kept);
         let note = |((place, _), verdict): (&(usize, _), &Verdict)| {
-            Note::of(self.photos[*place].name(), format_args!("left out: {}", verdict.why))
+            Note::of(self.photos[*place].name(), format_args!("left out: {}", verdict.reason))
         };
         self.notes.iter().cloned().chain(judged.map(note)).collect()
     }

@@ -10,7 +10,7 @@ import { core } from '../engine/testing-core.ts';
 import { createScheduler } from '../engine/scheduler.ts';
 import { createStore } from './store.ts';
 import type { Wish } from '../engine/core.ts';
-import type { Layout, PageDocument, PhotoMeta } from '../engine/types.ts';
+import type { Layout, PageDocument, PhotoMeta, VerdictReason } from '../engine/types.ts';
 import type { Editing } from './editing.ts';
 import type { Store } from './store.ts';
 import type { Change } from './history.ts';
@@ -75,7 +75,10 @@ export function fakePlanner() {
     },
     geometry: () => ({ width: 1, height: 1, panels: [] }),
     choose: (photos: any[]) =>
-      photos.map(({ id, twin }) => ({ id, group: 0, kept: !twin, why: twin ? 'same as another' : '' })),
+      photos.map(({ id, twin }) => {
+        const reason: VerdictReason = twin ? { code: 'same-as', name: 'another' } : { code: 'only' };
+        return { id, group: 0, kept: !twin, why: '', reason };
+      }),
   };
   return planner;
 }

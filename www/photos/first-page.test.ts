@@ -142,7 +142,7 @@ describe('the first page', () => {
           id,
           group: name === '2.jpg' || name === '9.jpg' ? 2 : Number(id.slice(1)) + 10,
           kept: name !== '2.jpg',
-          why: '',
+          reason: { code: 'only' },
         })),
     } as unknown as typeof store.planner.value;
     const before = names();

@@ -38,7 +38,7 @@ export function PhotoTile({
   const verdict = useComputed(() => store.verdicts.value.get(id)).value;
   const name = fact?.name ?? id;
   const ready = fact?.meta !== null && engine.hasPhoto(id);
-  const why = use === false ? strings.youLeftOut : verdict && strings.verdict(verdict.why);
+  const why = use === false ? strings.youLeftOut : verdict && strings.verdict(verdict.reason);
   const unseen = useComputed(() => (used ? store.unseen.value.get(id) : undefined)).value;
   const waiting = unseen && strings.unseen[unseen];
   const about = [fact?.credit ?? name, why, waiting, ready && strings.pickLong].filter(Boolean).join('\n');

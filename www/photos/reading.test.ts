@@ -98,7 +98,7 @@ describe('the first photos', () => {
     const app = fakeApp({ 'c.jpg': 'twin' });
     await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg'));
     expect(names(app)).toEqual(['a.jpg', 'b.jpg']);
-    expect(app.store.verdicts.value.get('p3')).toMatchObject({ kept: false, why: 'same as another' });
+    expect(app.store.verdicts.value.get('p3')).toMatchObject({ kept: false, reason: { code: 'same-as' } });
   });
 });
 

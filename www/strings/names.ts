@@ -2,6 +2,8 @@
  * Translates names that the core and the data files have in English. A name without a translation stays English.
  */
 
+import type { VerdictReason } from '../engine/types.ts';
+
 export type Block = { id: string; label: string; help: string };
 export type Parameter = { id: string; label: string; help?: string };
 
@@ -33,6 +35,7 @@ type Named = {
     sharpest: (counted: { of: string }) => string;
     only: string;
     blurred: string;
+    frame: string;
   };
 };
 
@@ -57,12 +60,20 @@ export function naming({ blockNames, choices, verdicts }: Named, names: Partial<
     parameterHelp: (block: string, parameter: Parameter) => parameterOf(block, parameter)?.help ?? parameter.help ?? '',
     /** @param id of a choice of a parameter */
     choiceName: (id: string) => choices[id] ?? names.choices?.[id] ?? asName(id),
-    verdict: (why: string) =>
-      why
-        .replace(/^same as (.*)$/s, (_, name) => verdicts.same({ name }))
-        .replace(/^sharpest of (\d+)$/, (_, of) => verdicts.sharpest({ of }))
-        .replace(/^only one like it$/, verdicts.only)
-        .replace(/^blurred$/, verdicts.blurred),
+    verdict: (reason: VerdictReason) => {
+      switch (reason.code) {
+        case 'same-as':
+          return verdicts.same({ name: reason.name });
+        case 'sharpest':
+          return verdicts.sharpest({ of: String(reason.of) });
+        case 'only':
+          return verdicts.only;
+        case 'blurred':
+          return verdicts.blurred;
+        case 'frame':
+          return verdicts.frame;
+      }
+    },
     /** @returns a sentence for an error of the core, or undefined in English */
     coreReason: (code: string) => names.reasons?.[code],
     layoutTitle: (layout: { id: string; name: string }) => withoutHyphens(layoutTile(layout)),

@@ -7,6 +7,7 @@ import { catalogue, compileMessage, languagesOf, leaves } from './compile.js';
 import { compose } from './compose.ts';
 import { LANGUAGES, localeOf, pickLanguage } from './language.ts';
 import { inLanguage, translations } from './testing.ts';
+import type { VerdictReason } from '../engine/types.ts';
 
 /** Incomplete languages. Their missing texts appear in English (`docs/guide/translating.md`). */
 const PARTIAL: readonly string[] = [];
@@ -244,13 +245,26 @@ it('numbers are written as where the person lives', () => {
 });
 
 it('turns the reasons for photos', () => {
-  const reasons = ['same as only one like it.jpg', 'sharpest of 3', 'only one like it', 'blurred'];
-  expect(reasons.map(inLanguage('en').verdict)).toEqual(reasons);
+  const reasons: VerdictReason[] = [
+    { code: 'same-as', name: 'only one like it.jpg' },
+    { code: 'sharpest', of: 3 },
+    { code: 'only' },
+    { code: 'blurred' },
+    { code: 'frame' },
+  ];
+  expect(reasons.map(inLanguage('en').verdict)).toEqual([
+    'same as only one like it.jpg',
+    'sharpest of 3',
+    'only one like it',
+    'blurred',
+    'another frame of the video',
+  ]);
   expect(reasons.map(inLanguage('es').verdict)).toEqual([
     'igual que only one like it.jpg',
     'la más nítida de 3',
     'la única así',
     'desenfocada',
+    'otro fotograma del vídeo',
   ]);
 });
 

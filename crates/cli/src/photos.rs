@@ -103,8 +103,8 @@ impl Photos {
     pub(crate) fn choose(&self, options: &PageOptions) -> Vec<PhotoMeta> {
         let selection = self.album.choose(options);
         let judged = self.iter().zip(&selection.verdicts).filter(|(_, verdict)| !verdict.kept);
-        let left: Vec<(&str, &str)> =
-            judged.map(|((path, _), verdict)| (name(path), verdict.why.as_str())).collect();
+        let left: Vec<(&str, String)> =
+            judged.map(|((path, _), verdict)| (name(path), verdict.reason.to_string())).collect();
         if left.len() > FEW {
             let names: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
             let (count, some) = (left.len(), report::some(&names));

@@ -41,6 +41,7 @@ use crate::page::words::TextItem;
 use crate::page::words::layout::WordBox;
 use crate::page::{Document, catalogue, layouts, request, shuffle};
 use crate::raster::decode::Damage;
+use crate::select::Reason;
 use crate::style::Style;
 use crate::style::blocks::Channels;
 use crate::style::file::Step;
@@ -345,6 +346,7 @@ fn types() -> String {
         Bounds,
         Point,
         VerdictEntry<'static>,
+        Reason,
         ChoiceRequest,
         catalogue::Candidate,
         MeasuresEntry,

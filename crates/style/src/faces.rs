@@ -17,7 +17,7 @@ use crate::raster::guided::softened;
 use crate::raster::{Image, Plane};
 use crate::simd::point::luma_plane;
 
-/// Faces of less than this share of the largest are of a crowd: they need not be read.
+/// Faces of less than this share of the largest are of a crowd: lengths of the style do not shrink for them.
 const CROWD: f64 = 0.42;
 
 /// Minimum factor of a length, even for very small faces. Cells have no minimum.
@@ -26,10 +26,12 @@ const LEAST: f32 = 0.5;
 /// Maximum spread of luma in a face, from the 5th to the 95th percentile, that is increased, and the maximum
 /// factor.
 const CONTRAST: (f32, f32) = (110.0, 1.5);
-/// Range of middle tones in which a face is not changed, and the maximum shift, in grey levels.
-const LIGHT: (f32, f32, f32) = (92.0, 176.0, 30.0);
+/// Light for the colour layer. More light would make dark skin lighter than the neck and the hands.
+const LIGHT: Light = Light { darkest: 92.0, lightest: 176.0, most: 30.0, part: 0.4 };
 /// Light for the line layer, whose blacks would fill dark skin.
-const LINE_LIGHT: (f32, f32, f32) = (124.0, 190.0, 64.0);
+const LINE_LIGHT: Light = Light { darkest: 124.0, lightest: 190.0, most: 64.0, part: f32::INFINITY };
+/// Grey levels above the light tones of a face from which its surroundings get no light.
+const BACKDROP: f32 = 40.0;
 /// Darkest tones that have no detail, up to this one, and the part of such pixels that makes a face a silhouette.
 const SILHOUETTE: (u8, f32) = (8, 0.2);
 /// Maximum colour strength of a face relative to the photo, and a difference that is always allowed, in grey
@@ -40,6 +42,8 @@ const CHROMA: (f32, f32) = (1.35, 9.0);
 const VIVID: f32 = 40.0;
 /// Largest factor of the strength of a colour that gets light. More light is added as gray.
 const STRONGER: f32 = 1.4;
+/// Largest factor of the strength of colours in a face that is lighter than in the photo.
+const LIGHTER: f32 = 1.8;
 /// Least strength of colours in a face, as a part of their strength in the photo.
 const PALEST: f32 = 0.7;
 /// Largest distance of colours in a face from the photo, at equal strength, in grey steps: skin has no green areas. Pale
@@ -94,10 +98,21 @@ const COMPARED: f64 = 12.0;
 /// Part of the picture that counts as its darkest and as its lightest colour.
 const ENDS: f32 = 0.04;
 
+/// How much light a face gets.
+struct Light {
+    /// Range of middle tones in which a face is not changed, in grey levels.
+    darkest: f32,
+    lightest: f32,
+    /// Maximum shift, in grey levels.
+    most: f32,
+    /// Maximum shift as a part of the middle tone.
+    part: f32,
+}
+
 /// The faces of an image that must stay recognisable.
 pub(super) struct Care<'a> {
     faces: Vec<&'a FaceBox>,
-    /// Height of the smallest, in pixels.
+    /// Height of the smallest main face, in pixels.
     height: f32,
 }
 
@@ -111,11 +126,11 @@ impl<'a> Care<'a> {
                 && inside(face.x + face.width / 2.0, width)
                 && inside(face.y + face.height / 2.0, height)
         };
-        let seen: Vec<&FaceBox> =
+        let faces: Vec<&FaceBox> =
             faces.iter().filter(seen).filter(|face| !is_silhouette(luma, face)).collect();
-        let largest = seen.iter().map(|face| face.height).fold(0.0, f64::max);
-        let faces: Vec<&FaceBox> = seen.into_iter().filter(|face| face.height >= CROWD * largest).collect();
-        let least = faces.iter().map(|face| face.height).reduce(f64::min)?;
+        let heights = || faces.iter().map(|face| face.height);
+        let largest = heights().fold(0.0, f64::max);
+        let least = heights().filter(|height| *height >= CROWD * largest).reduce(f64::min)?;
         Some(Self { faces, height: least as f32 })
     }
 
@@ -139,19 +154,20 @@ impl<'a> Care<'a> {
         self.lighted(photo, LINE_LIGHT)
     }
 
-    fn lighted(&self, photo: &Image, (darkest, lightest, most): (f32, f32, f32)) -> Image {
+    fn lighted(&self, photo: &Image, Light { darkest, lightest, most, part }: Light) -> Image {
         let luma = luma_plane(photo);
         let mut lit = photo.clone();
         for face in &self.faces {
             let Some((low, middle, high)) = light(&luma, face) else { continue };
             let gain = (CONTRAST.0 / (high - low).max(1.0)).clamp(1.0, CONTRAST.1);
-            let move_by = (middle.clamp(darkest, lightest) - middle).clamp(-most, most);
+            let move_by = (middle.clamp(darkest, lightest) - middle).clamp(-most, most.min(part * middle));
             if gain <= 1.0 && move_by.abs() < 1.0 {
                 continue;
             }
             each_pixel(face, photo.width(), photo.height(), |x, y, share| {
                 let v = f32::from(luma.at(x, y));
-                shift_luma(&mut lit, (x, y), v, share * ((v - middle) * (gain - 1.0) + move_by));
+                let own = share * ((high + BACKDROP - v) / BACKDROP).clamp(0.0, 1.0);
+                shift_luma(&mut lit, (x, y), v, own * ((v - middle) * (gain - 1.0) + move_by));
             });
         }
         lit
@@ -469,6 +485,9 @@ fn held(before: [f32; 3], after: [f32; 3]) -> [f32; 3] {
     let (own, now) = (chroma(before, y_before), chroma(after, y_after));
     // Products and square roots are rounded identically on all platforms.
     let length = |[u, v]: [f32; 2]| (u * u + v * v).sqrt();
+    // Colours of skin are stronger in more light.
+    let lighter = (y / y_before.max(1.0)).clamp(1.0, LIGHTER);
+    let own = own.map(|part| lighter * part);
     let (strength, strength_now) = (length(own), length(now));
     // As strong as the style makes it, up to a limit, and near the direction of the photo.
     let most = (CHROMA.0 * strength + CHROMA.1).min(VIVID.max(strength));

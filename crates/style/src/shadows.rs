@@ -3,7 +3,7 @@
 //! Only dark areas with detail get light: a black background and a silhouette stay black. The amount depends on the
 //! part of the bodies in the picture that would be one black area.
 
-use super::face_box::FaceBox;
+use super::face_box::{FaceBox, each_pixel};
 use crate::raster::guided::softened;
 use crate::raster::{Image, Plane};
 use crate::simd::point::luma_plane;
@@ -49,7 +49,15 @@ pub(super) fn lifted(photo: &Image, faces: &[FaceBox]) -> Option<(Image, Image)>
         return None;
     }
     let shares = Plane::from_fn(luma.width(), luma.height(), |x, y| (255.0 * all * dark(x, y)).round() as u8);
-    let lit = |part: f32| {
+    // The colours of faces get their own light, see `Care::lit`. Both together would make dark skin pale.
+    let mut outside = shares.clone();
+    for face in faces {
+        each_pixel(face, luma.width(), luma.height(), |x, y, inside| {
+            let share = &mut outside.row_mut(y)[x];
+            *share = (f32::from(*share) * (1.0 - inside)).round() as u8;
+        });
+    }
+    let lit = |shares: &Plane, part: f32| {
         // Products and square roots are rounded identically on all platforms.
         let curve: [f32; 256] = std::array::from_fn(|v| {
             let tone = v as f32 / 255.0;
@@ -71,7 +79,7 @@ pub(super) fn lifted(photo: &Image, faces: &[FaceBox]) -> Option<(Image, Image)>
         }
         lit
     };
-    Some((lit(CURVE.0), lit(CURVE.1)))
+    Some((lit(&outside, CURVE.0), lit(&shares, CURVE.1)))
 }
 
 /// The mean darkness of the bodies in the picture.

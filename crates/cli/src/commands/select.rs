@@ -41,7 +41,7 @@ pub(crate) fn select_photos(asked: &SelectArgs) -> Result<(), CliError> {
                 "sharpness": photo.measures.gradient,
                 "group": verdict.group,
                 "kept": verdict.kept,
-                "why": verdict.why,
+                "why": verdict.reason.to_string(),
             })
         })
         .collect();
@@ -50,6 +50,6 @@ pub(crate) fn select_photos(asked: &SelectArgs) -> Result<(), CliError> {
     }
     print_lines(photos.iter().zip(&verdicts).map(|((path, _), verdict)| {
         let mark = if verdict.kept { "keep" } else { "skip" };
-        format!("{mark}  {}  {}", path.display(), verdict.why)
+        format!("{mark}  {}  {}", path.display(), verdict.reason)
     }))
 }

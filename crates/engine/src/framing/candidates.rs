@@ -17,7 +17,7 @@ const EYE_LINE: f64 = 0.42;
 /// Vertical position of a face's centre in a medium shot.
 const HIGH: f64 = 0.28;
 /// Heights of the tallest face in heights of a medium shot.
-const FACE_SHARES: [f64; 4] = [0.15, 0.22, 0.11, 0.18];
+const FACE_SHARES: [f64; 4] = [0.2, 0.26, 0.15, 0.11];
 /// The paper's 40 pixels, as a fraction of the photo's longer side.
 const FIXED_EXPANSION: f64 = 0.04;
 /// Maximum number of subjects; the largest ones count.

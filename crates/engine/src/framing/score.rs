@@ -21,12 +21,12 @@ const STRONG: f64 = 0.25;
 /// Minimum part of a photo in a crop, if such a crop exists.
 const LEAST_KEPT: f64 = 0.44;
 /// Height of a recognisable main face in heights of the crop. The crop then shows a figure from the knees up.
-const FACE_HEIGHT: f64 = 0.15;
+const FACE_HEIGHT: f64 = 0.2;
 /// Value of a main face of that height.
 const FACE_VALUE: f64 = 1.1;
 /// Minimum part of a photo in a crop near a small face, and the width in pixels below which the crop becomes soft.
-const CLOSE_KEPT: f64 = 0.14;
-const CLOSE_WIDTH: f64 = 420.0;
+const CLOSE_KEPT: f64 = 0.1;
+const CLOSE_WIDTH: f64 = 400.0;
 /// Minimum score of a small face without a person around it.
 pub(crate) const SURE: f64 = 0.78;
 /// Range of the visible part of a body in a medium shot. The lower edge may cut the body there, if the face is complete.

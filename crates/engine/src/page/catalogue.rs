@@ -218,8 +218,10 @@ pub struct VerdictEntry<'a> {
     pub group: usize,
     /// Whether it is used.
     pub kept: bool,
-    /// The reason in a few words.
+    /// The reason in a few English words.
     pub why: String,
+    /// The reason.
+    pub reason: select::Reason,
 }
 
 /// Which photos of a `ChoiceRequest` are worth a panel: a list of [`VerdictEntry`] in their order.
@@ -250,8 +252,8 @@ pub fn choose(json: &str) -> Result<String> {
     settings.films = films.iter().copied().map(first).collect();
     let verdicts = select::choose(&names, &measures, &settings);
     let entry = |(photo, verdict)| {
-        let select::Verdict { group, kept, why } = verdict;
-        VerdictEntry { id: photo, group, kept, why }
+        let select::Verdict { group, kept, reason } = verdict;
+        VerdictEntry { id: photo, group, kept, why: reason.to_string(), reason }
     };
     let ids = wanted.photos.iter().map(|photo| photo.id.as_str());
     let answer: Vec<_> = ids.zip(verdicts).map(entry).collect();

@@ -15,7 +15,7 @@ use oorandom::Rand64;
 /// Share of shuffles whose style keeps the colours of the photos.
 const IN_COLOUR: f64 = 0.5;
 /// Share of first pages whose style keeps the colours of the photos.
-const FIRST_IN_COLOUR: f64 = 0.9;
+const FIRST_IN_COLOUR: f64 = 0.97;
 /// Colours of paper and borders for a dark style.
 const DARK_PAPER: &str = "#15141a";
 const DARK_BORDER: &str = "#07070a";

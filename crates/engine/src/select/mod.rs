@@ -14,7 +14,7 @@ pub mod shots;
 pub mod stills;
 pub mod verdict;
 
-pub use verdict::{DUPLICATE_THRESHOLD, DUPLICATE_THRESHOLD_RANGE, Settings, Verdict, choose};
+pub use verdict::{DUPLICATE_THRESHOLD, DUPLICATE_THRESHOLD_RANGE, Reason, Settings, Verdict, choose};
 
 use crate::raster::Image;
 use crate::simd::point::luma_plane;

@@ -4,6 +4,8 @@ use super::Measures;
 use super::fingerprint::distance;
 use super::groups::leaders_by;
 use crate::order::sort_by;
+use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
 
 /// Below this part of the album's median [`laplacian`](super::sharpness::laplacian) a photo counts as
 /// blurred. In a set of 150 varied photos, one is below (a bare pyramid in haze). All of them are below this
@@ -53,8 +55,43 @@ pub struct Verdict {
     pub group: usize,
     /// Whether it is used.
     pub kept: bool,
-    /// The reason, in a few words: `only one like it`, `sharpest of 5`, `same as NAME`, `blurred`.
-    pub why: String,
+    /// The reason.
+    pub reason: Reason,
+}
+
+/// Why a photo is used or left out. Displays as a few English words.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(tag = "code", rename_all = "kebab-case")]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "VerdictReason"))]
+pub enum Reason {
+    /// No other photo is like it.
+    Only,
+    /// It is the sharpest of its group.
+    Sharpest {
+        /// Number of photos in the group, at least 2.
+        of: usize,
+    },
+    /// A sharper photo of its group is used.
+    SameAs {
+        /// Name of the photo that is used.
+        name: String,
+    },
+    /// It is far blurrier than the album.
+    Blurred,
+    /// It is another frame of a video with few frames.
+    Frame,
+}
+
+impl Display for Reason {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Only => f.write_str("only one like it"),
+            Self::Sharpest { of } => write!(f, "sharpest of {of}"),
+            Self::SameAs { name } => write!(f, "same as {name}"),
+            Self::Blurred => f.write_str("blurred"),
+            Self::Frame => f.write_str("another frame of the video"),
+        }
+    }
 }
 
 /// Judges photos: the sharpest of each group of near-duplicates is selected, unless it is far blurrier than
@@ -82,16 +119,17 @@ pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec
     }
     let verdict = |i: usize, group: usize| {
         let chosen = best[group];
-        let (kept, why) = if i != chosen {
-            (false, format!("same as {}", names.get(chosen).unwrap_or(&"another")))
+        let (kept, reason) = if i != chosen {
+            let name = names.get(chosen).copied().unwrap_or("another");
+            (false, Reason::SameAs { name: name.to_owned() })
         } else if measures[i].laplacian < floor {
-            (false, "blurred".to_owned())
+            (false, Reason::Blurred)
         } else if sizes[group] > 1 {
-            (true, format!("sharpest of {}", sizes[group]))
+            (true, Reason::Sharpest { of: sizes[group] })
         } else {
-            (true, "only one like it".to_owned())
+            (true, Reason::Only)
         };
-        Verdict { group, kept, why }
+        Verdict { group, kept, reason }
     };
     let mut verdicts: Vec<Verdict> = groups.iter().enumerate().map(|(i, &group)| verdict(i, group)).collect();
     keep_some_of_films(&mut verdicts, measures, settings);
@@ -115,7 +153,7 @@ fn keep_some_of_films(verdicts: &mut [Verdict], measures: &[Measures], settings:
             let next = frames().filter(sharp).filter(other).max_by_key(|&i| (apart(i), usize::MAX - i));
             let Some(next) = next.filter(|_| kept.len() < FEWEST_OF_FILM) else { break };
             verdicts[next].kept = true;
-            "one of the film".clone_into(&mut verdicts[next].why);
+            verdicts[next].reason = Reason::Frame;
         }
     }
 }
@@ -150,14 +188,16 @@ mod tests {
             photo(0b111, 2.0, 950.0),
         ];
         let verdicts = choose(&names, &measures, &Settings::default());
-        let seen: Vec<_> = verdicts.iter().map(|v| (v.group, v.kept, v.why.as_str())).collect();
-        let expected = [
+        let seen: Vec<_> = verdicts.iter().map(|v| (v.group, v.kept, v.reason.to_string())).collect();
+        let expected: Vec<_> = [
             (0, false, "same as c.jpg"),
             (1, true, "only one like it"),
             (0, true, "sharpest of 3"),
             (2, false, "blurred"),
             (0, false, "same as c.jpg"),
-        ];
+        ]
+        .map(|(group, kept, why)| (group, kept, why.to_owned()))
+        .into();
         assert_eq!(seen, expected);
     }
 
@@ -201,7 +241,7 @@ mod tests {
             for group in 0..=verdicts.iter().map(|verdict| verdict.group).max().unwrap() {
                 let members = verdicts.iter().filter(|verdict| verdict.group == group);
                 prop_assert!(members.clone().filter(|verdict| verdict.kept).count() <= 1);
-                prop_assert!(members.clone().any(|verdict| verdict.kept || verdict.why == "blurred"));
+                prop_assert!(members.clone().any(|verdict| verdict.kept || verdict.reason == Reason::Blurred));
             }
         }
     }
