@@ -31,6 +31,7 @@ type Named = {
   verdicts: {
     same: (named: { name: string }) => string;
     sharpest: (counted: { of: string }) => string;
+    awake: (counted: { of: string }) => string;
     only: string;
     blurred: string;
   };
@@ -56,6 +57,7 @@ export function naming({ blockNames, choices, verdicts }: Named, names: Partial<
       why
         .replace(/^same as (.*)$/s, (_, name) => verdicts.same({ name }))
         .replace(/^sharpest of (\d+)$/, (_, of) => verdicts.sharpest({ of }))
+        .replace(/^open eyes, best of (\d+)$/, (_, of) => verdicts.awake({ of }))
         .replace(/^only one like it$/, verdicts.only)
         .replace(/^blurred$/, verdicts.blurred),
     /** @returns a sentence for an error of the core, or undefined in English */

@@ -19,6 +19,6 @@ pub use energy::EnergyMap;
 pub use facts::Facts;
 pub use frame::{Target, closeup, frame, sketch};
 pub use lettering::{LETTERING, lettering};
-pub use photo::{Crop, FACE, FIGURE, FacePoints, Focus, PhotoMeta, Subject};
+pub use photo::{Crop, Expression, FACE, FIGURE, FacePoints, Focus, PhotoMeta, Subject};
 pub use region::Region;
 pub(crate) use score::{MEDIUM, SURE};

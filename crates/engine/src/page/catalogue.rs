@@ -1,6 +1,7 @@
 //! Lists of blocks, styles and layouts as JSON, for the app and the command line.
 
 use crate::error::{Error, Result};
+use crate::framing::Expression;
 use crate::layout;
 use crate::select::{self, Measures};
 use crate::style::blocks::{self, Block, Channels};
@@ -203,6 +204,10 @@ pub(crate) struct Candidate {
     #[serde(default)]
     #[cfg_attr(test, ts(optional = nullable))]
     film: Option<String>,
+    /// The faces whose eyes are known.
+    #[serde(default)]
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    faces: Vec<Expression>,
 }
 
 /// The selection's verdict on a photo.
@@ -245,6 +250,8 @@ pub fn choose(json: &str) -> Result<String> {
     // A video is identified by the index of its first frame.
     let first = |film: Option<&str>| film.and_then(|_| films.iter().position(|other| *other == film));
     settings.films = films.iter().copied().map(first).collect();
+    let shut = |photo: &Candidate| photo.faces.iter().filter(|face| face.is_shut()).count();
+    settings.shut = wanted.photos.iter().map(shut).collect();
     let verdicts = select::choose(&names, &measures, &settings);
     let entry = |(photo, verdict)| {
         let select::Verdict { group, kept, why } = verdict;

@@ -1,5 +1,7 @@
 //! Selects photos and gives the reasons.
 
+use std::cmp::Reverse;
+
 use super::Measures;
 use super::fingerprint::distance;
 use super::groups::leaders_by;
@@ -32,17 +34,23 @@ pub struct Settings {
     pub duplicate_threshold: u32,
     /// Index of the video of each photo that is a video frame. Empty without videos.
     pub films: Vec<Option<usize>>,
+    /// Number of faces with shut eyes in each photo. Empty if no faces were searched.
+    pub shut: Vec<usize>,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { duplicate_threshold: DUPLICATE_THRESHOLD, films: Vec::new() }
+        Self { duplicate_threshold: DUPLICATE_THRESHOLD, films: Vec::new(), shut: Vec::new() }
     }
 }
 
 impl Settings {
     fn film(&self, photo: usize) -> Option<usize> {
         self.films.get(photo).copied().flatten()
+    }
+
+    fn shut(&self, photo: usize) -> usize {
+        self.shut.get(photo).copied().unwrap_or(0)
     }
 }
 
@@ -53,13 +61,13 @@ pub struct Verdict {
     pub group: usize,
     /// Whether it is used.
     pub kept: bool,
-    /// The reason, in a few words: `only one like it`, `sharpest of 5`, `same as NAME`, `blurred`.
+    /// The reason, in a few words: `only one like it`, `sharpest of 5`, `open eyes, best of 5`, `same as NAME`, `blurred`.
     pub why: String,
 }
 
-/// Judges photos: the sharpest of each group of near-duplicates is selected, unless it is far blurrier than
-/// the album. Returns a verdict for each of `measures`, in their order. If all would be rejected, the
-/// sharpest is selected.
+/// Judges photos: of each group of near-duplicates, the sharpest of the photos with the fewest shut eyes is selected,
+/// unless it is far blurrier than the album. Returns a verdict for each of `measures`, in their order. If all
+/// would be rejected, the sharpest is selected.
 #[must_use]
 pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec<Verdict> {
     let fingerprints: Vec<u64> = measures.iter().map(|measure| measure.fingerprint).collect();
@@ -71,13 +79,18 @@ pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec
     let count = groups.iter().max().map_or(0, |most| most + 1);
     let floor = blur_floor(measures);
     // Sharp photos rank before blurred ones, even if noise has a higher gradient.
-    let rank = |i: usize| (measures[i].laplacian >= floor, measures[i].gradient);
+    let clear = |i: usize| (measures[i].laplacian >= floor, measures[i].gradient);
+    let rank = |i: usize| (clear(i).0, Reverse(settings.shut(i)), clear(i).1);
     let mut sizes = vec![0; count];
     let mut best = vec![usize::MAX; count];
+    let mut sharpest = vec![usize::MAX; count];
     for (i, &group) in groups.iter().enumerate() {
         sizes[group] += 1;
         if best[group] == usize::MAX || rank(i) > rank(best[group]) {
             best[group] = i;
+        }
+        if sharpest[group] == usize::MAX || clear(i) > clear(sharpest[group]) {
+            sharpest[group] = i;
         }
     }
     let verdict = |i: usize, group: usize| {
@@ -86,6 +99,8 @@ pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec
             (false, format!("same as {}", names.get(chosen).unwrap_or(&"another")))
         } else if measures[i].laplacian < floor {
             (false, "blurred".to_owned())
+        } else if i != sharpest[group] {
+            (true, format!("open eyes, best of {}", sizes[group]))
         } else if sizes[group] > 1 {
             (true, format!("sharpest of {}", sizes[group]))
         } else {
@@ -159,6 +174,32 @@ mod tests {
             (0, false, "same as c.jpg"),
         ];
         assert_eq!(seen, expected);
+    }
+
+    #[test]
+    fn open_eyes_come_before_sharpness_and_after_blur() {
+        let names = ["a.jpg", "b.jpg", "c.jpg", "d.jpg", "e.jpg"];
+        let measures = [
+            photo(0, 3.0, 900.0),
+            photo(0b1, 2.0, 900.0),
+            photo(0b11, 1.0, 900.0),
+            photo(0b111, 4.0, 3.0),
+            photo(0xFFFF_FFFF, 2.0, 800.0),
+        ];
+        let seen = |shut: &[usize]| -> Vec<(bool, String)> {
+            let settings = Settings { shut: shut.to_vec(), ..Settings::default() };
+            choose(&names, &measures, &settings).into_iter().map(|v| (v.kept, v.why)).collect()
+        };
+        let same = |name: &str| (false, format!("same as {name}"));
+        let other = (true, "only one like it".to_owned());
+        // The fourth photo has open eyes, but it is blurred. The last one has no other choice.
+        let best = (true, "open eyes, best of 4".to_owned());
+        let expected = [same("b.jpg"), best, same("b.jpg"), same("b.jpg"), other.clone()];
+        assert_eq!(seen(&[2, 1, 1, 0, 3]), expected);
+        let sharpest = (true, "sharpest of 4".to_owned());
+        let expected = [sharpest, same("a.jpg"), same("a.jpg"), same("a.jpg"), other];
+        assert_eq!(seen(&[1, 1, 1, 0, 0]), expected);
+        assert_eq!(seen(&[]), expected);
     }
 
     #[test]
