@@ -45,7 +45,7 @@ pub type FacePoints = [[f64; 2]; 6];
 #[serde(rename_all = "camelCase")]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Expression {
-    /// Distance of the lids of the person's right eye, in widths of the eye: about 0.1 if shut, and 0.3 if open.
+    /// Distance of the lids of the person's right eye, in widths of the eye: about 0.2 if shut, and 0.3 if open.
     pub right_eye: f64,
     /// The left eye.
     pub left_eye: f64,

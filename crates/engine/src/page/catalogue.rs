@@ -250,8 +250,8 @@ pub fn choose(json: &str) -> Result<String> {
     // A video is identified by the index of its first frame.
     let first = |film: Option<&str>| film.and_then(|_| films.iter().position(|other| *other == film));
     settings.films = films.iter().copied().map(first).collect();
-    let shut = |photo: &Candidate| photo.faces.iter().filter(|face| face.is_shut()).count();
-    settings.shut = wanted.photos.iter().map(shut).collect();
+    let openness = |photo: &Candidate| photo.faces.iter().map(Expression::openness).min_by(f64::total_cmp);
+    settings.openness = wanted.photos.iter().map(openness).collect();
     let verdicts = select::choose(&names, &measures, &settings);
     let entry = |(photo, verdict)| {
         let select::Verdict { group, kept, why } = verdict;
