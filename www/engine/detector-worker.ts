@@ -58,7 +58,7 @@ async function looked<Op extends Look>(
   return all;
 }
 
-/** Adds eyes and mouths to large faces. Without the landmark model, the boxes stay as they are. */
+/** Adds eyes and mouths to large faces. Without the landmark model, it returns the boxes unchanged. */
 async function withExpressions(
   boxes: readonly Detection[],
   { width, height }: PhotoHandle,

@@ -132,5 +132,12 @@ function rotatedSubject({ x, y, width, height, points, expression, ...subject }:
     rotation === 'flip' && expression
       ? { ...expression, rightEye: expression.leftEye, leftEye: expression.rightEye }
       : expression;
-  return { ...subject, ...corner, width: wide, height: high, ...(at && { points: at }), ...(seen && { expression: seen }) };
+  return {
+    ...subject,
+    ...corner,
+    width: wide,
+    height: high,
+    ...(at && { points: at }),
+    ...(seen && { expression: seen }),
+  };
 }

@@ -234,7 +234,13 @@ it('numbers are written as where the person lives', () => {
 });
 
 it('turns the reasons for photos', () => {
-  const reasons = ['same as only one like it.jpg', 'sharpest of 3', 'open eyes, best of 3', 'only one like it', 'blurred'];
+  const reasons = [
+    'same as only one like it.jpg',
+    'sharpest of 3',
+    'open eyes, best of 3',
+    'only one like it',
+    'blurred',
+  ];
   expect(reasons.map(inLanguage('en').verdict)).toEqual(reasons);
   expect(reasons.map(inLanguage('es').verdict)).toEqual([
     'igual que only one like it.jpg',

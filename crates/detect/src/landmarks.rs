@@ -1,5 +1,5 @@
 //! Eyelids and lips of faces: `MediaPipe`'s face mesh of 468 points (Kartynnik et al., "Real-time Facial Surface
-//! Geometry from Monocular Video on Mobile GPUs"). It locates the parts of a face and recognises nobody.
+//! Geometry from Monocular Video on Mobile GPUs"). The model locates the parts of a face. It does not recognise people.
 
 use super::faces::LABEL;
 use super::model::Net;

@@ -26,7 +26,7 @@ const OF_A_FILM: u32 = 4;
 const FEWEST_OF_FILM: usize = 8;
 
 /// Eyes are shut if they are narrower than this share of the eyes of a near-duplicate, and than this openness. Faces differ, so
-/// that an openness alone does not show shut eyes. `tests/oracles/eyes.py` measures both values.
+/// an openness is not enough to find shut eyes. `tests/oracles/eyes.py` measures both values.
 const SHUT: (f64, f64) = (0.9, 0.245);
 
 /// How photos are chosen.
