@@ -1,28 +1,29 @@
 #!/usr/bin/env python3
-"""Points of ten faces by LiteRT, Google's runtime, with the original model.
+"""Points of faces by LiteRT, Google's runtime, with the original model.
 
-    cargo xtask models; cargo build
-    python3 tests/oracles/landmarks.py target/debug/inkpanel        (numpy, ai-edge-litert, pillow)
+    cargo xtask models
+    python3 tests/oracles/landmarks.py        (numpy, ai-edge-litert, onnxruntime, pillow)
 
-Writes tests/oracles/data/landmarks.json. It has the faces of detect.json, and one of them on its side. Per face, it has
-the box and the six points in fractions of the photo, the probability of a face, and the 468 points of the model in tenths
-of a pixel of the photo. Everything is a separate implementation: numpy cuts out the square and maps the points back.
+Writes tests/oracles/data/landmarks.json. It has the faces of detect.json, upright and on their side. False faces are left
+out: the program ignores their points. Per face, it has the box and the six points in fractions of the photo, the
+probability of a face, and the 468 points of the model in tenths of a pixel of the photo. Everything is a separate
+implementation: numpy cuts out the square and maps the points back.
 """
 
 import json
 import math
 import pathlib
-import sys
-import tempfile
 
 import numpy as np
 from ai_edge_litert.interpreter import Interpreter
 from PIL import Image
-from photo import decoded
+from detect import coverage
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PACKED = "target/models/mediapipe-face_mesh-0.4.1657299874/package/face_mesh_solution_packed_assets.data"
 SIDE = 192
+# Minimum probability of a face.
+PRESENT = 0.5
 
 
 def model():
@@ -45,20 +46,24 @@ def to_photo(places, middle, side, angle):
 
 
 def cut(photo, middle, side, angle):
-    """The square in 192 x 192 pixels from 0 to 1: the mean of samples that are at most a pixel of the photo apart."""
-    pixels = np.asarray(photo, np.float64)
-    many = max(1, math.ceil(side / SIDE))
-    at = (np.arange(SIDE * many) + 0.5) / many
-    grid = np.stack(np.meshgrid(at, at), -1).reshape(-1, 2)
-    x, y = (to_photo(grid, middle, side, angle) - 0.5).T
-    x, y = x.clip(0, photo.width - 1), y.clip(0, photo.height - 1)
+    """The square in 192 x 192 pixels from 0 to 1. The part of the photo around a large square is reduced first."""
+    size = np.array(photo.size)
+    corners = to_photo(np.array([[0, 0], [SIDE, 0], [0, SIDE], [SIDE, SIDE]]), middle, side, angle)
+    first = np.floor(corners.min(0) - 1).clip(0, size - 1)
+    last = np.minimum(np.ceil(corners.max(0) + 1), size)
+    across, down = np.ceil((last - first) / max(1, side / SIDE)).astype(int)
+    part = np.asarray(photo, np.float64)[int(first[1]) : int(last[1]), int(first[0]) : int(last[0])]
+    rows = np.floor(np.einsum("rh,hwc->rwc", coverage(part.shape[0], down), part) + 0.5)
+    part = np.floor(np.einsum("rw,hwc->hrc", coverage(part.shape[1], across), rows) + 0.5)
+    at = np.arange(SIDE) + 0.5
+    places = to_photo(np.stack(np.meshgrid(at, at), -1).reshape(-1, 2), middle, side, angle)
+    x, y = ((places - first) / (last - first) * [across, down] - 0.5).clip(0, [across - 1, down - 1]).T
     left, top = np.floor(x).astype(int), np.floor(y).astype(int)
-    right, bottom = np.minimum(left + 1, photo.width - 1), np.minimum(top + 1, photo.height - 1)
-    across, down = (x - left)[:, None], (y - top)[:, None]
-    above = pixels[top, left] * (1 - across) + pixels[top, right] * across
-    below = pixels[bottom, left] * (1 - across) + pixels[bottom, right] * across
-    samples = (above * (1 - down) + below * down).reshape(SIDE, many, SIDE, many, 3)
-    return samples.mean((1, 3)) / 255
+    right, bottom = np.minimum(left + 1, across - 1), np.minimum(top + 1, down - 1)
+    beside, below = (x - left)[:, None], (y - top)[:, None]
+    upper = part[top, left] * (1 - beside) + part[top, right] * beside
+    lower = part[bottom, left] * (1 - beside) + part[bottom, right] * beside
+    return (upper * (1 - below) + lower * below).reshape(SIDE, SIDE, 3) / 255
 
 
 def look(interpreter, photo, box, points):
@@ -85,13 +90,13 @@ def main():
         faces = [(box[2:6], box[6]) for box in row["boxes"] if box[0] == "face"]
         if not faces:
             continue
-        with tempfile.TemporaryDirectory() as folder:
-            photo = decoded(sys.argv[1], ROOT / row["file"], pathlib.Path(folder))
+        photo = Image.open(ROOT / row["file"]).convert("RGB")
         views = [(False, photo, box, points) for box, points in faces]
-        if "astronaut" in row["file"]:
-            views += [(True, *on_its_side(photo, box, points)) for box, points in faces]
+        views += [(True, *on_its_side(photo, box, points)) for box, points in faces]
         for turned, seen, box, points in views:
             mesh, presence = look(interpreter, seen, box, points)
+            if presence < PRESENT:
+                continue
             tenths = np.round(mesh * 10).astype(int).ravel().tolist()
             points = [[round(x, 5), round(y, 5)] for x, y in points]
             box = [round(side, 5) for side in box]
