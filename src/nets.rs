@@ -6,13 +6,16 @@ use inkpanel_engine::framing::Subject;
 use inkpanel_engine::page::import::Imported;
 use std::path::Path;
 
+/// File of the landmark model.
+const LANDMARKS: &str = "landmarks.onnx";
+
 /// The models that find faces and objects. They are loaded once for any number of albums. The files are
-/// `faces.onnx` and `objects.onnx`. `cargo xtask models` makes them, and releases have them next to the
-/// command line.
+/// `faces.onnx` and `objects.onnx`, and optionally `landmarks.onnx`, which finds open eyes and mouths.
+/// `cargo xtask models` makes them, and releases have them next to the command line.
 pub struct Nets(Detectors);
 
 impl Nets {
-    /// Reads both from a folder.
+    /// Reads the models from a folder.
     ///
     /// # Errors
     /// `no-models` if a file is missing; `detector` if a file is not the expected model.
@@ -22,7 +25,11 @@ impl Nets {
             std::fs::read(&file)
                 .map_err(|error| Failure::new("no-models", format!("{}: {error}", file.display())))
         };
-        Self::from_bytes(&file("faces.onnx")?, &file("objects.onnx")?)
+        let nets = Self::from_bytes(&file("faces.onnx")?, &file("objects.onnx")?)?;
+        match file(LANDMARKS) {
+            Ok(landmarks) => nets.with_landmarks(&landmarks),
+            Err(_) => Ok(nets),
+        }
     }
 
     /// Loads the models of faces and objects from the bytes of their files.
@@ -31,6 +38,14 @@ impl Nets {
     /// `detector` if the bytes are not the expected model.
     pub fn from_bytes(faces: &[u8], objects: &[u8]) -> Result<Self, Failure> {
         Ok(Self(Detectors::new(faces, objects)?))
+    }
+
+    /// Adds the landmark model. Then photos with open eyes come before near-duplicates with shut eyes.
+    ///
+    /// # Errors
+    /// `detector` if the bytes are not the expected model.
+    pub fn with_landmarks(self, landmarks: &[u8]) -> Result<Self, Failure> {
+        Ok(Self(self.0.with_landmarks(landmarks)?))
     }
 
     /// Models that are loaded already.

@@ -95,7 +95,7 @@ def render(
     merge: whether panels may share one image.
     whole_photos: whether photos are shown whole: the layout follows their aspect ratios.
     detect: whether faces and objects are detected, so that crops do not cut them. Takes most of the planning time.
-    models: folder with faces.onnx and objects.onnx. Default: the models in the wheel.
+    models: folder with faces.onnx, objects.onnx and optionally landmarks.onnx. Default: the models in the wheel.
     words: captions, balloons and sound effects of the first page, as a list of dicts such as
         {"kind": "balloon", "text": "Look out!", "panel": 0}. Without a position, they are placed clear of faces.
     fonts: paths of TrueType or OpenType files for characters that the bundled fonts lack, such as Arabic or Japanese. The first

@@ -456,7 +456,16 @@ fn the_table_of_all_frames_says_what_each_of_them_shows() {
 }
 
 fn subject(label: &str, x: f64, y: f64, side: f64) -> Subject {
-    Subject { x, y, width: side, height: side, label: label.into(), score: 0.9, points: None }
+    Subject {
+        x,
+        y,
+        width: side,
+        height: side,
+        label: label.into(),
+        score: 0.9,
+        points: None,
+        expression: None,
+    }
 }
 
 fn request(lengths: &[Option<u32>]) -> Request {

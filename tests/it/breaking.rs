@@ -54,6 +54,7 @@ fn photo(i: u64, random: &mut Rand64) -> (PhotoMeta, Image) {
         label: "face".into(),
         score: 0.9,
         points: None,
+        expression: None,
     };
     let meta = PhotoMeta {
         mask: Some(Matte::new(&shares, (width as usize, height as usize))),

@@ -237,7 +237,16 @@ fn words_go_on_to_stand_where_they_were_placed() {
 }
 
 fn face(x: f64, y: f64) -> Subject {
-    Subject { x, y, width: 0.12, height: 0.16, label: "face".into(), score: 0.9, points: None }
+    Subject {
+        x,
+        y,
+        width: 0.12,
+        height: 0.16,
+        label: "face".into(),
+        score: 0.9,
+        points: None,
+        expression: None,
+    }
 }
 
 /// A face whose points put the mouth into the lower left corner of its box.

@@ -32,6 +32,7 @@ mod hearing;
 mod heic;
 mod imitate;
 mod import;
+mod landmarks;
 mod layout_files;
 mod layout_pages;
 mod lettering;

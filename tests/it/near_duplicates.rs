@@ -11,16 +11,16 @@ use std::path::{Path, PathBuf};
 use inkpanel::{Album, PageOptions, Photo};
 use inkpanel_engine::document::planning::Planning;
 use inkpanel_engine::document::project::Project;
-use inkpanel_engine::framing::PhotoMeta;
-use inkpanel_engine::page::jpeg;
+use inkpanel_engine::framing::{Expression, FACE, PhotoMeta, Subject};
 use inkpanel_engine::page::request::Request;
+use inkpanel_engine::page::{catalogue, jpeg};
 use inkpanel_engine::raster::decode::{Limits, decode_fit};
 use inkpanel_engine::raster::resize::{Region, resample};
 use inkpanel_engine::raster::{Image, Plane};
 use inkpanel_engine::select::fingerprint::{distance, fingerprint};
 use inkpanel_engine::select::{DUPLICATE_THRESHOLD, sharpness};
 use inkpanel_engine::simd::point::luma_plane;
-use serde_json::Value;
+use serde_json::{Value, json};
 use variants::{blurred, variants};
 
 fn photos() -> Vec<Image> {
@@ -194,4 +194,61 @@ fn the_planner_of_a_project_follows_its_threshold() {
     };
     assert!(shows_both(10, Request::default()));
     assert!(!shows_both(16, Request::default()));
+}
+
+#[test]
+fn a_photo_with_open_eyes_is_used_instead_of_a_sharper_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let (files, _) = near_album(folder.path());
+    let mut album = Album::read(files.iter().map(Photo::open).collect()).unwrap();
+    let face = |eye: f64| {
+        let expression = Expression { right_eye: eye, left_eye: eye, mouth: 0.0, smile: 0.0 };
+        let label = FACE.to_owned();
+        Subject {
+            x: 0.3,
+            y: 0.3,
+            width: 0.3,
+            height: 0.3,
+            label,
+            score: 0.9,
+            points: None,
+            expression: Some(expression),
+        }
+    };
+    let kept = |album: &Album| -> Vec<(bool, String)> {
+        let verdicts = album.choose(&PageOptions::new()).verdicts;
+        verdicts.into_iter().take(2).map(|verdict| (verdict.kept, verdict.reason.to_string())).collect()
+    };
+    let plain = kept(&album);
+    let sharper = plain.iter().position(|(kept, _)| *kept).unwrap();
+    assert_eq!(plain[sharper].1, "sharpest of 2");
+    let mut see = |eyes: [f64; 2]| {
+        let photos = album.imported_mut();
+        photos[sharper].1.meta.find([face(eyes[0])]);
+        photos[1 - sharper].1.meta.find([face(eyes[1])]);
+        kept(&album)
+    };
+    assert_eq!(see([0.3, 0.3]), plain);
+    assert_eq!(see([0.1, 0.1]), plain);
+    let awake = see([0.1, 0.3]);
+    assert_eq!(awake[1 - sharper], (true, "open eyes, best of 2".to_owned()));
+    assert!(!awake[sharper].0);
+}
+
+#[test]
+fn the_app_sends_the_eyes_with_its_measurements() {
+    let photo = |id: &str, gradient: f64, eye: f64| {
+        json!({
+            "id": id, "name": id, "fingerprint": "0123456789abcdef", "gradient": gradient, "paper": 1, "laplacian": 900,
+            "faces": [{ "rightEye": eye, "leftEye": eye, "mouth": 0, "smile": 0 }],
+        })
+    };
+    let kept = |eyes: [f64; 2]| -> Vec<bool> {
+        let photos = [photo("a", 2.0, eyes[0]), photo("b", 1.0, eyes[1])];
+        let verdicts = catalogue::choose(&json!({ "photos": photos }).to_string()).unwrap();
+        let verdicts: Value = serde_json::from_str(&verdicts).unwrap();
+        verdicts.as_array().unwrap().iter().map(|verdict| verdict["kept"] == true).collect()
+    };
+    assert_eq!(kept([0.3, 0.3]), [true, false]);
+    assert_eq!(kept([0.1, 0.3]), [false, true]);
 }

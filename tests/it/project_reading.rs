@@ -798,3 +798,16 @@ fn faces_of_any_version_are_read_and_wrong_points_are_not_faces() {
     // Projects of older versions have faces without points.
     assert_eq!(photos[3].subjects.as_ref().unwrap().len(), 1);
 }
+
+#[test]
+fn expressions_of_faces_are_read_and_impossible_ones_are_not_faces() {
+    let mut value = whole();
+    let expression = json!({ "rightEye": 0.3, "leftEye": 0.1, "mouth": 0, "smile": -0.1 });
+    value["photos"][0]["subjects"][0]["expression"] = expression.clone();
+    value["photos"][1]["subjects"][0]["expression"] = json!({ "rightEye": 0.3 });
+    value["photos"][2]["subjects"][0]["expression"] =
+        json!({ "rightEye": 1e9, "leftEye": 0.1, "mouth": 0, "smile": 0 });
+    let photos = read(&value).unwrap().photos;
+    assert_eq!(photos[0].subjects.as_ref().unwrap()[0]["expression"], expression);
+    assert_eq!((&photos[1].subjects, &photos[2].subjects), (&None, &None));
+}

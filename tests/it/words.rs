@@ -456,7 +456,16 @@ fn settled(words: &Value, faces: &[Subject]) -> Document {
 }
 
 fn face(x: f64, y: f64) -> Subject {
-    Subject { x, y, width: 0.2, height: 0.25, label: "face".into(), score: 0.9, points: None }
+    Subject {
+        x,
+        y,
+        width: 0.2,
+        height: 0.25,
+        label: "face".into(),
+        score: 0.9,
+        points: None,
+        expression: None,
+    }
 }
 
 #[test]

@@ -99,7 +99,11 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
 
   /** Measurements of the photos that were read. */
   const measured = computed(() =>
-    facts.value.flatMap(({ id, name, measures, video }) => (measures ? [{ id, name, film: video, ...measures }] : [])),
+    facts.value.flatMap(({ id, name, measures, video, meta }) => {
+      if (!measures) return [];
+      const faces = meta?.subjects.flatMap(({ expression }) => expression ?? []) ?? [];
+      return [{ id, name, film: video, faces, ...measures }];
+    }),
   );
 
   let judged: ReadonlyMap<string, Verdict> = new Map();

@@ -7,6 +7,18 @@ import { failure } from './protocol.ts';
 
 type Nets = typeof import('../pkg-detector/inkpanel.js');
 
+/** The files of the module, and the module, which starts once per worker. */
+const code = onceMore(() => Promise.all([script(), load(MODULE)]));
+const started = onceMore(async () => {
+  const [nets, module] = await code.get();
+  await nets.default({ module_or_path: module });
+  code.forget();
+  return nets;
+});
+
+/** The module. */
+export const module = started.get;
+
 /**
  * Loads a model in two steps. `load` fetches its files, at little processor time. `ready` returns the model and creates
  * it at the first call. The next call retries after a failure.
@@ -15,15 +27,14 @@ export function net<T>(
   address: URL | string,
   make: (nets: Nets, net: Uint8Array) => T,
 ): { load: () => Promise<unknown>; ready: () => Promise<T> } {
-  const files = onceMore(() => Promise.all([script(), load(MODULE), load(address)]));
+  const file = onceMore(() => load(address));
   const made = onceMore(async () => {
-    const [nets, module, onnx] = await files.get();
-    await nets.default({ module_or_path: module });
+    const [nets, onnx] = await Promise.all([started.get(), file.get()]);
     const net = make(nets, new Uint8Array(onnx));
-    files.forget();
+    file.forget();
     return net;
   });
-  return { load: files.get, ready: made.get };
+  return { load: () => Promise.all([code.get(), file.get()]), ready: made.get };
 }
 
 /** @returns the script of the module */

@@ -1,17 +1,24 @@
-/** The worker of a detector, for faces or for objects. It loads the shared module and one model with the first job. */
+/**
+ * The worker of a detector, for faces or for objects. It loads the shared module and one model with the first job. The
+ * worker for faces loads the landmark model with the first large face.
+ */
 
 import { detach } from './blobs.ts';
-import { net } from './detector-module.ts';
+import { module, net } from './detector-module.ts';
+import { NET as LANDMARKS } from './landmarks-net.ts';
 import { serveJobs } from './serving.ts';
 import type { Detection } from './types.ts';
-import type { Looking } from './protocol.ts';
-import type { Work } from './serving.ts';
+import type { Looking, PhotoHandle } from './protocol.ts';
+import type { Slow, Work } from './serving.ts';
 
 const faces = net(new URL('../models/faces.onnx', import.meta.url), ({ FaceDetector }, onnx) => new FaceDetector(onnx));
 const objects = net(
   new URL('../models/objects.onnx', import.meta.url),
   ({ ObjectDetector }, onnx) => new ObjectDetector(onnx),
 );
+
+/** Optional, and not loaded before the first large face. */
+const reader = LANDMARKS === undefined ? undefined : net(LANDMARKS, ({ FaceReader }, onnx) => new FaceReader(onnx));
 
 export type Look = 'faces' | 'closer' | 'objects';
 
@@ -26,9 +33,9 @@ const OPERATIONS: Work<Looking> = {
       .ready()
       .then(() => null),
   }),
-  faces: async (args) => ({ ok: await looked('faces', args) }),
-  closer: async (args) => ({ ok: await looked('closer', args) }),
-  objects: async (args) => ({ ok: await looked('objects', args) }),
+  faces: async (args, slow) => ({ ok: await looked('faces', args, slow) }),
+  closer: async (args, slow) => ({ ok: await looked('closer', args, slow) }),
+  objects: async (args, slow) => ({ ok: await looked('objects', args, slow) }),
 };
 
 serveJobs<Looking>((op, args, slow) => OPERATIONS[op](args, slow));
@@ -37,12 +44,38 @@ function named({ net }: Looking['load']['args']) {
   return net === 'faces' ? faces : objects;
 }
 
-async function looked<Op extends Look>(look: Op, { photo, boxes }: Looking[Op]['args']): Promise<Looking[Op]['ok']> {
+async function looked<Op extends Look>(
+  look: Op,
+  { photo, boxes }: Looking[Op]['args'],
+  slow: Slow,
+): Promise<Looking[Op]['ok']> {
   const [run, pixels] = await Promise.all([runner(look, boxes), photo.planes.arrayBuffer()]);
   const planes = new Uint8Array(pixels);
-  const found = run(photo.width, photo.height, planes);
+  const found = JSON.parse(run(photo.width, photo.height, planes));
+  if (look === 'faces') found.boxes = await withExpressions(found.boxes, photo, planes, slow);
+  const all = look === 'closer' ? await withExpressions(found, photo, planes, slow) : found;
   detach(planes);
-  return JSON.parse(found);
+  return all;
+}
+
+/** Adds eyes and mouths to large faces. Without the landmark model, it returns the boxes unchanged. */
+async function withExpressions(
+  boxes: readonly Detection[],
+  { width, height }: PhotoHandle,
+  planes: Uint8Array,
+  slow: Slow,
+): Promise<readonly Detection[]> {
+  if (!reader || boxes.length === 0) return boxes;
+  const text = JSON.stringify(boxes);
+  try {
+    const { FaceReader } = await module();
+    if (!FaceReader.suits(width, height, text)) return boxes;
+    slow();
+    const net = await reader.ready();
+    return JSON.parse(net.read(width, height, planes, text));
+  } catch {
+    return boxes;
+  }
 }
 
 /** @param boxes of the first look */

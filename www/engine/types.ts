@@ -1156,6 +1156,20 @@ export type Subject = {
   score: number,
   /** Points of a face. `None` for objects, and for faces of old projects. */
   points?: ReadonlyArray<[number, number]>,
+  /** Eyes and mouth of a face. `None` for objects and small faces, and without the landmark model. */
+  expression?: Expression,
+};
+
+/** Eyes and mouth of a face, as ratios of distances in the face. */
+export type Expression = {
+  /** Distance of the lids of the person's right eye, in widths of the eye: about 0.2 if shut, and 0.3 if open. */
+  rightEye: number,
+  /** The left eye. */
+  leftEye: number,
+  /** Distance of the lips, in widths of the mouth: 0 if closed. */
+  mouth: number,
+  /** Height of the corners of the mouth above its middle, in widths of the mouth. It is negative in a sad face. */
+  smile: number,
 };
 
 /** A filter block, as data for its controls. */
@@ -1448,6 +1462,8 @@ export type Candidate = {
   laplacian: number,
   /** The video that it is a frame of. */
   film?: string | null,
+  /** The faces whose eyes are known. */
+  faces?: ReadonlyArray<Expression>,
 };
 
 /** Measurements for the selection, as JSON. */
@@ -1510,6 +1526,8 @@ export type Detection = {
   height: number,
   /** Points of a face. `None` for objects. */
   points?: ReadonlyArray<[number, number]>,
+  /** Eyes and mouth of a face. `None` for objects and small faces, and without the landmark model. */
+  expression?: Expression,
 };
 
 /** Result of the first search for faces. */

@@ -40,9 +40,12 @@ export const photosFeature: Feature<Parts> = {
     const onFound = () => {
       app.crops.found();
       app.narrating.avoidFaces();
+      // A page that the user has seen keeps its photos, even if a near-duplicate is better.
+      if (!store.sketch.peek() && reading.composed.peek() === null) reading.keepShown();
     };
     const subjects = createSubjects({ ...app, painted, onFound, wanted, window: env.window });
-    if (wanted) planAgain({ ...app, composed: reading.composed, searched: subjects.searched, window: env.window });
+    const { composed, keepShown } = reading;
+    if (wanted) planAgain({ ...app, composed, keepShown, searched: subjects.searched, window: env.window });
     const ready = () =>
       store.reading.value === null && painted() && subjects.settled.value && !app.droppedFiles.busy.value;
     const masks = createMasks({ ...app, onFound: () => app.crops.found(), ready, wanted });

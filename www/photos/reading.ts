@@ -78,6 +78,7 @@ export function createReading({
     remove,
     removeAll,
     edit,
+    keepShown,
     freshIds: intake.freshIds,
     count: intake.count,
     /** The automatic name of the project; empty without information. */
@@ -266,11 +267,13 @@ export function createReading({
     planned = inUse();
   }
 
-  /** Keeps the near-duplicate on the page in use, instead of one that was read later. */
+  /** Keeps the near-duplicate on the page in use, instead of one that was read or searched later. */
   function keepShown() {
     const shown = photosOn(store.sheets.peek());
     const verdicts = [...store.verdicts.peek().values()];
-    const groups = new Set(verdicts.filter(({ id, kept }) => !kept && shown.has(id)).map(({ group }) => group));
+    const chosen = new Set(store.tray.peek().flatMap(({ id, use }) => (typeof use === 'boolean' ? [id] : [])));
+    const excluded = verdicts.filter(({ id, kept }) => !kept && shown.has(id) && !chosen.has(id));
+    const groups = new Set(excluded.map(({ group }) => group));
     const alike = verdicts.filter(({ group, kept, id }) => groups.has(group) && (kept || shown.has(id)));
     if (alike.length === 0) return;
     const uses = Object.fromEntries(alike.map(({ id }) => [id, shown.has(id)]));

@@ -41,7 +41,16 @@ test('its subjects and its focus point turn with it', async () => {
   const { store, rotating, photoAt } = await app();
   const id = photoAt(0);
   const fact = store.album.value.get(id) as any;
-  const face = { label: 'face', score: 1, x: 0.1, y: 0.2, width: 0.3, height: 0.4, points: Array(6).fill([0.2, 0.3]) };
+  const face = {
+    label: 'face',
+    score: 1,
+    x: 0.1,
+    y: 0.2,
+    width: 0.3,
+    height: 0.4,
+    points: Array(6).fill([0.2, 0.3]),
+    expression: { rightEye: 0.3, leftEye: 0.1, mouth: 0, smile: 0.1 },
+  };
   store.know({ ...fact, meta: { ...fact.meta, taken: '2020:01:01 00:00:00', subjects: [face] } });
   store.change({ type: 'focus-photo', id, focus: { x: 0.1, y: 0.2 } });
   await rotating.rotate(() => id, 'right');
@@ -49,11 +58,17 @@ test('its subjects and its focus point turn with it', async () => {
   const near = (value: number) => expect.closeTo(value, 9);
   expect(turned).toMatchObject({ label: 'face', x: near(0.4), y: near(0.1), width: near(0.4), height: near(0.3) });
   expect(turned.points).toEqual(Array(6).fill([near(0.7), near(0.2)]));
+  expect(turned.expression).toEqual(face.expression);
   expect(store.album.value.get(photoAt(0))?.meta?.taken).toBe('2020:01:01 00:00:00');
   const focusOf = () => store.tray.value.find((item) => item.id === photoAt(0))?.focus;
   expect(focusOf()).toEqual({ x: near(0.8), y: near(0.1) });
   await rotating.rotate(() => photoAt(0), 'flip');
-  expect(store.album.value.get(photoAt(0))?.meta?.subjects[0]).toMatchObject({ x: near(0.2), y: near(0.1) });
+  const flipped = store.album.value.get(photoAt(0))?.meta?.subjects[0];
+  expect(flipped).toMatchObject({
+    x: near(0.2),
+    y: near(0.1),
+    expression: { rightEye: 0.1, leftEye: 0.3, smile: 0.1 },
+  });
   expect(focusOf()).toEqual({ x: near(0.2), y: near(0.1) });
 });
 

@@ -135,12 +135,24 @@ function rotatedPoint({ x, y }: Point, rotation: Rotation): Point {
   return rotation === 'flip' ? { x: 1 - x, y } : { x: 1 - y, y: x };
 }
 
-function rotatedSubject({ x, y, width, height, points, ...subject }: Subject, rotation: Rotation): Subject {
+function rotatedSubject({ x, y, width, height, points, expression, ...subject }: Subject, rotation: Rotation): Subject {
   const corner = rotatedPoint(rotation === 'flip' ? { x: x + width, y } : { x, y: y + height }, rotation);
   const [wide, high] = rotation === 'flip' ? [width, height] : [height, width];
   const at = points?.map(([left, top]): [number, number] => {
     const point = rotatedPoint({ x: left, y: top }, rotation);
     return [point.x, point.y];
   });
-  return { ...subject, ...corner, width: wide, height: high, ...(at && { points: at }) };
+  // A flip exchanges the eyes.
+  const seen =
+    rotation === 'flip' && expression
+      ? { ...expression, rightEye: expression.leftEye, leftEye: expression.rightEye }
+      : expression;
+  return {
+    ...subject,
+    ...corner,
+    width: wide,
+    height: high,
+    ...(at && { points: at }),
+    ...(seen && { expression: seen }),
+  };
 }

@@ -4,13 +4,15 @@ import { fakeApp, orderByName } from '../document/testing.ts';
 import { planAgain } from './second-plan.ts';
 
 const FACE = { label: 'face', score: 1, x: 0.3, y: 0.2, width: 0.3, height: 0.4 };
+const expression = (eye: number) => ({ rightEye: eye, leftEye: eye, mouth: 0, smile: 0 });
 const ten = Array.from({ length: 10 }, (_, i) => `${i}.jpg`);
 
 /**
  * A first page of the first six of ten photos.
  * @param people names of photos with a face
+ * @param asleep those with shut eyes
  */
-async function app(people: readonly string[]) {
+async function app(people: readonly string[], asleep: readonly string[] = []) {
   const made = fakeApp();
   const { store, pages, planner, reading, files } = made;
   orderByName({ store });
@@ -30,15 +32,21 @@ async function app(people: readonly string[]) {
   const composed = signal<{ version: string; at: number } | null>({ version: store.version.value, at: 0 });
   const window = new EventTarget();
   const clock = { now: 20_000 };
-  planAgain({ store, pages, composed, searched, window: window as Window, now: () => clock.now });
+  const { keepShown } = reading;
+  planAgain({ store, pages, composed, searched, keepShown, window: window as Window, now: () => clock.now });
+  const find = () => {
+    for (const fact of store.facts.value) {
+      const face = { ...FACE, expression: expression(asleep.includes(fact.name) ? 0.1 : 0.3) };
+      if (people.includes(fact.name) && fact.meta) store.know({ ...fact, meta: { ...fact.meta, subjects: [face] } });
+    }
+  };
   /** Ends the detection. */
   const search = () => {
-    for (const fact of store.facts.value)
-      if (people.includes(fact.name) && fact.meta) store.know({ ...fact, meta: { ...fact.meta, subjects: [FACE] } });
+    find();
     searched.value = true;
   };
   const names = () => store.page.value?.panels.map(({ photo }) => store.album.value.get(String(photo))?.name);
-  return { ...made, composed, searched, window, clock, search, names };
+  return { ...made, composed, searched, window, clock, find, search, names };
 }
 
 test('a better choice of photos replaces the first page, in its layout and style, without a step', async () => {
@@ -101,4 +109,44 @@ test('it is not replaced while photos are read', async () => {
   expect(names()).toEqual(before);
   store.reading.value = null;
   expect(names()).toContain('9.jpg');
+});
+
+/** A choice for which 9.jpg is like 0.jpg, and the first is sharper. */
+function chooseByEyes(planner: { choose: (photos: any[]) => any[] }) {
+  planner.choose = (photos) => {
+    const isShut = (name: string) =>
+      photos.some((photo) => photo.name === name && photo.faces.some(({ rightEye }: any) => rightEye < 0.16));
+    const awake = isShut('0.jpg') && !isShut('9.jpg');
+    const pair: Record<string, object> = {
+      '0.jpg': { kept: !awake, why: awake ? 'same as 9.jpg' : 'sharpest of 2' },
+      '9.jpg': { kept: awake, why: awake ? 'open eyes, best of 2' : 'same as 0.jpg' },
+    };
+    return photos.map(({ id, name }, i) => ({
+      id,
+      ...(pair[name] ? { group: 0, ...pair[name] } : { group: i + 1, kept: true, why: 'only one like it' }),
+    }));
+  };
+}
+
+test('a near-duplicate with open eyes replaces a photo of the first page', async () => {
+  const { store, planner, search, names } = await app(['0.jpg', '9.jpg'], ['0.jpg']);
+  chooseByEyes(planner);
+  expect(names()).toContain('0.jpg');
+  search();
+  expect(names()).toContain('9.jpg');
+  expect(names()).not.toContain('0.jpg');
+  expect(store.history.value.past).toEqual([]);
+});
+
+test('a page that the user has touched keeps its photo with shut eyes in use', async () => {
+  const { store, planner, window, find, search, names } = await app(['0.jpg', '9.jpg'], ['0.jpg']);
+  chooseByEyes(planner);
+  const before = names();
+  find();
+  window.dispatchEvent(new Event('keydown'));
+  search();
+  expect(names()).toEqual(before);
+  const used = store.photos.value.map(({ id }) => store.album.value.get(id)?.name);
+  expect(used).toContain('0.jpg');
+  expect(used).not.toContain('9.jpg');
 });

@@ -1,10 +1,12 @@
 /**
  * Plans the first page once more. The first page is composed when a few photos are read, so it may show receipts or
  * empty landscapes that came first. After all photos are read and searched, a page with a better choice of photos
- * replaces it once, in the same layout and style. Any action of the user keeps the page.
+ * replaces it once, in the same layout and style. A near-duplicate with open eyes also replaces one with shut eyes. Any
+ * action of the user keeps the page.
  */
 
 import { effect, untracked } from '@preact/signals';
+import { photosOn } from '../engine/sheets.ts';
 import { rankOf } from './hero.ts';
 import { pagesOfText } from './pages-of-text.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
@@ -21,12 +23,16 @@ const TEXT = -2;
 /** Events of a user. */
 const ACTS = ['pointerdown', 'keydown', 'wheel'];
 
-/** @param app `composed`: the version of the page that was composed, and the time; `searched`: whether detection is done */
+/**
+ * @param app `composed`: the version of the page that was composed, and the time; `searched`: whether detection is done.
+ *   `keepShown` keeps the photos of the page in use
+ */
 export function planAgain({
   store,
   pages,
   composed,
   searched,
+  keepShown,
   window,
   now = () => performance.now(),
 }: {
@@ -34,11 +40,14 @@ export function planAgain({
   pages: Pick<Pages, 'plan'>;
   composed: Signal<{ version: string; at: number } | null>;
   searched: ReadonlySignal<boolean>;
+  keepShown: () => void;
   window: Pick<Window, 'addEventListener'>;
   now?: () => number;
 }) {
   const forget = () => {
+    if (composed.peek() === null) return;
     composed.value = null;
+    untracked(keepShown);
   };
   for (const act of ACTS) window.addEventListener(act, forget, { capture: true, passive: true });
 
@@ -54,8 +63,9 @@ export function planAgain({
 
   function replace() {
     const page = store.page.peek();
+    const exchanged = page !== null && useOpenEyes(page);
     const photos = store.photos.peek();
-    if (!page || photos.length <= page.panels.length) return;
+    if (!page || (!exchanged && photos.length <= page.panels.length)) return;
     const { layout, style, panels } = page;
     const better = pages.plan({
       keep: { layout: false, style: false, photos: false },
@@ -66,8 +76,24 @@ export function planAgain({
       panels: panels.length,
       surprise: 0,
     });
-    if (better && worthOf(better) >= worthOf(page) + LEAST_GAIN)
+    if (better && (exchanged || worthOf(better) >= worthOf(page) + LEAST_GAIN))
       store.change({ type: 'change-page', page: better, silent: true });
+  }
+
+  /**
+   * Uses near-duplicates with open eyes instead of photos of the page.
+   * @returns whether there are any
+   */
+  function useOpenEyes(page: PageDocument): boolean {
+    const shown = photosOn([page]);
+    const verdicts = [...store.verdicts.peek().values()];
+    const awake = verdicts.filter(({ id, why }) => why.startsWith('open eyes') && !shown.has(id));
+    const uses = awake.flatMap(({ id, group }) => {
+      const asleep = verdicts.filter((other) => other.group === group && shown.has(other.id));
+      return asleep.length > 0 ? [[id, true] as const, ...asleep.map((other) => [other.id, false] as const)] : [];
+    });
+    if (uses.length > 0) store.change({ type: 'use-photos', uses: Object.fromEntries(uses), silent: true });
+    return uses.length > 0;
   }
 
   /** Points for the people and animals of a page. The largest panel counts twice. */

@@ -33,6 +33,7 @@ type Named = {
   verdicts: {
     same: (named: { name: string }) => string;
     sharpest: (counted: { of: string }) => string;
+    awake: (counted: { of: string }) => string;
     only: string;
     blurred: string;
     frame: string;
@@ -66,6 +67,8 @@ export function naming({ blockNames, choices, verdicts }: Named, names: Partial<
           return verdicts.same({ name: reason.name });
         case 'sharpest':
           return verdicts.sharpest({ of: String(reason.of) });
+        case 'open-eyes':
+          return verdicts.awake({ of: String(reason.of) });
         case 'only':
           return verdicts.only;
         case 'blurred':

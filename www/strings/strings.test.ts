@@ -248,6 +248,7 @@ it('turns the reasons for photos', () => {
   const reasons: VerdictReason[] = [
     { code: 'same-as', name: 'only one like it.jpg' },
     { code: 'sharpest', of: 3 },
+    { code: 'open-eyes', of: 3 },
     { code: 'only' },
     { code: 'blurred' },
     { code: 'frame' },
@@ -255,6 +256,7 @@ it('turns the reasons for photos', () => {
   expect(reasons.map(inLanguage('en').verdict)).toEqual([
     'same as only one like it.jpg',
     'sharpest of 3',
+    'open eyes, best of 3',
     'only one like it',
     'blurred',
     'another frame of the video',
@@ -262,6 +264,7 @@ it('turns the reasons for photos', () => {
   expect(reasons.map(inLanguage('es').verdict)).toEqual([
     'igual que only one like it.jpg',
     'la más nítida de 3',
+    'ojos abiertos, la mejor de 3',
     'la única así',
     'desenfocada',
     'otro fotograma del vídeo',

@@ -10,8 +10,8 @@ use crate::{models, python, test::ENGINE, tools};
 
 /// Files of `www/models` in the wheel.
 const MODELS: [&str; 4] = ["faces.onnx", "objects.onnx", "painters.onnx", "README.md"];
-/// Optional file of `www/models` in the wheel.
-const PLACES: &str = "places.bin";
+/// Optional files of `www/models` in the wheel.
+const OPTIONAL: [&str; 2] = ["landmarks.onnx", "places.bin"];
 
 /// Builds the wheel into `target/wheels` and tests it; `with_ray` also on a cluster of this machine.
 ///
@@ -55,8 +55,8 @@ fn folder(project: &Project) -> PathBuf {
 fn copy_models(project: &Project, package: &Path) -> Result<()> {
     let folder = package.join("inkpanel/models");
     fs::create_dir_all(&folder)?;
-    let places = Some(PLACES).filter(|file| project.www().join("models").join(file).exists());
-    for file in MODELS.into_iter().chain(places) {
+    let found = OPTIONAL.into_iter().filter(|file| project.www().join("models").join(file).exists());
+    for file in MODELS.into_iter().chain(found) {
         let from = project.www().join("models").join(file);
         fs::copy(&from, folder.join(file)).with_context(|| format!("cannot copy {}", from.display()))?;
     }

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 use crate::{CliError, report};
 
-/// Reads the models from `folder`, or from the default folder.
+/// Reads the models from `folder`, or from the default folder. The landmark model is optional.
 pub(crate) fn load(folder: Option<&Path>) -> Result<Detectors, CliError> {
     let folder = folder
         .map(Path::to_path_buf)
@@ -23,7 +23,12 @@ pub(crate) fn load(folder: Option<&Path>) -> Result<Detectors, CliError> {
         std::fs::read(&file).map_err(|error| CliError::new("no-models", error.to_string()).at(file.display()))
     };
     let (faces, objects) = (read("faces.onnx")?, read("objects.onnx")?);
-    Detectors::new(&faces, &objects).map_err(|error| CliError::from(error).at(folder.display()))
+    let detectors = Detectors::new(&faces, &objects);
+    let detectors = match read("landmarks.onnx") {
+        Ok(landmarks) => detectors.and_then(|detectors| detectors.with_landmarks(&landmarks)),
+        Err(_) => detectors,
+    };
+    detectors.map_err(|error| CliError::from(error).at(folder.display()))
 }
 
 /// Reads the model that rates pictures, from `folder` or the default folder.
@@ -109,6 +114,9 @@ pub(crate) fn boxes(photo: &Imported, found: &[Detection]) -> Vec<Value> {
         if let Some(points) = &d.points {
             row["points"] =
                 points.iter().map(|&[x, y]| json!([pixels(x, width), pixels(y, height)])).collect();
+        }
+        if let Some(expression) = &d.expression {
+            row["expression"] = json!(expression);
         }
         row
     };

@@ -132,6 +132,7 @@ fn detections(candidates: Vec<Candidate>) -> Vec<Detection> {
         width: right - left,
         height: bottom - top,
         points,
+        expression: None,
     };
     candidates.into_iter().map(detection).filter(|face| face.width > 0.0 && face.height > 0.0).collect()
 }
@@ -165,6 +166,7 @@ mod tests {
             width: size,
             height: size,
             points: None,
+            expression: None,
         };
         assert!(worth_a_closer_look(&photo(1600), &[]));
         assert!(worth_a_closer_look(&photo(1600), &[face(0.05)]));

@@ -74,6 +74,7 @@ fn detection(label: &'static str, kept: Candidate) -> Detection {
         width: right - left,
         height: bottom - top,
         points: None,
+        expression: None,
     }
 }
 

@@ -13,6 +13,7 @@ use tract_onnx::tract_hir::tract_core::ops::change_axes::to_axis_ops_with_onnx_r
 
 use super::constants::constant;
 use super::enlarge::Enlarge;
+use super::prelu::PRelu;
 use super::winograd::Convolution;
 
 type Built = TractResult<(Box<dyn InferenceOp>, Vec<String>)>;
@@ -28,6 +29,7 @@ pub(super) fn reader() -> Onnx {
     known.insert("Identity", |_, _| built(Box::<Identity>::default()));
     known.insert("MaxPool", max_pool);
     known.insert("Pad", |_, _| built(expand(Pad)));
+    known.insert("PRelu", |_, _| built(expand(PRelu)));
     known.insert("Relu", |_, _| built(expand(activations::Clip::new(Some(0.0), None))));
     known.insert("Reshape", |_, _| built(expand(Reshape)));
     known.insert("Resize", |_, node| built(expand(Enlarge::read(node)?)));

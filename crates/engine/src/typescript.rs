@@ -14,7 +14,7 @@ use crate::document::planning::{Planning, Seeds};
 use crate::document::project::{Focus, Locks, Order, Project, Sheet, Styling, TrayItem};
 use crate::document::shots::{Board, Shot};
 use crate::document::upkeep::Groups;
-use crate::framing::{Crop, PhotoMeta, Subject};
+use crate::framing::{Crop, Expression, PhotoMeta, Subject};
 use crate::hearing;
 use crate::layout::edit::Cut;
 use crate::layout::tree::Axis;
@@ -324,6 +324,7 @@ fn types() -> String {
         PhotoMeta,
         crate::framing::energy::Hexadecimal,
         Subject,
+        Expression,
         BlockEntry,
         ParamEntry,
         ParamKind,
@@ -531,7 +532,7 @@ fn written() -> String {
         ProjectFile { history: editor.history().clone(), photos: vec![], videos: vec![], dropped: vec![] }
             .write();
     let whole: Value = serde_json::from_str(&whole).unwrap();
-    let file = ProjectFile::parse(&json!({ "format": "inkpanel", "version": 1, "history": whole["history"], "photos": [{ "id": "p", "name": "P", "path": "p.jpg", "type": "image/jpeg", "credit": "me", "video": "v", "time": 2, "measured": true, "subjects": [{ "label": "face", "score": 1, "x": 0, "y": 0, "width": 1, "height": 1 }], "rank": 1, "like": { "hash": "", "fingerprint": "0123456789abcdef", "width": 4, "height": 3 } }], "videos": [{ "key": "v", "name": "V", "path": "v.mp4", "type": "video/mp4", "ids": ["p"], "duration": 5, "start": 1, "end": 2, "timecode": { "frame": 1_078_920, "fps": 30, "drop": true } }] }).to_string()).unwrap().write();
+    let file = ProjectFile::parse(&json!({ "format": "inkpanel", "version": 1, "history": whole["history"], "photos": [{ "id": "p", "name": "P", "path": "p.jpg", "type": "image/jpeg", "credit": "me", "video": "v", "time": 2, "measured": true, "subjects": [{ "label": "face", "score": 1, "x": 0, "y": 0, "width": 1, "height": 1, "expression": { "rightEye": 0.3, "leftEye": 0.3, "mouth": 0, "smile": 0.1 } }], "rank": 1, "like": { "hash": "", "fingerprint": "0123456789abcdef", "width": 4, "height": 3 } }], "videos": [{ "key": "v", "name": "V", "path": "v.mp4", "type": "video/mp4", "ids": ["p"], "duration": 5, "start": 1, "end": 2, "timecode": { "frame": 1_078_920, "fps": 30, "drop": true } }] }).to_string()).unwrap().write();
     let on = |layout: &str| json!({ "layout": layout, "page": settings }).to_string();
     let layouts = catalogue::layouts();
     let layouts: Vec<_> = layouts
@@ -546,6 +547,7 @@ fn written() -> String {
     let mut candidate = serde_json::to_value(&measures).unwrap();
     candidate["id"] = json!("p");
     candidate["name"] = json!("P");
+    candidate["faces"] = json!([{ "rightEye": 0.3, "leftEye": 0.3, "mouth": 0, "smile": 0.1 }]);
     let choice = json!({ "photos": [candidate], "duplicateThreshold": 10 });
     let style: Value = catalogue::styles()[0].clone();
     let facts = layouts::facts(&on("grid-4")).unwrap();

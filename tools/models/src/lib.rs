@@ -18,6 +18,7 @@ mod tflite;
 mod u2net;
 
 use std::fs;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::thread;
 
@@ -60,7 +61,22 @@ const MODELS: &[Model] = &[
     },
 ];
 
-/// The model that rates how good a picture looks. Optional: without pip, it is not installed.
+/// The model that finds the eyelids and lips of a face. Optional: without it, eyes and mouths of faces are unknown.
+const LANDMARKS: Model = Model {
+    file: "landmarks.onnx",
+    sha256: "66c22ddb971de74bdd4fbad91ea98be97bf1ddc42a9438415fb23b1548686041",
+    package: Package {
+        registry: Registry::Npm,
+        name: "@mediapipe/face_mesh@0.4.1657299874",
+        sha256: "c08a7e0742a326285da666cf81d77c8b6f3a181a2ee948cadaf166008e0d3bc7",
+    },
+    convert: landmarks,
+};
+
+/// Place of the landmark model in the packed file of its package.
+const LANDMARKS_BYTES: Range<usize> = 2_495_952..3_737_848;
+
+/// The model that rates how good a picture looks. Optional, like the previous one: without pip, it is not installed.
 const AESTHETICS: Model = Model {
     file: "aesthetics.onnx",
     sha256: "be72a8b8b1754005a753b075131c172f7bfe244e5a66405ddc0fcbbc8dc531db",
@@ -132,6 +148,7 @@ pub struct Folders {
 pub fn make(folders: &Folders) -> Result<()> {
     let made = MODELS.iter().try_for_each(|model| model.make(folders));
     for (model, without) in [
+        (LANDMARKS, "eyes and mouths of faces are unknown"),
         (AESTHETICS, "random styles are sorted by the simple score"),
         (SUBJECT, "subjects cannot break out of their panels"),
         (PAINTERS, "styles with painters leave photos unpainted"),
@@ -166,7 +183,7 @@ pub fn parts() -> Vec<Part> {
         registry: model.package.registry,
         package: model.package.name,
     };
-    MODELS.iter().chain([&AESTHETICS, &SUBJECT, &PAINTERS, &PLACES]).map(part).collect()
+    MODELS.iter().chain([&LANDMARKS, &AESTHETICS, &SUBJECT, &PAINTERS, &PLACES]).map(part).collect()
 }
 
 impl Model {
@@ -215,7 +232,15 @@ fn objects(package: &Path) -> Result<Vec<u8>> {
 /// The face detector: one TensorFlow Lite file.
 fn faces(package: &Path) -> Result<Vec<u8>> {
     let file = "face_detection_full_range.tflite";
-    tflite::convert(&fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?)
+    tflite::convert(&fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?, "faces")
+}
+
+/// The landmark model: a TensorFlow Lite file inside a file of several ones.
+fn landmarks(package: &Path) -> Result<Vec<u8>> {
+    let file = "face_mesh_solution_packed_assets.data";
+    let packed = fs::read(package.join(file)).with_context(|| format!("cannot read {file}"))?;
+    let model = packed.get(LANDMARKS_BYTES).with_context(|| format!("{file} is cut off"))?;
+    tflite::convert(model, "landmarks")
 }
 
 /// The model that rates pictures: the Keras weights that idealo published.

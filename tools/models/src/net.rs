@@ -114,6 +114,19 @@ pub(super) fn sum(graph: &mut Graph, a: &Tensor, b: &Tensor) -> Result<Tensor> {
     Ok(Tensor { name: graph.node("Add", &[&a.name, &b.name], &[]), shape: a.shape.clone() })
 }
 
+/// The values, with negative ones multiplied by the slope of their channel.
+pub(super) fn prelu(graph: &mut Graph, from: &Tensor, slopes: &Constant) -> Result<Tensor> {
+    let channels = from.shape.last().copied().unwrap_or_default();
+    ensure!(
+        from.shape.len() == 4 && slopes.values.len() == channels && slopes.shape.last() == Some(&channels),
+        "slopes of shape {:?} for {:?}",
+        slopes.shape,
+        from.shape
+    );
+    let slopes = graph.weights(&slopes.values, &[channels as i64, 1, 1]);
+    Ok(Tensor { name: graph.node("PRelu", &[&from.name, &slopes], &[]), ..from.clone() })
+}
+
 /// The same values in another logical shape.
 pub(super) fn reshape(graph: &mut Graph, from: &Tensor, shape: Vec<usize>) -> Result<Tensor> {
     let (has, wants): (usize, usize) = (from.shape.iter().product(), shape.iter().product());
@@ -125,6 +138,14 @@ pub(super) fn reshape(graph: &mut Graph, from: &Tensor, shape: Vec<usize>) -> Re
     }
     let wanted = graph.integers(&long(&shape));
     Ok(Tensor { name: graph.node("Reshape", &[&name, &wanted], &[]), shape })
+}
+
+/// The order of sides in the file.
+pub(super) fn stored(shape: &[usize]) -> Vec<usize> {
+    match *shape {
+        [batch, height, width, channels] => vec![batch, channels, height, width],
+        _ => shape.to_vec(),
+    }
 }
 
 /// Sizes in the type of the file format.
@@ -164,6 +185,16 @@ mod tests {
         assert_eq!((pads, size), ([0; 4], [149, 9]));
         let (pads, size) = window(Padding::Around).on(&[1, 300, 19, 3]).unwrap();
         assert_eq!((pads, size), ([1; 4], [150, 10]));
+    }
+
+    #[test]
+    fn each_channel_has_one_slope() {
+        let from = Tensor { name: "x".into(), shape: vec![1, 4, 5, 2] };
+        let slopes = |count: usize| Constant { values: vec![0.5; count], shape: vec![1, 1, count] };
+        let mut graph = Graph::default();
+        assert_eq!(prelu(&mut graph, &from, &slopes(2)).unwrap().shape, from.shape);
+        assert!(prelu(&mut graph, &from, &slopes(5)).is_err());
+        assert_eq!(stored(&from.shape), [1, 2, 4, 5]);
     }
 
     #[test]

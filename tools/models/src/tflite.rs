@@ -20,9 +20,10 @@ const RELU: i64 = 19;
 const RESHAPE: i64 = 22;
 const RESIZE_BILINEAR: i64 = 23;
 const PAD: i64 = 34;
+const PRELU: i64 = 54;
 
-/// Converts a file; the input is named `image` (NCHW), the outputs as in the file.
-pub(super) fn convert(file: &[u8]) -> Result<Vec<u8>> {
+/// Converts a file to a graph called `title`. The input is named `image` (NCHW), the outputs as in the file.
+pub(super) fn convert(file: &[u8], title: &str) -> Result<Vec<u8>> {
     let model = Table::root(file)?;
     let net = *model.tables(2)?.first().context("the file holds no net")?;
     let mut reader = Reader {
@@ -35,8 +36,7 @@ pub(super) fn convert(file: &[u8]) -> Result<Vec<u8>> {
     for input in net.integers(1)? {
         let shape = reader.shape(input)?;
         ensure!(shape.len() == 4, "an input of shape {shape:?}");
-        let order = [shape[0], shape[3], shape[1], shape[2]];
-        let name = reader.graph.input("image", &long(&order));
+        let name = reader.graph.input("image", &long(&net::stored(&shape)));
         reader.results.insert(input, Tensor { name, shape });
     }
     let codes = model.tables(1)?;
@@ -50,9 +50,9 @@ pub(super) fn convert(file: &[u8]) -> Result<Vec<u8>> {
         let name = String::from_utf8_lossy(reader.tensor(output)?.bytes(3)?).into_owned();
         let result = reader.result(output)?;
         let name = name.rsplit('/').next().unwrap_or(&name);
-        reader.graph.output(&result.name, name, &long(&result.shape));
+        reader.graph.output(&result.name, name, &long(&net::stored(&result.shape)));
     }
-    Ok(reader.graph.finish("faces"))
+    Ok(reader.graph.finish(title))
 }
 
 struct Reader<'a> {
@@ -97,6 +97,10 @@ impl<'a> Reader<'a> {
                 self.activated(sum, options.integer(0, 1, 0)?)?
             }
             RELU => self.activated(from, 1)?,
+            PRELU => {
+                let slopes = self.constant(input(1)?)?;
+                net::prelu(&mut self.graph, &from, &slopes)?
+            }
             MAX_POOL_2D => {
                 let window = options.window([options.size(4, 0)?, options.size(3, 0)?], [1, 1])?;
                 let pooled = net::max_pool(&mut self.graph, &from, window)?;

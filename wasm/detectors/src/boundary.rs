@@ -7,7 +7,8 @@
 #![allow(clippy::missing_errors_doc)]
 
 use inkpanel_detect::{
-    Aesthetics, Detection, Faces, FirstLook, Look, Objects, Segmenter, worth_a_closer_look,
+    Aesthetics, Detection, Faces, FirstLook, Landmarks, Look, Objects, Segmenter, has_readable_faces,
+    worth_a_closer_look,
 };
 use inkpanel_image::error::{Error, Result};
 use inkpanel_image::raster::{Image, Plane};
@@ -42,8 +43,35 @@ impl FaceDetector {
 
     /// Also finds small faces. `boxes` are the result of the first search. The result replaces them.
     pub fn look_closer(&self, width: usize, height: usize, planes: &[u8], boxes: &str) -> Result<String> {
-        let first: Vec<Detection> = serde_json::from_str(boxes).map_err(|error| internal(&error))?;
-        json(&self.net.look_closer(&image(width, height, planes)?, &first)?)
+        json(&self.net.look_closer(&image(width, height, planes)?, &parsed(boxes)?)?)
+    }
+}
+
+/// The landmark model, which finds the eyelids and lips of faces. Photos and boxes have the same form as in
+/// [`FaceDetector`].
+#[wasm_bindgen]
+pub struct FaceReader {
+    net: Landmarks,
+}
+
+#[wasm_bindgen]
+impl FaceReader {
+    /// Loads the model.
+    #[wasm_bindgen(constructor)]
+    pub fn new(onnx: &[u8]) -> Result<Self> {
+        Ok(Self { net: Landmarks::new(onnx)? })
+    }
+
+    /// Whether a photo has faces that are large enough.
+    pub fn suits(width: usize, height: usize, boxes: &str) -> Result<bool> {
+        Ok(has_readable_faces((width, height), &parsed(boxes)?))
+    }
+
+    /// Adds the expressions of the largest faces. The result replaces `boxes`.
+    pub fn read(&self, width: usize, height: usize, planes: &[u8], boxes: &str) -> Result<String> {
+        let mut found = parsed(boxes)?;
+        self.net.read(&image(width, height, planes)?, &mut found)?;
+        json(&found)
     }
 }
 
@@ -129,6 +157,10 @@ fn image(width: usize, height: usize, planes: &[u8]) -> Result<Image> {
     }
     let plane = |i: usize| Plane::from_samples(width, height, planes[i * count..(i + 1) * count].to_vec());
     Image::from_rgb([plane(0)?, plane(1)?, plane(2)?])
+}
+
+fn parsed(boxes: &str) -> Result<Vec<Detection>> {
+    serde_json::from_str(boxes).map_err(|error| internal(&error))
 }
 
 fn json(value: &impl serde::Serialize) -> Result<String> {

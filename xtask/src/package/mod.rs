@@ -100,8 +100,12 @@ fn engine(project: &Project, folder: &Path) -> Result<()> {
         ensure!(text.matches(&named).count() == 1, "{shown} imports {library} in another way");
         fs::write(&reader, text.replace(&named, &format!("from '../vendor/{library}.js'")))?;
     }
-    for net in ["faces.onnx", "objects.onnx", "painters.onnx"] {
-        copy(&models::folder(project).join(net), &folder.join("models").join(net))?;
+    for net in ["faces.onnx", "objects.onnx", "painters.onnx", "landmarks.onnx"] {
+        let file = models::folder(project).join(net);
+        // The landmark model is optional.
+        if net != "landmarks.onnx" || file.exists() {
+            copy(&file, &folder.join("models").join(net))?;
+        }
     }
     copy(&models::folder(project).join("README.md"), &folder.join("licences/models.md"))
 }

@@ -18,7 +18,7 @@ pub(crate) struct DetectArgs {
     /// Print JSON.
     #[arg(long)]
     pub(crate) json: bool,
-    /// Folder that contains faces.onnx and objects.onnx. [default: next to the program, or www/models]
+    /// Folder that contains faces.onnx, objects.onnx and optionally landmarks.onnx. [default: next to the program, or www/models]
     #[arg(long, value_name = "DIR")]
     pub(crate) models: Option<PathBuf>,
 }

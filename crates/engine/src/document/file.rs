@@ -13,7 +13,7 @@ use super::project::{self, List, Parts, Sheet, TrayItem};
 use super::shots::Board;
 use super::{Dropped, VERSION, pages, refusal, version};
 use crate::error::Result;
-use crate::framing::FacePoints;
+use crate::framing::{Expression, FacePoints};
 use crate::json::{self, Fields, Read, Writer, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
 use crate::output::shots::timecode::StartTimecode;
@@ -364,7 +364,14 @@ fn is_subject(value: &Value) -> bool {
         serde_json::from_value::<FacePoints>(points.clone())
             .is_ok_and(|points| points.iter().flatten().all(|part| (-1.0..=2.0).contains(part)))
     });
-    points && value["label"].is_string() && ["score", "x", "y", "width", "height"].into_iter().all(part)
+    // Neither have they expressions.
+    let expression = value.get("expression").is_none_or(|expression| {
+        serde_json::from_value::<Expression>(expression.clone()).is_ok_and(|expression| expression.is_sound())
+    });
+    points
+        && expression
+        && value["label"].is_string()
+        && ["score", "x", "y", "width", "height"].into_iter().all(part)
 }
 
 impl Likeness {

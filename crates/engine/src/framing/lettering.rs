@@ -123,6 +123,7 @@ pub fn lettering(image: &Image) -> Vec<Subject> {
         label: LETTERING.to_owned(),
         score: SCORE,
         points: None,
+        expression: None,
     };
     blocks.iter().take(MOST).map(subject).collect()
 }

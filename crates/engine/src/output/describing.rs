@@ -93,7 +93,16 @@ mod tests {
     use super::*;
 
     fn subject(label: &str, x: f64, width: f64, score: f64) -> Subject {
-        Subject { x, y: 0.4, width, height: 0.2, label: label.to_owned(), score, points: None }
+        Subject {
+            x,
+            y: 0.4,
+            width,
+            height: 0.2,
+            label: label.to_owned(),
+            score,
+            points: None,
+            expression: None,
+        }
     }
 
     #[test]

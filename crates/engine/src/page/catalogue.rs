@@ -1,6 +1,7 @@
 //! Lists of blocks, styles and layouts as JSON, for the app and the command line.
 
 use crate::error::{Error, Result};
+use crate::framing::Expression;
 use crate::layout;
 use crate::select::{self, Measures};
 use crate::style::blocks::{self, Block, Channels};
@@ -206,6 +207,10 @@ pub(crate) struct Candidate {
     #[serde(default)]
     #[cfg_attr(test, ts(optional = nullable))]
     film: Option<String>,
+    /// The faces whose eyes are known.
+    #[serde(default)]
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    faces: Vec<Expression>,
 }
 
 /// The selection's verdict on a photo.
@@ -250,6 +255,8 @@ pub fn choose(json: &str) -> Result<String> {
     // A video is identified by the index of its first frame.
     let first = |film: Option<&str>| film.and_then(|_| films.iter().position(|other| *other == film));
     settings.films = films.iter().copied().map(first).collect();
+    let openness = |photo: &Candidate| photo.faces.iter().map(Expression::openness).min_by(f64::total_cmp);
+    settings.openness = wanted.photos.iter().map(openness).collect();
     let verdicts = select::choose(&names, &measures, &settings);
     let entry = |(photo, verdict)| {
         let select::Verdict { group, kept, reason } = verdict;

@@ -330,6 +330,7 @@ mod tests {
             label: label.to_owned(),
             score: 0.9,
             points: None,
+            expression: None,
         };
         let mut request = request(8, 3);
         for photo in &mut request.photos {

@@ -28,7 +28,8 @@ pub struct Choice {
 pub fn chosen(names: &[&str], photos: &[&Imported], choice: Choice) -> (Vec<PhotoMeta>, Vec<Verdict>) {
     let measures: Vec<Measures> = photos.iter().map(|photo| photo.measures.clone()).collect();
     let duplicate_threshold = choice.duplicate_threshold.unwrap_or(DUPLICATE_THRESHOLD);
-    let settings = select::Settings { duplicate_threshold, ..select::Settings::default() };
+    let openness = photos.iter().map(|photo| photo.meta.openness()).collect();
+    let settings = select::Settings { duplicate_threshold, openness, ..select::Settings::default() };
     let mut verdicts = select::choose(names, &measures, &settings);
     for verdict in &mut verdicts {
         verdict.kept |= choice.keep_all;

@@ -641,6 +641,7 @@ mod tests {
             label: FACE.into(),
             score: 0.95,
             points: None,
+            expression: None,
         };
         // The hero panel is landscape, so a portrait photo would be cut there.
         photos_given[4].subjects.push(face);

@@ -494,6 +494,7 @@ mod tests {
                 label: FACE.into(),
                 score: 0.95,
                 points: None,
+                expression: None,
             }]);
         }
         photos[25].starred = true;
@@ -516,6 +517,7 @@ mod tests {
                 label: "cell phone".into(),
                 score: 0.9,
                 points: None,
+                expression: None,
             };
             photos[at].find([all]);
         }

@@ -32,6 +32,8 @@ const NEAR: f64 = 0.02;
 const ALIVE: f64 = 0.3;
 /// The part of the value of a face that a profile loses.
 const PROFILE: f64 = 0.2;
+/// The part that shut eyes lose.
+const SHUT: f64 = 0.25;
 /// Bonus of the second and of the third face.
 const GROUP: f64 = 0.06;
 /// The part of a photo that lettering covers on a document, and on a photo of a sign.
@@ -176,9 +178,11 @@ fn care(photo: &PhotoMeta) -> (f64, Kind) {
             // A small face without a person can be a false detection.
             FACE => {
                 let owned = s.score > SURE || side(s) > 0.12 || people().any(|person| person.surrounds(s));
-                // A portrait comes before a figure in a landscape, and a look at the camera before a profile.
+                // A portrait comes before a figure in a landscape, and a look at the camera before a profile and
+                // shut eyes.
                 let away = 1.0 - PROFILE * s.gaze().abs();
-                (if owned { 1.0 } else { 0.4 }) * away * (0.4 + 0.4 * size(0.14) + 0.2 * size(0.28))
+                let awake = if s.is_shut() { 1.0 - SHUT } else { 1.0 };
+                (if owned { 1.0 } else { 0.4 }) * away * awake * (0.4 + 0.4 * size(0.14) + 0.2 * size(0.28))
             }
             // A person without a face is seen from behind, or is a passer-by.
             "person" => {
@@ -343,9 +347,10 @@ impl Shelf {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::framing::Expression;
 
     fn subject(label: &str, score: f64, [x, y, width, height]: [f64; 4]) -> Subject {
-        Subject { label: label.into(), score, x, y, width, height, points: None }
+        Subject { label: label.into(), score, x, y, width, height, points: None, expression: None }
     }
 
     /// A photo of this size whose two commonest tones cover `flat` of it.
@@ -391,6 +396,21 @@ mod tests {
         assert_eq!(kind(735, "0000000c", 0.05), Kind::Document);
         assert_eq!(kind(735, "000c0000", 0.3), Kind::Alive, "a portrait");
         assert_eq!(kind(900, "000c0000", 0.05), Kind::Alive, "an upright photo");
+    }
+
+    #[test]
+    fn a_face_with_shut_eyes_counts_less() {
+        let value = |eyes: Option<f64>| {
+            let mut portrait = photo(1600, 1067, 60);
+            let expression =
+                eyes.map(|eye| Expression { right_eye: eye, left_eye: eye, mouth: 0.0, smile: 0.0 });
+            portrait.find([Subject { expression, ..subject(FACE, 0.95, [0.3, 0.2, 0.3, 0.5]) }]);
+            care(&portrait)
+        };
+        let ((shut, kind), (open, _), (unknown, _)) = (value(Some(0.05)), value(Some(0.3)), value(None));
+        assert!(shut < 0.8 * open && shut > 0.7 * open, "{shut} {open}");
+        assert!((unknown - open).abs() < 1e-12, "{unknown} {open}");
+        assert_eq!(kind, Kind::Alive);
     }
 
     #[test]

@@ -282,7 +282,16 @@ mod tests {
         let face = face.unwrap();
         let mut photo = PhotoMeta::unmeasured("photo", 1000, (1000.0 / slot.target.aspect) as u32);
         let Bounds { x, y, width, height } = face;
-        photo.find([Subject { label: FACE.into(), score: 0.95, x, y, width, height, points: None }]);
+        photo.find([Subject {
+            label: FACE.into(),
+            score: 0.95,
+            x,
+            y,
+            width,
+            height,
+            points: None,
+            expression: None,
+        }]);
         let prepared = Prepared::of(&photo);
         let cut = |crop: Crop| Look::at(slot, &prepared, &crop, 1.0, false).faces_cut;
         assert!((cut(Crop { x: 0.0, y: 0.0, width: 1.0, height: 1.0 }) - 1.0).abs() < 1e-9);
@@ -311,6 +320,7 @@ mod tests {
                 width: 0.4,
                 height: 0.8,
                 points: None,
+                expression: None,
             };
             let face = Subject { label: FACE.into(), y: 0.5, height: 0.2, ..body.clone() };
             photo.find([body].into_iter().chain(with_face.then_some(face)));
@@ -333,7 +343,7 @@ mod tests {
             let mut photo = PhotoMeta::unmeasured("photo", 1500, 1000);
             photo.find(heights.iter().enumerate().map(|(i, &height)| {
                 let (label, x) = (FACE.into(), 0.1 + 0.2 * i as f64);
-                Subject { label, score: 0.95, x, y: 0.15, width: 0.1, height, points: None }
+                Subject { label, score: 0.95, x, y: 0.15, width: 0.1, height, points: None, expression: None }
             }));
             Look::at(slot, &Prepared::of(&photo), &whole, 1.0, false).small_faces
         };

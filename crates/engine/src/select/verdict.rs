@@ -27,6 +27,10 @@ const OF_A_FILM: u32 = 4;
 /// page.
 const FEWEST_OF_FILM: usize = 8;
 
+/// Eyes are shut if they are narrower than this share of the eyes of a near-duplicate, and than this openness. Faces differ, so
+/// an openness is not enough to find shut eyes. `tests/oracles/eyes.py` measures both values.
+const SHUT: (f64, f64) = (0.9, 0.245);
+
 /// How photos are chosen.
 #[derive(Debug, Clone)]
 pub struct Settings {
@@ -34,17 +38,23 @@ pub struct Settings {
     pub duplicate_threshold: u32,
     /// Index of the video of each photo that is a video frame. Empty without videos.
     pub films: Vec<Option<usize>>,
+    /// Openness of the most shut eyes in each photo, if known: the distance of the lids in widths of an eye. May be empty.
+    pub openness: Vec<Option<f64>>,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { duplicate_threshold: DUPLICATE_THRESHOLD, films: Vec::new() }
+        Self { duplicate_threshold: DUPLICATE_THRESHOLD, films: Vec::new(), openness: Vec::new() }
     }
 }
 
 impl Settings {
     fn film(&self, photo: usize) -> Option<usize> {
         self.films.get(photo).copied().flatten()
+    }
+
+    fn openness(&self, photo: usize) -> Option<f64> {
+        self.openness.get(photo).copied().flatten()
     }
 }
 
@@ -71,7 +81,12 @@ pub enum Reason {
         /// Number of photos in the group, at least 2.
         of: usize,
     },
-    /// A sharper photo of its group is used.
+    /// It is the sharpest photo of its group in which all eyes are open.
+    OpenEyes {
+        /// Number of photos in the group, at least 2.
+        of: usize,
+    },
+    /// Another photo of its group is used.
     SameAs {
         /// Name of the photo that is used.
         name: String,
@@ -87,6 +102,7 @@ impl Display for Reason {
         match self {
             Self::Only => f.write_str("only one like it"),
             Self::Sharpest { of } => write!(f, "sharpest of {of}"),
+            Self::OpenEyes { of } => write!(f, "open eyes, best of {of}"),
             Self::SameAs { name } => write!(f, "same as {name}"),
             Self::Blurred => f.write_str("blurred"),
             Self::Frame => f.write_str("another frame of the video"),
@@ -94,9 +110,9 @@ impl Display for Reason {
     }
 }
 
-/// Judges photos: the sharpest of each group of near-duplicates is selected, unless it is far blurrier than
-/// the album. Returns a verdict for each of `measures`, in their order. If all would be rejected, the
-/// sharpest is selected.
+/// Judges photos: of each group of near-duplicates, the sharpest of the photos without shut eyes is selected, unless it
+/// is far blurrier than the album. Returns a verdict for each of `measures`, in their order. If all
+/// would be rejected, the sharpest is selected.
 #[must_use]
 pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec<Verdict> {
     let fingerprints: Vec<u64> = measures.iter().map(|measure| measure.fingerprint).collect();
@@ -108,13 +124,25 @@ pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec
     let count = groups.iter().max().map_or(0, |most| most + 1);
     let floor = blur_floor(measures);
     // Sharp photos rank before blurred ones, even if noise has a higher gradient.
-    let rank = |i: usize| (measures[i].laplacian >= floor, measures[i].gradient);
+    let clear = |i: usize| (measures[i].laplacian >= floor, measures[i].gradient);
+    let mut widest = vec![0.0; count];
+    for (i, &group) in groups.iter().enumerate() {
+        widest[group] = f64::max(widest[group], settings.openness(i).unwrap_or(0.0));
+    }
+    let is_shut = |i: usize| {
+        settings.openness(i).is_some_and(|openness| openness < (SHUT.0 * widest[groups[i]]).min(SHUT.1))
+    };
+    let rank = |i: usize| (clear(i).0, !is_shut(i), clear(i).1);
     let mut sizes = vec![0; count];
     let mut best = vec![usize::MAX; count];
+    let mut sharpest = vec![usize::MAX; count];
     for (i, &group) in groups.iter().enumerate() {
         sizes[group] += 1;
         if best[group] == usize::MAX || rank(i) > rank(best[group]) {
             best[group] = i;
+        }
+        if sharpest[group] == usize::MAX || clear(i) > clear(sharpest[group]) {
+            sharpest[group] = i;
         }
     }
     let verdict = |i: usize, group: usize| {
@@ -124,6 +152,8 @@ pub fn choose(names: &[&str], measures: &[Measures], settings: &Settings) -> Vec
             (false, Reason::SameAs { name: name.to_owned() })
         } else if measures[i].laplacian < floor {
             (false, Reason::Blurred)
+        } else if i != sharpest[group] {
+            (true, Reason::OpenEyes { of: sizes[group] })
         } else if sizes[group] > 1 {
             (true, Reason::Sharpest { of: sizes[group] })
         } else {
@@ -199,6 +229,34 @@ mod tests {
         .map(|(group, kept, why)| (group, kept, why.to_owned()))
         .into();
         assert_eq!(seen, expected);
+    }
+
+    #[test]
+    fn open_eyes_come_before_sharpness_and_after_blur() {
+        let names = ["a.jpg", "b.jpg", "c.jpg", "d.jpg", "e.jpg"];
+        let measures = [
+            photo(0, 3.0, 900.0),
+            photo(0b1, 2.0, 900.0),
+            photo(0b11, 1.0, 900.0),
+            photo(0b111, 4.0, 3.0),
+            photo(0xFFFF_FFFF, 2.0, 800.0),
+        ];
+        let seen = |openness: &[f64]| -> Vec<(bool, String)> {
+            let openness = openness.iter().map(|open| Some(*open).filter(|open| *open > 0.0)).collect();
+            let settings = Settings { openness, ..Settings::default() };
+            choose(&names, &measures, &settings).into_iter().map(|v| (v.kept, v.why)).collect()
+        };
+        let same = |name: &str| (false, format!("same as {name}"));
+        let other = (true, "only one like it".to_owned());
+        // The fourth photo has open eyes, but it is blurred. The last one has no other choice.
+        let best = (true, "open eyes, best of 4".to_owned());
+        let expected = [same("b.jpg"), best, same("b.jpg"), same("b.jpg"), other.clone()];
+        assert_eq!(seen(&[0.2, 0.29, 0.3, 0.32, 0.1]), expected);
+        let sharpest = (true, "sharpest of 4".to_owned());
+        let expected = [sharpest, same("a.jpg"), same("a.jpg"), same("a.jpg"), other];
+        for openness in [&[][..], &[0.19, 0.2, 0.21, 0.2], &[0.26, 0.35, 0.35, 0.35], &[0.0, 0.3, 0.3, 0.3]] {
+            assert_eq!(seen(openness), expected, "narrow, smiling or unknown eyes");
+        }
     }
 
     #[test]

@@ -421,6 +421,7 @@ mod tests {
             label: FACE.to_owned(),
             score: 0.9,
             points: None,
+            expression: None,
         };
         let subjects = [face];
         let known = |_: &str| Known::from(&subjects[..]);
