@@ -1434,9 +1434,28 @@ export type Verdict = {
   group: number,
   /** Whether it is used. */
   kept: boolean,
-  /** The reason in a few words. */
+  /** The reason in a few English words. */
   why: string,
+  /** The reason. */
+  reason: VerdictReason,
 };
+
+/** Why a photo is used or left out. Displays as a few English words. */
+export type VerdictReason = { "code": "only" }
+| { "code": "sharpest",
+  /** Number of photos in the group, at least 2. */
+  of: number,
+}
+| { "code": "open-eyes",
+  /** Number of photos in the group, at least 2. */
+  of: number,
+}
+| { "code": "same-as",
+  /** Name of the photo that is used. */
+  name: string,
+}
+| { "code": "blurred" }
+| { "code": "frame" };
 
 /** Request of a selection. */
 export type ChoiceRequest = {
@@ -1805,5 +1824,8 @@ export type ErrorCode =
 | 'plain-photo'
 | 'cancelled'
 | 'detector'
+| 'damaged-painters'
+| 'large-painters'
+| 'slow-painters'
 | 'invalid-painters'
 | 'encode';

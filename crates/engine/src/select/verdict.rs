@@ -244,7 +244,7 @@ mod tests {
         let seen = |openness: &[f64]| -> Vec<(bool, String)> {
             let openness = openness.iter().map(|open| Some(*open).filter(|open| *open > 0.0)).collect();
             let settings = Settings { openness, ..Settings::default() };
-            choose(&names, &measures, &settings).into_iter().map(|v| (v.kept, v.why)).collect()
+            choose(&names, &measures, &settings).into_iter().map(|v| (v.kept, v.reason.to_string())).collect()
         };
         let same = |name: &str| (false, format!("same as {name}"));
         let other = (true, "only one like it".to_owned());
