@@ -5,8 +5,8 @@
     python3 tests/oracles/landmarks.py        (numpy, ai-edge-litert, onnxruntime, pillow)
 
 Writes tests/oracles/data/landmarks.json. It has the faces of detect.json, upright and on their side. False faces are left
-out: the program ignores their points. Per face, it has the box and the six points in fractions of the photo, the
-probability of a face, and the 468 points of the model in tenths of a pixel of the photo. Everything is a separate
+out: the program ignores their points. Each face has the box and the six points in fractions of the photo, and the
+probability of a face. Its 468 points are in tenths of a pixel of the photo. Everything is a separate
 implementation: numpy cuts out the square and maps the points back.
 """
 

@@ -29,7 +29,7 @@ export async function importShots(file: File, app: App) {
   await importing(app.messages, file.name, () => importText(file, app, (encoding) => take(file, app, encoding)));
 }
 
-/** The shots and the settings that an import began with, and what it imported. */
+/** The shots and the settings before an import, and the imported data. */
 type Before = { rows: readonly ShotRow[]; board: Board; imported: Imported };
 
 /** @param before the import whose texts are replaced */
@@ -68,7 +68,7 @@ async function take(file: File, app: App, encoding: string, before?: Before): Pr
 }
 
 /**
- * Replaces what an import wrote by what it would have written. Fields that changed since are retained. One step of the undo.
+ * Replaces the fields of an import by the fields of a new import. Fields that the user edited stay. It is one undo step.
  * @returns number of replaced fields
  */
 function replace(was: Imported, now: Imported, { boards }: App): number {

@@ -18,7 +18,7 @@ const MODEL = new URL('../models/painters.onnx', import.meta.url);
 /** The block, or the id of a built-in style with the block. */
 const MENTIONED = /(^|")painter(-|"|$)/;
 
-/** A reference in JSON, and a reference alone: a hash and the name of a file. */
+/** A reference, inside JSON and as a separate text: a hash and the name of a file. */
 const NAMED = /"model":"([0-9a-f]{16}) /g;
 const REFERENCE = /^([0-9a-f]{16}) /;
 

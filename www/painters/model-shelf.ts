@@ -1,5 +1,5 @@
 /**
- * Models of painters in this browser's storage, in a database of their own. A table in the database of projects would
+ * Models of painters in this browser's storage, in a separate database. A table in the database of projects would
  * need a newer version, which older app versions cannot open. Bytes and not blobs, because WebKit stores no blobs in a
  * private window.
  */

@@ -41,7 +41,7 @@ test('a model is checked, named, and there after a reload', async () => {
   expect(reference).toMatch(/^[0-9a-f]{16} Starry night\.onnx$/);
   const { id } = partsOf(reference);
   expect(first.models.value.get(id)).toMatchObject({ name: 'Starry night.onnx', painters: 12 });
-  // The core accepts the reference, with a painter beyond those of the built-in model.
+  // The core accepts the reference, with a painter number above the last built-in painter.
   const style = { ...styleOf(reference), background: [{ block: 'painter', painter: 12, model: reference }] };
   expect(core.checkStyle(JSON.stringify(style), 'own')).toEqual(style);
   const again = app(first.name);

@@ -20,7 +20,7 @@ export function partsOf(reference: string): { id: string; name: string } {
   return { id, name };
 }
 
-/** @returns references of the active blocks of a style; built-in styles have none */
+/** @returns references of the active blocks of a style; empty for built-in styles */
 export function referencesIn(style: string | Style | null | undefined): string[] {
   if (typeof style !== 'object' || style === null) return [];
   const { background, foreground = [] } = style;

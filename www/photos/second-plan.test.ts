@@ -10,7 +10,7 @@ const ten = Array.from({ length: 10 }, (_, i) => `${i}.jpg`);
 /**
  * A first page of the first six of ten photos.
  * @param people names of photos with a face
- * @param asleep those with shut eyes
+ * @param asleep names of photos with shut eyes
  */
 async function app(people: readonly string[], asleep: readonly string[] = []) {
   const made = fakeApp();

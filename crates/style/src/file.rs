@@ -71,9 +71,7 @@ impl Step {
     /// The input of its block at the scale of a render.
     #[must_use]
     pub fn args(&self, scale: f32) -> Args<'_> {
-        Args::new(&self.values, scale)
-            .with_texture(self.texture.as_ref())
-            .with_model(self.model.as_deref())
+        Args::new(&self.values, scale).with_texture(self.texture.as_ref()).with_model(self.model.as_deref())
     }
 }
 

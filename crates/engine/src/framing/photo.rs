@@ -314,7 +314,7 @@ impl Subject {
     #[must_use]
     pub fn grown(&self) -> Self {
         let (above, around) = match self.label.as_str() {
-            FACE => (0.6, 0.2),
+            FACE => (0.5, 0.15),
             animal if ANIMALS.contains(&animal) => (0.08, 0.08),
             _ => (0.0, 0.0),
         };

@@ -196,8 +196,8 @@ mod hevc {
         Ok(Pixels::flattened(size, samples, channels, alpha).with_profile(profile))
     }
 
-    /// Moves the samples of colour to the middle of their pixels. The standard of HEVC puts them at the left pixel if a
-    /// file says nothing, and photos say nothing; but libheif, and encoders of still pictures, use the mean of the pixels.
+    /// Moves the samples of colour to the middle of their pixels. Without a position in the file, the HEVC standard puts them
+    /// at the left pixel. But libheif and encoders of still pictures use the mean of the pixels.
     fn centre_chroma(chroma: &mut ChromaSampling) {
         // A mirrored picture has the samples at the right pixel.
         let centred = |origin: f32| if origin >= 1.0 { origin - 0.5 } else { origin + 0.5 };
