@@ -2,7 +2,7 @@
 
 use super::{Patch, Studio};
 use inkpanel_engine::error::Result;
-use inkpanel_engine::page::compose;
+use inkpanel_engine::page;
 use inkpanel_engine::page::import::{Frame, import_frame, small_frame};
 use inkpanel_engine::page::living::living;
 use inkpanel_engine::raster::Image;
@@ -77,7 +77,7 @@ impl Studio {
             let scene = self.scene(document, width, "work")?;
             living(&scene, index, (&frames, still), &mut self.context)
         };
-        let told = |patch: compose::Patch| Patch { area: patch.area, rgba: patch.rgba };
+        let told = |patch: page::Patch| Patch { area: patch.area, rgba: patch.rgba };
         Ok(drawn()?.into_iter().map(told).collect())
     }
 }

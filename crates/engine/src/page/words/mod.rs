@@ -32,8 +32,8 @@ mod bidi;
 mod contour;
 mod curves;
 pub mod draw;
-#[cfg(not(target_arch = "wasm32"))]
 mod fitting;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod given;
 pub mod layout;
 pub mod learning;
