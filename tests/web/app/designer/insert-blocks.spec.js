@@ -118,8 +118,7 @@ test('the preview shows the style on the comic page', async ({ page }) => {
   // A slider updates it, and the cards have their pictures.
   const levels = cards(page).first().getByRole('slider', { name: 'Levels' });
   await levels.fill('3');
-  await drawn(page);
-  expect(await pixels()).not.toBe(first);
+  await expect.poll(pixels).not.toBe(first);
   await button(page, 'Compare with original').click();
   await expect(page.getByRole('slider', { name: 'Before and after' })).toBeVisible();
   await drawn(page);

@@ -109,7 +109,7 @@ test('a style without its model is drawn with the built-in painters, says so, an
 test('files that are no models give their reason, and change nothing', async ({ page }) => {
   await openPainter(page);
   await chooseModel(page, model('mine.onnx'));
-  await drawn(page);
+  await expect(choice(page).getByRole('option', { selected: true })).toHaveText('mine.onnx');
   const own = await preview(page);
   const noise = Uint8Array.from({ length: 3_000 }, (_, i) => (i * 7919) % 251);
   for (const [file, why] of /** @type {const} */ ([
