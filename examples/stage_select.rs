@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let measures: Vec<Measures> = names.iter().map(measured).collect::<Result<_, _>>()?;
     let short: Vec<&str> = names.iter().map(String::as_str).collect();
     for (name, verdict) in names.iter().zip(choose(&short, &measures, &Settings::default())) {
-        println!("{name}: group {}, {}", verdict.group, verdict.why);
+        println!("{name}: group {}, {}", verdict.group, verdict.reason);
     }
     Ok(())
 }

@@ -94,7 +94,8 @@ fn a_smiling_face_with_open_eyes_is_read() {
     assert!((0.05..0.5).contains(&mouth) && smile > 0.05, "{mouth} {smile}");
     // Only the mouth moves, and not far.
     let (before, after) = (without.points.unwrap(), with.points.unwrap());
-    let moved: Vec<usize> = (0..6).filter(|at| before[*at] != after[*at]).collect();
+    let moved: Vec<usize> =
+        (0..6).filter(|&at| before[at].map(f64::to_bits) != after[at].map(f64::to_bits)).collect();
     assert_eq!(moved, [3]);
     assert!((before[3][1] - after[3][1]).abs() < 0.1 * with.height, "{before:?} {after:?}");
     assert_eq!(Detection { points: None, expression: None, ..with }, Detection { points: None, ..without });

@@ -99,13 +99,11 @@ fn grow<'t>(mut text: &'t str, start: &[&'t str], found: &mut Vec<Vec<&'t str>>)
         path.extend(Some(name).filter(|name| !name.is_empty()));
         let rest =
             rest.strip_prefix(" as ").map_or(rest, |rest| &rest[rest.find([',', '}', ';']).unwrap_or(0)..]);
-        match rest.strip_prefix("::") {
-            Some(next) => text = next,
-            None => {
-                found.push(path);
-                return rest;
-            }
-        }
+        let Some(next) = rest.strip_prefix("::") else {
+            found.push(path);
+            return rest;
+        };
+        text = next;
     }
 }
 
