@@ -315,10 +315,7 @@ mod tests {
         let list = listed(&items);
         let purls = purls(&list);
         assert_eq!(purls.len(), 11);
-        assert!(
-            purls.contains(&"pkg:npm/%40mediapipe/face_mesh@0.4.1657299874#landmarks.onnx"),
-            "{purls:?}"
-        );
+        assert!(purls.contains(&"pkg:npm/%40mediapipe/face_mesh@0.4.1657299874#landmarks.onnx"), "{purls:?}");
         assert!(purls.iter().any(|purl| purl.ends_with("#painters.onnx")), "{purls:?}");
         assert!(
             purls.contains(&"pkg:npm/%40mediapipe/face_detection@0.4.1646425229#faces.onnx"),

@@ -7,7 +7,7 @@
 //! | [`catalogue`] | blocks, layouts and styles as JSON |
 //! | [`layouts`] | layouts listed, made and changed, as JSON |
 //! | [`carrying`] | text items that follow their photos |
-//! | [`reference`] | the layout and the style of a page, by id or in full |
+//! | [`reference`](mod@reference) | the layout and the style of a page, by id or in full |
 //! | [`request`] | parameters for planning a document |
 //! | [`shuffle`] | a new document from photos, locks and a seed |
 //! | [`storyboard`] | the photos of an album that pages are made of, and its pages |
