@@ -14,7 +14,7 @@ use inkpanel_engine::style::faces::FaceBox;
 use inkpanel_engine::style::painters::{Choice, MAX_BYTES, Painters};
 use inkpanel_engine::style::{Context, Style, stylize};
 use inkpanel_engine::{Error, Result};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 fn file() -> Vec<u8> {
     fs::read(crate::root("www/models/painters.onnx")).expect("run `cargo xtask models`")
@@ -324,4 +324,57 @@ fn the_command_line_paints() {
             "{printed}"
         );
     }
+}
+
+#[test]
+fn the_command_line_warns_about_a_style_with_another_model() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = crate::root("www/models/painters.onnx");
+    let bytes = fs::read(&model).unwrap();
+    let given = format!("{:08x}{:08x}", crc32fast::hash(&bytes), bytes.len());
+    let style = folder.path().join("style.json");
+    let printed = |reference: &str, form: &[&str]| {
+        let json = format!(r#"{{"background":[{{"block":"painter","model":"{reference}"}}]}}"#);
+        fs::write(&style, json).unwrap();
+        let done = crate::inkpanel()
+            .args(["stylize", "--no-detect", "--style"])
+            .arg(&style)
+            .args(form)
+            .arg(crate::root("tests/oracles/data/blocks/photo.png"))
+            .arg("-o")
+            .arg(folder.path().join("out.png"))
+            .output()
+            .unwrap();
+        let printed = String::from_utf8_lossy(&done.stderr).into_owned();
+        assert!(done.status.success(), "{printed}");
+        printed
+    };
+    let file = ["--painters", model.to_str().unwrap()];
+    let (same, other) = (format!("{given} own.onnx"), "00112233445566ff other.onnx");
+    assert_eq!(printed(&same, &file), "");
+    let warning = "a style names this model of painters; the file of --painters replaces it";
+    assert_eq!(printed(other, &file), format!("inkpanel: other.onnx: {warning}\n"));
+    let page = folder.path().join("page.png");
+    let render = |form: &[&str]| {
+        let done = crate::inkpanel()
+            .args(["render", "--no-detect", "--page-size", "200x280", "--style"])
+            .arg(&style)
+            .args(file)
+            .args(form)
+            .arg(crate::root("tests/oracles/data/blocks/photo.png"))
+            .arg("-o")
+            .arg(&page)
+            .output()
+            .unwrap();
+        (done.status.success(), String::from_utf8(done.stderr).unwrap())
+    };
+    let (drawn, lines) = render(&["--progress", "json"]);
+    let notes: Vec<Value> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let note = json!({ "event": "note", "file": "other.onnx", "message": warning });
+    assert!(drawn && notes.contains(&note), "{lines}");
+    fs::remove_file(&page).unwrap();
+    let (drawn, lines) = render(&["--strict"]);
+    assert!(!drawn && !page.exists() && lines.contains(warning), "{lines}");
+    let built_in = printed(other, &[]);
+    assert!(built_in.contains("other.onnx") && built_in.contains("the built-in model"), "{built_in}");
 }

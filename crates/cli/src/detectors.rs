@@ -1,12 +1,14 @@
 //! Detection for the command line: finds the model files and processes photos in parallel.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use inkpanel_engine::detect::{Aesthetics, Detection, Detectors, Segmenter};
 use inkpanel_engine::native;
 use inkpanel_engine::page::import::Imported;
 use inkpanel_engine::places::Places;
+use inkpanel_engine::style::Style;
 use inkpanel_engine::style::painters::Painters;
 use serde_json::{Value, json};
 
@@ -73,13 +75,33 @@ pub(crate) fn load_painters() -> Option<Arc<Painters>> {
     }
 }
 
+/// Id of the model of `--painters`, as references in styles have it.
+static GIVEN: OnceLock<String> = OnceLock::new();
+
 /// Uses a model of the user for the block Painter.
 pub(crate) fn use_painters(file: &Path) -> Result<(), CliError> {
     let onnx = std::fs::read(file).map_err(|error| CliError::reading(&error).at(file.display()))?;
     let painters = Painters::new(&onnx).map_err(|error| CliError::from(error).at(file.display()))?;
+    // As in `www/painters/own-painters.ts`: the CRC-32 of the file, and its length in bytes.
+    let _ = GIVEN.set(format!("{:08x}{:08x}", crc32fast::hash(&onnx), onnx.len()));
     let painters = Arc::new(painters);
     native::read_painters_with(move || Some(painters.clone()));
     Ok(())
+}
+
+/// Warns about models that styles name, if the Painter uses another model.
+pub(crate) fn tell_other_painters<'s>(styles: impl IntoIterator<Item = &'s Style>) {
+    let given = GIVEN.get();
+    let painted = match given {
+        Some(_) => "the file of --painters",
+        None => "the built-in model",
+    };
+    let named: BTreeSet<&str> = styles.into_iter().flat_map(Style::models).collect();
+    for (id, file) in named.into_iter().filter_map(|reference| reference.split_once(' ')) {
+        if given.is_none_or(|given| given != id) {
+            report::note(Some(file), &format!("a style names this model of painters; {painted} replaces it"));
+        }
+    }
 }
 
 /// Reads the table of places, from `folder` or the default folder.

@@ -5,7 +5,7 @@ use crate::format::Format;
 use crate::input::{self, is_standard};
 use crate::masks::Masks;
 use crate::photos::Photos;
-use crate::{CliError, language, own_pages, report};
+use crate::{CliError, detectors, language, own_pages, report};
 use inkpanel_engine::framing::Subject;
 use inkpanel_engine::layout::{self, PagePreset, PaperSize};
 use inkpanel_engine::native::{self, QUALITY, alts};
@@ -36,8 +36,10 @@ pub(crate) fn add_words(
     place::add(document, words, known, &letters).map_err(|error| complain(error.into()))
 }
 
-/// Warns about characters without a glyph.
+/// Warns about characters without a glyph, and about models of painters that are named but not used.
 pub(crate) fn tell_missing(pages: &[Document], fonts: &GivenFonts) -> Result<(), CliError> {
+    let styles = pages.iter().map(Document::style).collect::<Result<Vec<_>, _>>()?;
+    detectors::tell_other_painters(styles.iter().map(AsRef::as_ref));
     let words = || pages.iter().flat_map(|page| &page.words);
     let letters = fonts.letters(words())?;
     let missing = given::missing(&letters, words());

@@ -175,8 +175,18 @@ impl Style {
     /// Whether a layer runs this block.
     #[must_use]
     pub fn has_block(&self, id: &str) -> bool {
-        let mut steps = self.background.iter().chain(self.foreground.iter().flatten());
-        steps.any(|step| !step.bypass && step.block.id == id)
+        self.running().any(|step| step.block.id == id)
+    }
+
+    /// The references of the user's models that the layers name ([`painters::is_reference`]).
+    pub fn models(&self) -> impl Iterator<Item = &str> {
+        self.running().filter_map(|step| step.model.as_deref())
+    }
+
+    /// The blocks of both layers without those that are off.
+    fn running(&self) -> impl Iterator<Item = &Step> {
+        let steps = self.background.iter().chain(self.foreground.iter().flatten());
+        steps.filter(|step| !step.bypass)
     }
 }
 

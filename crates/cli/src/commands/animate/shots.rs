@@ -6,7 +6,7 @@ use super::reel::Step;
 use crate::boards::{self, ShotPhoto};
 use crate::commands::read_style;
 use crate::masks::Masks;
-use crate::{CliError, reopening, report};
+use crate::{CliError, detectors, reopening, report};
 use inkpanel::survived;
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::native;
@@ -35,7 +35,9 @@ impl Shots {
         let photos = boards::shown(&mut saved)?;
         let request = request(&saved, asked, &photos)?;
         let plan = request.planned()?;
-        if !plan.clips[0].picture.style()?.has_parts() {
+        let style = plan.clips[0].picture.style()?;
+        detectors::tell_other_painters([style.as_ref()]);
+        if !style.has_parts() {
             let moving = photos.iter().filter(|photo| super::is_of_film(&saved, &photo.id)).count();
             super::tell_still(moving, ("shot", "shots"));
         }
