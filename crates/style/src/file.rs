@@ -183,7 +183,7 @@ impl Style {
         self.running().filter_map(|step| step.model.as_deref())
     }
 
-    /// The blocks of both layers without those that are off.
+    /// The blocks of both layers without bypassed blocks.
     fn running(&self) -> impl Iterator<Item = &Step> {
         let steps = self.background.iter().chain(self.foreground.iter().flatten());
         steps.filter(|step| !step.bypass)
