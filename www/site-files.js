@@ -24,13 +24,24 @@ const NOT = /\.(?:md|map)$|^assets\/nets-later\.|^_headers$/;
 /** @returns {import('vite').Plugin} */
 export function siteFiles() {
   let folder = '';
+  let isWritten = false;
   return {
     name: 'inkpanel-site-files',
     apply: 'build',
     configResolved: ({ root, build: { outDir } }) => {
       folder = resolve(root, outDir);
     },
-    closeBundle: { order: 'post', sequential: true, handler: () => sealSite(folder) },
+    writeBundle: () => {
+      isWritten = true;
+    },
+    closeBundle: {
+      order: 'post',
+      sequential: true,
+      // It is also called after a failed build, whose error a second one would hide.
+      handler: async () => {
+        if (isWritten) await sealSite(folder);
+      },
+    },
   };
 }
 

@@ -123,3 +123,23 @@ fn the_command_prints_the_expression() {
     let [_, face] = astronaut();
     assert_eq!(rows[0]["boxes"][0]["expression"], serde_json::to_value(face.expression).unwrap());
 }
+
+#[test]
+fn the_selection_compares_eyes() {
+    let eyes = |options: &[&str]| {
+        let mut select = crate::inkpanel();
+        select.args(["select", "--json", "www/public/samples/19-astronaut.jpg"]).args(options);
+        let answer = select.current_dir(crate::root("")).output().unwrap();
+        let rows: Value = serde_json::from_slice(&answer.stdout).unwrap();
+        (rows[0]["eyes"].clone(), String::from_utf8(answer.stderr).unwrap())
+    };
+    let [_, face] = astronaut();
+    let (open, said) = eyes(&[]);
+    // The photo is reduced at import, so that the points differ a little.
+    let expected = face.expression.map(|found| f64::midpoint(found.right_eye, found.left_eye)).unwrap();
+    assert!((open.as_f64().unwrap() - expected).abs() < 0.1, "{open} {expected}");
+    assert_eq!(said, "");
+    assert_eq!(eyes(&["--no-detect"]), (Value::Null, String::new()));
+    let (missing, said) = eyes(&["--models", "nowhere"]);
+    assert!(missing.is_null() && said.contains("eyes are not compared"), "{said}");
+}

@@ -71,8 +71,8 @@ pub enum Purpose {
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Group {
     /// The engine without rare image formats.
-    Core,
-    /// The engine with rare image formats.
+    Engine,
+    /// The image crate with rare image formats.
     Rare,
     /// The image crate with the decoder of HEIC.
     Heic,
@@ -123,7 +123,7 @@ pub fn texts(project: &Project) -> Module {
 /// The module for file types other than PNG, loaded with the first such export.
 pub fn exports(project: &Project) -> Module {
     let folder = project.www().join("pkg-exports");
-    Module { name: "exports", package: "inkpanel-exports", group: Group::Rare, folder, ..small() }
+    Module { name: "exports", package: "inkpanel-exports", folder, ..small() }
 }
 
 /// The decoders of rare photos, loaded with the first of them.
@@ -187,7 +187,7 @@ fn fast() -> Module {
         name: "",
         package: "inkpanel-core",
         features: "",
-        group: Group::Core,
+        group: Group::Engine,
         profile: "wasm",
         level: "-O3",
         folder,
@@ -244,7 +244,7 @@ pub fn stale<'a>(project: &Project, modules: &'a [Module], purpose: Purpose) -> 
 /// Compiles modules of one profile.
 pub fn compile(project: &Project, modules: &[&Module], purpose: Purpose) -> Result<()> {
     install_target()?;
-    for group in [Group::Core, Group::Rare, Group::Heic, Group::Detectors] {
+    for group in [Group::Engine, Group::Rare, Group::Heic, Group::Detectors] {
         let group: Vec<_> = modules.iter().filter(|module| module.group == group).collect();
         let Some(first) = group.first() else { continue };
         let mut cargo = project.cargo();

@@ -4,7 +4,7 @@ use crate::CliError;
 use crate::commands::read_style;
 use crate::drawing;
 use crate::paper::Paper;
-use crate::photos::Photos;
+use crate::photos::{BY_CONTRAST, Photos};
 use clap::builder::PossibleValuesParser;
 use inkpanel::PageOptions;
 use inkpanel_engine::layout::PageSettings;
@@ -107,7 +107,7 @@ impl Chosen {
     /// Detects faces and subjects, if that is wanted, and marks the starred photos. Returns whether the models were
     /// available.
     pub(crate) fn prepare(&self, photos: &mut Photos) -> bool {
-        let looked = !self.no_detect && photos.add_subjects(self.models.as_deref());
+        let looked = !self.no_detect && photos.add_subjects(self.models.as_deref(), BY_CONTRAST);
         photos.star(&self.star);
         looked
     }

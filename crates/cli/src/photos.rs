@@ -9,6 +9,9 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+/// What happens to pages without the models.
+pub(crate) const BY_CONTRAST: &str = "photos are cropped by contrast";
+
 /// Maximum number of photos without a panel that are reported one by one.
 const FEW: usize = 10;
 
@@ -67,15 +70,15 @@ impl Photos {
         self.iter().map(|(_, photo)| photo.meta.clone()).collect()
     }
 
-    /// Adds the detected faces and subjects to the photos. Without the models, crops follow contrast, and a
-    /// warning is printed once.
+    /// Adds the detected faces and subjects to the photos. Without the models, a warning is printed that ends with
+    /// `consequence`.
     ///
     /// Returns whether the models were available.
-    pub(crate) fn add_subjects(&mut self, models: Option<&Path>) -> bool {
+    pub(crate) fn add_subjects(&mut self, models: Option<&Path>, consequence: &str) -> bool {
         let detectors = match detectors::load(models) {
             Ok(detectors) => detectors,
             Err(error) => {
-                report::note(None, &format!("{error}; photos are cropped by contrast"));
+                report::note(None, &format!("{error}; {consequence}"));
                 return false;
             }
         };

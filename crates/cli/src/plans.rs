@@ -3,7 +3,7 @@
 use crate::destination::{Output, print_lines};
 use crate::format::Format;
 use crate::input::{self, is_standard, name};
-use crate::photos::Photos;
+use crate::photos::{BY_CONTRAST, Photos};
 use crate::{CliError, drawing, report};
 use inkpanel_engine::framing::{Crop, PhotoMeta};
 use inkpanel_engine::layout::{self, Bounds, PageSettings, Point, ResolvedPanel, ResolvedShape, polygon};
@@ -126,7 +126,7 @@ pub(crate) fn score(asked: &ScoreArgs) -> Result<(), CliError> {
     }
     let mut photos = Photos::read(files)?;
     if !asked.no_detect {
-        photos.add_subjects(asked.models.as_deref());
+        photos.add_subjects(asked.models.as_deref(), BY_CONTRAST);
     }
     let metas = photos.metas();
     let (mut told, mut lines) = (Vec::new(), Vec::new());

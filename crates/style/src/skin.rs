@@ -10,6 +10,8 @@ use crate::raster::Image;
 
 /// Reach of a body around a face, in sides of the face: to each side, above and below.
 const REACH: [f64; 3] = [3.0, 1.0, 8.0];
+/// Part of the reach over which the share of skin falls to 0: a wall of the same colour shows no edge there.
+const FADE: f64 = 0.4;
 /// Difference of the ratio of chroma to luma from the face: at most the first for skin, at least the second for other things.
 const LIKE: (f32, f32) = (0.07, 0.15);
 /// Luma below which a pixel has no reliable colour, in grey levels.
@@ -19,15 +21,39 @@ const FLOOR: f32 = 24.0;
 /// Part of the sides of a face in which its colour is measured: cheeks and nose.
 const CHEEKS: f64 = 0.5;
 
+/// A range of columns or rows: from a place, with the distances over which it fades at both ends.
+struct Reach {
+    start: f64,
+    end: f64,
+    fade: [f64; 2],
+}
+
+impl Reach {
+    /// The pixels of a side that it covers.
+    fn pixels(&self, side: usize) -> Range<usize> {
+        let at = |place: f64| place.clamp(0.0, side as f64) as usize;
+        at(self.start.floor())..at(self.end.ceil())
+    }
+
+    /// How far a pixel belongs to it, 0 to 1.
+    fn share(&self, at: usize) -> f32 {
+        let at = at as f64 + 0.5;
+        let inside = ((at - self.start) / self.fade[0]).min((self.end - at) / self.fade[1]);
+        inside.clamp(0.0, 1.0) as f32
+    }
+}
+
 /// The skin of the people in a photo.
 pub(super) struct Skin {
     people: Vec<Person>,
+    /// Sides of the photo.
+    size: (usize, usize),
 }
 
 struct Person {
     /// Columns and rows that the body may cover.
-    columns: Range<usize>,
-    rows: Range<usize>,
+    columns: Reach,
+    rows: Reach,
     /// Ratio of chroma to luma of the face.
     tint: [f32; 2],
 }
@@ -36,16 +62,17 @@ impl Skin {
     /// Measures the colours of faces. A dark face has no reliable colour.
     pub(super) fn of(photo: &Image, faces: &[&FaceBox]) -> Self {
         let people = faces.iter().filter_map(|face| Person::of(photo, face)).collect();
-        Self { people }
+        Self { people, size: (photo.width(), photo.height()) }
     }
 
     /// The columns and rows that contain all bodies.
     pub(super) fn bounds(&self) -> (Range<usize>, Range<usize>) {
-        let range = |of: fn(&Person) -> &Range<usize>| {
-            let start = self.people.iter().map(|person| of(person).start).min().unwrap_or(0);
-            start..self.people.iter().map(|person| of(person).end).max().unwrap_or(start)
+        let range = |of: fn(&Person) -> &Reach, side: usize| {
+            let ranges = || self.people.iter().map(|person| of(person).pixels(side));
+            let start = ranges().map(|range| range.start).min().unwrap_or(0);
+            start..ranges().map(|range| range.end).max().unwrap_or(start)
         };
-        (range(|person| &person.columns), range(|person| &person.rows))
+        (range(|person| &person.columns, self.size.0), range(|person| &person.rows, self.size.1))
     }
 
     /// How far a pixel is skin, 0 to 1.
@@ -55,13 +82,12 @@ impl Skin {
             return 0.0;
         }
         let [u, v] = tint(rgb, luma);
-        let near = |person: &&Person| person.columns.contains(&x) && person.rows.contains(&y);
-        let off = |person: &Person| {
+        let share = |person: &Person| {
             let (du, dv) = (u - person.tint[0], v - person.tint[1]);
-            (du * du + dv * dv).sqrt()
+            let like = ((LIKE.1 - (du * du + dv * dv).sqrt()) / (LIKE.1 - LIKE.0)).clamp(0.0, 1.0);
+            like * person.columns.share(x).min(person.rows.share(y))
         };
-        let least = self.people.iter().filter(near).map(off).fold(f32::MAX, f32::min);
-        ((LIKE.1 - least) / (LIKE.1 - LIKE.0)).clamp(0.0, 1.0)
+        self.people.iter().map(share).fold(0.0, f32::max)
     }
 }
 
@@ -86,10 +112,14 @@ impl Person {
             }
         }
         let mean = sums.map(|sum| sum / count.max(1.0));
-        let (wide, right) = (REACH[0] * face.width, face.x + face.width);
+        let reach = |start: f64, side: f64, [before, after]: [f64; 2]| Reach {
+            start: start - before * side,
+            end: start + (1.0 + after) * side,
+            fade: [before, after].map(|reach| (FADE * reach * side).max(1.0)),
+        };
         (luma(mean) >= DARK).then(|| Self {
-            columns: range(face.x - wide, right + wide, width),
-            rows: range(face.y - REACH[1] * face.height, face.y + REACH[2] * face.height, height),
+            columns: reach(face.x, face.width, [REACH[0]; 2]),
+            rows: reach(face.y, face.height, [REACH[1], REACH[2] - 1.0]),
             tint: tint(mean, luma(mean)),
         })
     }
@@ -123,6 +153,9 @@ mod tests {
         assert!(share(100, 120) < 0.01);
         let (columns, rows) = skin.bounds();
         assert_eq!((columns, rows), (0..200, 0..200));
+        // The reach ends at x = 240 and fades over 48 pixels.
+        let share = |x: usize| skin.share(x, 120, [210.0, 160.0, 135.0]);
+        assert!(share(190) > 0.95 && (0.3..0.7).contains(&share(216)) && share(239) < 0.05);
         let far = FaceBox { x: 0.0, y: 0.0, width: 8.0, height: 8.0 };
         assert!(Skin::of(&photo, &[&far]).share(150, 120, [210.0, 160.0, 135.0]) < 0.01, "another person");
     }

@@ -4,10 +4,10 @@
 // Every function that returns a Result throws as the module's documentation says.
 #![allow(clippy::missing_errors_doc)]
 
-use inkpanel_engine::error::Result;
-use inkpanel_engine::raster::animation;
-use inkpanel_engine::raster::decode::Limits;
-pub(crate) use inkpanel_engine::raster::decode::decode;
+use inkpanel_image::error::Result;
+use inkpanel_image::raster::animation;
+use inkpanel_image::raster::decode::Limits;
+pub(crate) use inkpanel_image::raster::decode::decode;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(start)]

@@ -22,12 +22,21 @@ pub(crate) struct SelectArgs {
     #[arg(long, alias = "threshold", value_name = "BITS", default_value_t = DUPLICATE_THRESHOLD)]
     #[arg(value_parser = clap::value_parser!(u32).range(0..=64))]
     pub(crate) duplicate_threshold: u32,
+    /// Skip face detection. Photos with shut eyes are then not recognised.
+    #[arg(long)]
+    pub(crate) no_detect: bool,
+    /// Folder that contains faces.onnx, objects.onnx and landmarks.onnx. [default: next to the program, or www/models]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) models: Option<PathBuf>,
 }
 
 pub(crate) fn select_photos(asked: &SelectArgs) -> Result<(), CliError> {
-    let photos = Photos::read(input::files(&asked.files)?)?;
+    let mut photos = Photos::read(input::files(&asked.files)?)?;
     if photos.album.imported().is_empty() {
         return Err(Error::NoPhotos.into());
+    }
+    if !asked.no_detect {
+        photos.add_subjects(asked.models.as_deref(), "eyes are not compared");
     }
     let options = PageOptions::new().duplicate_threshold(asked.duplicate_threshold);
     let verdicts = photos.album.choose(&options).verdicts;
@@ -39,6 +48,7 @@ pub(crate) fn select_photos(asked: &SelectArgs) -> Result<(), CliError> {
                 "file": path.display().to_string(),
                 "fingerprint": format!("{:016x}", photo.measures.fingerprint),
                 "sharpness": photo.measures.gradient,
+                "eyes": photo.meta.openness(),
                 "group": verdict.group,
                 "kept": verdict.kept,
                 "why": verdict.reason.to_string(),
