@@ -9,6 +9,7 @@ use crate::document::edit::{Edit, How, Part};
 use crate::document::editor::Editor;
 use crate::document::file::{FilePhoto, FileVideo, Likeness, ProjectFile};
 use crate::document::history::{History, Shown};
+use crate::document::intent::{CropChange, Intent};
 use crate::document::kept;
 use crate::document::planning::{Planning, Seeds};
 use crate::document::project::{Focus, Locks, Order, Project, Sheet, Styling, TrayItem};
@@ -299,6 +300,8 @@ fn types() -> String {
         Shown,
         History,
         Edit,
+        Intent,
+        CropChange,
         Part,
         How,
         Document,

@@ -1,12 +1,16 @@
 //! The editor of a project: applies edits, with undo and redo.
 
+use super::carrying_out::Outcome;
 use super::edit::{Edit, How, Shelf, Without};
 use super::history::{History, Shown};
+use super::intent::Intent;
 use super::limits::{MOST_SHOWN, MOST_STEPS, PROJECT};
+use super::planning::{Known, Planning};
 use super::project::{List, Project, Sheet};
-use super::{invalid, kept, own};
+use super::{invalid, kept, own, pages};
 use crate::error::Result;
 use crate::json;
+use crate::page::request::Taste;
 use crate::page::{CustomFile, Document};
 use serde_json::Map;
 use std::collections::{HashMap, HashSet};
@@ -77,17 +81,52 @@ impl Editor {
         true
     }
 
-    /// Applies an edit in JSON, see [`Edit::read`].
+    /// Plans the result of an intent from the photos in use, and applies it.
+    ///
+    /// Returns whether anything changed.
+    ///
+    /// # Errors
+    /// Errors of [`Planning::carry_out`], and `invalid-document` for values out of range, without any change.
+    pub fn carry_out(&mut self, intent: &Intent, how: &How, photos: Vec<Known>) -> Result<bool> {
+        let planning =
+            Planning { project: self.project(), photos, taste: Taste::default(), recent: Vec::new() };
+        let Some(outcome) = planning.with_memory(&self.history).carry_out(intent)? else { return Ok(false) };
+        let edit = match outcome {
+            Outcome::Changed(page) => Edit::ChangePage { page: pages::planned(page)? },
+            Outcome::Sheets(sheets, at) => Edit::SetSheets { sheets, at },
+        };
+        Ok(self.apply(&edit, how))
+    }
+
+    /// Applies an edit in JSON, see [`Edit::read`]. Intents are planned without photos, so most change nothing.
     ///
     /// Returns the changes, see [`kept::difference`].
     ///
     /// # Errors
-    /// Returns `invalid-document` for an invalid edit, without any change.
+    /// As [`Editor::apply_json_with`].
     pub fn apply_json(&mut self, edit: &str) -> Result<String> {
+        self.apply_json_with(edit, &|| Ok(Vec::new()))
+    }
+
+    /// Applies an edit in JSON, see [`Edit::read`]. `photos` returns the photos in use, in their order.
+    ///
+    /// Returns the changes, see [`kept::difference`].
+    ///
+    /// # Errors
+    /// Returns `invalid-document` for an invalid edit, and errors of [`Editor::carry_out`], without any change.
+    pub fn apply_json_with<'p>(
+        &mut self,
+        edit: &str,
+        photos: &dyn Fn() -> Result<Vec<Known<'p>>>,
+    ) -> Result<String> {
         let read = json::parse(edit, PROJECT).and_then(|value| Edit::read(value, &|id| self.page(id)));
         let (edit, how) = read.map_err(|wrong| invalid(&wrong))?;
         let before = self.history.clone();
-        self.apply(&edit, &how);
+        if let Edit::Plan(intent) = &edit {
+            self.carry_out(intent, &how, photos()?)?;
+        } else {
+            self.apply(&edit, &how);
+        }
         Ok(kept::difference(&self.history, &before))
     }
 
