@@ -4,10 +4,13 @@
 use crate::framing::Crop;
 use crate::json::typed::typed;
 use crate::json::{Fields, Read, Wrong};
+use crate::layout::PageSettings;
 use crate::page::layouts::LayoutChange;
+use crate::page::request::{Styling, Taste};
+use crate::page::{LayoutRef, StyleRef};
 use crate::raster::Matte;
 use serde::Deserialize;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 /// An intent. In JSON, an object with its name as `type`, and its fields. Panels are indices into the panels
 /// of the current page. An intent that is impossible, such as a change of a locked panel, changes nothing.
@@ -71,14 +74,151 @@ pub enum Intent {
         /// The panel.
         panel: usize,
     },
-    /// Computes the crops of the page again, for new measurements of its photos.
-    Recrop,
-    /// Computes the crops of a photo again on all pages, and drops its manual crops.
+    /// Computes the crops of a page again, for new measurements of its photos.
+    Recrop {
+        /// The page, by its place in the storyboard. Default: the current page.
+        #[cfg_attr(test, ts(optional = nullable))]
+        sheet: Option<u64>,
+    },
+    /// Computes the crops of a photo again, and drops its manual crops.
     RecropPhoto {
         /// Id of the photo.
         photo: String,
-        /// Whether locked panels get new crops too.
-        locked: bool,
+        /// Whether the photo itself changed. Locked panels and other pages then get new crops too.
+        everywhere: bool,
+    },
+    /// Plans new parts of the page, as a new page. Nothing happens if the part is locked.
+    Shuffle {
+        /// The part of the page.
+        part: Shuffled,
+        /// Random choices.
+        draw: Draw,
+    },
+    /// Plans a layout with the wanted number of panels, as a new page.
+    FitLayout {
+        /// Random choices.
+        draw: Draw,
+    },
+    /// Gives the page a layout, as a new page.
+    ChooseLayout {
+        /// The layout.
+        #[cfg_attr(test, ts(as = "crate::page::document::LayoutChoice"))]
+        layout: LayoutRef,
+        /// Seed of random choices.
+        seed: u32,
+    },
+    /// Gives the page a style, as a new page.
+    ChooseStyle {
+        /// The style.
+        #[cfg_attr(test, ts(as = "crate::page::document::StyleChoice"))]
+        style: StyleRef,
+        /// Seed of random choices.
+        seed: u32,
+    },
+    /// Changes the style of the page, for example while the user designs it.
+    Restyle {
+        /// The style.
+        #[cfg_attr(test, ts(as = "crate::page::document::StyleChoice"))]
+        style: StyleRef,
+    },
+    /// Puts the photos of the page into the order of the photos in use, as a new page. Locked panels stay.
+    SortPhotos,
+    /// Shows a photo instead of its near-duplicates, as a new page. Locked panels stay.
+    UseDuplicate {
+        /// Id of the photo.
+        photo: String,
+        /// Ids of its near-duplicates.
+        alike: Vec<String>,
+    },
+    /// Plans the page again after the photos in use changed, with as few changes as possible, as a new page.
+    /// Without photos in use, the page is removed.
+    Refit {
+        /// Whether there are more photos than before.
+        grow: bool,
+        /// Random choices.
+        draw: Draw,
+    },
+    /// Changes the page settings of the project, and plans its pages with them.
+    SetPaper {
+        /// All settings.
+        settings: PageSettings,
+        /// Whether the user still drags a control. Only the current page then changes, because planning all
+        /// pages of an album at each step would delay the drag.
+        held: bool,
+        /// Learned preferences.
+        #[serde(default)]
+        #[cfg_attr(test, ts(as = "Option<_>", optional))]
+        taste: Taste,
+    },
+    /// Plans all parts of the current page again, from some of the photos in use.
+    Compose {
+        /// Ids of the photos, in order.
+        photos: Vec<String>,
+        /// Number of panels.
+        panels: usize,
+        /// The layout. Default: chosen automatically.
+        #[cfg_attr(test, ts(as = "Option<crate::page::document::LayoutChoice>", optional = nullable))]
+        layout: Option<LayoutRef>,
+        /// The style. Default: chosen automatically.
+        #[cfg_attr(test, ts(as = "Option<crate::page::document::StyleChoice>", optional = nullable))]
+        style: Option<StyleRef>,
+        /// The preferred layout if none is set.
+        #[cfg_attr(test, ts(as = "Option<crate::page::document::LayoutChoice>", optional = nullable))]
+        prefer: Option<LayoutRef>,
+        /// Randomness of the choice, see [`Request::surprise`](crate::page::request::Request::surprise).
+        #[cfg_attr(test, ts(optional = nullable))]
+        surprise: Option<f64>,
+        /// Random choices.
+        draw: Draw,
+    },
+    /// Inserts a page after the current page and makes it the current page. It has the style of the current
+    /// page, and photos that no page shows, if there are any.
+    AddPage {
+        /// Random choices.
+        draw: Draw,
+    },
+    /// Removes the current page, unless it is the only page.
+    RemovePage,
+    /// Moves a page. The current page stays the current page.
+    MovePage {
+        /// Its index in the storyboard.
+        from: usize,
+        /// Its index after the move.
+        to: usize,
+    },
+    /// Makes another page the current page.
+    GoToPage {
+        /// Its index in the storyboard.
+        at: usize,
+    },
+    /// Distributes the photos in use over as many pages as needed, which replace the present pages. Nothing
+    /// happens if the photos are locked.
+    SpreadAlbum {
+        /// Random choices.
+        draw: Draw,
+    },
+    /// Gives all pages the style of the current page.
+    StylePages,
+    /// Replaces missing photos on the other pages, and removes pages without photos.
+    RepairPages {
+        /// Groups of near-duplicates by photo id.
+        #[cfg_attr(test, ts(type = "Record<string, number>"))]
+        groups: Map<String, Value>,
+        /// Learned preferences.
+        #[serde(default)]
+        #[cfg_attr(test, ts(as = "Option<_>", optional))]
+        taste: Taste,
+    },
+    /// Restores a version of the page history in its place in the storyboard. If the place does not exist any
+    /// more, the version replaces the current page.
+    RestoreVersion {
+        /// Id of the page.
+        #[serde(rename = "pageId")]
+        page_id: u64,
+        /// Learned preferences.
+        #[serde(default)]
+        #[cfg_attr(test, ts(as = "Option<_>", optional))]
+        taste: Taste,
     },
     /// An unknown intent, which is not read.
     #[serde(other)]
@@ -97,6 +237,56 @@ impl Intent {
         match typed(Value::Object(fields))? {
             Self::Unknown => Err(Wrong::new("is not a known edit").at("type")),
             intent => Ok(intent),
+        }
+    }
+}
+
+/// Part of a page that a shuffle changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub enum Shuffled {
+    /// All parts that are not locked.
+    All,
+    /// The layout.
+    Layout,
+    /// The style.
+    Style,
+    /// The choice and order of the photos.
+    Photos,
+}
+
+/// The basis of random choices.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub struct Draw {
+    /// The seed.
+    pub seed: u32,
+    /// Learned preferences.
+    #[serde(default)]
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub taste: Taste,
+    /// How a style is chosen.
+    #[serde(default)]
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub styling: Styling,
+}
+
+impl Intent {
+    /// Learned preferences for random choices.
+    #[must_use]
+    pub fn taste(&self) -> Taste {
+        match self {
+            Self::Shuffle { draw, .. }
+            | Self::FitLayout { draw }
+            | Self::Refit { draw, .. }
+            | Self::Compose { draw, .. }
+            | Self::AddPage { draw }
+            | Self::SpreadAlbum { draw } => draw.taste.clone(),
+            Self::SetPaper { taste, .. }
+            | Self::RepairPages { taste, .. }
+            | Self::RestoreVersion { taste, .. } => taste.clone(),
+            _ => Taste::default(),
         }
     }
 }

@@ -37,7 +37,10 @@ pub fn enlarged(
         return bounds.map(|bounds| place_overlay(template, panel, bounds, aspect, page)).transpose();
     }
     let areas = |template: &Template| -> Vec<f64> {
-        resolve(template, aspect, page).iter().map(|placed| placed.bounds.width * placed.bounds.height).collect()
+        resolve(template, aspect, page)
+            .iter()
+            .map(|placed| placed.bounds.width * placed.bounds.height)
+            .collect()
     };
     let size = |areas: &[f64]| -> f64 { group.iter().filter_map(|panel| areas.get(*panel)).sum() };
     let start = areas(template);
@@ -82,7 +85,8 @@ fn larger_inset(from: Bounds, height: f64, margin: f64) -> Option<Bounds> {
         return None;
     }
     let (wide, high) = (from.width * factor, from.height * factor);
-    let within = |middle: f64, side: f64, all: f64| (middle - side / 2.0).max(margin).min(all - margin - side);
+    let within =
+        |middle: f64, side: f64, all: f64| (middle - side / 2.0).max(margin).min(all - margin - side);
     Some(Bounds {
         x: within(from.x + from.width / 2.0, wide, 1.0),
         y: within(from.y + from.height / 2.0, high, height),

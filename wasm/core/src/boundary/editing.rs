@@ -47,6 +47,11 @@ impl Editor {
         self.hands.apply_json_with(edit, &|| album.used())
     }
 
+    /// Returns the page that an intent would make the current page, or null if the page stays.
+    pub fn preview(&self, album: &Album, edit: &str) -> Result<String> {
+        self.hands.preview_json(edit, album.used()?)
+    }
+
     /// The complete history with tables, as input of `load`.
     #[must_use]
     pub fn save(&self) -> String {
