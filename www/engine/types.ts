@@ -662,6 +662,8 @@ export type Edit = { "type": "add-photos",
   /** Id of the page in the page history. */
   pageId: number,
 }
+| Intent
+| { "type": "set-words", "pages": ReadonlyArray<{ at: number; words: ReadonlyArray<Word> }> }
 | { "type": "change-page",
   /** The new page. */
   page: PageDocument,
@@ -1110,6 +1112,8 @@ export type StylingRequest = {
 
 /** Facts about a photo, measured once at import. All positions are fractions of the oriented photo. */
 export type PhotoMeta = {
+  frame?: boolean,
+  absent?: boolean,
   /** Unique name within the album. */
   id: string,
   /** Width of the oriented original, in pixels. */
@@ -1829,3 +1833,49 @@ export type ErrorCode =
 | 'slow-painters'
 | 'invalid-painters'
 | 'encode';
+export type Shuffled = 'all' | 'layout' | 'style' | 'photos';
+export type Draw = { seed: number; taste?: Taste; styling?: StylingRequest };
+export type CropChange =
+  | { type: 'pan'; from?: Crop | null; x: number; y: number }
+  | { type: 'zoom'; from?: Crop | null; factor: number; at?: [number, number] | null }
+  | { type: 'fit' }
+  | { type: 'reset' };
+export type Intent =
+  | { type: 'crop-panel'; panel: number; crop: CropChange }
+  | { type: 'swap-panels'; panel: number; with: number }
+  | { type: 'place-photo'; panel: number; photo: string }
+  | { type: 'lock-panel'; panel: number; on: boolean }
+  | { type: 'break-frame'; panel: number; mask: string | null }
+  | { type: 'merge-panels'; panels: ReadonlyArray<number> }
+  | { type: 'split-panels'; panels: ReadonlyArray<number> }
+  | { type: 'reshape'; change: LayoutChange }
+  | { type: 'enlarge-panel'; panel: number }
+  | { type: 'recrop'; sheet?: number | null }
+  | { type: 'recrop-photo'; photo: string; everywhere: boolean }
+  | { type: 'shuffle'; part: Shuffled; draw: Draw }
+  | { type: 'fit-layout'; draw: Draw }
+  | { type: 'choose-layout'; layout: LayoutChoice; seed: number }
+  | { type: 'choose-style'; style: StyleChoice; seed: number }
+  | { type: 'restyle'; style: StyleChoice }
+  | { type: 'sort-photos' }
+  | { type: 'use-duplicate'; photo: string; alike: ReadonlyArray<string> }
+  | { type: 'refit'; grow: boolean; draw: Draw }
+  | { type: 'set-paper'; settings: PageSettings; held: boolean; taste?: Taste }
+  | {
+      type: 'compose';
+      photos: ReadonlyArray<string>;
+      panels: number;
+      layout?: LayoutChoice | null;
+      style?: StyleChoice | null;
+      prefer?: LayoutChoice | null;
+      surprise?: number | null;
+      draw: Draw;
+    }
+  | { type: 'add-page'; draw: Draw }
+  | { type: 'remove-page' }
+  | { type: 'move-page'; from: number; to: number }
+  | { type: 'go-to-page'; at: number }
+  | { type: 'spread-album'; draw: Draw }
+  | { type: 'style-pages' }
+  | { type: 'repair-pages'; groups: Record<string, number>; taste?: Taste }
+  | { type: 'restore-version'; pageId: number; taste?: Taste };
