@@ -31,7 +31,10 @@ test('new crops leave the frame of a missing photo as it is', async () => {
 });
 
 test('text is placed again in the undo step of the edit', async () => {
-  const settled = (page: PageDocument) => ({ ...page, words: page.words?.map((word) => ({ ...word, x: 0.5, y: 0.25 })) });
+  const settled = (page: PageDocument) => ({
+    ...page,
+    words: page.words?.map((word) => ({ ...word, x: 0.5, y: 0.25 })),
+  });
   const { pages, store, reading, files } = fakeApp({}, { settled });
   await reading.addFiles(files('a.jpg', 'b.jpg', 'c.jpg', 'd.jpg'));
   store.change({ type: 'set-words', pages: [{ at: 0, words: [{ kind: 'caption', text: 'Here', panel: 0 }] }] });
