@@ -6,11 +6,13 @@ use inkpanel_engine::document::edit::{Edit, How};
 use inkpanel_engine::document::editor::Editor;
 use inkpanel_engine::document::file::ProjectFile;
 use inkpanel_engine::document::kept;
+use inkpanel_engine::document::planning::Known;
 use inkpanel_engine::document::project::Project;
 use inkpanel_engine::document::saved::Saved;
 use inkpanel_engine::document::script;
 use inkpanel_engine::document::sheets::photos_on;
 use inkpanel_engine::document::subtitles::Subtitles;
+use inkpanel_engine::framing::PhotoMeta;
 use inkpanel_engine::layout::{self, PageSettings, Template};
 use inkpanel_engine::page::document::Document;
 use inkpanel_engine::page::import::import;
@@ -136,7 +138,10 @@ pub fn edits(bytes: &[u8]) {
     let mut editor = Editor::default();
     for edit in told.iter().take(MOST_EDITS) {
         let before = editor.history().clone();
-        if editor.apply_json(&edit.to_string()).is_err() {
+        let tray = editor.project().tray.clone();
+        let photos: Vec<_> = tray.iter().map(|item| PhotoMeta::unmeasured(&item.id, 3000, 2000)).collect();
+        let known = || Ok(photos.iter().map(|meta| Known { meta, place: None }).collect());
+        if editor.apply_json_with(&edit.to_string(), &known).is_err() {
             assert!(*editor.history() == before, "what was refused did something");
         }
         editor.history().states().for_each(|state| whole(state));

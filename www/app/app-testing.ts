@@ -9,7 +9,6 @@ import { createExplorer } from '../explorer/explorer.ts';
 import { createImitation } from '../imitation/imitation.ts';
 import { createDownload } from '../export/download.ts';
 import { createOwnLayouts } from '../layouts/own-layouts.ts';
-import { enlarged } from '../page/panels/enlarging.ts';
 import { createLettering } from '../lettering/lettering.ts';
 import { createNarrating } from '../lettering/narrating.ts';
 import { createFraming } from '../page/panels/framing.ts';
@@ -61,7 +60,7 @@ export async function fakeParts(): Promise<App> {
     shownPages: createShownPages({ store, pages }),
     merging: createMerging({ store, pages, selection }),
     framing: createFraming({ store, pages }),
-    choosing: createChoosing({ store, pages, reading, messages, enlarged }),
+    choosing: createChoosing({ store, pages, reading, messages }),
     reshaping: createReshaping({ store, pages, seed: () => 1 }),
     rotating: createRotating({ store, pages, reading, engine, messages }),
     scrubbing: createScrubbing({ store, pages, reading, engine, messages }),

@@ -26,7 +26,7 @@ export const documentFeature: Feature<Parts> = {
     const pages = createPages(store, {
       asked: (wish) => app.taste.asked(app.styling.asked(wish)),
       narrated: (page, at) => app.narrating.narrated(page, at),
-      settled: (page) => app.lettering.settled(page),
+      settled: (page, before) => app.lettering.settled(page, undefined, before),
       shuffled: () => app.hints.shuffled(),
     });
     return { store, pages };

@@ -5,7 +5,6 @@
  */
 
 import { effect, untracked } from '@preact/signals';
-import { photosOn, sheetsOf } from '../engine/sheets.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { Scheduler } from '../engine/scheduler.ts';
@@ -21,7 +20,7 @@ export function keepBook({
   scheduler,
 }: {
   store: Store;
-  pages: Pick<Pages, 'recropped' | 'repaired'>;
+  pages: Pick<Pages, 'edit' | 'repair'>;
   scheduler: Pick<Scheduler, 'background'>;
 }) {
   /** Measurements of the photos of a page when its crops were made. */
@@ -34,16 +33,18 @@ export function keepBook({
     if (others.length === 0 || !store.planner.value) return;
     untracked(() => {
       const byId = new Map(photos.map((photo) => [photo.id, photo]));
-      repair();
+      pages.repair();
       const stale = remember(byId);
       // The edited page is updated automatically, and is up to date when the user leaves it.
       if (page) known.set(page, essence(page, byId));
-      if (stale && !waiting) {
-        waiting = true;
-        scheduler.background(refineOne, { delay: DELAY });
-      }
+      if (stale) refineLater();
     });
   });
+
+  function refineLater() {
+    if (!waiting) scheduler.background(refineOne, { delay: DELAY });
+    waiting = true;
+  }
 
   /**
    * Notes pages that are new here.
@@ -59,27 +60,16 @@ export function keepBook({
     return stale;
   }
 
-  /** Updates the crops of one page. The change triggers the next update. */
+  /** Updates the crops of one page, and then of the next. */
   function refineOne() {
     waiting = false;
     const project = store.project.peek();
     const photos = new Map(store.photos.peek().map((photo) => [photo.id, photo]));
     const stale = project.others.find(({ page }) => known.has(page) && known.get(page) !== essence(page, photos));
     if (!stale || store.reading.peek()) return;
-    const own = [...photosOn([stale.page])].flatMap((id) => photos.get(id) ?? []);
-    const better = pages.recropped(stale.page, { current: stale.page, photos: own });
     known.set(stale.page, essence(stale.page, photos));
-    if (!better) return;
-    known.set(better, essence(better, photos));
-    const page = JSON.stringify(better) === JSON.stringify(stale.page) ? stale.page : better;
-    const sheets = sheetsOf(project).map((sheet) => (sheet.sheet === stale.sheet ? { ...sheet, page } : sheet));
-    store.change({ type: 'set-sheets', sheets, at: project.at, silent: true });
-  }
-
-  /** Replaces missing photos on all pages and removes pages without photos. */
-  function repair() {
-    const whole = pages.repaired();
-    if (whole) store.change({ type: 'set-sheets', ...whole, silent: true });
+    pages.edit({ type: 'recrop', sheet: stale.sheet, silent: true });
+    if (remember(photos)) refineLater();
   }
 }
 

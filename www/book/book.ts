@@ -24,7 +24,7 @@ export function createBook({
   onKept = () => {},
 }: {
   store: Store;
-  pages: Pick<Pages, 'another' | 'spread'>;
+  pages: Pick<Pages, 'add' | 'spread'>;
   messages: Pick<Messages, 'note'>;
   /** Called with the page before another is added. */
   onKept?: (page: PageDocument) => void;
@@ -79,9 +79,7 @@ export function createBook({
    * @param at its place, from 0
    */
   function go(at: number) {
-    const project = store.project.peek();
-    if (at !== project.at && project.page && at >= 0 && at <= project.others.length)
-      set(sheetsOf(project), at, { silent: true });
+    if (at >= 0) store.change({ type: 'go-to-page', at, silent: true });
   }
 
   /** Turns some pages on or back. */
@@ -93,13 +91,12 @@ export function createBook({
   function add() {
     const { page, at } = store.project.peek();
     if (!page || cannotAdd() !== '') return;
-    const fresh = pages.another();
-    if (!fresh) return;
-    onKept(page);
-    const added = { page: fresh, ...store.fresh() };
     const elsewhere = photosOn(store.sheets.peek());
-    const repeated = [...photosOn([fresh])].filter((photo) => elsewhere.has(photo)).length;
-    set(sheetsOf(store.project.peek()).toSpliced(at + 1, 0, added), at + 1);
+    if (!pages.add()) return;
+    onKept(page);
+    const repeated = [...photosOn(store.sheets.peek().slice(at + 1, at + 2))].filter((photo) =>
+      elsewhere.has(photo),
+    ).length;
     if (repeated > 0) messages.note(strings.book.repeats({ n: repeated }));
   }
 
@@ -108,7 +105,7 @@ export function createBook({
     const { at, others } = store.project.peek();
     if (others.length === 0) return;
     const sheets = sheetsOf(store.project.peek());
-    set(sheets.toSpliced(at, 1), Math.min(at, others.length - 1));
+    store.change({ type: 'remove-page' });
     messages.note(strings.book.removed({ n: at + 1 }), {
       label: strings.bringBack,
       run: () => {
@@ -131,11 +128,7 @@ export function createBook({
    * @param to its index after removal
    */
   function move(from: number, to: number) {
-    const sheets = sheetsOf(store.project.peek());
-    if (from === to || !sheets[from] || !sheets[to]) return;
-    const edited = sheets[store.project.peek().at];
-    const moved = sheets.toSpliced(from, 1).toSpliced(to, 0, sheets[from]);
-    set(moved, moved.indexOf(edited));
+    if (from >= 0 && to >= 0) store.change({ type: 'move-page', from, to });
   }
 
   /** Distributes all photos in use over as many pages as needed, replacing the present pages. */
@@ -143,35 +136,30 @@ export function createBook({
     const project = store.project.peek();
     const before = sheetsOf(project);
     if (!project.page || cannotSpread() !== '') return;
-    const sheets = pages.spread();
-    replace(sheets, {
-      text: strings.book.spread({ photos: store.photos.peek().length, pages: sheets.length }),
-      before,
-      at: project.at,
-    });
+    if (!pages.spread()) return;
+    const text = strings.book.spread({ photos: store.photos.peek().length, pages: store.sheets.peek().length });
+    offerBack({ text, before, at: project.at });
   }
 
   /** Replaces all pages, and offers to restore the pages `before`. `more`: another offer. */
   function replace(
     sheets: readonly Sheet[],
-    { text, before, at, more }: { text: string; before: readonly Sheet[]; at: number; more?: Way },
+    offer: { text: string; before: readonly Sheet[]; at: number; more?: Way },
   ) {
     set(sheets, 0);
+    offerBack(offer);
+  }
+
+  function offerBack({ text, before, at, more }: { text: string; before: readonly Sheet[]; at: number; more?: Way }) {
     messages.note(text, { label: strings.book.takeBack, run: () => bringBack(before, at) }, more);
   }
 
   /** Gives all pages the style of this one. */
   function styleAll() {
-    const { page, at } = store.project.peek();
-    if (!page) return;
-    const fresh = store.fresh().pageId;
-    const same = (other: Sheet) => JSON.stringify(other.page.style) === JSON.stringify(page.style);
-    const styled = (other: Sheet, i: number) =>
-      same(other) ? other : { ...other, page: { ...other.page, style: page.style }, pageId: fresh + i };
-    if (!oneStyle.peek()) set(sheetsOf(store.project.peek()).map(styled), at);
+    store.change({ type: 'style-pages' });
   }
 
-  function set(sheets: readonly Sheet[], at: number, how?: { silent?: boolean }) {
-    store.change({ type: 'set-sheets', sheets, at, ...how });
+  function set(sheets: readonly Sheet[], at: number) {
+    store.change({ type: 'set-sheets', sheets, at });
   }
 }

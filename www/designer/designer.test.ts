@@ -70,10 +70,9 @@ describe('the designer', () => {
   });
 
   it('begins with the style of the page, until the draft is edited', async () => {
-    const { designer, store, reading, files, pages } = app();
+    const { designer, reading, files, pages } = app();
     await reading.addFiles(files('a', 'b', 'c'));
-    const page = () => store.page.value!;
-    const wear = (style: unknown) => pages.amend({ ...page(), style: style as 'noir' });
+    const wear = (style: unknown) => pages.edit({ type: 'restyle', style: style as 'noir' });
     wear('noir');
     designer.open();
     expect(designer.draft.value).toMatchObject({ name: 'Noir copy', background: [{ block: 'gaussian' }] });

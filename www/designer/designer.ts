@@ -185,8 +185,7 @@ export function createDesigner({
     gestures += 1;
     const gesture = `design-${gestures}`;
     store.change({ type: 'design', draft: after, gesture, ...how });
-    const page = store.page.peek();
-    if (follows && page) pages.amend({ ...page, style: known.style }, { gesture });
+    if (follows) pages.edit({ type: 'restyle', style: known.style, gesture });
   }
 
   /** @returns the draft as a style file that the core has checked; errors are shown */

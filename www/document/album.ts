@@ -60,6 +60,20 @@ export function unreadMeta(id: string): PhotoMeta {
   };
 }
 
+const extended: WeakMap<PhotoMeta, { facts: Partial<PhotoMeta>; meta: PhotoMeta }> = new WeakMap();
+
+/** @returns measurements with more fields; the same object as before if all fields are the same */
+export function withFacts(meta: PhotoMeta, facts: Partial<PhotoMeta>): PhotoMeta {
+  const fields = Object.keys(facts) as (keyof PhotoMeta)[];
+  if (fields.length === 0) return meta;
+  const before = extended.get(meta);
+  const isSame = before && Object.keys(before.facts).length === fields.length;
+  if (isSame && fields.every((field) => before.facts[field] === facts[field])) return before.meta;
+  const next = { ...meta, ...facts };
+  extended.set(meta, { facts, meta: next });
+  return next;
+}
+
 /**
  * A fingerprint that is far from all others, so that unread photos do not count as near-duplicates. FNV-1a differs in a
  * few bits between ids such as p1 and p2. The last steps, from MurmurHash3, mix them.

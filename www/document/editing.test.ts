@@ -7,6 +7,7 @@ import { edited, pageOf } from './testing.ts';
 import { core } from '../engine/testing-core.ts';
 import type { Editing } from './editing.ts';
 import type { Change, History } from './history.ts';
+import type { Intent } from '../engine/types.ts';
 import type { Action } from './project.ts';
 
 const show = (id: number): Change => ({ type: 'show-page', page: pageOf(id), pageId: id });
@@ -92,8 +93,8 @@ const items = fc
   .subarray(['x', 'y', 'z'])
   .map((ids) => ids.map((id) => ({ id, name: id, tags: [], background: [] })) as any[]);
 const gesture = fc.constantFrom(undefined, 'drag', 'drag', 'other');
-/** One arbitrary a kind of action: a kind that is missing here does not compile. */
-const actions: Record<Action['type'], fc.Arbitrary<any>> = {
+/** One arbitrary per kind of edit except intents: a missing kind does not compile. */
+const actions: Record<Exclude<Action['type'], Intent['type']>, fc.Arbitrary<any>> = {
   'add-photos': fc.record({ ids: fc.subarray(['a', 'b', 'c']) }),
   'remove-photos': fc.record({ ids: fc.subarray(['a', 'b', 'c']) }),
   // `forget-photos` is not a step and has separate tests.
@@ -116,6 +117,7 @@ const actions: Record<Action['type'], fc.Arbitrary<any>> = {
   'add-words': fc.tuple(photo, fc.constantFrom(undefined, 1, 2)).map(([id, sheet]) => ({
     words: [{ kind: 'balloon', text: id, photo: sheet ? null : id, panel: 0, sheet, auto: true }],
   })),
+  'set-words': photo.map((text) => ({ pages: [{ at: 0, words: [{ kind: 'caption', text }] }] })),
   'drop-waiting': fc.record({ words: fc.subarray([0, 1]) }),
   'no-page': fc.constant({}),
   design: fc.constantFrom(
@@ -197,7 +199,7 @@ describe('whatever is done', () => {
         const editing = edited(...first);
         const before = editing.history();
         const copy = structuredClone(before);
-        second.forEach(editing.apply);
+        second.forEach((change) => editing.apply(change));
         expect(before).toEqual(copy);
       }),
     );

@@ -10,7 +10,7 @@ import { wellFormed } from './limits.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import type { Editor } from '../engine/core.ts';
 import type { Known } from '../engine/interned.ts';
-import type { Board, Difference, Runs } from '../engine/types.ts';
+import type { Board, Difference, Intent, PhotoMeta, Runs } from '../engine/types.ts';
 import type { Change, History, Shown } from './history.ts';
 import type { PageDocument, Project } from './project.ts';
 
@@ -27,16 +27,22 @@ export function createEditing(editor: Editor, from: History = EMPTY_HISTORY) {
 
   return {
     history: () => history,
+    /**
+     * @param photos in use
+     * @returns the page that an intent would make the current page; null if the page stays
+     */
+    preview: (intent: Intent, photos: readonly PhotoMeta[]) => editor.preview(jsonOf(intent), photos),
     /** Plans pages of the present from photos in use. */
     plans: editor.plans,
     /** Ids that were never used, nor any above them: of a page, and of a place in the storyboard. */
     fresh: () => ({ pageId, sheet }),
     /**
-     * Throws `invalid-document`, and then nothing changed.
+     * Throws `invalid-document`, and for intents the errors of the planner. Then nothing changed.
+     * @param photos in use, for intents
      * @returns the same object when nothing changed
      */
-    apply: (change: Change): History => {
-      const told = editor.apply(jsonOf(withoutKnown(change, history)));
+    apply: (change: Change, photos?: readonly PhotoMeta[]): History => {
+      const told = editor.apply(jsonOf(withoutKnown(change, history)), photos);
       ({ pageId, sheet } = told);
       history = laidOver(history, told, pagesIn(change));
       return history;

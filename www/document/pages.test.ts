@@ -2,7 +2,7 @@ import { describe, expect, test, vi } from 'vitest';
 import { createAlternatives } from '../page/alternatives.ts';
 import { DARK_PAPER } from '../page/paper.ts';
 import { fakeApp, orderByName } from './testing.ts';
-import type { PageDocument } from '../engine/types.ts';
+import type { PageDocument, PhotoMeta } from '../engine/types.ts';
 import type { Fact } from './album.ts';
 
 vi.useFakeTimers();
@@ -14,27 +14,51 @@ async function opened() {
 }
 
 test('new crops leave the frame of a missing photo as it is', async () => {
-  const { pages, store, planner } = await opened();
+  const { pages, store } = await opened();
   const page = store.page.value as PageDocument;
   const [first, second] = page.panels;
   const missing = { hash: '', fingerprint: '', width: 4, height: 3, subjects: [], measured: true };
-  store.know({ ...store.album.value.get(first.photo as string), absent: missing } as Fact);
-  const crop = { x: 0, y: 0, width: 0.5, height: 0.5 };
-  planner.planned = (planned) => planned && { ...planned, panels: planned.panels.map((panel) => ({ ...panel, crop })) };
+  for (const { photo } of [first, second]) {
+    const fact = store.album.value.get(photo as string) as Fact;
+    const meta = { ...(fact.meta as PhotoMeta), width: 1000, height: 4000 };
+    store.know({ ...fact, meta, ...(photo === first.photo && { absent: missing }) });
+  }
   pages.refine();
   const panels = (store.page.value as PageDocument).panels;
-  expect(panels.slice(0, 2)).toEqual([first, { ...second, crop }]);
+  expect(panels[0]).toEqual(first);
+  expect(panels[1]).toMatchObject({ photo: second.photo });
+  expect(panels[1].crop).not.toEqual(second.crop);
+});
+
+test('text is placed again in the undo step of the edit', async () => {
+  const settled = (page: PageDocument) => ({
+    ...page,
+    words: page.words?.map((word) => ({ ...word, x: 0.5, y: 0.25 })),
+  });
+  const { pages, store, reading, files } = fakeApp({}, { settled });
+  await reading.addFiles(files('a.jpg', 'b.jpg', 'c.jpg', 'd.jpg'));
+  store.change({ type: 'set-words', pages: [{ at: 0, words: [{ kind: 'caption', text: 'Here', panel: 0 }] }] });
+  const before = store.project.value;
+  let changes = -1;
+  store.page.subscribe(() => {
+    changes += 1;
+  });
+  expect(pages.edit({ type: 'swap-panels', panel: 0, with: 1 })).toBe(true);
+  expect(store.page.value?.words?.[0]).toMatchObject({ text: 'Here', panel: 1, x: 0.5, y: 0.25 });
+  expect(changes).toBe(1);
+  pages.undo();
+  expect(store.project.value).toBe(before);
+  expect(pages.edit({ type: 'swap-panels', panel: 0, with: 0 })).toBe(false);
 });
 
 describe('shuffle', () => {
-  test('keeps what is locked and says so to the planner', async () => {
-    const { pages, planner } = await opened();
+  test('keeps what is locked', async () => {
+    const { pages, planner, store } = await opened();
+    const style = store.page.value?.style;
     pages.lock('style', true);
     pages.shuffle('all');
-    expect(planner.wishes.at(-1)).toMatchObject({
-      mode: 'shuffle',
-      keep: { layout: false, style: true, photos: false },
-    });
+    expect(planner.wishes.at(-1)).toMatchObject({ type: 'shuffle', part: 'all' });
+    expect(store.page.value?.style).toBe(style);
   });
 
   test('of photos puts them in other places', async () => {
@@ -48,14 +72,14 @@ describe('shuffle', () => {
   });
 
   test('of one part keeps the others', async () => {
-    const { pages, planner } = await opened();
+    const { pages, planner, store } = await opened();
+    const before = store.page.value as PageDocument;
     pages.shuffle('layout');
-    expect(planner.wishes.at(-1)).toMatchObject({ keep: { layout: false, style: true, photos: true } });
+    expect(planner.wishes.at(-1)).toMatchObject({ type: 'shuffle', part: 'layout' });
+    expect(store.page.value).toMatchObject({ style: before.style, order: before.order });
+    const { layout } = store.page.value as PageDocument;
     pages.shuffle('photos');
-    expect(planner.wishes.at(-1)).toMatchObject({
-      mode: 'photos',
-      keep: { layout: true, style: true, photos: false },
-    });
+    expect(store.page.value).toMatchObject({ layout, style: before.style });
   });
 
   test('of a locked part does nothing', async () => {
@@ -67,11 +91,10 @@ describe('shuffle', () => {
   });
 
   test('with locked photos asks for a place for each of them', async () => {
-    const { pages, planner, store } = await opened();
+    const { pages, store } = await opened();
     const places = store.page.value?.panels.length;
     pages.lock('photos', true);
     pages.shuffle('all');
-    expect(planner.wishes.at(-1)).toMatchObject({ keep: { photos: true } });
     expect(store.page.value?.panels.length).toBe(places);
   });
 
@@ -182,7 +205,7 @@ describe('alternatives', () => {
     const { pages, planner, store, scheduler } = await opened();
     const alternatives = createAlternatives({ store, pages, scheduler });
     // Each plan takes longer than a frame.
-    planner.planned = (page) => {
+    planner.planned = (page: PageDocument) => {
       vi.advanceTimersByTime(20);
       return page;
     };

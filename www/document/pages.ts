@@ -1,19 +1,24 @@
 /** Page commands: shuffle, choose, lock, adjust, browse the page history. */
 
+import { batch } from '@preact/signals';
 import { nextTask } from '../engine/scheduler.ts';
 import { position, versions } from './history.ts';
-import { photosOn, sheetsOf } from '../engine/sheets.ts';
-import type { Draw, Wish } from '../engine/core.ts';
-import type { BookWish, LayoutChoice, PageDocument, PageSettings, StyleChoice } from '../engine/types.ts';
-import type { Shown } from './history.ts';
+import { sheetsOf } from '../engine/sheets.ts';
+import type { Wish } from '../engine/core.ts';
+import type {
+  BookWish,
+  Draw,
+  Intent,
+  LayoutChoice,
+  PageDocument,
+  PageSettings,
+  Shuffled,
+  StyleChoice,
+} from '../engine/types.ts';
+import type { Change, Shown } from './history.ts';
 import type { Part, Project } from './project.ts';
 import type { Sheet } from '../engine/sheets.ts';
 import type { Store } from './store.ts';
-
-const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
-
-/** Number of seeds that are tried for another arrangement of photos. A single photo has only one arrangement. */
-const MOST_TRIES = 5;
 
 /** @returns a seed that was likely never used */
 export function freshSeed(): number {
@@ -22,7 +27,7 @@ export function freshSeed(): number {
 
 /**
  * @param app `asked` adds the user's preferences to a wish. `narrated` adds a title and captions to a new page. `settled` places
- * text so that it covers no face. `shuffled` is called after a shuffle.
+ * text so that it covers no face; `before`: the page before an edit. `shuffled` is called after a shuffle.
  */
 export function createPages(
   store: Store,
@@ -36,7 +41,7 @@ export function createPages(
     seed?: () => number;
     asked?: (wish: Wish) => Wish;
     narrated?: (page: PageDocument, at: number) => PageDocument;
-    settled?: (page: PageDocument) => PageDocument;
+    settled?: (page: PageDocument, before?: PageDocument | null) => PageDocument;
     shuffled?: () => void;
   } = {},
 ) {
@@ -46,10 +51,10 @@ export function createPages(
   return {
     plan,
     show,
-    amend,
+    edit,
+    preview,
+    compose,
     refine,
-    refined,
-    recropped,
     refit,
     shuffle,
     prepare,
@@ -58,10 +63,10 @@ export function createPages(
     lock,
     wantPanels,
     changeSettings,
-    another,
+    add,
     spread,
     book,
-    repaired,
+    repair,
     bringBack,
     previous,
     next,
@@ -89,9 +94,13 @@ export function createPages(
     return store.planner.peek() !== null && store.photos.peek().length > 0;
   }
 
-  /** Learned preferences for the random choice of layouts. */
-  function draw(): Draw {
-    return { seed: seed(), taste: asked({ keep: { ...KEEP_ALL, layout: false } }).taste };
+  /**
+   * A seed, and the user's preferences for random choices.
+   * @param styles whether a style is chosen
+   */
+  function draw(styles = false): Draw {
+    const { taste, styling } = asked({ keep: { layout: false, style: !styles, photos: true } });
+    return { seed: seed(), ...(taste && { taste }), ...(styling && { styling }) };
   }
 
   function settledOr(page: PageDocument | null): PageDocument | null {
@@ -104,86 +113,87 @@ export function createPages(
       store.change({ type: 'show-page', page, pageId: store.fresh().pageId, ...how });
   }
 
-  /** Sets the page after a manual change. */
-  function amend(changed: PageDocument, how?: { gesture?: string }) {
-    const page = plan({ keep: KEEP_ALL, current: changed, seed: changed.seed });
-    if (page) store.change({ type: 'change-page', page, ...how });
+  /**
+   * Applies an edit, and writes and places the text of the changed pages in the same undo step.
+   * @param how `isNew`: whether the changed page at an index gets another title and other captions
+   * @returns whether the current page changed
+   */
+  function edit(change: Change, { isNew = () => false }: { isNew?: (at: number) => boolean } = {}): boolean {
+    const project = store.project.peek();
+    const before = new Map(sheetsOf(project).map((sheet) => [sheet.sheet, sheet.page]));
+    const versions = new Set(store.history.peek().shown.map(({ page }) => page));
+    // New measurements can move text even if the crops stay.
+    const measured = change.type === 'recrop' ? (change.sheet ?? project.sheet) : null;
+    batch(() => {
+      store.change(change);
+      const placed = sheetsOf(store.project.peek()).flatMap(({ sheet, page }, at) => {
+        const was = before.get(sheet) ?? null;
+        // A restored version is not changed.
+        if (sheet !== measured && (page === was || versions.has(page))) return [];
+        const told = isNew(at) ? narrated(page, at) : page;
+        const { words = [] } = settled(told, was);
+        return JSON.stringify(words) === JSON.stringify(page.words ?? []) ? [] : [{ at, words }];
+      });
+      if (placed.length > 0) store.change({ type: 'set-words', pages: placed, silent: true });
+    });
+    return store.page.peek() !== project.page;
+  }
+
+  /**
+   * @param how whether it gets another title and other captions
+   * @returns the page that an intent would make the current page; null if it stays
+   */
+  function preview(intent: Intent, { isNew = false }: { isNew?: boolean } = {}): PageDocument | null {
+    const page = canPlan() ? store.preview(intent) : null;
+    return settledOr(page && isNew ? narrated(page, store.project.peek().at) : page);
+  }
+
+  /**
+   * Plans all parts of the current page again.
+   * @param how `accepts`: whether the planned page is good enough
+   */
+  function compose(
+    wish: Omit<Extract<Intent, { type: 'compose' }>, 'type' | 'draw'>,
+    { silent, accepts }: { silent?: boolean; accepts?: (page: PageDocument) => boolean } = {},
+  ) {
+    const intent = { type: 'compose', ...wish, draw: draw(wish.style === undefined) } as const;
+    const page = accepts && canPlan() ? store.preview(intent) : null;
+    if (!accepts || (page && accepts(page))) edit({ ...intent, silent }, { isNew: () => true });
   }
 
   /** Updates the crops of the page to the current measurements of its photos. */
   function refine() {
-    const better = refined();
-    if (better) store.change({ type: 'change-page', page: better, silent: true });
-  }
-
-  /** @returns the page with updated crops; null if nothing changes */
-  function refined(): PageDocument | null {
-    const { page } = store.project.peek();
-    const better = page && recropped(page);
-    return JSON.stringify(better) === JSON.stringify(page) ? null : better;
+    edit({ type: 'recrop', silent: true });
   }
 
   /**
-   * Plans the crops of a page again. The panel of a missing photo stays unchanged, because its empty frame has other
-   * measurements than the photo.
-   * @param wish `current` and `photos` for a page that is not the edited one
+   * Plans the page again after the photos in use changed, with as few changes as possible.
+   * @param how whether there are more photos than before, and the undo step
    */
-  function recropped(page: PageDocument, wish: Pick<Wish, 'current' | 'photos'> = {}): PageDocument | null {
-    const album = store.album.peek();
-    const better = plan({ keep: KEEP_ALL, seed: page.seed, ...wish });
-    if (!better?.panels.some(({ photo }) => photo && album.get(photo)?.absent)) return better;
-    const panels = better.panels.map((panel, i) => {
-      const before = page.panels[i];
-      return before && panel.photo === before.photo && album.get(panel.photo ?? '')?.absent ? before : panel;
-    });
-    return { ...better, panels };
-  }
-
-  /**
-   * Returns the page after the photos in use changed, with as few changes as possible.
-   * @param how whether there are more photos than before
-   */
-  function refit({ grow }: { grow: boolean }): PageDocument | null {
-    const next = canPlan() ? settledOr(store.plans().refitted(draw(), grow)) : null;
-    const page = store.page.peek();
-    return JSON.stringify(next) === JSON.stringify(page) ? page : next;
+  function refit({ grow, gesture }: { grow: boolean; gesture?: string }) {
+    edit({ type: 'refit', grow, draw: draw(), gesture });
   }
 
   /**
    * Changes size, gutter, paper and other settings of all pages of the storyboard.
    * @param gesture names one drag of a control, which is one step of the undo
    * @param how `held`: the user still holds the control. The other pages then wait for the call without it, which ends
-   * the drag: to plan all of an album at each step would hold the slider up
+   * the drag
    */
   function changeSettings(wish: Partial<PageSettings>, gesture?: string, { held = false }: { held?: boolean } = {}) {
-    const project = store.project.peek();
-    const { settings, page, at } = project;
-    const changed = { ...settings, ...wish };
-    if (held && page && project.others.length > 0) {
-      const own = photosOn([page]);
-      const photos = store.photos.peek().filter(({ id }) => own.has(id));
-      const wanted: Wish = { keep: KEEP_ALL, seed: page.seed, page: changed };
-      const alone = plan(photos.length > 0 ? { ...wanted, photos } : wanted);
-      if (alone) store.change({ type: 'change-settings', settings: changed, page: alone, gesture });
-      return;
-    }
-    const made = page ? store.plans().onPaper(draw(), changed).map(settled) : [];
-    store.change({ type: 'change-settings', settings: changed, page: page && made[at], gesture });
-    if (made.length < 2) return;
-    const sheets = sheetsOf(project).map((sheet, i) => ({ ...sheet, page: made[i] }));
-    store.change({ type: 'set-sheets', sheets, at, silent: true });
+    const settings = { ...store.project.peek().settings, ...wish };
+    edit({ type: 'set-paper', settings, held, taste: draw().taste, gesture });
   }
 
-  /** Plans a page to follow this one, in its style. It uses unplaced photos as long as there are any. */
-  function another(): PageDocument | null {
-    const page = canPlan() ? store.plans().another(draw()) : null;
-    return settledOr(page && narrated(page, store.project.peek().at + 1));
+  /** Inserts a page after this one, in its style. It has unplaced photos as long as there are any. */
+  function add(): boolean {
+    const at = store.project.peek().at + 1;
+    return edit({ type: 'add-page', draw: draw() }, { isNew: (place) => place === at });
   }
 
   /** Distributes all photos in use over as many pages as needed, replacing the present pages. */
-  function spread(): Sheet[] {
-    const sheets = canPlan() ? store.plans().spread(draw()) : null;
-    return (sheets ?? []).map((sheet, i) => ({ ...sheet, page: settled(narrated(sheet.page, i)) }));
+  function spread(): boolean {
+    return edit({ type: 'spread-album', draw: draw() }, { isNew: () => true });
   }
 
   /**
@@ -212,43 +222,26 @@ export function createPages(
     return maker.sheets().map((sheet) => ({ ...sheet, page: settled(sheet.page) }));
   }
 
-  /** Replaces missing photos on all pages and removes pages without photos; null if nothing changes. */
-  function repaired(): { sheets: Sheet[]; at: number } | null {
-    if (!store.planner.peek() || !store.plans().torn()) return null;
+  /** Replaces missing photos on all pages and removes pages without photos. */
+  function repair() {
+    if (!store.planner.peek() || !store.plans().torn()) return;
     const groups = Object.fromEntries([...store.verdicts.peek().values()].map(({ id, group }) => [id, group]));
-    const found = store.plans().repaired(draw(), groups);
-    if (!found) return null;
-    const before = new Map(sheetsOf(store.project.peek()).map((sheet) => [sheet.sheet, sheet]));
-    const sheets = found.sheets.flatMap(({ page, ...ids }) => {
-      if (page) return { ...ids, page: settled(page) };
-      return before.get(ids.sheet) ?? [];
-    });
-    return { ...found, sheets };
+    edit({ type: 'repair-pages', groups, taste: draw().taste, silent: true });
   }
 
-  function shuffle(part: Part | 'all') {
+  function shuffle(part: Shuffled) {
     const { locks, page } = store.project.peek();
     if (!page || (part !== 'all' && locks[part])) return;
-    if (part === 'all') show(isPrepared() ? (prepared?.page ?? null) : planShuffled(page));
-    else if (part === 'photos') show(otherPhotos(page));
-    else show(plan({ keep: { ...KEEP_ALL, [part]: false } }));
+    if (part === 'all') show(isPrepared() ? (prepared?.page ?? null) : planShuffled());
+    else edit({ type: 'shuffle', part, draw: draw(part === 'style') }, { isNew: () => part !== 'style' });
     shuffled();
   }
 
-  /** Avoids the previous arrangement of photos, which would not look like a shuffle. */
-  function otherPhotos(page: PageDocument) {
-    const places = ({ panels }: PageDocument) => panels.map(({ photo }) => photo).join();
-    const another = () => plan({ keep: { ...KEEP_ALL, photos: false }, mode: 'photos' });
-    let next = another();
-    for (let tries = 1; tries < MOST_TRIES && next && places(next) === places(page); tries += 1) next = another();
-    return next;
-  }
-
-  function planShuffled(page: PageDocument) {
-    const { locks } = store.project.peek();
-    // A locked panel does not move.
-    const layout = locks.layout || page.panels.some((panel) => panel.locked);
-    return plan({ keep: { ...locks, layout }, mode: 'shuffle' });
+  function planShuffled(): PageDocument | null {
+    const { locks, page } = store.project.peek();
+    const isLaidOut = locks.layout || !!page?.panels.some((panel) => panel.locked);
+    const intent = { type: 'shuffle', part: 'all', draw: draw(!locks.style) } as const;
+    return preview(intent, { isNew: !isLaidOut || !locks.photos });
   }
 
   function isPrepared() {
@@ -258,19 +251,16 @@ export function createPages(
   /** Plans the page of the next shuffle. @returns null if there is nothing to shuffle */
   function prepare(): PageDocument | null {
     const project = store.project.peek();
-    if (!isPrepared()) {
-      const page = project.page && planShuffled(project.page);
-      prepared = { project, photos: store.photos.peek(), page };
-    }
+    if (!isPrepared()) prepared = { project, photos: store.photos.peek(), page: project.page && planShuffled() };
     return prepared?.page ?? null;
   }
 
   function chooseLayout(layout: LayoutChoice) {
-    show(plan({ keep: { ...KEEP_ALL }, layout }));
+    edit({ type: 'choose-layout', layout, seed: seed() });
   }
 
   function chooseStyle(style: StyleChoice) {
-    show(plan({ keep: { ...KEEP_ALL }, style }));
+    edit({ type: 'choose-style', style, seed: seed() });
   }
 
   function lock(part: Part, on: boolean) {
@@ -282,7 +272,7 @@ export function createPages(
     store.change({ type: 'want-panels', count, gesture });
     const { page } = store.project.peek();
     if (count === null || !page || page.panels.length === count) return;
-    show(plan({ keep: { ...KEEP_ALL, layout: false } }), { gesture });
+    edit({ type: 'fit-layout', draw: draw(), gesture }, { isNew: () => true });
   }
 
   function walk(step: number) {
@@ -291,22 +281,9 @@ export function createPages(
     if (target) bringBack(target);
   }
 
-  /**
-   * Restores a page of the page history, in its place in the storyboard. If that position does not exist any more, it
-   * replaces the current page.
-   */
-  function bringBack({ id, page, sheet = 0 }: Shown) {
-    const sheets = sheetsOf(store.project.peek());
-    const at = sheets.findIndex((other) => other.pageId === id || other.sheet === sheet);
-    // Turning pages is not an undo step.
-    if (at >= 0 && at !== store.project.peek().at) store.change({ type: 'set-sheets', sheets, at, silent: true });
-    if (sheets[at]?.pageId !== id) store.change({ type: 'show-page', page: broughtBack(page), pageId: id });
-  }
-
-  /** Returns an earlier version of a page in its current form. */
-  function broughtBack(page: PageDocument): PageDocument {
-    const back = store.plans().broughtBack(draw(), page);
-    return JSON.stringify(back) === JSON.stringify(page) ? page : settled(back);
+  /** Restores a page of the page history, in its place in the storyboard. */
+  function bringBack({ id }: Pick<Shown, 'id'>) {
+    edit({ type: 'restore-version', pageId: id, taste: draw().taste });
   }
 
   function previous() {

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { shifted } from '../page/panels/cuts.tsx';
 import { createMerging, grown, whyNotMerge } from '../page/panels/merging.ts';
-import { createReshaping, joined, spliced } from '../page/panels/reshaping.ts';
+import { createReshaping } from '../page/panels/reshaping.ts';
 import { createSelection } from '../page/panels/selection.ts';
 import { fakeApp } from './testing.ts';
 import { strings } from '../strings/strings.ts';
@@ -99,42 +99,6 @@ test('one drag of a cut is one step of the undo', async () => {
   expect(store.history.value.past.length).toBe(steps + 1);
   pages.undo();
   expect(page().layout).toBe(layout);
-});
-
-test('a panel is split and taken away, and the others keep their photos', async () => {
-  const { reshaping, page } = await app();
-  const plain = {
-    panels: ['a', 'b', 'c', 'd'].map((photo) => ({ photo })),
-    merges: [
-      [0, 1],
-      [2, 3],
-    ],
-  } as any;
-  const more = spliced(plain, 1, 1);
-  expect(more.panels.map(({ photo }) => photo)).toEqual(['a', 'b', null, 'c', 'd']);
-  expect(more.merges).toEqual([[3, 4]]);
-  const fewer = spliced(plain, 2, -1);
-  expect(fewer.panels.map(({ photo }) => photo)).toEqual(['a', 'b', 'd']);
-  expect(fewer.merges).toEqual([[0, 1]]);
-  reshaping.removePanel(0);
-  expect(page().panels.length).toBe(3);
-});
-
-test('panels become one, which shows the first of their photos or one that is locked', async () => {
-  const plain = {
-    panels: ['a', null, 'c', 'd', 'e'].map((photo) => ({ photo, locked: photo === 'd', edited: true })),
-    merges: [
-      [0, 1],
-      [3, 4],
-    ],
-  } as any;
-  const apart = joined({ ...plain, merges: [[3, 4]] } as any, [0, 2]);
-  expect(apart.panels.map(({ photo }) => photo)).toEqual(['a', null, 'd', 'e']);
-  expect(apart.panels.map(({ edited }) => edited)).toEqual([false, true, true, true]);
-  expect(apart.merges).toEqual([[2, 3]]);
-  const held = joined(plain, [1, 2, 3]);
-  expect(held.panels.map(({ photo }) => photo)).toEqual(['a', 'd', 'e']);
-  expect(held.merges).toEqual([]);
 });
 
 test('panels are joined as one step of the undo, where one panel is to be made of them', async () => {

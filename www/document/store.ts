@@ -4,14 +4,14 @@
  */
 
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
-import { chronological, inFilmOrder, isUsed, unreadMeta } from './album.ts';
+import { chronological, inFilmOrder, isUsed, unreadMeta, withFacts } from './album.ts';
 import { failure } from '../engine/protocol.ts';
 import { createEditing } from './editing.ts';
 import { EMPTY_HISTORY } from './history.ts';
 import { freshPlace } from './place.ts';
 import type { ExifThumbnail } from '../engine/exif-thumbnail.ts';
 import type { Planner, Unseen } from '../engine/core.ts';
-import type { Template } from '../engine/types.ts';
+import type { Intent, LayoutChoice, PageSettings, Template } from '../engine/types.ts';
 import type { Place } from './place.ts';
 import type { Album, Fact, Verdict, Video } from './album.ts';
 import type { Editing } from './editing.ts';
@@ -107,35 +107,53 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
   );
 
   let judged: ReadonlyMap<string, Verdict> = new Map();
+  const duplicateThreshold = computed(() => project.value.alike);
   /**
    * The verdict on each photo. It is available after all photos are read, so that photos do not change back and forth.
    */
   const verdicts = computed(() => {
     if (!planner.value || reading.value) return judged;
-    judged = new Map(planner.value.choose(measured.value, project.value.alike).map((verdict) => [verdict.id, verdict]));
+    judged = new Map(
+      planner.value.choose(measured.value, duplicateThreshold.value).map((verdict) => [verdict.id, verdict]),
+    );
     return judged;
   });
 
-  /** The photos in use, in order, for the planner. */
+  const isDated = computed(() => project.value.order === 'time');
+  /** The photos in use, in order, for the planner. It changes only with the tray and the measurements. */
   const photos = computed(() => {
     const items = new Map(tray.value.map((item) => [item.id, item]));
     const used = new Set(tray.value.filter((item) => isUsed(item, verdicts.value)).map(({ id }) => id));
     const list = facts.value.filter(({ id }) => used.has(id));
     // During an import the order of the files stays, because each new photo would rearrange the page.
-    const dated = !reading.value && project.value.order === 'time';
-    return (dated ? chronological(list) : list).map(({ id, meta }) => {
+    const dated = !reading.value && isDated.value;
+    return (dated ? chronological(list) : list).map(({ id, meta, video, absent }) => {
       const known = meta ?? unreadMeta(id);
       const { focus, starred, mask } = items.get(id) ?? {};
-      if (!focus && !starred && !mask) return known;
-      return { ...known, focus: focus ?? null, starred: starred ?? false, ...(mask && { mask }) };
+      const more = {
+        ...((focus || starred || mask) && { focus: focus ?? null, starred: starred ?? false }),
+        ...(mask && { mask }),
+        ...(video !== undefined && { frame: true }),
+        ...(absent && { absent: true }),
+      };
+      return withFacts(known, more);
     });
   });
 
+  /** The photos of the pages shown and the place of the current one, as text. */
+  const shown = computed(() => {
+    const { shown, present } = history.value;
+    if (!present.page || shown.length === 0) return '';
+    return JSON.stringify([
+      present.sheet,
+      shown.map(({ page, sheet }) => [sheet, page.panels.map(({ photo }) => photo)]),
+    ]);
+  });
   /** The photos in use that no page has shown yet, and why. Empty until there is a page. */
   const unseen: ReadonlySignal<ReadonlyMap<string, Unseen>> = computed(() => {
-    const { shown } = history.value;
-    if (!planner.value || !page.value || reading.value || shown.length === 0) return new Map();
-    const list = (editing ?? begun()).plans(photos.value)?.unseen() ?? [];
+    if (!planner.value || reading.value || shown.value === '' || size.value === '') return new Map();
+    const used = photos.value;
+    const list = untracked(() => (editing ?? begun()).plans(used).unseen());
     return new Map(list.map(({ photo, why }) => [photo, why]));
   });
 
@@ -148,16 +166,17 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     const [width, height] = size.value.split(' ').map(Number);
     return planner.value?.listLayouts({ page: { width, height }, own: [...own.value] }) ?? [];
   });
+  /** Layout and paper of the page, as text. Other changes of the page keep its geometry. */
+  const shape = computed(() => page.value && JSON.stringify([page.value.layout, page.value.page]));
+  const ofShape = <T>(make: (planner: Planner, layout: LayoutChoice, paper: PageSettings) => T) =>
+    computed(() => {
+      const [core, now] = [planner.value, shape.value && page.peek()];
+      return core && now ? make(core, now.layout, now.page) : null;
+    });
   /** Possible changes of the layout of the page. */
-  const layoutFacts = computed(() => {
-    if (!planner.value || !page.value) return null;
-    return planner.value.layoutFacts(page.value.layout, page.value.page);
-  });
+  const layoutFacts = ofShape((core, layout, paper) => core.layoutFacts(layout, paper));
   const styles = computed(() => planner.value?.styles() ?? []);
-  const geometry = computed(() => {
-    if (!planner.value || !page.value) return null;
-    return planner.value.geometry(page.value.layout, page.value.page);
-  });
+  const geometry = ofShape((core, layout, paper) => core.geometry(layout, paper));
 
   effect(() => {
     if (planner.value) untracked(() => early.splice(0).forEach(change));
@@ -169,6 +188,8 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
     editing: () => editing,
     /** Plans pages of the project from the photos in use. Throws while there is no planner. */
     plans: () => (editing ?? begun()).plans(photos.peek()),
+    /** @returns the page that an intent would make the current page; null if the page stays */
+    preview: (intent: Intent) => (editing ?? begun()).preview(intent, photos.peek()),
     /** Ids that were never used, nor any above them: of a page, and of a place in the storyboard. */
     fresh: () => (editing ?? begun()).fresh(),
     /** Storage place of the history. */
@@ -221,10 +242,10 @@ export function createStore({ onRefused = () => {} }: { onRefused?: (error: Erro
 
   function after(change: Change): History {
     try {
-      return (editing ?? begun()).apply(change);
+      return (editing ?? begun()).apply(change, photos.peek());
     } catch (error) {
-      // An editor that broke is of no use any more; all that it had is here.
-      if ((error as { code?: unknown }).code !== 'invalid-document') editing = null;
+      // An editor that broke is of no use any more; all that it had is here. An error of the core has a code.
+      if ((error as { code?: unknown }).code === undefined) editing = null;
       onRefused(error as Error);
       throw error;
     }

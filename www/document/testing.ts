@@ -9,7 +9,6 @@ import { createReading } from '../photos/reading.ts';
 import { core } from '../engine/testing-core.ts';
 import { createScheduler } from '../engine/scheduler.ts';
 import { createStore } from './store.ts';
-import type { Wish } from '../engine/core.ts';
 import type { Layout, PageDocument, PhotoMeta, VerdictReason } from '../engine/types.ts';
 import type { Editing } from './editing.ts';
 import type { Store } from './store.ts';
@@ -19,6 +18,18 @@ import type { Change } from './history.ts';
 const LAYOUTS = ['splash', 'grid-2', 'grid-3', 'grid-4', 'grid-6'].map(
   (wanted) => core.layouts().find(({ id }) => id === wanted) as Layout,
 );
+
+/** The intents that plan a page. */
+const INTENTS = [
+  'compose',
+  'recrop',
+  'recrop-photo',
+  'shuffle',
+  'choose-layout',
+  'choose-style',
+  'fit-layout',
+  'refit',
+];
 
 /** A page without photos, identified by its seed. */
 export function pageOf(seed: number): PageDocument {
@@ -39,21 +50,21 @@ export function pageOf(seed: number): PageDocument {
 /** Applies changes to an empty project. */
 export function edited(...changes: readonly Change[]): Editing {
   const editing = createEditing(core.createEditor());
-  changes.forEach(editing.apply);
+  changes.forEach((change) => editing.apply(change));
   return editing;
 }
 
 /** The core, with a record of its calls. */
 export function fakePlanner() {
-  /** Planner requests, the latest last. */
-  const wishes: Wish[] = [];
+  /** Planner requests and intents, the latest last. */
+  const wishes: any[] = [];
   const planner = {
     ...core,
     wishes,
     /** The photos in use that the last was planned from. */
     used: [] as readonly PhotoMeta[],
-    /** Replaces a page that the core planned. */
-    planned: (page: PageDocument | null, _wish: Wish) => page,
+    /** Replaces a page that the core planned, or that an intent would make the current page. */
+    planned: null as ((page: PageDocument, wish: any) => PageDocument) | null,
     styles: () => [],
     blocks: () => [],
     listLayouts: ({ own }: { own: object[] }) => [
@@ -67,11 +78,31 @@ export function fakePlanner() {
         const page = (wish: Parameters<typeof all.page>[0]) => {
           wishes.push(wish);
           planner.used = photos;
-          return planner.planned(all.page(wish), wish);
+          return replaced(all.page(wish), wish);
         };
         return { ...all, page };
       };
-      return { ...editor, plans };
+      const replaced = (page: PageDocument | null, wish: any) =>
+        page && planner.planned ? planner.planned(page, wish) : page;
+      const preview = (text: string, photos: readonly PhotoMeta[]) => {
+        const intent = JSON.parse(text);
+        wishes.push(intent);
+        planner.used = photos;
+        return replaced(editor.preview(text, photos), intent);
+      };
+      const apply = (text: string, photos?: readonly PhotoMeta[]) => {
+        const { silent, gesture, ...intent } = JSON.parse(text);
+        if (!INTENTS.includes(intent.type)) return editor.apply(text, photos);
+        if (!planner.planned || !photos) {
+          wishes.push(intent);
+          planner.used = photos ?? [];
+          return editor.apply(text, photos);
+        }
+        const page = preview(JSON.stringify(intent), photos);
+        if (!page) return editor.apply(text, photos);
+        return editor.apply(JSON.stringify({ type: 'change-page', page, silent, gesture }));
+      };
+      return { ...editor, plans, preview, apply };
     },
     geometry: () => ({ width: 1, height: 1, panels: [] }),
     choose: (photos: any[]) =>

@@ -13,6 +13,7 @@ import type {
   BreedRequest,
   ChoiceRequest,
   Difference,
+  Draw,
   Draft,
   DraftEdit,
   DraftFacts,
@@ -30,7 +31,6 @@ import type {
   PhotoMeta,
   ReadHistory,
   ReadProject,
-  RepairedSheets,
   Request,
   Sheet,
   Style,
@@ -61,8 +61,6 @@ export type Wish = Partial<Omit<PlanRequest, 'current'>> &
   Pick<PlanRequest, 'keep'> & { current?: PageDocument; anew?: boolean };
 /** Reason why no page has shown a photo yet: it is not its turn, it is a page of text, or it has too few pixels. */
 export type Unseen = 'waits' | 'text' | 'small';
-/** A seed, and the user's preferences for random choices. */
-export type Draw = Pick<Request, 'seed' | 'taste'>;
 
 /**
  * The pure functions of the core, with plain objects in place of JSON. Each call takes at most a few milliseconds and
@@ -108,14 +106,6 @@ export function createPlanner() {
     /** Crops of photos for an aspect ratio, in the order of their ids. */
     frames: (photos: readonly PhotoMeta[], ids: readonly string[], aspect: number): BoardPicture[] =>
       JSON.parse(album.of(photos).frames(JSON.stringify(ids), aspect)),
-    /**
-     * @param mask the subject of the panel's photo
-     * @returns the page with a panel breakout; null if it is impossible
-     */
-    breakFrame: (page: PageDocument, panel: number, mask: string): PageDocument | null => {
-      const broken = core.break_frame(JSON.stringify(page), panel, mask);
-      return broken === '' ? null : JSON.parse(broken);
-    },
     /** @returns invented */
     inventStyle: (seed: number): Style => JSON.parse(core.invent_style(seed)),
     /**
@@ -158,10 +148,15 @@ function createEditor(album: KnownPhotos) {
     load: (record: { version: number; history: History }): Loaded =>
       JSON.parse(editor.load(JSON.stringify({ ...record, history: interned(record.history) }))),
     /**
-     * Throws `invalid-document`, and then nothing changed.
+     * Throws `invalid-document`, and for intents the errors of the planner. Then nothing changed.
      * @param edit as JSON
+     * @param photos in use, for intents; omitted if they are the same as before
      */
-    apply: (edit: string): Difference => JSON.parse(editor.apply(edit)),
+    apply: (edit: string, photos?: readonly PhotoMeta[]): Difference =>
+      JSON.parse(editor.apply(album.using(photos), edit)),
+    /** @returns the page that an intent would make the current page; null if the page stays */
+    preview: (edit: string, photos: readonly PhotoMeta[]): PageDocument | null =>
+      JSON.parse(editor.preview(album.using(photos), edit)),
     save: (): History => {
       const { history }: ReadHistory = JSON.parse(editor.save());
       return expanded(history);
@@ -175,20 +170,6 @@ function plansOf(editor: core.Editor, album: core.Album) {
   return {
     page: ({ photos, anew = false, ...wish }: Wish & Pick<PlanRequest, 'seed'>): PageDocument | null =>
       JSON.parse(editor.plan(album, JSON.stringify(wish), photos ? idsOf(photos) : '', anew)),
-    /**
-     * @param grow whether there are more photos than before
-     * @returns the page after the photos in use changed
-     */
-    refitted: (draw: Draw, grow: boolean): PageDocument | null =>
-      JSON.parse(editor.refitted(album, JSON.stringify(draw), grow)),
-    /** @returns all pages of the storyboard with other settings */
-    onPaper: (draw: Draw, page: PageSettings): PageDocument[] =>
-      JSON.parse(editor.on_paper(album, JSON.stringify({ ...draw, page }))),
-    /** @returns an earlier version of a page in its current form */
-    broughtBack: (draw: Draw, current: PageDocument): PageDocument =>
-      JSON.parse(editor.brought_back(album, JSON.stringify({ ...draw, current }))),
-    /** @returns the photos distributed over new pages, which replace the present ones */
-    spread: (draw: Draw): Sheet[] | null => JSON.parse(editor.spread(album, JSON.stringify(draw))),
     /**
      * Begins a book of the photos in use. `step` plans a page and returns whether there are more; `sheets` returns the pages, and
      * ends it, as `stop` does.
@@ -205,16 +186,8 @@ function plansOf(editor: core.Editor, album: core.Album) {
         }
       );
     },
-    /** @returns a page to be added, of photos that no page shows as long as there are some */
-    another: (draw: Draw): PageDocument | null => JSON.parse(editor.another(album, JSON.stringify(draw))),
     /** Whether one of the other pages shows a photo that is not in use. */
     torn: () => editor.torn(album),
-    /**
-     * @param groups near-duplicates, by photo id
-     * @returns the pages with only photos in use
-     */
-    repaired: (draw: Draw, groups: Record<string, number>): RepairedSheets | null =>
-      JSON.parse(editor.repaired(album, JSON.stringify(draw), JSON.stringify(groups))),
     /** @returns the photos in use that no page has shown yet, and why */
     unseen: (): { photo: string; why: Unseen }[] => JSON.parse(editor.unseen(album)),
     /** @returns the ids of unused photos, as text */
@@ -270,11 +243,11 @@ function createAlbum() {
   }
 
   /**
-   * @param photos another list where another is in use
+   * @param photos another list where another is in use; omitted if they are the same as before
    * @returns an album with these photos in use
    */
-  function using(photos: readonly PhotoMeta[]): core.Album {
-    if (photos === used) return album;
+  function using(photos?: readonly PhotoMeta[]): core.Album {
+    if (!photos || photos === used) return album;
     of(photos).take(idsOf(photos));
     used = photos;
     return album;

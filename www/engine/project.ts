@@ -1,8 +1,8 @@
 /** A project for other sites: the editor of the core with its history as plain data. */
 
 import { VERSION } from './versions.ts';
-import type { Draw, Planner, Wish } from './core.ts';
-import type { Edit, History, How, PageDocument, PhotoMeta, Project } from './types.ts';
+import type { Planner, Wish } from './core.ts';
+import type { Draw, Edit, History, How, PageDocument, PhotoMeta, Project } from './types.ts';
 
 export type ProjectEditor = ReturnType<typeof createProject>;
 
@@ -42,20 +42,24 @@ export function createProject(planner: Planner, history?: History) {
       keep = { layout: false, style: false, photos: false },
       ...wish
     }: Omit<Wish, 'keep'> & Partial<Pick<Wish, 'keep'>> & Pick<Draw, 'seed'>): PageDocument | null => {
-      const used = new Set(now.present.tray.flatMap(({ id, use }) => (use === false ? [] : [id])));
-      const page = editor.plans(photos.filter(({ id }) => used.has(id))).page({ ...wish, keep });
+      const page = editor.plans(inUse()).page({ ...wish, keep });
       if (page) edit({ type: 'show-page', page, pageId });
       return page;
     },
   };
 
+  function inUse(): PhotoMeta[] {
+    const used = new Set(now.present.tray.flatMap(({ id, use }) => (use === false ? [] : [id])));
+    return photos.filter(({ id }) => used.has(id));
+  }
+
   /**
-   * Applies an edit. Throws `invalid-document`, without any change.
+   * Applies an edit. Throws `invalid-document`, or an error of the planner, without any change.
    * @param change `silent`: without an undo step; `gesture`: joins earlier steps with the same name
    * @returns the project after it
    */
   function edit(change: Edit & How): Project {
-    ({ pageId } = editor.apply(JSON.stringify(change)));
+    ({ pageId } = editor.apply(JSON.stringify(change), inUse()));
     now = editor.save();
     return now.present;
   }

@@ -685,6 +685,10 @@ export type Edit = { "type": "add-photos",
    */
   words: ReadonlyArray<Word & { sheet?: number; joins?: boolean }>,
 }
+| { "type": "set-words",
+  /** For each page its index in the storyboard, and all its text items. */
+  pages: ReadonlyArray<{ at: number; words: ReadonlyArray<Word> }>,
+}
 | { "type": "drop-waiting",
   /** Their numbers. */
   words: ReadonlyArray<number>,
@@ -729,6 +733,198 @@ export type Edit = { "type": "add-photos",
 | { "type": "join",
   /** The lists to merge. */
   lists: Partial<SharedLists>,
+} | Intent;
+
+/**
+ * An intent. In JSON, an object with its name as `type`, and its fields. Panels are indices into the panels
+ * of the current page. An intent that is impossible, such as a change of a locked panel, changes nothing.
+ */
+export type Intent = { "type": "crop-panel",
+  /** The panel. */
+  panel: number,
+  /** The change. */
+  crop: CropChange,
+}
+| { "type": "swap-panels",
+  /** A panel. */
+  panel: number,
+  /** The other panel. */
+  with: number,
+}
+| { "type": "place-photo",
+  /** The panel. */
+  panel: number,
+  /** Id of the photo, which must be in use. */
+  photo: string,
+}
+| { "type": "lock-panel",
+  /** The panel. */
+  panel: number,
+  /** Whether it is locked. */
+  on: boolean,
+}
+| { "type": "break-frame",
+  /** The panel. */
+  panel: number,
+  /** Mask of the subject; `None` removes the breakout. */
+  mask: string | null,
+}
+| { "type": "merge-panels",
+  /** The panels. All panels of a group that contains one of them are included. */
+  panels: ReadonlyArray<number>,
+}
+| { "type": "split-panels",
+  /** Panels of the groups; empty for all groups. */
+  panels: ReadonlyArray<number>,
+}
+| { "type": "reshape",
+  /** The change. To join panels, all panels of a group that contains one of them are included. */
+  change: LayoutChange,
+}
+| { "type": "enlarge-panel",
+  /** The panel. */
+  panel: number,
+}
+| { "type": "recrop",
+  /** The page, by its place in the storyboard. Default: the current page. */
+  sheet?: number | null,
+}
+| { "type": "recrop-photo",
+  /** Id of the photo. */
+  photo: string,
+  /** Whether the photo itself changed. Locked panels and other pages then get new crops too. */
+  everywhere: boolean,
+}
+| { "type": "shuffle",
+  /** The part of the page. */
+  part: Shuffled,
+  /** Random choices. */
+  draw: Draw,
+}
+| { "type": "fit-layout",
+  /** Random choices. */
+  draw: Draw,
+}
+| { "type": "choose-layout",
+  /** The layout. */
+  layout: LayoutChoice,
+  /** Seed of random choices. */
+  seed: number,
+}
+| { "type": "choose-style",
+  /** The style. */
+  style: StyleChoice,
+  /** Seed of random choices. */
+  seed: number,
+}
+| { "type": "restyle",
+  /** The style. */
+  style: StyleChoice,
+}
+| { "type": "sort-photos" }
+| { "type": "use-duplicate",
+  /** Id of the photo. */
+  photo: string,
+  /** Ids of its near-duplicates. */
+  alike: ReadonlyArray<string>,
+}
+| { "type": "refit",
+  /** Whether there are more photos than before. */
+  grow: boolean,
+  /** Random choices. */
+  draw: Draw,
+}
+| { "type": "set-paper",
+  /** All settings. */
+  settings: PageSettings,
+  /**
+   * Whether the user still drags a control. Only the current page then changes, because planning all
+   * pages of an album at each step would delay the drag.
+   */
+  held: boolean,
+  /** Learned preferences. */
+  taste?: Taste,
+}
+| { "type": "compose",
+  /** Ids of the photos, in order. */
+  photos: ReadonlyArray<string>,
+  /** Number of panels. */
+  panels: number,
+  /** The layout. Default: chosen automatically. */
+  layout?: LayoutChoice | null,
+  /** The style. Default: chosen automatically. */
+  style?: StyleChoice | null,
+  /** The preferred layout if none is set. */
+  prefer?: LayoutChoice | null,
+  /** Randomness of the choice, see `Request::surprise`(crate::page::request::Request::surprise). */
+  surprise?: number | null,
+  /** Random choices. */
+  draw: Draw,
+}
+| { "type": "add-page",
+  /** Random choices. */
+  draw: Draw,
+}
+| { "type": "remove-page" }
+| { "type": "move-page",
+  /** Its index in the storyboard. */
+  from: number,
+  /** Its index after the move. */
+  to: number,
+}
+| { "type": "go-to-page",
+  /** Its index in the storyboard. */
+  at: number,
+}
+| { "type": "spread-album",
+  /** Random choices. */
+  draw: Draw,
+}
+| { "type": "style-pages" }
+| { "type": "repair-pages",
+  /** Groups of near-duplicates by photo id. */
+  groups: Record<string, number>,
+  /** Learned preferences. */
+  taste?: Taste,
+}
+| { "type": "restore-version",
+  /** Id of the page. */
+  pageId: number,
+  /** Learned preferences. */
+  taste?: Taste,
+};
+
+/** A change of the crop of a panel. `from` is the crop that it starts from; default: the current crop. */
+export type CropChange = { "type": "pan",
+  /** The crop at the start of the drag. */
+  from?: Crop | null,
+  /** Distance to the right, in widths of the image on the page. */
+  x: number,
+  /** Distance down, in heights of the image on the page. */
+  y: number,
+}
+| { "type": "zoom",
+  /** The crop at the start of the gesture. */
+  from?: Crop | null,
+  /** Values above 1 zoom in. */
+  factor: number,
+  /** The fixed point, in fractions of the image on the page. Default: the centre. */
+  at?: [number, number] | null,
+}
+| { "type": "fit" }
+| { "type": "reset" };
+
+/** Part of a page that a shuffle changes. */
+export type Shuffled = "all" | "layout" | "style" | "photos";
+
+/** The basis of random choices. */
+export type Draw = {
+  /** The seed. */
+  seed: number,
+  /** Learned preferences. */
+  taste?: Taste,
+  /** How a style is chosen. */
+  styling?: StylingRequest,
 };
 
 /** A part of the page. */
@@ -1134,6 +1330,10 @@ export type PhotoMeta = {
   mask?: string,
   /** Whether the user starred it: it gets a large panel. */
   starred?: boolean,
+  /** Whether it is a frame of a video. */
+  frame?: boolean,
+  /** Whether the photo is missing, and its measurements belong to a placeholder. */
+  absent?: boolean,
 };
 
 /** An energy map as JSON has it: two hexadecimal digits a cell. */
@@ -1595,14 +1795,6 @@ export type Difference = {
   pageId: number,
   /** and one for a new place. */
   sheet: number,
-};
-
-/** The storyboard after photos went out of use. */
-export type RepairedSheets = {
-  /** In order. Unchanged pages are left out. */
-  sheets: ReadonlyArray<Omit<Sheet, 'page'> & Partial<Pick<Sheet, 'page'>>>,
-  /** Which is edited. */
-  at: number,
 };
 
 /** A history that was put into an editor. */

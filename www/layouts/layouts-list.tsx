@@ -9,12 +9,12 @@ import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { LayoutPicture } from './layout-picture.tsx';
 import { Listbox } from '../ui/listbox.tsx';
+import { freshSeed } from '../document/pages.ts';
 import { usePageGlimpse } from '../ui/glimpse.tsx';
 import type { LayoutEntry, Template } from '../engine/types.ts';
 
 /** The filter for custom layouts. The core's families are lower case. */
 const MINE = 'Mine';
-const KEEP = Object.freeze({ layout: true, style: true, photos: true });
 
 export function LayoutsList() {
   const { store, pages } = useApp();
@@ -48,7 +48,7 @@ export function LayoutsList() {
   ];
 
   const glimpse = usePageGlimpse((id) =>
-    id === current?.id ? null : pages.plan({ keep: KEEP, layout: layoutOf(id) }),
+    id === current?.id ? null : pages.preview({ type: 'choose-layout', layout: layoutOf(id), seed: freshSeed() }),
   );
 
   /** The layout in page data: a complete custom layout, or the id of a built-in one. */

@@ -9,7 +9,7 @@ import { MOST, wellFormed } from '../document/limits.ts';
 import { sheetsOf } from '../engine/sheets.ts';
 import { chainOf, hangsOn, joinedBefore, parted } from './joining.ts';
 import { anchored, pagePoint } from './word-places.ts';
-import { createWordPlanning } from './word-planning.ts';
+import { createWordPlanning, setWords } from './word-planning.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
 import type { PageDocument, Word, WordBox } from '../engine/types.ts';
@@ -101,6 +101,11 @@ export function createLettering({
     return (page && letters.peek()?.measure({ ...page, words: written })[index]) ?? null;
   }
 
+  /** Sets the text items of the page, and places some of them. */
+  function setPage(page: PageDocument, placed: readonly number[], gesture?: string) {
+    setWords(store, [{ at: store.project.peek().at, page: settled(page, placed) }], { gesture });
+  }
+
   /** @returns the name of a new gesture */
   function step(): string {
     steps += 1;
@@ -149,7 +154,7 @@ export function createLettering({
     if (some.length === 0) return 0;
     const all = [...before, ...some];
     const places = some.map((_, i) => before.length + i);
-    store.change({ type: 'change-page', page: settled({ ...page, words: all }, places) });
+    setPage({ ...page, words: all }, places);
     return some.length;
   }
 
@@ -188,12 +193,12 @@ export function createLettering({
       return all.filter(({ text }) => text !== '');
     };
     const project = store.project.peek();
-    const sheets = sheetsOf(project).map((sheet) => {
+    const pages = sheetsOf(project).flatMap(({ page }, at) => {
       const before = count;
-      const said = reworded(sheet.page.words ?? []);
-      return count === before ? sheet : { ...sheet, page: { ...sheet.page, words: said } };
+      const words = reworded(page.words ?? []);
+      return count === before ? [] : [{ at, words }];
     });
-    if (count > 0) store.change({ type: 'set-sheets', sheets, at: project.at, gesture });
+    if (count > 0) store.change({ type: 'set-words', pages, gesture });
     const onPages = count;
     const unplaced = waiting.peek();
     const kept = reworded(unplaced);
@@ -213,7 +218,7 @@ export function createLettering({
     const panel = selection.panels.peek()[0] ?? 0;
     store.change({ type: 'drop-waiting', words: [index], gesture });
     const all = [...words.peek(), { ...word, panel, photo: photoOn(page, panel) }];
-    store.change({ type: 'change-page', page: settled({ ...page, words: all }, [all.length - 1]), gesture });
+    setPage({ ...page, words: all }, [all.length - 1], gesture);
     choose(all.length - 1);
   }
 
@@ -229,7 +234,7 @@ export function createLettering({
     const changed = words.peek().map((word, i) => (i === index ? { ...word, ...news, ...BY_HAND } : word));
     // A text item that the user moves has a fixed position. Otherwise all balloons of its chain are placed again.
     const free = news.auto === false ? [index] : chainOf(changed, index);
-    store.change({ type: 'change-page', page: settled({ ...page, words: changed }, free), gesture });
+    setPage({ ...page, words: changed }, free, gesture);
   }
 
   /** Links a balloon to the previous one on its panel, or removes its link. */
@@ -239,7 +244,7 @@ export function createLettering({
     const before = words.peek();
     const changed = on ? joinedBefore(before, index) : parted(before, index);
     const free = [...new Set([...chainOf(before, index), ...chainOf(changed, index)])];
-    store.change({ type: 'change-page', page: settled({ ...page, words: changed }, free) });
+    setPage({ ...page, words: changed }, free);
   }
 
   /** @param text an empty text deletes the item */
@@ -298,7 +303,7 @@ export function createLettering({
     const left = all
       .filter((_, i) => i !== index)
       .map((word, i) => (orphans.includes(i) ? { ...word, joined: null, linked: null } : word));
-    store.change({ type: 'change-page', page: settled({ ...page, words: left }, orphans) });
+    setPage({ ...page, words: left }, orphans);
     messages.note(strings.wordRemoved({ name: strings.word({ kind: strings.wordKind[word.kind], text: word.text }) }));
   }
 

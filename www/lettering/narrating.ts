@@ -1,6 +1,7 @@
 /** The title and captions of new pages, and the setting that turns them off. */
 
 import { narrated as withNarration, plain } from './narration.ts';
+import { setWords } from './word-planning.ts';
 import { strings, language } from '../strings/strings.ts';
 import type { Ui } from '../ui/ui.ts';
 import type { Store } from '../document/store.ts';
@@ -42,7 +43,7 @@ export function createNarrating({
     if (!page || made.length === 0) return;
     const moved = settled(page, made);
     if (JSON.stringify(moved.words) !== JSON.stringify(page.words))
-      store.change({ type: 'change-page', page: moved, silent: true });
+      setWords(store, [{ at: store.project.peek().at, page: moved }], { silent: true });
   }
 
   /** Tells the places that became known after the first page was planned, if the user has changed nothing yet. */
@@ -53,13 +54,13 @@ export function createNarrating({
     const next = narrated(page, at);
     const moved = settled(next, [...(next.words ?? []).keys()]);
     if (JSON.stringify(moved.words?.map(({ text }) => text)) !== JSON.stringify(page.words?.map(({ text }) => text)))
-      store.change({ type: 'change-page', page: moved, silent: true });
+      setWords(store, [{ at: store.project.peek().at, page: moved }], { silent: true });
   }
 
   /** Turns title and captions on or off, for the shown page at once. */
   function turn(on: boolean) {
     ui.narrate(on);
     const { page, at } = store.project.peek();
-    if (page) store.change({ type: 'change-page', page: narrated(page, at) });
+    if (page) setWords(store, [{ at, page: narrated(page, at) }]);
   }
 }

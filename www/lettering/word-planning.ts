@@ -10,7 +10,7 @@ import { sheetsOf } from '../engine/sheets.ts';
 import { explain } from '../ui/explain.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument, Word } from '../engine/types.ts';
+import type { How, PageDocument, Word } from '../engine/types.ts';
 import type { Lettering as Letters } from '../engine/words.ts';
 import type { Scheduler } from '../engine/scheduler.ts';
 import type { ReadonlySignal, Signal } from '@preact/signals';
@@ -66,12 +66,11 @@ export function createWordPlanning({
       return;
     }
     untracked(() => {
-      const sheets = sheetsOf(project).map((sheet) => {
-        const some = homeless(sheet.page);
-        return some.length > 0 ? { ...sheet, page: settled(sheet.page, some) } : sheet;
+      const pages = sheetsOf(project).flatMap(({ page }, at) => {
+        const some = homeless(page);
+        return some.length > 0 ? [{ at, page: settled(page, some) }] : [];
       });
-      if (!sheets.some(({ page }) => homeless(page).length > 0))
-        store.change({ type: 'set-sheets', sheets, at: project.at, silent: true });
+      if (!pages.some(({ page }) => homeless(page).length > 0)) setWords(store, pages, { silent: true });
     });
   });
 
@@ -96,12 +95,17 @@ export function createWordPlanning({
    * Places the text items of a page clear of faces, and of subjects as far as possible. If the layout has changed, text
    * items that the user placed move off faces as well.
    * @param only the text items that may move; by default all
+   * @param before the earlier page in its place; by default the current page
    */
-  function settled(page: PageDocument, only?: readonly number[]): PageDocument {
+  function settled(
+    page: PageDocument,
+    only?: readonly number[],
+    before: PageDocument | null = store.page.peek(),
+  ): PageDocument {
     const table = letters.peek();
     const all = page.words ?? [];
     const stays = (i: number) => only !== undefined && !only.includes(i);
-    const again = only === undefined && isLaidOut(page, store.page.peek());
+    const again = only === undefined && isLaidOut(page, before);
     if (!again && !all.some(({ auto }, i) => auto !== false && !stays(i))) return page;
     if (all.length === 0) return page;
     if (!table) {
@@ -136,8 +140,17 @@ export function createWordPlanning({
     const page = store.page.peek();
     const next = page && settled(page);
     if (next && JSON.stringify(next.words) !== JSON.stringify(page.words))
-      store.change({ type: 'change-page', page: next, silent });
+      setWords(store, [{ at: store.project.peek().at, page: next }], { silent });
   }
+}
+
+/** Gives pages the text items of other versions of them. */
+export function setWords(
+  store: Pick<Store, 'change'>,
+  pages: readonly { at: number; page: PageDocument }[],
+  how: How = {},
+) {
+  store.change({ type: 'set-words', pages: pages.map(({ at, page }) => ({ at, words: page.words ?? [] })), ...how });
 }
 
 /** Returns whether a page shows other parts of its photos than the page before, or shows them elsewhere. */

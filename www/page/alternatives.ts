@@ -4,7 +4,8 @@
  * stops while a page is planned or drawn, and a moment after, because it takes as long as many shuffles.
  */
 
-import { computed, signal } from '@preact/signals';
+import { computed, signal, untracked } from '@preact/signals';
+import { sheetsOf } from '../engine/sheets.ts';
 import { DARK_PAPER } from './paper.ts';
 import { DEFAULT_SETTINGS } from '../document/empty.ts';
 import type { Pages } from '../document/pages.ts';
@@ -29,14 +30,22 @@ export function createAlternatives({
   pages: Pages;
   scheduler: Pick<Scheduler, 'turn'>;
 }) {
+  /** The photos of all pages, as text. Other changes of a page keep the free photos. */
+  const shown = computed(() =>
+    JSON.stringify(sheetsOf(store.project.value).map(({ page }) => page.panels.map(({ photo }) => photo))),
+  );
+  const free = computed(() => {
+    const isSome = store.photos.value.length > 0 && shown.value !== '';
+    return isSome && untracked(() => store.plans().freePhotos());
+  });
   /** The inputs of the stream, as text. */
   const basis = computed(() => {
-    const { project, photos, reading, planner } = store;
+    const { project, reading, planner } = store;
     const { page, locks, panels, settings, styling, sheet } = project.value;
     // The first page has priority. Nothing else is drawn while it waits for photos.
     if (!planner.value || !page || reading.value) return '';
     return JSON.stringify([
-      photos.value.length > 0 && store.plans().freePhotos(),
+      free.value,
       sheet,
       chosen(settings),
       panels,

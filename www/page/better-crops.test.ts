@@ -13,13 +13,18 @@ async function app() {
   const painted = signal<PageDocument | null>(null);
   let [time, crop] = [0, whole];
   const { store } = made;
-  const refined = () => {
+  const preview = () => {
     const page = store.page.peek() as PageDocument;
     const better = { ...page, panels: page.panels.map((panel) => ({ ...panel, crop })) };
     return JSON.stringify(better) === JSON.stringify(page) ? null : better;
   };
+  const edit = ({ silent }: { silent?: boolean }) => {
+    const page = preview();
+    if (page) store.change({ type: 'change-page', page, silent });
+    return page !== null;
+  };
   await made.reading.addFiles(made.files('a.jpg', 'b.jpg'));
-  const crops = createBetterCrops({ store, pages: { refined }, ui: { painted }, now: () => time });
+  const crops = createBetterCrops({ store, pages: { preview, edit } as any, ui: { painted }, now: () => time });
   const show = () => {
     painted.value = store.page.value;
   };

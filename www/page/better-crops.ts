@@ -25,7 +25,7 @@ export function createBetterCrops({
   now = () => performance.now(),
 }: {
   store: Store;
-  pages: Pick<Pages, 'refined'>;
+  pages: Pick<Pages, 'edit' | 'preview'>;
   ui: Pick<Ui, 'painted'>;
   now?: () => number;
 }) {
@@ -48,16 +48,20 @@ export function createBetterCrops({
     const of = store.page.peek();
     // A sketch will be planned with everything that is known by then.
     if (!of || store.sketch.peek()) return;
-    const better = pages.refined();
-    if (better && !looked()) store.change({ type: 'change-page', page: better, silent: true });
-    else offer.value = better && differs(of, better) ? { of, better } : null;
+    if (!looked()) {
+      pages.edit({ type: 'recrop', silent: true });
+      offer.value = null;
+      return;
+    }
+    const better = pages.preview({ type: 'recrop' });
+    offer.value = better && differs(of, better) ? { of, better } : null;
   }
 
   /** Accepts the offered crops as one undo step. */
   function accept() {
-    const better = offered.peek();
+    const isOffered = offered.peek() !== null;
     offer.value = null;
-    if (better) store.change({ type: 'change-page', page: better });
+    if (isOffered) pages.edit({ type: 'recrop' });
   }
 
   /** Whether the page has been on the screen for a while. */

@@ -7,7 +7,6 @@ import { createAlternatives } from './alternatives.ts';
 import { createBetterCrops } from './better-crops.ts';
 import { createPageActions } from './page-actions.ts';
 import { createFraming } from './panels/framing.ts';
-import { enlarged } from './panels/enlarging.ts';
 import { createMerging } from './panels/merging.ts';
 import { createPanelActions } from './panels/panel-actions.ts';
 import { createReshaping } from './panels/reshaping.ts';
@@ -54,7 +53,7 @@ export const pageFeature: Feature<Parts> = {
       merging: createMerging({ ...app, selection }),
       reshaping: createReshaping({ ...app, seed: freshSeed }),
       scrubbing: createScrubbing(app),
-      choosing: createChoosing({ ...app, enlarged }),
+      choosing: createChoosing(app),
       crops: createBetterCrops(app),
       alternatives: createAlternatives(app),
       ahead: createAhead(app),

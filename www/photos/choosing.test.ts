@@ -1,42 +1,10 @@
-import { expect, test, vi } from 'vitest';
-import { createChoosing, exchanged, resorted } from './choosing.ts';
+import { expect, test } from 'vitest';
+import { createChoosing } from './choosing.ts';
 import { fakeApp } from '../document/testing.ts';
 import { strings } from '../strings/strings.ts';
-import { enlarged } from '../page/panels/enlarging.ts';
-import type { PageDocument } from '../document/project.ts';
 
 const names = ({ store }: ReturnType<typeof fakeApp>) =>
   (store.page.value?.panels ?? []).map(({ photo }) => store.album.value.get(String(photo))?.name);
-
-const page = (more: Partial<PageDocument>) => ({ merges: [], order: [], ...more }) as any;
-const panel = (photo: string | null, more = {}) => ({
-  photo,
-  crop: { x: 0, y: 0, width: 1, height: 1 },
-  locked: false,
-  edited: true,
-  ...more,
-});
-
-test('another photo of a stack takes its place in the page, but not in a locked panel', () => {
-  const before = page({ panels: [panel('a'), panel('b'), panel('a', { locked: true })], order: ['a', 'b', 'c'] });
-  const after = exchanged(before, 'c', ['a', 'c']);
-  expect(after.panels.map(({ photo }) => photo)).toEqual(['c', 'b', 'a']);
-  expect(after.panels[0]).toMatchObject({ crop: null, edited: false });
-  expect(after.panels[1]).toBe(before.panels[1]);
-  expect(after.order).toEqual(['c', 'b']);
-});
-
-test('photos are put in order without those that are locked, and merged panels stay together', () => {
-  const before = page({
-    panels: [panel('c'), panel('b', { locked: true }), panel('a'), panel('a'), panel('d')],
-    merges: [[2, 3]],
-    order: ['c', 'b', 'a', 'd'],
-  });
-  const after = resorted(before, ['a', 'b', 'c', 'd']);
-  expect(after.panels.map(({ photo }) => photo)).toEqual(['a', 'b', 'c', 'c', 'd']);
-  expect(after.panels[4]).toBe(before.panels[4]);
-  expect(after.order).toEqual(['a', 'b', 'c', 'd']);
-});
 
 test('to take another, to set how alike photos are and to order them are each one step', async () => {
   const app = fakeApp({ 'b.jpg': 'twin' });
@@ -46,7 +14,7 @@ test('to take another, to set how alike photos are and to order them are each on
     ...(await importPhoto(id, file)),
     taken: `2026:01:01 00:00:0${id.slice(1)}`,
   });
-  const choosing = createChoosing({ ...app, enlarged });
+  const choosing = createChoosing(app);
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg'));
   expect(names(app)).toEqual(['a.jpg', 'c.jpg']);
   choosing.take('p2', ['p1', 'p2']);
@@ -67,28 +35,29 @@ test('to take another, to set how alike photos are and to order them are each on
 
 test('a star that cannot enlarge its panel says why', async () => {
   const app = fakeApp();
-  const larger = vi.fn(() => null as any);
-  const choosing = createChoosing({ ...app, enlarged: larger });
-  await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
+  const choosing = createChoosing(app);
+  await app.reading.addFiles(app.files('a.jpg', 'b.jpg', 'c.jpg', 'd.jpg'));
   const notes = () => app.messages.list.value.map(({ text }) => text);
-  choosing.star('p1', true);
+  app.pages.chooseLayout('splash');
+  const shown = app.store.page.value?.panels[0].photo as string;
+  choosing.star(shown, true);
   expect(notes()).toEqual([strings.starKeepsSize]);
-  choosing.star('p1', false);
+  app.pages.chooseLayout('grid-4');
   app.pages.lock('layout', true);
-  choosing.star('p1', true);
+  const other = app.store.page.value?.panels.find(({ photo }) => photo !== shown)?.photo as string;
+  choosing.star(other, true);
   expect(notes().at(-1)).toBe(strings.starLocked);
-  expect(larger).toHaveBeenCalledTimes(1);
   app.pages.lock('layout', false);
-  larger.mockReturnValue('grid-3');
+  choosing.star(other, false);
   const { length } = notes();
-  choosing.star('p2', true);
-  expect(app.store.page.value?.layout).toBe('grid-3');
+  choosing.star(other, true);
+  expect(app.store.page.value?.layout).toMatchObject({ family: 'custom' });
   expect(notes()).toHaveLength(length);
 });
 
 test('the order is that of time only where the person wants it', async () => {
   const app = fakeApp();
-  const choosing = createChoosing({ ...app, enlarged });
+  const choosing = createChoosing(app);
   await app.reading.addFiles(app.files('a.jpg', 'b.jpg'));
   for (const [id, taken] of [
     ['p1', '2026:02:01 00:00:00'],

@@ -8,8 +8,8 @@ function app(slow: (name: string) => boolean, odd: Parameters<typeof fakeApp>[0]
   const made = fakeApp(odd);
   const go: (() => void)[] = [];
   // The first files are on the sketch.
-  made.planner.planned = (page, { anew, keep }) =>
-    page && !anew && !keep.photos
+  made.planner.planned = (page, { keep }) =>
+    keep && !keep.photos
       ? { ...page, panels: page.panels.map((panel, i) => ({ ...panel, photo: `p${i + 1}`, crop: null })) }
       : page;
   const { importPhoto } = made.engine;
@@ -44,9 +44,7 @@ describe('the first page', () => {
     await vi.advanceTimersByTimeAsync(500);
     expect(store.sketch.value).toBe(false);
     expect(names()).toEqual(['0.jpg', '2.jpg', '3.jpg', '4.jpg', '5.jpg', '6.jpg']);
-    const { photos, panels, anew } = planner.wishes.at(-1) ?? {};
-    expect(photos?.length).toBe(6);
-    expect({ panels, anew }).toEqual({ panels: 6, anew: true });
+    expect(planner.wishes.at(-1)).toMatchObject({ type: 'compose', photos: { length: 6 }, panels: 6 });
     expect(store.history.value.past).toEqual([]);
     expect(store.history.value.shown.length).toBe(1);
   });

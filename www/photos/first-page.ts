@@ -30,7 +30,7 @@ export function createFirstPage({
   detects = false,
 }: {
   store: Store;
-  pages: Pick<Pages, 'plan' | 'show'>;
+  pages: Pick<Pages, 'plan' | 'show' | 'compose'>;
   facesReady?: () => boolean;
   detects?: boolean;
 }) {
@@ -123,9 +123,9 @@ export function createFirstPage({
     const before = store.page.peek();
     const panels = Math.min(photos.length, USUAL_PANELS);
     const prefer = before?.panels.length === panels ? before.layout : null;
-    const page = pages.plan({ keep: ALL_NEW, anew: true, photos, panels, prefer });
+    const ids = photos.map(({ id }) => id);
     batch(() => {
-      if (page) store.change({ type: 'change-page', page, silent: true });
+      pages.compose({ photos: ids, panels, prefer }, { silent: true });
       store.sketch.value = false;
       composed.value = { version: store.version.peek(), at: performance.now() };
     });

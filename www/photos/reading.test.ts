@@ -105,8 +105,10 @@ describe('the first photos', () => {
 test('of hundreds those that are not on the page are told of together, and all are known at the end', async () => {
   const app = fakeApp();
   // The first photos are on the page and reported immediately.
-  app.planner.planned = (page) =>
-    page && { ...page, panels: page.panels.map((panel, i) => ({ ...panel, photo: `p${i + 1}`, crop: null })) };
+  app.planner.planned = (page) => ({
+    ...page,
+    panels: page.panels.map((panel, i) => ({ ...panel, photo: `p${i + 1}`, crop: null })),
+  });
   let changes = -1;
   app.store.album.subscribe(() => {
     changes += 1;

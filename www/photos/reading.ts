@@ -22,7 +22,6 @@ import type { Pages } from '../document/pages.ts';
 import type { Action } from '../document/project.ts';
 import type { PlaceNames } from './place-names.ts';
 import type { Store } from '../document/store.ts';
-import type { PageDocument } from '../engine/types.ts';
 
 /** a file, and the photos that it becomes */
 type Source = { file: File; ids: readonly string[]; video: Video | null };
@@ -262,7 +261,7 @@ export function createReading({
     } else if (step === null) {
       if (!firstPage.finish()) keepShown();
     } else if (planned !== inUse()) {
-      pages.show(pages.refit({ grow: true }), { gesture: step });
+      pages.refit({ grow: true, gesture: step });
     }
     planned = inUse();
   }
@@ -298,32 +297,28 @@ export function createReading({
   }
 
   function use(id: string, on: boolean) {
-    edit({ type: 'use-photos', uses: { [id]: on } }, () => pages.refit({ grow: on }));
+    edit({ type: 'use-photos', uses: { [id]: on } }, (gesture) => pages.refit({ grow: on, gesture }));
   }
 
   function remove(id: string) {
-    edit({ type: 'remove-photos', ids: [id] }, () => pages.refit({ grow: false }));
+    removeAll([id]);
   }
 
   function removeAll(ids: readonly string[]) {
-    edit({ type: 'remove-photos', ids }, () => pages.refit({ grow: false }));
+    edit({ type: 'remove-photos', ids }, (gesture) => pages.refit({ grow: false, gesture }));
   }
 
   /**
-   * A change of the tray and the page that follows from it, as one step.
-   * @param follow undefined: the page stays
+   * A change of the tray and the edit of the page that follows from it, as one step.
    * @param control whose changes one after the other are one step
    */
-  function edit(action: Action, follow: () => PageDocument | null | undefined, control?: string) {
+  function edit(action: Action, follow: (gesture: string) => void, control?: string) {
     if (control === undefined) clicks += 1;
-    const step = { gesture: control ?? `tray-${clicks}` };
+    const gesture = control ?? `tray-${clicks}`;
     const before = store.project.peek();
-    store.change({ ...action, ...step });
+    store.change({ ...action, gesture });
     if (store.project.peek() === before) return;
     planned = inUse();
-    const page = follow();
-    if (page === undefined) return;
-    if (page) pages.show(page, step);
-    else store.change({ type: 'no-page', ...step });
+    follow(gesture);
   }
 }

@@ -73,7 +73,7 @@ test('its subjects and its focus point turn with it', async () => {
 });
 
 test('its crops are computed again on all pages', async () => {
-  const { store, book, rotating, planner } = await app();
+  const { store, book, rotating } = await app();
   book.spreadAlbum();
   book.go(0);
   const [, second] = store.sheets.value;
@@ -87,13 +87,11 @@ test('its crops are computed again on all pages', async () => {
     sheets: [sheet, { ...others[0], page: { ...second, panels } }, ...others.slice(1)] as any,
     at,
   });
-  const asked = planner.wishes.length;
   await rotating.rotate(() => id, 'right');
   const after = store.sheets.value[1].panels[0];
   expect(after.photo).not.toBe(id);
   expect(after.edited).toBe(false);
   expect(after.crop).not.toEqual(crop);
-  expect(planner.wishes.length).toBe(asked + 1);
 });
 
 test('rotations that follow each other quickly add up, and each is a step', async () => {

@@ -5,22 +5,19 @@
 
 import { batch, signal } from '@preact/signals';
 import { Priority } from '../engine/queue.ts';
-import { photosOn, sheetsOf } from '../engine/sheets.ts';
 import { importing } from '../ui/importing.ts';
 import type { Fact } from '../document/album.ts';
 import type { Pages } from '../document/pages.ts';
 import type { Store } from '../document/store.ts';
 import type { Engine } from '../engine/engine.ts';
 import type { Rotation } from '../engine/metadata/rotate.ts';
-import type { PageDocument, Subject } from '../engine/types.ts';
+import type { Subject } from '../engine/types.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Reading } from './reading.ts';
 
 export type Rotating = ReturnType<typeof createRotating>;
 
 type Point = { x: number; y: number };
-
-const KEEP_ALL = Object.freeze({ layout: true, style: true, photos: true });
 
 export function createRotating({
   store,
@@ -30,7 +27,7 @@ export function createRotating({
   messages,
 }: {
   store: Store;
-  pages: Pick<Pages, 'plan' | 'amend'>;
+  pages: Pick<Pages, 'edit'>;
   reading: Pick<Reading, 'freshIds'>;
   engine: Pick<Engine, 'rotatedPhoto' | 'importPhoto'>;
   messages: Pick<Messages, 'fileFailed'>;
@@ -102,33 +99,11 @@ export function createRotating({
       });
       if (item.focus) store.change({ type: 'focus-photo', id, focus: rotatedPoint(item.focus, rotation), gesture });
       store.change({ type: 'exchange-photo', id, by: fresh, gesture });
-      cropAgain(fresh, gesture);
+      pages.edit({ type: 'recrop-photo', photo: fresh, everywhere: true, gesture });
     });
     later.set(id, fresh);
     return fresh;
   }
-
-  /** Computes the crops of a photo again, on all pages. */
-  function cropAgain(id: string, gesture: string) {
-    const { page, others, at } = store.project.peek();
-    if (page && photosOn([page]).has(id)) pages.amend(withoutCrops(page, id), { gesture });
-    if (!others.some((sheet) => photosOn([sheet.page]).has(id))) return;
-    const photos = new Map(store.photos.peek().map((photo) => [photo.id, photo]));
-    const sheets = sheetsOf(store.project.peek()).map((sheet, i) => {
-      const shown = photosOn([sheet.page]);
-      if (i === at || !shown.has(id)) return sheet;
-      const own = [...shown].flatMap((photo) => photos.get(photo) ?? []);
-      const current = withoutCrops(sheet.page, id);
-      const planned = pages.plan({ keep: KEEP_ALL, current, seed: current.seed, photos: own });
-      return planned ? { ...sheet, page: planned } : sheet;
-    });
-    store.change({ type: 'set-sheets', sheets, at, gesture });
-  }
-}
-
-function withoutCrops(page: PageDocument, id: string): PageDocument {
-  const panels = page.panels.map((use) => (use.photo === id ? { ...use, crop: null, edited: false } : use));
-  return { ...page, panels };
 }
 
 function rotatedPoint({ x, y }: Point, rotation: Rotation): Point {

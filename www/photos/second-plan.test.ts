@@ -17,8 +17,8 @@ async function app(people: readonly string[], asleep: readonly string[] = []) {
   const { store, pages, planner, reading, files } = made;
   orderByName({ store });
   // The planner chooses photos with subjects, and keeps the order of the others.
-  planner.planned = (page, { anew }) => {
-    if (!page || !anew) return page;
+  planner.planned = (page, { type }) => {
+    if (type !== 'compose') return page;
     const rank = ({ subjects }: { subjects: readonly unknown[] }) => (subjects.length > 0 ? 0 : 1);
     const ids = [...store.photos.value].sort((a, b) => rank(a) - rank(b)).map(({ id }) => id);
     return { ...page, panels: page.panels.map((panel, i) => ({ ...panel, photo: ids[i], crop: null })) };

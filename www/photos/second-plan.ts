@@ -37,7 +37,7 @@ export function planAgain({
   now = () => performance.now(),
 }: {
   store: Store;
-  pages: Pick<Pages, 'plan'>;
+  pages: Pick<Pages, 'compose'>;
   composed: Signal<{ version: string; at: number } | null>;
   searched: ReadonlySignal<boolean>;
   keepShown: () => void;
@@ -67,17 +67,11 @@ export function planAgain({
     const photos = store.photos.peek();
     if (!page || (!exchanged && photos.length <= page.panels.length)) return;
     const { layout, style, panels } = page;
-    const better = pages.plan({
-      keep: { layout: false, style: false, photos: false },
-      anew: true,
-      photos,
-      layout,
-      style,
-      panels: panels.length,
-      surprise: 0,
+    const wish = { photos: photos.map(({ id }) => id), layout, style, panels: panels.length, surprise: 0 };
+    pages.compose(wish, {
+      silent: true,
+      accepts: (better) => exchanged || worthOf(better) >= worthOf(page) + LEAST_GAIN,
     });
-    if (better && (exchanged || worthOf(better) >= worthOf(page) + LEAST_GAIN))
-      store.change({ type: 'change-page', page: better, silent: true });
   }
 
   /**

@@ -29,7 +29,7 @@ describe('a journal', () => {
       fc.property(fc.array(anyChange), fc.array(anyChange), (before, after) => {
         const editing = edited(...before);
         const base = editing.history();
-        after.forEach(editing.apply);
+        after.forEach((change) => editing.apply(change));
         const now = editing.history();
         const box = boxOf();
         const journal = createJournal({ box: () => box });

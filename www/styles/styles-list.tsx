@@ -15,12 +15,12 @@ import { modelsOf } from '../painters/references.ts';
 import { thumbnail } from '../photos/cover.ts';
 import { useHero } from '../photos/hero.ts';
 import { Listbox } from '../ui/listbox.tsx';
+import { freshSeed } from '../document/pages.ts';
 import { usePageGlimpse } from '../ui/glimpse.tsx';
 import type { Style } from '../engine/types.ts';
 
 const WIDTH = 132;
 const HEIGHT = 99;
-const KEEP = Object.freeze({ layout: true, style: true, photos: true });
 
 type Kind = { id: string; name: string; options: Style[] };
 
@@ -36,7 +36,9 @@ export function StylesList() {
   const selected = typeof style === 'string' ? style : (style?.id ?? null);
   const [catalogue, mine, favourites] = [store.styles.value, ownStyles.mine.value, ownStyles.favourites.value];
   const kinds = useMemo(() => kindsOf({ catalogue, mine, favourites, recent }), [catalogue, mine, favourites, recent]);
-  const glimpse = usePageGlimpse((id) => pages.plan({ keep: KEEP, style: ownStyles.find(id) ?? id }));
+  const glimpse = usePageGlimpse((id) =>
+    pages.preview({ type: 'choose-style', style: ownStyles.find(id) ?? id, seed: freshSeed() }),
+  );
 
   // If the kind does not exist any more, for example without the last favourite, all styles are shown.
   const open = kinds.some(({ id }) => id === kind.value) ? kind.value : '';

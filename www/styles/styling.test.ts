@@ -14,12 +14,12 @@ it('draws from one’s own styles and favourites, each once, only where a style 
   await reading.addFiles(files('1', '2', '3'));
   styling.change({ invented: 0.4, keepLines: true });
   pages.shuffle('style');
-  const told = planner.wishes.at(-1)?.styling;
+  const told = planner.wishes.at(-1)?.draw.styling;
   expect(told).toMatchObject({ invented: 0.4, keepLines: true, keepColours: false });
-  expect(told?.extra?.map(({ id }) => id)).toEqual(['a', 'b', 'c']);
-  expect(told?.inventions?.map(({ id }) => id)).toEqual(['tried']);
+  expect(told?.extra?.map(({ id }: { id: string }) => id)).toEqual(['a', 'b', 'c']);
+  expect(told?.inventions?.map(({ id }: { id: string }) => id)).toEqual(['tried']);
   pages.shuffle('layout');
-  expect(planner.wishes.at(-1)?.styling).toBe(undefined);
+  expect(planner.wishes.at(-1)?.draw.styling).toBe(undefined);
   pages.undo();
   pages.undo();
   pages.undo();

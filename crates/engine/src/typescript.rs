@@ -9,11 +9,10 @@ use crate::document::edit::{Edit, How, Part};
 use crate::document::editor::Editor;
 use crate::document::file::{FilePhoto, FileVideo, Likeness, ProjectFile};
 use crate::document::history::{History, Shown};
+use crate::document::intent::{CropChange, Draw, Intent, Shuffled};
 use crate::document::kept;
-use crate::document::planning::{Planning, Seeds};
 use crate::document::project::{Focus, Locks, Order, Project, Sheet, Styling, TrayItem};
 use crate::document::shots::{Board, Shot};
-use crate::document::upkeep::Groups;
 use crate::framing::{Crop, Expression, PhotoMeta, Subject};
 use crate::hearing;
 use crate::layout::edit::Cut;
@@ -142,17 +141,6 @@ struct DraftFacts {
     whole: bool,
     background: LayerFacts,
     foreground: LayerFacts,
-}
-
-/// The storyboard after photos went out of use.
-#[derive(TS, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RepairedSheets {
-    /// In order. Unchanged pages are left out.
-    #[ts(type = "ReadonlyArray<Omit<Sheet, 'page'> & Partial<Pick<Sheet, 'page'>>>")]
-    sheets: Vec<Value>,
-    /// Which is edited.
-    at: usize,
 }
 
 /// Consecutive numbers: the first, and the count.
@@ -299,6 +287,10 @@ fn types() -> String {
         Shown,
         History,
         Edit,
+        Intent,
+        CropChange,
+        Shuffled,
+        Draw,
         Part,
         How,
         Document,
@@ -362,7 +354,6 @@ fn types() -> String {
         BreedRequest,
         Tables,
         Difference,
-        RepairedSheets,
         Loaded,
         TabledHistory,
         ReadHistory,
@@ -442,6 +433,8 @@ fn edits(page: &Value) -> Vec<Value> {
     let draft = json!({ "id": "d", "name": "D", "tags": [], "background": [step], "foreground": [], "ink": "#000000" });
     let sheet = |id: u64| json!({ "page": page, "pageId": id, "sheet": id });
     let styling = json!({ "invented": 0.5, "keepLines": true, "keepColours": false });
+    let drawn = json!({ "extra": [style], "invented": 0.5, "inventions": [style], "keepLines": true, "keepColours": false });
+    let draw = json!({ "seed": 1, "taste": { "families": { "grid": 0.5 }, "styles": {} }, "styling": drawn });
     let told = json!([
         { "type": "add-photos", "ids": ["p", "q", "r", "s"], "silent": true },
         { "type": "remove-photos", "ids": ["q"], "gesture": "g" },
@@ -459,6 +452,7 @@ fn edits(page: &Value) -> Vec<Value> {
         { "type": "change-settings", "settings": page["page"], "page": page },
         { "type": "set-sheets", "sheets": [sheet(1), sheet(2)], "at": 1 },
         { "type": "add-words", "words": [{ "kind": "balloon", "text": "Hi", "photo": "p", "panel": 0, "auto": true }, { "kind": "balloon", "text": "Ho", "sheet": 2, "panel": 1, "joins": true }] },
+        { "type": "set-words", "pages": [{ "at": 1, "words": [{ "kind": "caption", "text": "Hi" }] }] },
         { "type": "drop-waiting", "words": [0] },
         { "type": "design", "draft": draft },
         { "type": "own-styles", "mine": [style] },
@@ -475,7 +469,38 @@ fn edits(page: &Value) -> Vec<Value> {
         { "type": "redo" },
         { "type": "no-page" },
     ]);
-    told.as_array().unwrap().clone()
+    let intents = json!([
+        { "type": "crop-panel", "panel": 0, "crop": { "type": "zoom", "factor": 2, "at": [0.5, 0.25] }, "gesture": "g" },
+        { "type": "swap-panels", "panel": 0, "with": 1 },
+        { "type": "place-photo", "panel": 0, "photo": "p" },
+        { "type": "lock-panel", "panel": 0, "on": true },
+        { "type": "break-frame", "panel": 0, "mask": "2x1:ap" },
+        { "type": "merge-panels", "panels": [0, 1] },
+        { "type": "split-panels", "panels": [] },
+        { "type": "reshape", "change": { "type": "split", "panel": 0, "axis": "rows" } },
+        { "type": "enlarge-panel", "panel": 0 },
+        { "type": "recrop", "sheet": 1 },
+        { "type": "recrop-photo", "photo": "p", "everywhere": true },
+        { "type": "shuffle", "part": "all", "draw": draw },
+        { "type": "fit-layout", "draw": { "seed": 1 } },
+        { "type": "choose-layout", "layout": "grid-4", "seed": 1 },
+        { "type": "choose-style", "style": style, "seed": 1 },
+        { "type": "restyle", "style": "comic" },
+        { "type": "sort-photos" },
+        { "type": "use-duplicate", "photo": "p", "alike": ["q"] },
+        { "type": "refit", "grow": true, "draw": { "seed": 1 } },
+        { "type": "set-paper", "settings": page["page"], "held": true, "taste": { "styles": { "comic": 0.5 } } },
+        { "type": "compose", "photos": ["p"], "panels": 1, "layout": "splash", "style": "comic", "prefer": null, "surprise": 0, "draw": { "seed": 1 } },
+        { "type": "add-page", "draw": { "seed": 1 } },
+        { "type": "remove-page" },
+        { "type": "move-page", "from": 0, "to": 1 },
+        { "type": "go-to-page", "at": 1 },
+        { "type": "spread-album", "draw": { "seed": 1 } },
+        { "type": "style-pages" },
+        { "type": "repair-pages", "groups": { "p": 0 } },
+        { "type": "restore-version", "pageId": 9 },
+    ]);
+    [told, intents].iter().flat_map(|list| list.as_array().unwrap().clone()).collect()
 }
 
 /// One of each edit of a draft, in the form that the app sends.
@@ -520,12 +545,6 @@ fn written() -> String {
     }
     let draft_facts = draft::facts_json(&draft).unwrap();
     serde_json::from_str::<DraftFacts>(&draft_facts).unwrap();
-    let free: Vec<_> = ["p", "q"].map(|id| PhotoMeta::unmeasured(id, 1600, 1200)).into();
-    let planning = Planning::new(editor.project(), &free);
-    let spread = planning.spread_json(editor.history().fresh(), &mut Seeds::new(7)).unwrap();
-    let planning = Planning::new(editor.project(), &free[1..]);
-    let repaired = planning.repaired_json(&Groups::new()).unwrap();
-    serde_json::from_str::<RepairedSheets>(&repaired).unwrap();
     let history = kept::write(editor.history(), &vec!["photo.jpg: left out".into()]);
     serde_json::from_str::<ReadHistory>(&history).unwrap();
     let whole =
@@ -558,8 +577,6 @@ fn written() -> String {
         ("differences", "readonly Difference[]", format!("[\n  {}\n]", differences.join(",\n  "))),
         ("draft", "Draft", draft),
         ("draftFacts", "DraftFacts", draft_facts),
-        ("spread", "readonly Sheet[]", spread),
-        ("repaired", "RepairedSheets", repaired),
         ("history", "ReadHistory", history),
         ("file", "ReadProject", file),
         ("blocks", "readonly Block[]", serde_json::to_string(&catalogue::blocks()).unwrap()),

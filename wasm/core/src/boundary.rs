@@ -14,7 +14,6 @@ pub mod booking;
 pub mod document_reading;
 pub mod drafting;
 pub mod editing;
-pub mod figures;
 mod frames;
 pub mod layouts;
 pub mod placing;

@@ -4,12 +4,10 @@
  */
 
 import { computed, effect, signal } from '@preact/signals';
-import { fitted, panned, zoomed } from './crop.ts';
 import { grown } from './merging.ts';
 import type { Pages } from '../../document/pages.ts';
 import type { Store } from '../../document/store.ts';
-import type { Bounds, PageDocument, PanelUse } from '../../engine/types.ts';
-import type { Crop } from './crop.ts';
+import type { Bounds, CropChange, PageDocument } from '../../engine/types.ts';
 import type { Signal } from '@preact/signals';
 
 export type Framing = ReturnType<typeof createFraming>;
@@ -79,7 +77,7 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
   }
 
   /** @returns the crop of its photo, or `null` for an empty panel */
-  function cropOf(panel: number): Crop | null {
+  function cropOf(panel: number): Bounds | null {
     const page = store.page.peek();
     const use = page?.panels[groupOf(page, panel)[0]];
     return use?.photo ? use.crop : null;
@@ -103,43 +101,35 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
    * @param from the crop at the start of the drag
    * @param by parts of the image
    */
-  function pan(panel: number, from: Crop, [x, y]: [number, number], gesture: string) {
-    setCrop(panel, panned(from, x, y), gesture);
+  function pan(panel: number, from: Bounds, [x, y]: [number, number], gesture: string) {
+    crop(panel, { type: 'pan', from, x, y }, gesture);
   }
 
-  function zoom(panel: number, from: Crop, factor: number, at: [number, number] | undefined, gesture: string) {
-    setCrop(panel, zoomed(from, factor, at), gesture);
+  function zoom(panel: number, from: Bounds, factor: number, at: [number, number] | undefined, gesture: string) {
+    crop(panel, { type: 'zoom', from, factor, at }, gesture);
   }
 
   function closer(panel: number, factor: number, gesture: string = step()) {
-    const crop = cropOf(panel);
-    if (crop) zoom(panel, crop, factor, undefined, gesture);
+    crop(panel, { type: 'zoom', factor }, gesture);
   }
 
   /** Shows the subject large; without one, what the page would choose. */
   function fit(panel: number) {
-    const bounds = boundsOf(panel);
-    const meta = store.photos.peek().find(({ id }) => id === photoOf(panel));
-    const crop = meta && bounds && fitted(meta.subjects, meta, bounds.width / bounds.height);
-    if (crop) setCrop(panel, crop, step());
-    else reset(panel);
+    crop(panel, { type: 'fit' }, step());
   }
 
   /** The crop that the page would choose. */
   function reset(panel: number) {
-    change(panel, { crop: null, edited: false }, step());
+    crop(panel, { type: 'reset' }, step());
+  }
+
+  /** Text does not move while a photo is cropped. */
+  function crop(panel: number, change: CropChange, gesture: string) {
+    store.change({ type: 'crop-panel', panel, crop: change, gesture });
   }
 
   function swap(one: number, other: number, gesture?: string) {
-    const page = store.page.peek();
-    if (!page || isLocked(one) || isLocked(other)) return;
-    const [a, b] = [groupOf(page, one), groupOf(page, other)];
-    if (a[0] === b[0]) return;
-    const fresh = (from: number) => ({ photo: page.panels[from].photo, crop: null, edited: false });
-    const panels = page.panels.map((panel, i) =>
-      a.includes(i) ? { ...panel, ...fresh(b[0]) } : b.includes(i) ? { ...panel, ...fresh(a[0]) } : panel,
-    );
-    pages.amend({ ...page, panels }, { gesture });
+    pages.edit({ type: 'swap-panels', panel: one, with: other, gesture });
   }
 
   /** Ends the mode for it. */
@@ -171,11 +161,11 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
     // A photo that was set aside is in use from now on.
     if (!store.photos.peek().some(({ id }) => id === photo))
       store.change({ type: 'use-photos', uses: { [photo]: true }, gesture });
-    change(panel, { photo, crop: null, edited: false }, gesture);
+    pages.edit({ type: 'place-photo', panel, photo, gesture });
   }
 
   function lock(panel: number, on: boolean) {
-    change(panel, { locked: on });
+    pages.edit({ type: 'lock-panel', panel, on });
   }
 
   /**
@@ -183,17 +173,13 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
    * @param at fractions of the image; `null` removes the point
    */
   function focus(panel: number, at: [number, number] | null) {
-    const page = store.page.peek();
     const id = photoOf(panel);
     const crop = cropOf(panel);
-    if (!page || !id || !crop) return;
+    if (!id || !crop) return;
     const gesture = step();
     const point = at && { x: crop.x + at[0] * crop.width, y: crop.y + at[1] * crop.height };
     store.change({ type: 'focus-photo', id, focus: point, gesture });
-    const panels = page.panels.map((use) =>
-      use.photo === id && !use.locked ? { ...use, crop: null, edited: false } : use,
-    );
-    pages.amend({ ...page, panels }, { gesture });
+    pages.edit({ type: 'recrop-photo', photo: id, everywhere: false, gesture });
   }
 
   /**
@@ -201,32 +187,11 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
    * @returns whether it could be done
    */
   function breakFrame(panel: number, on: boolean): boolean {
-    const page = store.page.peek();
-    const use = page?.panels[panel];
-    if (!page || !use || isLocked(panel)) return false;
-    const mask = store.masks.peek().get(use.photo ?? '');
-    const without = { ...page, panels: page.panels.map((other, i) => (i === panel ? withoutFigure(other) : other)) };
-    const next = on ? mask && store.planner.peek()?.breakFrame(page, panel, mask) : without;
-    if (next) store.change({ type: 'change-page', page: next, gesture: step() });
-    return !!next;
-  }
-
-  function setCrop(panel: number, crop: Crop, gesture: string) {
-    const page = store.page.peek();
-    if (!page || isLocked(panel)) return;
-    const group = groupOf(page, panel);
-    const panels = page.panels.map((use, i) => (group.includes(i) ? { ...use, crop, edited: true } : use));
-    store.change({ type: 'change-page', page: { ...page, panels }, gesture });
-  }
-
-  function change(panel: number, news: Partial<PanelUse>, gesture?: string) {
-    const page = store.page.peek();
-    if (!page || (isLocked(panel) && news.locked === undefined)) return;
-    const group = groupOf(page, panel);
-    pages.amend(
-      { ...page, panels: page.panels.map((use, i) => (group.includes(i) ? { ...use, ...news } : use)) },
-      { gesture },
-    );
+    const before = store.page.peek();
+    const mask = store.masks.peek().get(before?.panels[panel]?.photo ?? '') ?? null;
+    if (on && mask === null) return false;
+    store.change({ type: 'break-frame', panel, mask: on ? mask : null, gesture: step() });
+    return store.page.peek() !== before;
   }
 
   function photoOf(panel: number) {
@@ -238,11 +203,6 @@ export function createFraming({ store, pages }: { store: Store; pages: Pages }) 
 /** @returns the panels that share its image, starting with the first of the group */
 function groupOf(page: PageDocument, panel: number): number[] {
   return grown([panel], page);
-}
-
-/** @returns the panel without a breakout */
-function withoutFigure({ figure: _figure, ...use }: PanelUse): PanelUse {
-  return use;
 }
 
 function union(a: Bounds, b: Bounds): Bounds {

@@ -28,29 +28,13 @@ export function createMerging({ store, pages, selection }: { store: Store; pages
 
   function merge() {
     const page = store.page.peek();
-    if (!page || cannotMerge() !== '') return;
-    const group = grown(selection.panels.peek(), page);
-    const rest = page.merges.filter((other) => !group.includes(other[0]));
-    selection.set(group);
-    pages.amend({ ...page, merges: [...rest, group] });
+    const panels = selection.panels.peek();
+    if (!page || !pages.edit({ type: 'merge-panels', panels })) return;
+    selection.set(grown(panels, page));
   }
 
   function split() {
-    const page = store.page.peek();
-    if (!page) return;
-    const parted = splitting(selection.panels.peek(), page);
-    if (parted.length === 0) return;
-    const merges = page.merges.filter((group) => !parted.includes(group));
-    // The first panel of a group retains the photo, the others get new ones.
-    const open = parted.flatMap((group) => group.slice(1));
-    const panels = page.panels.map((panel, i) =>
-      open.includes(i) ? { ...panel, photo: null, crop: null, edited: false } : panel,
-    );
-    pages.amend({
-      ...page,
-      merges,
-      panels: panels.map((panel, i) => (parted.flat().includes(i) ? { ...panel, edited: false } : panel)),
-    });
+    pages.edit({ type: 'split-panels', panels: selection.panels.peek() });
   }
 }
 

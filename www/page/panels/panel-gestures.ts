@@ -8,11 +8,10 @@ import { useRef } from 'preact/hooks';
 import { PHOTO } from '../../photos/photo-drag.ts';
 import { useApp } from '../../ui/context.ts';
 import type { Bounds } from '../../engine/types.ts';
-import type { Crop } from './crop.ts';
 import type { Signal } from '@preact/signals';
 
 type Point = { x: number; y: number };
-type Grip = { panel: number; crop: Crop; from: Point; span: number; gesture: string; moved: boolean };
+type Grip = { panel: number; crop: Bounds; from: Point; span: number; gesture: string; moved: boolean };
 
 /** Pixels before a press counts as a drag. */
 const SLACK = 4;

@@ -92,11 +92,7 @@ export function createScrubbing({
     const video = videos.get(key);
     if (video) store.videos.value = new Map(videos).set(key, { ...video, ids: [...video.ids, fresh] });
     store.change({ type: 'exchange-photo', id: old, by: fresh, gesture });
-    const page = store.page.peek();
-    if (!page) return;
-    const swap = (photo: string | null) => (photo === old ? fresh : photo);
-    const panels = page.panels.map((use) => ({ ...use, photo: swap(use.photo) }));
-    pages.amend({ ...page, panels, order: page.order.map((photo) => swap(photo) ?? photo) }, { gesture });
+    pages.edit({ type: 'recrop', gesture });
   }
 
   function sourceOf(panel: number) {

@@ -1,9 +1,10 @@
 //! All edits of a project as plain data, and the pure function that applies them to a state.
 
 use super::draft::Draft;
+use super::intent::Intent;
 use super::limits::{
     GREATEST_ID, LONGEST_ID, LONGEST_NAME, MOST_ADDED, MOST_LAYOUTS, MOST_LOVED, MOST_PHOTOS, MOST_SHEETS,
-    MOST_STYLES, MOST_WAITING, MOST_WANTED,
+    MOST_STYLES, MOST_WAITING, MOST_WANTED, MOST_WORDS,
 };
 use super::project::{self, Focus, List, Order, Project, Sheet, Styling, TrayItem};
 use super::shots::{self, Board, Shot};
@@ -11,6 +12,8 @@ use super::{following, own, pages, sheets};
 use crate::json::fields::whole_of;
 use crate::json::{Fields, Read, Wrong, each, items, text_of};
 use crate::layout::PageSettings;
+use crate::page::carrying::tied;
+use crate::page::words::TextItem;
 use crate::page::words::model::NewText;
 use crate::page::{CustomFile, Document};
 use crate::raster::Matte;
@@ -145,6 +148,12 @@ pub enum Edit {
         #[cfg_attr(test, ts(type = "ReadonlyArray<Word & { sheet?: number; joins?: boolean }>"))]
         words: Vec<NewText>,
     },
+    /// Replaces the text items of pages.
+    SetWords {
+        /// For each page its index in the storyboard, and all its text items.
+        #[cfg_attr(test, ts(type = "ReadonlyArray<{ at: number; words: ReadonlyArray<Word> }>"))]
+        pages: Vec<(usize, Vec<TextItem>)>,
+    },
     /// Deletes unplaced text items.
     DropWaiting {
         /// Their numbers.
@@ -208,6 +217,9 @@ pub enum Edit {
         #[cfg_attr(test, ts(type = "Partial<SharedLists>"))]
         lists: Vec<(Shelf, List<CustomFile>)>,
     },
+    /// An edit of pages that needs the planner.
+    #[cfg_attr(test, ts(untagged))]
+    Plan(Intent),
 }
 
 /// A part of the page.
@@ -271,8 +283,8 @@ pub struct How {
 }
 
 impl Project {
-    /// Returns the state after an edit, or `None` if nothing changes. Undo, redo and lists from other tabs do
-    /// not belong to one state, and change nothing here.
+    /// Returns the state after an edit, or `None` if nothing changes. Undo, redo, lists from other tabs and
+    /// intents need more than one state, and change nothing here.
     #[must_use]
     #[allow(clippy::too_many_lines, reason = "an arm for each edit")]
     pub fn after(&self, edit: &Edit) -> Option<Self> {
@@ -358,6 +370,13 @@ impl Project {
                 }
             }
             Edit::SetSheets { sheets, at } => next.set_sheets(sheets, *at)?,
+            Edit::SetWords { pages } => {
+                next.each_numbered_page(&mut |at, page| {
+                    let (_, words) = pages.iter().find(|(place, _)| *place == at)?;
+                    let words: Vec<TextItem> = words.iter().map(|word| tied(word, &page.panels)).collect();
+                    (words != page.words).then(|| Arc::new(Document { words, ..Document::clone(page) }))
+                });
+            }
             Edit::AddWords { words } => return self.with_words(words),
             Edit::DropWaiting { words } => return self.without_waiting(words),
             Edit::NoPage => {
@@ -379,7 +398,7 @@ impl Project {
                 next.name.clone_from(name);
             }
             Edit::Styling { styling } => next.styling = styling.clone(),
-            Edit::Undo | Edit::Redo | Edit::Share { .. } | Edit::Join { .. } => return None,
+            Edit::Undo | Edit::Redo | Edit::Share { .. } | Edit::Join { .. } | Edit::Plan(_) => return None,
         }
         if matches!(
             edit,
@@ -387,6 +406,7 @@ impl Project {
                 | Edit::ChangePage { .. }
                 | Edit::ChangeSettings { .. }
                 | Edit::SetSheets { .. }
+                | Edit::SetWords { .. }
         ) {
             // A page that was shown before may have photos that are no longer on the table.
             let table: HashSet<&str> = self.tray.iter().map(|item| item.id.as_str()).collect();
@@ -601,6 +621,7 @@ impl Edit {
                 Self::SetSheets { sheets, at }
             }
             "add-words" => Self::AddWords { words: fields.each("words", MOST_ADDED, &NewText::read)? },
+            "set-words" => Self::SetWords { pages: fields.each("pages", MOST_SHEETS, &words_of)? },
             "drop-waiting" => {
                 let number = |number| whole_of(&number, 0, MOST_WAITING as u64).map(|number| number as usize);
                 Self::DropWaiting { words: fields.each("words", MOST_WAITING, &number)? }
@@ -637,10 +658,17 @@ impl Edit {
             "own-layouts" => {
                 Self::OwnLayouts { own_layouts: own(&mut fields, "ownLayouts", Shelf::Layouts)? }
             }
-            _ => return Err(Wrong::new("is not a known edit").at("type")),
+            _ => Self::Plan(Intent::read(&kind, fields)?),
         };
         Ok((edit, how))
     }
+}
+
+/// Reads the index of a page and its text items.
+fn words_of(value: Value) -> Read<(usize, Vec<TextItem>)> {
+    let mut fields = Fields::of(value)?;
+    let at = fields.count("at", 0, MOST_SHEETS as u64)?;
+    Ok((at as usize, fields.each("words", MOST_WORDS, &TextItem::read)?))
 }
 
 fn ids(fields: &mut Fields) -> Read<Vec<String>> {

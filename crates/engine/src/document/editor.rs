@@ -1,12 +1,16 @@
 //! The editor of a project: applies edits, with undo and redo.
 
+use super::carrying_out::Outcome;
 use super::edit::{Edit, How, Shelf, Without};
 use super::history::{History, Shown};
+use super::intent::Intent;
 use super::limits::{MOST_SHOWN, MOST_STEPS, PROJECT};
+use super::planning::{Known, Planning};
 use super::project::{List, Project, Sheet};
-use super::{invalid, kept, own};
+use super::{invalid, kept, own, pages};
 use crate::error::Result;
 use crate::json;
+use crate::layout::PageSettings;
 use crate::page::{CustomFile, Document};
 use serde_json::Map;
 use std::collections::{HashMap, HashSet};
@@ -77,17 +81,114 @@ impl Editor {
         true
     }
 
-    /// Applies an edit in JSON, see [`Edit::read`].
+    /// Plans the result of an intent from the photos in use, and applies it.
+    ///
+    /// Returns whether anything changed.
+    ///
+    /// # Errors
+    /// Errors of [`Planning::carry_out`], and `invalid-document` for values out of range, without any change.
+    pub fn carry_out(&mut self, intent: &Intent, how: &How, photos: Vec<Known>) -> Result<bool> {
+        let turns = How { silent: true, gesture: None };
+        let edits = match self.outcome(intent, photos)? {
+            None => return Ok(false),
+            Some(Outcome::Changed(page)) => vec![Edit::ChangePage { page: pages::planned(page)? }],
+            Some(Outcome::Shown(page)) => {
+                let page_id = self.history.fresh_page_id();
+                vec![Edit::ShowPage { page: pages::planned(page)?, page_id }]
+            }
+            Some(Outcome::Sheets(sheets, at)) => vec![Edit::SetSheets { sheets, at }],
+            Some(Outcome::Paper(settings, made)) => self.on_paper(settings, made)?,
+            Some(Outcome::NoPage) => vec![Edit::NoPage],
+            Some(Outcome::Version { page, page_id, at }) => {
+                let mut changed = false;
+                if at != self.project().at {
+                    changed |= self.apply(&Edit::SetSheets { sheets: self.project().sheets(), at }, &turns);
+                }
+                return Ok(
+                    page.is_some_and(|page| self.apply(&Edit::ShowPage { page, page_id }, how)) || changed
+                );
+            }
+        };
+        let mut changed = false;
+        for (i, edit) in edits.iter().enumerate() {
+            changed |= self.apply(edit, if i == 0 { how } else { &turns });
+        }
+        Ok(changed)
+    }
+
+    /// The edits that change the page settings and pages, each with its index in the storyboard.
+    fn on_paper(&self, settings: PageSettings, made: Vec<(usize, Document)>) -> Result<Vec<Edit>> {
+        let at = self.project().at;
+        let mut sheets = self.project().sheets();
+        let several = made.len() > 1;
+        for (place, page) in made {
+            sheets[place] = Arc::new(Sheet { page: pages::planned(page)?, ..Sheet::clone(&sheets[place]) });
+        }
+        let page = sheets.get(at).map(|sheet| sheet.page.clone());
+        let mut edits = vec![Edit::ChangeSettings { settings: Arc::new(settings), page }];
+        edits.extend(several.then_some(Edit::SetSheets { sheets, at }));
+        Ok(edits)
+    }
+
+    /// Returns the page in JSON that an intent in JSON would make the current page, or null if the page stays.
+    ///
+    /// # Errors
+    /// As [`Editor::apply_json_with`].
+    pub fn preview_json(&self, edit: &str, photos: Vec<Known>) -> Result<String> {
+        let read = json::parse(edit, PROJECT).and_then(|value| Edit::read(value, &|_| None));
+        let (Edit::Plan(intent), _) = read.map_err(|wrong| invalid(&wrong))? else {
+            return Ok("null".into());
+        };
+        let page = match self.outcome(&intent, photos)? {
+            None => return Ok("null".into()),
+            Some(Outcome::NoPage | Outcome::Version { .. }) => return Ok("null".into()),
+            Some(Outcome::Changed(page) | Outcome::Shown(page)) => pages::planned(page)?,
+            Some(Outcome::Sheets(sheets, at)) => sheets[at].page.clone(),
+            Some(Outcome::Paper(_, made)) => {
+                match made.into_iter().find(|(at, _)| *at == self.project().at) {
+                    Some((_, page)) => pages::planned(page)?,
+                    None => return Ok("null".into()),
+                }
+            }
+        };
+        Ok(page.to_json())
+    }
+
+    fn outcome(&self, intent: &Intent, photos: Vec<Known>) -> Result<Option<Outcome>> {
+        let planning =
+            Planning { project: self.project(), photos, taste: intent.taste(), recent: Vec::new() };
+        planning.with_memory(&self.history).carry_out(intent, &self.history)
+    }
+
+    /// Applies an edit in JSON, see [`Edit::read`]. Intents are planned without photos, so most change nothing.
     ///
     /// Returns the changes, see [`kept::difference`].
     ///
     /// # Errors
-    /// Returns `invalid-document` for an invalid edit, without any change.
+    /// As [`Editor::apply_json_with`].
     pub fn apply_json(&mut self, edit: &str) -> Result<String> {
+        self.apply_json_with(edit, &|| Ok(Vec::new()))
+    }
+
+    /// Applies an edit in JSON, see [`Edit::read`]. `photos` returns the photos in use, in their order.
+    ///
+    /// Returns the changes, see [`kept::difference`].
+    ///
+    /// # Errors
+    /// Returns `invalid-document` for an invalid edit, and errors of [`Editor::carry_out`], without any change.
+    pub fn apply_json_with<'p>(
+        &mut self,
+        edit: &str,
+        photos: &dyn Fn() -> Result<Vec<Known<'p>>>,
+    ) -> Result<String> {
         let read = json::parse(edit, PROJECT).and_then(|value| Edit::read(value, &|id| self.page(id)));
         let (edit, how) = read.map_err(|wrong| invalid(&wrong))?;
         let before = self.history.clone();
-        self.apply(&edit, &how);
+        if let Edit::Plan(intent) = &edit {
+            self.carry_out(intent, &how, photos()?)?;
+        } else {
+            self.apply(&edit, &how);
+        }
         Ok(kept::difference(&self.history, &before))
     }
 

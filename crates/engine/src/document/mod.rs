@@ -11,6 +11,8 @@
 //! | `saved` | reads the project and its photos from a file (feature `files`) |
 //! | [`kept`] | a history in the format of the browser's database, which stores shared parts once |
 //! | [`edit`] | all edits, and the pure function that applies them to a state |
+//! | [`intent`] | edits of pages that the planner carries out |
+//! | [`carrying_out`] | the pages that intents ask for |
 //! | [`editor`] | applies edits, undo and redo |
 //! | [`sheets`] | the pages of a storyboard as one list |
 //! | [`own`] | lists shared by all projects |
@@ -41,12 +43,14 @@
 //! states, pages of the page history, and custom styles or layouts are dropped and reported.
 
 pub mod booking;
+pub mod carrying_out;
 pub mod draft;
 pub mod edit;
 pub mod editor;
 pub mod file;
 pub mod following;
 pub mod history;
+pub mod intent;
 pub mod kept;
 pub mod limits;
 pub mod listing;

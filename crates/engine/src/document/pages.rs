@@ -1,6 +1,8 @@
 //! Checks that a page can be drawn: its layout and style are known or valid, its panels match the layout, and
 //! its text and settings are valid.
 
+use super::invalid;
+use crate::error::Result;
 use crate::json::{Read, Wrong};
 use crate::layout::PageSettings;
 use crate::page::Document;
@@ -20,6 +22,18 @@ pub fn page(value: Value) -> Read<Arc<Document>> {
     for word in words.iter_mut() {
         tie(word, panels);
     }
+    Ok(Arc::new(page))
+}
+
+/// Checks a planned page as [`page`] checks one that is read.
+///
+/// # Errors
+/// Returns `invalid-document` with the location.
+pub(super) fn planned(page: Document) -> Result<Arc<Document>> {
+    let mut page = page.validated()?;
+    check(&page).map_err(|wrong| invalid(&wrong))?;
+    let Document { words, panels, .. } = &mut page;
+    words.iter_mut().for_each(|word| tie(word, panels));
     Ok(Arc::new(page))
 }
 

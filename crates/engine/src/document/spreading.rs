@@ -3,9 +3,7 @@
 use super::limits::{MOST_SHEETS, MOST_WORDS};
 use super::planning::{Known, Planning, Seeds, places_of};
 use super::project::Sheet;
-use super::sheets;
 use crate::error::Result;
-use crate::json::Writer;
 use crate::layout;
 use crate::page::carrying::{belongs, photo_of, tied};
 use crate::page::request::{Keep, Mode, Request};
@@ -60,19 +58,6 @@ impl Planning<'_> {
             })
         };
         Ok(Some(made.into_iter().enumerate().map(sheet).collect()))
-    }
-
-    /// [`Planning::spread`] in JSON: a list of sheets, or null.
-    ///
-    /// # Errors
-    /// Errors of the planner.
-    pub fn spread_json(&self, fresh: (u64, u64), seeds: &mut Seeds) -> Result<String> {
-        let mut out = Writer::default();
-        match self.spread(fresh, seeds)? {
-            Some(made) => sheets::write(&mut out, &made, &[]),
-            None => out.null(),
-        }
-        Ok(out.finish())
     }
 
     /// A request for another page in the style of the page.

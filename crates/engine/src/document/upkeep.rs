@@ -5,7 +5,6 @@ use super::planning::{KEEP_ALL, Known, Planning, places_of};
 use super::project::{Project, Sheet};
 use super::sheets;
 use crate::error::Result;
-use crate::json::Writer;
 use crate::page::Document;
 use crate::page::request::Keep;
 use serde_json::{Map, Value};
@@ -47,24 +46,6 @@ impl Planning<'_> {
         }
         let edited = sheets.iter().position(|sheet| sheet.sheet == self.project.sheet);
         Ok(edited.map(|at| (sheets, at)))
-    }
-
-    /// [`Planning::repaired`] in JSON: `{sheets, at}`, or null. A sheet whose page stays has no `page`.
-    ///
-    /// # Errors
-    /// Errors of the planner.
-    pub fn repaired_json(&self, groups: &Groups) -> Result<String> {
-        let mut out = Writer::default();
-        match self.repaired(groups)? {
-            Some((repaired, at)) => {
-                out.open(b'{');
-                sheets::write(out.key("sheets"), &repaired, &self.project.sheets());
-                out.key("at").whole(at as u64);
-                out.close(b'}');
-            }
-            None => out.null(),
-        }
-        Ok(out.finish())
     }
 
     #[inline(never)]

@@ -7,6 +7,7 @@
 mod bars;
 mod candidates;
 mod crop;
+mod cropping;
 pub mod energy;
 mod facts;
 mod frame;

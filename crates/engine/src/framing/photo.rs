@@ -20,6 +20,7 @@ pub const FIGURE: &str = "figure";
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 #[cfg_attr(test, derive(ts_rs::TS))]
+#[allow(clippy::struct_excessive_bools, reason = "independent facts")]
 pub struct PhotoMeta {
     /// Unique name within the album.
     pub id: String,
@@ -57,6 +58,14 @@ pub struct PhotoMeta {
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     #[cfg_attr(test, ts(as = "Option<_>", optional))]
     pub starred: bool,
+    /// Whether it is a frame of a video.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub frame: bool,
+    /// Whether the photo is missing, and its measurements belong to a placeholder.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    #[cfg_attr(test, ts(as = "Option<_>", optional))]
+    pub absent: bool,
     /// Whether text items on the page belong to it. They move together. Valid for one plan only.
     #[serde(skip)]
     #[cfg_attr(test, ts(skip))]
@@ -80,6 +89,8 @@ impl PhotoMeta {
             facts: None,
             mask: None,
             starred: false,
+            frame: false,
+            absent: false,
             spoken: false,
         }
     }

@@ -6,6 +6,7 @@
 mod aesthetics;
 mod catalogue;
 pub mod edit;
+mod enlarge;
 mod generate;
 pub mod join;
 mod json;
@@ -23,6 +24,7 @@ mod write;
 
 pub use aesthetics::score;
 pub use catalogue::{catalogue, find, good_for};
+pub use enlarge::enlarged;
 pub use generate::generate;
 pub use paper::PaperSize;
 pub use polygon::{Bounds, Point};

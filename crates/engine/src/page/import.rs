@@ -159,19 +159,13 @@ fn described(id: &str, work: Image, facts: Facts) -> Imported {
     let small = reduced(&work, SMALL_SIDE);
     let measures = measure(&work);
     let meta = PhotoMeta {
-        id: id.to_owned(),
-        width: facts.size.0,
-        height: facts.size.1,
         fingerprint: measures.fingerprint,
         sharpness: measures.gradient,
         energy: EnergyMap::of(&small),
         taken: facts.taken,
         subjects: framing::lettering(&small),
-        focus: None,
         facts: Some(framing::Facts::of(&small)),
-        mask: None,
-        starred: false,
-        spoken: false,
+        ..PhotoMeta::unmeasured(id, facts.size.0, facts.size.1)
     };
     Imported { meta, measures, format: facts.format, damage: None, work, small }
 }

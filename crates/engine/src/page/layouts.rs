@@ -174,10 +174,10 @@ pub fn generated(json: &str) -> Result<String> {
 }
 
 /// A manual change of a layout.
-#[derive(Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(tag = "type", rename_all = "kebab-case")]
 #[cfg_attr(test, derive(ts_rs::TS))]
-pub(crate) enum LayoutChange {
+pub enum LayoutChange {
     /// A cut is moved or slanted.
     MoveCut {
         /// Its place among the cuts.
@@ -226,18 +226,26 @@ pub fn changed(json: &str) -> Result<String> {
         page: PageSettings,
     }
     let Wanted { layout, change, page } = parse(json)?;
-    let template = layout.template()?;
-    let changed = match change {
-        LayoutChange::MoveCut { cut, fraction, slant } => move_cut(&template, cut, fraction, slant),
-        LayoutChange::Split { panel, axis } => split_panel(&template, panel, axis),
-        LayoutChange::Remove { panel } => remove_panel(&template, panel),
-        LayoutChange::Join { panels } => join_panels(&template, &panels),
-        LayoutChange::MoveInset { panel, bounds } => {
-            page.validate()?;
-            place_overlay(&template, panel, bounds, page.aspect(), &page)
+    page.validate()?;
+    Ok(change.of(&*layout.template()?, &page)?.to_json())
+}
+
+impl LayoutChange {
+    /// Returns the changed layout. `page`: a valid page, for the bounds of insets.
+    ///
+    /// # Errors
+    /// `invalid-layout` for a change that the layout does not allow.
+    pub fn of(&self, template: &Template, page: &PageSettings) -> Result<Template> {
+        match self {
+            Self::MoveCut { cut, fraction, slant } => move_cut(template, *cut, *fraction, *slant),
+            Self::Split { panel, axis } => split_panel(template, *panel, *axis),
+            Self::Remove { panel } => remove_panel(template, *panel),
+            Self::Join { panels } => join_panels(template, panels),
+            Self::MoveInset { panel, bounds } => {
+                place_overlay(template, *panel, *bounds, page.aspect(), page)
+            }
         }
-    };
-    Ok(changed?.to_json())
+    }
 }
 
 #[derive(Deserialize)]

@@ -163,7 +163,7 @@ pub enum Mode {
 
 /// Options of the random choice of a style. As JSON `{extra, invented, inventions, keepLines, keepColours}`;
 /// all fields are optional.
-#[derive(Debug, Clone, Default, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
 #[serde(from = "Value")]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "StylingRequest", rename_all = "camelCase"))]
 pub struct Styling {

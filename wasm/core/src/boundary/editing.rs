@@ -1,5 +1,6 @@
 //! A project while it is edited, held by the page.
 
+use super::album::Album;
 use inkpanel_engine::document::Dropped;
 use inkpanel_engine::document::editor::Editor as Hands;
 use inkpanel_engine::document::{kept, own};
@@ -39,10 +40,16 @@ impl Editor {
         Ok(out.finish())
     }
 
-    /// Applies an edit: an object with a `type`, see `document::edit::Edit`. Returns the changes as JSON, see
-    /// `document::kept::difference`. Throws `invalid-document`, without any change.
-    pub fn apply(&mut self, edit: &str) -> Result<String> {
-        self.hands.apply_json(edit)
+    /// Applies an edit: an object with a `type`, see `document::edit::Edit`. The album has the photos in use.
+    /// Returns the changes as JSON, see `document::kept::difference`. Throws `invalid-document`, and for
+    /// intents the errors of the planner, without any change.
+    pub fn apply(&mut self, album: &Album, edit: &str) -> Result<String> {
+        self.hands.apply_json_with(edit, &|| album.used())
+    }
+
+    /// Returns the page that an intent would make the current page, or null if the page stays.
+    pub fn preview(&self, album: &Album, edit: &str) -> Result<String> {
+        self.hands.preview_json(edit, album.used()?)
     }
 
     /// The complete history with tables, as input of `load`.
