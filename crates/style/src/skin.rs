@@ -10,7 +10,7 @@ use crate::raster::Image;
 
 /// Reach of a body around a face, in sides of the face: to each side, above and below.
 const REACH: [f64; 3] = [3.0, 1.0, 8.0];
-/// Part of the reach over which the share of skin falls to 0: a wall of the same colour shows no edge there.
+/// Part of the reach in which the share of skin falls to 0. A wall of the same colour then shows no edge.
 const FADE: f64 = 0.4;
 /// Difference of the ratio of chroma to luma from the face: at most the first for skin, at least the second for other things.
 const LIKE: (f32, f32) = (0.07, 0.15);
@@ -21,7 +21,7 @@ const FLOOR: f32 = 24.0;
 /// Part of the sides of a face in which its colour is measured: cheeks and nose.
 const CHEEKS: f64 = 0.5;
 
-/// A range of columns or rows: from a place, with the distances over which it fades at both ends.
+/// A range of columns or rows, and the distances from its ends at which it is complete.
 struct Reach {
     start: f64,
     end: f64,
