@@ -9,7 +9,7 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What happens to pages without the models.
+/// Consequence of missing models for pages.
 pub(crate) const BY_CONTRAST: &str = "photos are cropped by contrast";
 
 /// Maximum number of photos without a panel that are reported one by one.
