@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { albumName, albumTitle } from './album-name.ts';
+import { albumName, albumTitle, isDates } from './album-name.ts';
 import { numbersIn } from '../strings/numbers.ts';
 import type { Origin } from './album-name.ts';
 
@@ -49,6 +49,13 @@ test('times of files count where cameras are silent', () => {
   expect(named(photo({ modified }), photo({ taken: '2026:06:03 10:00:00' }))).toBe('3 June 2026');
   expect(named(photo())).toBe('');
   expect(named()).toBe('');
+});
+
+test.each(['en-US', 'en-GB', 'de', 'es', 'fr', 'pt', 'ja'])('a name of dates is recognised in %s', (locale) => {
+  const format = numbersIn(locale).dates;
+  const day = Date.UTC(2026, 10, 29);
+  for (const days of [0, 2, 40, 100, 900]) expect(isDates(format(day, day + days * 86_400_000), format)).toBe(true);
+  for (const name of ['Summer', 'Summer 2026', 'Lisbon, 3', '']) expect(isDates(name, format)).toBe(false);
 });
 
 test('the samples are called so', () => {

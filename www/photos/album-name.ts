@@ -54,6 +54,18 @@ export function isOneEvent(times: readonly (number | null)[]): boolean {
   return known.length * 3 >= times.length * 2 && Math.max(...known) - Math.min(...known) <= MAX_EVENT;
 }
 
+/**
+ * Whether a name consists of dates only, in the language of `dates`. Such a name is probably automatic: a project does not
+ * store who named it.
+ */
+export function isDates(name: string, dates: (from: number, to: number) => string): boolean {
+  const words = (text: string) => text.toLowerCase().match(/\p{L}+/gu) ?? [];
+  const months = Array.from({ length: 12 }, (_, month) => Date.UTC(2000, month, 10));
+  const ranges = months.flatMap((day) => [dates(day, day), dates(day, day + DAY), dates(day, day + 99 * DAY)]);
+  const known = new Set(ranges.flatMap(words));
+  return /\d{4}/.test(name) && words(name).every((word) => known.has(word));
+}
+
 /** When a photo was taken, in local milliseconds as if they were UTC, and the folder that names the place. */
 export function momentOf({ folders, taken }: Origin, now: number): { at: number | null; place: string } {
   const [, year, month, day, hour, minute] = /^(\d{4}):(\d\d):(\d\d) (\d\d):(\d\d)/.exec(taken ?? '') ?? [];

@@ -61,3 +61,12 @@ it('does not ask for the times of files whose photos have dates, or before they 
   expect(name()).toBe('Lisbon');
   expect(asked).not.toHaveBeenCalled();
 });
+
+it('the times of files are no title, also not in another session', async () => {
+  await add(photo('a.jpg'));
+  expect([name(), tab.reading.title()]).toEqual(['June 3, 2026', '']);
+  tab = await browser.died().tab();
+  expect([name(), tab.reading.title()]).toEqual(['June 3, 2026', '']);
+  tab.store.change({ type: 'rename', name: 'Summer' });
+  expect(tab.reading.title()).toBe('Summer');
+});

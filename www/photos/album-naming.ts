@@ -5,7 +5,7 @@
 
 import { computed } from '@preact/signals';
 import { strings } from '../strings/strings.ts';
-import { albumName, albumTitle, momentOf } from './album-name.ts';
+import { albumName, albumTitle, isDates, momentOf } from './album-name.ts';
 import { foldersOf } from './folders.ts';
 import type { Place } from '../document/place.ts';
 import type { ReadonlySignal } from '@preact/signals';
@@ -59,7 +59,8 @@ export function createAlbumNaming({
   /** @returns the title of a page: the project name that the user chose, or the folder or days of the photos */
   function title(): string {
     const { name } = store.project.peek();
-    return name !== '' && !isFree(name) && name !== automatic() ? name : named(albumTitle);
+    const isChosen = name !== '' && !isFree(name) && name !== automatic() && !isDates(name, strings.dates);
+    return isChosen ? name : named(albumTitle);
   }
 
   function named(by: typeof albumName): string {
