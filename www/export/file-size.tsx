@@ -1,6 +1,6 @@
 import { useEffect, useState } from 'preact/hooks';
 import { estimated } from './estimate.ts';
-import { pictureIn } from './formats.ts';
+import { isArchive, pictureIn } from './formats.ts';
 import { strings } from '../strings/strings.ts';
 import { useApp } from '../ui/context.ts';
 import { after } from '../engine/scheduler.ts';
@@ -15,7 +15,7 @@ const AS_TEXT = 4 / 3;
 
 /** The estimated file size, or nothing if it is unknown. */
 export function FileSize({ wish }: { wish: Wish }) {
-  const { engine } = useApp();
+  const { engine, keeping } = useApp();
   const [bytes, setBytes] = useState(null as number | null);
   const [busy, setBusy] = useState(true);
   useEffect(() => {
@@ -38,12 +38,14 @@ export function FileSize({ wish }: { wish: Wish }) {
       stop.abort();
     };
   }, [wish]);
+  const carries = wish.format === 'png' || isArchive(wish.format);
+  const photos = carries ? keeping.pageFiles.photoBytes() : 0;
   const text =
     busy && bytes === null
       ? strings.measuring
       : bytes === null
         ? ''
-        : strings.aboutSize({ size: strings.fileSize(bytes) });
+        : strings.aboutSize({ size: strings.fileSize(bytes + photos) });
   return (
     <output class="file-size" aria-busy={busy}>
       {text}

@@ -45,6 +45,16 @@ describe('a page that carries its project', () => {
     expect(text).toContain('Meanwhile');
   });
 
+  it('tells the size of the photos in it', async () => {
+    const { pageFiles } = tab.keeping;
+    expect(pageFiles.photoBytes()).toBe(0);
+    pageFiles.cargo.value = 'photos';
+    // Three files of five bytes.
+    expect(pageFiles.photoBytes()).toBe(15);
+    pageFiles.cargo.value = 'project';
+    expect(pageFiles.photoBytes()).toBe(0);
+  });
+
   it('opens beside the work that is there, with the photos of this browser', async () => {
     const file = await downloaded(tab, 'project');
     const before = look(tab);

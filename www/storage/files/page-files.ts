@@ -62,13 +62,20 @@ export function createPageFiles({
   /** Data in the next PNG or archive. A shared picture contains the project only if the user asks for it. */
   const cargo: Signal<Cargo> = signal('none');
 
-  return { cargo, take, carrying, packed, among, allAmong, lacksPhotos, unpacked, open, openChosen };
+  return { cargo, take, photoBytes, carrying, packed, among, allAmong, lacksPhotos, unpacked, open, openChosen };
 
   /** Returns the data for this file. The next file contains no project again. */
   function take(): Cargo {
     const now = cargo.peek();
     cargo.value = 'none';
     return now;
+  }
+
+  /** @returns the size of the photos that the next file contains; with their metadata, which is small */
+  function photoBytes(): number {
+    if (cargo.value !== 'photos') return 0;
+    const shown = [...photosOn(store.sheets.value)];
+    return shown.reduce((sum, id) => sum + (engine.photos.has(id) ? engine.photos.get(id).file.size : 0), 0);
   }
 
   /**
