@@ -94,13 +94,12 @@ impl Planning<'_> {
                 if !is_free(page, *panel) {
                     return Ok(None);
                 }
-                let next = match mask {
-                    Some(mask) => breaking::broken(page, *panel, mask)?,
-                    None => {
-                        let mut next = page.clone();
-                        next.panels[*panel].figure = None;
-                        Some(next)
-                    }
+                let next = if let Some(mask) = mask {
+                    breaking::broken(page, *panel, mask)?
+                } else {
+                    let mut next = page.clone();
+                    next.panels[*panel].figure = None;
+                    Some(next)
                 };
                 Ok(next.map(Outcome::Changed))
             }
@@ -371,7 +370,9 @@ impl Planning<'_> {
             return Ok(None);
         }
         let mut next = page.clone();
-        grown(page, &[panel]).iter().for_each(|at| change(&mut next.panels[*at]));
+        for at in grown(page, &[panel]) {
+            change(&mut next.panels[at]);
+        }
         self.amended(next)
     }
 
@@ -414,7 +415,6 @@ impl Planning<'_> {
         let mut next = page.clone();
         let mut wanted = change.clone();
         match &mut wanted {
-            LayoutChange::MoveCut { .. } | LayoutChange::MoveInset { .. } => {}
             LayoutChange::Split { panel, .. } if *panel < page.panels.len() => {
                 next = spliced(page, *panel, true);
             }
@@ -422,7 +422,10 @@ impl Planning<'_> {
                 next = spliced(page, *panel, false);
             }
             // The layout rejects a panel that does not exist.
-            LayoutChange::Split { .. } | LayoutChange::Remove { .. } => {}
+            LayoutChange::MoveCut { .. }
+            | LayoutChange::MoveInset { .. }
+            | LayoutChange::Split { .. }
+            | LayoutChange::Remove { .. } => {}
             LayoutChange::Join { panels } => {
                 *panels = grown(page, panels);
                 if panels.iter().any(|panel| *panel >= page.panels.len()) {

@@ -28,6 +28,7 @@ use std::sync::Arc;
     derive(ts_rs::TS),
     ts(tag = "type", rename_all = "kebab-case", rename_all_fields = "camelCase")
 )]
+#[allow(clippy::large_enum_variant, reason = "one at a time exists")]
 pub enum Edit {
     /// Adds photos to the tray.
     AddPhotos {

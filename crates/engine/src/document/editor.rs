@@ -140,8 +140,7 @@ impl Editor {
             return Ok("null".into());
         };
         let page = match self.outcome(&intent, photos)? {
-            None => return Ok("null".into()),
-            Some(Outcome::NoPage | Outcome::Version { .. }) => return Ok("null".into()),
+            None | Some(Outcome::NoPage | Outcome::Version { .. }) => return Ok("null".into()),
             Some(Outcome::Changed(page) | Outcome::Shown(page)) => pages::planned(page)?,
             Some(Outcome::Sheets(sheets, at)) => sheets[at].page.clone(),
             Some(Outcome::Paper(_, made)) => {

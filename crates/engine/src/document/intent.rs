@@ -17,6 +17,7 @@ use serde_json::{Map, Value};
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(tag = "type", rename_all = "kebab-case")]
 #[cfg_attr(test, derive(ts_rs::TS))]
+#[allow(clippy::large_enum_variant, reason = "one at a time exists")]
 pub enum Intent {
     /// Changes the crop of a panel.
     CropPanel {

@@ -33,7 +33,9 @@ pub(super) fn planned(page: Document) -> Result<Arc<Document>> {
     let mut page = page.validated()?;
     check(&page).map_err(|wrong| invalid(&wrong))?;
     let Document { words, panels, .. } = &mut page;
-    words.iter_mut().for_each(|word| tie(word, panels));
+    for word in words.iter_mut() {
+        tie(word, panels);
+    }
     Ok(Arc::new(page))
 }
 
