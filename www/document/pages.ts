@@ -130,8 +130,7 @@ export function createPages(
         const was = before.get(sheet) ?? null;
         // A restored version is not changed.
         if (sheet !== measured && (page === was || versions.has(page))) return [];
-        const told = isNew(at) ? narrated(page, at) : page;
-        const { words = [] } = settled(told, was);
+        const { words = [] } = settled(isNew(at) ? narrated(page, at) : page, was);
         return JSON.stringify(words) === JSON.stringify(page.words ?? []) ? [] : [{ at, words }];
       });
       if (placed.length > 0) store.change({ type: 'set-words', pages: placed, silent: true });

@@ -59,11 +59,12 @@ export function isOneEvent(times: readonly (number | null)[]): boolean {
  * store who named it.
  */
 export function isDates(name: string, dates: (from: number, to: number) => string): boolean {
+  if (!/\d{4}/.test(name)) return false;
   const words = (text: string) => text.toLowerCase().match(/\p{L}+/gu) ?? [];
   const months = Array.from({ length: 12 }, (_, month) => Date.UTC(2000, month, 10));
   const ranges = months.flatMap((day) => [dates(day, day), dates(day, day + DAY), dates(day, day + 99 * DAY)]);
   const known = new Set(ranges.flatMap(words));
-  return /\d{4}/.test(name) && words(name).every((word) => known.has(word));
+  return words(name).every((word) => known.has(word));
 }
 
 /** When a photo was taken, in local milliseconds as if they were UTC, and the folder that names the place. */

@@ -49,6 +49,10 @@ export function createAlbumNaming({
     );
   });
 
+  const name = computed(() => store.project.value.name);
+  /** Computed once per name, because each shuffle asks for the title. */
+  const hasDates = computed(() => isDates(name.value, strings.dates));
+
   return { automatic, title, moments: () => moments.peek(), begin, settle };
 
   /** @returns the automatic name of the project; empty without information */
@@ -58,9 +62,9 @@ export function createAlbumNaming({
 
   /** @returns the title of a page: the project name that the user chose, or the folder or days of the photos */
   function title(): string {
-    const { name } = store.project.peek();
-    const isChosen = name !== '' && !isFree(name) && name !== automatic() && !isDates(name, strings.dates);
-    return isChosen ? name : named(albumTitle);
+    const now = name.peek();
+    const isChosen = now !== '' && !isFree(now) && now !== automatic() && !hasDates.peek();
+    return isChosen ? now : named(albumTitle);
   }
 
   function named(by: typeof albumName): string {

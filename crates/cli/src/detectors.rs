@@ -90,7 +90,7 @@ pub(crate) fn use_painters(file: &Path) -> Result<(), CliError> {
 }
 
 /// Warns about models that styles name, if the Painter uses another model.
-pub(crate) fn tell_other_painters<'s>(styles: impl IntoIterator<Item = &'s Style>) {
+pub(crate) fn warn_about_models<'s>(styles: impl IntoIterator<Item = &'s Style>) {
     let given = GIVEN.get();
     let painted = match given {
         Some(_) => "the file of --painters",

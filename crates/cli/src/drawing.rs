@@ -39,7 +39,7 @@ pub(crate) fn add_words(
 /// Warns about characters without a glyph, and about models of painters that are named but not used.
 pub(crate) fn tell_missing(pages: &[Document], fonts: &GivenFonts) -> Result<(), CliError> {
     let styles = pages.iter().map(Document::style).collect::<Result<Vec<_>, _>>()?;
-    detectors::tell_other_painters(styles.iter().map(AsRef::as_ref));
+    detectors::warn_about_models(styles.iter().map(AsRef::as_ref));
     let words = || pages.iter().flat_map(|page| &page.words);
     let letters = fonts.letters(words())?;
     let missing = given::missing(&letters, words());

@@ -44,7 +44,7 @@ pub(crate) fn stylize_photo(asked: &StylizeArgs) -> Result<(), CliError> {
         return Err(format!("{}: stylize writes .png, .jpg or .webp", output.path.display()).into());
     }
     let style = read_style(&asked.style)?;
-    detectors::tell_other_painters([&style]);
+    detectors::warn_about_models([&style]);
     let image = decode_file(&asked.input)?;
     let mut context = native::context_for(&style, &image);
     if detects && style.faces {

@@ -36,7 +36,7 @@ impl Shots {
         let request = request(&saved, asked, &photos)?;
         let plan = request.planned()?;
         let style = plan.clips[0].picture.style()?;
-        detectors::tell_other_painters([style.as_ref()]);
+        detectors::warn_about_models([style.as_ref()]);
         if !style.has_parts() {
             let moving = photos.iter().filter(|photo| super::is_of_film(&saved, &photo.id)).count();
             super::tell_still(moving, ("shot", "shots"));
