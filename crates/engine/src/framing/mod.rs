@@ -24,7 +24,7 @@ pub use energy::EnergyMap;
 pub use facts::Facts;
 pub use frame::{closeup, frame, sketch};
 pub use lettering::lettering;
-pub use photo::{Expression, FACE, FIGURE, FacePoints, Focus, LETTERING, PhotoMeta, Subject};
+pub use photo::{Expression, FACE, FIGURE, FacePoints, Focus, LETTERING, PERSON_HEAD, PhotoMeta, Subject};
 pub use region::Region;
 pub(crate) use score::{MEDIUM, SURE};
 pub use target::Target;

@@ -227,6 +227,9 @@ impl Expression {
     }
 }
 
+/// The part of a person, from the top, that contains the head.
+pub const PERSON_HEAD: f64 = 0.24;
+
 /// Position of the mouth in a face without points, as a share of the height of its box.
 const MOUTH: f64 = 0.78;
 /// Distance of the nose from the middle of the ears, in widths of the box: the minimum of a face that looks to the

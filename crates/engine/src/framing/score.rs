@@ -8,7 +8,7 @@ use std::borrow::Cow;
 
 use super::candidates::{Area, ROOM, View, reach};
 use super::crop::Crop;
-use super::photo::{FACE, PhotoMeta, Subject};
+use super::photo::{FACE, PERSON_HEAD, PhotoMeta, Subject};
 use super::sums::Sums;
 
 /// Maximum enlargement, unless nothing else fits.
@@ -33,9 +33,8 @@ pub(crate) const SURE: f64 = 0.78;
 pub(crate) const MEDIUM: (f64, f64) = (0.3, 0.8);
 /// The least part of a photo that a subject covers which must not be cut.
 const SOME_SIZE: f64 = 0.01;
-/// The upper part of an animal, and of a person without a known face, that contains the head.
+/// The upper part of an animal that contains the head.
 const CROWN: f64 = 0.4;
-const PERSON_HEAD: f64 = 0.24;
 /// Cost of less room than [`ROOM`] where a face looks, in widths of the crop.
 const CRAMPED: f64 = 0.8;
 /// Cost of one edge through an area of average energy.

@@ -9,6 +9,7 @@ use super::slots::{Assignment, LEADS, Slot, touch};
 use super::turns::Turns;
 use super::utility::{Look, placed};
 use crate::framing::{PhotoMeta, Subject, frame};
+use crate::raster::balance::GRAY;
 use crate::select::DUPLICATE_THRESHOLD;
 
 /// The most photos that one plan chooses from; of larger albums some are drawn.
@@ -30,9 +31,7 @@ const LEAST_SHARP: f64 = 0.5;
 const LEAST_TONAL: f64 = 0.35;
 /// The part of its quality that a completely blurred photo loses.
 const BLURRED: f64 = 0.65;
-/// Mean distance of the largest to the smallest channel below which a photo is gray, and the factor of the quality of gray
-/// photos among photos with colours.
-const GRAY: u8 = 7;
+/// Factor of the quality of gray photos among photos with colours.
 const GRAY_QUALITY: f64 = 0.7;
 /// Number of photos whose mean quality leads are compared with.
 const TOP: usize = 2;

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use std::rc::Rc;
 
 use super::best_first;
-use crate::framing::{Crop, FACE, FIGURE, LETTERING, PhotoMeta, SURE, Subject, Target, sketch};
+use crate::framing::{Crop, FACE, FIGURE, LETTERING, PERSON_HEAD, PhotoMeta, SURE, Subject, Target, sketch};
 use crate::layout::Bounds;
 use crate::select::fingerprint::distance;
 
@@ -45,8 +45,8 @@ const FLAT: f64 = 0.5;
 const SHEET: (f64, f64) = (0.85, 0.65);
 /// Maximum aspect ratio of a screenshot of a phone, and its minimum flat part. Photos of phones are wider.
 const PHONE: (f64, f64) = (0.52, 0.7);
-/// The part of a person and of an animal, from the top, that contains the head.
-const HEAD: (f64, f64) = (0.24, 0.38);
+/// The part of an animal, from the top, that contains the head.
+const ANIMAL_HEAD: f64 = 0.38;
 /// Side of a face, as a part of the photo's side, that makes a tall picture with bars a portrait, not a screenshot.
 const PORTRAIT: f64 = 0.1;
 /// Minimum score of a person, and minimum overlap with an animal, at which the detector is unsure about the animal.
@@ -296,8 +296,10 @@ fn mark(s: &Subject, photo: &PhotoMeta) -> Option<Mark> {
     } else {
         1.0
     };
-    let head = (s.is_animal() || s.label == "person" && !portrait)
-        .then(|| Bounds { height: if s.is_animal() { HEAD.1 } else { HEAD.0 } * s.height, ..bounds(s) });
+    let head = (s.is_animal() || s.label == "person" && !portrait).then(|| Bounds {
+        height: if s.is_animal() { ANIMAL_HEAD } else { PERSON_HEAD } * s.height,
+        ..bounds(s)
+    });
     Some(Mark {
         head,
         grown: bounds(&grown),

@@ -131,7 +131,7 @@ fn part_for(skin: [f64; 3], factors: [f64; 3]) -> f64 {
 }
 
 /// Mean distance of the largest to the smallest channel below which a photo is gray.
-const GRAY: f64 = 7.0;
+pub const GRAY: u8 = 7;
 /// Shift of R, G and B in the middle tones of a toned picture, in grey levels. Its luma stays.
 const TONE: [f32; 3] = [26.0, -2.0, -42.0];
 
@@ -149,7 +149,7 @@ pub fn is_gray(photo: &Image) -> bool {
             count += 1;
         }
     }
-    sum < GRAY * f64::from(count)
+    sum < f64::from(GRAY) * f64::from(count)
 }
 
 /// A gray picture in the warm tone of an old print.
