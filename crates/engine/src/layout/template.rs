@@ -195,9 +195,9 @@ impl Template {
                 }
                 Shape::Polygon(cell) => {
                     let cell: Vec<_> = cell.iter().map(|p| Point::new(p.x, p.y / page_aspect)).collect();
-                    let drawn_out = Bounds::of(&cell).aspect();
-                    let Some(panel) = eroded(&cell, DEFAULT_GUTTER / 2.0) else { return false };
-                    thickness(&panel) >= LEAST_THICKNESS && (1.0 / tall..=wide).contains(&drawn_out)
+                    (1.0 / tall..=wide).contains(&Bounds::of(&cell).aspect())
+                        && eroded(&cell, DEFAULT_GUTTER / 2.0)
+                            .is_some_and(|panel| thickness(&panel) >= LEAST_THICKNESS)
                 }
             })
     }
